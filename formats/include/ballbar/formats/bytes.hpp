@@ -1,0 +1,21 @@
+// Whole files in, whole files out. Sizes are bounded, nothing is written half.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace ballbar {
+
+inline constexpr std::size_t kLargestTable = std::size_t{1} << 30;  // a .csv: 1 GiB
+inline constexpr std::size_t kLargestText = std::size_t{16} << 20;  // .b5r and .toml: 16 MiB
+
+// The bytes of a regular file. Throws Error: missing, a directory or other special file, unreadable,
+// larger than `limit`.
+std::string read_bytes(const std::filesystem::path& path, std::size_t limit);
+
+// Writes to a temporary file beside `path` and renames it. Throws Error; then `path` is as it was.
+void write_bytes(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace ballbar

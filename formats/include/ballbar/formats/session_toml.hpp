@@ -1,0 +1,46 @@
+// Session `session.toml`: which files belong to which test of a warm-up series; or a folder of `.b5r`.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ballbar/drift.hpp"
+
+namespace ballbar {
+
+// The session file as written: paths relative to its folder, nothing opened yet.
+struct SessionPlan {
+  struct Test {
+    double elapsed_s = 0.0;
+    std::string c_arc, a_arc, rotation, axial, circle;  // empty: not given
+    std::optional<double> axial_length_mm;
+  };
+  Method method = Method::circles;
+  std::string title;
+  double nominal_length_mm = 100.0;
+  bool spindle_above = true;
+  std::vector<Test> tests;
+  std::vector<std::string> signal_files;
+  std::string five_probe_file;  // empty: none
+};
+
+// `name` stands in messages. Throws Error with name:line:column; refuses paths that are absolute or leave the folder.
+SessionPlan read_session_plan(std::string_view bytes, std::string_view name);
+
+std::string write_session_plan(const SessionPlan& plan);
+
+// Everything the plan names, read. A path may not leave the folder, not through a link either.
+struct SessionFiles {
+  Session session;
+  std::vector<std::filesystem::path> signals;
+  std::optional<std::filesystem::path> five_probe;
+};
+
+// A session.toml, or a folder: of a session.toml, else of `.b5r` files (each a test at its DATE_STARTED,
+// counted from the first; other files are ignored).
+SessionFiles open_session(const std::filesystem::path& path);
+
+}  // namespace ballbar

@@ -1,0 +1,59 @@
+// One ballbar recording: the bar's length along a circular path, or along one line (axial).
+//
+// Plane (A,B) is XY, YZ or ZX, right-handed; the angle runs from +A towards +B. Of the two balls one
+// stays (F) and one travels (M). For a circle the length equation holds without a small-angle step:
+//
+//   M - F = c + R (cos theta, sin theta) + h n,      L(theta) = |M - F|
+//
+// c the displacement of the path's centre from the fixed ball, n the plane's normal, h the height
+// difference of the balls. An axial recording has no angle: the bar is a one-dimensional gauge.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace ballbar {
+
+enum class Kind { circle, axial };
+enum class Motion { linear_axes, rotary_axis, spindle };  // what drives the circle
+enum class Plane { XY, YZ, ZX };
+enum class MovingBall { spindle, table };
+enum class Direction { CCW, CW };
+
+struct Recording {
+  Kind kind = Kind::circle;
+  Motion motion = Motion::linear_axes;
+  Plane plane = Plane::XY;
+  MovingBall moving_ball = MovingBall::spindle;
+  Direction direction = Direction::CCW;
+  double nominal_length_mm = 100.0;
+  double height_offset_mm = 0.0;  // h; in a spindle-rotation test positive when the spindle's ball is
+                                  // nearer the table than the table's ball, so that elongation adds
+  std::optional<double> feed_mm_per_min;
+  std::optional<double> bar_temperature_degC;
+  std::optional<double> elapsed_s;          // start of the test since the session's own zero
+  std::optional<std::int64_t> started_s;    // start on the machine's local clock, s since 1970-01-01T00:00:00
+  std::vector<double> time_s;               // n readings from the start of the sweep; empty: uniform in time
+  std::vector<double> angle_rad;            // n readings; empty for axial
+  std::vector<double> length_mm;            // n readings, > 0
+};
+
+// The two axes of a plane as indices into (x, y, z): XY -> {0,1}, YZ -> {1,2}, ZX -> {2,0}.
+std::array<int, 2> axes_of(Plane plane);
+
+// Arc covered by the readings, rad, in (0, 2 pi]: 2 pi less the largest gap, with one reading's share
+// added back, so that n readings at mid-sample of an arc give that arc. 2 pi where no gap is wider than
+// 1.5 mean spacings. Readings may be in any order and may wrap. 0 for fewer than 2 readings. O(n).
+double arc_rad(const Recording& recording);
+
+std::string_view name_of(Kind kind);
+std::string_view name_of(Motion motion);
+std::string_view name_of(Plane plane);
+std::string_view name_of(MovingBall moving_ball);
+std::string_view name_of(Direction direction);
+
+}  // namespace ballbar
