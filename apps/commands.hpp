@@ -1,0 +1,15 @@
+// The commands of `ballbar`, one file each. Every one adds its options to the command line; its work runs
+// from the callback and returns by printing results to stdout, remarks to stderr, or by throwing Error.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace ballbar::commands {
+
+void add_fit(CLI::App& app);
+void add_drift(CLI::App& app);
+void add_simulate(CLI::App& app);
+
+}  // namespace ballbar::commands
