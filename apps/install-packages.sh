@@ -1,0 +1,57 @@
+#!/bin/sh
+# The one list of the Debian packages ballbar needs, and their installation.
+#
+#   sh apps/install-packages.sh GROUP...       groups: build test bench check
+#
+# Installs what is missing; where nothing is, no package tool is called and no rights are needed.
+set -eu
+
+build='g++ make cmake libeigen3-dev libceres-dev libfmt-dev libpugixml-dev libtomlplusplus-dev
+  nlohmann-json3-dev libcli11-dev libmatio-dev'
+test='libgtest-dev librapidcheck-dev python3'
+bench='libbenchmark-dev python3 python3-numpy python3-scipy'
+check='git clang clang-format clang-tidy libclang-rt-14-dev'
+
+wanted=
+for group in "$@"; do
+  case $group in
+    build) wanted="$wanted $build" ;;
+    test) wanted="$wanted $test" ;;
+    bench) wanted="$wanted $bench" ;;
+    check) wanted="$wanted $check" ;;
+    *)
+      echo "install-packages.sh: no group '$group'; the groups are build, test, bench, check" >&2
+      exit 2
+      ;;
+  esac
+done
+
+if ! command -v dpkg-query >/dev/null; then
+  echo "This is not a Debian system. These packages, or what they are called here, must be installed:"
+  echo "$wanted"
+  exit 0
+fi
+
+missing=
+for package in $wanted; do
+  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$status" = installed ] || missing="$missing $package"
+done
+if [ -z "$missing" ]; then
+  echo "Packages: all installed."
+  exit 0
+fi
+
+echo "Packages to install:$missing"
+if [ "$(id -u)" = 0 ]; then
+  as_root=
+elif command -v sudo >/dev/null; then
+  as_root=sudo
+else
+  echo "install-packages.sh: needs root to install packages and there is no sudo here; as root, run" >&2
+  echo "  apt-get install --no-install-recommends$missing" >&2
+  exit 1
+fi
+$as_root apt-get update -q
+# shellcheck disable=SC2086  # the list is meant to be split
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing

@@ -1,0 +1,29 @@
+#!/bin/sh
+# From a fresh Debian 12 to a drift table: packages, build, one sample session.
+#
+#   sh apps/quickstart.sh
+set -eu
+cd "$(dirname "$0")/.."
+
+step() { printf '\n== %s\n' "$1"; }
+
+step 'Packages'
+sh apps/install-packages.sh build
+
+step 'Build (Release, in build/)'
+cmake -S . -B build -DCMAKE_BUILD_TYPE=Release
+cmake --build build -j "$(nproc)"
+
+step 'Drift of a sample session'
+out=build/quickstart
+session=sample-runs/two-arcs-he2015/session.toml
+mkdir -p "$out"
+echo "\$ build/apps/ballbar drift $session --out $out/drift.csv"
+build/apps/ballbar drift "$session" --out "$out/drift.csv"
+build/apps/ballbar drift "$session" --out "$out/drift.json" >/dev/null
+build/apps/ballbar drift "$session" --out "$out/drift.mat" >/dev/null
+
+step 'The same series as files'
+for extension in csv json mat; do
+  echo "$PWD/$out/drift.$extension"
+done
