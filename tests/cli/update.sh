@@ -1,0 +1,24 @@
+#!/bin/sh
+# Writes down what the program prints now as what tests/cli and the README expect. Read the difference
+# (git diff) before keeping it.
+#
+#   sh tests/cli/update.sh build-tests/apps/ballbar [NAME...]      no name: all cases and the README
+set -eu
+program=$(realpath "$1")
+shift
+cd "$(dirname "$0")/../.."
+source=$PWD
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+readme=no
+if [ $# = 0 ]; then
+  readme=yes
+  # shellcheck disable=SC2046  # names of cases have no spaces
+  set -- $(ls tests/cli/cases)
+fi
+for name in "$@"; do
+  sh tests/cli/case.sh "$program" "$source" "$name" "$scratch" --update
+done
+if [ $readme = yes ]; then
+  python3 tests/cli/readme.py "$program" "$source" "$scratch/readme" --update
+fi

@@ -1,0 +1,14 @@
+#!/bin/sh
+# Installs a built ballbar into a prefix of its own, then configures, builds and runs the consumer against it.
+#
+#   sh run.sh BUILD_FOLDER SCRATCH [CXX_FLAGS]
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+build=$1 scratch=$2 flags=${3:-}
+rm -rf "$scratch"
+cmake --install "$build" --prefix "$scratch/prefix"
+cmake -S "$here" -B "$scratch/build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$scratch/prefix" \
+  -DCMAKE_CXX_FLAGS="$flags"
+cmake --build "$scratch/build"
+"$scratch/build/consumer"
+"$scratch/prefix/bin/ballbar" --version
