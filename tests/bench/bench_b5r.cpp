@@ -1,0 +1,43 @@
+// A `.b5r`: read from memory and from disk, and both circles fitted.
+#include <benchmark/benchmark.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+#include "ballbar/circle_fit.hpp"
+#include "ballbar/formats/bytes.hpp"
+#include "ballbar/formats/recording_file.hpp"
+#include "bench_data.hpp"
+
+namespace {
+
+void b5r_read(benchmark::State& state) {
+  const std::string bytes = ballbar::bench::b5r_bytes();
+  for (auto _ : state) benchmark::DoNotOptimize(ballbar::read_b5r(bytes, "memory"));
+  state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(bytes.size()));
+}
+
+void b5r_read_and_fit(benchmark::State& state) {
+  const std::string bytes = ballbar::bench::b5r_bytes();
+  for (auto _ : state) {
+    const ballbar::B5r test = ballbar::read_b5r(bytes, "memory");
+    for (const ballbar::Recording& run : test.runs) benchmark::DoNotOptimize(ballbar::fit_circle(run));
+  }
+}
+
+void b5r_open_and_fit(benchmark::State& state) {
+  const auto path = std::filesystem::temp_directory_path() / ("ballbar-bench-" + std::to_string(getpid()) + ".b5r");
+  ballbar::write_bytes(path, ballbar::bench::b5r_bytes());
+  for (auto _ : state) {
+    const ballbar::RecordingFile file = ballbar::open_recording(path);
+    for (const ballbar::Recording& run : file.recordings) benchmark::DoNotOptimize(ballbar::fit_circle(run));
+  }
+  std::filesystem::remove(path);
+}
+
+BENCHMARK(b5r_read)->Unit(benchmark::kMillisecond);
+BENCHMARK(b5r_read_and_fit)->Unit(benchmark::kMillisecond);
+BENCHMARK(b5r_open_and_fit)->Unit(benchmark::kMillisecond);
+
+}  // namespace

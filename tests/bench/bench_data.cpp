@@ -1,0 +1,54 @@
+#include "bench_data.hpp"
+
+#include <utility>
+
+#include "ballbar/formats/ballbar_log.hpp"
+
+namespace ballbar::bench {
+namespace {
+
+VirtualMachine circles_machine(std::size_t readings) {
+  VirtualMachine machine;
+  machine.method = Method::circles;
+  machine.truth = {{.time_s = 0.0, .x_um = 12.0, .y_um = -7.0}};
+  machine.test_s = {0.0};
+  machine.circle.readings = readings;
+  machine.seed = 1;
+  return machine;
+}
+
+}  // namespace
+
+Recording circle_of(std::size_t readings) {
+  return std::move(simulate(circles_machine(readings)).session.tests.at(0).circles.at(0));
+}
+
+std::string b5r_bytes() {
+  B5r test;
+  test.test_name = "benchmark";
+  test.ballbar_model = "simulated";
+  test.software_version = "0";
+  test.runs = std::move(simulate(circles_machine(1500)).session.tests.at(0).circles);
+  for (Recording& run : test.runs) {
+    run.started_s = 1'425'286'800;  // 2015-03-02T09:00:00
+    run.feed_mm_per_min = 1000.0;
+  }
+  return write_b5r(test);
+}
+
+std::string log_bytes(std::size_t size) {
+  constexpr std::size_t kSample = 10'000;
+  const std::size_t sample_size = write_ballbar_log(circle_of(kSample)).size();
+  return write_ballbar_log(circle_of(kSample * size / sample_size + kSample));
+}
+
+SimulatedSession two_arc_session() {
+  VirtualMachine machine;
+  machine.method = Method::two_arcs;
+  machine.truth = {{.time_s = 0.0}, {.time_s = 14'400.0, .x_um = 6.0, .y_um = -4.0, .z_um = 35.0}};
+  for (int test = 0; test < 15; ++test) machine.test_s.push_back(960.0 * test);
+  machine.seed = 2;
+  return simulate(machine);
+}
+
+}  // namespace ballbar::bench

@@ -1,0 +1,25 @@
+// What the benchmarks work on, made by the simulator: the same seed, the same bytes.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "ballbar/formats/b5r.hpp"
+#include "ballbar/recording.hpp"
+#include "ballbar/simulate.hpp"
+
+namespace ballbar::bench {
+
+// One full circle about an offset centre.
+Recording circle_of(std::size_t readings);
+
+// A test as the instrument stores it: CCW and CW, 1500 readings each.
+std::string b5r_bytes();
+
+// A ballbar log of at least that many bytes; one reading is about 50 bytes.
+std::string log_bytes(std::size_t size);
+
+// 15 tests of two arcs, 1500 and 800 readings, over four hours.
+SimulatedSession two_arc_session();
+
+}  // namespace ballbar::bench

@@ -1,0 +1,27 @@
+// A warm-up series end to end: 15 tests of two arcs read from disk, and their drift.
+#include <benchmark/benchmark.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+#include "ballbar/drift.hpp"
+#include "ballbar/formats/machine_toml.hpp"
+#include "ballbar/formats/session_toml.hpp"
+#include "bench_data.hpp"
+
+namespace {
+
+void session_drift(benchmark::State& state) {
+  const auto folder = std::filesystem::temp_directory_path() / ("ballbar-bench-" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  ballbar::write_simulated(ballbar::bench::two_arc_session(), folder, folder / "truth.csv", false);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(ballbar::drift_of(ballbar::open_session(folder / "session.toml").session));
+  }
+  std::filesystem::remove_all(folder);
+}
+
+BENCHMARK(session_drift)->Unit(benchmark::kMillisecond);
+
+}  // namespace

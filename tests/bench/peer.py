@@ -1,0 +1,96 @@
+"""The same work as the benchmarks with numpy, scipy and ElementTree, and one table of both.
+
+    python3 peer.py FILES_FOLDER REPETITIONS GOOGLE_BENCHMARK_JSON...
+
+FILES_FOLDER is what bench_files wrote. Each figure is the median of the repetitions. The peer's fit has no
+covariance and no autocorrelation in it; ours has.
+"""
+import json
+import pathlib
+import statistics
+import sys
+import time
+import xml.etree.ElementTree as xml
+
+import numpy as np
+from scipy.optimize import least_squares
+
+folder = pathlib.Path(sys.argv[1])
+repetitions = int(sys.argv[2])
+
+
+def median_ms(work):
+    times = []
+    for _ in range(repetitions):
+        start = time.perf_counter()
+        work()
+        times.append((time.perf_counter() - start) * 1e3)
+    return statistics.median(times)
+
+
+def fit(angle_rad, length_mm):
+    """Centre a, b and radius R of L = |(a, b) + R (cos, sin)|, with the exact Jacobian."""
+    cos, sin = np.cos(angle_rad), np.sin(angle_rad)
+
+    def residual(p):
+        return np.hypot(p[0] + p[2] * cos, p[1] + p[2] * sin) - length_mm
+
+    def jacobian(p):
+        x, y = p[0] + p[2] * cos, p[1] + p[2] * sin
+        length = np.hypot(x, y)
+        return np.column_stack((x / length, y / length, (x * cos + y * sin) / length))
+
+    return least_squares(residual, (0.0, 0.0, length_mm.mean()), jac=jacobian, method="lm").x
+
+
+def read_b5r(path):
+    root = xml.parse(path).getroot()
+    bar = root.find("TEST_SPEC/INSTRUMENT/DYNAMIC_BALLBAR")
+    nominal_mm, start_deg, end_deg = (float(bar.findtext(name)) for name in ("NOMINAL_LENGTH", "START_ANGLE", "END_ANGLE"))
+    arc_deg = (end_deg - start_deg) % 360.0 or 360.0
+    runs = []
+    for run in root.iterfind("RUN_RESULTS/BALLBAR_RUN"):
+        first, last = int(run.findtext("START_INDEX")), int(run.findtext("END_INDEX"))
+        length_mm = nominal_mm + np.array(run.findtext("READINGS").split(), dtype=float)[first : last + 1]
+        step_deg = (np.arange(length_mm.size) + 0.5) * arc_deg / length_mm.size
+        ccw = run.findtext("RUN_DIRECTION") == "CCW"
+        runs.append((np.radians(start_deg + step_deg if ccw else end_deg - step_deg), length_mm))
+    return runs
+
+
+def read_log(path):
+    with open(path, encoding="utf-8") as file:
+        header = next(line for line in file if not line.startswith("#")).strip().split(",")
+        table = np.loadtxt(file, delimiter=",")
+    return np.radians(table[:, header.index("angle_deg")]), table[:, header.index("length_mm")]
+
+
+circle = read_log(folder / "circle.csv")
+log_MB = (folder / "log.csv").stat().st_size / 1e6
+
+ours = {}
+for path in sys.argv[3:]:
+    for entry in json.loads(pathlib.Path(path).read_text())["benchmarks"]:
+        if repetitions == 1 or entry.get("aggregate_name") == "median":
+            ours[entry["run_name"]] = entry
+
+rows = [
+    (".b5r from disk, both circles fitted", "b5r_open_and_fit",
+     median_ms(lambda: [fit(*run) for run in read_b5r(folder / "test.b5r")])),
+    (f"log of {log_MB:.0f} MB read", "log_read", median_ms(lambda: read_log(folder / "log.csv"))),
+    (f"circle of {circle[0].size} readings fitted", "circle_fit", median_ms(lambda: fit(*circle))),
+    (f"sine and cosine of {circle[0].size} angles", "circle_sine_pass",
+     median_ms(lambda: (circle[1] * (np.cos(circle[0]) + np.sin(circle[0]))).sum())),
+    ("15 tests of two arcs from disk, their drift", "session_drift", None),
+]
+print(f"{'':44} {'ours ms':>10} {'peer ms':>10} {'peer/ours':>10}")
+for title, name, peer_ms in rows:
+    ours_ms = ours[name]["real_time"]
+    peer = f"{peer_ms:10.2f} {peer_ms / ours_ms:10.1f}" if peer_ms is not None else f"{'-':>10} {'-':>10}"
+    print(f"{title:44} {ours_ms:10.2f} {peer}")
+print()
+print(f"log: {ours['log_read']['bytes_per_second'] / 1e6:.0f} MB/s")
+for name in ("circle_fit", "circle_fit_polar", "circle_fit_robust"):
+    entry = ours[name]
+    print(f"{name}: {entry['times_sine_pass']:.1f} x the sine and cosine pass, "
+          f"{entry['peak_bytes_a_reading']:.0f} bytes a reading at the peak")
