@@ -1,1 +1,92 @@
-// placeholder
+#include "ballbar/recording.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ballbar/units.hpp"
+
+namespace ballbar {
+namespace {
+
+// Largest gap between neighbours on the circle. Of n readings the largest gap is at least 2 pi / n, so it
+// never lies within one of n equal bins: the extremes of each bin are enough, and nothing is sorted.
+double largest_gap_rad(const std::vector<double>& angle_rad) {
+  const std::size_t n = angle_rad.size();
+  const double width_rad = 2.0 * kPi / static_cast<double>(n);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::vector<double> lowest(n, kInfinity);
+  std::vector<double> highest(n, -kInfinity);
+  for (const double angle : angle_rad) {
+    double wrapped = std::fmod(angle, 2.0 * kPi);
+    if (wrapped < 0.0) wrapped += 2.0 * kPi;
+    const std::size_t bin = std::min(static_cast<std::size_t>(wrapped / width_rad), n - 1);
+    lowest[bin] = std::min(lowest[bin], wrapped);
+    highest[bin] = std::max(highest[bin], wrapped);
+  }
+  double first = kInfinity;
+  double last = -kInfinity;
+  double gap = 0.0;
+  for (std::size_t bin = 0; bin < n; ++bin) {
+    if (highest[bin] < lowest[bin]) continue;
+    if (last >= 0.0) gap = std::max(gap, lowest[bin] - last);
+    first = std::min(first, lowest[bin]);
+    last = highest[bin];
+  }
+  return std::max(gap, first + 2.0 * kPi - last);
+}
+
+}  // namespace
+
+std::array<int, 2> axes_of(Plane plane) {
+  switch (plane) {
+    case Plane::XY:
+      return {0, 1};
+    case Plane::YZ:
+      return {1, 2};
+    case Plane::ZX:
+      break;
+  }
+  return {2, 0};
+}
+
+double arc_rad(const Recording& recording) {
+  const auto n = static_cast<double>(recording.angle_rad.size());
+  if (recording.angle_rad.size() < 2) return 0.0;
+  const double gap_rad = largest_gap_rad(recording.angle_rad);
+  if (gap_rad <= 1.5 * 2.0 * kPi / n) return 2.0 * kPi;
+  // n readings at mid-sample span n - 1 of the arc's n shares.
+  return std::min(2.0 * kPi, (2.0 * kPi - gap_rad) * n / (n - 1.0));
+}
+
+std::string_view name_of(Kind kind) { return kind == Kind::circle ? "circle" : "axial"; }
+
+std::string_view name_of(Motion motion) {
+  switch (motion) {
+    case Motion::linear_axes:
+      return "linear_axes";
+    case Motion::rotary_axis:
+      return "rotary_axis";
+    case Motion::spindle:
+      break;
+  }
+  return "spindle";
+}
+
+std::string_view name_of(Plane plane) {
+  switch (plane) {
+    case Plane::XY:
+      return "XY";
+    case Plane::YZ:
+      return "YZ";
+    case Plane::ZX:
+      break;
+  }
+  return "ZX";
+}
+
+std::string_view name_of(MovingBall moving_ball) { return moving_ball == MovingBall::spindle ? "spindle" : "table"; }
+
+std::string_view name_of(Direction direction) { return direction == Direction::CCW ? "CCW" : "CW"; }
+
+}  // namespace ballbar
