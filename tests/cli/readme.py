@@ -1,14 +1,14 @@
-"""Holds README.md to what the program does. Fenced blocks, in the order of the page:
+"""Holds README.md to what the program does. Its fenced blocks:
 
-    ```csv cold.csv          a plain name: the block is written to a file of that name
+    ```csv cold.csv          a plain name: the block is a file of that name
     ```cpp tests/x/main.cpp  a path: the block must stand in that file
-    ```console               lines `$ command` (a closing backslash continues) are run, `ballbar` being the
-                             program built and sample-runs/ being there; the lines below each are its
-                             output, where a line `...` stands for any lines
+    ```console               lines `$ command` (a closing backslash continues) are run, in a folder that has
+                             the files above, those of tests/cli/readme/ and sample-runs/; `ballbar` is the
+                             program built. The lines below each are its output; `...` stands for any lines.
 
     python3 readme.py PROGRAM SOURCE_FOLDER SCRATCH [--update]
 
-Files of tests/cli/readme/ are there too. --update rewrites the outputs that differ.
+--update rewrites the outputs that differ.
 """
 import difflib
 import os
@@ -35,64 +35,66 @@ def same(expected, came):
 
 
 def steps_of(block):
-    """[(command lines, output lines)] of a console block."""
+    """[(lines of the command, lines of its output)] of a console block."""
     steps = []
     for line in block:
-        if line.startswith("$ ") or (steps and not steps[-1][1] and steps[-1][0][-1].endswith("\\")):
-            if line.startswith("$ "):
-                steps.append(([], []))
-            steps[-1][0].append(line)
-        elif steps:
-            steps[-1][1].append(line)
-        else:
+        if line.startswith("$ "):
+            steps.append(([line], []))
+        elif not steps:
             raise SystemExit(f"README.md: a console block starts without `$ `: {line}")
+        elif not steps[-1][1] and steps[-1][0][-1].endswith("\\"):
+            steps[-1][0].append(line)
+        else:
+            steps[-1][1].append(line)
     return steps
 
+
+# The page as pieces: (None, None, lines) outside the blocks, (language, name, lines) inside.
+pieces = [(None, None, [])]
+for line in readme.read_text(encoding="utf-8").splitlines():
+    fence = re.fullmatch(r"```(\w*)(?: (\S+))?", line)
+    if pieces[-1][0] is not None and line == "```":
+        pieces.append((None, None, [line]))
+    elif pieces[-1][0] is None and fence:
+        pieces[-1][2].append(line)
+        pieces.append((fence[1], fence[2], []))
+    else:
+        pieces[-1][2].append(line)
 
 shutil.rmtree(scratch, ignore_errors=True)
 scratch.mkdir(parents=True)
 (scratch / "sample-runs").symlink_to(source / "sample-runs")
-extra = source / "tests" / "cli" / "readme"
-if extra.is_dir():
-    shutil.copytree(extra, scratch, dirs_exist_ok=True)
+shutil.copytree(source / "tests" / "cli" / "readme", scratch, dirs_exist_ok=True)
 
-lines = readme.read_text(encoding="utf-8").splitlines()
-kept, wrong, commands = [], 0, 0
-at = 0
-while at < len(lines):
-    kept.append(lines[at])
-    fence = re.fullmatch(r"```(\w+)(?: (\S+))?", lines[at])
-    at += 1
-    if not fence:
+wrong = commands = 0
+for language, name, block in pieces:
+    if not name:
         continue
-    language, name = fence.groups()
-    end = lines.index("```", at)
-    block = lines[at:end]
-    at = end
     text = "".join(line + "\n" for line in block)
-    if language == "console":
-        steps, block = steps_of(block), []
-        for command, expected in steps:
-            commands += 1
-            came = run("\n".join(command)[2:])
-            block += command
-            if same(expected, came):
-                block += expected
-                continue
-            block += came
+    if "/" not in name:
+        (scratch / name).write_text(text, encoding="utf-8")
+    elif text not in (source / name).read_text(encoding="utf-8"):
+        wrong += 1
+        print(f"README.md: the block of {name} does not stand in that file")
+
+for language, name, block in pieces:
+    if language != "console":
+        continue
+    rewritten = []
+    for command, expected in steps_of(block):
+        commands += 1
+        came = run("\n".join(command)[2:])
+        if same(expected, came):
+            came = expected
+        else:
             wrong += 1
             print("\n".join(command))
             print("\n".join(difflib.unified_diff(expected, came, "README.md", "program", lineterm="")))
-    elif name and "/" in name:
-        if text not in (source / name).read_text(encoding="utf-8"):
-            wrong += 1
-            print(f"README.md: the block from {name} is not in that file")
-    elif name:
-        (scratch / name).write_text(text, encoding="utf-8")
-    kept += block
+        rewritten += command + came
+    block[:] = rewritten
 
+print(f"README.md: {commands} commands run, {wrong} differences")
 if update:
-    readme.write_text("\n".join(kept) + "\n", encoding="utf-8")
-    raise SystemExit(0)
-print(f"README.md: {commands} commands run, {wrong} blocks wrong")
-raise SystemExit(1 if wrong or not commands else 0)
+    readme.write_text("".join(line + "\n" for _, _, lines in pieces for line in lines), encoding="utf-8")
+elif wrong or not commands:
+    raise SystemExit(1)
