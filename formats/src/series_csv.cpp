@@ -1,1 +1,167 @@
-// placeholder
+#include "ballbar/formats/series_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "ballbar/error.hpp"
+#include "table.hpp"
+#include "toml_source.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::string_view kFormat = "ballbar-series 1";
+
+// Comments are TOML only where one of them is a line `# format =`; otherwise they are prose.
+bool has_format_line(std::string_view toml) {
+  while (!toml.empty()) {
+    std::string_view line = toml.substr(0, toml.find('\n'));
+    toml.remove_prefix(std::min(line.size() + 1, toml.size()));
+    const auto skip_blanks = [&] { line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size())); };
+    skip_blanks();
+    if (!line.starts_with("format")) continue;
+    line.remove_prefix(6);
+    skip_blanks();
+    if (line.starts_with('=')) return true;
+  }
+  return false;
+}
+
+struct SeriesHeader {
+  std::map<std::string, Role, std::less<>> roles;  // of the columns that state one
+  std::optional<double> five_probe_spacing_mm;
+};
+
+Role role_of(const TomlTable& column) {
+  std::vector<std::string_view> names;
+  for (int role = 0; role <= static_cast<int>(Role::measured); ++role)
+    names.push_back(name_of(static_cast<Role>(role)));
+  const std::optional<std::size_t> index = choice_index(column, "role", names);
+  if (!index) fail_missing(column, "role");
+  return static_cast<Role>(*index);
+}
+
+SeriesHeader header_of(const TomlTable& header, const TableHead& head) {
+  expect_keys(header, {"format", "title", "method", "reference_s", "columns", "five_probe"});
+  const std::string_view formats[] = {kFormat};
+  choice_index(header, "format", formats);
+  string(header, "title");
+  string(header, "method");
+  number(header, "reference_s");
+  SeriesHeader result;
+  if (const auto columns = subtable(header, "columns")) {
+    std::vector<std::string_view> known;
+    for (const ColumnName& column : head.columns) known.push_back(column.name);
+    expect_keys(*columns, known);
+    for (const ColumnName& name : head.columns) {
+      const auto column = subtable(*columns, name.name);
+      if (!column) continue;
+      expect_keys(*column, {"role"});
+      result.roles.emplace(name.name, role_of(*column));
+    }
+  }
+  if (const auto five_probe = subtable(header, "five_probe")) {
+    expect_keys(*five_probe, {"spacing_mm"});
+    result.five_probe_spacing_mm = required(positive, *five_probe, "spacing_mm");
+  }
+  return result;
+}
+
+void expect_units(const SourceText& text, const TableHead& head, const SeriesHeader& header) {
+  const ColumnName& time = head.columns.front();
+  if (time.name != "time_s" && time.name != "time_min") {
+    fail_at(text, time.offset,
+            fmt::format("expected time_s or time_min as the first column, found {}.", quoted(time.name)));
+  }
+  for (std::size_t i = 1; i < head.columns.size(); ++i) {
+    const ColumnName& column = head.columns[i];
+    if (column.name == "time_s" || column.name == "time_min") {
+      fail_at(text, column.offset, fmt::format("expected one column of time, found {} too.", quoted(column.name)));
+    }
+    const auto role = header.roles.find(column.name);
+    const bool is_event = role != header.roles.end() && role->second == Role::event;
+    if (unit_of(column.name).empty() && !is_event) {
+      fail_at(text, column.offset,
+              fmt::format("expected a name that ends in its unit, one of _um, _mm, _degC, _rpm, _A, _W, _K, found {}.",
+                          quoted(column.name)));
+    }
+  }
+  if (head.columns.size() < 2) fail_at(text, time.offset, "expected a column besides the time, found none.");
+}
+
+bool is_bare_key(std::string_view name) {
+  return std::all_of(name.begin(), name.end(),
+                     [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; });
+}
+
+}  // namespace
+
+Series read_series(std::string_view bytes, std::string_view name) {
+  const SourceText text = source_text(bytes, name);
+  const CommentBlock comments = comment_block(text);
+  const TableHead head = table_head(text, comments.end);
+  SeriesHeader header;
+  if (has_format_line(comments.toml)) {
+    const TomlSource source = parse_toml(comments.toml, name);
+    header = header_of(root_of(source), head);
+  }
+  expect_units(text, head, header);
+  std::vector<std::vector<double>> values = table_columns(text, head, true);
+  expect_rising(text, head, 0, values.front());
+
+  Series series;
+  series.five_probe_spacing_mm = header.five_probe_spacing_mm;
+  series.time_s = std::move(values.front());
+  if (head.columns.front().name == "time_min") {
+    for (double& time : series.time_s) time *= 60.0;
+    if (!std::isfinite(series.time_s.front()) || !std::isfinite(series.time_s.back())) {
+      fail_at_cell(text, head, std::isfinite(series.time_s.back()) ? 0 : series.time_s.size() - 1, 0,
+                   "a time that a double can hold in seconds");
+    }
+  }
+  for (std::size_t i = 1; i < head.columns.size(); ++i) {
+    const std::string& column = head.columns[i].name;
+    const auto role = header.roles.find(column);
+    series.columns.push_back(
+        {column, role != header.roles.end() ? role->second : role_from_unit(unit_of(column)), std::move(values[i])});
+  }
+  return series;
+}
+
+std::string write_series(const Series& series) {
+  fmt::memory_buffer out;
+  const auto to = std::back_inserter(out);
+  fmt::format_to(to, "# format = \"{}\"\n", kFormat);
+  for (const Column& column : series.columns) {
+    const std::string_view unit = unit_of(column.name);
+    if (!unit.empty() && column.role == role_from_unit(unit)) continue;
+    fmt::format_to(to, "# [columns.{}]\n# role = \"{}\"\n",
+                   is_bare_key(column.name) ? column.name : toml_quoted(column.name), name_of(column.role));
+  }
+  if (series.five_probe_spacing_mm) {
+    fmt::format_to(to, "# [five_probe]\n# spacing_mm = {}\n", toml_number(*series.five_probe_spacing_mm));
+  }
+  fmt::format_to(to, "time_s");
+  for (const Column& column : series.columns) fmt::format_to(to, ",{}", column.name);
+  fmt::format_to(to, "\n");
+  for (std::size_t row = 0; row < series.time_s.size(); ++row) {
+    fmt::format_to(to, "{}", series.time_s[row]);
+    for (const Column& column : series.columns) {
+      const double value = column.values[row];
+      if (std::isfinite(value)) {
+        fmt::format_to(to, ",{}", value);
+      } else {
+        fmt::format_to(to, ",");
+      }
+    }
+    fmt::format_to(to, "\n");
+  }
+  return fmt::to_string(out);
+}
+
+}  // namespace ballbar

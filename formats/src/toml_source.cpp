@@ -233,4 +233,21 @@ std::string toml_quoted(std::string_view text) {
   return result + '"';
 }
 
+// A TOML float has a point or an exponent; an integer of more than 64 bits is none.
+std::string toml_number(double number) {
+  std::string result = fmt::format("{}", number);
+  if (result.find_first_of(".en") == std::string::npos) result += ".0";
+  return result;
+}
+
+std::string toml_local_time(std::int64_t local_time_s) {
+  const std::chrono::sys_seconds time{std::chrono::seconds(local_time_s)};
+  const auto day = std::chrono::floor<std::chrono::days>(time);
+  const std::chrono::year_month_day date(day);
+  const std::chrono::hh_mm_ss clock(time - day);
+  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}", static_cast<int>(date.year()),
+                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), clock.hours().count(),
+                     clock.minutes().count(), clock.seconds().count());
+}
+
 }  // namespace ballbar

@@ -75,6 +75,13 @@ std::optional<Value> choice(const TomlTable& table, std::string_view key, std::i
 // Throws Error: the table lacks the key.
 [[noreturn]] void fail_missing(const TomlTable& table, std::string_view key);
 
+template <class Value>
+Value required_choice(const TomlTable& table, std::string_view key, std::initializer_list<Value> values) {
+  const std::optional<Value> value = choice(table, key, values);
+  if (!value) fail_missing(table, key);
+  return *value;
+}
+
 // required(number, table, "elapsed_s"): the getter's value; throws Error where the key is absent.
 template <class Value>
 Value required(std::optional<Value> (*getter)(const TomlTable&, std::string_view), const TomlTable& table,
@@ -92,7 +99,9 @@ Value required(std::optional<Value> (*getter)(const TomlTable&, std::string_view
 [[noreturn]] void fail_at_element(const TomlTable& table, std::string_view key, std::size_t index,
                                   std::string_view sentence);
 
-// `text` as a TOML string with its quotes, for writers.
+// For writers: a text with its quotes; a number that reads back to the same double; a local date-time.
 std::string toml_quoted(std::string_view text);
+std::string toml_number(double number);
+std::string toml_local_time(std::int64_t local_time_s);
 
 }  // namespace ballbar

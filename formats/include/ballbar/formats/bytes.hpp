@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -17,5 +18,10 @@ std::string read_bytes(const std::filesystem::path& path, std::size_t limit);
 
 // Writes to a temporary file beside `path` and renames it. Throws Error; then `path` is as it was.
 void write_bytes(const std::filesystem::path& path, std::string_view bytes);
+
+// The same for a library that writes a file itself: `write` is called with the name of the temporary file,
+// which exists and is empty.
+void write_through(const std::filesystem::path& path,
+                   const std::function<void(const std::filesystem::path& temporary)>& write);
 
 }  // namespace ballbar
