@@ -1,4 +1,4 @@
-// Text of a file with places in it, and tables of numbers: what the log and the series reader share.
+// Tables of numbers: what the log and the series reader share.
 //
 // A table is a line of column names and rows of numbers, separated by commas. It is scanned once, in
 // memory, with std::from_chars: no string and no vector a row.
@@ -10,24 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "source_text.hpp"
+
 namespace ballbar {
-
-struct SourceText {
-  std::string_view bytes;  // UTF-8 without byte order mark
-  std::string_view name;   // stands in messages
-};
-
-// Strips the byte order mark. Throws Error: empty, a NUL (binary), UTF-16, not UTF-8.
-SourceText source_text(std::string_view bytes, std::string_view name);
-
-// Throws Error "name:line:column: sentence". Columns count characters, not bytes.
-[[noreturn]] void fail_at(const SourceText& text, std::size_t offset, std::string_view sentence);
-
-// What was found, in quotes, shortened, unprintable bytes as \xNN: for messages.
-std::string quoted(std::string_view found);
-
-// The known name with the fewest changed, missing or extra letters. `known` is not empty.
-std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known);
 
 // The block of lines starting with `#` at the top, each with its `#` blanked: TOML whose lines and columns
 // are those of the file. Throws Error where the block is longer than 1 MiB.

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
-#include "table.hpp"
+#include "source_text.hpp"
 
 namespace ballbar {
 namespace {
