@@ -33,7 +33,7 @@ std::optional<std::int64_t> started_s(const SourceText& text, pugi::xml_node doc
     }
   }
   fail_at(text, found.offset,
-          fmt::format("expected a date as YYYYMMDD-HHMMSS for DATE_STARTED, found {}.", quoted(found.value)));
+          fmt::format("expected a date as YYYYMMDD-HHMMSS for DATE_STARTED, found {}.", in_quotes(found.value)));
 }
 
 Plane plane_of(const SourceText& text, pugi::xml_node ballbar) {
@@ -46,13 +46,14 @@ Plane plane_of(const SourceText& text, pugi::xml_node ballbar) {
     for (const auto& [element, axis] : axes) {
       const Text found = text_of(text, child_of(text, node, element));
       if (found.value == kAxes[axis]) continue;
-      fail_at(
-          text, found.offset,
-          fmt::format("expected {} {} for the plane {}, found {}.", element, kAxes[axis], name, quoted(found.value)));
+      fail_at(text, found.offset,
+              fmt::format("expected {} {} for the plane {}, found {}.", element, kAxes[axis], name,
+                          in_quotes(found.value)));
     }
     return plane;
   }
-  fail_at(text, offset_of(node), fmt::format("expected a PLANE with TEST_PLANE XY, YZ or ZX, found {}.", quoted(name)));
+  fail_at(text, offset_of(node),
+          fmt::format("expected a PLANE with TEST_PLANE XY, YZ or ZX, found {}.", in_quotes(name)));
 }
 
 std::vector<StoredFeature> features_of(const SourceText& text, pugi::xml_node node, const std::string& parent) {
@@ -83,7 +84,7 @@ std::vector<double> lengths_of(const SourceText& text, const Text& readings, std
     const double length = nominal_mm + number_of(text, reading, "a reading");
     if (!(length > 0.0) || !std::isfinite(length)) {
       fail_at(text, reading.offset,
-              fmt::format("expected a reading that leaves a length above 0 mm, found {}.", quoted(reading.value)));
+              fmt::format("expected a reading that leaves a length above 0 mm, found {}.", in_quotes(reading.value)));
     }
     if (count >= first && count <= last) length_mm.push_back(length);
     ++count;
@@ -119,7 +120,7 @@ Recording run_of(const SourceText& text, pugi::xml_node run, const TestSpec& spe
   const Text direction = text_of(text, child_of(text, run, "RUN_DIRECTION"));
   if (direction.value != "CCW" && direction.value != "CW") {
     fail_at(text, direction.offset,
-            fmt::format("expected RUN_DIRECTION CCW or CW, found {}.", quoted(direction.value)));
+            fmt::format("expected RUN_DIRECTION CCW or CW, found {}.", in_quotes(direction.value)));
   }
   const bool ccw = direction.value == "CCW";
   recording.direction = ccw ? Direction::CCW : Direction::CW;
@@ -157,7 +158,7 @@ B5r read_b5r(std::string_view bytes, std::string_view name) {
   const pugi::xml_node document = file.document_element();
   if (std::string_view(document.name()) != "TEST_DOCUMENT") {
     fail_at(text, offset_of(document),
-            fmt::format("expected TEST_DOCUMENT, the root of a .b5r file, found {}.", quoted(document.name())));
+            fmt::format("expected TEST_DOCUMENT, the root of a .b5r file, found {}.", in_quotes(document.name())));
   }
   const pugi::xml_node test = child_of(text, document, "TEST_SPEC");
   const pugi::xml_node ballbar = child_of(text, child_of(text, test, "INSTRUMENT"), "DYNAMIC_BALLBAR");

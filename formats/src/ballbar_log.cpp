@@ -67,7 +67,7 @@ LogColumns log_columns(const SourceText& text, const TableHead& head, Kind kind)
       fail_at(text, column.offset,
               fmt::format(
                   "expected one of the columns time_s,{} length_mm, deviation_um in {} log, in these units, found {}.",
-                  circle ? " angle_deg," : "", circle ? "a circle" : "an axial", quoted(column.name)));
+                  circle ? " angle_deg," : "", circle ? "a circle" : "an axial", in_quotes(column.name)));
     }
   }
   const auto expect = [&](bool present, std::string_view name) {

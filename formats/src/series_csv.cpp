@@ -76,19 +76,19 @@ void expect_units(const SourceText& text, const TableHead& head, const SeriesHea
   const ColumnName& time = head.columns.front();
   if (time.name != "time_s" && time.name != "time_min") {
     fail_at(text, time.offset,
-            fmt::format("expected time_s or time_min as the first column, found {}.", quoted(time.name)));
+            fmt::format("expected time_s or time_min as the first column, found {}.", in_quotes(time.name)));
   }
   for (std::size_t i = 1; i < head.columns.size(); ++i) {
     const ColumnName& column = head.columns[i];
     if (column.name == "time_s" || column.name == "time_min") {
-      fail_at(text, column.offset, fmt::format("expected one column of time, found {} too.", quoted(column.name)));
+      fail_at(text, column.offset, fmt::format("expected one column of time, found {} too.", in_quotes(column.name)));
     }
     const auto role = header.roles.find(column.name);
     const bool is_event = role != header.roles.end() && role->second == Role::event;
     if (unit_of(column.name).empty() && !is_event) {
       fail_at(text, column.offset,
               fmt::format("expected a name that ends in its unit, one of _um, _mm, _degC, _rpm, _A, _W, _K, found {}.",
-                          quoted(column.name)));
+                          in_quotes(column.name)));
     }
   }
   if (head.columns.size() < 2) fail_at(text, time.offset, "expected a column besides the time, found none.");

@@ -66,7 +66,7 @@ SourceText source_text(std::string_view bytes, std::string_view name) {
   }
   if (const std::size_t bad = first_not_utf8(bytes); bad != kNone) {
     fail_at(text, bad,
-            fmt::format("expected UTF-8, found the byte {}; save the file as UTF-8.", quoted(bytes.substr(bad, 1))));
+            fmt::format("expected UTF-8, found the byte {}; save the file as UTF-8.", in_quotes(bytes.substr(bad, 1))));
   }
   return text;
 }
@@ -81,7 +81,7 @@ void fail_at(const SourceText& text, std::size_t offset, std::string_view senten
   throw Error(fmt::format("{}:{}:{}: {}", text.name, line, column, sentence));
 }
 
-std::string quoted(std::string_view found) {
+std::string in_quotes(std::string_view found) {
   constexpr std::size_t kLongest = 40;
   std::string result = "\"";
   std::size_t i = 0;

@@ -20,7 +20,7 @@ SourceText source_text(std::string_view bytes, std::string_view name);
 [[noreturn]] void fail_at(const SourceText& text, std::size_t offset, std::string_view sentence);
 
 // What was found, in quotes, shortened, unprintable bytes as \xNN: for messages.
-std::string quoted(std::string_view found);
+std::string in_quotes(std::string_view found);
 
 // The known name with the fewest changed, missing or extra letters. `known` is not empty.
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known);

@@ -46,7 +46,7 @@ std::string_view trimmed(std::string_view cell) {
   }
   if (line.find_first_of(";\t") != kNone) {
     fail_at(text, offset + line.find_first_of(";\t"),
-            fmt::format("expected values separated by commas, decimals with a point, found {}.", quoted(line)));
+            fmt::format("expected values separated by commas, decimals with a point, found {}.", in_quotes(line)));
   }
   const std::size_t cells = static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
   if (cells != columns) {
@@ -67,14 +67,14 @@ std::string_view trimmed(std::string_view cell) {
       if (!gaps || column == 0) fail_at(text, place, fmt::format("expected a number for {}, found nothing.", name));
     } else if (error == std::errc::result_out_of_range) {
       fail_at(text, place,
-              fmt::format("expected a number that a double can hold for {}, found {}.", name, quoted(cell)));
+              fmt::format("expected a number that a double can hold for {}, found {}.", name, in_quotes(cell)));
     } else if (error != std::errc{} || rest != digits.data() + digits.size() || !std::isfinite(value) ||
                (digits.size() < cell.size() && digits.starts_with('-'))) {
-      fail_at(text, place, fmt::format("expected a finite number for {}, found {}.", name, quoted(cell)));
+      fail_at(text, place, fmt::format("expected a finite number for {}, found {}.", name, in_quotes(cell)));
     }
     begin = end + 1;
   }
-  fail_at(text, offset, fmt::format("expected {} numbers separated by commas, found {}.", columns, quoted(line)));
+  fail_at(text, offset, fmt::format("expected {} numbers separated by commas, found {}.", columns, in_quotes(line)));
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ TableHead table_head(const SourceText& text, std::size_t offset) {
     };
     if (std::any_of(name.begin(), name.end(), refused)) {
       fail_at(text, place,
-              fmt::format("expected column names without quotes, separated by commas, found {}.", quoted(name)));
+              fmt::format("expected column names without quotes, separated by commas, found {}.", in_quotes(name)));
     }
     if (head.columns.size() == kMostColumns) {
       fail_at(text, place, fmt::format("expected at most {} columns, found more.", kMostColumns));
@@ -120,7 +120,8 @@ TableHead table_head(const SourceText& text, std::size_t offset) {
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end(),
                                         [](auto* left, auto* right) { return left->name == right->name; });
   if (twice != sorted.end()) {
-    fail_at(text, twice[1]->offset, fmt::format("expected each column once, found {} again.", quoted(twice[1]->name)));
+    fail_at(text, twice[1]->offset,
+            fmt::format("expected each column once, found {} again.", in_quotes(twice[1]->name)));
   }
   return head;
 }
@@ -180,7 +181,7 @@ void fail_at_cell(const SourceText& text, const TableHead& head, std::size_t row
   for (std::size_t i = 0; i < column; ++i) begin = line.find(',', begin) + 1;
   const std::string_view cell = trimmed(line.substr(begin, line.find(',', begin) - begin));
   fail_at(text, offset + static_cast<std::size_t>(cell.data() - line.data()),
-          fmt::format("expected {}, found {}.", expected, quoted(cell)));
+          fmt::format("expected {}, found {}.", expected, in_quotes(cell)));
 }
 
 void expect_rising(const SourceText& text, const TableHead& head, std::size_t column, std::span<const double> time) {

@@ -21,7 +21,7 @@ namespace {
 }
 
 std::string found(const toml::node& node) {
-  if (const auto* value = node.as_string()) return "the text " + quoted(value->get());
+  if (const auto* value = node.as_string()) return "the text " + in_quotes(value->get());
   if (const auto* value = node.as_integer()) return fmt::format("the integer {}", value->get());
   if (const auto* value = node.as_floating_point()) return fmt::format("the number {}", value->get());
   if (const auto* value = node.as_boolean()) return value->get() ? "true" : "false";
@@ -89,7 +89,7 @@ void expect_keys(const TomlTable& table, std::span<const std::string_view> known
   if (!first) return;
   fail(table.name, first->source().begin,
        fmt::format("expected one of the keys {}{}, found {}; the nearest is {}.", fmt::join(known, ", "),
-                   table.label.empty() ? "" : " in " + table.label, quoted(first->str()),
+                   table.label.empty() ? "" : " in " + table.label, in_quotes(first->str()),
                    nearest_name(first->str(), known)));
 }
 

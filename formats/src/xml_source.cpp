@@ -22,7 +22,7 @@ void expect_plain_xml(const SourceText& text) {
     if (entity.empty() || !known) {
       fail_at(text, at,
               fmt::format("expected no entity but &amp; &lt; &gt; &quot; &apos; and numbers, found {}.",
-                          quoted(text.bytes.substr(at, 12))));
+                          in_quotes(text.bytes.substr(at, 12))));
     }
   }
   if (const std::size_t at = text.bytes.find("<!DOCTYPE"); at != std::string_view::npos) {
@@ -76,15 +76,16 @@ double number_of(const SourceText& text, const Text& found, std::string_view nam
       !found.value.starts_with("+-")) {
     return value;
   }
-  fail_at(text, found.offset,
-          fmt::format("expected a finite number for {}, decimals with a point, found {}.", name, quoted(found.value)));
+  fail_at(
+      text, found.offset,
+      fmt::format("expected a finite number for {}, decimals with a point, found {}.", name, in_quotes(found.value)));
 }
 
 double positive_in(const SourceText& text, pugi::xml_node parent, const char* name) {
   const Text found = text_of(text, child_of(text, parent, name));
   const double value = number_of(text, found, name);
   if (!(value > 0.0))
-    fail_at(text, found.offset, fmt::format("expected {} above 0, found {}.", name, quoted(found.value)));
+    fail_at(text, found.offset, fmt::format("expected {} above 0, found {}.", name, in_quotes(found.value)));
   return value;
 }
 
@@ -98,7 +99,7 @@ double angle_in(const SourceText& text, pugi::xml_node parent, const char* name)
   const Text found = text_of(text, child_of(text, parent, name));
   const double angle_deg = number_of(text, found, name);
   if (std::abs(angle_deg) <= kMostAngle_deg) return angle_deg;
-  fail_at(text, found.offset, fmt::format("expected {} of at most ten turns, found {}.", name, quoted(found.value)));
+  fail_at(text, found.offset, fmt::format("expected {} of at most ten turns, found {}.", name, in_quotes(found.value)));
 }
 
 std::size_t index_in(const SourceText& text, pugi::xml_node parent, const char* name) {
@@ -106,7 +107,7 @@ std::size_t index_in(const SourceText& text, pugi::xml_node parent, const char* 
   std::size_t value = 0;
   const auto [rest, error] = std::from_chars(found.value.data(), found.value.data() + found.value.size(), value);
   if (error == std::errc{} && rest == found.value.data() + found.value.size()) return value;
-  fail_at(text, found.offset, fmt::format("expected {} as a count from 0, found {}.", name, quoted(found.value)));
+  fail_at(text, found.offset, fmt::format("expected {} as a count from 0, found {}.", name, in_quotes(found.value)));
 }
 
 }  // namespace ballbar
