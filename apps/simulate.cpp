@@ -1,1 +1,97 @@
-// placeholder
+// `ballbar simulate`: a virtual machine's session as files, the truth in a file of its own.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "ballbar/formats/bytes.hpp"
+#include "ballbar/formats/machine_toml.hpp"
+#include "ballbar/formats/simulated_files.hpp"
+#include "ballbar/units.hpp"
+#include "commands.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string machine;
+  std::string out;
+  std::string truth;
+  std::optional<std::uint64_t> seed;
+  bool b5r = false;
+  bool force = false;
+  bool json = false;
+};
+
+// Beside the folder, not in it: whoever is given the run is not given the answer.
+fs::path truth_file(const Options& options) {
+  if (!options.truth.empty()) return options.truth;
+  fs::path folder = (fs::path(options.out) / "").lexically_normal().parent_path();  // no trailing slash
+  if (folder.empty() || folder.filename() == "." || folder.filename() == "..") {
+    folder = (fs::absolute(options.out) / "").lexically_normal().parent_path();
+  }
+  return folder.string() + "-truth.csv";
+}
+
+void print_text(const VirtualMachine& machine, const std::vector<SimulatedFile>& files, const Options& options,
+                const fs::path& truth) {
+  const double span_min = min_from_s(machine.test_s.back() - machine.test_s.front());
+  fmt::print("simulated  {}, {} test{} over {:g} min, seed {}\n", name_of(machine.method), machine.test_s.size(),
+             machine.test_s.size() == 1 ? "" : "s", span_min, machine.seed);
+  fmt::print("written    {}: {} files, {} to {}\n", options.out, files.size(), files.front().name, files.back().name);
+  fmt::print("truth      {}, which no other command reads unasked\n", truth.string());
+}
+
+void print_json(const VirtualMachine& machine, const std::vector<SimulatedFile>& files, const Options& options,
+                const fs::path& truth) {
+  nlohmann::ordered_json json = {{"method", name_of(machine.method)},
+                                 {"tests", machine.test_s.size()},
+                                 {"seed", machine.seed},
+                                 {"folder", options.out},
+                                 {"files", nlohmann::ordered_json::array()},
+                                 {"truth", truth.string()}};
+  for (const SimulatedFile& file : files) json["files"].push_back(file.name);
+  fmt::print("{}\n", json.dump(2));
+}
+
+void run(const Options& options) {
+  VirtualMachine machine = read_machine(read_bytes(options.machine, kLargestText), options.machine);
+  if (options.seed) machine.seed = *options.seed;
+  const SimulatedSession simulated = simulate(machine);
+  const std::vector<SimulatedFile> files = simulated_files(simulated, options.b5r);
+  const fs::path truth = truth_file(options);
+  write_simulated(files, simulated.truth, options.out, truth, options.force);
+  (options.json ? print_json : print_text)(machine, files, options, truth);
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("simulate", "Recordings, signals and five-probe readings of a virtual machine");
+  command->add_option("MACHINE", options->machine, "machine.toml: the virtual machine, its truth and its noise")
+      ->required();
+  command->add_option("--out", options->out, "folder for the session's files, new or empty")
+      ->type_name("DIR")
+      ->required();
+  command->add_option("--truth", options->truth, "file for the truth; without it DIR-truth.csv, beside DIR")
+      ->type_name("FILE");
+  command->add_option("--seed", options->seed, "of the noise; without it the machine's own")->type_name("N");
+  command->add_flag("--b5r", options->b5r, "method circles: .b5r files alone, without session.toml and signals");
+  command->add_flag("--force", options->force, "replace files of the same names");
+  command->add_flag("--json", options->json, "the summary for a program");
+  command->footer(
+      "Example:\n"
+      "  ballbar simulate sample-runs/two-arcs-he2015/machine.toml --out my-run\n"
+      "  ballbar drift my-run/session.toml");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

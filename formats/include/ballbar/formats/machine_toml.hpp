@@ -1,19 +1,36 @@
-// Virtual machine `machine.toml`: what `ballbar simulate` reads; and the files of the session it makes.
+// Virtual machine `machine.toml`: what `ballbar simulate` reads. All but the format is optional; what is not
+// given has the default of simulate.hpp, where each quantity and its sign is explained.
+//
+//   format = "ballbar-machine 1"
+//   method = "two_arcs"            # two_arcs | spindle_rotation | circles
+//   title = "warm-up at 14 000 rpm"
+//   seed = 1
+//   started = 2015-03-02T09:00:00  # local clock at time 0; `.b5r` files need it
+//   test_min = [0, 8, 16]          # default: one test at 0
+//   feed_mm_per_min = 1000.0
+//   plane = "XY"                   # circles: XY | YZ | ZX
+//   height_offset_mm = 0.0
+//   spindle_above = true           # spindle_rotation
+//   [bar]        nominal_length_mm radius_error_um noise_um autocorrelation resolution_um outlier_share outlier_um
+//   [setup]      x_um y_um z_um run_out_um
+//   [c_arc] [a_arc]                # two_arcs: start_deg end_deg readings
+//   [circle]                       # the other methods: the same, and harmonic2_um backlash_a_um for circles
+//   [axial]      readings interval_s offset_um          # spindle_rotation; readings = 0: one length a test
+//   [truth]      time_min = [...] x_um = [...] y_um z_um along_bar_um     # arrays of one size, or
+//   [[truth]]    time_min = 0.0 x_um = 0.0 ...                            # one table a point; default: no drift
+//   [signals]    interval_s = 10.0
+//   [[signal]]   name role time_min = [...] value = [...] noise resolution
+//   [five_probe] spacing_mm interval_s noise_um resolution_um tilt_a_urad_per_um tilt_b_urad_per_um ball_offset_mm
 #pragma once
 
-#include <filesystem>
 #include <string_view>
 
 #include "ballbar/simulate.hpp"
 
 namespace ballbar {
 
-// `name` stands in messages. Unknown keys are errors. Throws Error with name:line:column.
+// `name` stands in messages. Unknown keys are errors. Throws Error with name:line:column; contradictions
+// between well-formed values are left to simulate().
 VirtualMachine read_machine(std::string_view bytes, std::string_view name);
-
-// Writes session.toml, the logs (or `.b5r` files), signals.csv, five-probe.csv into `folder`, and the
-// truth into `truth_file`. Existing files of those names are replaced one by one, each whole.
-void write_simulated(const SimulatedSession& simulated, const std::filesystem::path& folder,
-                     const std::filesystem::path& truth_file, bool as_b5r);
 
 }  // namespace ballbar
