@@ -10,7 +10,8 @@
 //   L1^2 = (R_C cos t - x)^2 + (R_C sin t - y)^2 + (z - h_C)^2
 //   L2^2 = (R_A cos t - y)^2 + (R_A sin t - z)^2 + (x - h_A)^2
 // joint: both arcs in one Ceres problem, unknowns x, y, z, R_C, R_A, full covariance, each arc weighted
-// by its own noise. sequential, as the paper: arc 1 gives x, y; y goes into arc 2, which gives z.
+// by its own noise. sequential, as the paper: arc 1 gives x, y; y goes into arc 2, which gives z (its sigma
+// carries that of y). robust: what each arc's own robust fit discounts is left out.
 //
 // spindle_rotation (Huang, Li, Zhao 2022). radial = |c_t - c_0|, the centre shift in the frame that turns
 // with the spindle; radius_change: change of the distance from the axis to the table's ball, the
@@ -18,7 +19,8 @@
 // (spindle_above; the other way round otherwise), which also corrects the radial test.
 //
 // circles. One or more circle recordings a test (a `.b5r` has two, CCW and CW): the centres of one
-// plane are averaged, weighted equally, and give that plane's two axes. Reference per plane.
+// plane are averaged, weighted equally, and give that plane's two axes. Each plane has its own reference
+// (tests may take the planes in turn); an axis that two planes of one test show is averaged.
 //
 // Every sigma is that of the difference, sqrt(sigma_t^2 + sigma_0^2): the rows share the reference's part.
 // The reference's own row is 0 by definition with sigma 0. What is not cancelled by the set-up: drift of
@@ -58,14 +60,15 @@ struct Session {
 };
 
 struct DriftOptions {
-  double reference_s = 0.0;       // the test nearest to it is the reference
-  bool reference_is_first = true; // reference_s not used
-  bool sequential = false;        // two_arcs
-  bool equal_radii = false;       // two_arcs, joint: R_C = R_A
-  CircleOptions circle;           // model, robust, elongation_form; elongation_um is set test by test
+  std::optional<double> reference_s;  // the test nearest to it is the reference; nothing: the first
+  bool sequential = false;            // two_arcs
+  bool equal_radii = false;           // two_arcs, joint: R_C = R_A
+  CircleOptions circle;               // robust, elongation_form; model not for two_arcs; elongation_um is
+                                      // set test by test
 };
 
-// A value and its standard uncertainty.
+// A value and its standard uncertainty. sigma NaN: not known (a length read off a display); infinite:
+// the readings do not determine the value.
 struct Estimate {
   double value_um = 0.0;
   double sigma_um = 0.0;

@@ -1,0 +1,57 @@
+// Rows of the circle problems for least_squares.hpp. Unknowns a, b, R in um about `radius_um`.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "least_squares.hpp"
+
+namespace ballbar {
+
+// Residual: reading minus sqrt((a + R cos)^2 + (b + R sin)^2 + h^2). All in um.
+struct LengthRows {
+  Eigen::ArrayXd cosine, sine, length_um;
+  double height_um = 0.0;
+  double radius_um = 0.0;  // R = radius_um + p[2]
+
+  Eigen::Index size() const { return length_um.size(); }
+
+  template <class Part>
+  void fill(Eigen::Index first, const Eigen::Vector3d& p, Part& rows) const {
+    const double r = radius_um + p[2];
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+      const double along_a = p[0] + r * cosine[first + i];
+      const double along_b = p[1] + r * sine[first + i];
+      const double model = std::sqrt(along_a * along_a + along_b * along_b + height_um * height_um);
+      const double per_model = -1.0 / model;
+      rows(i, 0) = along_a * per_model;
+      rows(i, 1) = along_b * per_model;
+      rows(i, 2) = (along_a * cosine[first + i] + along_b * sine[first + i]) * per_model;
+      rows(i, 3) = length_um[first + i] - model;
+    }
+  }
+};
+
+// Residual: distance of the point from the centre minus R. In the units of the points.
+struct PointRows {
+  Eigen::ArrayXd x, y;
+  double radius = 0.0;  // R = radius + p[2]
+
+  Eigen::Index size() const { return x.size(); }
+
+  template <class Part>
+  void fill(Eigen::Index first, const Eigen::Vector3d& p, Part& rows) const {
+    const Eigen::Index n = rows.rows();
+    auto along_x = rows.col(0).array();
+    auto along_y = rows.col(1).array();
+    auto distance = rows.col(3).array();
+    along_x = p[0] - x.segment(first, n);
+    along_y = p[1] - y.segment(first, n);
+    distance = (along_x.square() + along_y.square()).sqrt().max(1e-300);
+    along_x /= distance;
+    along_y /= distance;
+    rows.col(2).setConstant(-1.0);
+    distance -= radius + p[2];
+  }
+};
+
+}  // namespace ballbar

@@ -1,0 +1,319 @@
+// One Ceres cost over all readings, in constant memory, and the covariance under an autocorrelated residual.
+//
+// n readings enter a least-squares problem only through the Gram matrix of [J r]: with its triangular
+// factor [U q; 0 e],
+//   |r|^2 = |q|^2 + e^2,   J'r = U'q,   J'J = U'U.
+// So Ceres is handed one cost with P + 1 residuals (q, e) and the Jacobian (U; 0): the same steps and the
+// same covariance as n residual blocks would give, without n by P numbers in memory. A Gram matrix squares
+// the condition number, so the unknowns are first made orthonormal: p = p0 + B s, B the inverse
+// of the triangular factor of J at p0 by Householder QR (of evenly spaced readings, where there are many).
+//
+// `Rows` is the model:
+//   Eigen::Index size() const;
+//   void fill(Eigen::Index first, const Eigen::Vector<double, P>& p, Part& rows) const;
+// fill writes readings first, first + 1, ...: columns 0..P-1 the derivatives of the residual, column P the
+// residual.
+#pragma once
+
+#include <ceres/ceres.h>
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ballbar::least_squares {
+
+inline constexpr Eigen::Index kBlockRows = 256;
+
+// Ceres stores matrices by rows; Eigen wants a single column by columns.
+template <int R, int C>
+using CeresMatrix = Eigen::Matrix<double, R, C, C == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+
+template <int P>
+using RowBlock = Eigen::Matrix<double, Eigen::Dynamic, P + 1>;
+
+// Calls use(first, block) over all readings, block after block.
+template <int P, class Rows, class Use>
+void for_each_block(const Rows& rows, const Eigen::Vector<double, P>& p, Use use) {
+  RowBlock<P> block(std::min<Eigen::Index>(kBlockRows, rows.size()), P + 1);
+  for (Eigen::Index first = 0; first < rows.size(); first += kBlockRows) {
+    const Eigen::Index count = std::min(kBlockRows, rows.size() - first);
+    auto part = block.topRows(count);
+    rows.fill(first, p, part);
+    use(first, part);
+  }
+}
+
+// Replaces r by the g with g^2 = scale^2 rho(r^2 / scale^2), and its derivatives: the sum of squares of g is
+// the robust objective.
+template <class Part>
+void discount(Part& part, const ceres::LossFunction& loss, double scale) {
+  const Eigen::Index last = part.cols() - 1;
+  for (Eigen::Index i = 0; i < part.rows(); ++i) {
+    const double r = part(i, last) / scale;
+    double rho[3];
+    loss.Evaluate(r * r, rho);
+    const double g = std::sqrt(rho[0]);
+    part.row(i).head(last) *= g > 0.0 ? rho[1] * std::abs(r) / g : 1.0;
+    part(i, last) = std::copysign(scale * g, r);
+  }
+}
+
+// Unknowns s of p = origin + basis s.
+template <int P>
+struct Unknowns {
+  Eigen::Vector<double, P> origin;
+  Eigen::Matrix<double, P, P> basis;
+
+  Eigen::Vector<double, P> at(const Eigen::Vector<double, P>& s) const { return origin + basis * s; }
+};
+
+// Upper triangular U with U'U = gram, for a gram of [J r]; rows of zeros where it is singular.
+template <int N>
+Eigen::Matrix<double, N, N> triangular_factor(const Eigen::Matrix<double, N, N>& gram) {
+  Eigen::Matrix<double, N, N> u = Eigen::Matrix<double, N, N>::Zero();
+  for (int i = 0; i < N; ++i) {
+    const double rest = gram(i, i) - u.col(i).head(i).squaredNorm();
+    if (rest <= 1e-15 * gram(i, i)) continue;
+    u(i, i) = std::sqrt(rest);
+    for (int j = i + 1; j < N; ++j) u(i, j) = (gram(i, j) - u.col(i).head(i).dot(u.col(j).head(i))) / u(i, i);
+  }
+  return u;
+}
+
+template <int P, class Rows>
+class CondensedCost final : public ceres::SizedCostFunction<P + 1, P> {
+ public:
+  CondensedCost(const Rows& rows, const Unknowns<P>& unknowns, const ceres::LossFunction* loss, double scale)
+      : rows_(rows), unknowns_(unknowns), loss_(loss), scale_(scale) {}
+
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+    const Eigen::Map<const Eigen::Vector<double, P>> s(parameters[0]);
+    const Eigen::Vector<double, P> p = unknowns_.at(s);
+    const bool with_jacobian = jacobians != nullptr && jacobians[0] != nullptr;
+    if (with_jacobian && s == last_s_) return hand_over(residuals, jacobians[0]);
+    Eigen::Matrix<double, P + 1, P + 1> gram = Eigen::Matrix<double, P + 1, P + 1>::Zero();
+    Eigen::Matrix<double, P + 1, P + 1> basis = Eigen::Matrix<double, P + 1, P + 1>::Identity();
+    basis.template topLeftCorner<P, P>() = unknowns_.basis;
+    double sum_squares = 0.0;
+    RowBlock<P> orthonormal(kBlockRows, P + 1);
+    for_each_block<P>(rows_, p, [&](Eigen::Index, auto& part) {
+      if (loss_ != nullptr) discount(part, *loss_, scale_);
+      if (!with_jacobian) {
+        sum_squares += part.col(P).squaredNorm();
+        return;
+      }
+      auto block = orthonormal.topRows(part.rows());
+      block.noalias() = part.lazyProduct(basis);
+      for (int i = 0; i <= P; ++i) {
+        for (int j = i; j <= P; ++j) gram(i, j) += block.col(i).dot(block.col(j));
+      }
+    });
+    if (!with_jacobian) {
+      Eigen::Map<Eigen::Vector<double, P + 1>> f(residuals);
+      f.setZero();
+      f[P] = std::sqrt(sum_squares);
+      return std::isfinite(sum_squares);
+    }
+    if (!gram.allFinite()) return false;
+    last_s_ = s;
+    last_factor_ = triangular_factor<P + 1>(gram);
+    return hand_over(residuals, jacobians[0]);
+  }
+
+ private:
+  bool hand_over(double* residuals, double* jacobian) const {
+    Eigen::Map<Eigen::Vector<double, P + 1>> f(residuals);
+    Eigen::Map<CeresMatrix<P + 1, P>> j(jacobian);
+    f = last_factor_.col(P);
+    j = last_factor_.template leftCols<P>();
+    return true;
+  }
+
+  const Rows& rows_;
+  const Unknowns<P>& unknowns_;
+  const ceres::LossFunction* loss_;
+  double scale_;
+  // The last Jacobian: the solver, the last steps and the covariance ask for it at the same point.
+  mutable Eigen::Vector<double, P> last_s_ =
+      Eigen::Vector<double, P>::Constant(std::numeric_limits<double>::quiet_NaN());
+  mutable Eigen::Matrix<double, P + 1, P + 1> last_factor_;
+};
+
+template <int P>
+struct Solution {
+  Eigen::Vector<double, P> p;
+  Eigen::Matrix<double, P, P> inverse_information;  // (J'J)^-1 at p; meaningless unless determined
+  double sum_squares = 0.0;
+  bool determined = false;  // J has full rank to working precision
+  bool converged = false;
+  std::string outcome;
+};
+
+// Every step-th reading of a model.
+template <class Rows>
+struct EveryNth {
+  const Rows& rows;
+  Eigen::Index step = 1;
+
+  Eigen::Index size() const { return (rows.size() + step - 1) / step; }
+
+  template <class Vector, class Part>
+  void fill(Eigen::Index first, const Vector& p, Part& part) const {
+    for (Eigen::Index i = 0; i < part.rows(); ++i) {
+      auto row = part.middleRows(i, 1);
+      rows.fill((first + i) * step, p, row);
+    }
+  }
+};
+
+inline constexpr Eigen::Index kEnoughReadings = 2048;
+
+// Orthonormal unknowns at p0, and whether J has full rank there; plain scaled ones where it has not.
+template <int P, class Rows>
+Unknowns<P> orthonormal_unknowns(const Rows& rows, const Eigen::Vector<double, P>& p0, bool& determined) {
+  const EveryNth<Rows> some{rows, (rows.size() + kEnoughReadings - 1) / kEnoughReadings};
+  Eigen::Matrix<double, Eigen::Dynamic, P> jacobian(some.size(), P);
+  for_each_block<P>(some, p0, [&](Eigen::Index first, const auto& part) {
+    jacobian.middleRows(first, part.rows()) = part.template leftCols<P>();
+  });
+  const Eigen::Vector<double, P> norm = jacobian.colwise().norm().cwiseMax(1e-300);
+  jacobian *= norm.cwiseInverse().asDiagonal();
+  const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, P>> qr(jacobian);
+  Unknowns<P> unknowns{p0, norm.cwiseInverse().asDiagonal()};
+  const double smallest = jacobian.rows() < P ? 0.0 : std::abs(qr.matrixQR()(P - 1, P - 1));
+  determined = smallest > 1e-13 * qr.maxPivot();
+  if (determined) {
+    const Eigen::Matrix<double, P, P> inverse = qr.matrixQR().topRows(P).template triangularView<Eigen::Upper>().solve(
+        Eigen::Matrix<double, P, P>::Identity());
+    unknowns.basis = norm.cwiseInverse().asDiagonal() * (qr.colsPermutation() * inverse);
+  }
+  return unknowns;
+}
+
+// Ceres stops where the cost no longer changes in double precision; that leaves the root of that precision in
+// the unknowns. Gauss-Newton steps on the gradient take out the rest, as long as they shrink.
+template <int P, class Cost>
+void take_out_the_rest(const Cost& cost, Eigen::Vector<double, P>& s) {
+  double last = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < 200; ++step) {
+    Eigen::Vector<double, P + 1> f;
+    CeresMatrix<P + 1, P> jacobian;
+    const double* parameters[] = {s.data()};
+    double* jacobians[] = {jacobian.data()};
+    if (!cost.Evaluate(parameters, f.data(), jacobians)) return;
+    const Eigen::Vector<double, P> change =
+        jacobian.template topRows<P>().template triangularView<Eigen::Upper>().solve(-f.template head<P>());
+    const double size = change.norm();
+    if (!(size < 0.99 * last) || size <= 1e-11 * f.norm()) return;
+    s += change;
+    last = size;
+  }
+}
+
+// One Ceres problem in orthonormal unknowns about p0. `moved` is how far the solution lies from there in
+// multiples of the residual's norm.
+template <int P, class Rows>
+Solution<P> minimise_once(const Rows& rows, const Eigen::Vector<double, P>& p0, const ceres::LossFunction* loss,
+                          double scale, double& moved) {
+  Solution<P> solution;
+  const Unknowns<P> unknowns = orthonormal_unknowns<P>(rows, p0, solution.determined);
+  CondensedCost<P, Rows> cost(rows, unknowns, loss, scale);
+  ceres::Problem::Options problem_options;
+  problem_options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem problem(problem_options);
+  Eigen::Vector<double, P> s = Eigen::Vector<double, P>::Zero();
+  problem.AddResidualBlock(&cost, nullptr, s.data());
+
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.logging_type = ceres::SILENT;
+  options.max_num_iterations = 500;
+  options.function_tolerance = 1e-10;  // take_out_the_rest does better than any tighter value here
+  options.parameter_tolerance = 1e-10;
+  options.gradient_tolerance = 0.0;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  if (solution.determined) take_out_the_rest<P>(cost, s);
+  solution.p = unknowns.at(s);
+  solution.converged = summary.termination_type == ceres::CONVERGENCE;
+  solution.outcome = summary.message;
+  solution.sum_squares = 2.0 * summary.final_cost;
+  moved = s.norm() / std::sqrt(std::max(solution.sum_squares, std::numeric_limits<double>::min()));
+  if (!solution.determined) return solution;
+
+  ceres::Covariance::Options covariance_options;
+  covariance_options.algorithm_type = ceres::DENSE_SVD;
+  covariance_options.null_space_rank = -1;  // a pseudo-inverse instead of a message on the terminal
+  ceres::Covariance covariance(covariance_options);
+  const std::vector<std::pair<const double*, const double*>> blocks{{s.data(), s.data()}};
+  CeresMatrix<P, P> inverse;
+  solution.determined = covariance.Compute(blocks, &problem) &&
+                        covariance.GetCovarianceBlock(s.data(), s.data(), inverse.data()) &&
+                        inverse.diagonal().minCoeff() > 0.0;
+  solution.inverse_information = unknowns.basis * inverse * unknowns.basis.transpose();
+  return solution;
+}
+
+// Least squares from `start`; with a loss, robust at that scale (unit of the residual). Repeated about the
+// solution until that no longer moves: the cost is flat at its minimum, the orthonormal unknowns
+// are best where they were made.
+template <int P, class Rows>
+Solution<P> minimise(const Rows& rows, const Eigen::Vector<double, P>& start,
+                     const ceres::LossFunction* loss = nullptr, double scale = 1.0) {
+  double moved = 0.0;
+  Eigen::Vector<double, P> p = start;
+  if (rows.size() > 8 * kEnoughReadings) {
+    const EveryNth<Rows> some{rows, rows.size() / kEnoughReadings};
+    p = minimise_once<P>(some, p, loss, scale, moved).p;
+  }
+  Solution<P> solution = minimise_once<P>(rows, p, loss, scale, moved);
+  for (int round = 0; round < 20 && moved > 0.5; ++round) {
+    solution = minimise_once<P>(rows, solution.p, loss, scale, moved);
+  }
+  return solution;
+}
+
+// rho(k) = share * phi^k for k > 0, rho(0) = 1: ARMA(1,1). White: phi = share = 0.
+struct Autocorrelation {
+  double phi = 0.0;
+  double share = 0.0;
+};
+
+// From the residual's autocorrelation at lags 1 to 8: phi by least squares of r(k+1) on r(k), share = r(1) / phi.
+// White where r(1) is below 3 / sqrt(n), or negative: an interval is never narrowed.
+Autocorrelation autocorrelation_of(const Eigen::ArrayXd& residual);
+
+// H = sum J_i J_i' and S = sum_ij rho(|i-j|) J_i J_j' over readings in their order, by one recursion.
+template <int P>
+struct Information {
+  Eigen::Matrix<double, P, P> white = Eigen::Matrix<double, P, P>::Zero();
+  Eigen::Matrix<double, P, P> correlated = Eigen::Matrix<double, P, P>::Zero();
+};
+
+template <int P, class Rows>
+Information<P> information_of(const Rows& rows, const Eigen::Vector<double, P>& p, const Autocorrelation& rho) {
+  Information<P> information;
+  Eigen::Matrix<double, P, P> lagged = Eigen::Matrix<double, P, P>::Zero();
+  Eigen::Vector<double, P> memory = Eigen::Vector<double, P>::Zero();  // sum over k > 0 of phi^k J_(i-k)
+  for_each_block<P>(rows, p, [&](Eigen::Index, const auto& part) {
+    for (int i = 0; i < P; ++i) {
+      for (int j = 0; j < P; ++j) information.white(i, j) += part.col(i).dot(part.col(j));
+    }
+    if (rho.share == 0.0) return;
+    for (Eigen::Index i = 0; i < part.rows(); ++i) {
+      const Eigen::Vector<double, P> row = part.row(i).template head<P>();
+      lagged.noalias() += row * memory.transpose();
+      memory = rho.phi * (memory + row);
+    }
+  });
+  information.correlated = information.white + rho.share * (lagged + lagged.transpose());
+  return information;
+}
+
+}  // namespace ballbar::least_squares
