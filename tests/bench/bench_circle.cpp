@@ -30,7 +30,8 @@ double sine_pass(const ballbar::Recording& recording) {
 }
 
 void circle_sine_pass(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(sine_pass(circle()));
+  const ballbar::Recording& recording = circle();
+  for (auto _ : state) benchmark::DoNotOptimize(sine_pass(recording));
 }
 
 void fit_of(benchmark::State& state, const ballbar::CircleOptions& options) {

@@ -37,9 +37,16 @@ std::string b5r_bytes() {
 }
 
 std::string log_bytes(std::size_t size) {
-  constexpr std::size_t kSample = 10'000;
-  const std::size_t sample_size = write_ballbar_log(circle_of(kSample)).size();
-  return write_ballbar_log(circle_of(kSample * size / sample_size + kSample));
+  constexpr std::size_t kTurn = 100'000;
+  Recording turn = circle_of(kTurn);
+  turn.time_s.clear();
+  const std::size_t turns = size / write_ballbar_log(turn).size() + 1;
+  Recording log = turn;
+  for (std::size_t i = 1; i < turns; ++i) {
+    log.angle_rad.insert(log.angle_rad.end(), turn.angle_rad.begin(), turn.angle_rad.end());
+    log.length_mm.insert(log.length_mm.end(), turn.length_mm.begin(), turn.length_mm.end());
+  }
+  return write_ballbar_log(log);
 }
 
 SimulatedSession two_arc_session() {

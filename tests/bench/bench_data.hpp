@@ -16,7 +16,7 @@ Recording circle_of(std::size_t readings);
 // A test as the instrument stores it: CCW and CW, 1500 readings each.
 std::string b5r_bytes();
 
-// A ballbar log of at least that many bytes; one reading is about 50 bytes.
+// A ballbar log of at least that many bytes: one circle of 100 000 readings over and over.
 std::string log_bytes(std::size_t size);
 
 // 15 tests of two arcs, 1500 and 800 readings, over four hours.

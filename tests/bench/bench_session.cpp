@@ -6,20 +6,22 @@
 #include <string>
 
 #include "ballbar/drift.hpp"
-#include "ballbar/formats/machine_toml.hpp"
 #include "ballbar/formats/session_toml.hpp"
+#include "ballbar/formats/simulated_files.hpp"
 #include "bench_data.hpp"
 
 namespace {
 
 void session_drift(benchmark::State& state) {
-  const auto folder = std::filesystem::temp_directory_path() / ("ballbar-bench-" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
-  ballbar::write_simulated(ballbar::bench::two_arc_session(), folder, folder / "truth.csv", false);
+  const auto scratch = std::filesystem::temp_directory_path() / ("ballbar-bench-" + std::to_string(getpid()));
+  const auto folder = scratch / "session";
+  const ballbar::SimulatedSession simulated = ballbar::bench::two_arc_session();
+  ballbar::write_simulated(ballbar::simulated_files(simulated, false), simulated.truth, folder, scratch / "truth.csv",
+                           true);
   for (auto _ : state) {
     benchmark::DoNotOptimize(ballbar::drift_of(ballbar::open_session(folder / "session.toml").session));
   }
-  std::filesystem::remove_all(folder);
+  std::filesystem::remove_all(scratch);
 }
 
 BENCHMARK(session_drift)->Unit(benchmark::kMillisecond);

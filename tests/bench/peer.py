@@ -2,7 +2,7 @@
 
     python3 peer.py FILES_FOLDER REPETITIONS GOOGLE_BENCHMARK_JSON...
 
-FILES_FOLDER is what bench_files wrote. Each figure is the median of the repetitions. The peer's fit has no
+FILES_FOLDER is what bench_files wrote. Each figure is processor time, the median of the repetitions. The peer's fit has no
 covariance and no autocorrelation in it; ours has.
 """
 import json
@@ -22,9 +22,9 @@ repetitions = int(sys.argv[2])
 def median_ms(work):
     times = []
     for _ in range(repetitions):
-        start = time.perf_counter()
+        start = time.process_time()
         work()
-        times.append((time.perf_counter() - start) * 1e3)
+        times.append((time.process_time() - start) * 1e3)
     return statistics.median(times)
 
 
@@ -46,7 +46,8 @@ def fit(angle_rad, length_mm):
 def read_b5r(path):
     root = xml.parse(path).getroot()
     bar = root.find("TEST_SPEC/INSTRUMENT/DYNAMIC_BALLBAR")
-    nominal_mm, start_deg, end_deg = (float(bar.findtext(name)) for name in ("NOMINAL_LENGTH", "START_ANGLE", "END_ANGLE"))
+    nominal_mm = float(bar.findtext("NOMINAL_LENGTH"))
+    start_deg, end_deg = float(bar.findtext("START_ANGLE")), float(bar.findtext("END_ANGLE"))
     arc_deg = (end_deg - start_deg) % 360.0 or 360.0
     runs = []
     for run in root.iterfind("RUN_RESULTS/BALLBAR_RUN"):
@@ -85,7 +86,7 @@ rows = [
 ]
 print(f"{'':44} {'ours ms':>10} {'peer ms':>10} {'peer/ours':>10}")
 for title, name, peer_ms in rows:
-    ours_ms = ours[name]["real_time"]
+    ours_ms = ours[name]["cpu_time"]
     peer = f"{peer_ms:10.2f} {peer_ms / ours_ms:10.1f}" if peer_ms is not None else f"{'-':>10} {'-':>10}"
     print(f"{title:44} {ours_ms:10.2f} {peer}")
 print()
