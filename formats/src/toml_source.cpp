@@ -68,8 +68,10 @@ TomlSource parse_toml(std::string_view text, std::string_view name) {
   try {
     return {toml::parse(text), std::string(name)};
   } catch (const toml::parse_error& error) {
+    const bool comma = error.description().ends_with("saw ','");
     fail(name, error.source().begin,
-         fmt::format("expected TOML, found text that its parser refuses: {}.", error.description()));
+         fmt::format("expected TOML, found text that its parser refuses: {}{}.", error.description(),
+                     comma ? "; decimals need a point" : ""));
   }
 }
 
@@ -87,10 +89,14 @@ void expect_keys(const TomlTable& table, std::span<const std::string_view> known
     }
   }
   if (!first) return;
+  const std::string place = table.label.empty() ? "" : " in " + table.label;
+  if (known.size() == 1) {
+    fail(table.name, first->source().begin,
+         fmt::format("expected no key but {}{}, found {}.", known[0], place, in_quotes(first->str())));
+  }
   fail(table.name, first->source().begin,
-       fmt::format("expected one of the keys {}{}, found {}; the nearest is {}.", fmt::join(known, ", "),
-                   table.label.empty() ? "" : " in " + table.label, in_quotes(first->str()),
-                   nearest_name(first->str(), known)));
+       fmt::format("expected one of the keys {}{}, found {}; the nearest is {}.", fmt::join(known, ", "), place,
+                   in_quotes(first->str()), nearest_name(first->str(), known)));
 }
 
 void expect_keys(const TomlTable& table, std::initializer_list<std::string_view> known) {
@@ -197,7 +203,7 @@ std::optional<std::size_t> choice_index(const TomlTable& table, std::string_view
     const auto name = std::find(names.begin(), names.end(), value->get());
     if (name != names.end()) return static_cast<std::size_t>(name - names.begin());
   }
-  fail_kind(table, key, fmt::format("one of \"{}\"", fmt::join(names, "\", \"")), *node);
+  fail_kind(table, key, fmt::format("{}\"{}\"", names.size() > 1 ? "one of " : "", fmt::join(names, "\", \"")), *node);
 }
 
 void fail_missing(const TomlTable& table, std::string_view key) {

@@ -1,0 +1,150 @@
+#include "bad_text.hpp"
+
+#include <stdexcept>
+
+#include "ballbar/formats/b5r.hpp"
+#include "ballbar/formats/ballbar_log.hpp"
+#include "ballbar/formats/series_csv.hpp"
+#include "ballbar/formats/session_toml.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::string_view kLog = R"(# format = "ballbar-log 1"
+# kind = "circle"
+# motion = "linear_axes"
+# plane = "XY"
+# moving_ball = "spindle"
+# nominal_length_mm = 100.0
+# direction = "CCW"
+# elapsed_s = 60
+time_s,angle_deg,length_mm
+0.0,45.0,100.001
+0.1,135.0,100.002
+0.2,225.0,100.003
+)";
+
+constexpr std::string_view kAxial = R"(# format = "ballbar-log 1"
+# kind = "axial"
+# nominal_length_mm = 100.0
+time_s,length_mm
+0.0,100.001
+0.1,100.002
+)";
+
+constexpr std::string_view kSeries = R"(# format = "ballbar-series 1"
+# [columns.T_air_degC]
+# role = "ambient"
+# [five_probe]
+# spacing_mm = 60.0
+time_s,speed_rpm,T_air_degC
+0,3000,20.5
+10,3000,
+20,3000,20.7
+)";
+
+constexpr std::string_view kSession = R"(format = "ballbar-session 1"
+method = "two_arcs"
+title = "warm-up"
+[bar]
+nominal_length_mm = 100.0
+[[test]]
+elapsed_s = 0.0
+c_arc = "00-c.csv"
+a_arc = "00-a.csv"
+[[test]]
+elapsed_s = 600.0
+c_arc = "01-c.csv"
+a_arc = "01-a.csv"
+[signals]
+files = ["temperatures.csv"]
+[five_probe]
+file = "five-probe.csv"
+)";
+
+constexpr std::string_view kRotation = R"(format = "ballbar-session 1"
+method = "spindle_rotation"
+[bar]
+nominal_length_mm = 100.0
+[[test]]
+elapsed_s = 0.0
+rotation = "00-r.csv"
+axial = "00-z.csv"
+)";
+
+constexpr std::string_view kB5r = R"(<?xml version="1.0" encoding="utf-8"?>
+<TEST_DOCUMENT>
+  <TEST_SPEC NAME="quarter &amp; turn">
+    <INSTRUMENT MODEL="old">
+      <DYNAMIC_BALLBAR>
+        <NOMINAL_LENGTH>100</NOMINAL_LENGTH>
+        <PROGRAMMED_FEEDRATE>1000</PROGRAMMED_FEEDRATE>
+        <START_ANGLE>350</START_ANGLE>
+        <END_ANGLE>80</END_ANGLE>
+        <PLANE VIEW="+B+A" TEST_PLANE="ZX">
+          <A_AXIS_NAME>Z</A_AXIS_NAME>
+          <B_AXIS_NAME>X</B_AXIS_NAME>
+        </PLANE>
+      </DYNAMIC_BALLBAR>
+    </INSTRUMENT>
+  </TEST_SPEC>
+  <DATE_STARTED>20200229-120001</DATE_STARTED>
+  <EQUIPMENT>
+    <BALLBAR><MODEL>QC20-W</MODEL></BALLBAR>
+    <SOFTWARE><VERSION>5.1</VERSION></SOFTWARE>
+  </EQUIPMENT>
+  <RUN_RESULTS>
+    <BALLBAR_RUN>
+      <RUN_DIRECTION>CW</RUN_DIRECTION>
+      <RUN_TEMPERATURE>21.5</RUN_TEMPERATURE>
+      <START_INDEX>1</START_INDEX>
+      <END_INDEX>3</END_INDEX>
+      <SAMPLE_RATE>10</SAMPLE_RATE>
+      <READINGS>+0.00900 +0.00100 -0.00200 0.00300 +0.00900</READINGS>
+      <FEATURE NAME="AF_BEST_RADIUS" DT="UT_LENGTH_MM">100.0007</FEATURE>
+    </BALLBAR_RUN>
+  </RUN_RESULTS>
+  <ANALYSIS NAME="ISO230_4" version="2005">
+    <FEATURE NAME="AF_BEST_RADIUS" DT="UT_LENGTH_UM">0.7</FEATURE>
+    <FEATURE NAME="AF_SIN" DT="UT_LENGTH_UM" VALID="False"></FEATURE>
+  </ANALYSIS>
+  <ANALYSIS NAME="ANSI_B_5_57">
+    <FEATURE NAME="AF_RANK" DT="UT_RANKING">2</FEATURE>
+  </ANALYSIS>
+</TEST_DOCUMENT>
+)";
+
+}  // namespace
+
+std::string good_text(std::string_view kind) {
+  if (kind == "log") return std::string(kLog);
+  if (kind == "axial") return std::string(kAxial);
+  if (kind == "series") return std::string(kSeries);
+  if (kind == "session") return std::string(kSession);
+  if (kind == "rotation") return std::string(kRotation);
+  if (kind == "b5r") return std::string(kB5r);
+  throw std::logic_error("no good text of that kind");
+}
+
+std::string changed(std::string_view kind, std::string_view from, std::string_view to) {
+  if (from == "*") return std::string(to);
+  std::string text = good_text(kind);
+  std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::logic_error("the good text lacks what a row changes");
+  for (; at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
+  return text;
+}
+
+void read(std::string_view kind, std::string_view text) {
+  if (kind == "log" || kind == "axial") {
+    read_ballbar_log(text, "file");
+  } else if (kind == "series") {
+    read_series(text, "file");
+  } else if (kind == "b5r") {
+    read_b5r(text, "file");
+  } else {
+    read_session_plan(text, "file");
+  }
+}
+
+}  // namespace ballbar

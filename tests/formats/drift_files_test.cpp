@@ -1,0 +1,113 @@
+#include "ballbar/formats/drift_files.hpp"
+
+#include <gtest/gtest.h>
+#include <matio.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/formats/bytes.hpp"
+#include "ballbar/formats/series_csv.hpp"
+#include "scratch_folder.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+DriftSeries two_arcs() {
+  DriftSeries drift;
+  drift.method = Method::two_arcs;
+  drift.reference_s = 0.5;
+  drift.points.resize(2);
+  drift.points[0].time_s = 0.5;
+  drift.points[0].x = {0.0, 0.0};
+  drift.points[0].z = {0.0, 0.0};
+  drift.points[1].time_s = 600.0;
+  drift.points[1].x = {4.4, 0.1};
+  drift.points[1].y = {30.1, 0.2};
+  drift.points[1].z = {4.6, kInfinity};
+  drift.points[1].correlation_y_z = -0.25;
+  drift.points[1].elongation_correction_um = 0.002;
+  return drift;
+}
+
+TEST(drift_files, json_has_what_the_method_has) {
+  EXPECT_EQ(json_of(two_arcs()).dump(),
+            R"({"method":"two_arcs","reference_s":0.5,"points":[)"
+            R"({"time_s":0.5,"x_um":0.0,"z_um":0.0,"x_sigma_um":0.0,"z_sigma_um":0.0},)"
+            R"({"time_s":600.0,"x_um":4.4,"y_um":30.1,"z_um":4.6,"x_sigma_um":0.1,"y_sigma_um":0.2,"z_sigma_um":null,)"
+            R"("elongation_correction_um":0.002,"correlation_y_z":-0.25}]})");
+}
+
+TEST(drift_files, csv_is_a_series) {
+  const ScratchFolder folder;
+  const auto file = folder.path() / "drift.csv";
+  write_drift(two_arcs(), file);
+  const std::string csv = read_bytes(file, 10000);
+  EXPECT_EQ(csv,
+            "# format = \"ballbar-series 1\"\n"
+            "# method = \"two_arcs\"\n"
+            "# reference_s = 0.5\n"
+            "time_s,x_um,x_sigma_um,y_um,y_sigma_um,z_um,z_sigma_um,elongation_correction_um\n"
+            "0.5,0,0,,,0,0,\n"
+            "600,4.4,0.1,30.1,0.2,4.6,,0.002\n");
+  const Series series = read_series(csv, "drift.csv");
+  EXPECT_EQ(series.columns.size(), 7u);
+  EXPECT_EQ(find_column(series, "y_um")->values[1], 30.1);
+  EXPECT_TRUE(std::isnan(find_column(series, "y_um")->values[0]));
+}
+
+TEST(drift_files, json_file_is_the_same_json) {
+  const ScratchFolder folder;
+  write_drift(two_arcs(), folder.path() / "drift.json");
+  EXPECT_EQ(nlohmann::ordered_json::parse(read_bytes(folder.path() / "drift.json", 10000)), json_of(two_arcs()));
+}
+
+TEST(drift_files, mat_has_one_variable_a_column) {
+  const ScratchFolder folder;
+  const auto path = folder.path() / "drift.mat";
+  write_drift(two_arcs(), path);
+  mat_t* file = Mat_Open(path.c_str(), MAT_ACC_RDONLY);
+  ASSERT_NE(file, nullptr);
+  EXPECT_EQ(Mat_GetVersion(file), MAT_FT_MAT5);
+  const auto vector = [&](const char* name) {
+    matvar_t* variable = Mat_VarRead(file, name);
+    std::vector<double> values;
+    if (variable && variable->class_type == MAT_C_DOUBLE && variable->rank == 2 && variable->dims[1] == 1) {
+      const auto* data = static_cast<const double*>(variable->data);
+      values.assign(data, data + variable->dims[0]);
+    }
+    Mat_VarFree(variable);
+    return values;
+  };
+  EXPECT_EQ(vector("reference_s"), std::vector<double>{0.5});
+  EXPECT_EQ(vector("time_s"), (std::vector<double>{0.5, 600.0}));
+  EXPECT_EQ(vector("x_um"), (std::vector<double>{0.0, 4.4}));
+  EXPECT_EQ(vector("x_sigma_um"), (std::vector<double>{0.0, 0.1}));
+  ASSERT_EQ(vector("y_um").size(), 2u);
+  EXPECT_TRUE(std::isnan(vector("y_um")[0]));
+  EXPECT_EQ(vector("radial_um"), std::vector<double>{});
+  matvar_t* method = Mat_VarRead(file, "method");
+  ASSERT_NE(method, nullptr);
+  EXPECT_EQ(method->class_type, MAT_C_CHAR);
+  EXPECT_EQ(std::string_view(static_cast<const char*>(method->data), method->dims[1]), "two_arcs");
+  Mat_VarFree(method);
+  Mat_Close(file);
+}
+
+TEST(drift_files, other_endings_are_refused) {
+  const ScratchFolder folder;
+  const auto writing = [&](std::string_view name) {
+    return complaint(folder, [&] { write_drift(two_arcs(), folder.path() / name); });
+  };
+  EXPECT_EQ(writing("drift.xls"), "DIR/drift.xls: expected a name that ends in .csv, .json or .mat, found .xls.");
+  EXPECT_EQ(writing("drift"), "DIR/drift: expected a name that ends in .csv, .json or .mat, found no ending.");
+  EXPECT_EQ(writing("none/drift.mat"),
+            "DIR/none/drift.mat: expected a folder to write to, found: No such file or directory.");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+}  // namespace
+}  // namespace ballbar
