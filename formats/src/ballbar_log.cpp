@@ -99,6 +99,13 @@ void expect_direction(const TomlTable& header, const Recording& recording) {
                           rises ? "rise" : "fall", name_of(found), name_of(recording.direction)));
 }
 
+// 90.18 rather than 90.18000000000001, where that reads back to the same angle.
+double written_deg(double angle_rad) {
+  const double angle_deg = deg_from_rad(angle_rad);
+  const double shorter_deg = std::round(angle_deg * 1e9) / 1e9;
+  return rad_from_deg(shorter_deg) == angle_rad ? shorter_deg : angle_deg;
+}
+
 }  // namespace
 
 Recording read_ballbar_log(std::string_view bytes, std::string_view name) {
@@ -158,7 +165,7 @@ std::string write_ballbar_log(const Recording& recording) {
   fmt::format_to(to, "{}{}length_mm\n", timed ? "time_s," : "", circle ? "angle_deg," : "");
   for (std::size_t i = 0; i < recording.length_mm.size(); ++i) {
     if (timed) fmt::format_to(to, "{},", recording.time_s[i]);
-    if (circle) fmt::format_to(to, "{},", deg_from_rad(recording.angle_rad[i]));
+    if (circle) fmt::format_to(to, "{},", written_deg(recording.angle_rad[i]));
     fmt::format_to(to, "{}\n", recording.length_mm[i]);
   }
   return fmt::to_string(out);
