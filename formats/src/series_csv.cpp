@@ -119,10 +119,11 @@ Series read_series(std::string_view bytes, std::string_view name) {
   series.time_s = std::move(values.front());
   if (head.columns.front().name == "time_min") {
     for (double& time : series.time_s) time *= 60.0;
-    if (!std::isfinite(series.time_s.front()) || !std::isfinite(series.time_s.back())) {
-      fail_at_cell(text, head, std::isfinite(series.time_s.back()) ? 0 : series.time_s.size() - 1, 0,
-                   "a time that a double can hold in seconds");
+    for (const std::size_t row : {std::size_t{0}, series.time_s.size() - 1}) {
+      if (!std::isfinite(series.time_s[row]))
+        fail_at_cell(text, head, row, 0, "a time that a double can hold in seconds");
     }
+    expect_rising(text, head, 0, series.time_s);  // neighbouring doubles may have become one
   }
   for (std::size_t i = 1; i < head.columns.size(); ++i) {
     const std::string& column = head.columns[i].name;
