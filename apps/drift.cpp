@@ -1,1 +1,187 @@
-// placeholder
+// `ballbar drift SESSION`: the error time series, one row a test.
+#include "ballbar/drift.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/drift_files.hpp"
+#include "ballbar/formats/session_toml.hpp"
+#include "ballbar/units.hpp"
+#include "commands.hpp"
+#include "text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+struct Options {
+  std::string session;
+  std::vector<std::string> out;
+  std::optional<double> reference_s;
+  bool sequential = false;
+  bool equal_radii = false;
+  bool eq34 = false;
+  bool polar = false;
+  bool robust = false;
+  bool json = false;
+};
+
+using Member = std::optional<Estimate> DriftPoint::*;
+struct Quantity {
+  const char* name;
+  Member member;
+};
+constexpr Quantity kDrift[] = {{"x", &DriftPoint::x},
+                               {"y", &DriftPoint::y},
+                               {"z", &DriftPoint::z},
+                               {"radial", &DriftPoint::radial},
+                               {"axial", &DriftPoint::axial}};
+constexpr Quantity kRadii[] = {{"radius change", &DriftPoint::radius_change},
+                               {"radius change A", &DriftPoint::radius_change_a}};
+
+bool any_has(const DriftSeries& series, Member member) {
+  return std::any_of(series.points.begin(), series.points.end(),
+                     [&](const DriftPoint& point) { return (point.*member).has_value(); });
+}
+
+// "y 30.1 ± 0.0 um at 64 min", the largest of each quantity.
+std::string largest(const DriftSeries& series, const Quantity& quantity) {
+  const DriftPoint* best = nullptr;
+  for (const DriftPoint& point : series.points) {
+    const auto& now = point.*quantity.member;
+    if (!now) continue;
+    if (best == nullptr || std::abs(now->value_um) > std::abs((best->*quantity.member)->value_um)) best = &point;
+  }
+  return fmt::format("{} {} um at {:g} min", quantity.name, with_sigma(*(best->*quantity.member)),
+                     min_from_s(best->time_s));
+}
+
+Table table_of(const DriftSeries& series) {
+  std::vector<std::string> heading{"time min"};
+  std::vector<Member> columns;
+  for (const auto& quantities : {std::span<const Quantity>(kDrift), std::span<const Quantity>(kRadii)}) {
+    for (const Quantity& quantity : quantities) {
+      if (!any_has(series, quantity.member)) continue;
+      heading.push_back(fmt::format("{} um", quantity.name));
+      columns.push_back(quantity.member);
+    }
+  }
+  const bool corrected = series.method == Method::spindle_rotation;
+  if (corrected) heading.emplace_back("elongation correction um");
+  Table table(heading);
+  for (const DriftPoint& point : series.points) {
+    std::vector<std::string> row{fmt::format("{:8.1f}", min_from_s(point.time_s))};
+    for (const Member member : columns) row.push_back(point.*member ? with_sigma(*(point.*member)) : "-");
+    if (corrected) row.push_back(fmt::format("{:.4f}", point.elongation_correction_um.value_or(0.0)));
+    table.add(row);
+  }
+  return table;
+}
+
+std::string way_of(const DriftSeries& series, const Options& options) {
+  std::string way(name_of(series.method));
+  if (series.method == Method::two_arcs) {
+    way += options.sequential ? ", sequential" : options.equal_radii ? ", joint with R_C = R_A" : ", joint";
+  }
+  if (series.method == Method::spindle_rotation) {
+    way += options.eq34 ? ", elongation corrected by eq. 34" : ", elongation corrected exactly";
+  }
+  if (options.polar) way += ", polar circles";
+  if (options.robust) way += ", robust";
+  return way;
+}
+
+void print_text(const Session& session, const DriftSeries& series, const Options& options) {
+  const std::string title = session.title.empty() ? options.session : session.title;
+  fmt::print("{}\n{}; {} test{} over {:g} min, reference at {:g} min\n\n", title, way_of(series, options),
+             series.points.size(), series.points.size() == 1 ? "" : "s",
+             min_from_s(series.points.back().time_s - series.points.front().time_s), min_from_s(series.reference_s));
+  fmt::print("Largest drift of the spindle relative to the table:\n");
+  for (const Quantity& quantity : kDrift) {
+    if (any_has(series, quantity.member)) fmt::print("  {}\n", largest(series, quantity));
+  }
+  fmt::print("\n{}\n", table_of(series).text());
+  fmt::print("{}",
+             wrapped("± is one sigma of the difference to the reference test; all rows share the reference's part. " +
+                     series.not_cancelled));
+  for (const Position& position : series.positions) {
+    if (position.discounted > 0) {
+      fmt::print("At {:g} min {} readings were discounted.\n", min_from_s(position.time_s), position.discounted);
+    }
+  }
+}
+
+void run(const Options& options) {
+  const SessionFiles files = open_session(options.session);
+  const Session& session = files.session;
+  if (session.method != Method::two_arcs && (options.sequential || options.equal_radii)) {
+    throw Error(fmt::format("--{}: expected a session of method two_arcs, found {}.",
+                            options.sequential ? "sequential" : "equal-radii", name_of(session.method)));
+  }
+  if (session.method != Method::spindle_rotation && options.eq34) {
+    throw Error(
+        fmt::format("--eq34: expected a session of method spindle_rotation, found {}.", name_of(session.method)));
+  }
+  if (session.method == Method::two_arcs && options.polar) {
+    throw Error(
+        "--polar: expected a session of method circles or spindle_rotation, found two_arcs, which is always "
+        "fitted by the length equation.");
+  }
+  DriftOptions how;
+  how.reference_s = options.reference_s;
+  how.sequential = options.sequential;
+  how.equal_radii = options.equal_radii;
+  how.circle.model = options.polar ? CircleModel::polar : CircleModel::length_equation;
+  how.circle.robust = options.robust;
+  how.circle.elongation_form = options.eq34 ? ElongationForm::eq34 : ElongationForm::exact;
+  const DriftSeries series = drift_of(session, how);
+  for (const std::string& path : options.out) write_drift(series, path);
+  if (options.json) {
+    fmt::print("{}\n", json_of(series).dump(2));
+  } else {
+    print_text(session, series, options);
+  }
+  for (const Position& position : series.positions) {
+    if (!position.converged) {
+      fmt::print(stderr, "ballbar: the fit of the test at {:g} min did not converge.\n", min_from_s(position.time_s));
+    }
+  }
+  if (options.reference_s && *options.reference_s != series.reference_s) {
+    fmt::print(stderr, "ballbar: no test at {:g} s; the nearest one, at {:g} s, is the reference.\n",
+               *options.reference_s, series.reference_s);
+  }
+  for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
+}
+
+}  // namespace
+
+void add_drift(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("drift", "Drift of the spindle over a session: one row a test");
+  command->add_option("SESSION", options->session, "session.toml, or a folder of it or of .b5r files")->required();
+  command->add_option("--out", options->out, "write the series: .csv, .json or .mat; may be repeated")
+      ->type_name("FILE");
+  command
+      ->add_option("--reference", options->reference_s,
+                   "test to which drift is taken: 3840, 3840s or 64min; default: first")
+      ->type_name("TIME")
+      ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
+                                        CLI::AsNumberWithUnit::CASE_SENSITIVE));
+  CLI::Option* sequential =
+      command->add_flag("--sequential", options->sequential, "two_arcs: path 1, then path 2 with its y (as the paper)");
+  command->add_flag("--equal-radii", options->equal_radii, "two_arcs: one radius for both arcs")->excludes(sequential);
+  command->add_flag("--eq34", options->eq34, "spindle_rotation: elongation correction r / cos(dL / r) - r");
+  command->add_flag("--polar", options->polar, "circles through the polar points, as instrument software does");
+  command->add_flag("--robust", options->robust, "discount outlying readings (Tukey's biweight)");
+  command->add_flag("--json", options->json, "the series for a program");
+  command->footer("Example:\n  ballbar drift sample-runs/two-arcs-he2015/session.toml --out drift.csv");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

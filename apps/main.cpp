@@ -1,8 +1,9 @@
 // `ballbar COMMAND`: exit 0 done, 1 the input is at fault, 2 the command line is at fault.
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <fmt/core.h>
 
 #include "ballbar/error.hpp"
 #include "commands.hpp"

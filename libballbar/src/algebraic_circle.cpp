@@ -1,11 +1,12 @@
 // Algebraic circles (Al-Sharadqah and Chernov, Electronic Journal of Statistics 3 (2009) 886-911), through
 // the triangular factor of the design matrix [z x y 1] in centred and scaled coordinates.
+#include <fmt/core.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <cmath>
-#include <fmt/core.h>
 
 #include "ballbar/circle_fit.hpp"
 #include "ballbar/error.hpp"
@@ -55,7 +56,8 @@ PlaneCircle algebraic_circle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y, A
   const double mean_x = x.mean();
   const double mean_y = y.mean();
   const double scale = std::sqrt(((x - mean_x).square() + (y - mean_y).square()).mean());
-  if (!(scale > 0.0) || !std::isfinite(scale)) throw Error("a circle needs points that are finite and not all the same");
+  if (!(scale > 0.0) || !std::isfinite(scale))
+    throw Error("a circle needs points that are finite and not all the same");
 
   Eigen::MatrixX4d design(n, 4);
   design.col(1) = (x - mean_x) / scale;
@@ -83,8 +85,8 @@ PlaneCircle algebraic_circle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y, A
   circle.centre_x = mean_x - scale * abc[1] / (2.0 * a);
   circle.centre_y = mean_y - scale * abc[2] / (2.0 * a);
   circle.radius = scale * std::sqrt(spread) / (2.0 * std::abs(a));
-  circle.rms =
-      std::sqrt((((x - circle.centre_x).square() + (y - circle.centre_y).square()).sqrt() - circle.radius).square().mean());
+  circle.rms = std::sqrt(
+      (((x - circle.centre_x).square() + (y - circle.centre_y).square()).sqrt() - circle.radius).square().mean());
   return circle;
 }
 

@@ -31,7 +31,8 @@ double infinite_or_sqrt(double variance) { return std::sqrt(std::max(0.0, varian
 double correlation(const Eigen::Matrix3d& c, int i, int j) { return c(i, j) / std::sqrt(c(i, i) * c(j, j)); }
 
 void require_circle(const Recording& recording, double height_mm) {
-  if (recording.kind != Kind::circle) throw Error("an axial recording has no circle to fit; expected a circle recording");
+  if (recording.kind != Kind::circle)
+    throw Error("an axial recording has no circle to fit; expected a circle recording");
   const std::size_t n = recording.length_mm.size();
   if (recording.angle_rad.size() != n) {
     throw Error(fmt::format("a circle recording needs an angle for each length, found {} angles and {} lengths",
@@ -159,9 +160,9 @@ void finish(const Rows& rows, const Solution<3>& solution, double radius_um, dou
     widening = correlated * inverse;
   }
   const double used = widening.trace();
-  const double variance_um2 = (robust ? robust_variance_um2(residual, scale_um, circle.discounted) * (n - 3.0)
-                                      : residual.square().sum()) /
-                              (n - used);
+  const double variance_um2 =
+      (robust ? robust_variance_um2(residual, scale_um, circle.discounted) * (n - 3.0) : residual.square().sum()) /
+      (n - used);
   circle.covariance_um2 = variance_um2 * inverse * widening;
   circle.sigma_reading_um = std::sqrt(variance_um2);
   circle.autocorrelation = rho.phi;
@@ -216,10 +217,9 @@ Circle fit_circle(const Recording& recording, const CircleOptions& options) {
                           start.radius};
     solve(rows, p0, start.radius, options.robust, circle);
   }
-  circle.elongation_correction_um =
-      exact ? elongation_correction_um(ElongationForm::exact, circle.radius_mm, recording.height_offset_mm,
-                                       options.elongation_um)
-            : circle.length_correction_um;
+  circle.elongation_correction_um = exact ? elongation_correction_um(ElongationForm::exact, circle.radius_mm,
+                                                                     recording.height_offset_mm, options.elongation_um)
+                                          : circle.length_correction_um;
   return circle;
 }
 

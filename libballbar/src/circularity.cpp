@@ -65,7 +65,8 @@ void hysteresis(const Recording& ccw, const Recording& cw, Bidirectional& result
       result.hysteresis_at_deg = in_turn_deg(ccw.angle_rad[i]);
     }
   }
-  if (largest_mm < 0.0) throw Error("the CCW and the CW recording have no angle in common; expected the same arc both ways");
+  if (largest_mm < 0.0)
+    throw Error("the CCW and the CW recording have no angle in common; expected the same arc both ways");
   result.hysteresis_um = um_from_mm(largest_mm);
 }
 

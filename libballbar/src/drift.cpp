@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "ballbar/axial_length.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
-#include "least_squares.hpp"
 #include "two_arcs.hpp"
 
 namespace ballbar {
@@ -87,28 +87,12 @@ DriftSeries two_arcs(const Session& session, const DriftOptions& options, std::s
 
 // ---- spindle rotation
 
-// Mean length of an axial log, um, with the sigma of a mean under an autocorrelated residual.
-Estimate mean_length(const Recording& axial) {
-  const auto n = static_cast<Eigen::Index>(axial.length_mm.size());
-  if (n == 0) throw Error("the axial recording has no readings");
-  const Eigen::ArrayXd length_um = Eigen::Map<const Eigen::ArrayXd>(axial.length_mm.data(), n) * 1e3;
-  const double mean_um = length_um.mean();
-  if (n < 2) return {mean_um, std::numeric_limits<double>::quiet_NaN()};
-  const Eigen::ArrayXd residual_um = length_um - mean_um;
-  const auto rho = least_squares::autocorrelation_of(residual_um);
-  double widening = 1.0;  // of the variance of the mean: 1 + 2 sum (1 - k/n) rho(k)
-  double lagged = rho.share * rho.phi;
-  for (Eigen::Index k = 1; k < n && lagged > 1e-12; ++k, lagged *= rho.phi) {
-    widening += 2.0 * (1.0 - static_cast<double>(k) / static_cast<double>(n)) * lagged;
-  }
-  const double count = static_cast<double>(n);
-  return {mean_um, std::sqrt(residual_um.square().sum() / (count - widening) * widening / count)};
-}
-
-Estimate axial_length(const SessionTest& test) {
+// Axial length of a test, um; a length read off a display has no sigma.
+Estimate axial_length_of(const SessionTest& test) {
   if (test.axial_length_mm) return {um_from_mm(*test.axial_length_mm), std::numeric_limits<double>::quiet_NaN()};
   if (!test.axial) throw Error("spindle_rotation needs axial or axial_length_mm in every test");
-  return mean_length(*test.axial);
+  const AxialLength axial = axial_length(*test.axial);
+  return {um_from_mm(axial.length_mm), axial.sigma_um};
 }
 
 // |d| and its sigma from the covariance of d; at d = 0 the mean of the components'.
@@ -121,7 +105,7 @@ Estimate size_of(const Eigen::Vector2d& d, const Eigen::Matrix2d& covariance) {
 
 DriftSeries spindle_rotation(const Session& session, const DriftOptions& options, std::size_t reference) {
   std::vector<Estimate> lengths;
-  for (const SessionTest& test : session.tests) lengths.push_back(in_test(test, [&] { return axial_length(test); }));
+  for (const SessionTest& test : session.tests) lengths.push_back(in_test(test, [&] { return axial_length_of(test); }));
   const double sign = session.spindle_above ? 1.0 : -1.0;
   std::vector<Circle> circles;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
@@ -184,7 +168,8 @@ PlaneCentre mean_centre(const std::vector<Circle>& circles, const SessionTest& t
   for (std::size_t i = 0; i < circles.size(); ++i) {
     if (test.circles[i].plane != plane) continue;
     const double sign = test.circles[i].moving_ball == MovingBall::spindle ? 1.0 : -1.0;
-    sum += Eigen::Vector3d(sign * circles[i].centre_a_um, sign * circles[i].centre_b_um, um_from_mm(circles[i].radius_mm));
+    sum +=
+        Eigen::Vector3d(sign * circles[i].centre_a_um, sign * circles[i].centre_b_um, um_from_mm(circles[i].radius_mm));
     variance += circles[i].covariance_um2.diagonal();
     n += 1.0;
   }
@@ -196,7 +181,8 @@ PlaneCentre mean_centre(const std::vector<Circle>& circles, const SessionTest& t
 
 // The mean of what is there already and one more estimate of the same quantity.
 void average_in(std::optional<Estimate>& have, const Estimate& more) {
-  have = have ? Estimate{0.5 * (have->value_um + more.value_um), 0.5 * std::hypot(have->sigma_um, more.sigma_um)} : more;
+  have =
+      have ? Estimate{0.5 * (have->value_um + more.value_um), 0.5 * std::hypot(have->sigma_um, more.sigma_um)} : more;
 }
 
 DriftSeries circles(const Session& session, const DriftOptions& options) {
@@ -274,9 +260,12 @@ DriftSeries drift_of(const Session& session, const DriftOptions& options) {
 
 std::string_view name_of(Method method) {
   switch (method) {
-    case Method::two_arcs: return "two_arcs";
-    case Method::spindle_rotation: return "spindle_rotation";
-    case Method::circles: return "circles";
+    case Method::two_arcs:
+      return "two_arcs";
+    case Method::spindle_rotation:
+      return "spindle_rotation";
+    case Method::circles:
+      return "circles";
   }
   return "";
 }

@@ -189,8 +189,8 @@ Unknowns<P> orthonormal_unknowns(const Rows& rows, const Eigen::Vector<double, P
   const double smallest = jacobian.rows() < P ? 0.0 : std::abs(qr.matrixQR()(P - 1, P - 1));
   determined = smallest > 1e-13 * qr.maxPivot();
   if (determined) {
-    const Eigen::Matrix<double, P, P> inverse = qr.matrixQR().topRows(P).template triangularView<Eigen::Upper>().solve(
-        Eigen::Matrix<double, P, P>::Identity());
+    const Eigen::Matrix<double, P, P> inverse =
+        qr.matrixQR().topRows(P).template triangularView<Eigen::Upper>().solve(Eigen::Matrix<double, P, P>::Identity());
     unknowns.basis = norm.cwiseInverse().asDiagonal() * (qr.colsPermutation() * inverse);
   }
   return unknowns;
@@ -264,8 +264,8 @@ Solution<P> minimise_once(const Rows& rows, const Eigen::Vector<double, P>& p0, 
 // solution until that no longer moves: the cost is flat at its minimum, the orthonormal unknowns
 // are best where they were made.
 template <int P, class Rows>
-Solution<P> minimise(const Rows& rows, const Eigen::Vector<double, P>& start,
-                     const ceres::LossFunction* loss = nullptr, double scale = 1.0) {
+Solution<P> minimise(const Rows& rows, const Eigen::Vector<double, P>& start, const ceres::LossFunction* loss = nullptr,
+                     double scale = 1.0) {
   double moved = 0.0;
   Eigen::Vector<double, P> p = start;
   if (rows.size() > 8 * kEnoughReadings) {

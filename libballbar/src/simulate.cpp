@@ -131,7 +131,7 @@ Recording circle(const VirtualMachine& machine, double test_s, const Sweep& swee
   Bar bar(machine, kind, test_s);
   for (std::size_t i = 0; i < sweep.readings; ++i) {
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(sweep.readings);
-    const double theta_rad = rad_from_deg(sweep.start_deg + share * arc_deg);
+    const double theta_rad = rad_from_deg(simulation::rounded(sweep.start_deg + share * arc_deg, 1e-9));
     recording.time_s.push_back(simulation::rounded(share * sweep_s, 1e-6));
     recording.angle_rad.push_back(theta_rad);
     recording.length_mm.push_back(bar.reading_mm(balls_at(theta_rad)));

@@ -6,9 +6,9 @@
 namespace ballbar {
 
 struct TwoArcs {
-  Eigen::Vector3d position_um = Eigen::Vector3d::Zero();         // x, y, z from the point where the axes meet
+  Eigen::Vector3d position_um = Eigen::Vector3d::Zero();  // x, y, z from the point where the axes meet
   Eigen::Matrix3d covariance_um2 = Eigen::Matrix3d::Zero();
-  Estimate radius_c, radius_a;                                   // um
+  Estimate radius_c, radius_a;  // um
   std::size_t discounted = 0;
   bool converged = false;
 };

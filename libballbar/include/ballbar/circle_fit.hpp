@@ -43,25 +43,25 @@ struct Circle {
   CircleModel model = CircleModel::length_equation;
   double centre_a_um = 0.0;  // c: from the fixed ball to the path's centre
   double centre_b_um = 0.0;
-  double radius_mm = 0.0;    // R
+  double radius_mm = 0.0;                                    // R
   Eigen::Matrix3d covariance_um2 = Eigen::Matrix3d::Zero();  // of (a, b, R); infinite where undetermined
-  double sigma_reading_um = 0.0;     // from the residual
-  double rms_um = 0.0;               // of the residual
-  double autocorrelation = 0.0;      // phi, 0 where the residual is white
-  double effective_readings = 0.0;   // n s^2(white) / s^2(autocorrelated) for the worst of a, b, R
+  double sigma_reading_um = 0.0;                             // from the residual
+  double rms_um = 0.0;                                       // of the residual
+  double autocorrelation = 0.0;                              // phi, 0 where the residual is white
+  double effective_readings = 0.0;        // n s^2(white) / s^2(autocorrelated) for the worst of a, b, R
   double elongation_correction_um = 0.0;  // subtracted, by size
   std::vector<std::size_t> discounted;    // robust: readings given less than a tenth of full weight
   std::size_t readings = 0;
   double arc_deg = 0.0;
   bool converged = false;
-  std::string outcome;               // Ceres' own words
-  double height_mm = 0.0;            // h (+ dL) the fit used: the radii below need it
-  double length_correction_um = 0.0; // subtracted from every length before use (eq34)
+  std::string outcome;                // Ceres' own words
+  double height_mm = 0.0;             // h (+ dL) the fit used: the radii below need it
+  double length_correction_um = 0.0;  // subtracted from every length before use (eq34)
 
   double sigma_centre_a_um() const;
   double sigma_centre_b_um() const;
   double sigma_radius_um() const;
-  double correlation_a_b() const;       // NaN where undetermined
+  double correlation_a_b() const;  // NaN where undetermined
   double correlation_a_radius() const;
   double correlation_b_radius() const;
 };

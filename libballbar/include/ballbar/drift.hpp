@@ -42,13 +42,13 @@ enum class Method { two_arcs, spindle_rotation, circles };
 
 struct SessionTest {
   double elapsed_s = 0.0;
-  std::vector<Recording> circles;            // circles: one or more
-  std::optional<Recording> c_arc;            // two_arcs
+  std::vector<Recording> circles;  // circles: one or more
+  std::optional<Recording> c_arc;  // two_arcs
   std::optional<Recording> a_arc;
-  std::optional<Recording> rotation;         // spindle_rotation
-  std::optional<Recording> axial;            //   or
+  std::optional<Recording> rotation;  // spindle_rotation
+  std::optional<Recording> axial;     //   or
   std::optional<double> axial_length_mm;
-  std::string name;                          // for messages: the file the test came from
+  std::string name;  // for messages: the file the test came from
 };
 
 struct Session {
@@ -76,32 +76,32 @@ struct Estimate {
 
 struct DriftPoint {
   double time_s = 0.0;
-  std::optional<Estimate> x, y, z;        // two_arcs; circles as far as the plane goes
-  std::optional<Estimate> radial, axial;  // spindle_rotation
-  std::optional<Estimate> shift_a, shift_b;     // spindle_rotation: the components of radial, rotating frame
-  std::optional<Estimate> radius_change;        // circle, or path about C
-  std::optional<Estimate> radius_change_a;      // two_arcs: path about A
+  std::optional<Estimate> x, y, z;                 // two_arcs; circles as far as the plane goes
+  std::optional<Estimate> radial, axial;           // spindle_rotation
+  std::optional<Estimate> shift_a, shift_b;        // spindle_rotation: the components of radial, rotating frame
+  std::optional<Estimate> radius_change;           // circle, or path about C
+  std::optional<Estimate> radius_change_a;         // two_arcs: path about A
   std::optional<double> elongation_correction_um;  // spindle_rotation: taken off the radial test
-  std::optional<double> correlation_y_z;  // two_arcs: of the test's own y and z
+  std::optional<double> correlation_y_z;           // two_arcs: of the test's own y and z
 };
 
 // Where the spindle ball was at each test, before the difference is taken (set-up errors included).
 struct Position {
   double time_s = 0.0;
-  std::optional<Estimate> x, y, z;        // two_arcs: from the point where the axes meet
+  std::optional<Estimate> x, y, z;             // two_arcs: from the point where the axes meet
   std::optional<Estimate> centre_a, centre_b;  // spindle_rotation and circles: c of the (first) plane
-  std::optional<double> length_mm;        // spindle_rotation: axial length
+  std::optional<double> length_mm;             // spindle_rotation: axial length
   double radius_mm = 0.0;
-  std::size_t discounted = 0;             // robust: readings discounted in this test
+  std::size_t discounted = 0;  // robust: readings discounted in this test
   bool converged = false;
 };
 
 struct DriftSeries {
   Method method = Method::circles;
   double reference_s = 0.0;
-  std::vector<DriftPoint> points;    // one a test, in the order of time
-  std::vector<Position> positions;   // same order
-  std::string not_cancelled;         // what set-up does not cancel, a sentence for the report
+  std::vector<DriftPoint> points;   // one a test, in the order of time
+  std::vector<Position> positions;  // same order
+  std::string not_cancelled;        // what set-up does not cancel, a sentence for the report
 };
 
 // Throws Error where a test lacks a recording its method needs, or a recording cannot be fitted; the

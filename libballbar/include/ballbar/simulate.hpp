@@ -23,7 +23,8 @@
 //                     Axial: the bar stands on the table's second mount under the spindle, length
 //                     nominal + axial offset - z; + z where spindle_above is false (ball on the far side).
 //
-// Angles are uniform at mid-sample, start + (i + 1/2) (end - start) / n; times likewise over R arc / feed.
+// Angles are uniform at mid-sample, start + (i + 1/2) (end - start) / n, to 1e-9 deg; times likewise over
+// R arc / feed, to 1 us.
 #pragma once
 
 #include <cstddef>

@@ -1,0 +1,29 @@
+// Tables for the terminal: aligned, with units in the heading.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ballbar/drift.hpp"
+
+namespace ballbar {
+
+// First row is the heading. The first column is aligned to the left, the others to the right.
+class Table {
+ public:
+  explicit Table(std::vector<std::string> heading) : rows_{std::move(heading)} {}
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  std::string text() const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+// "7.40 ± 0.02"; the sigma "?" where it is not known, "undetermined" where the readings do not determine it.
+std::string with_sigma(double value, double sigma, int decimals);
+std::string with_sigma(const Estimate& estimate, int decimals = 2);
+
+// Breaks at spaces so that no line is longer than `width`.
+std::string wrapped(const std::string& text, std::size_t width = 100);
+
+}  // namespace ballbar
