@@ -205,9 +205,9 @@ void write_simulated(const std::vector<SimulatedFile>& files, const Series& trut
   std::error_code ignored;
   try {
     for (const SimulatedFile& file : files) write_bytes(temporary / file.name, file.bytes);
-    make_folder(target);
     make_folder(truth_file.parent_path());
     write_bytes(truth_file, labelled_csv(write_series(truth)));
+    make_folder(target);
     for (const SimulatedFile& file : files) fs::rename(temporary / file.name, target / file.name);
     fs::remove(temporary);
   } catch (const fs::filesystem_error& failed) {
