@@ -18,10 +18,7 @@ step 'Drift of a sample session'
 out=build/quickstart
 session=sample-runs/two-arcs-he2015/session.toml
 mkdir -p "$out"
-echo "\$ build/apps/ballbar drift $session --out $out/drift.csv"
-build/apps/ballbar drift "$session" --out "$out/drift.csv"
-build/apps/ballbar drift "$session" --out "$out/drift.json" >/dev/null
-build/apps/ballbar drift "$session" --out "$out/drift.mat" >/dev/null
+build/apps/ballbar drift "$session" --out "$out/drift.csv" --out "$out/drift.json" --out "$out/drift.mat"
 
 step 'The same series as files'
 for extension in csv json mat; do
