@@ -100,6 +100,7 @@ std::string in_quotes(std::string_view found) {
 }
 
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known) {
+  name = name.substr(0, 100);                          // what is longer is near to nothing
   const auto distance = [&](std::string_view other) {  // Levenshtein, one row
     std::vector<std::size_t> row(other.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});

@@ -94,9 +94,12 @@ void expect_keys(const TomlTable& table, std::span<const std::string_view> known
     fail(table.name, first->source().begin,
          fmt::format("expected no key but {}{}, found {}.", known[0], place, in_quotes(first->str())));
   }
+  constexpr std::size_t kMostListed = 30;
+  const std::string names = known.size() > kMostListed ? fmt::format("{} known keys", known.size())
+                                                       : fmt::format("keys {}", fmt::join(known, ", "));
   fail(table.name, first->source().begin,
-       fmt::format("expected one of the keys {}{}, found {}; the nearest is {}.", fmt::join(known, ", "), place,
-                   in_quotes(first->str()), nearest_name(first->str(), known)));
+       fmt::format("expected one of the {}{}, found {}; the nearest is {}.", names, place, in_quotes(first->str()),
+                   nearest_name(first->str(), known)));
 }
 
 void expect_keys(const TomlTable& table, std::initializer_list<std::string_view> known) {
