@@ -35,8 +35,9 @@ std::string Table::text() const {
 }
 
 std::string with_sigma(double value, double sigma, int decimals) {
-  if (std::isnan(sigma)) return fmt::format("{:.{}f} ± ?", value, decimals);
   if (std::isinf(sigma)) return "undetermined";
+  if (std::abs(value) < 0.5 * std::pow(10.0, -decimals)) value = 0.0;  // not "-0.00"
+  if (std::isnan(sigma)) return fmt::format("{:.{}f} ± ?", value, decimals);
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sigma, decimals);
 }
 

@@ -248,6 +248,24 @@ Eigen::ArrayXd residual_um(const Recording& recording, const Circle& circle) {
              .sqrt();
 }
 
+Eigen::Matrix3d covariance_of_change_um2(const Recording& now, const Circle& now_circle, const Recording& reference,
+                                         const Circle& reference_circle) {
+  const Eigen::Matrix3d apart = now_circle.covariance_um2 + reference_circle.covariance_um2;
+  if (!same_angles(now, reference) || !apart.allFinite()) return apart;
+  Eigen::ArrayXd difference_um = residual_um(now, now_circle) - residual_um(reference, reference_circle);
+  for (const std::size_t i : now_circle.discounted) difference_um[static_cast<Eigen::Index>(i)] = 0.0;
+  for (const std::size_t i : reference_circle.discounted) difference_um[static_cast<Eigen::Index>(i)] = 0.0;
+  auto [cosine, sine] = directions_of(now);
+  const Eigen::ArrayXd no_lengths = Eigen::ArrayXd::Zero(cosine.size());  // the Jacobian does not need them
+  const LengthRows rows{std::move(cosine), std::move(sine), no_lengths, um_from_mm(now_circle.height_mm), 0.0};
+  const Eigen::Vector3d p(now_circle.centre_a_um, now_circle.centre_b_um, um_from_mm(now_circle.radius_mm));
+  const auto [white, correlated] =
+      least_squares::information_of<3>(rows, p, least_squares::autocorrelation_of(difference_um));
+  const Eigen::Matrix3d inverse = white.inverse();
+  const double left = static_cast<double>(difference_um.size()) - (inverse * correlated).trace();
+  return difference_um.square().sum() / left * inverse * correlated * inverse;
+}
+
 PlaneCircle geometric_circle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
   const PlaneCircle start = algebraic_circle(x, y);
   const Eigen::Vector2d middle(x.mean(), y.mean());

@@ -59,6 +59,16 @@ double arc_rad(const Recording& recording) {
   return std::min(2.0 * kPi, (2.0 * kPi - gap_rad) * n / (n - 1.0));
 }
 
+bool same_angles(const Recording& first, const Recording& second) {
+  const std::size_t n = first.angle_rad.size();
+  if (n == 0 || second.angle_rad.size() != n) return false;
+  const double half_spacing_rad = 0.5 * arc_rad(first) / static_cast<double>(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (std::abs(first.angle_rad[i] - second.angle_rad[i]) > half_spacing_rad) return false;
+  }
+  return true;
+}
+
 std::string_view name_of(Kind kind) { return kind == Kind::circle ? "circle" : "axial"; }
 
 std::string_view name_of(Motion motion) {

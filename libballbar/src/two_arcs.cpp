@@ -54,7 +54,7 @@ Arc arc_of(const Recording& recording, const Circle& circle, bool about_c) {
   arc.sine = angle_rad.sin();
   arc.length_um = Eigen::Map<const Eigen::ArrayXd>(recording.length_mm.data(), n) * 1e3;
   if (!about_c) arc.along = 1, arc.across = 2, arc.normal = 0, arc.radius = 4;
-  arc.radius_um = um_from_mm(circle.radius_mm);
+  arc.radius_um = um_from_mm(recording.nominal_length_mm);
   arc.height_um = um_from_mm(recording.height_offset_mm);
   arc.weight = 1.0 / std::max(circle.sigma_reading_um, 1e-9);
   return arc;
@@ -113,115 +113,135 @@ struct Fewer {
   }
 };
 
-// S of one arc with its residual's autocorrelation, and its variance in units of the weights, at p.
-struct ArcNoise {
-  least_squares::Information<5> information;
-  double sum_squares = 0.0;
-  double readings = 0.0;
-};
-
-ArcNoise noise_of(const Arc& arc, const Vector5d& p) {
+Eigen::ArrayXd weighted_residual(const Arc& arc, const Vector5d& p) {
   Eigen::ArrayXd residual(arc.size());
   least_squares::for_each_block<5>(arc, p, [&](Eigen::Index first, const auto& part) {
     residual.segment(first, part.rows()) = part.col(5).array();
   });
-  ArcNoise noise;
-  noise.information = least_squares::information_of<5>(arc, p, least_squares::autocorrelation_of(residual));
-  noise.sum_squares = residual.square().sum();
-  noise.readings = static_cast<double>(arc.size());
+  return residual;
+}
+
+// What one arc's readings contribute to sum s^2 J'J and sum s^2 J' rho J, in units of the arc's weight: s^2 is the
+// variance of `residual` with the share of unknowns the fit took from it given back.
+least_squares::Information<5> noise_of(const Arc& arc, const Vector5d& p, const Eigen::ArrayXd& residual,
+                                       const Matrix5d& inverse) {
+  least_squares::Information<5> noise =
+      least_squares::information_of<5>(arc, p, least_squares::autocorrelation_of(residual));
+  const double left = static_cast<double>(arc.size()) - (inverse * noise.correlated).trace();
+  noise.correlated *= residual.square().sum() / left;
   return noise;
 }
 
-// Variance of the arc's readings in units of the weights, with the share of unknowns the fit took from it.
-double variance_of(const ArcNoise& noise, const Matrix5d& inverse) {
-  return noise.sum_squares / (noise.readings - (inverse * noise.information.correlated).trace());
+struct Residuals {
+  Eigen::ArrayXd c, a;
+};
+
+Matrix5d joint_covariance(const Arc& c, const Arc& a, const Vector5d& p, const Matrix5d& inverse,
+                          const Residuals& residuals) {
+  return inverse * (noise_of(c, p, residuals.c, inverse).correlated + noise_of(a, p, residuals.a, inverse).correlated) *
+         inverse;
 }
 
-template <int Q>
-TwoArcs joint(const Arc& c, const Arc& a, const Vector5d& start, const Eigen::Matrix<double, 5, Q>& map) {
-  const BothArcs both{c, a};
-  const Fewer<Q, BothArcs> rows{both, start, map};
+// x, y and R_C come from path 1 with `path1`, their covariance; z and R_A from path 2 with x and y held. An error of x,
+// y moves z, R_A by -(J'J)^-1 J' J_xy.
+Matrix5d sequential_covariance(const Arc& a, const Vector5d& p, const Matrix5d& inverse, const Eigen::ArrayXd& residual,
+                               const Eigen::Matrix3d& path1) {
+  const auto noise = noise_of(a, p, residual, inverse);
+  const Matrix5d response = -inverse * noise.white;
+  Eigen::Matrix<double, 5, 3> carried = Eigen::Matrix<double, 5, 3>::Zero();
+  carried(0, 0) = carried(1, 1) = carried(3, 2) = 1.0;
+  carried.block<1, 2>(2, 0) = response.block<1, 2>(2, 0);
+  carried.block<1, 2>(4, 0) = response.block<1, 2>(4, 0);
+  return carried * path1 * carried.transpose() + inverse * noise.correlated * inverse;
+}
+
+// Covariance of (x, y, R_C), um^2, from that of path 1's circle, whose centre is (-x, -y).
+Eigen::Matrix3d of_spindle_ball(const Eigen::Matrix3d& circle_covariance_um2) {
+  const Eigen::Vector3d sign(-1.0, -1.0, 1.0);
+  return sign.asDiagonal() * circle_covariance_um2 * sign.asDiagonal();
+}
+
+template <int Q, class Rows>
+void solve(const Rows& rows, TwoArcs& fit, bool& determined) {
   const auto solution = least_squares::minimise<Q>(rows, Eigen::Vector<double, Q>::Zero());
-  const Vector5d p = rows.at(solution.p);
-  TwoArcs result;
-  result.converged = solution.converged;
-  result.position_um = p.head<3>();
-  Matrix5d covariance = Matrix5d::Constant(std::numeric_limits<double>::infinity());
-  if (solution.determined) {
-    const Matrix5d inverse = map * solution.inverse_information * map.transpose();
-    const ArcNoise noise_c = noise_of(c, p);
-    const ArcNoise noise_a = noise_of(a, p);
-    covariance = inverse *
-                 (variance_of(noise_c, inverse) * noise_c.information.correlated +
-                  variance_of(noise_a, inverse) * noise_a.information.correlated) *
-                 inverse;
-  }
-  result.covariance_um2 = covariance.topLeftCorner<3, 3>();
-  result.radius_c = {c.radius_um + p[3], std::sqrt(covariance(3, 3))};
-  result.radius_a = {a.radius_um + p[4], std::sqrt(covariance(4, 4))};
-  return result;
+  fit.p = rows.at(solution.p);
+  fit.converged = fit.converged && solution.converged;
+  determined = solution.determined;
+  fit.inverse_information = rows.map * solution.inverse_information * rows.map.transpose();
 }
 
-// Path 2 with x and y held at what path 1 gave: unknowns z and R_A.
-TwoArcs sequential(const Circle& first, const Arc& a, double z_um) {
-  Vector5d origin;
-  origin << -first.centre_a_um, -first.centre_b_um, z_um, 0.0, 0.0;
-  Eigen::Matrix<double, 5, 2> map = Eigen::Matrix<double, 5, 2>::Zero();
-  map(2, 0) = map(4, 1) = 1.0;
-  const Fewer<2, Arc> rows{a, origin, map};
-  const auto solution = least_squares::minimise<2>(rows, Eigen::Vector2d::Zero());
-  const Vector5d p = rows.at(solution.p);
-  TwoArcs result;
-  result.converged = first.converged && solution.converged;
-  result.position_um = p.head<3>();
-  result.radius_c = {um_from_mm(first.radius_mm), first.sigma_radius_um()};
-  result.covariance_um2.setConstant(std::numeric_limits<double>::infinity());
-  result.radius_a = {a.radius_um + p[4], std::numeric_limits<double>::infinity()};
-  if (!solution.determined) return result;
-  const ArcNoise noise = noise_of(a, p);
-  const Matrix5d inverse = map * solution.inverse_information * map.transpose();
-  const Matrix5d own = variance_of(noise, inverse) * inverse * noise.information.correlated * inverse;
-  // What an error of x, y from path 1 does to z, R_A: d(z, R) = -(J'J)^-1 J' J_xy d(x, y).
-  Eigen::Matrix<double, 3, 2> carried = Eigen::Matrix<double, 3, 2>::Identity();
-  const Matrix5d response = -inverse * noise.information.white;
-  carried.row(2) = response.block<1, 2>(2, 0);
-  const Eigen::Matrix2d c_xy = first.covariance_um2.topLeftCorner<2, 2>();
-  result.covariance_um2 = carried * c_xy * carried.transpose();
-  result.covariance_um2(2, 2) += own(2, 2);
-  const Eigen::RowVector2d onto_radius = response.block<1, 2>(4, 0);
-  result.radius_a.sigma_um = std::sqrt(own(4, 4) + onto_radius.dot(onto_radius * c_xy));
-  return result;
+struct Arcs {
+  Arc c, a;
+};
+
+Arcs arcs_of(const Recording& c_arc, const Recording& a_arc, const TwoArcs& fit) {
+  const auto kept = [](const Recording& recording, const Circle& circle, bool about_c) {
+    return circle.discounted.empty() ? arc_of(recording, circle, about_c)
+                                     : arc_of(without(recording, circle.discounted), circle, about_c);
+  };
+  return {kept(c_arc, fit.c_circle, true), kept(a_arc, fit.a_circle, false)};
 }
 
 }  // namespace
 
+Estimate TwoArcs::coordinate(int i) const { return {p[i], std::sqrt(covariance_um2(i, i))}; }
+
 TwoArcs fit_two_arcs(const Recording& c_arc, const Recording& a_arc, const DriftOptions& options) {
   CircleOptions each = options.circle;
   each.model = CircleModel::length_equation;
-  const Circle c_circle = fit_circle(c_arc, each);
-  const Circle a_circle = fit_circle(a_arc, each);
-  const bool drop_c = !c_circle.discounted.empty();
-  const bool drop_a = !a_circle.discounted.empty();
-  const Arc c = arc_of(drop_c ? without(c_arc, c_circle.discounted) : c_arc, c_circle, true);
-  const Arc a = arc_of(drop_a ? without(a_arc, a_circle.discounted) : a_arc, a_circle, false);
+  TwoArcs fit;
+  fit.c_circle = fit_circle(c_arc, each);
+  fit.a_circle = fit_circle(a_arc, each);
+  fit.converged = fit.c_circle.converged;
+  const auto [c, a] = arcs_of(c_arc, a_arc, fit);
 
   Vector5d start;
-  start << -c_circle.centre_a_um, -c_circle.centre_b_um, -a_circle.centre_b_um, 0.0, 0.0;
-  TwoArcs result;
+  start << -fit.c_circle.centre_a_um, -fit.c_circle.centre_b_um, -fit.a_circle.centre_b_um,
+      um_from_mm(fit.c_circle.radius_mm) - c.radius_um, um_from_mm(fit.a_circle.radius_mm) - a.radius_um;
+  bool determined = false;
   if (options.sequential) {
-    result = sequential(c_circle, a, start[2]);
+    Eigen::Matrix<double, 5, 2> map = Eigen::Matrix<double, 5, 2>::Zero();
+    map(2, 0) = map(4, 1) = 1.0;
+    solve<2>(Fewer<2, Arc>{a, start, map}, fit, determined);
   } else if (options.equal_radii) {
     Eigen::Matrix<double, 5, 4> map = Eigen::Matrix<double, 5, 4>::Zero();
     map.topLeftCorner<4, 4>().setIdentity();
     map(4, 3) = 1.0;
-    Vector5d origin = start;
-    origin[4] = c.radius_um - a.radius_um;  // R_A starts at R_C and moves with it
-    result = joint<4>(c, a, origin, map);
+    start[4] = start[3] + c.radius_um - a.radius_um;
+    const BothArcs both{c, a};
+    solve<4>(Fewer<4, BothArcs>{both, start, map}, fit, determined);
   } else {
-    result = joint<5>(c, a, start, Matrix5d::Identity());
+    const BothArcs both{c, a};
+    solve<5>(Fewer<5, BothArcs>{both, start, Matrix5d::Identity()}, fit, determined);
   }
-  result.discounted = c_circle.discounted.size() + a_circle.discounted.size();
-  return result;
+  fit.covariance_um2.setConstant(std::numeric_limits<double>::infinity());
+  if (!determined) return fit;
+  const Residuals residuals{weighted_residual(c, fit.p), weighted_residual(a, fit.p)};
+  fit.covariance_um2 = options.sequential ? sequential_covariance(a, fit.p, fit.inverse_information, residuals.a,
+                                                                  of_spindle_ball(fit.c_circle.covariance_um2))
+                                          : joint_covariance(c, a, fit.p, fit.inverse_information, residuals);
+  return fit;
+}
+
+Matrix5d covariance_of_change_um2(const SessionTest& now, const TwoArcs& now_fit, const SessionTest& reference,
+                                  const TwoArcs& reference_fit, const DriftOptions& options) {
+  const Matrix5d apart = now_fit.covariance_um2 + reference_fit.covariance_um2;
+  const bool dropped = !now_fit.c_circle.discounted.empty() || !now_fit.a_circle.discounted.empty() ||
+                       !reference_fit.c_circle.discounted.empty() || !reference_fit.a_circle.discounted.empty();
+  if (dropped || !apart.allFinite() || !same_angles(*now.c_arc, *reference.c_arc) ||
+      !same_angles(*now.a_arc, *reference.a_arc)) {
+    return apart;
+  }
+  const auto [c, a] = arcs_of(*now.c_arc, *now.a_arc, now_fit);
+  auto [c0, a0] = arcs_of(*reference.c_arc, *reference.a_arc, reference_fit);
+  c0.weight = c.weight;  // so that the residuals have one unit
+  a0.weight = a.weight;
+  const Residuals residuals{weighted_residual(c, now_fit.p) - weighted_residual(c0, reference_fit.p),
+                            weighted_residual(a, now_fit.p) - weighted_residual(a0, reference_fit.p)};
+  if (!options.sequential) return joint_covariance(c, a, now_fit.p, now_fit.inverse_information, residuals);
+  const Eigen::Matrix3d path1 =
+      covariance_of_change_um2(*now.c_arc, now_fit.c_circle, *reference.c_arc, reference_fit.c_circle);
+  return sequential_covariance(a, now_fit.p, now_fit.inverse_information, residuals.a, of_spindle_ball(path1));
 }
 
 }  // namespace ballbar

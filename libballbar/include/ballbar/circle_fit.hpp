@@ -68,6 +68,13 @@ struct Circle {
 
 Circle fit_circle(const Recording& recording, const CircleOptions& options = {});
 
+// Covariance of (a, b, R) of `now` minus those of `reference`, um^2. Where both recordings have the same angles in
+// the same order, it comes from the difference of the two residuals: what repeats from test to test - the
+// form of the path - cancels in the difference, and only what does not repeat makes it uncertain. Where
+// the angles differ, the sum of the two covariances.
+Eigen::Matrix3d covariance_of_change_um2(const Recording& now, const Circle& now_circle, const Recording& reference,
+                                         const Circle& reference_circle);
+
 // Radius of the path at each reading about the fitted centre, mm, n values: the r_i that solves the
 // length equation, or the distance of the polar point from the centre.
 Eigen::ArrayXd radii_mm(const Recording& recording, const Circle& circle);

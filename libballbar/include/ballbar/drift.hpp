@@ -22,9 +22,10 @@
 // plane are averaged, weighted equally, and give that plane's two axes. Each plane has its own reference
 // (tests may take the planes in turn); an axis that two planes of one test show is averaged.
 //
-// Every sigma is that of the difference, sqrt(sigma_t^2 + sigma_0^2): the rows share the reference's part.
-// The reference's own row is 0 by definition with sigma 0. What is not cancelled by the set-up: drift of
-// the table and of its rotary axes, the bar's own growth, a ball moved between tests.
+// Every sigma is that of the difference to the reference test (covariance_of_change_um2 of circle_fit.hpp): a residual
+// that repeats from test to test cancels. The rows share the reference's part. The reference's own row
+// is 0 by definition with sigma 0. What is not cancelled by the set-up: drift of the table and of its
+// rotary axes, the bar's own growth, a ball moved between tests.
 #pragma once
 
 #include <cstddef>

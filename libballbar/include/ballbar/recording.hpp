@@ -35,11 +35,11 @@ struct Recording {
                                   // nearer the table than the table's ball, so that elongation adds
   std::optional<double> feed_mm_per_min;
   std::optional<double> bar_temperature_degC;
-  std::optional<double> elapsed_s;          // start of the test since the session's own zero
-  std::optional<std::int64_t> started_s;    // start on the machine's local clock, s since 1970-01-01T00:00:00
-  std::vector<double> time_s;               // n readings from the start of the sweep; empty: uniform in time
-  std::vector<double> angle_rad;            // n readings; empty for axial
-  std::vector<double> length_mm;            // n readings, > 0
+  std::optional<double> elapsed_s;        // start of the test since the session's own zero
+  std::optional<std::int64_t> started_s;  // start on the machine's local clock, s since 1970-01-01T00:00:00
+  std::vector<double> time_s;             // n readings from the start of the sweep; empty: uniform in time
+  std::vector<double> angle_rad;          // n readings; empty for axial
+  std::vector<double> length_mm;          // n readings, > 0
 };
 
 // The two axes of a plane as indices into (x, y, z): XY -> {0,1}, YZ -> {1,2}, ZX -> {2,0}.
@@ -49,6 +49,9 @@ std::array<int, 2> axes_of(Plane plane);
 // added back, so that n readings at mid-sample of an arc give that arc. 2 pi where no gap is wider than
 // 1.5 mean spacings. Readings may be in any order and may wrap. 0 for fewer than 2 readings. O(n).
 double arc_rad(const Recording& recording);
+
+// Same number of readings at the same angles in the same order, to half a reading's spacing.
+bool same_angles(const Recording& first, const Recording& second);
 
 std::string_view name_of(Kind kind);
 std::string_view name_of(Motion motion);

@@ -13,7 +13,7 @@ namespace ballbar {
 enum class Role { structure, ambient, coolant, bearing, mean_point, housing, speed, load, event, measured };
 
 struct Column {
-  std::string name;            // ends in its unit: "T_air_degC"
+  std::string name;  // ends in its unit: "T_air_degC"
   Role role = Role::structure;
   std::vector<double> values;  // one a row; a gap is NaN
 };
