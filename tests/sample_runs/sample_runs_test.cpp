@@ -116,6 +116,38 @@ TEST(sample_runs, he2015_with_other_seeds) {
   EXPECT_NEAR(sum / (3.0 * kSeeds), 1.0, 4.0 * 0.18);
 }
 
+// What the README says of the other files. Gains hold to the noise of single readings (0.05 K and 0.03 K of rounding,
+// over at least 5 K); five probes to 0.1 um of noise, 5 sigma, and the first reading's share.
+TEST(sample_runs, he2015_signals_and_five_probes) {
+  const SimulatedSession run = simulate(machine_of("two-arcs-he2015"));
+  const auto at = [](const Series& series, const char* column, double time_s) {
+    const auto row = std::find(series.time_s.begin(), series.time_s.end(), time_s) - series.time_s.begin();
+    return find_column(series, column)->values.at(static_cast<std::size_t>(row));
+  };
+  for (std::size_t i = 2; i + 2 < run.truth.time_s.size(); ++i) {
+    const double t_s = run.truth.time_s[i];
+    const double bearing_K = at(run.signals, "T_bearing_degC", t_s) - 21.0;
+    const double housing_K = at(run.signals, "T_housing_degC", t_s) - 20.5;
+    EXPECT_NEAR(true_um(run.truth, "z_um", i) / bearing_K, 4.6 / 17.9, 0.05 * 4.6 / 17.9);
+    EXPECT_NEAR(true_um(run.truth, "y_um", i) / housing_K, 30.1 / 8.5, 0.05 * 30.1 / 8.5);
+    const double x1_um = at(run.five_probe, "X1_um", t_s), x2_um = at(run.five_probe, "X2_um", t_s);
+    const double y1_um = at(run.five_probe, "Y1_um", t_s), y2_um = at(run.five_probe, "Y2_um", t_s);
+    EXPECT_NEAR(x1_um, 0.9 * true_um(run.truth, "x_um", i), 0.5);
+    EXPECT_NEAR(y1_um, 1.1 * true_um(run.truth, "y_um", i), 0.5);
+    EXPECT_NEAR(x1_um + (x2_um - x1_um) * 25.0 / 80.0, true_um(run.truth, "x_um", i), 0.5);
+    EXPECT_NEAR(y1_um + (y2_um - y1_um) * 25.0 / 80.0, true_um(run.truth, "y_um", i), 0.5);
+    EXPECT_NEAR(at(run.five_probe, "Z_um", t_s), true_um(run.truth, "z_um", i), 0.5);
+  }
+}
+
+// The correction named in the README: 2 nm with a level bar, 1 um at h = 5 mm.
+TEST(sample_runs, huang2022_elongation_correction) {
+  VirtualMachine machine = machine_of("spindle-rotation-huang2022");
+  EXPECT_NEAR(*drift_of(simulate(machine).session).points.back().elongation_correction_um, 0.002, 0.0001);
+  machine.height_offset_mm = 5.0;
+  EXPECT_NEAR(*drift_of(simulate(machine).session).points.back().elongation_correction_um, 1.0, 0.01);
+}
+
 // Huang 2022: first centre (-9.2, 2.1) um, first axial length 99.9874 mm, elongation 20.1 um (table 1) and radial
 // error 5.93 um at the end. sigma is 0.02 um radial, 0.04 um axial.
 TEST(sample_runs, huang2022) {
