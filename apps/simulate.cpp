@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -23,7 +24,7 @@ struct Options {
   std::string machine;
   std::string out;
   std::string truth;
-  std::optional<std::uint64_t> seed;
+  std::optional<std::int64_t> seed;
   bool b5r = false;
   bool force = false;
   bool json = false;
@@ -31,7 +32,7 @@ struct Options {
 
 // Beside the folder, not in it: whoever is given the run is not given the answer.
 fs::path truth_file(const Options& options) {
-  if (!options.truth.empty()) return options.truth;
+  if (!options.truth.empty() || options.out.empty()) return options.truth;
   fs::path folder = (fs::path(options.out) / "").lexically_normal().parent_path();  // no trailing slash
   if (folder.empty() || folder.filename() == "." || folder.filename() == "..") {
     folder = (fs::absolute(options.out) / "").lexically_normal().parent_path();
@@ -62,7 +63,7 @@ void print_json(const VirtualMachine& machine, const std::vector<SimulatedFile>&
 
 void run(const Options& options) {
   VirtualMachine machine = read_machine(read_bytes(options.machine, kLargestText), options.machine);
-  if (options.seed) machine.seed = *options.seed;
+  if (options.seed) machine.seed = static_cast<std::uint64_t>(*options.seed);
   const SimulatedSession simulated = simulate(machine);
   const std::vector<SimulatedFile> files = simulated_files(simulated, options.b5r);
   const fs::path truth = truth_file(options);
@@ -83,7 +84,9 @@ void add_simulate(CLI::App& app) {
       ->required();
   command->add_option("--truth", options->truth, "file for the truth; without it DIR-truth.csv, beside DIR")
       ->type_name("FILE");
-  command->add_option("--seed", options->seed, "of the noise; without it the machine's own")->type_name("N");
+  command->add_option("--seed", options->seed, "of the noise, 0 or above; without it the machine's own")
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()))
+      ->type_name("N");
   command->add_flag("--b5r", options->b5r, "method circles: .b5r files alone, without session.toml and signals");
   command->add_flag("--force", options->force, "replace files of the same names");
   command->add_flag("--json", options->json, "the summary for a program");

@@ -198,8 +198,9 @@ std::vector<SimulatedFile> simulated_files(const SimulatedSession& simulated, bo
 
 void write_simulated(const std::vector<SimulatedFile>& files, const Series& truth, const fs::path& folder,
                      const fs::path& truth_file, bool replace) {
+  if (folder.empty()) throw Error("Expected the name of a folder to write to, found an empty one.");
   const fs::path target = fs::absolute(folder / "").lexically_normal().parent_path();  // no trailing slash
-  expect_room(files, target, truth_file, replace);
+  expect_room(files, folder, truth_file, replace);
   make_folder(target.parent_path());
   const fs::path temporary = new_folder_beside(target);
   std::error_code ignored;

@@ -195,6 +195,8 @@ TEST(write_simulated, nothing_half_written) {
           scratch,
           [&] { write_simulated(files, simulated.truth, scratch.path() / "file", scratch.path() / "t.csv", true); }),
       "DIR/file: expected a folder, found a file.");
+  EXPECT_EQ(complaint(scratch, [&] { write_simulated(files, simulated.truth, "", scratch.path() / "t.csv", true); }),
+            "Expected the name of a folder to write to, found an empty one.");
   // The truth cannot be written: its folder is a file.
   EXPECT_NE(complaint(scratch,
                       [&] {
