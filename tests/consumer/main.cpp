@@ -18,7 +18,9 @@ int main() {
   std::cout << "centre a " << circle.centre_a_um << " um, sigma " << circle.sigma_centre_a_um() << " um\n";
 
   const ballbar::Recording log = ballbar::read_ballbar_log(
-      "# format = \"ballbar-log 1\"\n# kind = \"axial\"\ntime_s,length_mm\n0.0,99.9990\n1.0,99.9991\n", "in-code.csv");
+      "# format = \"ballbar-log 1\"\n# kind = \"axial\"\n# nominal_length_mm = 100.0\n"
+      "time_s,length_mm\n0.0,99.9990\n1.0,99.9991\n",
+      "in-code.csv");
   const bool log_read = log.length_mm.size() == 2 && log.length_mm[1] == 99.9991;
 
   bool refused = false;
