@@ -56,17 +56,47 @@ void expect_shallow(const SourceText& text) {
     const char c = text.bytes[i];
     if (c == '.') ++dots;
     if (c == '\n' || c == ',' || c == '=') dots = 0;
-    if (dots > kMostDots)
+    if (dots > kMostDots) {
       fail_at(text, i, fmt::format("expected a key or text with at most {} dots, found more.", kMostDots));
+    }
   }
+}
+
+struct ParserFault {};
+
+bool is_fault(std::string_view text) {
+  try {
+    static_cast<void>(toml::parse(text));
+  } catch (const ParserFault&) {
+    return true;
+  } catch (const toml::parse_error&) {
+  }
+  return false;
+}
+
+// Length of the shortest beginning of `text` that the parser cannot take, which it reads from front to back.
+std::size_t fault_length(std::string_view text) {
+  std::size_t good = 0;
+  std::size_t bad = text.size();
+  while (bad - good > 1) {
+    const std::size_t middle = good + (bad - good) / 2;
+    (is_fault(text.substr(0, middle)) ? bad : good) = middle;
+  }
+  return bad;
 }
 
 }  // namespace
 
+void toml_parser_fault() { throw ParserFault{}; }
+
 TomlSource parse_toml(std::string_view text, std::string_view name) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   expect_shallow({text, name});
   try {
     return {toml::parse(text), std::string(name)};
+  } catch (const ParserFault&) {
+    const std::size_t length = fault_length(text);
+    fail_at({text, name}, length - 1, fmt::format("expected TOML, found {}.", in_quotes(text.substr(length - 1, 1))));
   } catch (const toml::parse_error& error) {
     const bool comma = error.description().ends_with("saw ','");
     fail(name, error.source().begin,

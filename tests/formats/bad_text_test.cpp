@@ -147,6 +147,17 @@ constexpr BadText kBadTexts[] = {
      "file:1:1: expected time_s or time_min as the first column, found \"温度\"."},
     {"series", "*", "time_s,\xE6\xB8\xA9_\xE5\xBA\xA6\n1,2",
      "file:1:8: expected a name that ends in its unit, one of _um, _mm, _degC, _rpm, _A, _W, _K, found \"温_度\"."},
+    {"session", "[bar]", "[#bar]", "file:4:2: expected TOML, found \"#\"."},
+    {"session", "= 600.0", "= [}00", "file:11:14: expected TOML, found \"}\"."},
+    {"session", "[[test]]", "[[ ]]",
+     "file:6:4: expected TOML, found text that its parser refuses: Error while parsing table header: tables with blank "
+     "bare keys are explicitly prohibited."},
+    {"session", "= 600.0", "= 600.0\u00E9",
+     "file:11:18: expected TOML, found text that its parser refuses: Error while parsing floating-point: expected "
+     "decimal digit, saw '\u00E9'."},
+    {"session", "title = ", "title.'\u00E9'.\u00E9 = ",
+     "file:3:11: expected TOML, found text that its parser refuses: Error while parsing key: expected bare key "
+     "starting character or string delimiter, saw '\u00E9'."},
     {"session", "two_arcs", "two_arc",
      "file:2:10: expected one of \"two_arcs\", \"spindle_rotation\", \"circles\" for method, found the text "
      "\"two_arc\"."},
@@ -276,7 +287,7 @@ TEST(bad_text, is_refused_with_a_whole_sentence) {
       read(bad.kind, text);
       ADD_FAILURE() << "read without complaint: " << text;
     } catch (const Error& error) {
-      EXPECT_EQ(error.what(), bad.message) << text;
+      EXPECT_EQ(std::string_view(error.what()), bad.message) << text;
     }
   }
 }

@@ -30,6 +30,14 @@ TEST(session_plan, a_path_that_stays_inside_may_use_dots) {
   EXPECT_EQ(read_session_plan(changed("session", "01-c.csv", "..c.csv"), "file").tests[1].c_arc, "..c.csv");
 }
 
+TEST(session_plan, texts_and_comments_hold_any_character) {
+  const SessionPlan plan =
+      read_session_plan(changed("session", "\"warm-up\"", "\"\"\"\n[# \\\" \u00E9 \"\"\" # [\u00E9"), "file");
+  EXPECT_EQ(plan.title, "[# \" \u00E9 ");
+  const SessionPlan literal = read_session_plan(changed("session", "\"warm-up\"", "'\u00E9 \\'  # it's"), "file");
+  EXPECT_EQ(literal.title, "\u00E9 \\");
+}
+
 TEST(session_plan, written_and_read_again_is_the_same) {
   const bool passed = rc::check([] {
     SessionPlan plan;
