@@ -174,9 +174,12 @@ struct EveryNth {
 
 inline constexpr Eigen::Index kEnoughReadings = 2048;
 
-// Orthonormal unknowns at p0, and whether J has full rank there; plain scaled ones where it has not.
+enum class Basis { scaled, orthonormal };
+
+// Unknowns about p0: each scaled by its column of J, or orthonormal; and whether J has full rank there (scaled
+// ones where it has not).
 template <int P, class Rows>
-Unknowns<P> orthonormal_unknowns(const Rows& rows, const Eigen::Vector<double, P>& p0, bool& determined) {
+Unknowns<P> unknowns_at(const Rows& rows, const Eigen::Vector<double, P>& p0, Basis basis, bool& determined) {
   const EveryNth<Rows> some{rows, (rows.size() + kEnoughReadings - 1) / kEnoughReadings};
   Eigen::Matrix<double, Eigen::Dynamic, P> jacobian(some.size(), P);
   for_each_block<P>(some, p0, [&](Eigen::Index first, const auto& part) {
@@ -187,8 +190,8 @@ Unknowns<P> orthonormal_unknowns(const Rows& rows, const Eigen::Vector<double, P
   const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, P>> qr(jacobian);
   Unknowns<P> unknowns{p0, norm.cwiseInverse().asDiagonal()};
   const double smallest = jacobian.rows() < P ? 0.0 : std::abs(qr.matrixQR()(P - 1, P - 1));
-  determined = smallest > 1e-13 * qr.maxPivot();
-  if (determined) {
+  determined = smallest > 1e-13 * qr.maxPivot() && norm.minCoeff() > 1e-150 && norm.allFinite();
+  if (determined && basis == Basis::orthonormal) {
     const Eigen::Matrix<double, P, P> inverse =
         qr.matrixQR().topRows(P).template triangularView<Eigen::Upper>().solve(Eigen::Matrix<double, P, P>::Identity());
     unknowns.basis = norm.cwiseInverse().asDiagonal() * (qr.colsPermutation() * inverse);
@@ -216,13 +219,13 @@ void take_out_the_rest(const Cost& cost, Eigen::Vector<double, P>& s) {
   }
 }
 
-// One Ceres problem in orthonormal unknowns about p0. `moved` is how far the solution lies from there in
-// multiples of the residual's norm.
+// One Ceres problem about p0. `moved` is how far the solution lies from there in multiples of the residual's norm
+// (orthonormal unknowns). Scaled unknowns only approach: no last digits, no covariance.
 template <int P, class Rows>
-Solution<P> minimise_once(const Rows& rows, const Eigen::Vector<double, P>& p0, const ceres::LossFunction* loss,
-                          double scale, double& moved) {
+Solution<P> minimise_once(const Rows& rows, const Eigen::Vector<double, P>& p0, Basis basis,
+                          const ceres::LossFunction* loss, double scale, double& moved) {
   Solution<P> solution;
-  const Unknowns<P> unknowns = orthonormal_unknowns<P>(rows, p0, solution.determined);
+  const Unknowns<P> unknowns = unknowns_at<P>(rows, p0, basis, solution.determined);
   CondensedCost<P, Rows> cost(rows, unknowns, loss, scale);
   ceres::Problem::Options problem_options;
   problem_options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
@@ -239,12 +242,19 @@ Solution<P> minimise_once(const Rows& rows, const Eigen::Vector<double, P>& p0, 
   options.gradient_tolerance = 0.0;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
-  if (solution.determined) take_out_the_rest<P>(cost, s);
+  const bool last_digits = solution.determined && basis == Basis::orthonormal;
+  if (last_digits) take_out_the_rest<P>(cost, s);
   solution.p = unknowns.at(s);
   solution.converged = summary.termination_type == ceres::CONVERGENCE;
   solution.outcome = summary.message;
   solution.sum_squares = 2.0 * summary.final_cost;
   moved = s.norm() / std::sqrt(std::max(solution.sum_squares, std::numeric_limits<double>::min()));
+  if (!last_digits) return solution;
+  Eigen::Vector<double, P + 1> f;
+  CeresMatrix<P + 1, P> jacobian;
+  const double* at[] = {s.data()};
+  double* jacobians[] = {jacobian.data()};
+  solution.determined = cost.Evaluate(at, f.data(), jacobians);  // Ceres' covariance does not survive a failure
   if (!solution.determined) return solution;
 
   ceres::Covariance::Options covariance_options;
@@ -260,21 +270,18 @@ Solution<P> minimise_once(const Rows& rows, const Eigen::Vector<double, P>& p0, 
   return solution;
 }
 
-// Least squares from `start`; with a loss, robust at that scale (unit of the residual). Repeated about the
-// solution until that no longer moves: the cost is flat at its minimum, the orthonormal unknowns
-// are best where they were made.
+// Least squares from `start`; with a loss, robust at that scale (unit of the residual). The way there is made in
+// scaled unknowns, where Ceres' damping holds back what the readings hardly determine, on evenly spaced readings
+// where there are many; then about the solution in orthonormal ones, until that no longer moves far.
 template <int P, class Rows>
 Solution<P> minimise(const Rows& rows, const Eigen::Vector<double, P>& start, const ceres::LossFunction* loss = nullptr,
                      double scale = 1.0) {
   double moved = 0.0;
-  Eigen::Vector<double, P> p = start;
-  if (rows.size() > 8 * kEnoughReadings) {
-    const EveryNth<Rows> some{rows, rows.size() / kEnoughReadings};
-    p = minimise_once<P>(some, p, loss, scale, moved).p;
-  }
-  Solution<P> solution = minimise_once<P>(rows, p, loss, scale, moved);
+  const EveryNth<Rows> some{rows, std::max<Eigen::Index>(1, rows.size() / kEnoughReadings)};
+  const Eigen::Vector<double, P> near = minimise_once<P>(some, start, Basis::scaled, loss, scale, moved).p;
+  Solution<P> solution = minimise_once<P>(rows, near, Basis::orthonormal, loss, scale, moved);
   for (int round = 0; round < 20 && moved > 0.5; ++round) {
-    solution = minimise_once<P>(rows, solution.p, loss, scale, moved);
+    solution = minimise_once<P>(rows, solution.p, Basis::orthonormal, loss, scale, moved);
   }
   return solution;
 }
