@@ -71,7 +71,7 @@ PlaneCircle algebraic_circle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y, A
   factor.topRows(rank_rows) = qr.matrixQR().topRows(rank_rows).triangularView<Eigen::Upper>();
 
   const Eigen::JacobiSVD<Eigen::Matrix4d> svd(factor, Eigen::ComputeFullV);
-  const Eigen::Vector4d singular = svd.singularValues();
+  const Eigen::Vector4d& singular = svd.singularValues();
   const bool on_a_circle = singular[3] < 1e-13 * singular[0];  // exact: the null vector, whatever the method
   const Eigen::Vector4d abc = method == Algebraic::kasa ? kasa(factor)
                               : on_a_circle             ? Eigen::Vector4d(svd.matrixV().col(3))

@@ -18,9 +18,9 @@ namespace {
 using least_squares::Solution;
 
 constexpr double kSmallestArc_deg = 5.0;
-constexpr Eigen::Index kStartReadings = 4096;  // the algebraic start needs no more
-constexpr double kTukey = 4.685;               // 95 % efficient at normal noise
-constexpr double kHuber = 1.345;               // the same
+constexpr Eigen::Index kStartReadings = 512;  // the algebraic start needs no more
+constexpr double kTukey = 4.685;              // 95 % efficient at normal noise
+constexpr double kHuber = 1.345;              // the same
 
 Eigen::Map<const Eigen::ArrayXd> array_of(const std::vector<double>& values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
@@ -30,7 +30,8 @@ double infinite_or_sqrt(double variance) { return std::sqrt(std::max(0.0, varian
 
 double correlation(const Eigen::Matrix3d& c, int i, int j) { return c(i, j) / std::sqrt(c(i, i) * c(j, j)); }
 
-void require_circle(const Recording& recording, double height_mm) {
+// Arc of a recording that a circle can be fitted to, deg.
+double required_arc_deg(const Recording& recording, double height_mm) {
   if (recording.kind != Kind::circle)
     throw Error("an axial recording has no circle to fit; expected a circle recording");
   const std::size_t n = recording.length_mm.size();
@@ -49,6 +50,7 @@ void require_circle(const Recording& recording, double height_mm) {
     throw Error(fmt::format("a reading of {} mm is not longer than the height difference of the balls, {} mm",
                             shortest_mm, height_mm));
   }
+  return arc_deg;
 }
 
 struct Directions {
@@ -67,13 +69,15 @@ Directions directions_of(const Recording& recording) {
 }
 
 // Hyper circle through the polar points of evenly spaced readings.
-PlaneCircle algebraic_start(const Directions& directions, const Eigen::ArrayXd& length_um, double height_um) {
-  const Eigen::Index step = (length_um.size() + kStartReadings - 1) / kStartReadings;
-  const Eigen::Index count = (length_um.size() + step - 1) / step;
+PlaneCircle algebraic_start(const Recording& recording, const Directions& directions, const Circle& circle) {
+  const auto length_mm = array_of(recording.length_mm);
+  const double height_um = um_from_mm(circle.height_mm);
+  const Eigen::Index step = (length_mm.size() + kStartReadings - 1) / kStartReadings;
+  const Eigen::Index count = (length_mm.size() + step - 1) / step;
   Eigen::ArrayXd x(count);
   Eigen::ArrayXd y(count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const double l = length_um[i * step];
+    const double l = length_mm[i * step] * 1e3 - circle.length_correction_um;
     const double rho = std::sqrt(l * l - height_um * height_um);
     x[i] = rho * directions.cosine[i * step];
     y[i] = rho * directions.sine[i * step];
@@ -104,11 +108,11 @@ Solution<3> minimise_robustly(const Rows& rows, Solution<3> solution, double& sc
   scale_um = robust_scale(residual_of(rows, solution.p));
   if (scale_um == 0.0) return solution;  // more than half of the readings fit exactly
   const ceres::HuberLoss huber(kHuber);
-  solution = least_squares::minimise<3>(rows, solution.p, &huber, scale_um);
+  solution = least_squares::minimise<3>(rows, solution.p, least_squares::Start::near, &huber, scale_um);
   scale_um = robust_scale(residual_of(rows, solution.p));
   if (scale_um == 0.0) return solution;
   const ceres::TukeyLoss tukey(kTukey);
-  return least_squares::minimise<3>(rows, solution.p, &tukey, scale_um);
+  return least_squares::minimise<3>(rows, solution.p, least_squares::Start::near, &tukey, scale_um);
 }
 
 // Variance factor of an M-estimate, sum psi^2 / (n - 3) / mean(psi')^2 (Huber 1981), for Tukey's biweight;
@@ -155,9 +159,9 @@ void finish(const Rows& rows, const Solution<3>& solution, double radius_um, dou
   Eigen::Matrix3d inverse = solution.inverse_information;
   Eigen::Matrix3d widening = Eigen::Matrix3d::Identity();  // S H^-1
   if (robust || rho.share > 0.0) {
-    const auto [white, correlated] = least_squares::information_of<3>(rows, solution.p, rho);
-    inverse = white.inverse();
-    widening = correlated * inverse;
+    const auto information = least_squares::information_of<3>(rows, solution.p, rho);
+    inverse = information.white.inverse();
+    widening = information.correlated * inverse;
   }
   const double used = widening.trace();
   const double variance_um2 =
@@ -173,7 +177,7 @@ void finish(const Rows& rows, const Solution<3>& solution, double radius_um, dou
 
 template <class Rows>
 void solve(const Rows& rows, const Eigen::Vector3d& start, double radius_um, bool robust, Circle& circle) {
-  Solution<3> solution = least_squares::minimise<3>(rows, start);
+  Solution<3> solution = least_squares::minimise<3>(rows, start, least_squares::Start::near);
   double scale_um = 0.0;
   if (robust) solution = minimise_robustly(rows, std::move(solution), scale_um);
   finish(rows, solution, radius_um, scale_um, circle);
@@ -194,8 +198,7 @@ Circle fit_circle(const Recording& recording, const CircleOptions& options) {
   circle.readings = recording.length_mm.size();
   const bool exact = options.elongation_form == ElongationForm::exact;
   circle.height_mm = recording.height_offset_mm + (exact ? mm_from_um(options.elongation_um) : 0.0);
-  require_circle(recording, circle.height_mm);
-  circle.arc_deg = deg_from_rad(arc_rad(recording));
+  circle.arc_deg = required_arc_deg(recording, circle.height_mm);
   if (!exact) {
     circle.length_correction_um =
         elongation_correction_um(ElongationForm::eq34, recording.nominal_length_mm, 0.0, options.elongation_um);
@@ -203,17 +206,21 @@ Circle fit_circle(const Recording& recording, const CircleOptions& options) {
 
   const double height_um = um_from_mm(circle.height_mm);
   Directions directions = directions_of(recording);
-  Eigen::ArrayXd length_um = array_of(recording.length_mm) * 1e3 - circle.length_correction_um;
-  const PlaneCircle start = algebraic_start(directions, length_um, height_um);
+  const PlaneCircle start = algebraic_start(recording, directions, circle);
   const Eigen::Vector3d p0(start.centre_x, start.centre_y, 0.0);
   if (options.model == CircleModel::polar) {
-    if (height_um != 0.0) length_um = (length_um.square() - height_um * height_um).sqrt();
-    directions.cosine *= length_um;
-    directions.sine *= length_um;
+    Eigen::ArrayXd rho_um = array_of(recording.length_mm) * 1e3 - circle.length_correction_um;
+    if (height_um != 0.0) rho_um = (rho_um.square() - height_um * height_um).sqrt();
+    directions.cosine *= rho_um;
+    directions.sine *= rho_um;
     const PointRows rows{std::move(directions.cosine), std::move(directions.sine), start.radius};
     solve(rows, p0, start.radius, options.robust, circle);
   } else {
-    const LengthRows rows{std::move(directions.cosine), std::move(directions.sine), std::move(length_um), height_um,
+    const LengthRows rows{std::move(directions.cosine),
+                          std::move(directions.sine),
+                          recording.length_mm.data(),
+                          circle.length_correction_um,
+                          height_um,
                           start.radius};
     solve(rows, p0, start.radius, options.robust, circle);
   }
@@ -250,14 +257,18 @@ Eigen::ArrayXd residual_um(const Recording& recording, const Circle& circle) {
 
 Eigen::Matrix3d covariance_of_change_um2(const Recording& now, const Circle& now_circle, const Recording& reference,
                                          const Circle& reference_circle) {
-  const Eigen::Matrix3d apart = now_circle.covariance_um2 + reference_circle.covariance_um2;
+  Eigen::Matrix3d apart = now_circle.covariance_um2 + reference_circle.covariance_um2;
   if (!same_angles(now, reference) || !apart.allFinite()) return apart;
   Eigen::ArrayXd difference_um = residual_um(now, now_circle) - residual_um(reference, reference_circle);
   for (const std::size_t i : now_circle.discounted) difference_um[static_cast<Eigen::Index>(i)] = 0.0;
   for (const std::size_t i : reference_circle.discounted) difference_um[static_cast<Eigen::Index>(i)] = 0.0;
   auto [cosine, sine] = directions_of(now);
-  const Eigen::ArrayXd no_lengths = Eigen::ArrayXd::Zero(cosine.size());  // the Jacobian does not need them
-  const LengthRows rows{std::move(cosine), std::move(sine), no_lengths, um_from_mm(now_circle.height_mm), 0.0};
+  const LengthRows rows{std::move(cosine),
+                        std::move(sine),
+                        now.length_mm.data(),
+                        now_circle.length_correction_um,
+                        um_from_mm(now_circle.height_mm),
+                        0.0};
   const Eigen::Vector3d p(now_circle.centre_a_um, now_circle.centre_b_um, um_from_mm(now_circle.radius_mm));
   const auto [white, correlated] =
       least_squares::information_of<3>(rows, p, least_squares::autocorrelation_of(difference_um));
@@ -276,7 +287,7 @@ PlaneCircle geometric_circle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
   const bool flat = start.radius > 4.0 * std::sqrt(((x - middle.x()).square() + (y - middle.y()).square()).mean());
   for (const Eigen::Vector2d& centre : {Eigen::Vector2d(start.centre_x, start.centre_y), mirrored}) {
     const PointRows rows{x, y, start.radius};
-    const auto solution = least_squares::minimise<3>(rows, {centre.x(), centre.y(), 0.0});
+    const auto solution = least_squares::minimise<3>(rows, {centre.x(), centre.y(), 0.0}, least_squares::Start::near);
     const double rms = std::sqrt(solution.sum_squares / static_cast<double>(x.size()));
     const bool better = solution.converged > best.converged || rms < best.rms;
     if (!std::isfinite(best.rms) || better) {

@@ -7,26 +7,30 @@
 
 namespace ballbar {
 
-// Residual: reading minus sqrt((a + R cos)^2 + (b + R sin)^2 + h^2). All in um.
+// Residual: reading minus sqrt((a + R cos)^2 + (b + R sin)^2 + h^2), um. The lengths are the recording's own.
 struct LengthRows {
-  Eigen::ArrayXd cosine, sine, length_um;
+  Eigen::ArrayXd cosine, sine;
+  const double* length_mm = nullptr;
+  double length_correction_um = 0.0;  // subtracted
   double height_um = 0.0;
   double radius_um = 0.0;  // R = radius_um + p[2]
 
-  Eigen::Index size() const { return length_um.size(); }
+  Eigen::Index size() const { return cosine.size(); }
 
   template <class Part>
   void fill(Eigen::Index first, const Eigen::Vector3d& p, Part& rows) const {
     const double r = radius_um + p[2];
     for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-      const double along_a = p[0] + r * cosine[first + i];
-      const double along_b = p[1] + r * sine[first + i];
+      const double c = cosine[first + i];
+      const double s = sine[first + i];
+      const double along_a = p[0] + r * c;
+      const double along_b = p[1] + r * s;
       const double model = std::sqrt(along_a * along_a + along_b * along_b + height_um * height_um);
       const double per_model = -1.0 / model;
       rows(i, 0) = along_a * per_model;
       rows(i, 1) = along_b * per_model;
-      rows(i, 2) = (along_a * cosine[first + i] + along_b * sine[first + i]) * per_model;
-      rows(i, 3) = length_um[first + i] - model;
+      rows(i, 2) = (along_a * c + along_b * s) * per_model;
+      rows(i, 3) = length_mm[first + i] * 1e3 - length_correction_um - model;
     }
   }
 };

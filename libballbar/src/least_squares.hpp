@@ -172,7 +172,7 @@ struct EveryNth {
   }
 };
 
-inline constexpr Eigen::Index kEnoughReadings = 2048;
+inline constexpr Eigen::Index kEnoughReadings = 512;
 
 enum class Basis { scaled, orthonormal };
 
@@ -182,9 +182,10 @@ template <int P, class Rows>
 Unknowns<P> unknowns_at(const Rows& rows, const Eigen::Vector<double, P>& p0, Basis basis, bool& determined) {
   const EveryNth<Rows> some{rows, (rows.size() + kEnoughReadings - 1) / kEnoughReadings};
   Eigen::Matrix<double, Eigen::Dynamic, P> jacobian(some.size(), P);
-  for_each_block<P>(some, p0, [&](Eigen::Index first, const auto& part) {
+  const auto take = [&](Eigen::Index first, const auto& part) {
     jacobian.middleRows(first, part.rows()) = part.template leftCols<P>();
-  });
+  };
+  some.step == 1 ? for_each_block<P>(rows, p0, take) : for_each_block<P>(some, p0, take);
   const Eigen::Vector<double, P> norm = jacobian.colwise().norm().cwiseMax(1e-300);
   jacobian *= norm.cwiseInverse().asDiagonal();
   const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, P>> qr(jacobian);
@@ -200,29 +201,37 @@ Unknowns<P> unknowns_at(const Rows& rows, const Eigen::Vector<double, P>& p0, Ba
 }
 
 // Ceres stops where the cost no longer changes in double precision; that leaves the root of that precision in
-// the unknowns. Gauss-Newton steps on the gradient take out the rest, as long as they shrink.
+// the unknowns. Gauss-Newton steps on the gradient take out the rest, as long as they shrink. Whether what is left
+// is nothing: 1e-6 of what the residual's norm amounts to.
 template <int P, class Cost>
-void take_out_the_rest(const Cost& cost, Eigen::Vector<double, P>& s) {
+bool take_out_the_rest(const Cost& cost, Eigen::Vector<double, P>& s) {
   double last = std::numeric_limits<double>::infinity();
+  double size = last;
+  double norm = 0.0;
   for (int step = 0; step < 200; ++step) {
     Eigen::Vector<double, P + 1> f;
     CeresMatrix<P + 1, P> jacobian;
     const double* parameters[] = {s.data()};
     double* jacobians[] = {jacobian.data()};
-    if (!cost.Evaluate(parameters, f.data(), jacobians)) return;
+    if (!cost.Evaluate(parameters, f.data(), jacobians)) return false;
     const Eigen::Vector<double, P> change =
         jacobian.template topRows<P>().template triangularView<Eigen::Upper>().solve(-f.template head<P>());
-    const double size = change.norm();
-    if (!(size < 0.99 * last) || size <= 1e-11 * f.norm()) return;
+    size = change.norm();
+    norm = f.norm();
+    if (!(size < 0.99 * last) || size <= 1e-11 * norm) break;
     s += change;
     last = size;
   }
+  return size <= 1e-6 * norm;
 }
 
+// approach: to somewhere near the solution. settle: to the last digits, with the covariance.
+enum class Aim { approach, settle };
+
 // One Ceres problem about p0. `moved` is how far the solution lies from there in multiples of the residual's norm
-// (orthonormal unknowns). Scaled unknowns only approach: no last digits, no covariance.
+// (orthonormal unknowns).
 template <int P, class Rows>
-Solution<P> minimise_once(const Rows& rows, const Eigen::Vector<double, P>& p0, Basis basis,
+Solution<P> minimise_once(const Rows& rows, const Eigen::Vector<double, P>& p0, Basis basis, Aim aim,
                           const ceres::LossFunction* loss, double scale, double& moved) {
   Solution<P> solution;
   const Unknowns<P> unknowns = unknowns_at<P>(rows, p0, basis, solution.determined);
@@ -237,25 +246,31 @@ Solution<P> minimise_once(const Rows& rows, const Eigen::Vector<double, P>& p0, 
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = 500;
-  options.function_tolerance = 1e-10;  // take_out_the_rest does better than any tighter value here
   options.parameter_tolerance = 1e-10;
   options.gradient_tolerance = 0.0;
+  const bool settle = solution.determined && aim == Aim::settle;
   ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  const bool last_digits = solution.determined && basis == Basis::orthonormal;
-  if (last_digits) take_out_the_rest<P>(cost, s);
+  bool settled = false;
+  // From a near start the last steps alone are enough, once Ceres has made the first; where not, Ceres goes on.
+  for (const double tolerance : {settle ? 1e-2 : 1e-10, 1e-10}) {
+    options.function_tolerance = tolerance;
+    ceres::Solve(options, &problem, &summary);
+    settled = settle && take_out_the_rest<P>(cost, s);
+    if (settled || !settle) break;
+  }
   solution.p = unknowns.at(s);
-  solution.converged = summary.termination_type == ceres::CONVERGENCE;
+  solution.converged = settled || summary.termination_type == ceres::CONVERGENCE;
   solution.outcome = summary.message;
   solution.sum_squares = 2.0 * summary.final_cost;
   moved = s.norm() / std::sqrt(std::max(solution.sum_squares, std::numeric_limits<double>::min()));
-  if (!last_digits) return solution;
+  if (!settle) return solution;
   Eigen::Vector<double, P + 1> f;
   CeresMatrix<P + 1, P> jacobian;
   const double* at[] = {s.data()};
   double* jacobians[] = {jacobian.data()};
   solution.determined = cost.Evaluate(at, f.data(), jacobians);  // Ceres' covariance does not survive a failure
   if (!solution.determined) return solution;
+  solution.sum_squares = f.squaredNorm();
 
   ceres::Covariance::Options covariance_options;
   covariance_options.algorithm_type = ceres::DENSE_SVD;
@@ -270,18 +285,25 @@ Solution<P> minimise_once(const Rows& rows, const Eigen::Vector<double, P>& p0, 
   return solution;
 }
 
-// Least squares from `start`; with a loss, robust at that scale (unit of the residual). The way there is made in
-// scaled unknowns, where Ceres' damping holds back what the readings hardly determine, on evenly spaced readings
-// where there are many; then about the solution in orthonormal ones, until that no longer moves far.
+// How good a start is: an algebraic solution, or a guess.
+enum class Start { near, far };
+
+// Least squares from `start`; with a loss, robust at that scale (unit of the residual). From afar the way is made in
+// scaled unknowns, where Ceres' damping holds back what the readings hardly determine. With many readings evenly
+// spaced ones come first. Then in orthonormal unknowns about the solution, until it no longer moves far.
 template <int P, class Rows>
-Solution<P> minimise(const Rows& rows, const Eigen::Vector<double, P>& start, const ceres::LossFunction* loss = nullptr,
-                     double scale = 1.0) {
+Solution<P> minimise(const Rows& rows, const Eigen::Vector<double, P>& start, Start quality,
+                     const ceres::LossFunction* loss = nullptr, double scale = 1.0) {
   double moved = 0.0;
-  const EveryNth<Rows> some{rows, std::max<Eigen::Index>(1, rows.size() / kEnoughReadings)};
-  const Eigen::Vector<double, P> near = minimise_once<P>(some, start, Basis::scaled, loss, scale, moved).p;
-  Solution<P> solution = minimise_once<P>(rows, near, Basis::orthonormal, loss, scale, moved);
+  Eigen::Vector<double, P> p = start;
+  if (quality == Start::far) p = minimise_once<P>(rows, p, Basis::scaled, Aim::approach, loss, scale, moved).p;
+  if (rows.size() > 4 * kEnoughReadings) {
+    const EveryNth<Rows> some{rows, rows.size() / kEnoughReadings};
+    p = minimise_once<P>(some, p, Basis::orthonormal, Aim::approach, loss, scale, moved).p;
+  }
+  Solution<P> solution = minimise_once<P>(rows, p, Basis::orthonormal, Aim::settle, loss, scale, moved);
   for (int round = 0; round < 20 && moved > 0.5; ++round) {
-    solution = minimise_once<P>(rows, solution.p, Basis::orthonormal, loss, scale, moved);
+    solution = minimise_once<P>(rows, solution.p, Basis::orthonormal, Aim::settle, loss, scale, moved);
   }
   return solution;
 }
@@ -310,7 +332,7 @@ Information<P> information_of(const Rows& rows, const Eigen::Vector<double, P>& 
   Eigen::Vector<double, P> memory = Eigen::Vector<double, P>::Zero();  // sum over k > 0 of phi^k J_(i-k)
   for_each_block<P>(rows, p, [&](Eigen::Index, const auto& part) {
     for (int i = 0; i < P; ++i) {
-      for (int j = 0; j < P; ++j) information.white(i, j) += part.col(i).dot(part.col(j));
+      for (int j = i; j < P; ++j) information.white(i, j) += part.col(i).dot(part.col(j));
     }
     if (rho.share == 0.0) return;
     for (Eigen::Index i = 0; i < part.rows(); ++i) {
@@ -319,6 +341,7 @@ Information<P> information_of(const Rows& rows, const Eigen::Vector<double, P>& 
       memory = rho.phi * (memory + row);
     }
   });
+  information.white.template triangularView<Eigen::StrictlyLower>() = information.white.transpose();
   information.correlated = information.white + rho.share * (lagged + lagged.transpose());
   return information;
 }

@@ -163,7 +163,7 @@ Eigen::Matrix3d of_spindle_ball(const Eigen::Matrix3d& circle_covariance_um2) {
 
 template <int Q, class Rows>
 void solve(const Rows& rows, TwoArcs& fit, bool& determined) {
-  const auto solution = least_squares::minimise<Q>(rows, Eigen::Vector<double, Q>::Zero());
+  const auto solution = least_squares::minimise<Q>(rows, Eigen::Vector<double, Q>::Zero(), least_squares::Start::near);
   fit.p = rows.at(solution.p);
   fit.converged = fit.converged && solution.converged;
   determined = solution.determined;
@@ -225,7 +225,7 @@ TwoArcs fit_two_arcs(const Recording& c_arc, const Recording& a_arc, const Drift
 
 Matrix5d covariance_of_change_um2(const SessionTest& now, const TwoArcs& now_fit, const SessionTest& reference,
                                   const TwoArcs& reference_fit, const DriftOptions& options) {
-  const Matrix5d apart = now_fit.covariance_um2 + reference_fit.covariance_um2;
+  Matrix5d apart = now_fit.covariance_um2 + reference_fit.covariance_um2;
   const bool dropped = !now_fit.c_circle.discounted.empty() || !now_fit.a_circle.discounted.empty() ||
                        !reference_fit.c_circle.discounted.empty() || !reference_fit.a_circle.discounted.empty();
   if (dropped || !apart.allFinite() || !same_angles(*now.c_arc, *reference.c_arc) ||

@@ -104,7 +104,7 @@ Digits solve(const std::filesystem::path& folder, const std::string& name, Model
   std::string line = fmt::format("{:<10}", name);
   for (std::size_t s = 0; s < 2; ++s) {
     const Eigen::Map<const Eigen::Vector<double, P>> start(problem.starts[s].data());
-    const auto solution = least_squares::minimise<P>(rows, start);
+    const auto solution = least_squares::minimise<P>(rows, start, least_squares::Start::far);
     const double variance = solution.sum_squares / static_cast<double>(problem.y.size() - P);
     double parameter_digits = 11.0;
     double sigma_digits = 11.0;

@@ -25,11 +25,11 @@ struct StoredFeature {
 };
 
 struct B5r {
-  std::string test_name;           // TEST_SPEC NAME
-  std::string ballbar_model;       // EQUIPMENT/BALLBAR/MODEL
+  std::string test_name;      // TEST_SPEC NAME
+  std::string ballbar_model;  // EQUIPMENT/BALLBAR/MODEL
   std::string software_version;
   std::optional<double> programmed_feed_mm_per_min;
-  std::vector<Recording> runs;     // in the file's order; feed_mm_per_min is the calculated one
+  std::vector<Recording> runs;  // in the file's order; feed_mm_per_min is the calculated one
   std::vector<StoredFeature> stored;
 };
 
@@ -42,7 +42,8 @@ std::optional<double> stored_value(const B5r& test, std::string_view parent, std
 
 // A file in the instrument's layout with these runs (uniform angles at mid-sample, no overshoot beyond
 // `overshoot_readings` copied from the ends) and stored features. Recordings need plane, direction,
-// nominal_length_mm, started_s, feed_mm_per_min, angle_rad, length_mm. Readings are written as the instrument does: mm, five decimals.
+// nominal_length_mm, started_s, feed_mm_per_min, angle_rad, length_mm. Readings are written as the instrument does: mm,
+// five decimals.
 std::string write_b5r(const B5r& test, std::size_t overshoot_readings = 0);
 
 }  // namespace ballbar
