@@ -62,6 +62,22 @@ std::string largest(const DriftSeries& series, const Quantity& quantity) {
                      min_from_s(best->time_s));
 }
 
+// Where one test found the spindle's ball, set-up errors included.
+std::string position_text(const Position& position) {
+  std::string text;
+  const auto add = [&](const char* name, const std::optional<Estimate>& part) {
+    if (part) text += fmt::format("{}{} {} um", text.empty() ? "" : ", ", name, with_sigma(*part));
+  };
+  add("x", position.x);
+  add("y", position.y);
+  add("z", position.z);
+  add("centre A", position.centre_a);
+  add("centre B", position.centre_b);
+  text += fmt::format(", radius {:.5f} mm", position.radius_mm);
+  if (position.length_mm) text += fmt::format(", axial length {:.5f} mm", *position.length_mm);
+  return text + " (set-up errors included).";
+}
+
 Table table_of(const DriftSeries& series) {
   std::vector<std::string> heading{"time min"};
   std::vector<Member> columns;
@@ -102,11 +118,18 @@ void print_text(const Session& session, const DriftSeries& series, const Options
   fmt::print("{}\n{}; {} test{} over {:g} min, reference at {:g} min\n\n", title, way_of(series, options),
              series.points.size(), series.points.size() == 1 ? "" : "s",
              min_from_s(series.points.back().time_s - series.points.front().time_s), min_from_s(series.reference_s));
+  if (series.points.size() == 1) {
+    fmt::print("One test gives a position, no drift: {}\n", position_text(series.positions.front()));
+    return;
+  }
   fmt::print("Largest drift of the spindle relative to the table:\n");
   for (const Quantity& quantity : kDrift) {
     if (any_has(series, quantity.member)) fmt::print("  {}\n", largest(series, quantity));
   }
   fmt::print("\n{}\n", table_of(series).text());
+  for (const Position& position : series.positions) {
+    if (position.time_s == series.reference_s) fmt::print("Reference: {}\n", position_text(position));
+  }
   fmt::print("{}",
              wrapped("± is one sigma of the difference to the reference test; all rows share the reference's part. " +
                      series.not_cancelled));

@@ -148,10 +148,12 @@ std::string remarks_text(const FittedRecording& one, const std::string& name) {
         name, circle.correlation_a_radius(), circle.correlation_b_radius()));
   }
   if (!circle.discounted.empty()) {
-    text += fmt::format("{}: {} of {} readings discounted, numbers", name, circle.discounted.size(), circle.readings);
+    text += fmt::format("{}: {} of {} readings discounted, counted from 1:", name, circle.discounted.size(),
+                        circle.readings);
     constexpr std::size_t kListed = 10;
-    for (std::size_t i = 0; i < std::min(kListed, circle.discounted.size()); ++i)
-      text += fmt::format(" {}", circle.discounted[i]);
+    for (std::size_t i = 0; i < std::min(kListed, circle.discounted.size()); ++i) {
+      text += fmt::format(" {}", circle.discounted[i] + 1);
+    }
     text += circle.discounted.size() > kListed ? " ... (all with --json)\n" : "\n";
   }
   if (!circle.converged) text += fmt::format("{}: the fit did not converge: {}\n", name, circle.outcome);
@@ -167,12 +169,12 @@ std::string sigma_text(const Fitted& fitted) {
       fewest = std::min(fewest, one.circle->effective_readings);
     }
   }
-  std::string text = "± is one sigma from the residual";
+  std::string text = "G is the circular deviation. ± is one sigma from the residual";
   if (phi > 0.0) {
     text += fmt::format(
-        ", widened because the residual is autocorrelated (up to phi = {:.3f}): the readings of a recording count "
-        "as {:.0f} independent ones",
-        phi, fewest);
+        ", widened because the residual is not random from reading to reading (autocorrelation up to {:.3f}): the form "
+        "of the path counts as uncertainty, the readings of a recording as {:.0f} independent one{}",
+        phi, fewest, fewest < 1.5 ? "" : "s");
   }
   return wrapped(text + '.');
 }
@@ -251,6 +253,10 @@ std::string text_of(const Fitted& fitted, const Options& options) {
   for (const FittedRecording& one : fitted.recordings) {
     if (one.circle) text += remarks_text(one, name_of_row(fitted, one));
   }
+  const bool none_discounted =
+      std::all_of(fitted.recordings.begin(), fitted.recordings.end(),
+                  [](const FittedRecording& one) { return !one.circle || one.circle->discounted.empty(); });
+  if (options.robust && none_discounted) text += "No reading was discounted.\n";
   if (!stored.empty() && !options.polar) {
     text += "The stored results are of the circle through the polar points; --polar fits that one.\n";
   }

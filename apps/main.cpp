@@ -4,9 +4,26 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include "ballbar/error.hpp"
 #include "commands.hpp"
+
+namespace {
+
+// What is wrong with the command line, and where help is.
+std::string told(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  const auto chosen = app.get_subcommands();
+  if (!chosen.empty()) return fmt::format("{}; see ballbar {} --help", error.what(), chosen.front()->get_name());
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  const std::string found = argc > 1 ? fmt::format("found '{}'", argv[1]) : "found none";
+  return fmt::format("expected a command, {}; the commands are {}; see ballbar --help", found, names);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"Ballbar logs to thermal drift of the spindle."};
@@ -18,8 +35,11 @@ int main(int argc, char** argv) {
   ballbar::commands::add_simulate(app);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    fmt::print(stderr, "ballbar: {}\n", told(app, error, argc, argv));
+    return 2;
   } catch (const ballbar::Error& error) {
     fmt::print(stderr, "ballbar: {}\n", error.what());
     return 1;

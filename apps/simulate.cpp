@@ -46,7 +46,7 @@ void print_text(const VirtualMachine& machine, const std::vector<SimulatedFile>&
   fmt::print("simulated  {}, {} test{} over {:g} min, seed {}\n", name_of(machine.method), machine.test_s.size(),
              machine.test_s.size() == 1 ? "" : "s", span_min, machine.seed);
   fmt::print("written    {}: {} files, {} to {}\n", options.out, files.size(), files.front().name, files.back().name);
-  fmt::print("truth      {}, which no other command reads unasked\n", truth.string());
+  fmt::print("truth      {} (kept apart: no other command reads it)\n", truth.string());
 }
 
 void print_json(const VirtualMachine& machine, const std::vector<SimulatedFile>& files, const Options& options,

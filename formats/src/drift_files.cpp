@@ -50,6 +50,29 @@ nlohmann::ordered_json json_number(double value) {
   return value;
 }
 
+// Where the test itself found the spindle's ball, set-up errors included.
+nlohmann::ordered_json json_of(const Position& position) {
+  constexpr std::pair<std::string_view, std::optional<Estimate> Position::*> kParts[] = {
+      {"x", &Position::x},
+      {"y", &Position::y},
+      {"z", &Position::z},
+      {"centre_a", &Position::centre_a},
+      {"centre_b", &Position::centre_b},
+  };
+  nlohmann::ordered_json row;
+  row["time_s"] = position.time_s;
+  for (const auto& [name, member] : kParts) {
+    if (!(position.*member)) continue;
+    row[fmt::format("{}_um", name)] = json_number((position.*member)->value_um);
+    row[fmt::format("{}_sigma_um", name)] = json_number((position.*member)->sigma_um);
+  }
+  if (position.length_mm) row["length_mm"] = *position.length_mm;
+  row["radius_mm"] = json_number(position.radius_mm);
+  row["converged"] = position.converged;
+  row["discounted"] = position.discounted;
+  return row;
+}
+
 std::string csv_of(const DriftSeries& drift) {
   std::string csv = write_series(series_of(drift));
   csv.insert(csv.find('\n') + 1,
@@ -121,6 +144,9 @@ nlohmann::ordered_json json_of(const DriftSeries& drift) {
     if (point.correlation_y_z) row["correlation_y_z"] = json_number(*point.correlation_y_z);
     json["points"].push_back(std::move(row));
   }
+  json["positions"] = nlohmann::ordered_json::array();
+  for (const Position& position : drift.positions) json["positions"].push_back(json_of(position));
+  json["not_cancelled"] = drift.not_cancelled;
   return json;
 }
 
