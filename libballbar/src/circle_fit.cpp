@@ -47,7 +47,7 @@ double required_arc_deg(const Recording& recording, double height_mm) {
   }
   const double shortest_mm = *std::min_element(recording.length_mm.begin(), recording.length_mm.end());
   if (!(shortest_mm > std::abs(height_mm))) {
-    throw Error(fmt::format("a reading of {} mm is not longer than the height difference of the balls, {} mm",
+    throw Error(fmt::format("a reading of {:.7g} mm is not longer than the height difference of the balls, {} mm",
                             shortest_mm, height_mm));
   }
   return arc_deg;
