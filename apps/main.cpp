@@ -2,7 +2,9 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <string>
 
@@ -45,6 +47,10 @@ int main(int argc, char** argv) {
     return 1;
   } catch (const std::exception& error) {  // out of memory, a full disk
     fmt::print(stderr, "ballbar: {}\n", error.what());
+    return 1;
+  }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    fmt::print(stderr, "ballbar: the results could not be written to the standard output: {}\n", std::strerror(errno));
     return 1;
   }
   return 0;
