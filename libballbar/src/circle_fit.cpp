@@ -26,7 +26,7 @@ Eigen::Map<const Eigen::ArrayXd> array_of(const std::vector<double>& values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
-double infinite_or_sqrt(double variance) { return std::sqrt(std::max(0.0, variance)); }
+double root_of(double variance) { return std::sqrt(std::max(0.0, variance)); }
 
 double correlation(const Eigen::Matrix3d& c, int i, int j) { return c(i, j) / std::sqrt(c(i, i) * c(j, j)); }
 
@@ -185,9 +185,9 @@ void solve(const Rows& rows, const Eigen::Vector3d& start, double radius_um, boo
 
 }  // namespace
 
-double Circle::sigma_centre_a_um() const { return infinite_or_sqrt(covariance_um2(0, 0)); }
-double Circle::sigma_centre_b_um() const { return infinite_or_sqrt(covariance_um2(1, 1)); }
-double Circle::sigma_radius_um() const { return infinite_or_sqrt(covariance_um2(2, 2)); }
+double Circle::sigma_centre_a_um() const { return root_of(covariance_um2(0, 0)); }
+double Circle::sigma_centre_b_um() const { return root_of(covariance_um2(1, 1)); }
+double Circle::sigma_radius_um() const { return root_of(covariance_um2(2, 2)); }
 double Circle::correlation_a_b() const { return correlation(covariance_um2, 0, 1); }
 double Circle::correlation_a_radius() const { return correlation(covariance_um2, 0, 2); }
 double Circle::correlation_b_radius() const { return correlation(covariance_um2, 1, 2); }

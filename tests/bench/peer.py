@@ -2,8 +2,9 @@
 
     python3 peer.py FILES_FOLDER REPETITIONS GOOGLE_BENCHMARK_JSON...
 
-FILES_FOLDER is what bench_files wrote. Each figure is processor time, the median of the repetitions. The peer's fit has no
-covariance and no autocorrelation in it; ours has.
+FILES_FOLDER is what bench_files wrote. Each figure is processor time, the median of the repetitions. A `.b5r` is read from disk and
+both its circles fitted, by the peer in two ways: as usually written, and with the exact Jacobian and MINPACK. The peer has no
+autocorrelation in its covariance, the second way no covariance; ours has both.
 """
 import json
 import pathlib
@@ -43,6 +44,15 @@ def fit(angle_rad, length_mm):
     return least_squares(residual, (0.0, 0.0, length_mm.mean()), jac=jacobian, method="lm").x
 
 
+def fit_usual(angle_rad, length_mm):
+    """The same as a user writes it: least_squares as it comes, covariance from its Jacobian."""
+    cos, sin = np.cos(angle_rad), np.sin(angle_rad)
+    found = least_squares(lambda p: np.hypot(p[0] + p[2] * cos, p[1] + p[2] * sin) - length_mm,
+                          (0.0, 0.0, length_mm.mean()))
+    variance = 2.0 * found.cost / (length_mm.size - 3)
+    return found.x, variance * np.linalg.inv(found.jac.T @ found.jac)
+
+
 def read_b5r(path):
     root = xml.parse(path).getroot()
     bar = root.find("TEST_SPEC/INSTRUMENT/DYNAMIC_BALLBAR")
@@ -76,7 +86,9 @@ for path in sys.argv[3:]:
             ours[entry["run_name"]] = entry
 
 rows = [
-    (".b5r from disk, both circles fitted", "b5r_open_and_fit",
+    (".b5r, the peer as usually written", "b5r_open_and_fit",
+     median_ms(lambda: [fit_usual(*run) for run in read_b5r(folder / "test.b5r")])),
+    (".b5r, the peer with exact Jacobian, method lm", "b5r_open_and_fit",
      median_ms(lambda: [fit(*run) for run in read_b5r(folder / "test.b5r")])),
     (f"log of {log_MB:.0f} MB read", "log_read", median_ms(lambda: read_log(folder / "log.csv"))),
     (f"circle of {circle[0].size} readings fitted", "circle_fit", median_ms(lambda: fit(*circle))),
@@ -84,11 +96,11 @@ rows = [
      median_ms(lambda: (circle[1] * (np.cos(circle[0]) + np.sin(circle[0]))).sum())),
     ("15 tests of two arcs from disk, their drift", "session_drift", None),
 ]
-print(f"{'':44} {'ours ms':>10} {'peer ms':>10} {'peer/ours':>10}")
+print(f"{'':46} {'ours ms':>10} {'peer ms':>10} {'peer/ours':>10}")
 for title, name, peer_ms in rows:
     ours_ms = ours[name]["cpu_time"]
     peer = f"{peer_ms:10.2f} {peer_ms / ours_ms:10.1f}" if peer_ms is not None else f"{'-':>10} {'-':>10}"
-    print(f"{title:44} {ours_ms:10.2f} {peer}")
+    print(f"{title:46} {ours_ms:10.2f} {peer}")
 print()
 print(f"log: {ours['log_read']['bytes_per_second'] / 1e6:.0f} MB/s")
 for name in ("circle_fit", "circle_fit_polar", "circle_fit_robust"):
