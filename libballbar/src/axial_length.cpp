@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "autocorrelation.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
-#include "least_squares.hpp"
 
 namespace ballbar {
 

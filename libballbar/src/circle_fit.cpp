@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "autocorrelation.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
 #include "circle_rows.hpp"

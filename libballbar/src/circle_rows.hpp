@@ -2,8 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-
-#include "least_squares.hpp"
+#include <cmath>
 
 namespace ballbar {
 

@@ -7,12 +7,6 @@
 // same covariance as n residual blocks would give, without n by P numbers in memory. A Gram matrix squares
 // the condition number, so the unknowns are first made orthonormal: p = p0 + B s, B the inverse
 // of the triangular factor of J at p0 by Householder QR (of evenly spaced readings, where there are many).
-//
-// `Rows` is the model:
-//   Eigen::Index size() const;
-//   void fill(Eigen::Index first, const Eigen::Vector<double, P>& p, Part& rows) const;
-// fill writes readings first, first + 1, ...: columns 0..P-1 the derivatives of the residual, column P the
-// residual.
 #pragma once
 
 #include <ceres/ceres.h>
@@ -26,28 +20,13 @@
 #include <utility>
 #include <vector>
 
-namespace ballbar::least_squares {
+#include "rows.hpp"
 
-inline constexpr Eigen::Index kBlockRows = 256;
+namespace ballbar::least_squares {
 
 // Ceres stores matrices by rows; Eigen wants a single column by columns.
 template <int R, int C>
 using CeresMatrix = Eigen::Matrix<double, R, C, C == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
-
-template <int P>
-using RowBlock = Eigen::Matrix<double, Eigen::Dynamic, P + 1>;
-
-// Calls use(first, block) over all readings, block after block.
-template <int P, class Rows, class Use>
-void for_each_block(const Rows& rows, const Eigen::Vector<double, P>& p, Use use) {
-  RowBlock<P> block(std::min<Eigen::Index>(kBlockRows, rows.size()), P + 1);
-  for (Eigen::Index first = 0; first < rows.size(); first += kBlockRows) {
-    const Eigen::Index count = std::min(kBlockRows, rows.size() - first);
-    auto part = block.topRows(count);
-    rows.fill(first, p, part);
-    use(first, part);
-  }
-}
 
 // Replaces r by the g with g^2 = scale^2 rho(r^2 / scale^2), and its derivatives: the sum of squares of g is
 // the robust objective.
@@ -153,23 +132,6 @@ struct Solution {
   bool determined = false;  // J has full rank to working precision
   bool converged = false;
   std::string outcome;
-};
-
-// Every step-th reading of a model.
-template <class Rows>
-struct EveryNth {
-  const Rows& rows;
-  Eigen::Index step = 1;
-
-  Eigen::Index size() const { return (rows.size() + step - 1) / step; }
-
-  template <class Vector, class Part>
-  void fill(Eigen::Index first, const Vector& p, Part& part) const {
-    for (Eigen::Index i = 0; i < part.rows(); ++i) {
-      auto row = part.middleRows(i, 1);
-      rows.fill((first + i) * step, p, row);
-    }
-  }
 };
 
 inline constexpr Eigen::Index kEnoughReadings = 512;
@@ -306,44 +268,6 @@ Solution<P> minimise(const Rows& rows, const Eigen::Vector<double, P>& start, St
     solution = minimise_once<P>(rows, solution.p, Basis::orthonormal, Aim::settle, loss, scale, moved);
   }
   return solution;
-}
-
-// rho(k) = share * phi^k for k > 0, rho(0) = 1: ARMA(1,1). White: phi = share = 0.
-struct Autocorrelation {
-  double phi = 0.0;
-  double share = 0.0;
-};
-
-// From the residual's autocorrelation at lags 1 to 8: phi by least squares of r(k+1) on r(k), share = r(1) / phi.
-// White where r(1) is below 3 / sqrt(n), or negative: an interval is never narrowed.
-Autocorrelation autocorrelation_of(const Eigen::ArrayXd& residual);
-
-// H = sum J_i J_i' and S = sum_ij rho(|i-j|) J_i J_j' over readings in their order, by one recursion.
-template <int P>
-struct Information {
-  Eigen::Matrix<double, P, P> white = Eigen::Matrix<double, P, P>::Zero();
-  Eigen::Matrix<double, P, P> correlated = Eigen::Matrix<double, P, P>::Zero();
-};
-
-template <int P, class Rows>
-Information<P> information_of(const Rows& rows, const Eigen::Vector<double, P>& p, const Autocorrelation& rho) {
-  Information<P> information;
-  Eigen::Matrix<double, P, P> lagged = Eigen::Matrix<double, P, P>::Zero();
-  Eigen::Vector<double, P> memory = Eigen::Vector<double, P>::Zero();  // sum over k > 0 of phi^k J_(i-k)
-  for_each_block<P>(rows, p, [&](Eigen::Index, const auto& part) {
-    for (int i = 0; i < P; ++i) {
-      for (int j = i; j < P; ++j) information.white(i, j) += part.col(i).dot(part.col(j));
-    }
-    if (rho.share == 0.0) return;
-    for (Eigen::Index i = 0; i < part.rows(); ++i) {
-      const Eigen::Vector<double, P> row = part.row(i).template head<P>();
-      lagged.noalias() += row * memory.transpose();
-      memory = rho.phi * (memory + row);
-    }
-  });
-  information.white.template triangularView<Eigen::StrictlyLower>() = information.white.transpose();
-  information.correlated = information.white + rho.share * (lagged + lagged.transpose());
-  return information;
 }
 
 }  // namespace ballbar::least_squares

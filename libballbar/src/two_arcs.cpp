@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "autocorrelation.hpp"
 #include "ballbar/units.hpp"
 #include "least_squares.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
-#include "least_squares.hpp"
+#include "autocorrelation.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,4 +1,7 @@
-#include "least_squares.hpp"
+#include "autocorrelation.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace ballbar::least_squares {
 
