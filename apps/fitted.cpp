@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recording_file.hpp"
 #include "ballbar/units.hpp"
@@ -12,7 +14,8 @@ namespace {
 std::optional<double> stored_um_from_mm(const std::optional<B5r>& b5r, const std::string& parent, const char* name) {
   if (!b5r) return std::nullopt;
   const auto value_mm = stored_value(*b5r, parent, name, "UT_LENGTH_MM");
-  return value_mm ? std::optional(um_from_mm(*value_mm)) : std::nullopt;
+  if (!value_mm) return std::nullopt;
+  return std::round(um_from_mm(*value_mm) * 1e4) / 1e4;  // 48.8 as the file prints it, not 48.800000000000004
 }
 
 FittedRecording fit_recording(const std::string& file, std::size_t index, Recording recording,
