@@ -15,6 +15,7 @@
 #include "ballbar/formats/session_toml.hpp"
 #include "ballbar/units.hpp"
 #include "commands.hpp"
+#include "out_files.hpp"
 #include "text.hpp"
 
 namespace ballbar::commands {
@@ -135,13 +136,15 @@ void print_text(const Session& session, const DriftSeries& series, const Options
                      series.not_cancelled));
   for (const Position& position : series.positions) {
     if (position.discounted > 0) {
-      fmt::print("At {:g} min {} readings were discounted.\n", min_from_s(position.time_s), position.discounted);
+      fmt::print("At {:g} min {} {} discounted.\n", min_from_s(position.time_s), position.discounted,
+                 position.discounted == 1 ? "reading was" : "readings were");
     }
   }
 }
 
 void run(const Options& options) {
   const SessionFiles files = open_session(options.session);
+  expect_no_input(options.out, files.files);
   const Session& session = files.session;
   if (session.method != Method::two_arcs && (options.sequential || options.equal_radii)) {
     throw Error(fmt::format("--{}: expected a session of method two_arcs, found {}.",

@@ -11,6 +11,7 @@
 #include "ballbar/units.hpp"
 #include "commands.hpp"
 #include "fitted.hpp"
+#include "out_files.hpp"
 #include "text.hpp"
 
 namespace ballbar::commands {
@@ -147,6 +148,9 @@ std::string remarks_text(const FittedRecording& one, const std::string& name) {
         "{}: on a partial arc centre and radius move together; correlation of A with the radius {:.2f}, of B {:.2f}.",
         name, circle.correlation_a_radius(), circle.correlation_b_radius()));
   }
+  if (!std::isfinite(circle.sigma_radius_um())) {
+    text += wrapped(name + ": the readings do not determine the circle; it takes at least three different angles.");
+  }
   if (!circle.discounted.empty()) {
     text += fmt::format("{}: {} of {} readings discounted, counted from 1:", name, circle.discounted.size(),
                         circle.readings);
@@ -154,7 +158,8 @@ std::string remarks_text(const FittedRecording& one, const std::string& name) {
     for (std::size_t i = 0; i < std::min(kListed, circle.discounted.size()); ++i) {
       text += fmt::format(" {}", circle.discounted[i] + 1);
     }
-    text += circle.discounted.size() > kListed ? " ... (all with --json)\n" : "\n";
+    text += circle.discounted.size() > kListed ? " ... (all with --json);" : ";";
+    text += " G, F and rms are of all readings.\n";
   }
   if (!circle.converged) text += fmt::format("{}: the fit did not converge: {}\n", name, circle.outcome);
   return text;
@@ -267,6 +272,7 @@ void run(const Options& options) {
   CircleOptions how;
   how.model = options.polar ? CircleModel::polar : CircleModel::length_equation;
   how.robust = options.robust;
+  if (!options.out.empty()) expect_no_input({options.out}, {options.files.begin(), options.files.end()});
   const Fitted fitted = fit_files(options.files, how);
   const std::string json = json_of(fitted).dump(2) + '\n';
   if (!options.out.empty()) write_bytes(options.out, json);

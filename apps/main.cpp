@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <iostream>
 #include <string>
 
 #include "ballbar/error.hpp"
@@ -38,7 +39,8 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
-    return app.exit(help);
+    app.exit(help);
+    std::cout.flush();
   } catch (const CLI::ParseError& error) {
     fmt::print(stderr, "ballbar: {}\n", told(app, error, argc, argv));
     return 2;
@@ -49,7 +51,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "ballbar: {}\n", error.what());
     return 1;
   }
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {
     fmt::print(stderr, "ballbar: the results could not be written to the standard output: {}\n", std::strerror(errno));
     return 1;
   }

@@ -138,6 +138,15 @@ Recording read_ballbar_log(std::string_view bytes, std::string_view name) {
     fail_at_cell(text, head, static_cast<std::size_t>(wrong - recording.length_mm.begin()), column,
                  columns.length ? "a length above 0 mm" : "a deviation that leaves a length above 0 mm");
   }
+  // A bar measures a millimetre or two about its nominal length; a tenth of it is another unit or another bar.
+  const auto far = std::find_if(recording.length_mm.begin(), recording.length_mm.end(), [&](double length) {
+    return std::abs(length - recording.nominal_length_mm) > 0.1 * recording.nominal_length_mm;
+  });
+  if (far != recording.length_mm.end()) {
+    fail_at_cell(text, head, static_cast<std::size_t>(far - recording.length_mm.begin()), column,
+                 fmt::format("a {} within a tenth of nominal_length_mm = {}",
+                             columns.length ? "length in mm" : "deviation in um", recording.nominal_length_mm));
+  }
   return recording;
 }
 

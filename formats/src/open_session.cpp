@@ -115,6 +115,14 @@ SessionFiles planned_session(const fs::path& path) {
   for (const SessionPlan::Test& test : plan.tests) files.session.tests.push_back(test_of(plan, test, folder));
   for (const std::string& file : plan.signal_files) files.signals.push_back(path_inside(folder, file));
   if (!plan.five_probe_file.empty()) files.five_probe = path_inside(folder, plan.five_probe_file);
+  files.files = files.signals;
+  files.files.push_back(path);
+  if (files.five_probe) files.files.push_back(*files.five_probe);
+  for (const SessionPlan::Test& test : plan.tests) {
+    for (const std::string& file : {test.c_arc, test.a_arc, test.rotation, test.axial, test.circle}) {
+      if (!file.empty()) files.files.push_back(folder / file);
+    }
+  }
   return files;
 }
 
@@ -137,6 +145,8 @@ SessionFiles session_of_folder(const fs::path& folder) {
     throw Error(fmt::format("{}: expected a folder with session.toml or .b5r files, found neither.", folder.string()));
   }
   std::sort(paths.begin(), paths.end());
+  SessionFiles files;
+  files.files = paths;
   struct Started {
     std::int64_t started_s = 0;
     SessionTest test;
@@ -155,7 +165,6 @@ SessionFiles session_of_folder(const fs::path& folder) {
   }
   std::stable_sort(tests.begin(), tests.end(),
                    [](const Started& left, const Started& right) { return left.started_s < right.started_s; });
-  SessionFiles files;
   files.session.method = Method::circles;
   files.session.title = fs::weakly_canonical(folder, error).filename().string();
   files.session.nominal_length_mm = tests.front().test.circles.front().nominal_length_mm;

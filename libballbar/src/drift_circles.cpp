@@ -1,5 +1,8 @@
 // Drift from circle recordings, one or more planes and directions a test.
+#include <fmt/format.h>
+
 #include <array>
+#include <string>
 
 #include "ballbar/units.hpp"
 #include "drift_methods.hpp"
@@ -22,6 +25,11 @@ Sweeps in_plane(const SessionTest& test, const std::vector<Circle>& circles, Pla
   Sweeps sweeps;
   for (std::size_t i = 0; i < circles.size(); ++i) {
     if (test.circles[i].plane == plane) sweeps.push_back({&test.circles[i], &circles[i]});
+  }
+  for (const Sweep& sweep : sweeps) {
+    if (sweep.recording->moving_ball != sweeps.front().recording->moving_ball) {
+      throw Error("the moving ball is in the spindle in one recording of a plane and on the table in another");
+    }
   }
   return sweeps;
 }
@@ -99,6 +107,9 @@ DriftSeries drift_by_circles(const Session& session, const DriftOptions& options
     series.positions.push_back(position_of(test, fits.back()));
     series.points.emplace_back().time_s = test.elapsed_s;
   }
+  std::string references;
+  std::optional<std::size_t> first_reference;
+  bool differ = false;
   for (const Plane plane : kPlanes) {
     std::vector<std::size_t> tests;
     std::vector<double> times_s;
@@ -110,6 +121,10 @@ DriftSeries drift_by_circles(const Session& session, const DriftOptions& options
     if (tests.empty()) continue;
     const std::size_t reference = tests[reference_index(times_s, options.reference_s)];
     const Sweeps start = in_plane(session.tests[reference], fits[reference], plane);
+    references += fmt::format("{}{} to the test at {:g} min", references.empty() ? "" : ", ", name_of(plane),
+                              min_from_s(session.tests[reference].elapsed_s));
+    if (!first_reference) first_reference = reference;
+    differ = differ || reference != *first_reference;
     const auto [a, b] = axes_of(plane);
     for (const std::size_t i : tests) {
       const Sweeps now = in_plane(session.tests[i], fits[i], plane);
@@ -126,6 +141,7 @@ DriftSeries drift_by_circles(const Session& session, const DriftOptions& options
   series.not_cancelled =
       "Set-up errors cancel in the difference to the reference test; drift of the table, thermal growth of the linear "
       "axes' scales and of the bar (both stand in the radius change), and a ball moved between tests, do not.";
+  if (differ) series.not_cancelled += " The planes have references of their own: " + references + ".";
   return series;
 }
 

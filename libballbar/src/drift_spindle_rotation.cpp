@@ -52,15 +52,21 @@ DriftSeries drift_by_spindle_rotation(const Session& session, const DriftOptions
     if (!is_reference) {
       covariance = covariance_of_change_um2(*session.tests[i].rotation, now, *session.tests[reference].rotation, start);
     }
+    // The correction took dL out of the radius: dR / d(dL) = -(h + dL) / R (exact), about -dL / R (eq34).
+    const Estimate axial{elongation_um(i),
+                         is_reference ? 0.0 : std::hypot(lengths[i].sigma_um, lengths[reference].sigma_um)};
+    const bool exact = options.circle.elongation_form == ElongationForm::exact;
+    const double lever_mm = (exact ? session.tests[i].rotation->height_offset_mm : 0.0) + mm_from_um(axial.value_um);
+    const double by_elongation_um = lever_mm == 0.0 ? 0.0 : lever_mm / now.radius_mm * axial.sigma_um;
     const Eigen::Vector2d shift(now.centre_a_um - start.centre_a_um, now.centre_b_um - start.centre_b_um);
     DriftPoint point;
     point.time_s = session.tests[i].elapsed_s;
     point.radial = size_of(shift, covariance.topLeftCorner<2, 2>());
     point.shift_a = Estimate{shift.x(), std::sqrt(covariance(0, 0))};
     point.shift_b = Estimate{shift.y(), std::sqrt(covariance(1, 1))};
-    point.axial =
-        Estimate{elongation_um(i), is_reference ? 0.0 : std::hypot(lengths[i].sigma_um, lengths[reference].sigma_um)};
-    point.radius_change = Estimate{um_from_mm(now.radius_mm - start.radius_mm), std::sqrt(covariance(2, 2))};
+    point.axial = axial;
+    point.radius_change = Estimate{um_from_mm(now.radius_mm - start.radius_mm),
+                                   std::hypot(std::sqrt(covariance(2, 2)), by_elongation_um)};
     point.elongation_correction_um = now.elongation_correction_um;
     series.points.push_back(point);
 

@@ -6,6 +6,7 @@
 
 #include "autocorrelation.hpp"
 #include "ballbar/units.hpp"
+#include "kept_readings.hpp"
 #include "least_squares.hpp"
 
 namespace ballbar {
@@ -59,23 +60,6 @@ Arc arc_of(const Recording& recording, const Circle& circle, bool about_c) {
   arc.height_um = um_from_mm(recording.height_offset_mm);
   arc.weight = 1.0 / std::max(circle.sigma_reading_um, 1e-9);
   return arc;
-}
-
-Recording without(const Recording& recording, const std::vector<std::size_t>& discounted) {
-  Recording kept = recording;
-  kept.angle_rad.clear();
-  kept.length_mm.clear();
-  kept.time_s.clear();
-  auto next = discounted.begin();
-  for (std::size_t i = 0; i < recording.length_mm.size(); ++i) {
-    if (next != discounted.end() && *next == i) {
-      ++next;
-      continue;
-    }
-    kept.angle_rad.push_back(recording.angle_rad[i]);
-    kept.length_mm.push_back(recording.length_mm[i]);
-  }
-  return kept;
 }
 
 // Both arcs, one after the other, as the rows of one problem.
@@ -175,12 +159,15 @@ struct Arcs {
   Arc c, a;
 };
 
-Arcs arcs_of(const Recording& c_arc, const Recording& a_arc, const TwoArcs& fit) {
-  const auto kept = [](const Recording& recording, const Circle& circle, bool about_c) {
-    return circle.discounted.empty() ? arc_of(recording, circle, about_c)
-                                     : arc_of(without(recording, circle.discounted), circle, about_c);
+// The arcs without the readings named; both weighted by the noise of `fit`.
+Arcs arcs_of(const Recording& c_arc, const Recording& a_arc, const TwoArcs& fit,
+             const std::vector<std::size_t>& c_discounted, const std::vector<std::size_t>& a_discounted) {
+  const auto kept = [](const Recording& recording, const Circle& circle, bool about_c,
+                       const std::vector<std::size_t>& discounted) {
+    return discounted.empty() ? arc_of(recording, circle, about_c)
+                              : arc_of(without(recording, discounted), circle, about_c);
   };
-  return {kept(c_arc, fit.c_circle, true), kept(a_arc, fit.a_circle, false)};
+  return {kept(c_arc, fit.c_circle, true, c_discounted), kept(a_arc, fit.a_circle, false, a_discounted)};
 }
 
 }  // namespace
@@ -194,7 +181,7 @@ TwoArcs fit_two_arcs(const Recording& c_arc, const Recording& a_arc, const Drift
   fit.c_circle = fit_circle(c_arc, each);
   fit.a_circle = fit_circle(a_arc, each);
   fit.converged = fit.c_circle.converged;
-  const auto [c, a] = arcs_of(c_arc, a_arc, fit);
+  const auto [c, a] = arcs_of(c_arc, a_arc, fit, fit.c_circle.discounted, fit.a_circle.discounted);
 
   Vector5d start;
   start << -fit.c_circle.centre_a_um, -fit.c_circle.centre_b_um, -fit.a_circle.centre_b_um,
@@ -227,16 +214,14 @@ TwoArcs fit_two_arcs(const Recording& c_arc, const Recording& a_arc, const Drift
 Matrix5d covariance_of_change_um2(const SessionTest& now, const TwoArcs& now_fit, const SessionTest& reference,
                                   const TwoArcs& reference_fit, const DriftOptions& options) {
   Matrix5d apart = now_fit.covariance_um2 + reference_fit.covariance_um2;
-  const bool dropped = !now_fit.c_circle.discounted.empty() || !now_fit.a_circle.discounted.empty() ||
-                       !reference_fit.c_circle.discounted.empty() || !reference_fit.a_circle.discounted.empty();
-  if (dropped || !apart.allFinite() || !same_angles(*now.c_arc, *reference.c_arc) ||
-      !same_angles(*now.a_arc, *reference.a_arc)) {
+  if (!apart.allFinite() || !same_angles(*now.c_arc, *reference.c_arc) || !same_angles(*now.a_arc, *reference.a_arc)) {
     return apart;
   }
-  const auto [c, a] = arcs_of(*now.c_arc, *now.a_arc, now_fit);
-  auto [c0, a0] = arcs_of(*reference.c_arc, *reference.a_arc, reference_fit);
-  c0.weight = c.weight;  // so that the residuals have one unit
-  a0.weight = a.weight;
+  // What either test discounts is left out of both; both arcs have the weights of `now`, so one unit.
+  const auto c_out = in_either(now_fit.c_circle.discounted, reference_fit.c_circle.discounted);
+  const auto a_out = in_either(now_fit.a_circle.discounted, reference_fit.a_circle.discounted);
+  const auto [c, a] = arcs_of(*now.c_arc, *now.a_arc, now_fit, c_out, a_out);
+  const auto [c0, a0] = arcs_of(*reference.c_arc, *reference.a_arc, now_fit, c_out, a_out);
   const Residuals residuals{weighted_residual(c, now_fit.p) - weighted_residual(c0, reference_fit.p),
                             weighted_residual(a, now_fit.p) - weighted_residual(a0, reference_fit.p)};
   if (!options.sequential) return joint_covariance(c, a, now_fit.p, now_fit.inverse_information, residuals);

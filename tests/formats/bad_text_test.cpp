@@ -101,6 +101,8 @@ constexpr BadText kBadTexts[] = {
     {"log", "100.002", "0x64", "file:11:11: expected a finite number for length_mm, found \"0x64\"."},
     {"log", "100.002", "+-100.002", "file:11:11: expected a finite number for length_mm, found \"+-100.002\"."},
     {"log", "100.002", "1\r00.002", "file:11:11: expected a finite number for length_mm, found \"1\\x0D00.002\"."},
+    {"log", "100.002", "100002",
+     "file:11:11: expected a length in mm within a tenth of nominal_length_mm = 100, found \"100002\"."},
     {"log", "100.002", "-100.002", "file:11:11: expected a length above 0 mm, found \"-100.002\"."},
     {"log", "0.1,135", "0.0,135", "file:11:1: expected time_s above 0 of the row before, found \"0.0\"."},
     {"log", "0.2,225", "0.05,225", "file:12:1: expected time_s above 0.1 of the row before, found \"0.05\"."},

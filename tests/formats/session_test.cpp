@@ -142,8 +142,8 @@ TEST(session, recordings_that_do_not_fit_the_method_are_named) {
             "driven by rotary_axis.");
   EXPECT_EQ(with("01-a.csv", good_text("axial")),
             "DIR/01-a.csv: expected a circle in plane YZ driven by rotary_axis for a_arc, found an axial recording.");
-  EXPECT_EQ(with("01-c.csv", replaced(arc("XY"), "nominal_length_mm = 100.0", "nominal_length_mm = 150")),
-            "DIR/01-c.csv: expected the session's nominal length 100 mm, found 150 mm.");
+  EXPECT_EQ(with("01-c.csv", replaced(arc("XY"), "nominal_length_mm = 100.0", "nominal_length_mm = 105")),
+            "DIR/01-c.csv: expected the session's nominal length 100 mm, found 105 mm.");
   EXPECT_EQ(with("01-c.csv", "time_s\n").substr(0, 45), "DIR/01-c.csv:1:1: expected a recording, which");
   const std::string run = good_text("b5r").substr(good_text("b5r").find("    <BALLBAR_RUN>"));
   const std::string two_runs =

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <random>
 
+#include "autocorrelation.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
-#include "autocorrelation.hpp"
 
 namespace ballbar {
 namespace {
@@ -137,6 +137,30 @@ TEST(CircleFit, RobustFitForgetsAndListsOutliers) {
   EXPECT_NEAR(circle.centre_a_um, 20.0, 5.0 * circle.sigma_centre_a_um());
   EXPECT_LT(circle.sigma_centre_a_um(), 0.012) << "0.2 sqrt(2/1000) = 0.009 um, and the price of 95 % efficiency";
   EXPECT_TRUE(fit_circle(recording).discounted.empty());
+}
+
+// A fifth of the readings 5 to 20 um too long, 40 seeds: the radius stays within 4 of its sigmas.
+TEST(CircleFit, RobustFitHoldsWithAFifthOffToOneSide) {
+  CircleOptions robust;
+  robust.robust = true;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    Recording recording = exact(20.0, -30.0, 100.0, 0.0, 0.0, 360.0, 360);
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> noise(0.0, 0.2e-3);
+    std::uniform_real_distribution<double> uniform;
+    for (double& length : recording.length_mm) {
+      length += noise(random);
+      if (uniform(random) < 0.2) length += (5.0 + 15.0 * uniform(random)) * 1e-3;
+    }
+    const Circle circle = fit_circle(recording, robust);
+    EXPECT_NEAR(um_from_mm(circle.radius_mm - 100.0), 0.0, 4.0 * circle.sigma_radius_um()) << "seed " << seed;
+    EXPECT_LT(circle.sigma_radius_um(), 0.02) << "0.2 / sqrt(288) = 0.012 um";
+  }
+}
+
+TEST(CircleFit, RoundingIsNotAutocorrelation) {
+  const Circle circle = fit_circle(exact(5.0, 3.0, 100.0));
+  EXPECT_EQ(circle.autocorrelation, 0.0);
 }
 
 TEST(CircleFit, ResidualIsReadingMinusFit) {

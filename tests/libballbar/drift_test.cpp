@@ -112,6 +112,58 @@ TEST(Drift, AnAxialLengthReadOffADisplayHasNoSigma) {
   expect_estimate(drift_of(session).points[2].axial, -12.0, 1e-9);
 }
 
+// At h = 20 mm an elongation known to 1 um moves the radius by (h + dL) / R = 0.2 um.
+TEST(Drift, RadiusChangeCarriesTheElongationsSigma) {
+  VirtualMachine machine = quiet(Method::spindle_rotation);
+  machine.bar.noise_um = 1.0;
+  machine.height_offset_mm = 20.0;
+  machine.truth = {{0.0, 0.0, 0.0, 0.0, 0.0}};
+  Session session = simulate(machine).session;
+  for (SessionTest& test : session.tests) {
+    test.axial_length_mm.reset();
+    test.axial = Recording{};
+    test.axial->kind = Kind::axial;
+    test.axial->length_mm = {100.001, 99.999, 100.0, 100.0015, 99.9985};
+  }
+  const DriftPoint point = drift_of(session).points[2];
+  EXPECT_GT(point.axial->sigma_um, 0.1);
+  EXPECT_GT(point.radius_change->sigma_um, 0.2 * point.axial->sigma_um);
+  for (SessionTest& test : session.tests) {
+    test.axial.reset();
+    test.axial_length_mm = 100.0;
+  }
+  EXPECT_TRUE(std::isnan(drift_of(session).points[2].radius_change->sigma_um)) << "not known, as the elongation's";
+}
+
+// One discounted reading leaves the sigma of a change what it was: the form of the path still cancels.
+TEST(Drift, ADiscountedReadingDoesNotBringTheFormBack) {
+  VirtualMachine machine = quiet(Method::two_arcs);
+  machine.bar.noise_um = 0.2;
+  machine.truth = {{0.0, 0.0, 0.0, 0.0, 0.0}, {1200.0, 4.0, 30.0, 20.0, 0.0}};
+  Session session = simulate(machine).session;
+  for (SessionTest& test : session.tests) {
+    for (Recording* arc : {&*test.c_arc, &*test.a_arc}) {
+      for (std::size_t i = 0; i < arc->length_mm.size(); ++i)
+        arc->length_mm[i] += 2e-3 * std::cos(3.0 * arc->angle_rad[i]);
+    }
+  }
+  DriftOptions robust;
+  robust.circle.robust = true;
+  const double before_um = drift_of(session, robust).points[2].z->sigma_um;
+  session.tests[0].a_arc->length_mm[200] += 0.5;
+  const double after_um = drift_of(session, robust).points[2].z->sigma_um;
+  EXPECT_LT(before_um, 0.1);
+  EXPECT_NEAR(after_um, before_um, 0.2 * before_um);
+}
+
+TEST(Drift, RefusesTheBallInTwoPlaces) {
+  VirtualMachine machine = quiet(Method::circles);
+  machine.truth = {{0.0, 0.0, 0.0, 0.0, 0.0}};
+  Session session = simulate(machine).session;
+  session.tests[0].circles[1].moving_ball = MovingBall::table;
+  EXPECT_THROW(drift_of(session), Error);
+}
+
 // Plane ZX: A is z, B is x. Linear axes, ball in the spindle: drift has the sign of the centre's change.
 TEST(Drift, CirclesUseThePlanesOwnAxes) {
   VirtualMachine machine = quiet(Method::circles);

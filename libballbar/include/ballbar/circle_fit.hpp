@@ -34,7 +34,8 @@ enum class CircleModel { length_equation, polar };
 
 struct CircleOptions {
   CircleModel model = CircleModel::length_equation;
-  bool robust = false;         // Tukey's biweight, tuned for 95 % efficiency at normal noise
+  bool robust = false;         // Tukey's biweight, 95 % efficient at normal noise; holds while less
+                               // than a quarter of the readings are off to one side
   double elongation_um = 0.0;  // dL of the spindle during this recording; corrected inside the fit
   ElongationForm elongation_form = ElongationForm::exact;
 };

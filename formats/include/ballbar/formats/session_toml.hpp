@@ -37,6 +37,7 @@ struct SessionFiles {
   Session session;
   std::vector<std::filesystem::path> signals;
   std::optional<std::filesystem::path> five_probe;
+  std::vector<std::filesystem::path> files;  // all that make up the session, itself included
 };
 
 // A session.toml, or a folder: of a session.toml, else of `.b5r` files (each a test at its DATE_STARTED,
