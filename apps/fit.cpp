@@ -274,7 +274,8 @@ void run(const Options& options) {
   how.robust = options.robust;
   if (!options.out.empty()) expect_no_input({options.out}, {options.files.begin(), options.files.end()});
   const Fitted fitted = fit_files(options.files, how);
-  const std::string json = json_of(fitted).dump(2) + '\n';
+  const bool wants_json = options.json || !options.out.empty();
+  const std::string json = wants_json ? json_of(fitted).dump(2) + '\n' : std::string();
   if (!options.out.empty()) write_bytes(options.out, json);
   fmt::print("{}", options.json ? json : text_of(fitted, options));
   if (!options.out.empty()) fmt::print(stderr, "wrote {}\n", options.out);
