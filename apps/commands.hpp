@@ -10,6 +10,7 @@ namespace ballbar::commands {
 
 void add_fit(CLI::App& app);
 void add_drift(CLI::App& app);
+void add_compare(CLI::App& app);
 void add_simulate(CLI::App& app);
 
 }  // namespace ballbar::commands

@@ -11,10 +11,12 @@
 #include <span>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/drift_data.hpp"
 #include "ballbar/formats/drift_files.hpp"
-#include "ballbar/formats/session_toml.hpp"
 #include "ballbar/units.hpp"
 #include "commands.hpp"
+#include "five_probe_drift.hpp"
+#include "five_probe_options.hpp"
 #include "out_files.hpp"
 #include "text.hpp"
 
@@ -31,6 +33,8 @@ struct Options {
   bool polar = false;
   bool robust = false;
   bool json = false;
+  bool five_probe = false;
+  FiveProbeOptions probes;
 };
 
 using Member = std::optional<Estimate> DriftPoint::*;
@@ -142,10 +146,47 @@ void print_text(const Session& session, const DriftSeries& series, const Options
   }
 }
 
+// The five probes of a series, or those of a session.
+void run_five_probe(const Options& options, DriftData data) {
+  const std::pair<bool, const char*> of_recordings[] = {{options.sequential, "--sequential"},
+                                                        {options.equal_radii, "--equal-radii"},
+                                                        {options.eq34, "--eq34"},
+                                                        {options.polar, "--polar"},
+                                                        {options.robust, "--robust"}};
+  for (const auto& [given, name] : of_recordings) {
+    if (given) throw Error(fmt::format("{}: expected recordings of a ballbar to fit, found five probes.", name));
+  }
+  FiveProbeReport report;
+  report.title = options.session;
+  BallPlace ball;
+  if (data.session) {
+    if (!data.session->five_probe) {
+      throw Error(
+          fmt::format("{}: expected [five_probe] in the session for --five-probe, found none.", options.session));
+    }
+    report.title = data.session->five_probe->string();
+    data.series = open_series(*data.session->five_probe);
+    ball = data.session->ball;
+  }
+  report.series = stated(*std::move(data.series), options.probes);
+  report.how = place_of(report.series, options.probes, ball);
+  report.how.reference_s = options.reference_s;
+  report.out = options.out;
+  report.json = options.json;
+  report_five_probe(report);
+}
+
 void run(const Options& options) {
-  const SessionFiles files = open_session(options.session);
-  expect_no_input(options.out, files.files);
-  const Session& session = files.session;
+  DriftData data = open_drift_data(options.session);
+  expect_no_input(options.out, data.files);
+  if (data.series || options.five_probe) return run_five_probe(options, std::move(data));
+  if (options.probes.any()) {
+    throw Error(
+        fmt::format("{}: expected five probes, a series .csv or a session with --five-probe, for the options of "
+                    "five probes, found a session.",
+                    options.session));
+  }
+  const Session& session = data.session->session;
   if (session.method != Method::two_arcs && (options.sequential || options.equal_radii)) {
     throw Error(fmt::format("--{}: expected a session of method two_arcs, found {}.",
                             options.sequential ? "sequential" : "equal-radii", name_of(session.method)));
@@ -189,8 +230,10 @@ void run(const Options& options) {
 
 void add_drift(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("drift", "Drift of the spindle over a session: one row a test");
-  command->add_option("SESSION", options->session, "session.toml, or a folder of it or of .b5r files")->required();
+  CLI::App* command = app.add_subcommand("drift", "Drift of the spindle over a session, or of five probes");
+  command
+      ->add_option("SESSION", options->session, "session.toml, a folder of it or of .b5r files, or five probes' .csv")
+      ->required();
   command->add_option("--out", options->out, "write the series: .csv, .json or .mat; may be repeated")
       ->type_name("FILE");
   command
@@ -206,7 +249,12 @@ void add_drift(CLI::App& app) {
   command->add_flag("--polar", options->polar, "circles through the polar points, as instrument software does");
   command->add_flag("--robust", options->robust, "discount outlying readings (Tukey's biweight)");
   command->add_flag("--json", options->json, "the series for a program");
-  command->footer("Example:\n  ballbar drift sample-runs/two-arcs-he2015/session.toml --out drift.csv");
+  command->add_flag("--five-probe", options->five_probe, "of a session: its five probes instead of its recordings");
+  add_five_probe_options(*command, options->probes);
+  command->footer(
+      "Examples:\n"
+      "  ballbar drift sample-runs/two-arcs-he2015/session.toml --out drift.csv\n"
+      "  ballbar drift sample-runs/two-arcs-he2015/five-probe.csv --from-plane-1 25");
   command->callback([options] { run(*options); });
 }
 

@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "ballbar " BALLBAR_VERSION);
   ballbar::commands::add_fit(app);
   ballbar::commands::add_drift(app);
+  ballbar::commands::add_compare(app);
   ballbar::commands::add_simulate(app);
   try {
     app.parse(argc, argv);

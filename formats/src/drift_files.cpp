@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 #include <matio.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <utility>
 
 #include "ballbar/error.hpp"
+#include "ballbar/five_point.hpp"
 #include "ballbar/formats/bytes.hpp"
 #include "ballbar/formats/series_csv.hpp"
 
@@ -73,11 +77,72 @@ nlohmann::ordered_json json_of(const Position& position) {
   return row;
 }
 
-std::string csv_of(const DriftSeries& drift) {
-  std::string csv = write_series(series_of(drift));
-  csv.insert(csv.find('\n') + 1,
-             fmt::format("# method = \"{}\"\n# reference_s = {:#}\n", name_of(drift.method), drift.reference_s));
-  return csv;
+// A drift as columns, whatever it was measured by.
+struct DriftColumns {
+  std::string_view method;
+  double reference_s = 0.0;
+  Series series;
+};
+
+// In parts, so that a long series is not in memory a second time as text.
+void write_csv(const DriftColumns& drift, const std::filesystem::path& path) {
+  constexpr std::size_t kRows = 4096;
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  std::string header = series_header(drift.series);
+  header.insert(header.find('\n') + 1,
+                fmt::format("# method = \"{}\"\n# reference_s = {:#}\n", drift.method, drift.reference_s));
+  file << header;
+  const std::size_t rows = drift.series.time_s.size();
+  for (std::size_t row = 0; row < rows; row += kRows) {
+    file << write_rows(drift.series, row, std::min(row + kRows, rows));
+  }
+  file.close();
+  if (!file) throw Error(fmt::format("{}: expected room to write {} rows, found none.", path.string(), rows));
+}
+
+nlohmann::ordered_json json_of(const DriftRange& range, const std::string& unit) {
+  const std::pair<const char*, const std::optional<Estimate>&> parts[] = {{"first_60_min", range.first_60_min},
+                                                                          {"after_60_min", range.after_60_min},
+                                                                          {"total", range.total},
+                                                                          {"first_to_last", range.at_end}};
+  nlohmann::ordered_json json;
+  for (const auto& [name, part] : parts) {
+    if (!part) continue;
+    json[fmt::format("{}_{}", name, unit)] = json_number(part->value_um);
+    json[fmt::format("{}_sigma_{}", name, unit)] = json_number(part->sigma_um);
+  }
+  return json;
+}
+
+nlohmann::ordered_json ranges_of(const MeasuredDrift& drift, std::size_t begin, std::size_t end) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const DriftAxis& axis : drift.axes)
+    json[axis.name] = json_of(range_of(axis, drift.time_s, begin, end), axis.unit);
+  return json;
+}
+
+void write_json(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps, std::ostream& out) {
+  const Series series = series_of(drift);
+  out << fmt::format("{{\n  \"method\": \"five_probe\",\n  \"reference_s\": {},\n  \"points\": [", drift.reference_s);
+  for (std::size_t row = 0; row < series.time_s.size(); ++row) {
+    std::string line = fmt::format("{}\n    {{\"time_s\": {}", row == 0 ? "" : ",", series.time_s[row]);
+    for (const Column& column : series.columns) {
+      const double value = column.values[row];
+      line += std::isfinite(value) ? fmt::format(", \"{}\": {}", column.name, value)
+                                   : fmt::format(", \"{}\": null", column.name);
+    }
+    out << line << "}";
+  }
+  nlohmann::ordered_json step_rows = nlohmann::ordered_json::array();
+  for (const SpeedStep& step : steps) {
+    step_rows.push_back({{"from_s", drift.time_s[step.begin]},
+                         {"to_s", drift.time_s[step.end - 1]},
+                         {"speed_rpm", json_number(step.speed_rpm)},
+                         {"ranges", ranges_of(drift, step.begin, step.end)}});
+  }
+  const nlohmann::ordered_json remarks = drift.remarks;
+  out << "\n  ],\n  \"ranges\": " << ranges_of(drift, 0, drift.time_s.size()).dump()
+      << ",\n  \"steps\": " << step_rows.dump() << ",\n  \"remarks\": " << remarks.dump() << "\n}\n";
 }
 
 void write_variable(mat_t* file, const std::string& name, matio_classes class_type, matio_types type, std::size_t rows,
@@ -91,19 +156,38 @@ void write_variable(mat_t* file, const std::string& name, matio_classes class_ty
   }
 }
 
-void write_mat(const DriftSeries& drift, const std::filesystem::path& path) {
+void write_mat(const DriftColumns& drift, const std::filesystem::path& path) {
   const std::unique_ptr<mat_t, decltype(&Mat_Close)> file(
       Mat_CreateVer(path.c_str(), "MATLAB 5.0 MAT-file, drift series of ballbar", MAT_FT_MAT5), &Mat_Close);
   if (!file) throw Error(fmt::format("{}: expected a folder to write a .mat file to, found none.", path.string()));
   const auto vector = [&](const std::string& name, const std::vector<double>& values) {
     write_variable(file.get(), name, MAT_C_DOUBLE, MAT_T_DOUBLE, values.size(), 1, values.data());
   };
-  const std::string method(name_of(drift.method));
+  const std::string method(drift.method);
   write_variable(file.get(), "method", MAT_C_CHAR, MAT_T_UTF8, 1, method.size(), method.data());
   vector("reference_s", {drift.reference_s});
-  const Series series = series_of(drift);
-  vector("time_s", series.time_s);
-  for (const Column& column : series.columns) vector(column.name, column.values);
+  vector("time_s", drift.series.time_s);
+  for (const Column& column : drift.series.columns) vector(column.name, column.values);
+}
+
+template <class Columns, class WriteJson>
+void write_by_extension(const std::filesystem::path& path, Columns columns, WriteJson write_json) {
+  const std::string extension = path.extension().string();
+  if (extension == ".csv") {
+    write_through(path, [&](const std::filesystem::path& temporary) { write_csv(columns(), temporary); });
+  } else if (extension == ".json") {
+    write_through(path, [&](const std::filesystem::path& temporary) {
+      std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
+      write_json(file);
+      file.close();
+      if (!file) throw Error(fmt::format("{}: expected room to write the series, found none.", path.string()));
+    });
+  } else if (extension == ".mat") {
+    write_through(path, [&](const std::filesystem::path& temporary) { write_mat(columns(), temporary); });
+  } else {
+    throw Error(fmt::format("{}: expected a name that ends in .csv, .json or .mat, found {}.", path.string(),
+                            extension.empty() ? "no ending" : extension));
+  }
 }
 
 }  // namespace
@@ -150,18 +234,28 @@ nlohmann::ordered_json json_of(const DriftSeries& drift) {
   return json;
 }
 
+std::string json_text(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps) {
+  std::ostringstream out;
+  write_json(drift, steps, out);
+  return std::move(out).str();
+}
+
 void write_drift(const DriftSeries& drift, const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
-  if (extension == ".csv") {
-    write_bytes(path, csv_of(drift));
-  } else if (extension == ".json") {
-    write_bytes(path, json_of(drift).dump(2) + "\n");
-  } else if (extension == ".mat") {
-    write_through(path, [&](const std::filesystem::path& temporary) { write_mat(drift, temporary); });
-  } else {
-    throw Error(fmt::format("{}: expected a name that ends in .csv, .json or .mat, found {}.", path.string(),
-                            extension.empty() ? "no ending" : extension));
-  }
+  write_by_extension(
+      path,
+      [&] {
+        return DriftColumns{name_of(drift.method), drift.reference_s, series_of(drift)};
+      },
+      [&](std::ostream& out) { out << json_of(drift).dump(2) << '\n'; });
+}
+
+void write_drift(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps, const std::filesystem::path& path) {
+  write_by_extension(
+      path,
+      [&] {
+        return DriftColumns{"five_probe", drift.reference_s, series_of(drift)};
+      },
+      [&](std::ostream& out) { write_json(drift, steps, out); });
 }
 
 }  // namespace ballbar

@@ -111,10 +111,12 @@ SessionFiles planned_session(const fs::path& path) {
   files.session.method = plan.method;
   files.session.title = plan.title;
   files.session.nominal_length_mm = plan.nominal_length_mm;
+  files.session.bar_expansion_ppm_per_K = plan.bar_expansion_ppm_per_K;
   files.session.spindle_above = plan.spindle_above;
   for (const SessionPlan::Test& test : plan.tests) files.session.tests.push_back(test_of(plan, test, folder));
   for (const std::string& file : plan.signal_files) files.signals.push_back(path_inside(folder, file));
   if (!plan.five_probe_file.empty()) files.five_probe = path_inside(folder, plan.five_probe_file);
+  files.ball = plan.ball;
   files.files = files.signals;
   files.files.push_back(path);
   if (files.five_probe) files.files.push_back(*files.five_probe);

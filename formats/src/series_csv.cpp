@@ -1,5 +1,6 @@
 #include "ballbar/formats/series_csv.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ bool has_format_line(std::string_view toml) {
 
 struct SeriesHeader {
   std::map<std::string, Role, std::less<>> roles;  // of the columns that state one
-  std::optional<double> five_probe_spacing_mm;
+  std::optional<FiveProbe> five_probe;
 };
 
 Role role_of(const TomlTable& column) {
@@ -44,6 +45,30 @@ Role role_of(const TomlTable& column) {
   const std::optional<std::size_t> index = choice_index(column, "role", names);
   if (!index) fail_missing(column, "role");
   return static_cast<Role>(*index);
+}
+
+// Which column a probe's readings stand in, where the file says so, and what else it states about the probes.
+FiveProbe five_probe_of(const TomlTable& table, const std::vector<std::string_view>& columns) {
+  std::vector<std::string_view> known{"spacing_mm", "plane_1_from_nose_mm", "resolution_um", "linearity_percent"};
+  known.insert(known.end(), kProbes.begin(), kProbes.end());
+  expect_keys(table, known);
+  FiveProbe probe;
+  probe.spacing_mm = positive(table, "spacing_mm");
+  probe.plane_1_from_nose_mm = number(table, "plane_1_from_nose_mm");
+  probe.resolution_um = positive(table, "resolution_um");
+  probe.linearity_percent = positive(table, "linearity_percent");
+  for (std::size_t i = 0; i < kProbes.size(); ++i) {
+    const std::optional<std::size_t> index = choice_index(table, kProbes[i], columns);
+    if (!index) continue;
+    probe.columns[i] = columns[*index];
+    for (std::size_t before = 0; before < i; ++before) {
+      if (!has(table, kProbes[before]) || probe.columns[before] != probe.columns[i]) continue;
+      fail_at_key(table, kProbes[i],
+                  fmt::format("expected a column of its own for each probe, found {} for {} and {}.",
+                              in_quotes(probe.columns[i]), kProbes[before], kProbes[i]));
+    }
+  }
+  return probe;
 }
 
 SeriesHeader header_of(const TomlTable& header, const TableHead& head) {
@@ -66,8 +91,9 @@ SeriesHeader header_of(const TomlTable& header, const TableHead& head) {
     }
   }
   if (const auto five_probe = subtable(header, "five_probe")) {
-    expect_keys(*five_probe, {"spacing_mm"});
-    result.five_probe_spacing_mm = required(positive, *five_probe, "spacing_mm");
+    std::vector<std::string_view> columns;
+    for (const ColumnName& column : head.columns) columns.push_back(column.name);
+    result.five_probe = five_probe_of(*five_probe, columns);
   }
   return result;
 }
@@ -87,11 +113,29 @@ void expect_units(const SourceText& text, const TableHead& head, const SeriesHea
     const bool is_event = role != header.roles.end() && role->second == Role::event;
     if (unit_of(column.name).empty() && !is_event) {
       fail_at(text, column.offset,
-              fmt::format("expected a name that ends in its unit, one of _um, _mm, _degC, _rpm, _A, _W, _K, found {}.",
-                          in_quotes(column.name)));
+              fmt::format(
+                  "expected a name that ends in its unit, one of _um, _mm, _urad, _degC, _rpm, _A, _W, _K, found {}.",
+                  in_quotes(column.name)));
     }
   }
   if (head.columns.size() < 2) fail_at(text, time.offset, "expected a column besides the time, found none.");
+}
+
+std::string header_of(const FiveProbe& probe) {
+  std::string out = "# [five_probe]\n";
+  const auto add = [&](std::string_view key, const std::optional<double>& value) {
+    if (value) out += fmt::format("# {} = {}\n", key, toml_number(*value));
+  };
+  add("spacing_mm", probe.spacing_mm);
+  add("plane_1_from_nose_mm", probe.plane_1_from_nose_mm);
+  add("resolution_um", probe.resolution_um);
+  add("linearity_percent", probe.linearity_percent);
+  const FiveProbe usual;
+  for (std::size_t i = 0; i < kProbes.size(); ++i) {
+    if (probe.columns[i] == usual.columns[i]) continue;
+    out += fmt::format("# {} = {}\n", kProbes[i], toml_quoted(probe.columns[i]));
+  }
+  return out;
 }
 
 bool is_bare_key(std::string_view name) {
@@ -115,7 +159,7 @@ Series read_series(std::string_view bytes, std::string_view name) {
   expect_rising(text, head, 0, values.front());
 
   Series series;
-  series.five_probe_spacing_mm = header.five_probe_spacing_mm;
+  series.five_probe = header.five_probe;
   series.time_s = std::move(values.front());
   if (head.columns.front().name == "time_min") {
     for (double& time : series.time_s) time *= 60.0;
@@ -134,35 +178,37 @@ Series read_series(std::string_view bytes, std::string_view name) {
   return series;
 }
 
-std::string write_series(const Series& series) {
-  fmt::memory_buffer out;
-  const auto to = std::back_inserter(out);
-  fmt::format_to(to, "# format = \"{}\"\n", kFormat);
+std::string series_header(const Series& series) {
+  std::string out = fmt::format("# format = \"{}\"\n", kFormat);
   for (const Column& column : series.columns) {
     const std::string_view unit = unit_of(column.name);
     if (!unit.empty() && column.role == role_from_unit(unit)) continue;
-    fmt::format_to(to, "# [columns.{}]\n# role = \"{}\"\n",
-                   is_bare_key(column.name) ? column.name : toml_quoted(column.name), name_of(column.role));
+    out += fmt::format("# [columns.{}]\n# role = \"{}\"\n",
+                       is_bare_key(column.name) ? column.name : toml_quoted(column.name), name_of(column.role));
   }
-  if (series.five_probe_spacing_mm) {
-    fmt::format_to(to, "# [five_probe]\n# spacing_mm = {}\n", toml_number(*series.five_probe_spacing_mm));
-  }
-  fmt::format_to(to, "time_s");
-  for (const Column& column : series.columns) fmt::format_to(to, ",{}", column.name);
-  fmt::format_to(to, "\n");
-  for (std::size_t row = 0; row < series.time_s.size(); ++row) {
-    fmt::format_to(to, "{}", series.time_s[row]);
+  if (series.five_probe) out += header_of(*series.five_probe);
+  out += "time_s";
+  for (const Column& column : series.columns) out += "," + column.name;
+  return out + "\n";
+}
+
+std::string write_rows(const Series& series, std::size_t begin, std::size_t end) {
+  fmt::memory_buffer out;
+  const auto to = std::back_inserter(out);
+  for (std::size_t row = begin; row < end; ++row) {
+    fmt::format_to(to, FMT_COMPILE("{}"), series.time_s[row]);
     for (const Column& column : series.columns) {
       const double value = column.values[row];
-      if (std::isfinite(value)) {
-        fmt::format_to(to, ",{}", value);
-      } else {
-        fmt::format_to(to, ",");
-      }
+      out.push_back(',');
+      if (std::isfinite(value)) fmt::format_to(to, FMT_COMPILE("{}"), value);
     }
-    fmt::format_to(to, "\n");
+    out.push_back('\n');
   }
   return fmt::to_string(out);
+}
+
+std::string write_series(const Series& series) {
+  return series_header(series) + write_rows(series, 0, series.time_s.size());
 }
 
 }  // namespace ballbar

@@ -86,7 +86,8 @@ SessionPlan read_session_plan(std::string_view bytes, std::string_view name) {
   plan.title = string(root, "title").value_or("");
   plan.spindle_above = boolean(root, "spindle_above").value_or(true);
   const TomlTable bar = required(subtable, root, "bar");
-  expect_keys(bar, {"nominal_length_mm"});
+  expect_keys(bar, {"nominal_length_mm", "expansion_ppm_per_K"});
+  plan.bar_expansion_ppm_per_K = number(bar, "expansion_ppm_per_K");
   plan.nominal_length_mm = required(positive, bar, "nominal_length_mm");
   for (const TomlTable& table : subtables(root, "test")) {
     const SessionPlan::Test test = test_of(table, plan.method);
@@ -105,9 +106,10 @@ SessionPlan read_session_plan(std::string_view bytes, std::string_view name) {
       expect_inside(*signals, "files", plan.signal_files[i], i);
   }
   if (const auto five_probe = subtable(root, "five_probe")) {
-    expect_keys(*five_probe, {"file"});
+    expect_keys(*five_probe, {"file", "ball_from_plane_1_mm", "ball_sigma_mm"});
     if (!has(*five_probe, "file")) fail_missing(*five_probe, "file");
     plan.five_probe_file = path_at(*five_probe, "file");
+    plan.ball = {number(*five_probe, "ball_from_plane_1_mm"), positive(*five_probe, "ball_sigma_mm")};
   }
   return plan;
 }
@@ -117,6 +119,9 @@ std::string write_session_plan(const SessionPlan& plan) {
   if (!plan.title.empty()) out += fmt::format("title = {}\n", toml_quoted(plan.title));
   if (!plan.spindle_above) out += "spindle_above = false\n";
   out += fmt::format("\n[bar]\nnominal_length_mm = {}\n", toml_number(plan.nominal_length_mm));
+  if (plan.bar_expansion_ppm_per_K) {
+    out += fmt::format("expansion_ppm_per_K = {}\n", toml_number(*plan.bar_expansion_ppm_per_K));
+  }
   for (const SessionPlan::Test& test : plan.tests) {
     out += fmt::format("\n[[test]]\nelapsed_s = {}\n", toml_number(test.elapsed_s));
     const std::pair<std::string_view, const std::string&> files[] = {{"c_arc", test.c_arc},
@@ -134,8 +139,13 @@ std::string write_session_plan(const SessionPlan& plan) {
     for (const std::string& file : plan.signal_files) files.push_back(toml_quoted(file));
     out += fmt::format("\n[signals]\nfiles = [{}]\n", fmt::join(files, ", "));
   }
-  if (!plan.five_probe_file.empty())
+  if (!plan.five_probe_file.empty()) {
     out += fmt::format("\n[five_probe]\nfile = {}\n", toml_quoted(plan.five_probe_file));
+    if (plan.ball.from_plane_1_mm) {
+      out += fmt::format("ball_from_plane_1_mm = {}\n", toml_number(*plan.ball.from_plane_1_mm));
+    }
+    if (plan.ball.sigma_mm) out += fmt::format("ball_sigma_mm = {}\n", toml_number(*plan.ball.sigma_mm));
+  }
   return out;
 }
 

@@ -104,7 +104,10 @@ SessionPlan plan_of(const SimulatedSession& simulated) {
   plan.nominal_length_mm = session.nominal_length_mm;
   plan.spindle_above = session.spindle_above;
   if (!simulated.signals.columns.empty()) plan.signal_files = {"signals.csv"};
-  if (!simulated.five_probe.columns.empty()) plan.five_probe_file = "five-probe.csv";
+  if (!simulated.five_probe.columns.empty()) {
+    plan.five_probe_file = "five-probe.csv";
+    plan.ball.from_plane_1_mm = simulated.ball_from_plane_1_mm;
+  }
   return plan;
 }
 

@@ -7,7 +7,7 @@
 namespace ballbar {
 namespace {
 
-constexpr std::array<std::string_view, 7> kUnits = {"um", "mm", "degC", "rpm", "A", "W", "K"};
+constexpr std::array<std::string_view, 8> kUnits = {"um", "mm", "urad", "degC", "rpm", "A", "W", "K"};
 
 constexpr std::array<std::pair<Role, std::string_view>, 10> kRoles = {{
     {Role::structure, "structure"},
@@ -35,7 +35,7 @@ std::string_view unit_of(std::string_view column_name) {
 Role role_from_unit(std::string_view unit) {
   if (unit == "rpm") return Role::speed;
   if (unit == "degC") return Role::structure;
-  if (unit == "um" || unit == "mm") return Role::measured;
+  if (unit == "um" || unit == "mm" || unit == "urad") return Role::measured;
   if (unit == "A" || unit == "W") return Role::load;
   return Role::event;
 }

@@ -216,6 +216,7 @@ SimulatedSession simulate(const VirtualMachine& machine) {
   }
   simulated.signals = simulation::signals_of(machine);
   simulated.five_probe = simulation::five_probe_of(machine);
+  simulated.ball_from_plane_1_mm = machine.five_probe.ball_offset_mm;
   simulated.truth = simulation::truth_of(machine);
   return simulated;
 }

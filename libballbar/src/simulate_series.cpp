@@ -76,7 +76,9 @@ Series five_probe_of(const VirtualMachine& machine) {
   Series series;
   const VirtualFiveProbe& probe = machine.five_probe;
   if (!probe.present) return series;
-  series.five_probe_spacing_mm = probe.spacing_mm;
+  series.five_probe = FiveProbe{};
+  series.five_probe->spacing_mm = probe.spacing_mm;
+  if (probe.resolution_um > 0.0) series.five_probe->resolution_um = probe.resolution_um;
   series.time_s = clock_s(machine.test_s.front(), machine.test_s.back(), probe.interval_s);
   const TruePosition first = truth_at(machine, machine.test_s.front());
   for (const char* name : {"X1_um", "X2_um", "Y1_um", "Y2_um", "Z_um"}) {

@@ -23,7 +23,7 @@ TEST(series, columns_roles_and_gaps) {
   EXPECT_EQ(series.columns[1].values[0], 20.5);
   EXPECT_TRUE(std::isnan(series.columns[1].values[1]));
   EXPECT_EQ(series.columns[1].values[2], 20.7);
-  EXPECT_EQ(series.five_probe_spacing_mm, 60.0);
+  EXPECT_EQ(series.five_probe->spacing_mm, 60.0);
 }
 
 TEST(series, plain_table_with_prose_in_its_comments) {
@@ -81,10 +81,25 @@ TEST(series, written_and_read_again_is_the_same) {
       for (std::size_t i = 0; i < rows; ++i) column.values.push_back(any_double());
       series.columns.push_back(column);
     }
-    if (*rc::gen::arbitrary<bool>()) series.five_probe_spacing_mm = *rc::gen::inRange(1, 500) / 7.0;
+    if (*rc::gen::arbitrary<bool>()) {
+      FiveProbe probe;
+      probe.spacing_mm = *rc::gen::inRange(1, 500) / 7.0;
+      if (*rc::gen::arbitrary<bool>()) probe.plane_1_from_nose_mm = *rc::gen::inRange(-500, 500) / 7.0;
+      if (*rc::gen::arbitrary<bool>()) probe.resolution_um = *rc::gen::inRange(1, 500) / 7.0;
+      if (*rc::gen::arbitrary<bool>()) probe.linearity_percent = *rc::gen::inRange(1, 500) / 7.0;
+      if (*rc::gen::arbitrary<bool>()) probe.columns[4] = series.columns.front().name;
+      series.five_probe = probe;
+    }
     const Series again = read_series(write_series(series), "file");
     RC_ASSERT(same_bits(again.time_s, series.time_s));
-    RC_ASSERT(again.five_probe_spacing_mm == series.five_probe_spacing_mm);
+    RC_ASSERT(again.five_probe.has_value() == series.five_probe.has_value());
+    if (series.five_probe) {
+      RC_ASSERT(again.five_probe->spacing_mm == series.five_probe->spacing_mm);
+      RC_ASSERT(again.five_probe->plane_1_from_nose_mm == series.five_probe->plane_1_from_nose_mm);
+      RC_ASSERT(again.five_probe->resolution_um == series.five_probe->resolution_um);
+      RC_ASSERT(again.five_probe->linearity_percent == series.five_probe->linearity_percent);
+      RC_ASSERT(again.five_probe->columns == series.five_probe->columns);
+    }
     RC_ASSERT(again.columns.size() == series.columns.size());
     for (std::size_t i = 0; i < series.columns.size(); ++i) {
       RC_ASSERT(again.columns[i].name == series.columns[i].name);

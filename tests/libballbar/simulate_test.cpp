@@ -288,7 +288,7 @@ TEST(Simulate, FiveProbes) {
   machine.test_s = {0.0, 60.0};
   machine.five_probe = {true, 60.0, 60.0, 0.0, 0.0, 1.0, 2.0, 20.0};
   const Series probes = simulate(machine).five_probe;
-  EXPECT_EQ(probes.five_probe_spacing_mm, 60.0);
+  EXPECT_EQ(probes.five_probe->spacing_mm, 60.0);
   const double expected_um[] = {9.6, 10.8, 10.2, 9.6, 3.0};
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(probes.columns.at(i).values.at(0), 0.0) << probes.columns[i].name;

@@ -56,6 +56,7 @@ struct Session {
   Method method = Method::circles;
   std::string title;
   double nominal_length_mm = 100.0;
+  std::optional<double> bar_expansion_ppm_per_K;  // of the bar, where it is known
   bool spindle_above = true;
   std::vector<SessionTest> tests;  // elapsed_s strictly rising
 };

@@ -1,6 +1,7 @@
 // Named columns over time: temperatures, speed, probe readings, a drift series.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,7 +10,7 @@
 namespace ballbar {
 
 // What a column stands for in a model. Where a file does not say, the unit decides: `_rpm` speed,
-// `_degC` structure, `_um` and `_mm` measured, `_A` and `_W` load; anything else is an event.
+// `_degC` structure, `_um`, `_mm` and `_urad` measured, `_A` and `_W` load; anything else is an event.
 enum class Role { structure, ambient, coolant, bearing, mean_point, housing, speed, load, event, measured };
 
 struct Column {
@@ -18,15 +19,25 @@ struct Column {
   std::vector<double> values;  // one a row; a gap is NaN
 };
 
-// Rows in the order of time. five_probe_spacing_mm: distance of probe planes 1 and 2 where the series is
-// a five-probe recording (columns X1_um, X2_um, Y1_um, Y2_um, Z_um) and the file states it.
+// Five probes on a bar in the spindle (ISO 230-3 layout): what a file or a user states about them. Plane 1 is
+// the one near the spindle's nose, plane 2 the other.
+inline constexpr std::array<std::string_view, 5> kProbes{"X1", "X2", "Y1", "Y2", "Z"};
+struct FiveProbe {
+  std::optional<double> spacing_mm;            // distance of planes 1 and 2
+  std::optional<double> plane_1_from_nose_mm;  // distance of plane 1 from the spindle's nose
+  std::optional<double> resolution_um;         // the smallest step of a reading
+  std::optional<double> linearity_percent;     // limit of the probe's error, percent of the reading
+  std::array<std::string, 5> columns{"X1_um", "X2_um", "Y1_um", "Y2_um", "Z_um"};  // of the series, as kProbes
+};
+
+// Rows in the order of time.
 struct Series {
   std::vector<double> time_s;  // strictly rising
   std::vector<Column> columns;
-  std::optional<double> five_probe_spacing_mm;
+  std::optional<FiveProbe> five_probe;  // where the file has a [five_probe] table
 };
 
-// Unit at the end of a column's name ("um", "mm", "degC", "rpm", "A", "W", "K"), empty if there is none.
+// Unit at the end of a column's name ("um", "mm", "urad", "degC", "rpm", "A", "W", "K"), empty if there is none.
 std::string_view unit_of(std::string_view column_name);
 
 Role role_from_unit(std::string_view unit);

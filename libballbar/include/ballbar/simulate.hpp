@@ -130,6 +130,7 @@ struct SimulatedSession {
   Session session;
   Series signals;     // no columns where the machine has none
   Series five_probe;  // no columns where absent
+  double ball_from_plane_1_mm = 0.0;
   Series truth;       // one row a test: what drift_of would give without noise, changes since the first test:
                       // x_um, y_um, z_um; spindle_rotation: radial_um, axial_um, shift_a_um, shift_b_um,
                       // radius_change_um

@@ -6,7 +6,9 @@
 #include <string>
 
 #include "ballbar/drift.hpp"
+#include "ballbar/measured_drift.hpp"
 #include "ballbar/series.hpp"
+#include "ballbar/speed_steps.hpp"
 
 namespace ballbar {
 
@@ -16,7 +18,13 @@ Series series_of(const DriftSeries& drift);
 // {"method","reference_s","points":[{"time_s","x_um","x_sigma_um",...}]}
 nlohmann::ordered_json json_of(const DriftSeries& drift);
 
+// {"method":"five_probe","reference_s","points":[...],"ranges":{axis:{...}},"steps":[...],"remarks":[...]} of five
+// probes, as text: there may be a million rows.
+std::string json_text(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps);
+
 // Writes by the extension: .csv, .json or .mat (one variable a column, same names). Throws Error for any other.
 void write_drift(const DriftSeries& drift, const std::filesystem::path& path);
+void write_drift(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps,
+                 const std::filesystem::path& path);  // of five probes
 
 }  // namespace ballbar

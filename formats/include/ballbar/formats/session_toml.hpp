@@ -11,6 +11,13 @@
 
 namespace ballbar {
 
+// Where along the five-probe bar the ballbar's ball was, from plane 1 towards plane 2: ball_from_plane_1_mm and
+// ball_sigma_mm under [five_probe].
+struct BallPlace {
+  std::optional<double> from_plane_1_mm;
+  std::optional<double> sigma_mm;
+};
+
 // The session file as written: paths relative to its folder, nothing opened yet.
 struct SessionPlan {
   struct Test {
@@ -24,7 +31,9 @@ struct SessionPlan {
   bool spindle_above = true;
   std::vector<Test> tests;
   std::vector<std::string> signal_files;
+  std::optional<double> bar_expansion_ppm_per_K;
   std::string five_probe_file;  // empty: none
+  BallPlace ball;               // of [five_probe]
 };
 
 // `name` stands in messages. Throws Error with name:line:column; refuses paths that are absolute or leave the folder.
@@ -37,6 +46,7 @@ struct SessionFiles {
   Session session;
   std::vector<std::filesystem::path> signals;
   std::optional<std::filesystem::path> five_probe;
+  BallPlace ball;
   std::vector<std::filesystem::path> files;  // all that make up the session, itself included
 };
 

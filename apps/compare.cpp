@@ -1,0 +1,335 @@
+// `ballbar compare A B`: how well two drift series agree; a session: its ballbar against its five probes.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/comparison.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/formats/bytes.hpp"
+#include "ballbar/formats/drift_data.hpp"
+#include "ballbar/formats/series_csv.hpp"
+#include "ballbar/units.hpp"
+#include "commands.hpp"
+#include "comparison_plot.hpp"
+#include "five_probe_options.hpp"
+#include "out_files.hpp"
+#include "text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+struct Options {
+  std::string a, b;
+  std::vector<std::string> match;
+  std::vector<std::string> out;
+  std::string plot;
+  std::optional<double> reference_s, max_gap_s;
+  FiveProbeOptions probes;
+  bool json = false;
+};
+
+MeasuredDrift drift_of_series(const Series& series, const std::string& path, const Options& options,
+                              const BallPlace& ball) {
+  const Series with = is_five_probe(series) || !options.probes.probes.empty() ? stated(series, options.probes) : series;
+  if (!is_five_probe(with)) return measured(with, path);
+  FivePointOptions how = place_of(with, options.probes, ball);
+  how.reference_s = options.reference_s;
+  return five_point_of(with, how, path);
+}
+
+MeasuredDrift drift_of_session(const SessionFiles& files, const Options& options) {
+  DriftOptions how;
+  how.reference_s = options.reference_s;
+  return measured(drift_of(files.session, how), files.session);
+}
+
+struct Operands {
+  MeasuredDrift a, b;
+  std::vector<std::filesystem::path> files;
+  std::string title;
+};
+
+Operands operands_of(const Options& options) {
+  Operands operands;
+  const DriftData first = open_drift_data(options.a);
+  operands.files = first.files;
+  operands.title = options.a;
+  if (options.b.empty()) {
+    if (!first.session || !first.session->five_probe) {
+      throw Error(fmt::format("{}: expected a second file to compare with, or a session with [five_probe], found {}.",
+                              options.a, first.session ? "a session without it" : "a series"));
+    }
+    const Session& session = first.session->session;
+    if (!session.title.empty()) operands.title = session.title;
+    operands.a = drift_of_session(*first.session, options);
+    operands.b = drift_of_series(open_series(*first.session->five_probe), first.session->five_probe->string(), options,
+                                 first.session->ball);
+    return operands;
+  }
+  const DriftData second = open_drift_data(options.b);
+  operands.files.insert(operands.files.end(), second.files.begin(), second.files.end());
+  operands.title = fmt::format("{} against {}", options.a, options.b);
+  const BallPlace ball = first.session ? first.session->ball : second.session ? second.session->ball : BallPlace{};
+  const auto drift = [&](const DriftData& data, const std::string& path) {
+    MeasuredDrift result =
+        data.session ? drift_of_session(*data.session, options) : drift_of_series(*data.series, path, options, ball);
+    if (result.what != path) result.what += fmt::format(" ({})", path);
+    return result;
+  };
+  operands.a = drift(first, options.a);
+  operands.b = drift(second, options.b);
+  return operands;
+}
+
+// "axial=-z": b's axis z, its sign changed, is compared as axial.
+void match(MeasuredDrift& b, const std::string& stated) {
+  const std::size_t equals = stated.find('=');
+  const bool minus = equals != std::string::npos && stated.substr(equals + 1).starts_with('-');
+  const std::string name = equals == std::string::npos ? "" : stated.substr(equals + (minus ? 2 : 1));
+  const DriftAxis* axis = find_axis(b, name);
+  if (equals == 0 || axis == nullptr) {
+    std::vector<std::string> names;
+    for (const DriftAxis& known : b.axes) names.push_back(known.name);
+    throw Error(fmt::format("--match {}: expected AXIS=AXIS, the second one of {}, found \"{}\".", stated,
+                            fmt::join(names, ", "), equals == std::string::npos ? stated : name));
+  }
+  DriftAxis renamed = *axis;
+  renamed.name = stated.substr(0, equals);
+  if (minus) {
+    for (double& value : renamed.value) value = -value;
+  }
+  std::erase_if(b.axes, [&](const DriftAxis& known) { return known.name == renamed.name; });
+  b.axes.push_back(std::move(renamed));
+}
+
+constexpr const char* kNone = "-";
+
+std::string fixed(const std::optional<double>& value, int decimals, double scale = 1.0) {
+  return value ? fmt::format("{:.{}f}", *value * scale, decimals) : kNone;
+}
+
+std::string lag_text(const AxisComparison& axis) {
+  if (!axis.lag_s) return kNone;
+  return with_sigma(min_from_s(*axis.lag_s), min_from_s(*axis.lag_sigma_s), 2);
+}
+
+Table statistics(const Comparison& comparison) {
+  std::vector<std::string> heading{""};
+  for (const AxisComparison& axis : comparison.axes) heading.push_back(fmt::format("{} {}", axis.name, axis.unit));
+  Table table(heading);
+  const auto row = [&](const std::string& name, auto&& text_of) {
+    std::vector<std::string> cells{name};
+    for (const AxisComparison& axis : comparison.axes) cells.push_back(text_of(axis));
+    table.add(cells);
+  };
+  using A = const AxisComparison&;
+  row("agrees", [](A axis) -> std::string {
+    return axis.agreement == Agreement::agrees ? "yes" : axis.agreement == Agreement::disagrees ? "NO" : "cannot tell";
+  });
+  row("samples within 2 sigma", [](A axis) { return fmt::format("{} of {}", axis.within, axis.counted); });
+  row("mean relative deviation %", [](A axis) { return fixed(axis.mean_relative_deviation, 2, 100.0); });
+  row("  expected from sigma alone %", [](A axis) { return fixed(axis.expected_relative_deviation, 2, 100.0); });
+  row("  share explained by sigma %", [](A axis) { return fixed(axis.explained_share, 0, 100.0); });
+  row("mean deviation, % of range", [](A axis) { return fixed(axis.range_deviation, 2, 100.0); });
+  row("RMSE", [](A axis) { return fmt::format("{:.3f}", axis.rmse); });
+  row("largest deviation", [](A axis) { return fmt::format("{:.3f}", axis.largest); });
+  row("  at min", [](A axis) { return fmt::format("{:g}", min_from_s(axis.largest_s)); });
+  row("bias", [](A axis) { return fmt::format("{:.3f}", axis.bias); });
+  row("95 % limits of agreement, low", [](A axis) { return fixed(axis.limit_low, 3); });
+  row("95 % limits of agreement, high", [](A axis) { return fixed(axis.limit_high, 3); });
+  row("correlation", [](A axis) { return fixed(axis.correlation, 4); });
+  row("lag of best agreement min", lag_text);
+  return table;
+}
+
+// One sigma of a difference by source: root mean square over the samples, and share of the variance.
+Table budget_table(const Comparison& comparison) {
+  std::vector<std::string> heading{"one sigma of a difference"}, sources;
+  for (const AxisComparison& axis : comparison.axes) {
+    heading.push_back(fmt::format("{} {}", axis.name, axis.unit));
+    for (const UncertaintyShare& share : axis.budget) {
+      if (std::find(sources.begin(), sources.end(), share.source) == sources.end()) sources.push_back(share.source);
+    }
+  }
+  Table table(heading);
+  for (const std::string& source : sources) {
+    std::vector<std::string> cells{source};
+    for (const AxisComparison& axis : comparison.axes) {
+      const auto share = std::find_if(axis.budget.begin(), axis.budget.end(),
+                                      [&](const UncertaintyShare& s) { return s.source == source; });
+      const bool known = share != axis.budget.end() && !std::isnan(share->sigma);
+      cells.push_back(known ? fmt::format("{:.3f} ({:.0f} %)", share->sigma, 100.0 * share->variance) : kNone);
+    }
+    table.add(cells);
+  }
+  return table;
+}
+
+void print_text(const Operands& operands, const Comparison& comparison) {
+  const AxisComparison& axis = comparison.axes.front();
+  fmt::print("{}\n{} against {}\n{} samples in common, {:g} to {:g} min, both as changes since {:g} min\n\n",
+             operands.title, comparison.a, comparison.b, comparison.samples, min_from_s(axis.time_s.front()),
+             min_from_s(axis.time_s.back()), min_from_s(comparison.reference_s));
+  fmt::print("{}\n{}\n", wrapped(conclusion(comparison)), statistics(comparison).text());
+  fmt::print("{}\n", budget_table(comparison).text());
+  fmt::print("{}", wrapped("Root mean square over the samples, in brackets the share of the variance. A sample agrees "
+                           "if its difference is at most 2 sigma. Lag: positive where the first one is late."));
+  if (comparison.left_out > 0) {
+    fmt::print("{} times fall into a gap and were left out (--max-gap).\n", comparison.left_out);
+  }
+  for (const std::string& remark : comparison.remarks) fmt::print("{}", wrapped(remark));
+}
+
+nlohmann::ordered_json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return value;
+}
+
+nlohmann::ordered_json json_of(const AxisComparison& axis) {
+  nlohmann::ordered_json json;
+  const auto put = [&](const std::string& key, const std::optional<double>& value) {
+    json[key] = value ? number(*value) : nlohmann::ordered_json(nullptr);
+  };
+  const auto with_unit = [&](const char* name) { return fmt::format("{}_{}", name, axis.unit); };
+  json["agreement"] = axis.agreement == Agreement::agrees      ? "agrees"
+                      : axis.agreement == Agreement::disagrees ? "disagrees"
+                                                               : "cannot tell";
+  put("mean_relative_deviation", axis.mean_relative_deviation);
+  put("expected_relative_deviation", axis.expected_relative_deviation);
+  put("explained_share", axis.explained_share);
+  put("range_normalised_mean_deviation", axis.range_deviation);
+  put(with_unit("rmse"), axis.rmse);
+  put(with_unit("max"), axis.largest);
+  put("max_at_s", axis.largest_s);
+  put(with_unit("bias"), axis.bias);
+  put(with_unit("loa_low"), axis.limit_low);
+  put(with_unit("loa_high"), axis.limit_high);
+  json["within_2_sigma"] = axis.within;
+  json["samples"] = axis.counted;
+  put("correlation", axis.correlation);
+  put("lag_s", axis.lag_s);
+  put("lag_sigma_s", axis.lag_sigma_s);
+  if (axis.deviation) {
+    json["deviation"] = {{"from_s", axis.deviation->from_s},
+                         {"to_s", axis.deviation->to_s},
+                         {"to_the_end", axis.deviation->to_the_end},
+                         {with_unit("largest"), axis.deviation->largest},
+                         {with_unit("sigma"), number(axis.deviation->sigma)},
+                         {"at_s", axis.deviation->at_s}};
+  }
+  json["budget"] = nlohmann::ordered_json::array();
+  for (const UncertaintyShare& share : axis.budget) {
+    json["budget"].push_back(
+        {{"source", share.source}, {with_unit("sigma"), number(share.sigma)}, {"share", share.variance}});
+  }
+  json["points"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < axis.time_s.size(); ++i) {
+    json["points"].push_back({{"time_s", axis.time_s[i]},
+                              {with_unit("a"), axis.a[i]},
+                              {with_unit("b"), axis.b[i]},
+                              {with_unit("difference"), axis.difference[i]},
+                              {with_unit("sigma"), number(axis.sigma[i])}});
+  }
+  return json;
+}
+
+void print_json(const Comparison& comparison) {
+  nlohmann::ordered_json json;
+  json["conclusion"] = conclusion(comparison);
+  json["a"] = comparison.a;
+  json["b"] = comparison.b;
+  json["reference_s"] = comparison.reference_s;
+  json["samples"] = comparison.samples;
+  json["left_out"] = comparison.left_out;
+  for (const AxisComparison& axis : comparison.axes) json["axes"][axis.name] = json_of(axis);
+  json["remarks"] = comparison.remarks;
+  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+// NAME_a, NAME_b, NAME_difference and its sigma over the common times; an axis without a value there has a gap.
+Series differences(const Comparison& comparison) {
+  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+  Series series;
+  for (const AxisComparison& axis : comparison.axes) {
+    std::vector<double> merged;
+    std::set_union(series.time_s.begin(), series.time_s.end(), axis.time_s.begin(), axis.time_s.end(),
+                   std::back_inserter(merged));
+    series.time_s = std::move(merged);
+  }
+  for (const AxisComparison& axis : comparison.axes) {
+    const auto add = [&](const char* part, const std::vector<double>& values) {
+      Column column{fmt::format("{}_{}_{}", axis.name, part, axis.unit), Role::measured, {}};
+      std::size_t i = 0;
+      for (const double time_s : series.time_s) {
+        const bool there = i < axis.time_s.size() && axis.time_s[i] == time_s;
+        column.values.push_back(there ? values[i] : kGap);
+        i += there ? 1 : 0;
+      }
+      series.columns.push_back(std::move(column));
+    };
+    add("a", axis.a);
+    add("b", axis.b);
+    add("difference", axis.difference);
+    add("difference_sigma", axis.sigma);
+  }
+  return series;
+}
+
+void run(const Options& options) {
+  if (!options.plot.empty()) expect_svg(options.plot);
+  for (const std::string& path : options.out) {
+    if (!path.ends_with(".csv")) throw Error(fmt::format("--out {}: expected a name that ends in .csv.", path));
+  }
+  Operands operands = operands_of(options);
+  std::vector<std::string> outputs = options.out;
+  if (!options.plot.empty()) outputs.push_back(options.plot);
+  expect_no_input(outputs, operands.files);
+  for (const std::string& stated : options.match) match(operands.b, stated);
+  const Comparison comparison = compare(operands.a, operands.b, {options.reference_s, options.max_gap_s});
+  for (const std::string& path : options.out) write_bytes(path, write_series(differences(comparison)));
+  if (!options.plot.empty()) plot_comparison(comparison, conclusion(comparison), options.plot);
+  if (options.json) {
+    print_json(comparison);
+  } else {
+    print_text(operands, comparison);
+  }
+  for (const std::string& path : outputs) fmt::print(stderr, "wrote {}\n", path);
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("compare", "How well two drift series agree, and within their uncertainty");
+  command->add_option("A", options->a, "session, folder, drift .csv or five probes' .csv")->required();
+  command->add_option("B", options->b, "what to compare it with; without it the session's own five probes");
+  command->add_option("--plot", options->plot, "picture of both and their difference, .svg")->type_name("FILE");
+  command->add_option("--out", options->out, "write both and their difference at the common times, .csv")
+      ->type_name("FILE");
+  const CLI::AsNumberWithUnit time(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
+                                   CLI::AsNumberWithUnit::CASE_SENSITIVE);
+  command->add_option("--reference", options->reference_s, "time since which changes are taken; default: the first")
+      ->type_name("TIME")
+      ->transform(time);
+  command
+      ->add_option("--max-gap", options->max_gap_s,
+                   "no interpolation between rows farther apart; default: 4 times the usual step")
+      ->type_name("TIME")
+      ->transform(time);
+  command->add_option("--match", options->match, "axis of A and the axis of B it stands for, such as axial=-z")
+      ->type_name("A=B");
+  add_five_probe_options(*command, options->probes);
+  command->add_flag("--json", options->json, "the comparison for a program");
+  command->footer(
+      "Examples:\n"
+      "  ballbar compare sample-runs/two-arcs-he2015/session.toml --plot agreement.svg\n"
+      "  ballbar compare drift.csv sample-runs/two-arcs-he2015/five-probe.csv --from-plane-1 25");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

@@ -1,0 +1,104 @@
+#include "five_probe_options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "ballbar/error.hpp"
+
+namespace ballbar {
+namespace {
+
+std::string names_of(const Series& series) {
+  std::vector<std::string> names;
+  for (const Column& column : series.columns) names.push_back(column.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+void set_column(Series& series, FiveProbe& probe, const std::string& stated) {
+  const std::size_t equals = stated.find('=');
+  const std::string name = stated.substr(0, equals);
+  const auto* const known = std::find(kProbes.begin(), kProbes.end(), name);
+  if (equals == std::string::npos || known == kProbes.end()) {
+    throw Error(fmt::format("--probe {}: expected PROBE=COLUMN with one of the probes {}, found \"{}\".", stated,
+                            fmt::join(kProbes, ", "), name));
+  }
+  const std::string column = stated.substr(equals + 1);
+  if (find_column(series, column) == nullptr) {
+    throw Error(fmt::format("--probe {}: expected a column of the file, one of {}, found \"{}\".", stated,
+                            names_of(series), column));
+  }
+  probe.columns[static_cast<std::size_t>(known - kProbes.begin())] = column;
+}
+
+}  // namespace
+
+bool FiveProbeOptions::any() const {
+  return !probes.empty() || spacing_mm || plane_1_from_nose_mm || resolution_um || linearity_percent ||
+         from_plane_1_mm || from_nose_mm;
+}
+
+void add_five_probe_options(CLI::App& command, FiveProbeOptions& options) {
+  constexpr const char* kGroup = "Five probes (what is given here goes before what the file states)";
+  const auto add = [&](const char* name, auto& value, const char* what) {
+    return command.add_option(name, value, what)->group(kGroup);
+  };
+  add("--from-plane-1", options.from_plane_1_mm, "drift at this distance from plane 1, towards plane 2; default: 0")
+      ->type_name("MM");
+  add("--from-nose", options.from_nose_mm, "drift at this distance from the spindle's nose")
+      ->type_name("MM")
+      ->excludes("--from-plane-1");
+  add("--plane-1", options.plane_1_from_nose_mm, "distance of plane 1 from the nose")->type_name("MM");
+  add("--spacing", options.spacing_mm, "distance of the planes 1 and 2")->type_name("MM")->check(CLI::PositiveNumber);
+  add("--resolution", options.resolution_um, "step of a probe's reading")->type_name("UM")->check(CLI::PositiveNumber);
+  add("--linearity", options.linearity_percent, "limit of a probe's error, percent of the reading")
+      ->type_name("PERCENT")
+      ->check(CLI::PositiveNumber);
+  add("--probe", options.probes, "column of a probe, such as X1=ch1_um; may be repeated")->type_name("PROBE=COLUMN");
+}
+
+Series stated(Series series, const FiveProbeOptions& options) {
+  if (!options.any()) return series;
+  FiveProbe probe = series.five_probe.value_or(FiveProbe{});
+  for (const std::string& mapping : options.probes) set_column(series, probe, mapping);
+  if (options.spacing_mm) probe.spacing_mm = options.spacing_mm;
+  if (options.plane_1_from_nose_mm) probe.plane_1_from_nose_mm = options.plane_1_from_nose_mm;
+  if (options.resolution_um) probe.resolution_um = options.resolution_um;
+  if (options.linearity_percent) probe.linearity_percent = options.linearity_percent;
+  series.five_probe = probe;
+  return series;
+}
+
+FivePointOptions place_of(const Series& series, const FiveProbeOptions& options, const BallPlace& ball) {
+  FivePointOptions how;
+  if (options.from_nose_mm) {
+    if (!series.five_probe || !series.five_probe->plane_1_from_nose_mm) {
+      throw Error(
+          "--from-nose: expected to know where plane 1 is, from --plane-1 MM or plane_1_from_nose_mm under "
+          "[five_probe], found neither.");
+    }
+    how.from_plane_1_mm = *options.from_nose_mm - *series.five_probe->plane_1_from_nose_mm;
+  } else {
+    how.from_plane_1_mm = options.from_plane_1_mm.value_or(ball.from_plane_1_mm.value_or(0.0));
+    if (!options.from_plane_1_mm) how.from_plane_1_sigma_mm = ball.sigma_mm.value_or(0.0);
+  }
+  return how;
+}
+
+MeasuredDrift five_point_of(const Series& series, const FivePointOptions& how, const std::string& name) {
+  if (!is_five_probe(series)) {
+    throw Error(fmt::format(
+        "{}: expected columns of five probes, such as X1_um, or which columns they are, by --probe X1=COLUMN or a line "
+        "`# X1 = \"COLUMN\"` under `# [five_probe]`, found the columns {}.",
+        name, names_of(series)));
+  }
+  try {
+    return five_point(series, how).drift;
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", name, error.what()));
+  }
+}
+
+}  // namespace ballbar

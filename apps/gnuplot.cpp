@@ -1,0 +1,151 @@
+#include "gnuplot.hpp"
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+#include "ballbar/error.hpp"
+
+namespace ballbar {
+namespace {
+
+std::string reason(int number) { return std::generic_category().message(number); }
+
+// Temporary files without a name instead of pipes: no side waits for the other, whatever the sizes, and there is no
+// SIGPIPE to keep off.
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+File temporary_file() {
+  File file(std::tmpfile(), &std::fclose);
+  if (!file) throw Error(fmt::format("--plot: expected room for a temporary file, found: {}.", reason(errno)));
+  return file;
+}
+
+std::string whole(std::FILE* file) {
+  std::string bytes;
+  char part[1 << 16];
+  std::rewind(file);
+  while (const std::size_t count = std::fread(part, 1, sizeof part, file)) bytes.append(part, count);
+  return bytes;
+}
+
+// 0 or the reason why it could not be started; `status` as waitpid gives it.
+int run_gnuplot(int in, int out, int err, int& status) {
+  posix_spawn_file_actions_t actions;
+  if (const int failed = posix_spawn_file_actions_init(&actions)) return failed;
+  posix_spawn_file_actions_adddup2(&actions, in, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, err, STDERR_FILENO);
+  char name[] = "gnuplot";
+  char no_settings[] = "-d";
+  char* const arguments[] = {name, no_settings, nullptr};
+  pid_t child = 0;
+  const int failed = posix_spawnp(&child, name, &actions, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed != 0) return failed;
+  // A caller that ignores SIGCHLD leaves no status (ECHILD); the end of the output then tells.
+  while (waitpid(child, &status, 0) == -1 && errno == EINTR) {
+  }
+  return 0;
+}
+
+// The last line says what is wrong; those before it repeat the script.
+std::string last_line(std::string text) {
+  constexpr const char* kSpace = " \t\r\n";
+  text.erase(text.find_last_not_of(kSpace) + 1);
+  const std::size_t line = text.rfind('\n') + 1;
+  const std::size_t start = text.find_first_not_of(kSpace, line);
+  return start == std::string::npos ? "" : text.substr(start);
+}
+
+// Length of the UTF-8 sequence at the start of `text` if it is a character that XML 1.0 holds, else 0.
+std::size_t character_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(text[i])); };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || length > text.size()) return 0;
+  unsigned code = first & (0xFFU >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+    code = code << 6 | (byte(i) & 0x3FU);
+  }
+  constexpr unsigned kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};
+  if (code < kSmallest[length] || code > 0x10FFFF) return 0;
+  if ((code >= 0xD800 && code <= 0xDFFF) || code == 0xFFFE || code == 0xFFFF) return 0;
+  return length;
+}
+
+// U+0000 to U+001F, U+007F to U+009F, and the line breaks U+2028, U+2029.
+bool is_control(std::string_view character) {
+  const auto first = static_cast<unsigned char>(character[0]);
+  if (character.size() == 1) return first < 0x20 || first == 0x7F;
+  if (character.size() == 2) return first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;
+  return character == "\xE2\x80\xA8" || character == "\xE2\x80\xA9";
+}
+
+}  // namespace
+
+std::string svg_by_gnuplot(const std::string& script) {
+  const File in = temporary_file();
+  const File out = temporary_file();
+  const File err = temporary_file();
+  const bool written = std::fwrite(script.data(), 1, script.size(), in.get()) == script.size();
+  if (!written || std::fflush(in.get()) != 0) {
+    throw Error(fmt::format("--plot: expected room for a temporary file, found: {}.", reason(errno)));
+  }
+  std::rewind(in.get());
+  int status = 0;
+  const int failed = run_gnuplot(fileno(in.get()), fileno(out.get()), fileno(err.get()), status);
+  if (failed == ENOENT || failed == ENOTDIR || failed == EACCES) {
+    throw Error(
+        "--plot: expected the program gnuplot to draw with, found none; on Debian it is in the package gnuplot-nox.");
+  }
+  if (failed != 0) throw Error(fmt::format("--plot: expected gnuplot to start, found: {}.", reason(failed)));
+  if (WIFSIGNALED(status)) {
+    throw Error(fmt::format("--plot: expected gnuplot to draw, found it ended by signal {}.", WTERMSIG(status)));
+  }
+  if (WEXITSTATUS(status) != 0) {
+    const std::string said = last_line(whole(err.get()));
+    throw Error(fmt::format("--plot: expected gnuplot to draw, found it ended with status {}{}.", WEXITSTATUS(status),
+                            said.empty() ? "" : ": " + said));
+  }
+  std::string svg = whole(out.get());
+  // gnuplot does not look whether its writes succeed.
+  if (last_line(svg) != "</svg>") {
+    throw Error("--plot: expected a whole SVG from gnuplot, found an output without its end.");
+  }
+  return svg;
+}
+
+std::string gnuplot_quoted(std::string_view text) {
+  constexpr std::string_view kPlain = " .,:+-=()/";
+  std::string quoted = "\"";
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    const std::string_view character = text.substr(0, length == 0 ? 1 : length);
+    const char first = character[0];
+    const bool letter = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
+    if (length == 0) {
+      quoted += "\uFFFD";
+    } else if (is_control(character)) {
+      quoted += ' ';
+    } else if (length > 1 || letter || (first >= '0' && first <= '9') || kPlain.find(first) != kPlain.npos) {
+      quoted += character;
+    } else {
+      // gnuplot escapes < and & in an SVG, not >, and XML forbids "]]>" in a text.
+      if (first == '>' && quoted.ends_with("\\135\\135")) quoted += ' ';
+      quoted += fmt::format("\\{:03o}", static_cast<unsigned>(first));
+    }
+    text.remove_prefix(character.size());
+  }
+  return quoted + "\"";
+}
+
+}  // namespace ballbar

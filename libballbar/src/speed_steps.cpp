@@ -1,0 +1,48 @@
+#include "ballbar/speed_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ballbar {
+namespace {
+
+constexpr double kShortest_s = 60.0;
+constexpr double kTolerance = 0.02;  // of the largest speed
+
+double median_of_known(const std::vector<double>& values, std::size_t begin, std::size_t end) {
+  std::vector<double> known;
+  for (std::size_t row = begin; row < end; ++row) {
+    if (!std::isnan(values[row])) known.push_back(values[row]);
+  }
+  if (known.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
+  std::nth_element(known.begin(), middle, known.end());
+  return *middle;
+}
+
+}  // namespace
+
+std::vector<SpeedStep> speed_steps(const std::vector<double>& time_s, const Column& speed) {
+  const std::vector<double>& rpm = speed.values;
+  double largest = 0.0;
+  for (const double value : rpm) largest = std::fmax(largest, std::abs(value));  // a gap does not count
+  std::vector<std::size_t> starts{0};
+  double first = rpm.empty() ? 0.0 : rpm.front();
+  std::size_t changed = 0;  // row of the last change of speed
+  for (std::size_t row = 1; row < rpm.size(); ++row) {
+    if (std::isnan(first)) first = rpm[row];
+    if (!(std::abs(rpm[row] - first) > kTolerance * largest)) continue;
+    if (time_s[row] - time_s[changed] >= kShortest_s) starts.push_back(row);
+    changed = row;
+    first = rpm[row];
+  }
+  std::vector<SpeedStep> steps;
+  for (std::size_t i = 0; i < starts.size() && !rpm.empty(); ++i) {
+    const std::size_t end = i + 1 < starts.size() ? starts[i + 1] : rpm.size();
+    steps.push_back({median_of_known(rpm, starts[i], end), starts[i], end});
+  }
+  return steps;
+}
+
+}  // namespace ballbar
