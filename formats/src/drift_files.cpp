@@ -86,7 +86,7 @@ struct DriftColumns {
 
 // In parts, so that a long series is not in memory a second time as text.
 void write_csv(const DriftColumns& drift, const std::filesystem::path& path) {
-  constexpr std::size_t kRows = 4096;
+  constexpr std::size_t kRows = 1024;
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   std::string header = series_header(drift.series);
   header.insert(header.find('\n') + 1,

@@ -193,22 +193,29 @@ std::string series_header(const Series& series) {
 }
 
 std::string write_rows(const Series& series, std::size_t begin, std::size_t end) {
-  fmt::memory_buffer out;
-  const auto to = std::back_inserter(out);
+  constexpr std::size_t kLongestCell = 26;  // -1.2345678901234567e-308 and a comma
+  std::string out((end - begin) * (series.columns.size() + 1) * kLongestCell, '\0');
+  char* to = out.data();
   for (std::size_t row = begin; row < end; ++row) {
-    fmt::format_to(to, FMT_COMPILE("{}"), series.time_s[row]);
+    to = fmt::format_to(to, FMT_COMPILE("{}"), series.time_s[row]);
     for (const Column& column : series.columns) {
       const double value = column.values[row];
-      out.push_back(',');
-      if (std::isfinite(value)) fmt::format_to(to, FMT_COMPILE("{}"), value);
+      *to++ = ',';
+      if (std::isfinite(value)) to = fmt::format_to(to, FMT_COMPILE("{}"), value);
     }
-    out.push_back('\n');
+    *to++ = '\n';
   }
-  return fmt::to_string(out);
+  out.resize(static_cast<std::size_t>(to - out.data()));
+  return out;
 }
 
 std::string write_series(const Series& series) {
-  return series_header(series) + write_rows(series, 0, series.time_s.size());
+  constexpr std::size_t kRows = 4096;
+  std::string text = series_header(series);
+  for (std::size_t row = 0; row < series.time_s.size(); row += kRows) {
+    text += write_rows(series, row, std::min(row + kRows, series.time_s.size()));
+  }
+  return text;
 }
 
 }  // namespace ballbar
