@@ -1,0 +1,29 @@
+// The one list of effects.
+#include <algorithm>
+#include <array>
+
+#include "catalogue.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::array kEffects = {
+    // on a drift series
+    &catalogue::kExpansion,
+    &catalogue::kLaggedExpansion,
+    &catalogue::kSpeedHeating,
+    // on a recording
+};
+
+}  // namespace
+
+std::span<const Effect* const> effects() { return kEffects; }
+
+const Effect* find_effect(std::string_view name, Level level) {
+  const auto* const effect = std::find_if(kEffects.begin(), kEffects.end(), [&](const Effect* candidate) {
+    return candidate->name == name && candidate->level == level;
+  });
+  return effect == kEffects.end() ? nullptr : *effect;
+}
+
+}  // namespace ballbar

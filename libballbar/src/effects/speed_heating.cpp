@@ -1,0 +1,50 @@
+#include "catalogue.hpp"
+#include "evaluate.hpp"
+#include "low_pass.hpp"
+#include "speed.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// k LP_tau[n^a]
+struct SpeedHeating {
+  template <class T>
+  void operator()(const EffectRows& rows, const T* p, T* out) const {
+    const std::span<const double> speed_rpm = rows.inputs[0];
+    low_pass(
+        rows.time_s, [&](std::size_t i) { return power_of_speed(speed_rpm[i], p[2]); }, p[1], out);
+    for (std::size_t i = 0; i < speed_rpm.size(); ++i) out[i] *= p[0];
+  }
+};
+
+}  // namespace
+
+const Effect kSpeedHeating{
+    "speed_heating",
+    Level::series,
+    {.summary = "Friction heat with no sensor near it.",
+     .cause = "Bearings and motor heat with speed; what they warm grows with a time constant of its own.",
+     .formula = "gain LP_tau[n^a], n in krpm; a = 1 load term, 5/3 viscous friction, 2 windage",
+     .signature = "An exponential after every change of speed, larger at higher speed.",
+     .confused_with = {"lagged_expansion", "cooling_asymmetry", "viscosity_feedback", "centrifugal_shift"},
+     .separated_by =
+         "Two speeds for the exponent, a stop for the time constant: heat decays slowly, centrifugal shift at "
+         "once.",
+     .remedy = "A sensor near the bearings; less or thinner lubricant; cooling of the housing; warm-up before work.",
+     .validity = "Lumped body; friction that does not change as the lubricant warms.",
+     .source = "Heat balance of a lumped body with bearing friction after Palmgren (exponents); no paper's equation."},
+    {{"speed", {"rpm"}, "speed of the spindle"}},
+    {{"gain_um_per_krpm_a", "um/krpm^a", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "drift in the end at 1000 rpm"},
+     {"time_constant_s",
+      "s",
+      ParameterKind::shape,
+      1800.0,
+      10.0,
+      200000.0,
+      {60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0},
+      "how slowly the warmed body follows"},
+     {"exponent", "1", ParameterKind::shape, 5.0 / 3.0, 0.5, 3.0, {1.0, 5.0 / 3.0, 2.0}, "of the speed", true}},
+    evaluated_by<3>(SpeedHeating{}),
+};
+
+}  // namespace ballbar::catalogue

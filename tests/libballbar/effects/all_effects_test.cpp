@@ -1,0 +1,134 @@
+// What holds for every effect of the catalogue.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "ballbar/effect.hpp"
+#include "example_rows.hpp"
+
+namespace ballbar {
+namespace {
+
+// A parameter vector away from special values: gains 1.3, 1.8 ..., shapes inside their grid.
+std::vector<double> generic_parameters(const Effect& effect) {
+  std::vector<double> p;
+  for (const Parameter& parameter : effect.parameters) {
+    if (parameter.kind == ParameterKind::gain) {
+      p.push_back(1.3 + 0.5 * static_cast<double>(p.size()));
+    } else if (parameter.held) {
+      p.push_back(parameter.start);
+    } else {
+      p.push_back(parameter.start * 1.07 + 1e-3);
+    }
+  }
+  return p;
+}
+
+class all_effects : public testing::TestWithParam<const Effect*> {};
+
+TEST_P(all_effects, are_explained) {
+  const Effect& effect = *GetParam();
+  const Explanation& page = effect.explanation;
+  for (const std::string* text : {&page.summary, &page.cause, &page.formula, &page.signature, &page.separated_by,
+                                  &page.remedy, &page.validity, &page.source}) {
+    EXPECT_GT(text->size(), 5U) << effect.name;
+  }
+  for (const std::string& other : page.confused_with) {
+    EXPECT_NE(other, effect.name);
+    EXPECT_NE(find_effect(other, effect.level), nullptr) << effect.name << " is confused with unknown " << other;
+  }
+  EXPECT_FALSE(page.confused_with.empty()) << effect.name;
+}
+
+TEST_P(all_effects, name_parameters_with_their_units) {
+  const Effect& effect = *GetParam();
+  std::set<std::string> names;
+  for (const Parameter& parameter : effect.parameters) {
+    EXPECT_TRUE(names.insert(parameter.name).second) << parameter.name;
+    EXPECT_FALSE(parameter.unit.empty());
+    EXPECT_FALSE(parameter.meaning.empty());
+    EXPECT_LE(parameter.lower, parameter.start) << parameter.name;
+    EXPECT_LE(parameter.start, parameter.upper) << parameter.name;
+    EXPECT_LT(parameter.lower, parameter.upper) << parameter.name;
+    if (parameter.kind == ParameterKind::gain) {
+      EXPECT_EQ(parameter.start, 0.0) << parameter.name;
+    }
+    for (std::size_t i = 0; i < parameter.grid.size(); ++i) {
+      EXPECT_GE(parameter.grid[i], parameter.lower);
+      EXPECT_LE(parameter.grid[i], parameter.upper);
+      if (i > 0) {
+        EXPECT_GT(parameter.grid[i], parameter.grid[i - 1]);
+      }
+    }
+  }
+}
+
+TEST_P(all_effects, are_off_at_their_start) {
+  const Effect& effect = *GetParam();
+  if (effect.name == "circle") GTEST_SKIP() << "the base model is never off";
+  const ExampleRows example(effect);
+  std::vector<double> p;
+  for (const Parameter& parameter : effect.parameters) p.push_back(parameter.start);
+  std::vector<double> values(example.size());
+  effect.evaluate(example.rows, p.data(), values.data(), nullptr);
+  for (const double value : values) EXPECT_EQ(value, 0.0);
+}
+
+TEST_P(all_effects, do_something) {
+  const Effect& effect = *GetParam();
+  const ExampleRows example(effect);
+  const std::vector<double> p = generic_parameters(effect);
+  std::vector<double> values(example.size());
+  effect.evaluate(example.rows, p.data(), values.data(), nullptr);
+  double largest = 0.0;
+  for (const double value : values) {
+    ASSERT_TRUE(std::isfinite(value));
+    largest = std::max(largest, std::abs(value));
+  }
+  EXPECT_GT(largest, 1e-6);
+}
+
+TEST_P(all_effects, have_derivatives_like_central_differences) {
+  const Effect& effect = *GetParam();
+  const ExampleRows example(effect);
+  const std::vector<double> p = generic_parameters(effect);
+  const std::size_t n = example.size(), k = p.size();
+  std::vector<double> values(n), again(n), derivatives(n * k);
+  effect.evaluate(example.rows, p.data(), values.data(), derivatives.data());
+  effect.evaluate(example.rows, p.data(), again.data(), nullptr);
+  EXPECT_EQ(values, again);
+  for (std::size_t j = 0; j < k; ++j) {
+    const double step = 1e-5 * std::max(std::abs(p[j]), 1e-2);
+    std::vector<double> low(n), high(n), moved = p;
+    moved[j] = p[j] - step;
+    effect.evaluate(example.rows, moved.data(), low.data(), nullptr);
+    moved[j] = p[j] + step;
+    effect.evaluate(example.rows, moved.data(), high.data(), nullptr);
+    double scale = 0.0, sum = 0.0;
+    std::size_t kinks = 0;
+    for (std::size_t i = 0; i < n; ++i) scale = std::max(scale, std::abs(derivatives[i * k + j]));
+    for (std::size_t i = 0; i < n; ++i) {
+      const double difference = (high[i] - low[i]) / (2.0 * step) - derivatives[i * k + j];
+      // A threshold, an onset or a reversal may lie within the step of a row.
+      if (std::abs(difference) > 1e-5 * (scale + 1e-9) + 1e-7) ++kinks;
+      sum += difference;
+    }
+    EXPECT_LE(kinks, n / 50) << effect.name << " " << effect.parameters[j].name << " differs by " << sum;
+  }
+}
+
+std::string label(const testing::TestParamInfo<const Effect*>& info) {
+  return info.param->name + (info.param->level == Level::series ? "_on_a_series" : "_on_a_recording");
+}
+
+INSTANTIATE_TEST_SUITE_P(catalogue, all_effects, testing::ValuesIn(effects().begin(), effects().end()), label);
+
+TEST(catalogue, has_no_name_twice_on_a_level) {
+  std::set<std::pair<std::string, Level>> names;
+  for (const Effect* effect : effects())
+    EXPECT_TRUE(names.insert({effect->name, effect->level}).second) << effect->name;
+}
+
+}  // namespace
+}  // namespace ballbar
