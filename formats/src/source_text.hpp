@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
-#include <string>
 #include <string_view>
+
+#include "ballbar/nearest_name.hpp"  // in_quotes too
 
 namespace ballbar {
 
@@ -18,11 +18,5 @@ SourceText source_text(std::string_view bytes, std::string_view name);
 
 // Throws Error "name:line:column: sentence". Columns count characters, not bytes.
 [[noreturn]] void fail_at(const SourceText& text, std::size_t offset, std::string_view sentence);
-
-// What was found, in quotes, shortened, unprintable bytes as \xNN: for messages.
-std::string in_quotes(std::string_view found);
-
-// The known name with the fewest changed, missing or extra letters. `known` is not empty.
-std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known);
 
 }  // namespace ballbar

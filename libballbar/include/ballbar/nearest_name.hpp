@@ -1,0 +1,20 @@
+// What a sentence says of a name that is not known.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace ballbar {
+
+// The known name with the fewest changed, missing or extra letters. `known` is not empty.
+std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known);
+
+// What was found, in quotes, shortened, unprintable bytes as \xNN: for messages.
+std::string in_quotes(std::string_view found);
+
+// Length of the UTF-8 sequence at the start of `bytes`, 0 if it is not one (overlong, surrogate, past U+10FFFF, cut
+// off).
+std::size_t utf8_length(std::string_view bytes);
+
+}  // namespace ballbar

@@ -1,0 +1,183 @@
+#include "ballbar/model.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "ballbar/error.hpp"
+#include "ballbar/nearest_name.hpp"
+
+namespace ballbar {
+namespace {
+
+std::string_view level_name(Level level) { return level == Level::series ? "a drift series" : "a recording"; }
+
+Level other_than(Level level) { return level == Level::series ? Level::recording : Level::series; }
+
+// "a, b, c"; a log of a machine can have hundreds.
+std::string listed(const std::vector<std::string_view>& names) {
+  constexpr std::size_t kMostListed = 30;
+  if (names.size() > kMostListed) return fmt::format("{} names", names.size());
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// Whether the name of a column ends in one of the units; "1" is a column without a unit, no units are any.
+bool takes(const std::vector<std::string>& units, std::string_view column) {
+  return units.empty() || std::any_of(units.begin(), units.end(), [&](const std::string& unit) {
+           return unit == "1" ? unit_of(column).empty() : column.ends_with("_" + unit);
+         });
+}
+
+std::string found_unit(std::string_view column) {
+  const std::string_view unit = unit_of(column);
+  return unit.empty() ? "has no such unit" : fmt::format("is in {}", unit);
+}
+
+[[noreturn]] void fail(std::string_view where, std::string_view sentence) {
+  throw Error(fmt::format("{}: {}", where, sentence));
+}
+
+void expect_column(const Series& data, std::string_view column, std::string_view where, std::string_view purpose) {
+  if (find_column(data, column) != nullptr) return;
+  std::vector<std::string_view> known;
+  for (const Column& candidate : data.columns) known.push_back(candidate.name);
+  if (known.empty()) {
+    fail(where,
+         fmt::format("expected the column {} in the data for {}, found no columns.", in_quotes(column), purpose));
+  }
+  fail(where, fmt::format("expected a column of the data for {}, one of {}, found {}; the nearest is {}.", purpose,
+                          listed(known), in_quotes(column), nearest_name(column, known)));
+}
+
+void expect_targets(const Model& model, const Series& data) {
+  if (model.targets.empty()) fail("target", "expected at least one column to explain, found none.");
+  for (auto target = model.targets.begin(); target != model.targets.end(); ++target) {
+    if (std::find(model.targets.begin(), target, *target) != target) {
+      fail("target", fmt::format("expected each column once, found {} again.", in_quotes(*target)));
+    }
+    expect_column(data, *target, "target", "the target");
+  }
+}
+
+void expect_inputs(const Model& model, const Term& term, const Series& data) {
+  const std::string where = label_of(term);
+  const std::vector<Input>& inputs = term.effect->inputs;
+  if (term.columns.size() != inputs.size()) {
+    std::vector<std::string_view> roles;
+    for (const Input& input : inputs) roles.push_back(input.role);
+    fail(where, fmt::format("expected {} column{}{}{}, found {}.",
+                            inputs.empty() ? "no" : std::to_string(inputs.size()), inputs.size() == 1 ? "" : "s",
+                            inputs.empty() ? "" : ", for ", fmt::join(roles, " and "), term.columns.size()));
+  }
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const std::string& column = term.columns[i];
+    expect_column(data, column, where, inputs[i].role);
+    if (!takes(inputs[i].units, column)) {
+      fail(where, fmt::format("expected a column in {} for {}, found {}, which {}.", fmt::join(inputs[i].units, " or "),
+                              inputs[i].role, in_quotes(column), found_unit(column)));
+    }
+    if (std::find(model.targets.begin(), model.targets.end(), column) != model.targets.end()) {
+      fail(where,
+           fmt::format("expected a column other than the target for {}, found {}, which the model is to explain.",
+                       inputs[i].role, in_quotes(column)));
+    }
+  }
+}
+
+void expect_settings(const Term& term) {
+  const std::string where = label_of(term);
+  assert(term.settings.size() == term.effect->parameters.size());
+  for (std::size_t k = 0; k < term.settings.size(); ++k) {
+    const Setting& setting = term.settings[k];
+    const std::string& name = term.effect->parameters[k].name;
+    if (!std::isfinite(setting.start)) {
+      fail(where, fmt::format("expected a finite number for {}, found {}.", name, setting.start));
+    }
+    if (!(setting.lower < setting.upper)) {
+      fail(where, fmt::format("expected lower below upper for {}, found lower {} and upper {}.", name, setting.lower,
+                              setting.upper));
+    }
+    if (setting.start < setting.lower || setting.start > setting.upper) {
+      fail(where, fmt::format("expected {} from {} to {} for {}, found {}.", setting.held ? "a value" : "a start",
+                              setting.lower, setting.upper, name, setting.start));
+    }
+  }
+}
+
+bool has_free(const Model& model) {
+  if (model.level == Level::series && !model.constant_um) return true;
+  return std::any_of(model.terms.begin(), model.terms.end(), [](const Term& term) {
+    return std::any_of(term.settings.begin(), term.settings.end(),
+                       [](const Setting& setting) { return !setting.held; });
+  });
+}
+
+bool same_term(const Term& left, const Term& right) {
+  return left.effect->name == right.effect->name && left.columns == right.columns && label_of(left) == label_of(right);
+}
+
+}  // namespace
+
+Term term_of(std::string_view effect_name, std::vector<std::string> columns, Level level) {
+  if (effect_name == "expression") {
+    throw Error("expression: expected an effect of the catalogue, found one that needs a formula.");
+  }
+  const Effect* effect = find_effect(effect_name, level);
+  if (effect == nullptr) {
+    std::vector<std::string_view> known;
+    for (const Effect* candidate : effects()) {
+      if (candidate->level == level) known.push_back(candidate->name);
+    }
+    const std::string expected = fmt::format("expected an effect on {}, one of {}, found {}", level_name(level),
+                                             listed(known), in_quotes(effect_name));
+    if (find_effect(effect_name, other_than(level)) != nullptr) {
+      throw Error(fmt::format("{}, which is one on {}.", expected, level_name(other_than(level))));
+    }
+    if (known.empty()) {
+      throw Error(fmt::format("expected an effect on {}, of which there are none, found {}.", level_name(level),
+                              in_quotes(effect_name)));
+    }
+    throw Error(fmt::format("{}; the nearest is {}.", expected, nearest_name(effect_name, known)));
+  }
+  Term term{std::shared_ptr<const Effect>(std::shared_ptr<const Effect>{}, effect), std::move(columns), {}};
+  for (const Parameter& parameter : effect->parameters) {
+    term.settings.push_back({parameter.held, parameter.start, parameter.lower, parameter.upper, false});
+  }
+  return term;
+}
+
+std::string label_of(const Term& term) {
+  const Effect& effect = *term.effect;
+  if (effect.name == "expression") return fmt::format("expression({})", effect.explanation.formula);
+  if (term.columns.empty() || effect.level == Level::recording) return effect.name;
+  return fmt::format("{}({})", effect.name, fmt::join(term.columns, ", "));
+}
+
+void expect_suits(const Model& model, const Series& data) {
+  expect_targets(model, data);
+  for (std::size_t i = 0; i < model.terms.size(); ++i) {
+    const Term& term = model.terms[i];
+    if (term.effect->level != model.level) {
+      fail(label_of(term), fmt::format("expected effects on {}, found one on {}.", level_name(model.level),
+                                       level_name(term.effect->level)));
+    }
+    expect_inputs(model, term, data);
+    expect_settings(term);
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!same_term(model.terms[j], term)) continue;
+      fail(label_of(term),
+           fmt::format("expected each effect on the same columns once, found it as effects {} and {}.", j + 1, i + 1));
+    }
+  }
+  if (model.constant_um && !std::isfinite(*model.constant_um)) {
+    fail("constant_um", fmt::format("expected a finite number, found {}.", *model.constant_um));
+  }
+  if (!has_free(model)) {
+    fail("model", "expected at least one free parameter, found none: every parameter is held.");
+  }
+}
+
+}  // namespace ballbar

@@ -1,0 +1,65 @@
+#include "ballbar/nearest_name.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace ballbar {
+
+std::size_t utf8_length(std::string_view bytes) {
+  const auto at = [&](std::size_t i) { return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u; };
+  const auto continues = [&](std::size_t i) { return (at(i) & 0xC0u) == 0x80u; };
+  const unsigned lead = at(0);
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead <= 0xDF) return continues(1) ? 2 : 0;
+  if (lead >= 0xE0 && lead <= 0xEF) {
+    const bool fits = (lead != 0xE0 || at(1) >= 0xA0) && (lead != 0xED || at(1) <= 0x9F);
+    return fits && continues(1) && continues(2) ? 3 : 0;
+  }
+  if (lead >= 0xF0 && lead <= 0xF4) {
+    const bool fits = (lead != 0xF0 || at(1) >= 0x90) && (lead != 0xF4 || at(1) <= 0x8F);
+    return fits && continues(1) && continues(2) && continues(3) ? 4 : 0;
+  }
+  return 0;
+}
+
+std::string in_quotes(std::string_view found) {
+  constexpr std::size_t kLongest = 40;
+  std::string result = "\"";
+  std::size_t i = 0;
+  while (i < found.size() && i < kLongest) {
+    const std::size_t length = utf8_length(found.substr(i, 4));
+    const auto byte = static_cast<unsigned char>(found[i]);
+    if (length == 0 || byte < 0x20 || byte == 0x7F) {
+      result += fmt::format("\\x{:02X}", byte);
+      ++i;
+    } else {
+      result += found.substr(i, length);
+      i += length;
+    }
+  }
+  return result + (i < found.size() ? "...\"" : "\"");
+}
+
+std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known) {
+  name = name.substr(0, 100);                          // what is longer is near to nothing
+  const auto distance = [&](std::string_view other) {  // Levenshtein, one row
+    std::vector<std::size_t> row(other.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      std::size_t diagonal = row[0]++;
+      for (std::size_t j = 0; j < other.size(); ++j) {
+        const std::size_t replaced = diagonal + (name[i] == other[j] ? 0 : 1);
+        diagonal = row[j + 1];
+        row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+      }
+    }
+    return row.back();
+  };
+  return *std::min_element(known.begin(), known.end(),
+                           [&](auto left, auto right) { return distance(left) < distance(right); });
+}
+
+}  // namespace ballbar
