@@ -2,7 +2,7 @@
 //
 //   x_1 = x_0 + a (u_0 - x_0) + (u_1 - u_0) (1 - a tau / dt),     a = 1 - exp(-dt / tau)
 //
-// Steps may be uneven. tau = 0 gives u itself.
+// Steps may be uneven. tau = 0 gives u itself, with the derivative from the right: -(u_1 - u_0) / dt.
 #pragma once
 
 #include <ceres/jet.h>
@@ -22,7 +22,7 @@ struct LowPassStep {
 template <class T>
 LowPassStep<T> low_pass_step(double dt_s, const T& tau_s) {
   using std::expm1;
-  if (!(tau_s > T(1e-9 * dt_s))) return {T(1.0), T(1.0)};
+  if (!(tau_s > T(1e-9 * dt_s))) return {T(1.0), T(1.0) - tau_s / T(dt_s)};
   const T towards = -expm1(T(-dt_s) / tau_s);
   return {towards, T(1.0) - towards * tau_s / T(dt_s)};
 }
