@@ -1,0 +1,225 @@
+// `ballbar check DATA --model M`: the model fitted, and where it fails.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/residual.hpp"
+#include "ballbar/units.hpp"
+#include "commands.hpp"
+#include "model_options.hpp"
+#include "text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+constexpr std::size_t kGroupsShown = 8;
+
+struct Options {
+  ModelOptions model;
+  bool json = false;
+};
+
+struct Checked {
+  Fit fit;
+  std::vector<Misfit> where;
+  Whiteness whiteness;
+};
+
+// The parameter that varies with it most, where that matters.
+std::string strongest_correlation(const Fit& fit, std::size_t k) {
+  const auto row = static_cast<Eigen::Index>(k);
+  double largest = 0.0;
+  std::size_t with = k;
+  for (std::size_t j = 0; j < fit.parameters.size(); ++j) {
+    const auto column = static_cast<Eigen::Index>(j);
+    const double scale = std::sqrt(fit.covariance(row, row) * fit.covariance(column, column));
+    if (j == k || !(scale > 0.0)) continue;
+    const double correlation = fit.covariance(row, column) / scale;
+    if (std::abs(correlation) > std::abs(largest)) {
+      largest = correlation;
+      with = j;
+    }
+  }
+  if (std::abs(largest) < 0.5) return "-";
+  return fmt::format("{:.2f} {}", largest,
+                     fit.parameters[with].name == "constant_um" ? "constant" : fit.parameters[with].name);
+}
+
+Table parameter_table(const Fit& fit) {
+  Table table({"effect", "parameter", "value", "unit", "correlated most with"});
+  for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
+    const FittedParameter& parameter = fit.parameters[k];
+    if (k == 0 && parameter.state == ParameterState::held && parameter.value == 0.0) continue;  // recordings have none
+    table.add({parameter.effect, parameter.name, value_text(parameter), parameter.unit, strongest_correlation(fit, k)});
+  }
+  return table;
+}
+
+// Regimes and quadrants whole, then the groups that hold more of the misfit than their share of the rows.
+std::vector<Misfit> worth_showing(const Checked& checked) {
+  std::vector<Misfit> shown, rest;
+  for (const Misfit& misfit : checked.where) {
+    (misfit.what == "regime" || misfit.what == "quadrant" ? shown : rest).push_back(misfit);
+  }
+  const auto n = static_cast<double>(checked.fit.residual_um.size());
+  const auto excess = [&](const Misfit& misfit) { return misfit.share / (static_cast<double>(misfit.n) / n); };
+  std::stable_sort(rest.begin(), rest.end(),
+                   [&](const Misfit& left, const Misfit& right) { return excess(left) > excess(right); });
+  rest.resize(std::min(rest.size(), kGroupsShown));
+  shown.insert(shown.end(), rest.begin(), rest.end());
+  return shown;
+}
+
+Table misfit_table(const Checked& checked) {
+  Table table({"where", "from", "to", "rows", "bias um", "RMSE um", "% of misfit"});
+  for (const Misfit& misfit : worth_showing(checked)) {
+    table.add({misfit.what, misfit.from, misfit.to, fmt::format("{}", misfit.n),
+               with_sigma(misfit.bias_um, misfit.bias_sigma_um, 2), fmt::format("{:.3f}", misfit.rmse_um),
+               fmt::format("{:.0f}", 100.0 * misfit.share)});
+  }
+  return table;
+}
+
+std::string noise_text(const Noise& noise) {
+  if (!(noise.correlated_um > 0.0)) return fmt::format("Noise of the residual: white, {:.3f} um.", noise.white_um);
+  return fmt::format("Noise of the residual: {:.3f} um white, {:.3f} um with a memory of {:.1f} min.", noise.white_um,
+                     noise.correlated_um, min_from_s(noise.correlation_time_s));
+}
+
+void print_text(const Checked& checked, const std::string& title) {
+  const Fit& fit = checked.fit;
+  fmt::print("{}\n{}, {} values over {:g} min\n\n", title, fit.target, fit.residual_um.size(),
+             min_from_s(fit.time_s.back() - fit.time_s.front()));
+  for (const std::string& sentence : sentences(fit, checked.where, checked.whiteness))
+    fmt::print("{}", wrapped(sentence));
+  fmt::print("\n{}\n", parameter_table(fit).text());
+  fmt::print(
+      "RMSE {:.3f} um, {:.2f} times the floor of {:.3f} um ({}); {} values, as good as {:.1f} independent ones\n\n",
+      fit.rmse_um, fit.rmse_um / fit.floor.rms_um, fit.floor.rms_um, fit.floor.source, fit.residual_um.size(),
+      fit.n_effective);
+  fmt::print("{}\n", misfit_table(checked).text());
+  std::vector<std::string> lags;
+  for (std::size_t k = 0; k < std::min<std::size_t>(5, checked.whiteness.autocorrelation.size()); ++k) {
+    lags.push_back(fmt::format("{:.2f}", checked.whiteness.autocorrelation[k]));
+  }
+  fmt::print("{}",
+             wrapped(fmt::format("{} Autocorrelation of the residual at lags 1 to {}: {}. Cumulated periodogram of "
+                                 "the whitened residual: distance {:.3f}, p = {:.3g}.",
+                                 noise_text(fit.noise), lags.size(), fmt::join(lags, ", "),
+                                 checked.whiteness.periodogram_distance, checked.whiteness.p)));
+  if (fit.discounted > 0) fmt::print("{} values were discounted.\n", fit.discounted);
+  for (const std::string& remark : fit.remarks) fmt::print("{}", wrapped(remark));
+}
+
+const char* state_name(ParameterState state) {
+  switch (state) {
+    case ParameterState::free:
+      return "free";
+    case ParameterState::held:
+      return "held";
+    case ParameterState::on_lower_bound:
+      return "on lower bound";
+    case ParameterState::on_upper_bound:
+      return "on upper bound";
+    case ParameterState::undetermined:
+      return "undetermined";
+  }
+  return "free";
+}
+
+nlohmann::ordered_json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return value;
+}
+
+nlohmann::ordered_json json_of(const Checked& checked) {
+  const Fit& fit = checked.fit;
+  nlohmann::ordered_json json;
+  json["target"] = fit.target;
+  json["rmse_um"] = number(fit.rmse_um);
+  json["floor_um"] = number(fit.floor.rms_um);
+  json["floor_source"] = fit.floor.source;
+  json["n"] = fit.residual_um.size();
+  json["n_effective"] = number(fit.n_effective);
+  json["adequate"] = is_adequate(fit, checked.whiteness);
+  json["where"] = nlohmann::ordered_json::array();
+  for (const Misfit& misfit : checked.where) {
+    json["where"].push_back({{"what", misfit.what},
+                             {"from", misfit.from},
+                             {"to", misfit.to},
+                             {"n", misfit.n},
+                             {"bias_um", number(misfit.bias_um)},
+                             {"bias_sigma_um", number(misfit.bias_sigma_um)},
+                             {"rmse_um", number(misfit.rmse_um)},
+                             {"share", number(misfit.share)}});
+  }
+  json["parameters"] = nlohmann::ordered_json::array();
+  for (const FittedParameter& parameter : fit.parameters) {
+    json["parameters"].push_back({{"effect", parameter.effect},
+                                  {"name", parameter.name},
+                                  {"value", number(parameter.value)},
+                                  {"sigma", number(parameter.sigma)},
+                                  {"unit", parameter.unit},
+                                  {"state", state_name(parameter.state)}});
+  }
+  json["correlation"] = nlohmann::ordered_json::array();
+  for (Eigen::Index i = 0; i < fit.covariance.rows(); ++i) {
+    nlohmann::ordered_json row = nlohmann::ordered_json::array();
+    for (Eigen::Index j = 0; j < fit.covariance.cols(); ++j) {
+      row.push_back(number(fit.covariance(i, j) / std::sqrt(fit.covariance(i, i) * fit.covariance(j, j))));
+    }
+    json["correlation"].push_back(std::move(row));
+  }
+  json["noise"] = {{"white_um", number(fit.noise.white_um)},
+                   {"correlated_um", number(fit.noise.correlated_um)},
+                   {"correlation_time_s", number(fit.noise.correlation_time_s)}};
+  json["whiteness"] = {{"autocorrelation", checked.whiteness.autocorrelation},
+                       {"periodogram_distance", number(checked.whiteness.periodogram_distance)},
+                       {"p", number(checked.whiteness.p)}};
+  json["sentences"] = sentences(fit, checked.where, checked.whiteness);
+  json["converged"] = fit.converged;
+  json["remarks"] = fit.remarks;
+  return json;
+}
+
+void run(const Options& options) {
+  const ModelData data = open_data(options.model);
+  const Model model = open_model(options.model, data);
+  nlohmann::ordered_json targets = nlohmann::ordered_json::array();
+  for (std::size_t target = 0; target < model.targets.size(); ++target) {
+    Checked checked;
+    checked.fit = fit(model, data.series, target, fit_options(options.model));
+    checked.where = where_it_fails(checked.fit, data.series);
+    checked.whiteness = whiteness(checked.fit);
+    if (options.json) {
+      targets.push_back(json_of(checked));
+    } else {
+      if (target > 0) fmt::print("\n");
+      print_text(checked, data.title);
+    }
+  }
+  if (options.json) {
+    const nlohmann::ordered_json several{{"targets", targets}};
+    fmt::print("{}\n", (targets.size() == 1 ? targets.front() : several).dump(2));
+  }
+}
+
+}  // namespace
+
+void add_check(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("check", "Fit a model, and show where it fails");
+  add_model_options(*command, options->model, false);
+  command->add_flag("--json", options->json, "the result for a program");
+  command->footer(
+      "Example:\n"
+      "  ballbar check sample-runs/spindle-46h/measured.csv --model sample-runs/spindle-46h/speed.toml");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

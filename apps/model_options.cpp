@@ -1,0 +1,94 @@
+#include "model_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <map>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/bytes.hpp"
+#include "ballbar/formats/model_toml.hpp"
+#include "ballbar/trace.hpp"
+
+namespace ballbar {
+namespace {
+
+// One circle a recording: what a trace is without any effect.
+Model circles_of(const ModelData& data) {
+  Model model;
+  model.level = Level::recording;
+  model.targets = data.targets;
+  const std::vector<double>& recording = find_column(data.series, "recording")->values;
+  const auto count = static_cast<std::size_t>(recording.back()) + 1;
+  for (std::size_t index = 0; index < count; ++index) model.terms.push_back(circle_of(index));
+  return model;
+}
+
+}  // namespace
+
+void add_model_options(CLI::App& command, ModelOptions& options, bool model_required) {
+  command.add_option("DATA", options.data, "series .csv, session, or recordings (.b5r, logs)")->required();
+  CLI::Option* model =
+      command.add_option("--model", options.model, "model.toml: the effects to fit")->type_name("FILE");
+  if (model_required) model->required();
+  command.add_option("--target", options.target, "column to explain instead of the model's own; may be repeated")
+      ->type_name("COLUMN");
+  command.add_option("--max-gap", options.max_gap_s, "longest gap of a signal to interpolate over; default 10min")
+      ->type_name("TIME")
+      ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
+                                        CLI::AsNumberWithUnit::CASE_SENSITIVE));
+  command.add_flag("--robust", options.robust, "discount outlying values (Tukey's biweight)");
+  command.add_flag("--white", options.white, "ordinary least squares: no memory in the noise");
+}
+
+ModelData open_data(const ModelOptions& options) {
+  return open_model_data({options.data.begin(), options.data.end()}, {}, options.max_gap_s.value_or(kUsualGap_s));
+}
+
+Model open_model(const ModelOptions& options, const ModelData& data) {
+  Model model;
+  if (options.model.empty()) {
+    if (data.level == Level::recording) {
+      model = circles_of(data);
+    } else {
+      model.targets = data.targets;
+    }
+  } else {
+    model = read_model(read_bytes(options.model, kLargestText), options.model);
+    if (model.level != data.level) {
+      throw Error(fmt::format("{}: expected a model of {}, found one of {}.", options.model,
+                              data.level == Level::recording ? "recordings (level = \"recording\")" : "a drift series",
+                              model.level == Level::recording ? "recordings" : "a drift series"));
+    }
+    if (model.level == Level::recording) {
+      const Model base = circles_of(data);
+      const bool has_circle = std::any_of(model.terms.begin(), model.terms.end(),
+                                          [](const Term& term) { return term.effect->name == "circle"; });
+      if (!has_circle) model.terms.insert(model.terms.begin(), base.terms.begin(), base.terms.end());
+    }
+  }
+  if (!options.target.empty()) model.targets = options.target;
+  if (model.targets.empty())
+    throw Error(fmt::format("{}: expected a measured column to explain, found none.", data.title));
+  return model;
+}
+
+FitOptions fit_options(const ModelOptions& options) {
+  FitOptions how;
+  how.robust = options.robust;
+  how.white = options.white;
+  return how;
+}
+
+std::string value_text(const FittedParameter& parameter) {
+  if (parameter.state == ParameterState::held) return fmt::format("{:g} held", parameter.value);
+  if (parameter.state == ParameterState::undetermined) return "not determined";
+  if (!std::isfinite(parameter.sigma)) return fmt::format("{:.4g} on its bound", parameter.value);
+  // Two digits of sigma.
+  const int decimals =
+      parameter.sigma > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(parameter.sigma))), 0, 9) : 4;
+  return fmt::format("{:.{}f} ± {:.{}f}", parameter.value, decimals, parameter.sigma, decimals);
+}
+
+}  // namespace ballbar

@@ -1,0 +1,42 @@
+// What the commands about models share: DATA, the model file, and how they are read.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballbar/fit.hpp"
+#include "ballbar/formats/data_file.hpp"
+#include "ballbar/model.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace ballbar {
+
+struct ModelOptions {
+  std::vector<std::string> data;
+  std::string model;                // file
+  std::vector<std::string> target;  // instead of the model's own
+  std::optional<double> max_gap_s;
+  bool robust = false;
+  bool white = false;
+};
+
+void add_model_options(CLI::App& command, ModelOptions& options, bool model_required);
+
+constexpr double kUsualGap_s = 600.0;
+
+ModelData open_data(const ModelOptions& options);
+
+// The model of the file, its targets replaced where the command line says so; without a file a constant (or, on
+// recordings, a circle each). Throws Error: a model of drift for recordings or the other way round.
+Model open_model(const ModelOptions& options, const ModelData& data);
+
+FitOptions fit_options(const ModelOptions& options);
+
+// "12.3 ± 0.4", "held", "not determined" with as many digits as sigma deserves.
+std::string value_text(const FittedParameter& parameter);
+
+}  // namespace ballbar

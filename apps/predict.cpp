@@ -1,0 +1,156 @@
+// `ballbar predict DATA --model M`: the model's series, with each effect's contribution.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/formats/bytes.hpp"
+#include "ballbar/formats/series_csv.hpp"
+#include "ballbar/units.hpp"
+#include "commands.hpp"
+#include "model_options.hpp"
+#include "out_files.hpp"
+#include "text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+struct Options {
+  ModelOptions model;
+  std::vector<std::string> on;
+  std::vector<std::string> out;
+  bool json = false;
+};
+
+bool has_free(const Model& model) {
+  if (!model.constant_um && model.level == Level::series) return true;
+  return std::any_of(model.terms.begin(), model.terms.end(), [](const Term& term) {
+    return std::any_of(term.settings.begin(), term.settings.end(),
+                       [](const Setting& setting) { return !setting.held; });
+  });
+}
+
+std::vector<FittedParameter> held_parameters(const Model& model) {
+  std::vector<FittedParameter> parameters(1);
+  parameters[0].value = model.constant_um.value_or(0.0);
+  for (const Term& term : model.terms) {
+    for (const Setting& setting : term.settings) {
+      FittedParameter parameter;
+      parameter.value = setting.start;
+      parameters.push_back(parameter);
+    }
+  }
+  return parameters;
+}
+
+// "z_um" -> "z"
+std::string stem_of(const std::string& column) { return column.substr(0, column.rfind('_')); }
+
+std::vector<Column> columns_of(const Model& model, const std::string& target, const Prediction& prediction,
+                               const Series& data) {
+  const std::string stem = stem_of(target);
+  std::vector<Column> columns;
+  columns.push_back({stem + "_model_um", Role::measured, prediction.predicted_um});
+  if (const Column* measured = find_column(data, target)) {
+    Column residual{stem + "_residual_um", Role::measured, measured->values};
+    for (std::size_t row = 0; row < residual.values.size(); ++row) residual.values[row] -= prediction.predicted_um[row];
+    columns.push_back(*measured);
+    columns.push_back(std::move(residual));
+  }
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    columns.push_back({fmt::format("{}_{}_{}_um", stem, t + 1, model.terms[t].effect->name), Role::measured,
+                       prediction.contribution_um[t]});
+  }
+  return columns;
+}
+
+// Root mean square of what is finite; NaN where nothing is.
+double rms(const std::vector<double>& values) {
+  double squares = 0.0;
+  std::size_t n = 0;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    squares += value * value;
+    ++n;
+  }
+  return n > 0 ? std::sqrt(squares / static_cast<double>(n)) : std::numeric_limits<double>::quiet_NaN();
+}
+
+Table summary(const std::vector<Column>& columns) {
+  Table table({"column", "least um", "largest um", "at the end um", "rms um"});
+  for (const Column& column : columns) {
+    double low = std::numeric_limits<double>::infinity(), high = -low, last = 0.0;
+    for (const double value : column.values) {
+      if (!std::isfinite(value)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+      last = value;
+    }
+    if (low > high) continue;
+    table.add({column.name, fmt::format("{:.3f}", low), fmt::format("{:.3f}", high), fmt::format("{:.3f}", last),
+               fmt::format("{:.3f}", rms(column.values))});
+  }
+  return table;
+}
+
+void run(const Options& options) {
+  const ModelData data = open_data(options.model);
+  const Model model = open_model(options.model, data);
+  ModelOptions elsewhere = options.model;
+  if (!options.on.empty()) elsewhere.data = options.on;
+  const ModelData other = options.on.empty() ? data : open_data(elsewhere);
+  std::vector<std::filesystem::path> inputs = data.files;
+  inputs.insert(inputs.end(), other.files.begin(), other.files.end());
+  inputs.emplace_back(options.model.model);
+  expect_no_input(options.out, inputs);
+  Series series;
+  series.time_s = other.series.time_s;
+  for (std::size_t target = 0; target < model.targets.size(); ++target) {
+    const std::vector<FittedParameter> parameters =
+        has_free(model) ? fit(model, data.series, target, fit_options(options.model)).parameters
+                        : held_parameters(model);
+    const Prediction prediction = predict(model, parameters, other.series);
+    const std::vector<Column> columns = columns_of(model, model.targets[target], prediction, other.series);
+    series.columns.insert(series.columns.end(), columns.begin(), columns.end());
+  }
+  for (const std::string& path : options.out) write_bytes(path, write_series(series));
+  if (options.json) {
+    nlohmann::ordered_json json;
+    json["time_s"] = series.time_s;
+    for (const Column& column : series.columns) {
+      nlohmann::ordered_json values = nlohmann::ordered_json::array();
+      for (const double value : column.values)
+        values.push_back(std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr);
+      json[column.name] = std::move(values);
+    }
+    fmt::print("{}\n", json.dump());
+  } else {
+    fmt::print("{}\n{} of {} rows over {:g} min{}\n\n{}", other.title, options.model.model, series.time_s.size(),
+               min_from_s(series.time_s.back() - series.time_s.front()),
+               options.on.empty() ? "" : fmt::format(", fitted to {}", data.title), summary(series.columns).text());
+  }
+  for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
+}
+
+}  // namespace
+
+void add_predict(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("predict", "The model's series, with what each effect adds");
+  add_model_options(*command, options->model, true);
+  command->add_option("--on", options->on, "other data to predict, with the parameters fitted to DATA")
+      ->type_name("DATA");
+  command->add_option("--out", options->out, "write the series, .csv")->type_name("FILE");
+  command->add_flag("--json", options->json, "the series for a program");
+  command->footer(
+      "Example:\n"
+      "  ballbar predict sample-runs/spindle-46h/measured.csv --model sample-runs/spindle-46h/speed.toml --out "
+      "model.csv");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

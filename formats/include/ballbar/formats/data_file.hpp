@@ -1,0 +1,27 @@
+// DATA of the commands that fit models: a series, a session with its signals, or recordings.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ballbar/drift.hpp"
+#include "ballbar/effect.hpp"
+#include "ballbar/series.hpp"
+
+namespace ballbar {
+
+struct ModelData {
+  Level level = Level::series;
+  Series series;                             // target and inputs on one clock; recordings: trace_of them
+  std::vector<std::string> targets;          // what a model could explain: the measured columns, sigmas left out
+  std::vector<std::filesystem::path> files;  // all that were read
+  std::string title;
+};
+
+// A session: its drift (drift_of with the options) joined with its signals; a series: its gaps closed as `joined` does;
+// one or more recordings (.b5r, logs): their trace. Throws Error for anything else, or a mixture.
+ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,
+                          double max_gap_s);
+
+}  // namespace ballbar

@@ -1,0 +1,77 @@
+#include "ballbar/formats/data_file.hpp"
+
+#include <fmt/format.h>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/bytes.hpp"
+#include "ballbar/formats/drift_data.hpp"
+#include "ballbar/formats/drift_files.hpp"
+#include "ballbar/formats/recording_file.hpp"
+#include "ballbar/joined.hpp"
+#include "ballbar/trace.hpp"
+#include "content.hpp"
+
+namespace ballbar {
+namespace {
+
+bool is_recording(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  const Content content = content_of(read_bytes(path, kLargestTable));
+  return content == Content::xml || content == Content::ballbar_log || content == Content::table;
+}
+
+std::vector<std::string> measured_names(const Series& series) {
+  std::vector<std::string> names;
+  for (const Column& column : series.columns) {
+    if (column.role == Role::measured && column.name.find("_sigma_") == std::string::npos) names.push_back(column.name);
+  }
+  return names;
+}
+
+ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths) {
+  ModelData data;
+  data.level = Level::recording;
+  std::vector<Recording> recordings;
+  for (const std::filesystem::path& path : paths) {
+    if (!is_recording(path)) {
+      throw Error(fmt::format("{}: expected a recording as the other files are, a .b5r or a log, found something else.",
+                              path.string()));
+    }
+    RecordingFile file = open_recording(path);
+    std::move(file.recordings.begin(), file.recordings.end(), std::back_inserter(recordings));
+    data.title += (data.title.empty() ? "" : ", ") + path.string();
+  }
+  data.series = trace_of(recordings);
+  data.targets = {"deviation_um"};
+  data.files = paths;
+  return data;
+}
+
+}  // namespace
+
+ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,
+                          double max_gap_s) {
+  if (is_recording(paths.front())) return data_of_recordings(paths);
+  if (paths.size() > 1) {
+    throw Error(fmt::format("{}: expected one series or session, or recordings alone, found {} files.",
+                            paths.front().string(), paths.size()));
+  }
+  const DriftData source = open_drift_data(paths.front());
+  ModelData data;
+  data.title = paths.front().string();
+  data.files = source.files;
+  std::vector<Series> parts;
+  if (source.series) {
+    parts.push_back(*source.series);
+  } else {
+    if (!source.session->session.title.empty()) data.title = source.session->session.title;
+    parts.push_back(series_of(drift_of(source.session->session, options)));
+    for (const std::filesystem::path& path : source.session->signals) parts.push_back(open_series(path));
+  }
+  data.series = joined(parts, max_gap_s);
+  data.targets = measured_names(data.series);
+  return data;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,53 @@
+// What data could show, told before any residual is looked at.
+//
+// For every effect of the catalogue and every column it could read: its signature g (what a unit gain adds, at each
+// point of its shape grid) is whitened by the noise, W g, and freed of all that the model can already make, the columns
+// of W J. What survives decides:
+//
+//   surviving share   |P W g|^2 / |W g|^2;           below 0.05 the model absorbs the effect
+//   d                 gain |P W g|                    root of the expected fall of chi^2
+//   detectable        range (max - min) in um of an effect with d = 5; identifiable: d = 7.5
+//   coherence         |cos| between the surviving signatures of two effects; above 0.95 at most of the shapes of one,
+//                     whatever shape the other has, they are inseparable here
+//
+// An effect with several gains counts by the space they span: d by its weakest direction, coherence by the smallest
+// canonical correlation.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballbar/fit.hpp"
+#include "ballbar/model.hpp"
+#include "ballbar/series.hpp"
+
+namespace ballbar {
+
+enum class Testability { testable, input_missing, input_constant, absorbed, in_the_model };
+
+struct Prospect {
+  const Effect* effect = nullptr;
+  std::vector<std::string> columns;  // of the best binding; empty where there is none
+  std::size_t bindings = 0;          // how many choices of columns the data offer
+  Testability testability = Testability::testable;
+  std::string why;  // a phrase where it is not testable
+  double surviving_share = 0.0;
+  double detectable_um = 0.0;
+  double identifiable_um = 0.0;
+  std::vector<std::string> inseparable_from;  // names of effects, also of those in the model
+};
+
+struct Preflight {
+  std::string target;
+  std::size_t n = 0;
+  Noise noise;
+  std::string noise_source;         // a phrase: "residual of the model", "scatter of neighbouring values"
+  std::vector<Prospect> prospects;  // in the order of the catalogue
+};
+
+// With a model: its fit's noise and Jacobian. Without: a constant, and the scatter of the target from row to row, which
+// is optimistic. Throws Error as fit does.
+Preflight preflight(const Model& model, const Series& data, std::size_t target = 0);
+
+}  // namespace ballbar

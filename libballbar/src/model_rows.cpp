@@ -1,0 +1,70 @@
+#include "model_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "ballbar/error.hpp"
+
+namespace ballbar {
+namespace {
+
+std::span<const double> input_of(const Series& data, const std::string& name) {
+  const Column* column = find_column(data, name);
+  if (column == nullptr) throw Error(fmt::format("expected the column {} in the data, found none.", name));
+  for (std::size_t row = 0; row < column->values.size(); ++row) {
+    if (std::isfinite(column->values[row])) continue;
+    throw Error(fmt::format("expected a value of {} at every time, found a gap at {:g} s.", name, data.time_s[row]));
+  }
+  return column->values;
+}
+
+}  // namespace
+
+ModelRows::ModelRows(const Model& model, const Series& data, std::vector<std::size_t> rows)
+    : rows_(std::move(rows)), all_rows_(data.time_s.size()) {
+  for (const Term& term : model.terms) {
+    effects_.push_back(term.effect.get());
+    EffectRows inputs;
+    inputs.time_s = data.time_s;
+    for (const std::string& column : term.columns) inputs.inputs.push_back(input_of(data, column));
+    inputs_.push_back(std::move(inputs));
+    offset_.push_back(parameters_);
+    parameters_ += static_cast<Eigen::Index>(term.effect->parameters.size());
+  }
+}
+
+Eigen::VectorXd ModelRows::term(std::size_t term, const double* parameters, Eigen::MatrixXd* derivatives) const {
+  const std::size_t count = effects_[term]->parameters.size();
+  std::vector<double> values(all_rows_);
+  std::vector<double> slopes(derivatives != nullptr ? all_rows_ * count : 0);
+  effects_[term]->evaluate(inputs_[term], parameters, values.data(), slopes.empty() ? nullptr : slopes.data());
+  const auto n = static_cast<Eigen::Index>(rows_.size());
+  Eigen::VectorXd result(n);
+  if (derivatives != nullptr) derivatives->resize(n, static_cast<Eigen::Index>(count));
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::size_t row = rows_[static_cast<std::size_t>(i)];
+    result[i] = values[row];
+    for (std::size_t k = 0; derivatives != nullptr && k < count; ++k) {
+      (*derivatives)(i, static_cast<Eigen::Index>(k)) = slopes[row * count + k];
+    }
+  }
+  return result;
+}
+
+Eigen::VectorXd ModelRows::sum(const Eigen::VectorXd& parameters, Eigen::MatrixXd* derivatives) const {
+  const auto n = static_cast<Eigen::Index>(rows_.size());
+  Eigen::VectorXd total = Eigen::VectorXd::Constant(n, parameters[0]);
+  if (derivatives != nullptr) {
+    derivatives->resize(n, parameters_);
+    derivatives->col(0).setOnes();
+  }
+  Eigen::MatrixXd block;
+  for (std::size_t t = 0; t < effects_.size(); ++t) {
+    total += term(t, parameters.data() + offset_[t], derivatives != nullptr ? &block : nullptr);
+    if (derivatives != nullptr) derivatives->middleCols(offset_[t], block.cols()) = block;
+  }
+  return total;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,42 @@
+// A model bound to the columns of its data: values and derivatives at the rows of interest.
+//
+// Parameters in one vector: the constant first, then term by term as their effects list them.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "ballbar/model.hpp"
+#include "ballbar/series.hpp"
+
+namespace ballbar {
+
+class ModelRows {
+ public:
+  // `rows` of the data, rising: where values are wanted. The effects run over all rows of the data. Throws Error where
+  // an input has a gap.
+  ModelRows(const Model& model, const Series& data, std::vector<std::size_t> rows);
+
+  std::size_t terms() const { return effects_.size(); }
+  std::size_t rows() const { return rows_.size(); }
+  Eigen::Index parameters() const { return parameters_; }
+  Eigen::Index offset(std::size_t term) const { return offset_[term]; }  // of its first parameter
+  const Effect& effect(std::size_t term) const { return *effects_[term]; }
+
+  // Values of one term; its derivatives as columns where `derivatives` is not null, rows by the term's parameters.
+  Eigen::VectorXd term(std::size_t term, const double* parameters, Eigen::MatrixXd* derivatives) const;
+
+  // Sum of all terms and the constant; derivatives by all parameters, those of a null constant too.
+  Eigen::VectorXd sum(const Eigen::VectorXd& parameters, Eigen::MatrixXd* derivatives) const;
+
+ private:
+  std::vector<const Effect*> effects_;
+  std::vector<EffectRows> inputs_;
+  std::vector<Eigen::Index> offset_;
+  std::vector<std::size_t> rows_;
+  std::size_t all_rows_ = 0;
+  Eigen::Index parameters_ = 1;
+};
+
+}  // namespace ballbar
