@@ -12,6 +12,23 @@ constexpr std::array kEffects = {
     &catalogue::kExpansion,
     &catalogue::kLaggedExpansion,
     &catalogue::kSpeedHeating,
+    &catalogue::kCentrifugalShift,
+    &catalogue::kCoolingAsymmetry,
+    &catalogue::kViscosityFeedback,
+    &catalogue::kLoadHeating,
+    &catalogue::kGradientBending,
+    &catalogue::kBearingRings,
+    &catalogue::kBearingClearance,
+    &catalogue::kPreloadLoss,
+    &catalogue::kAxialCrosstalk,
+    &catalogue::kPlayHysteresis,
+    &catalogue::kThermostatCycle,
+    &catalogue::kDayCycle,
+    &catalogue::kSettling,
+    &catalogue::kLinearDrift,
+    &catalogue::kStep,
+    &catalogue::kBarTemperature,
+    &catalogue::kClockOffset,
     // on a recording
 };
 
