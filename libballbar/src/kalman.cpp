@@ -1,0 +1,84 @@
+#include "kalman.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ballbar {
+namespace {
+
+constexpr double kSameStep = 1e-9;  // relative: rounding of times
+
+}  // namespace
+
+Kalman::Kalman(std::span<const double> time_s, std::span<const double> sigma_um) {
+  const auto n = static_cast<Eigen::Index>(time_s.size());
+  step_s_.setConstant(n, std::numeric_limits<double>::infinity());
+  stated_um2_.setZero(n);
+  as_before_.assign(time_s.size(), 0);
+  std::vector<double> steps;
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (!sigma_um.empty()) stated_um2_[row] = sigma_um[i] * sigma_um[i];
+    if (i == 0 || time_s[i] < time_s[i - 1]) continue;
+    double step = time_s[i] - time_s[i - 1];
+    steps.push_back(step);
+    const double before = step_s_[row - 1];
+    if (std::abs(step - before) <= kSameStep * before && std::isfinite(before)) step = before;
+    step_s_[row] = step;
+    as_before_[i] = step == before && stated_um2_[row] == stated_um2_[row - 1];
+  }
+  if (steps.empty()) return;
+  const auto at = [&](std::size_t k) {
+    std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(k), steps.end());
+    return steps[k];
+  };
+  usual_step_s_ = at(steps.size() / 2);
+  shortest_step_s_ = at(steps.size() / 20);
+}
+
+// s ~ (0, p) before row i:  S = p + R,  gain = p / S,  p after = p R / S;  to the next row p = a^2 p + q^2 (1 - a^2).
+void Kalman::set(const NoiseVariances& noise) {
+  const Eigen::Index n = step_s_.size();
+  if (noise.correlated > 0.0) {
+    decay_ = (step_s_ * (-1.0 / noise.time_s)).exp();
+  } else {
+    decay_.setZero(n);
+  }
+  gain_.resize(n);
+  variance_.resize(n);
+  double p = 0.0, last = -1.0;
+  bool converged = false;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const bool as_before = as_before_[static_cast<std::size_t>(i)] != 0;
+    if (as_before && converged) {
+      gain_[i] = gain_[i - 1];
+      variance_[i] = variance_[i - 1];
+      continue;
+    }
+    const double a2 = decay_[i] * decay_[i];
+    const double before = a2 * p + noise.correlated * (1.0 - a2);
+    const double r = std::max(noise.white + stated_um2_[i], kLeastVariance_um2);
+    variance_[i] = before + r;
+    gain_[i] = before / variance_[i];
+    p = gain_[i] * r;
+    converged = as_before && std::abs(before - last) <= 1e-14 * before;
+    last = before;
+  }
+}
+
+Kalman::Sums Kalman::sums(std::span<const double> residual_um) const {
+  const Eigen::Index n = decay_.size();
+  Sums sums;
+  double s = 0.0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    s *= decay_[i];
+    const double innovation = residual_um[static_cast<std::size_t>(i)] - s;
+    s += gain_[i] * innovation;
+    sums.squares += innovation * innovation / variance_[i];
+  }
+  sums.log_variances = variance_.log().sum();
+  return sums;
+}
+
+}  // namespace ballbar

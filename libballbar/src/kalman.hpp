@@ -1,0 +1,46 @@
+// The Kalman filter of noise.hpp for fixed times: what of it does not depend on the readings.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+namespace ballbar {
+
+inline constexpr double kLeastVariance_um2 = 1e-18;
+
+// Variances w^2 and q^2, and theta.
+struct NoiseVariances {
+  double white = 0.0;
+  double correlated = 0.0;
+  double time_s = 0.0;
+};
+
+class Kalman {
+ public:
+  Kalman(std::span<const double> time_s, std::span<const double> sigma_um);
+
+  // Gains for this noise. Where step and sigma repeat, the gain converges and is no longer computed.
+  void set(const NoiseVariances& noise);
+
+  struct Sums {
+    double log_variances = 0.0;  // sum of ln S_i, S_i the variance of innovation i
+    double squares = 0.0;        // sum of v_i^2 / S_i, v_i innovation i
+  };
+  Sums sums(std::span<const double> residual_um) const;
+
+  const Eigen::ArrayXd& decay() const { return decay_; }
+  const Eigen::ArrayXd& gain() const { return gain_; }
+  const Eigen::ArrayXd& variance() const { return variance_; }
+  double usual_step_s() const { return usual_step_s_; }  // the median; 0: fewer than two times
+  double shortest_step_s() const { return shortest_step_s_; }
+
+ private:
+  Eigen::ArrayXd step_s_;        // infinite at the start and where time goes back
+  Eigen::ArrayXd stated_um2_;    // sigma_i^2
+  std::vector<char> as_before_;  // step and sigma are those of the row before
+  double usual_step_s_ = 0.0, shortest_step_s_ = 0.0;
+  Eigen::ArrayXd decay_, gain_, variance_;
+};
+
+}  // namespace ballbar

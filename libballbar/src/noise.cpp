@@ -1,0 +1,224 @@
+#include "ballbar/noise.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "ballbar/units.hpp"
+#include "kalman.hpp"
+#include "nelder_mead.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kFewest = 8;
+constexpr double kWorthIt = 2.0;  // gain of ln L by two parameters
+const double kLogTwoPi = std::log(2.0 * kPi);
+
+NoiseVariances variances_of(const Noise& noise) {
+  return {noise.white_um * noise.white_um, noise.correlated_um * noise.correlated_um, noise.correlation_time_s};
+}
+
+double log_likelihood(const Kalman::Sums& sums, std::size_t n) {
+  return -0.5 * (static_cast<double>(n) * kLogTwoPi + sums.log_variances + sums.squares);
+}
+
+// Noise in unknowns that any number suits and that the likelihood depends on evenly:
+//   x = ln theta,  y = ln w^2 / (q^2 (1 - a^2)), a the decay in a usual step: white against what is new of s in a step,
+//   z = ln (w^2 + q^2)
+struct Likelihood {
+  Kalman kalman;
+  std::span<const double> residual_um;
+  bool stated = false;
+  double shortest_s = 0.0, longest_s = 0.0;  // bounds of theta
+  double mean_square = 0.0;
+
+  Likelihood(std::span<const double> time_s, std::span<const double> residual, std::span<const double> sigma_um)
+      : kalman(time_s, sigma_um), residual_um(residual), stated(!sigma_um.empty()) {
+    if (time_s.empty()) return;
+    const auto [first, last] = std::minmax_element(time_s.begin(), time_s.end());
+    longest_s = *last - *first;
+    shortest_s = std::max(kalman.shortest_step_s() / 3.0, 1e-6 * longest_s);
+    for (const double value : residual) mean_square += value * value / static_cast<double>(residual.size());
+    mean_square = std::max(mean_square, kLeastVariance_um2);
+  }
+
+  NoiseVariances at(double x, double y, double z) const {
+    const double theta_s = std::exp(std::clamp(x, std::log(shortest_s), std::log(longest_s)));
+    const double fresh = -std::expm1(-2.0 * kalman.usual_step_s() / theta_s);
+    const double ratio = std::exp(y) * fresh;  // w^2 / q^2
+    const double total = std::exp(z);
+    return {total * ratio / (1.0 + ratio), total / (1.0 + ratio), theta_s};
+  }
+
+  double log_likelihood_of(const NoiseVariances& noise) {
+    kalman.set(noise);
+    return log_likelihood(kalman.sums(residual_um), residual_um.size());
+  }
+
+  // Without stated sigma the total variance of largest likelihood is sum(v^2 / S) / n times the one of gains `noise`.
+  NoiseVariances scaled(NoiseVariances noise) {
+    kalman.set(noise);
+    const double factor = kalman.sums(residual_um).squares / static_cast<double>(residual_um.size());
+    return {noise.white * factor, noise.correlated * factor, noise.time_s};
+  }
+
+  double log_likelihood_scaled(const NoiseVariances& noise) {
+    kalman.set(noise);
+    const Kalman::Sums sums = kalman.sums(residual_um);
+    const auto n = static_cast<double>(residual_um.size());
+    return -0.5 * (n * (kLogTwoPi + 1.0 + std::log(sums.squares / n)) + sums.log_variances);
+  }
+};
+
+// How far a value is outside [low, high].
+double outside(double value, double low, double high) { return std::max({0.0, low - value, value - high}); }
+
+NoiseVariances white(Likelihood& likelihood) {
+  NoiseVariances none{0.0, 0.0, 0.0};
+  if (!likelihood.stated) return {likelihood.mean_square, 0.0, 0.0};
+  const double largest = std::log(likelihood.mean_square);
+  const auto cost = [&](const std::array<double, 1>& z) {
+    return -likelihood.log_likelihood_of({std::exp(std::min(z[0], largest + 3.0)), 0.0, 0.0});
+  };
+  Minimum<1> best{{largest}, std::numeric_limits<double>::infinity()};
+  for (const double down : {0.0, 1.0, 2.0, 4.0, 8.0}) {
+    const double value = cost({largest - down});
+    if (value < best.value) best = {{largest - down}, value};
+  }
+  best = nelder_mead<1>(cost, best.x, {0.5}, 1e-7, 100);
+  // A white part that a thousandth of the stated one hides, or that does not help, is none.
+  if (-likelihood.log_likelihood_of(none) <= best.value + 1e-3) return none;
+  return {std::exp(best.x[0]), 0.0, 0.0};
+}
+
+NoiseVariances with_memory(Likelihood& likelihood) {
+  constexpr double kLeastWhite = -8.0, kMostWhite = 10.0;  // y
+  const double low = std::log(likelihood.shortest_s), high = std::log(likelihood.longest_s);
+  const double size = std::log(likelihood.mean_square);
+  const auto penalty = [&](double x, double y) {
+    const double out = outside(x, low, high) + outside(y, kLeastWhite, kMostWhite);
+    return out * out;
+  };
+  const auto cost_2 = [&](const std::array<double, 2>& p) {
+    return penalty(p[0], p[1]) - likelihood.log_likelihood_scaled(likelihood.at(p[0], p[1], 0.0));
+  };
+  const auto cost_3 = [&](const std::array<double, 3>& p) {
+    const double out = outside(p[2], size - 12.0, size + 4.0);
+    return penalty(p[0], p[1]) + out * out - likelihood.log_likelihood_of(likelihood.at(p[0], p[1], p[2]));
+  };
+  // The two best of a grid of starts, and from each the way down.
+  constexpr int kTimes = 6;
+  std::vector<Minimum<3>> starts;
+  for (int i = 0; i < kTimes; ++i) {
+    const double x = low + (high - low) * (i + 0.5) / kTimes;
+    for (const double y : {-5.0, -1.5, 0.5, 2.5, 4.5}) {
+      if (!likelihood.stated) {
+        starts.push_back({{x, y, 0.0}, cost_2({x, y})});
+        continue;
+      }
+      for (const double z : {size - 1.5, size}) starts.push_back({{x, y, z}, cost_3({x, y, z})});
+    }
+  }
+  std::stable_sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  starts.resize(2);
+  Minimum<3> best = starts[0];
+  for (const Minimum<3>& start : starts) {
+    Minimum<3> found;
+    if (likelihood.stated) {
+      found = nelder_mead<3>(cost_3, start.x, {0.6, 0.6, 0.3}, 1e-5, 250);
+    } else {
+      const Minimum<2> plane = nelder_mead<2>(cost_2, {start.x[0], start.x[1]}, {0.6, 0.6}, 1e-5, 120);
+      found = {{plane.x[0], plane.x[1], 0.0}, plane.value};
+    }
+    if (found.value < best.value) best = found;
+  }
+  NoiseVariances noise = likelihood.at(best.x[0], best.x[1], best.x[2]);
+  if (!likelihood.stated) noise = likelihood.scaled(noise);
+  // No white part where none is needed.
+  NoiseVariances pure{0.0, noise.white + noise.correlated, noise.time_s};
+  if (!likelihood.stated) pure = likelihood.scaled(pure);
+  return likelihood.log_likelihood_of(pure) >= likelihood.log_likelihood_of(noise) - 1e-3 ? pure : noise;
+}
+
+}  // namespace
+
+Noise noise_of(std::span<const double> time_s, std::span<const double> residual_um, std::span<const double> sigma_um) {
+  if (residual_um.empty()) return {};
+  Likelihood likelihood(time_s, residual_um, sigma_um);
+  NoiseVariances noise = white(likelihood);
+  double log_l = likelihood.log_likelihood_of(noise);
+  const bool enough = residual_um.size() >= kFewest && likelihood.kalman.usual_step_s() > 0.0 &&
+                      likelihood.mean_square > kLeastVariance_um2;
+  if (enough) {
+    const NoiseVariances other = with_memory(likelihood);
+    const double other_log_l = likelihood.log_likelihood_of(other);
+    if (other_log_l > log_l + kWorthIt) {
+      noise = other;
+      log_l = other_log_l;
+    }
+  }
+  return {std::sqrt(noise.white), std::sqrt(noise.correlated), noise.correlated > 0.0 ? noise.time_s : 0.0, log_l};
+}
+
+double log_likelihood(const Noise& noise, std::span<const double> time_s, std::span<const double> residual_um,
+                      std::span<const double> sigma_um) {
+  Kalman kalman(time_s, sigma_um);
+  kalman.set(variances_of(noise));
+  return log_likelihood(kalman.sums(residual_um), residual_um.size());
+}
+
+Whitening::Whitening(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um) {
+  Kalman kalman(time_s, sigma_um);
+  kalman.set(variances_of(noise));
+  decay_.assign(kalman.decay().begin(), kalman.decay().end());
+  gain_.assign(kalman.gain().begin(), kalman.gain().end());
+  const Eigen::ArrayXd scale = kalman.variance().rsqrt();
+  scale_.assign(scale.begin(), scale.end());
+}
+
+void Whitening::apply(const double* column, std::size_t stride, double* out, std::size_t out_stride) const {
+  double s = 0.0;
+  for (std::size_t i = 0; i < decay_.size(); ++i) {
+    s *= decay_[i];
+    const double innovation = column[i * stride] - s;
+    s += gain_[i] * innovation;
+    out[i * out_stride] = scale_[i] * innovation;
+  }
+}
+
+double effective_samples(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um) {
+  const std::size_t n = time_s.size();
+  if (n == 0) return 0.0;
+  const Whitening whitening(noise, time_s, sigma_um);
+  std::vector<double> ones(n, 1.0);
+  whitening.apply(ones.data(), 1, ones.data(), 1);
+  double information = 0.0, inverse_variances = 0.0;
+  const NoiseVariances variances = variances_of(noise);
+  for (std::size_t i = 0; i < n; ++i) {
+    information += ones[i] * ones[i];
+    const double stated = sigma_um.empty() ? 0.0 : sigma_um[i] * sigma_um[i];
+    inverse_variances += 1.0 / std::max(variances.white + variances.correlated + stated, kLeastVariance_um2);
+  }
+  return information * static_cast<double>(n) / inverse_variances;
+}
+
+// n^2 var = sum_i (w^2 + sigma_i^2 + q^2) + 2 q^2 sum_(j<i) exp(-(t_i - t_j) / theta); the inner sum is a recursion.
+double sigma_of_mean(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um) {
+  const std::size_t n = time_s.size();
+  if (n == 0) return 0.0;
+  const NoiseVariances variances = variances_of(noise);
+  double sum = 0.0, earlier = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double stated = sigma_um.empty() ? 0.0 : sigma_um[i] * sigma_um[i];
+    sum += variances.white + stated + variances.correlated;
+    if (i == 0 || !(variances.correlated > 0.0)) continue;
+    const double step_s = time_s[i] - time_s[i - 1];
+    earlier = step_s < 0.0 ? 0.0 : (earlier + 1.0) * std::exp(-step_s / noise.correlation_time_s);
+    sum += 2.0 * variances.correlated * earlier;
+  }
+  return std::sqrt(sum) / static_cast<double>(n);
+}
+
+}  // namespace ballbar
