@@ -87,8 +87,8 @@ TEST(Huang2022Table2, ClearanceDoesNotFollowFromEq29To32) {
   EXPECT_NEAR(formula_c_um(20.20), 4.77, 0.005) << "table 2 prints 5.14";
 }
 
-// No other D_w or f, and no other factor than 0.8, explains it: the ratio of table to formula is 2.67 in the first row
-// and 1.02 to 1.12 from 45 min on. The measured elongation does not either: 2.0 um give 0.52 um for the printed 1.08.
+// No factor explains it: the ratio of table to formula is 2.67 in the first row and 1.02 to 1.12 from 45 min on. The
+// measured elongation does not either: 2.0 um give 0.52 um for the printed 1.08.
 TEST(Huang2022Table2, IsNoMultipleOfTheFormula) {
   EXPECT_NEAR(kRows[1].clearance_um / formula_c_um(formula_dl_um(kRows[1])), 2.67, 0.01);
   double lowest = 10.0, highest = 0.0;
