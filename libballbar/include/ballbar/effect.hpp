@@ -16,6 +16,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ballbar/recording.hpp"
+
 namespace ballbar {
 
 enum class Level { series, recording };
@@ -70,7 +72,8 @@ struct Effect {
   std::vector<Input> inputs;
   std::vector<Parameter> parameters;
   Evaluate evaluate;
-  bool time_only = false;  // needs no input but time: never named as a cause from one run
+  bool time_only = false;            // needs no input but time: never named as a cause from one run
+  std::vector<Motion> motions = {};  // recordings it applies to, by what drives the circle; empty: any
 };
 
 // All of the catalogue, drift series first, in the order of the documentation.

@@ -28,5 +28,27 @@ extern const Effect kBarTemperature;
 extern const Effect kClockOffset;
 
 // On a recording.
+extern const Effect kCircle;
+extern const Effect kScaleMismatch;
+extern const Effect kSquareness;
+extern const Effect kServoMismatch;
+extern const Effect kDynamicContraction;
+extern const Effect kBacklashA;
+extern const Effect kBacklashB;
+extern const Effect kReversalSpikeA;
+extern const Effect kReversalSpikeB;
+extern const Effect kLateralPlayA;
+extern const Effect kLateralPlayB;
+extern const Effect kCyclicErrorA;
+extern const Effect kCyclicErrorB;
+extern const Effect kVibration;
+extern const Effect kStraightnessA;
+extern const Effect kStraightnessB;
+extern const Effect kOval;
+extern const Effect kLobing;
+extern const Effect kSweepDrift;
+extern const Effect kCentreDrift;
+extern const Effect kMountingSlip;
+extern const Effect kBarTemperatureOfRecording;
 
 }  // namespace ballbar::catalogue

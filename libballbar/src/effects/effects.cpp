@@ -30,6 +30,28 @@ constexpr std::array kEffects = {
     &catalogue::kBarTemperature,
     &catalogue::kClockOffset,
     // on a recording
+    &catalogue::kCircle,
+    &catalogue::kScaleMismatch,
+    &catalogue::kSquareness,
+    &catalogue::kServoMismatch,
+    &catalogue::kDynamicContraction,
+    &catalogue::kBacklashA,
+    &catalogue::kBacklashB,
+    &catalogue::kReversalSpikeA,
+    &catalogue::kReversalSpikeB,
+    &catalogue::kLateralPlayA,
+    &catalogue::kLateralPlayB,
+    &catalogue::kCyclicErrorA,
+    &catalogue::kCyclicErrorB,
+    &catalogue::kVibration,
+    &catalogue::kStraightnessA,
+    &catalogue::kStraightnessB,
+    &catalogue::kOval,
+    &catalogue::kLobing,
+    &catalogue::kSweepDrift,
+    &catalogue::kCentreDrift,
+    &catalogue::kMountingSlip,
+    &catalogue::kBarTemperatureOfRecording,
 };
 
 }  // namespace

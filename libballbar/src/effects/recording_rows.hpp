@@ -1,0 +1,48 @@
+// What the effects on a recording share: their inputs, and where the two axes of the plane are at a reading.
+#pragma once
+
+#include <ceres/jet.h>
+
+#include <cmath>
+
+#include "ballbar/effect.hpp"
+
+namespace ballbar {
+
+inline Input angle_input() { return {"angle", {"rad"}, "angle of the reading, from +A towards +B"}; }
+inline Input direction_input() { return {"direction", {"1"}, "+1 counter-clockwise (CCW), -1 clockwise (CW)"}; }
+inline Input feed_input() { return {"feed", {"mm_per_min"}, "feed along the path"}; }
+inline Input radius_input() { return {"radius", {"mm"}, "nominal length of the bar"}; }
+inline Input height_input() { return {"height", {"mm"}, "height difference of the balls"}; }
+inline Input sweep_input() { return {"sweep", {"s"}, "time since the middle of the sweep"}; }
+inline Input recording_input() { return {"recording", {"1"}, "number of the recording: 0, 1 ..."}; }
+inline Input bar_input() { return {"bar", {"degC"}, "temperature of the bar"}; }
+
+// Whether a term whose parameter names the recording `wanted` has this row; -1: all rows.
+template <class T>
+bool belongs_to(const T& wanted, double recording) {
+  return wanted < T(-0.5) || (wanted > T(recording - 0.5) && wanted < T(recording + 0.5));
+}
+
+enum class Axis { A, B };
+
+// One axis of the plane at a reading: where it is, where the other one is (both over the radius), and which way it
+// moves: +1, -1, 0 at a reversal.
+//
+//   A: cos theta, other sin theta, velocity - dir sin theta        B: sin theta, other cos theta, velocity dir cos
+//   theta
+struct AxisState {
+  double position;
+  double across;
+  double velocity_sign;
+};
+
+inline AxisState state_of(Axis axis, double angle_rad, double direction) {
+  const double cos = std::cos(angle_rad), sin = std::sin(angle_rad);
+  const double velocity = axis == Axis::A ? -direction * sin : direction * cos;
+  constexpr double kStandsStill = 1e-12;  // cos and sin of a quarter turn are not quite 0
+  const double sign = velocity > kStandsStill ? 1.0 : velocity < -kStandsStill ? -1.0 : 0.0;
+  return axis == Axis::A ? AxisState{cos, sin, sign} : AxisState{sin, cos, sign};
+}
+
+}  // namespace ballbar

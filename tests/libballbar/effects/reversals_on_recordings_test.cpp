@@ -1,0 +1,71 @@
+// Effects at the reversals of an axis: values worked by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "readings.hpp"
+
+namespace ballbar {
+namespace {
+
+// CCW through 0 deg: A goes out until 0 and back after it. With 4 um of lost motion it is 2 um short on the way out
+// and 2 um too far on the way back: a step outwards of 4 um. At 180 deg the same.
+TEST(backlash, steps_outwards_by_the_play_at_the_axis_reversal) {
+  const auto at = [](double angle_deg, double direction) {
+    return added_um("backlash_a", {4.0}, {.angle_deg = angle_deg, .direction = direction});
+  };
+  EXPECT_NEAR(at(-0.01, kCcw), -2.0, 1e-6);
+  EXPECT_NEAR(at(0.01, kCcw), 2.0, 1e-6);
+  EXPECT_NEAR(at(179.99, kCcw), -2.0, 1e-6);
+  EXPECT_NEAR(at(180.01, kCcw), 2.0, 1e-6);
+  EXPECT_NEAR(at(0.01, kCw), -2.0, 1e-6);
+  EXPECT_NEAR(at(-0.01, kCw), 2.0, 1e-6);
+  EXPECT_NEAR(at(60.0, kCcw), 1.0, kRounding_um);
+  EXPECT_NEAR(at(90.0, kCcw), 0.0, kRounding_um);
+}
+
+TEST(backlash, of_b_steps_at_90_and_270_deg) {
+  const auto at = [](double angle_deg, double direction) {
+    return added_um("backlash_b", {4.0}, {.angle_deg = angle_deg, .direction = direction});
+  };
+  EXPECT_NEAR(at(89.99, kCcw), -2.0, 1e-6);
+  EXPECT_NEAR(at(90.01, kCcw), 2.0, 1e-6);
+  EXPECT_NEAR(at(269.99, kCcw), -2.0, 1e-6);
+  EXPECT_NEAR(at(270.01, kCcw), 2.0, 1e-6);
+  EXPECT_NEAR(at(89.99, kCw), 2.0, 1e-6);
+}
+
+// 5 um at the + end, 3 um at the - end, width 2 deg: after 2 deg 37 %.
+TEST(reversal_spike, falls_after_each_reversal_in_the_direction_of_travel) {
+  const auto a = [](double angle_deg, double direction) {
+    return added_um("reversal_spike_a", {5.0, 3.0, 2.0}, {.angle_deg = angle_deg, .direction = direction});
+  };
+  EXPECT_NEAR(a(2.0, kCcw), 5.0 * std::exp(-1.0), kRounding_um);
+  EXPECT_NEAR(a(362.0, kCcw), 5.0 * std::exp(-1.0), kRounding_um);
+  EXPECT_NEAR(a(182.0, kCcw), 3.0 * std::exp(-1.0), kRounding_um);
+  EXPECT_LT(a(358.0, kCcw), 1e-12);
+  EXPECT_NEAR(a(358.0, kCw), 5.0 * std::exp(-1.0), kRounding_um);
+  EXPECT_NEAR(a(-2.0, kCw), 5.0 * std::exp(-1.0), kRounding_um);
+  EXPECT_NEAR(a(178.0, kCw), 3.0 * std::exp(-1.0), kRounding_um);
+  const auto b = [](double angle_deg, double direction) {
+    return added_um("reversal_spike_b", {5.0, 3.0, 2.0}, {.angle_deg = angle_deg, .direction = direction});
+  };
+  EXPECT_NEAR(b(92.0, kCcw), 5.0 * std::exp(-1.0), kRounding_um);
+  EXPECT_NEAR(b(272.0, kCcw), 3.0 * std::exp(-1.0), kRounding_um);
+  EXPECT_NEAR(b(88.0, kCw), 5.0 * std::exp(-1.0), kRounding_um);
+  EXPECT_NEAR(b(268.0, kCw), 3.0 * std::exp(-1.0), kRounding_um);
+}
+
+// CCW at 90 deg A travels towards -A: 4 um of sideways play put its slide 2 um towards -B, and the bar reads that.
+TEST(lateral_play, moves_the_other_axis_by_the_sign_of_the_velocity) {
+  EXPECT_NEAR(added_um("lateral_play_a", {4.0}, {.angle_deg = 90.0}), -2.0, kRounding_um);
+  EXPECT_NEAR(added_um("lateral_play_a", {4.0}, {.angle_deg = 270.0}), -2.0, kRounding_um);
+  EXPECT_NEAR(added_um("lateral_play_a", {4.0}, {.angle_deg = 90.0, .direction = kCw}), 2.0, kRounding_um);
+  EXPECT_NEAR(added_um("lateral_play_a", {4.0}, {.angle_deg = 0.0}), 0.0, kRounding_um);
+  EXPECT_NEAR(added_um("lateral_play_b", {4.0}, {.angle_deg = 0.0}), 2.0, kRounding_um);
+  EXPECT_NEAR(added_um("lateral_play_b", {4.0}, {.angle_deg = 180.0}), 2.0, kRounding_um);
+  EXPECT_NEAR(added_um("lateral_play_b", {4.0}, {.angle_deg = 180.0, .direction = kCw}), -2.0, kRounding_um);
+}
+
+}  // namespace
+}  // namespace ballbar
