@@ -8,7 +8,9 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
+#include "ballbar/expression.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "ballbar/trace.hpp"
 
 namespace ballbar {
 namespace {
@@ -142,6 +144,9 @@ Term term_of(std::string_view effect_name, std::vector<std::string> columns, Lev
     }
     throw Error(fmt::format("{}; the nearest is {}.", expected, nearest_name(effect_name, known)));
   }
+  if (level == Level::recording && columns.empty()) {
+    for (const Input& input : effect->inputs) columns.emplace_back(trace_column(input.role));
+  }
   Term term{std::shared_ptr<const Effect>(std::shared_ptr<const Effect>{}, effect), std::move(columns), {}};
   for (const Parameter& parameter : effect->parameters) {
     term.settings.push_back({parameter.held, parameter.start, parameter.lower, parameter.upper, false});
@@ -164,8 +169,9 @@ void expect_suits(const Model& model, const Series& data) {
       fail(label_of(term), fmt::format("expected effects on {}, found one on {}.", level_name(model.level),
                                        level_name(term.effect->level)));
     }
-    expect_inputs(model, term, data);
     expect_settings(term);
+    if (term.effect->name == "expression") expect_expression_suits(term, data);
+    expect_inputs(model, term, data);
     for (std::size_t j = 0; j < i; ++j) {
       if (!same_term(model.terms[j], term)) continue;
       fail(label_of(term),
