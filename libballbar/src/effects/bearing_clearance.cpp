@@ -29,9 +29,8 @@ const Effect kBearingClearance{
                 "theta = (180° - (18° - alpha)) / 2 - 72°, c = 0.8 dL tan theta; gain = 1 is the formula",
      .signature = "A radial drift of about a quarter of the axial one, less than proportional.",
      .confused_with = {"axial_crosstalk", "preload_loss", "expansion"},
-     .separated_by =
-         "Radial drift at two heights of the bar: clearance is room in any direction, an inclined axis always "
-         "shifts the same way and in proportion.",
+     .separated_by = "A light push in all radial directions at rest, cold and warm: clearance gives way in any "
+                     "direction. An inclined axis shifts always the same way and in proportion.",
      .remedy = "Springs or hydraulics that keep the preload; cool the rotor; check the preload when warm.",
      .validity = "Back-to-back pair with a contact angle of 18° at dL = 0; up to dL = 120 um, where the contact angle "
                  "is 0 for the paper's bearing. Negative dL continues the formula: the bearing closes again. Where the "

@@ -52,5 +52,12 @@ TEST(Step, CountsARowWithItsShare) {
   expect_near(between.derivatives, {0.0, 0.0, 0.0, 0.0, 0.75, -0.02, 1.0, 0.0});
 }
 
+// A search over the rows' times finds 1100 s; from there one step of a solver ends on the onset: the third row misses
+// 3 - 4 um, and moves by -0.02 um for each second.
+TEST(Step, IsFoundFromTheNearestRow) {
+  const DriftValues near = drift_values("step", {1000, 1100, 1300, 1400}, {}, {4.0, 1100.0});
+  EXPECT_NEAR(1100.0 + (3.0 - near.values[2]) / near.derivatives[2 * 2 + 1], 1150.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace ballbar
