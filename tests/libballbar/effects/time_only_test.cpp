@@ -50,6 +50,8 @@ TEST(Step, CountsARowWithItsShare) {
   const DriftValues between = drift_values("step", {1000, 1100, 1300, 1400}, {}, {4.0, 1150.0});
   expect_near(between.values, {0.0, 0.0, 3.0, 4.0});
   expect_near(between.derivatives, {0.0, 0.0, 0.0, 0.0, 0.75, -0.02, 1.0, 0.0});
+  // 50 s of 200 s; the row after that lies one and a half of its widths behind the onset.
+  expect_near(drift_values("step", {1000, 1100, 1300, 1400}, {}, {4.0, 1250.0}).values, {0.0, 0.0, 1.0, 4.0});
 }
 
 // A search over the rows' times finds 1100 s; from there one step of a solver ends on the onset: the third row misses
