@@ -115,7 +115,7 @@ std::optional<Floor> of_innovations(const Noise& noise, std::span<const double> 
   if (time_s.size() < kFewestOfResidual) return std::nullopt;
   Kalman kalman(time_s, sigma_um);
   kalman.set({noise.white_um * noise.white_um, noise.correlated_um * noise.correlated_um, noise.correlation_time_s});
-  return Floor{std::sqrt(kalman.variance().mean()), "innovations of the residual"};
+  return Floor{std::sqrt(kalman.weight().inverse().mean()), "innovations of the residual"};
 }
 
 }  // namespace

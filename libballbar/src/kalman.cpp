@@ -28,6 +28,8 @@ Kalman::Kalman(std::span<const double> time_s, std::span<const double> sigma_um)
     step_s_[row] = step;
     as_before_[i] = step == before && stated_um2_[row] == stated_um2_[row - 1];
   }
+  const auto even = std::count(as_before_.begin(), as_before_.end(), char{1});
+  mostly_even_ = 2 * static_cast<std::size_t>(even) > time_s.size();
   if (steps.empty()) return;
   const auto at = [&](std::size_t k) {
     std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(k), steps.end());
@@ -39,46 +41,54 @@ Kalman::Kalman(std::span<const double> time_s, std::span<const double> sigma_um)
 
 // s ~ (0, p) before row i:  S = p + R,  gain = p / S,  p after = p R / S;  to the next row p = a^2 p + q^2 (1 - a^2).
 void Kalman::set(const NoiseVariances& noise) {
+  constexpr int kFactors = 8;  // variances multiplied before a logarithm is taken: none is below 1e-18 um^2
   const Eigen::Index n = step_s_.size();
-  if (noise.correlated > 0.0) {
-    decay_ = (step_s_ * (-1.0 / noise.time_s)).exp();
-  } else {
-    decay_.setZero(n);
-  }
+  const bool memory = noise.correlated > 0.0;
+  if (memory && !mostly_even_) decay_ = (step_s_ * (-1.0 / noise.time_s)).exp();
+  if (!memory || mostly_even_) decay_.setZero(n);
   gain_.resize(n);
-  variance_.resize(n);
-  double p = 0.0, last = -1.0;
+  weight_.resize(n);
+  log_variances_ = 0.0;
+  double p = 0.0, last = -1.0, product = 1.0;
+  int factors = 0;
   bool converged = false;
   for (Eigen::Index i = 0; i < n; ++i) {
     const bool as_before = as_before_[static_cast<std::size_t>(i)] != 0;
+    if (mostly_even_ && memory) decay_[i] = as_before ? decay_[i - 1] : std::exp(-step_s_[i] / noise.time_s);
     if (as_before && converged) {
       gain_[i] = gain_[i - 1];
-      variance_[i] = variance_[i - 1];
-      continue;
+      weight_[i] = weight_[i - 1];
+    } else {
+      const double a2 = decay_[i] * decay_[i];
+      const double before = a2 * p + noise.correlated * (1.0 - a2);
+      const double r = std::max(noise.white + stated_um2_[i], kLeastVariance_um2);
+      weight_[i] = 1.0 / (before + r);
+      gain_[i] = before * weight_[i];
+      p = gain_[i] * r;
+      converged = as_before && std::abs(before - last) <= 1e-14 * before;
+      last = before;
     }
-    const double a2 = decay_[i] * decay_[i];
-    const double before = a2 * p + noise.correlated * (1.0 - a2);
-    const double r = std::max(noise.white + stated_um2_[i], kLeastVariance_um2);
-    variance_[i] = before + r;
-    gain_[i] = before / variance_[i];
-    p = gain_[i] * r;
-    converged = as_before && std::abs(before - last) <= 1e-14 * before;
-    last = before;
+    product *= weight_[i];
+    if (++factors < kFactors) continue;
+    log_variances_ -= std::log(product);
+    product = 1.0;
+    factors = 0;
   }
+  log_variances_ -= std::log(product);
 }
 
+// The prediction for the next row, a (s + gain v) = a (1 - gain) s + a gain r, depends on s by one product and one sum.
 Kalman::Sums Kalman::sums(std::span<const double> residual_um) const {
   const Eigen::Index n = decay_.size();
-  Sums sums;
-  double s = 0.0;
+  double squares = 0.0, s = 0.0;
   for (Eigen::Index i = 0; i < n; ++i) {
-    s *= decay_[i];
-    const double innovation = residual_um[static_cast<std::size_t>(i)] - s;
-    s += gain_[i] * innovation;
-    sums.squares += innovation * innovation / variance_[i];
+    const double r = residual_um[static_cast<std::size_t>(i)];
+    const double innovation = r - s;
+    squares += innovation * innovation * weight_[i];
+    const double a = i + 1 < n ? decay_[i + 1] : 0.0;
+    s = a * (1.0 - gain_[i]) * s + a * gain_[i] * r;
   }
-  sums.log_variances = variance_.log().sum();
-  return sums;
+  return {log_variances_, squares};
 }
 
 }  // namespace ballbar

@@ -31,8 +31,8 @@ class Kalman {
 
   const Eigen::ArrayXd& decay() const { return decay_; }
   const Eigen::ArrayXd& gain() const { return gain_; }
-  const Eigen::ArrayXd& variance() const { return variance_; }
-  double usual_step_s() const { return usual_step_s_; }  // the median; 0: fewer than two times
+  const Eigen::ArrayXd& weight() const { return weight_; }  // 1 / S_i
+  double usual_step_s() const { return usual_step_s_; }     // the median; 0: fewer than two times
   double shortest_step_s() const { return shortest_step_s_; }
 
  private:
@@ -40,7 +40,9 @@ class Kalman {
   Eigen::ArrayXd stated_um2_;    // sigma_i^2
   std::vector<char> as_before_;  // step and sigma are those of the row before
   double usual_step_s_ = 0.0, shortest_step_s_ = 0.0;
-  Eigen::ArrayXd decay_, gain_, variance_;
+  bool mostly_even_ = false;
+  Eigen::ArrayXd decay_, gain_, weight_;
+  double log_variances_ = 0.0;
 };
 
 }  // namespace ballbar

@@ -127,9 +127,9 @@ NoiseVariances with_memory(Likelihood& likelihood) {
   for (const Minimum<3>& start : starts) {
     Minimum<3> found;
     if (likelihood.stated) {
-      found = nelder_mead<3>(cost_3, start.x, {0.6, 0.6, 0.3}, 1e-5, 250);
+      found = nelder_mead<3>(cost_3, start.x, {0.6, 0.6, 0.3}, 1e-4, 200);
     } else {
-      const Minimum<2> plane = nelder_mead<2>(cost_2, {start.x[0], start.x[1]}, {0.6, 0.6}, 1e-5, 120);
+      const Minimum<2> plane = nelder_mead<2>(cost_2, {start.x[0], start.x[1]}, {0.6, 0.6}, 1e-4, 120);
       found = {{plane.x[0], plane.x[1], 0.0}, plane.value};
     }
     if (found.value < best.value) best = found;
@@ -174,7 +174,7 @@ Whitening::Whitening(const Noise& noise, std::span<const double> time_s, std::sp
   kalman.set(variances_of(noise));
   decay_.assign(kalman.decay().begin(), kalman.decay().end());
   gain_.assign(kalman.gain().begin(), kalman.gain().end());
-  const Eigen::ArrayXd scale = kalman.variance().rsqrt();
+  const Eigen::ArrayXd scale = kalman.weight().sqrt();
   scale_.assign(scale.begin(), scale.end());
 }
 

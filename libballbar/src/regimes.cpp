@@ -1,0 +1,57 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ballbar/residual.hpp"
+#include "ballbar/speed_steps.hpp"
+#include "rest.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kAfterChange_s = 600.0, kWarming_s = 3600.0, kCooling_s = 7200.0;
+
+Regime later(double since_s, double before_rpm, double speed_rpm, double largest_rpm) {
+  const bool rest = at_rest(speed_rpm, largest_rpm);
+  const double rise = std::abs(speed_rpm) - std::abs(before_rpm);
+  if ((rest || rise < -0.02 * largest_rpm) && since_s < kCooling_s) return Regime::cooling;
+  if (rest) return Regime::standstill;
+  return rise > 0.02 * largest_rpm && since_s < kWarming_s ? Regime::warming : Regime::steady;
+}
+
+}  // namespace
+
+std::vector<Regime> regimes(const std::vector<double>& time_s, const Column& speed) {
+  if (std::all_of(speed.values.begin(), speed.values.end(), [](double rpm) { return std::isnan(rpm); })) return {};
+  const double largest_rpm = largest_of(speed.values);
+  const std::vector<SpeedStep> steps = speed_steps(time_s, speed);
+  std::vector<Regime> result(time_s.size(), Regime::standstill);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const SpeedStep& step = steps[i];
+    if (i == 0 && at_rest(step.speed_rpm, largest_rpm)) continue;
+    const double before_rpm = i == 0 ? 0.0 : steps[i - 1].speed_rpm;
+    for (std::size_t row = step.begin; row < step.end; ++row) {
+      const double since_s = time_s[row] - time_s[step.begin];
+      result[row] = i > 0 && since_s < kAfterChange_s ? Regime::after_change
+                                                      : later(since_s, before_rpm, step.speed_rpm, largest_rpm);
+    }
+  }
+  return result;
+}
+
+std::string_view name_of(Regime regime) {
+  switch (regime) {
+    case Regime::standstill:
+      return "standstill";
+    case Regime::after_change:
+      return "after a change of speed";
+    case Regime::warming:
+      return "warming";
+    case Regime::steady:
+      return "steady";
+    case Regime::cooling:
+      return "cooling";
+  }
+  return "";
+}
+
+}  // namespace ballbar
