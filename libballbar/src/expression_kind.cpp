@@ -10,8 +10,8 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kRows = 16;
-constexpr int kDraws = 3;
+constexpr std::size_t kRows = 12;
+constexpr int kDraws = 2;
 constexpr double kTolerance = 1e-9;  // of the values: rounding only
 
 class Random {
@@ -74,19 +74,20 @@ class Prober {
     return true;
   }
 
-  // The slope in j does not depend on k.
-  bool are_jointly_straight(std::size_t j, std::size_t k) {
+  // The slope in k does not depend on the gains.
+  bool is_straight_with(std::size_t k, const std::vector<std::size_t>& gains) {
     for (int draw = 0; draw < kDraws; ++draw) {
       std::vector<double> p = drawn();
-      const auto at = [&](double pj, double pk) {
-        p[j] = pj;
-        p[k] = pk;
+      const auto at = [&](double value) {
+        p[k] = value;
         return run(p);
       };
-      const std::vector<double> none = at(0.0, 0.0), first = at(1.0, 0.0), second = at(0.0, 1.0), both = at(1.0, 1.0);
+      const std::vector<double> here_0 = at(0.0), here_1 = at(1.0);
+      for (const std::size_t gain : gains) p[gain] = random_.between(-3.0, 3.0);
+      const std::vector<double> there_0 = at(0.0), there_1 = at(1.0);
       for (std::size_t i = 0; i < kRows; ++i) {
-        const double off = both[i] - first[i] - second[i] + none[i];
-        const double size = std::abs(both[i]) + std::abs(first[i]) + std::abs(second[i]) + std::abs(none[i]);
+        const double off = (there_1[i] - there_0[i]) - (here_1[i] - here_0[i]);
+        const double size = std::abs(there_1[i]) + std::abs(there_0[i]) + std::abs(here_1[i]) + std::abs(here_0[i]);
         if (!(std::abs(off) <= kTolerance * size)) return false;
       }
     }
@@ -125,9 +126,7 @@ void find_kinds(std::vector<Parameter>& parameters, std::span<const Input> input
   Prober prober(parameters, inputs, values);
   std::vector<std::size_t> gains;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
-    const bool gain = prober.is_straight_in(k) && std::all_of(gains.begin(), gains.end(), [&](std::size_t j) {
-                        return prober.are_jointly_straight(j, k);
-                      });
+    const bool gain = prober.is_straight_in(k) && prober.is_straight_with(k, gains);
     parameters[k].kind = gain ? ParameterKind::gain : ParameterKind::shape;
     if (gain) gains.push_back(k);
   }

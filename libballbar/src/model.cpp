@@ -81,6 +81,12 @@ void expect_inputs(const Model& model, const Term& term, const Series& data) {
       fail(where, fmt::format("expected a column in {} for {}, found {}, which {}.", fmt::join(inputs[i].units, " or "),
                               inputs[i].role, in_quotes(column), found_unit(column)));
     }
+    const auto other = std::find(term.columns.begin(), term.columns.begin() + static_cast<std::ptrdiff_t>(i), column);
+    if (other != term.columns.begin() + static_cast<std::ptrdiff_t>(i)) {
+      fail(where, fmt::format("expected different columns for {} and {}, found {} for both.",
+                              inputs[static_cast<std::size_t>(other - term.columns.begin())].role, inputs[i].role,
+                              in_quotes(column)));
+    }
     if (std::find(model.targets.begin(), model.targets.end(), column) != model.targets.end()) {
       fail(where,
            fmt::format("expected a column other than the target for {}, found {}, which the model is to explain.",
