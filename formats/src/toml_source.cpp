@@ -253,6 +253,10 @@ void fail_at_table(const TomlTable& table, std::string_view sentence) {
   fail(table.name, table.table->source().begin, sentence);
 }
 
+void fail_kind(const TomlTable& table, std::string_view key, std::string_view expected) {
+  fail_kind(table, key, expected, *table.table->get(key));
+}
+
 void fail_at_element(const TomlTable& table, std::string_view key, std::size_t index, std::string_view sentence) {
   fail(table.name, table.table->get(key)->as_array()->get(index)->source().begin, sentence);
 }

@@ -112,6 +112,9 @@ Value required(std::optional<Value> (*getter)(const TomlTable&, std::string_view
 [[noreturn]] void fail_at_key(const TomlTable& table, std::string_view key, std::string_view sentence);
 [[noreturn]] void fail_at_table(const TomlTable& table, std::string_view sentence);
 
+// Throws Error: "expected {expected} for {key}, found" what the key, which the table has, holds.
+[[noreturn]] void fail_kind(const TomlTable& table, std::string_view key, std::string_view expected);
+
 // Throws Error at element `index` of the array under the key.
 [[noreturn]] void fail_at_element(const TomlTable& table, std::string_view key, std::size_t index,
                                   std::string_view sentence);

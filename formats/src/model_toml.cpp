@@ -1,0 +1,301 @@
+#include "ballbar/formats/model_toml.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "ballbar/error.hpp"
+#include "ballbar/expression.hpp"
+#include "ballbar/trace.hpp"
+#include "source_text.hpp"
+#include "toml_source.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::string_view kFormat = "ballbar-model 1";
+constexpr std::string_view kRecordingTarget = "deviation_um";
+constexpr std::size_t kMostEffects = 100;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// A finite number, or the infinity of that side.
+std::optional<double> bound(const TomlTable& table, std::string_view key, double infinity) {
+  const toml::node* node = table.table->get(key);
+  if (node && node->is_floating_point() && node->as_floating_point()->get() == infinity) return infinity;
+  return number(table, key);
+}
+
+void expect_in_order(const TomlTable& table, std::string_view key, std::string_view parameter, double lower,
+                     double upper) {
+  if (lower < upper) return;
+  fail_at_key(table, key,
+              fmt::format("expected lower below upper for {}, found lower {} and upper {}.", parameter, lower, upper));
+}
+
+// What a key of an effect's table says of a parameter whose own values are in `setting`.
+Setting setting_at(const TomlTable& table, const std::string& key, Setting setting, bool own, std::string& unit) {
+  const toml::node* node = table.table->get(key);
+  if (node == nullptr) return setting;
+  setting.stated = true;
+  if (node->is_number()) {
+    setting.held = true;
+    setting.start = *number(table, key);
+    if (setting.start < setting.lower || setting.start > setting.upper) {
+      fail_at_key(table, key,
+                  fmt::format("expected a value from {} to {} for {}, found {}.", setting.lower, setting.upper, key,
+                              setting.start));
+    }
+    return setting;
+  }
+  if (!node->is_table()) {
+    fail_kind(table, key, "a number, which is held, or { start, lower, upper }, which is free from there,");
+  }
+  const TomlTable free = *subtable(table, key);
+  std::vector<std::string_view> known{"start", "lower", "upper"};
+  if (own) known.insert(known.end(), {"unit", "held"});
+  expect_keys(free, known);
+  setting.held = own && boolean(free, "held").value_or(false);
+  if (own) unit = string(free, "unit").value_or("1");
+  setting.lower = bound(free, "lower", -kInfinity).value_or(setting.lower);
+  setting.upper = bound(free, "upper", kInfinity).value_or(setting.upper);
+  expect_in_order(free, has(free, "lower") ? "lower" : "upper", key, setting.lower, setting.upper);
+  const std::optional<double> start = number(free, "start");
+  if (!start && own) {
+    fail_at_key(table, key, fmt::format("expected start in the table of the parameter {}, found none.", key));
+  }
+  setting.stated = start.has_value();
+  setting.start = start.value_or(setting.start);
+  if (setting.start < setting.lower || setting.start > setting.upper) {
+    fail_at_key(free, "start",
+                fmt::format("expected a start from {} to {} for {}, found {}{}.", setting.lower, setting.upper, key,
+                            setting.start, start ? "" : ", which the catalogue has"));
+  }
+  return setting;
+}
+
+// The column under a role's key. On recordings columns bind by themselves.
+std::string column_at(const TomlTable& table, const Effect& effect, const std::string& role) {
+  if (const std::optional<std::string> column = string(table, role)) {
+    if (column->empty())
+      fail_at_key(table, role, fmt::format("expected the name of a column for {}, found \"\".", role));
+    return *column;
+  }
+  if (effect.level == Level::recording) return std::string(trace_column(role));
+  std::vector<std::string_view> roles;
+  for (const Input& input : effect.inputs) roles.push_back(input.role);
+  fail_at_table(table,
+                fmt::format("expected a column for each role of {}, {} {}, found none for {} in {}.", effect.name,
+                            roles.size() == 1 ? "which is" : "which are", fmt::join(roles, ", "), role, table.label));
+}
+
+Term catalogue_term(const TomlTable& table, const std::string& name, Level level) {
+  Term term;
+  try {
+    term = term_of(name, {}, level);
+  } catch (const Error& error) {
+    fail_at_key(table, "name", error.what());
+  }
+  const Effect& effect = *term.effect;
+  std::vector<std::string_view> known{"name"};
+  for (const Input& input : effect.inputs) known.push_back(input.role);
+  for (const Parameter& parameter : effect.parameters) known.push_back(parameter.name);
+  expect_keys(table, known);
+  term.columns.clear();
+  for (const Input& input : effect.inputs) term.columns.push_back(column_at(table, effect, input.role));
+  std::string unit;
+  for (std::size_t k = 0; k < term.settings.size(); ++k) {
+    term.settings[k] = setting_at(table, effect.parameters[k].name, term.settings[k], false, unit);
+  }
+  return term;
+}
+
+Term own_term(const TomlTable& table, Level level) {
+  const std::string formula = required(string, table, "formula");
+  std::vector<std::string> names;
+  try {
+    names = names_in(formula);
+  } catch (const Error& error) {
+    fail_at_key(table, "formula", error.what());
+  }
+  std::vector<std::string_view> known{"name", "formula"};
+  known.insert(known.end(), names.begin(), names.end());
+  expect_keys(table, known);
+  std::vector<Parameter> parameters;
+  for (const std::string& name : names) {
+    if (!has(table, name) || name == "name" || name == "formula") continue;
+    Parameter parameter{.name = name, .unit = "1", .meaning = "parameter of the formula"};
+    const Setting setting = setting_at(table, name, {.lower = -kInfinity, .upper = kInfinity}, true, parameter.unit);
+    parameter.start = setting.start;
+    parameter.lower = setting.lower;
+    parameter.upper = setting.upper;
+    parameter.held = setting.held;
+    parameters.push_back(std::move(parameter));
+  }
+  try {
+    return expression_term(formula, std::move(parameters), level);
+  } catch (const Error& error) {
+    fail_at_key(table, "formula", error.what());
+  }
+}
+
+std::vector<std::string> targets_at(const TomlTable& root, Level level) {
+  const toml::node* node = root.table->get("target");
+  if (node == nullptr && level == Level::recording) return {std::string(kRecordingTarget)};
+  if (node == nullptr) fail_missing(root, "target");
+  if (!node->is_string() && !node->is_array()) fail_kind(root, "target", "the name of a column or an array of names");
+  if (node->is_string()) {
+    if (node->as_string()->get().empty()) fail_kind(root, "target", "the name of a column");
+    return {node->as_string()->get()};
+  }
+  std::vector<std::string> targets = *strings(root, "target");
+  if (targets.empty()) fail_at_key(root, "target", "expected at least one column for target, found none.");
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const auto before = targets.begin() + static_cast<std::ptrdiff_t>(i);
+    if (targets[i].empty()) fail_at_element(root, "target", i, "expected the name of a column for target, found \"\".");
+    if (std::find(targets.begin(), before, targets[i]) != before) {
+      fail_at_element(root, "target", i,
+                      fmt::format("expected each target once, found {} again.", in_quotes(targets[i])));
+    }
+  }
+  return targets;
+}
+
+Model model_of(const TomlTable& root) {
+  const std::string_view formats[] = {kFormat};
+  if (!choice_index(root, "format", formats)) fail_missing(root, "format");
+  expect_keys(root, {"format", "target", "level", "constant_um", "effect", "history"});
+  Model model;
+  const std::string_view levels[] = {"series", "recording"};
+  if (choice_index(root, "level", levels).value_or(0) == 1) model.level = Level::recording;
+  model.targets = targets_at(root, model.level);
+  model.constant_um = number(root, "constant_um");
+  if (model.constant_um && model.level == Level::recording) {
+    fail_at_key(root, "constant_um", "expected no constant_um on recordings, whose circle has it, found one.");
+  }
+  const std::vector<TomlTable> tables = subtables(root, "effect");
+  if (tables.size() > kMostEffects) {
+    fail_at_table(tables[kMostEffects],
+                  fmt::format("expected at most {} effects, found {}.", kMostEffects, tables.size()));
+  }
+  for (const TomlTable& table : tables) {
+    const std::string name = required(string, table, "name");
+    model.terms.push_back(name == "expression" ? own_term(table, model.level)
+                                               : catalogue_term(table, name, model.level));
+  }
+  subtables(root, "history");  // whatever its rows say
+  return model;
+}
+
+bool same_bounds(const Setting& setting, const Parameter& parameter) {
+  return setting.lower == parameter.lower && setting.upper == parameter.upper;
+}
+
+// The value of a parameter's key; empty: the key may be left out.
+std::string setting_text(const Setting& setting, const Parameter& parameter, bool own) {
+  const bool unit = own && parameter.unit != "1";
+  if (setting.held && !own && parameter.held && setting.start == parameter.start) return "";
+  if (setting.held && !unit) return toml_number(setting.start);
+  const bool start = own || setting.stated || setting.start != parameter.start;
+  const bool as_in_catalogue = !own && same_bounds(setting, parameter);
+  if (!start && as_in_catalogue && !parameter.held) return "";
+  std::vector<std::string> parts;
+  if (start) parts.push_back("start = " + toml_number(setting.start));
+  if (own ? std::isfinite(setting.lower) : !as_in_catalogue) parts.push_back("lower = " + toml_number(setting.lower));
+  if (own ? std::isfinite(setting.upper) : !as_in_catalogue) parts.push_back("upper = " + toml_number(setting.upper));
+  if (unit) parts.push_back("unit = " + toml_quoted(parameter.unit));
+  if (setting.held) parts.emplace_back("held = true");
+  return parts.empty() ? "{}" : fmt::format("{{ {} }}", fmt::join(parts, ", "));
+}
+
+std::string effect_text(const Term& term) {
+  const Effect& effect = *term.effect;
+  const bool own = effect.name == "expression";
+  std::string out = fmt::format("[[effect]]\nname = {}\n", toml_quoted(effect.name));
+  if (own) out += fmt::format("formula = {}\n", toml_quoted(effect.explanation.formula));
+  for (std::size_t i = 0; i < effect.inputs.size() && !own; ++i) {
+    const std::string& role = effect.inputs[i].role;
+    if (effect.level == Level::recording && term.columns[i] == trace_column(role)) continue;
+    out += fmt::format("{} = {}\n", role, toml_quoted(term.columns[i]));
+  }
+  for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
+    const std::string& name = effect.parameters[k].name;
+    const bool bare =
+        std::all_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+    const std::string value = setting_text(term.settings[k], effect.parameters[k], own);
+    if (!value.empty()) out += fmt::format("{} = {}\n", bare ? name : toml_quoted(name), value);
+  }
+  return out;
+}
+
+// Offset of the line on which a table starts.
+std::size_t line_start(const SourceText& text, const TomlTable& table) {
+  std::size_t at = 0;
+  for (auto line = table.table->source().begin.line; line > 1; --line) at = text.bytes.find('\n', at) + 1;
+  return at;
+}
+
+// [[name]] on a line of its own, not { } in an array.
+bool has_header(const SourceText& text, const TomlTable& table) {
+  std::string_view line = text.bytes.substr(line_start(text, table));
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  return line.starts_with("[[");
+}
+
+bool is_before(const TomlTable& left, const TomlTable& right) {
+  return left.table->source().begin.line < right.table->source().begin.line;
+}
+
+}  // namespace
+
+Model read_model(std::string_view bytes, std::string_view name) {
+  const SourceText text = source_text(bytes, name);
+  const TomlSource source = parse_toml(text.bytes, name);
+  return model_of(root_of(source));
+}
+
+std::string write_model(const Model& model) {
+  std::string out = fmt::format("format = \"{}\"\n", kFormat);
+  if (model.level == Level::recording) out += "level = \"recording\"\n";
+  std::vector<std::string> targets;
+  for (const std::string& target : model.targets) targets.push_back(toml_quoted(target));
+  out += targets.size() == 1 ? fmt::format("target = {}\n", targets[0])
+                             : fmt::format("target = [{}]\n", fmt::join(targets, ", "));
+  if (model.constant_um) out += fmt::format("constant_um = {}\n", toml_number(*model.constant_um));
+  for (const Term& term : model.terms) out += "\n" + effect_text(term);
+  return out;
+}
+
+std::string with_effect(std::string_view bytes, std::string_view name, const Term& term) {
+  const SourceText text = source_text(bytes, name);
+  const TomlSource source = parse_toml(text.bytes, name);
+  const TomlTable root = root_of(source);
+  static_cast<void>(model_of(root));
+  const std::vector<TomlTable> effects = subtables(root, "effect");
+  if (!effects.empty() && !has_header(text, effects[0])) {
+    fail_at_table(effects[0], "expected effects as tables [[effect]], to which one can be added, found an array.");
+  }
+  std::size_t at = text.bytes.size();
+  const std::vector<TomlTable> history = subtables(root, "history");
+  if (!history.empty() && has_header(text, history[0]) && (effects.empty() || is_before(effects.back(), history[0]))) {
+    at = line_start(text, history[0]);
+    while (at > 0) {  // with the comments directly above it
+      const std::size_t before = text.bytes.substr(0, at - 1).rfind('\n') + 1;
+      if (text.bytes[before] != '#') break;
+      at = before;
+    }
+  }
+  const std::size_t skipped = bytes.size() - text.bytes.size();  // the byte order mark
+  std::string result(bytes.substr(0, skipped + at));
+  if (!result.ends_with('\n')) result += '\n';
+  if (!result.ends_with("\n\n")) result += '\n';
+  result += effect_text(term);
+  if (at < text.bytes.size()) result += '\n';
+  return result.append(text.bytes.substr(at));
+}
+
+}  // namespace ballbar
