@@ -1,9 +1,12 @@
 #include "ballbar/noise.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "ballbar/units.hpp"
 #include "kalman.hpp"
@@ -12,7 +15,7 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kFewest = 8;
+constexpr double kFewest = 8.0;
 constexpr double kWorthIt = 2.0;  // gain of ln L by two parameters
 const double kLogTwoPi = std::log(2.0 * kPi);
 
@@ -20,8 +23,18 @@ NoiseVariances variances_of(const Noise& noise) {
   return {noise.white_um * noise.white_um, noise.correlated_um * noise.correlated_um, noise.correlation_time_s};
 }
 
-double log_likelihood(const Kalman::Sums& sums, std::size_t n) {
-  return -0.5 * (static_cast<double>(n) * kLogTwoPi + sums.log_variances + sums.squares);
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+double log_likelihood(const Kalman::Sums& sums, double n) {
+  return -0.5 * (n * kLogTwoPi + sums.log_variances + sums.squares);
+}
+
+// An orthonormal basis of the columns.
+RowMajor basis_of(const Eigen::MatrixXd& columns) {
+  if (columns.cols() == 0) return {columns.rows(), 0};
+  const Eigen::VectorXd norm = columns.colwise().norm().transpose().cwiseMax(1e-300);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns * norm.cwiseInverse().asDiagonal());
+  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
 }
 
 // Noise in unknowns that any number suits and that the likelihood depends on evenly:
@@ -30,17 +43,24 @@ double log_likelihood(const Kalman::Sums& sums, std::size_t n) {
 struct Likelihood {
   Kalman kalman;
   std::span<const double> residual_um;
+  RowMajor fitted;       // orthonormal columns
+  double degrees = 0.0;  // of freedom: n less the fitted columns
   bool stated = false;
   double shortest_s = 0.0, longest_s = 0.0;  // bounds of theta
   double mean_square = 0.0;
 
-  Likelihood(std::span<const double> time_s, std::span<const double> residual, std::span<const double> sigma_um)
-      : kalman(time_s, sigma_um), residual_um(residual), stated(!sigma_um.empty()) {
+  Likelihood(std::span<const double> time_s, std::span<const double> residual, std::span<const double> sigma_um,
+             RowMajor fitted_columns)
+      : kalman(time_s, sigma_um),
+        residual_um(residual),
+        fitted(std::move(fitted_columns)),
+        degrees(static_cast<double>(residual.size()) - static_cast<double>(fitted.cols())),
+        stated(!sigma_um.empty()) {
     if (time_s.empty()) return;
     const auto [first, last] = std::minmax_element(time_s.begin(), time_s.end());
     longest_s = *last - *first;
     shortest_s = std::max(kalman.shortest_step_s() / 3.0, 1e-6 * longest_s);
-    for (const double value : residual) mean_square += value * value / static_cast<double>(residual.size());
+    for (const double value : residual) mean_square += value * value / degrees;
     mean_square = std::max(mean_square, kLeastVariance_um2);
   }
 
@@ -52,23 +72,44 @@ struct Likelihood {
     return {total * ratio / (1.0 + ratio), total / (1.0 + ratio), theta_s};
   }
 
-  double log_likelihood_of(const NoiseVariances& noise) {
+  // Restricted to what the fitted columns X leave: G = X' C^-1 X and g = X' C^-1 r take g' G^-1 g from the squares and
+  // add ln det G to the variances.
+  Kalman::Sums sums(const NoiseVariances& noise) {
     kalman.set(noise);
-    return log_likelihood(kalman.sums(residual_um), residual_um.size());
+    Kalman::Sums sums = kalman.sums(residual_um);
+    const Eigen::Index p = fitted.cols();
+    if (p == 0) return sums;
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(p + 1, p + 1);
+    Eigen::VectorXd predicted = Eigen::VectorXd::Zero(p + 1), row(p + 1);
+    for (Eigen::Index i = 0; i < fitted.rows(); ++i) {
+      row.head(p) = fitted.row(i).transpose();
+      row[p] = residual_um[static_cast<std::size_t>(i)];
+      predicted *= kalman.decay()[i];
+      row -= predicted;
+      predicted += kalman.gain()[i] * row;
+      const double weight = kalman.weight()[i];
+      for (Eigen::Index j = 0; j <= p; ++j) gram.col(j).head(j + 1) += weight * row[j] * row.head(j + 1);
+    }
+    const Eigen::MatrixXd g = gram.topLeftCorner(p, p).selfadjointView<Eigen::Upper>();
+    const Eigen::LLT<Eigen::MatrixXd> factor(g);
+    const Eigen::VectorXd right = gram.col(p).head(p);
+    const Eigen::VectorXd diagonal = factor.matrixLLT().diagonal();
+    sums.log_variances += 2.0 * diagonal.array().log().sum();
+    sums.squares -= right.dot(factor.solve(right));
+    return sums;
   }
+
+  double log_likelihood_of(const NoiseVariances& noise) { return log_likelihood(sums(noise), degrees); }
 
   // Without stated sigma the total variance of largest likelihood is sum(v^2 / S) / n times the one of gains `noise`.
   NoiseVariances scaled(NoiseVariances noise) {
-    kalman.set(noise);
-    const double factor = kalman.sums(residual_um).squares / static_cast<double>(residual_um.size());
+    const double factor = sums(noise).squares / degrees;
     return {noise.white * factor, noise.correlated * factor, noise.time_s};
   }
 
   double log_likelihood_scaled(const NoiseVariances& noise) {
-    kalman.set(noise);
-    const Kalman::Sums sums = kalman.sums(residual_um);
-    const auto n = static_cast<double>(residual_um.size());
-    return -0.5 * (n * (kLogTwoPi + 1.0 + std::log(sums.squares / n)) + sums.log_variances);
+    const Kalman::Sums sum = sums(noise);
+    return -0.5 * (degrees * (kLogTwoPi + 1.0 + std::log(sum.squares / degrees)) + sum.log_variances);
   }
 };
 
@@ -144,29 +185,29 @@ NoiseVariances with_memory(Likelihood& likelihood) {
 
 }  // namespace
 
-Noise noise_of(std::span<const double> time_s, std::span<const double> residual_um, std::span<const double> sigma_um) {
+Noise noise_of(std::span<const double> time_s, std::span<const double> residual_um, std::span<const double> sigma_um,
+               const Eigen::MatrixXd& fitted) {
   if (residual_um.empty()) return {};
-  Likelihood likelihood(time_s, residual_um, sigma_um);
+  RowMajor columns = basis_of(fitted);
+  if (static_cast<std::size_t>(columns.cols()) >= residual_um.size()) columns = RowMajor(fitted.rows(), 0);
+  Likelihood likelihood(time_s, residual_um, sigma_um, std::move(columns));
   NoiseVariances noise = white(likelihood);
-  double log_l = likelihood.log_likelihood_of(noise);
-  const bool enough = residual_um.size() >= kFewest && likelihood.kalman.usual_step_s() > 0.0 &&
+  const bool enough = likelihood.degrees >= kFewest && likelihood.kalman.usual_step_s() > 0.0 &&
                       likelihood.mean_square > kLeastVariance_um2;
   if (enough) {
     const NoiseVariances other = with_memory(likelihood);
-    const double other_log_l = likelihood.log_likelihood_of(other);
-    if (other_log_l > log_l + kWorthIt) {
-      noise = other;
-      log_l = other_log_l;
-    }
+    if (likelihood.log_likelihood_of(other) > likelihood.log_likelihood_of(noise) + kWorthIt) noise = other;
   }
-  return {std::sqrt(noise.white), std::sqrt(noise.correlated), noise.correlated > 0.0 ? noise.time_s : 0.0, log_l};
+  Noise result{std::sqrt(noise.white), std::sqrt(noise.correlated), noise.correlated > 0.0 ? noise.time_s : 0.0, 0.0};
+  result.log_likelihood = log_likelihood(result, time_s, residual_um, sigma_um);
+  return result;
 }
 
 double log_likelihood(const Noise& noise, std::span<const double> time_s, std::span<const double> residual_um,
                       std::span<const double> sigma_um) {
   Kalman kalman(time_s, sigma_um);
   kalman.set(variances_of(noise));
-  return log_likelihood(kalman.sums(residual_um), residual_um.size());
+  return log_likelihood(kalman.sums(residual_um), static_cast<double>(residual_um.size()));
 }
 
 Whitening::Whitening(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um) {

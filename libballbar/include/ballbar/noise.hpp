@@ -11,6 +11,7 @@
 // Source of the filter: A. C. Harvey, Forecasting, Structural Time Series Models and the Kalman Filter (1989), ch. 3.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -27,9 +28,16 @@ struct Noise {
 
 // Maximum likelihood; theta between a third of a usual step and the whole time. The memory is kept where it raises
 // 2 ln L by more than 4 (two more parameters: Akaike), else the noise is white. sigma_um: stated, one a row, or empty.
-// Needs 8 residuals; with fewer they are taken as white. The residual's mean is taken to be 0. 11 000 rows: 10 ms when
-// they are even, 40 ms when not.
-Noise noise_of(std::span<const double> time_s, std::span<const double> residual_um, std::span<const double> sigma_um);
+// Needs 8 residuals; with fewer they are taken as white. The residual's mean is taken to be 0. 11 000 rows: 10 to 20 ms
+// when they are even, 50 ms when not.
+//
+// fitted: the columns of the Jacobian that was fitted (n by p), or empty. A fit takes the slow part of a noise with
+// memory away; with them the likelihood is the restricted one (REML), of what a fit cannot take. The larger p, the
+// slower: p = 6 takes some 5 times as long. log_likelihood is always that of the residual.
+// Source: D. A. Harville, Maximum likelihood approaches to variance component estimation, J. Am. Stat. Assoc. 72
+// (1977).
+Noise noise_of(std::span<const double> time_s, std::span<const double> residual_um, std::span<const double> sigma_um,
+               const Eigen::MatrixXd& fitted = {});
 
 // Of the normal distribution with this covariance, constants included. noise.log_likelihood is not read.
 double log_likelihood(const Noise& noise, std::span<const double> time_s, std::span<const double> residual_um,
