@@ -12,5 +12,9 @@ void add_fit(CLI::App& app);
 void add_drift(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_simulate(CLI::App& app);
+void add_effects(CLI::App& app);
+void add_preflight(CLI::App& app);
+void add_check(CLI::App& app);
+void add_predict(CLI::App& app);
 
 }  // namespace ballbar::commands

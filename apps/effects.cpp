@@ -121,7 +121,7 @@ nlohmann::ordered_json json_of(const Effect& effect) {
 
 void run(const Options& options) {
   std::vector<const Effect*> chosen;
-  std::vector<std::string> names;
+  std::vector<std::string_view> names;
   for (const Effect* effect : all_effects()) {
     names.push_back(effect->name);
     if (options.name.empty() || effect->name == options.name) chosen.push_back(effect);

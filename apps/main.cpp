@@ -37,6 +37,10 @@ int main(int argc, char** argv) {
   ballbar::commands::add_drift(app);
   ballbar::commands::add_compare(app);
   ballbar::commands::add_simulate(app);
+  ballbar::commands::add_effects(app);
+  ballbar::commands::add_preflight(app);
+  ballbar::commands::add_check(app);
+  ballbar::commands::add_predict(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

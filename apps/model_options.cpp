@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -13,6 +14,15 @@
 
 namespace ballbar {
 namespace {
+
+// The circle of one recording.
+Term circle_of(std::size_t recording) {
+  Term circle = term_of("circle", {}, Level::recording);
+  for (std::size_t k = 0; k < circle.settings.size(); ++k) {
+    if (circle.effect->parameters[k].name == "recording") circle.settings[k].start = static_cast<double>(recording);
+  }
+  return circle;
+}
 
 // One circle a recording: what a trace is without any effect.
 Model circles_of(const ModelData& data) {

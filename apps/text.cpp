@@ -16,7 +16,11 @@ std::size_t characters(const std::string& text) {
 
 }  // namespace
 
-std::string Table::text() const {
+std::string Table::text() const { return aligned(true); }
+
+std::string Table::left_aligned() const { return aligned(false); }
+
+std::string Table::aligned(bool numbers) const {
   std::vector<std::size_t> width(rows_.front().size(), 0);
   for (const auto& row : rows_) {
     for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], characters(row[i]));
@@ -26,7 +30,7 @@ std::string Table::text() const {
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::string space(width[i] - characters(row[i]), ' ');
-      line += (i == 0 ? "" : "  ") + (i == 0 ? row[i] + space : space + row[i]);
+      line += (i == 0 ? "" : "  ") + (i == 0 || !numbers ? row[i] + space : space + row[i]);
     }
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + '\n';

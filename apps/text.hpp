@@ -14,8 +14,10 @@ class Table {
   explicit Table(std::vector<std::string> heading) : rows_{std::move(heading)} {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   std::string text() const;
+  std::string left_aligned() const;  // all columns to the left: tables of words
 
  private:
+  std::string aligned(bool numbers) const;
   std::vector<std::vector<std::string>> rows_;
 };
 

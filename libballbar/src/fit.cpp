@@ -179,6 +179,19 @@ void add_uncertainty(Fit& result, const Eigen::MatrixXd& jacobian, const Bounds&
   }
 }
 
+// An onset is known to the row, not better: at least the sigma of anywhere between two measured rows.
+void widen_onsets(Fit& result) {
+  for (FittedParameter& parameter : result.parameters) {
+    if (parameter.name != "onset_s" || parameter.state == ParameterState::held) continue;
+    const auto after = std::lower_bound(result.time_s.begin(), result.time_s.end(), parameter.value);
+    if (after == result.time_s.begin() || after == result.time_s.end()) continue;
+    const double between_s = *after - *(after - 1);
+    if (parameter.state == ParameterState::undetermined) parameter.sigma = 0.0;
+    parameter.state = ParameterState::free;
+    parameter.sigma = std::max(std::isnan(parameter.sigma) ? 0.0 : parameter.sigma, between_s / std::sqrt(12.0));
+  }
+}
+
 std::vector<FittedParameter> parameters_of(const Model& model, const Eigen::VectorXd& values) {
   std::vector<FittedParameter> parameters{{"constant", "constant_um", "um", values[0], kUnknown, {}}};
   Eigen::Index index = 1;
@@ -242,15 +255,28 @@ Fit fit(const Model& model, const Series& data, std::size_t target, const FitOpt
   Weighting weighting{Eigen::VectorXd::Ones(n), std::nullopt};
   for (std::size_t i = 0; i < result.sigma_um.size(); ++i)
     weighting.row[static_cast<Eigen::Index>(i)] /= result.sigma_um[i];
-  const std::vector<Eigen::VectorXd> from = starts(model, rows, data, measured, weighting.row, options.starts);
+  const std::vector<Eigen::VectorXd> from = starts(model, rows, measured, weighting.row, options.starts);
   Solved best = solved(rows, measured, weighting, bounds, from, options.robust);
 
   const auto residual_at = [&](const Eigen::VectorXd& p) { return Eigen::VectorXd(measured - rows.sum(p, nullptr)); };
+  const auto jacobian_at = [&](const Eigen::VectorXd& p) {
+    Eigen::MatrixXd all;
+    rows.sum(p, &all);
+    Eigen::MatrixXd spent(n, static_cast<Eigen::Index>(free));
+    Eigen::Index used = 0;
+    for (Eigen::Index k = 0; k < p.size(); ++k) {
+      if (!bounds.held[static_cast<std::size_t>(k)]) spent.col(used++) = all.col(k);
+    }
+    return spent;
+  };
   Eigen::VectorXd residual = residual_at(best.minimum.parameters);
   const bool with_noise = !options.white && result.row.size() >= kFewestForNoise && result.row.size() > 2 * free;
   if (with_noise) {
     for (int round = 0; round < kNoiseRounds; ++round) {
-      result.noise = noise_of(result.time_s, vector_of(residual), result.sigma_um);
+      // The last time with the parameters that the fit has spent (REML).
+      const bool last = round + 1 == kNoiseRounds;
+      result.noise = noise_of(result.time_s, vector_of(residual), result.sigma_um,
+                              last ? jacobian_at(best.minimum.parameters) : Eigen::MatrixXd());
       Weighting white{Eigen::VectorXd::Ones(n), Whitening(result.noise, result.time_s, result.sigma_um)};
       best = solved(rows, measured, white, bounds, {best.minimum.parameters}, options.robust);
       residual = residual_at(best.minimum.parameters);
@@ -279,11 +305,12 @@ Fit fit(const Model& model, const Series& data, std::size_t target, const FitOpt
   // The scatter that is left, for the parameters spent; never below what was stated.
   const double spent =
       std::max(1.0, static_cast<double>(n - static_cast<Eigen::Index>(result.discounted)) - static_cast<double>(free));
-  double variance = 2.0 * best.minimum.cost / spent;
+  double variance = with_noise && !options.robust ? 1.0 : 2.0 * best.minimum.cost / spent;
   if (!result.sigma_um.empty() && !with_noise) variance = std::max(1.0, variance);
   add_uncertainty(result, weighted(best.weighting, jacobian), bounds, variance);
   result.jacobian = std::move(jacobian);
   result.n_effective = effective_samples(result.noise, result.time_s, result.sigma_um);
+  widen_onsets(result);
   std::vector<double> speed_rpm;
   const auto speed = std::find_if(data.columns.begin(), data.columns.end(),
                                   [](const Column& candidate) { return candidate.role == Role::speed; });

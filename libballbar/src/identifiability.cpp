@@ -12,6 +12,7 @@
 #include "ballbar/trace.hpp"
 #include "model_rows.hpp"
 #include "series_cost.hpp"
+#include "shape_grid.hpp"
 
 namespace ballbar {
 namespace {
@@ -135,17 +136,17 @@ std::vector<std::vector<std::string>> bindings_of(const Effect& effect, const Mo
   return bindings;
 }
 
-std::vector<std::vector<double>> shapes_of(const Effect& effect, const Series& data) {
+std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows) {
   std::vector<double> first;
   for (const Parameter& parameter : effect.parameters) first.push_back(parameter.start);
   std::vector<std::vector<double>> points{first};
   for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
     const Parameter& parameter = effect.parameters[k];
     if (parameter.kind == ParameterKind::gain || parameter.held) continue;
-    std::vector<double> grid = parameter.grid;
+    std::vector<double> grid = shape_grid(effect, k, rows, parameter.lower, parameter.upper, kMostShapes);
     if (parameter.name == "onset_s") {
       for (int part = 1; part < 8; ++part) {
-        grid.push_back(data.time_s.front() + part * (data.time_s.back() - data.time_s.front()) / 8.0);
+        grid.push_back(rows.time_s.front() + part * (rows.time_s.back() - rows.time_s.front()) / 8.0);
       }
     }
     if (grid.empty() || points.size() * grid.size() > 4 * kMostShapes) continue;
@@ -251,7 +252,7 @@ Preflight preflight(const Model& model, const Series& data, std::size_t target) 
       if (constant || !whole) continue;
       varying = true;
       Binding binding{columns, {}};
-      for (const std::vector<double>& point : shapes_of(*effect, data)) {
+      for (const std::vector<double>& point : shapes_of(*effect, inputs)) {
         auto signature = stage.signature(*effect, inputs, point);
         if (signature) binding.signatures.push_back(std::move(*signature));
       }

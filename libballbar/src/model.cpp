@@ -124,7 +124,15 @@ bool has_free(const Model& model) {
 }
 
 bool same_term(const Term& left, const Term& right) {
-  return left.effect->name == right.effect->name && left.columns == right.columns && label_of(left) == label_of(right);
+  if (left.effect->name != right.effect->name || left.columns != right.columns || label_of(left) != label_of(right)) {
+    return false;
+  }
+  // Of one recording each: the same effect on another.
+  for (std::size_t k = 0; k < left.settings.size(); ++k) {
+    const bool held = left.settings[k].held && right.settings[k].held;
+    if (held && left.settings[k].start != right.settings[k].start) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -163,6 +171,10 @@ Term term_of(std::string_view effect_name, std::vector<std::string> columns, Lev
 std::string label_of(const Term& term) {
   const Effect& effect = *term.effect;
   if (effect.name == "expression") return fmt::format("expression({})", effect.explanation.formula);
+  for (std::size_t k = 0; k < effect.parameters.size() && k < term.settings.size(); ++k) {
+    if (effect.parameters[k].name != "recording" || term.settings[k].start < 0.0) continue;
+    return fmt::format("{} {:g}", effect.name, term.settings[k].start + 1.0);
+  }
   if (term.columns.empty() || effect.level == Level::recording) return effect.name;
   return fmt::format("{}({})", effect.name, fmt::join(term.columns, ", "));
 }

@@ -23,6 +23,7 @@ class ModelRows {
   Eigen::Index parameters() const { return parameters_; }
   Eigen::Index offset(std::size_t term) const { return offset_[term]; }  // of its first parameter
   const Effect& effect(std::size_t term) const { return *effects_[term]; }
+  const EffectRows& inputs(std::size_t term) const { return inputs_[term]; }
 
   // Values of one term; its derivatives as columns where `derivatives` is not null, rows by the term's parameters.
   Eigen::VectorXd term(std::size_t term, const double* parameters, Eigen::MatrixXd* derivatives) const;

@@ -237,6 +237,10 @@ std::vector<Misfit> where_it_fails(const Fit& fit, const Series& data) {
   return std::move(groups).taken();
 }
 
+bool is_adequate(const Fit& fit, const Whiteness& whiteness) {
+  return !fit.floor.source.empty() && fit.rmse_um <= 1.2 * fit.floor.rms_um && whiteness.p >= 0.01;
+}
+
 std::vector<std::string> sentences(const Fit& fit, const std::vector<Misfit>& where, const Whiteness& whiteness) {
   return {of_floor(fit), of_place(fit, where), of_rest(fit, whiteness)};
 }

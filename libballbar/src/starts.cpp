@@ -5,39 +5,66 @@
 #include <cmath>
 #include <limits>
 
+#include "shape_grid.hpp"
+
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kMostPoints = 400;  // of one term's grid
+constexpr std::size_t kMostPoints = 1500;  // of one term's grid
+constexpr std::size_t kCoarseOnsets = 200;
 constexpr Eigen::Index kMostRows = 1500;  // of the target, for the screening alone
 constexpr int kRounds = 2;
 
+using Points = std::vector<std::vector<double>>;
+
+// Every point once for each value of the parameter k.
+Points combined(const Points& points, std::size_t k, const std::vector<double>& values) {
+  Points more;
+  for (const std::vector<double>& point : points) {
+    for (const double value : values) {
+      more.push_back(point);
+      more.back()[k] = value;
+    }
+  }
+  return more;
+}
+
 // All combinations of a term's shapes, each a whole parameter vector of the term.
-std::vector<std::vector<double>> grid_of(const Term& term, const Series& data) {
+Points grid_of(const Term& term, const EffectRows& rows) {
   std::vector<double> first;
   for (const Setting& setting : term.settings) first.push_back(setting.start);
-  std::vector<std::vector<double>> points{first};
+  Points points{first};
   for (std::size_t k = 0; k < term.settings.size(); ++k) {
     const Parameter& parameter = term.effect->parameters[k];
     const Setting& setting = term.settings[k];
     if (parameter.kind == ParameterKind::gain || setting.held || setting.stated) continue;
-    std::vector<double> grid = parameter.grid;
+    std::vector<double> grid =
+        shape_grid(*term.effect, k, rows, setting.lower, setting.upper, kMostPoints / points.size());
     if (grid.empty() && parameter.name == "onset_s") {
-      const std::size_t stride = 1 + data.time_s.size() / 200;
-      for (std::size_t row = stride; row < data.time_s.size(); row += stride) grid.push_back(data.time_s[row]);
+      const std::size_t stride = 1 + rows.time_s.size() / kCoarseOnsets;
+      for (std::size_t row = stride; row < rows.time_s.size(); row += stride) grid.push_back(rows.time_s[row]);
     }
-    std::erase_if(grid, [&](double value) { return value < setting.lower || value > setting.upper; });
     if (grid.empty() || points.size() * grid.size() > kMostPoints) continue;
-    std::vector<std::vector<double>> more;
-    for (const std::vector<double>& point : points) {
-      for (const double value : grid) {
-        more.push_back(point);
-        more.back()[k] = value;
-      }
-    }
-    points = std::move(more);
+    points = combined(points, k, grid);
   }
   return points;
+}
+
+// The onset of a step is found from the row next to it alone: every row about the coarse one.
+Points finer(const Term& term, const EffectRows& rows, const std::vector<double>& point) {
+  for (std::size_t k = 0; k < term.settings.size(); ++k) {
+    if (term.effect->parameters[k].name != "onset_s" || term.settings[k].held || term.settings[k].stated) continue;
+    const std::size_t stride = 1 + rows.time_s.size() / kCoarseOnsets;
+    const auto at = std::lower_bound(rows.time_s.begin(), rows.time_s.end(), point[k]);
+    const auto middle = static_cast<std::size_t>(at - rows.time_s.begin());
+    std::vector<double> grid;
+    for (std::size_t row = middle > stride ? middle - stride : 0; row < middle + stride && row < rows.time_s.size();
+         ++row) {
+      grid.push_back(rows.time_s[row]);
+    }
+    return combined({point}, k, grid);
+  }
+  return {};
 }
 
 // What the gains of one point can make, and what the held ones add.
@@ -130,15 +157,14 @@ class Screening {
 
 }  // namespace
 
-std::vector<Eigen::VectorXd> starts(const Model& model, const ModelRows& rows, const Series& data,
-                                    const Eigen::VectorXd& target_um, const Eigen::VectorXd& weight,
-                                    std::size_t count) {
+std::vector<Eigen::VectorXd> starts(const Model& model, const ModelRows& rows, const Eigen::VectorXd& target_um,
+                                    const Eigen::VectorXd& weight, std::size_t count) {
   const Screening screening(model, rows, target_um, weight);
   const std::size_t terms = model.terms.size();
-  std::vector<std::vector<std::vector<double>>> points(terms);
+  std::vector<Points> points(terms);
   std::vector<std::vector<Basis>> bases(terms);
   for (std::size_t t = 0; t < terms; ++t) {
-    points[t] = grid_of(model.terms[t], data);
+    points[t] = grid_of(model.terms[t], rows.inputs(t));
     for (const std::vector<double>& point : points[t]) bases[t].push_back(screening.basis(t, point));
   }
   std::vector<std::size_t> chosen(terms, 0);
@@ -172,6 +198,17 @@ std::vector<Eigen::VectorXd> starts(const Model& model, const ModelRows& rows, c
       }
       moved = moved || best != chosen[t];
       chosen[t] = best;
+      for (std::vector<double>& point : finer(model.terms[t], rows.inputs(t), points[t][best])) {
+        bases[t].push_back(screening.basis(t, point));
+        points[t].push_back(std::move(point));
+        std::vector<std::size_t> choice = chosen;
+        choice[t] = points[t].size() - 1;
+        const double cost = tried(choice);
+        if (cost < least) {
+          least = cost;
+          chosen = choice;
+        }
+      }
     }
     if (!moved) break;
   }

@@ -51,6 +51,9 @@ struct Whiteness {
 };
 Whiteness whiteness(const Fit& fit);
 
+// RMSE at most 1.2 times the floor, and what is left white (p >= 0.01).
+bool is_adequate(const Fit& fit, const Whiteness& whiteness);
+
 // Three sentences: how far from the floor, where worst, and what is left. Worst is the group whose share of the misfit
 // is furthest above its share of the readings. What is left is not noise where p < 0.01.
 std::vector<std::string> sentences(const Fit& fit, const std::vector<Misfit>& where, const Whiteness& whiteness);

@@ -50,7 +50,7 @@ struct ExampleRows {
       } else if (role == "direction") {
         value = second ? -1.0 : 1.0;
       } else if (role == "feed") {
-        value = 2000.0;
+        value = second ? 1000.0 : 2000.0;
       } else if (role == "radius") {
         value = 100.0;
       } else if (role == "height") {

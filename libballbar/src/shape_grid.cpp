@@ -1,0 +1,57 @@
+#include "shape_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ballbar {
+namespace {
+
+double range_of(std::span<const double> values) {
+  if (values.empty()) return 0.0;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *high - *low;
+}
+
+double range_of_input(const Effect& effect, const EffectRows& rows, std::string_view role) {
+  for (std::size_t i = 0; i < effect.inputs.size(); ++i) {
+    if (effect.inputs[i].role == role) return range_of(rows.inputs[i]);
+  }
+  return 0.0;
+}
+
+double largest_input(const Effect& effect, const EffectRows& rows, std::string_view role) {
+  for (std::size_t i = 0; i < effect.inputs.size(); ++i) {
+    if (effect.inputs[i].role == role) return *std::max_element(rows.inputs[i].begin(), rows.inputs[i].end());
+  }
+  return 0.0;
+}
+
+// Frequencies from lowest to highest in steps of half a cycle over the span.
+std::vector<double> frequencies(double lowest, double highest, double span, std::size_t most) {
+  std::vector<double> result;
+  if (!(span > 0.0) || !(highest > lowest)) return result;
+  const double step = std::max(0.5 / span, (highest - lowest) / static_cast<double>(most));
+  for (double f = lowest; f <= highest && result.size() < most; f += step) result.push_back(f);
+  return result;
+}
+
+}  // namespace
+
+std::vector<double> shape_grid(const Effect& effect, std::size_t parameter, const EffectRows& rows, double lower,
+                               double upper, std::size_t most) {
+  const Parameter& shape = effect.parameters[parameter];
+  std::vector<double> grid = shape.grid;
+  if (shape.name == "period_s") {
+    grid = frequencies(1.0 / upper, 1.0 / lower, range_of(rows.time_s), most);
+    for (double& value : grid) value = 1.0 / value;
+  } else if (shape.name == "pitch_mm") {
+    grid = frequencies(1.0 / upper, 1.0 / lower, 2.0 * largest_input(effect, rows, "radius"), most);
+    for (double& value : grid) value = 1.0 / value;
+  } else if (shape.name == "frequency_Hz" && !grid.empty()) {
+    grid = frequencies(grid.front(), grid.back(), range_of_input(effect, rows, "sweep"), most);
+  }
+  std::erase_if(grid, [&](double value) { return value < lower || value > upper; });
+  return grid;
+}
+
+}  // namespace ballbar
