@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "ballbar/residual.hpp"
-#include "ballbar/units.hpp"
 #include "commands.hpp"
 #include "model_options.hpp"
 #include "text.hpp"
@@ -46,18 +45,33 @@ std::string strongest_correlation(const Fit& fit, std::size_t k) {
     }
   }
   if (std::abs(largest) < 0.5) return "-";
-  return fmt::format("{:.2f} {}", largest,
-                     fit.parameters[with].name == "constant_um" ? "constant" : fit.parameters[with].name);
+  const FittedParameter& other = fit.parameters[with];
+  if (other.name == "constant_um") return fmt::format("{:.2f} constant", largest);
+  const auto same = [&](const FittedParameter& parameter) { return parameter.name == other.name; };
+  const bool unique = std::count_if(fit.parameters.begin(), fit.parameters.end(), same) == 1;
+  return fmt::format("{:.2f} {}{}", largest, other.name, unique ? "" : ", " + shortened(other.effect, 20));
+}
+
+void add_parameters(Table& table, const Fit& fit, const std::string& target) {
+  for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
+    const FittedParameter& parameter = fit.parameters[k];
+    if (k == 0 && parameter.state == ParameterState::held && parameter.value == 0.0) continue;  // recordings have none
+    if (parameter.name == "recording") continue;  // the label has it: circle 1
+    table.add({target + shortened(parameter.effect, 44), parameter.name, value_text(parameter), parameter.unit,
+               strongest_correlation(fit, k)});
+  }
 }
 
 Table parameter_table(const Fit& fit) {
   Table table({"effect", "parameter", "value", "unit", "correlated most with"});
-  for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
-    const FittedParameter& parameter = fit.parameters[k];
-    if (k == 0 && parameter.state == ParameterState::held && parameter.value == 0.0) continue;  // recordings have none
-    table.add({parameter.effect, parameter.name, value_text(parameter), parameter.unit, strongest_correlation(fit, k)});
-  }
+  add_parameters(table, fit, "");
   return table;
+}
+
+// Enough that a residual of this size shows two digits.
+int decimals_of(double rmse_um) {
+  if (!(rmse_um > 0.0)) return 2;
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(rmse_um))), 2, 6);
 }
 
 // Regimes and quadrants whole, then the groups that hold more of the misfit than their share of the rows.
@@ -77,43 +91,90 @@ std::vector<Misfit> worth_showing(const Checked& checked) {
 
 Table misfit_table(const Checked& checked) {
   Table table({"where", "from", "to", "rows", "bias um", "RMSE um", "% of misfit"});
+  const int decimals = decimals_of(checked.fit.rmse_um);
   for (const Misfit& misfit : worth_showing(checked)) {
-    table.add({misfit.what, misfit.from, misfit.to, fmt::format("{}", misfit.n),
-               with_sigma(misfit.bias_um, misfit.bias_sigma_um, 2), fmt::format("{:.3f}", misfit.rmse_um),
-               fmt::format("{:.0f}", 100.0 * misfit.share)});
+    table.add({shortened(misfit.what, 30), misfit.from, misfit.from == misfit.to ? "" : misfit.to,
+               fmt::format("{}", misfit.n), with_sigma(misfit.bias_um, misfit.bias_sigma_um, decimals),
+               fmt::format("{:.{}f}", misfit.rmse_um, decimals + 1), fmt::format("{:.0f}", 100.0 * misfit.share)});
   }
   return table;
 }
 
 std::string noise_text(const Noise& noise) {
-  if (!(noise.correlated_um > 0.0)) return fmt::format("Noise of the residual: white, {:.3f} um.", noise.white_um);
-  return fmt::format("Noise of the residual: {:.3f} um white, {:.3f} um with a memory of {:.1f} min.", noise.white_um,
-                     noise.correlated_um, min_from_s(noise.correlation_time_s));
+  if (!(noise.correlated_um > 0.0)) return fmt::format("Noise of the residual: white, {:.3g} um.", noise.white_um);
+  const std::string white =
+      noise.white_um > 0.0005 * noise.correlated_um ? fmt::format("{:.3g} um white, ", noise.white_um) : "";
+  return fmt::format("Noise of the residual: {}{:.3g} um with a memory of {}.", white, noise.correlated_um,
+                     duration_text(noise.correlation_time_s));
+}
+
+bool has_floor(const Fit& fit) { return !fit.floor.source.empty() && fit.floor.rms_um > 0.0; }
+
+std::string independent_text(double n) { return n < 100.0 ? fmt::format("{:.1f}", n) : fmt::format("{:.0f}", n); }
+
+std::string floor_text(const Fit& fit) {
+  const int decimals = decimals_of(fit.rmse_um) + 1;
+  const std::string of_floor =
+      has_floor(fit) ? fmt::format(", {:.2f} times the floor of {:.{}f} um ({})", fit.rmse_um / fit.floor.rms_um,
+                                   fit.floor.rms_um, decimals, fit.floor.source)
+                     : "";
+  return fmt::format("RMSE {:.{}f} um{}. {} values, as good as {} independent ones.", fit.rmse_um, decimals, of_floor,
+                     fit.residual_um.size(), independent_text(fit.n_effective));
+}
+
+std::string whiteness_text(const Whiteness& whiteness, std::size_t n) {
+  std::vector<std::string> lags;
+  for (std::size_t k = 0; k < std::min<std::size_t>(5, whiteness.autocorrelation.size()); ++k) {
+    lags.push_back(fixed(whiteness.autocorrelation[k], 2));
+  }
+  std::string text;
+  if (!lags.empty()) {
+    text = fmt::format(" Autocorrelation of the residual at lags 1 to {}: {}.", lags.size(), fmt::join(lags, ", "));
+  }
+  if (n < 16) return text;
+  const std::string p = whiteness.p < 0.001 ? "p < 0.001" : fmt::format("p = {:.3f}", whiteness.p);
+  return text + fmt::format(" Cumulated periodogram of the whitened residual: distance {:.3f}, {}.",
+                            whiteness.periodogram_distance, p);
+}
+
+void print_sentences(const Checked& checked) {
+  for (const std::string& sentence : sentences(checked.fit, checked.where, checked.whiteness)) {
+    fmt::print("{}", wrapped(sentence));
+  }
+}
+
+void print_remarks(const Fit& fit) {
+  if (fit.discounted > 0)
+    fmt::print("{} {} discounted.\n", fit.discounted, fit.discounted == 1 ? "value was" : "values were");
+  for (const std::string& remark : fit.remarks) fmt::print("{}", wrapped(remark));
+}
+
+std::string heading(const Fit& fit) {
+  return fmt::format("{}, {} values over {}", fit.target, fit.residual_um.size(),
+                     duration_text(fit.time_s.back() - fit.time_s.front()));
 }
 
 void print_text(const Checked& checked, const std::string& title) {
   const Fit& fit = checked.fit;
-  fmt::print("{}\n{}, {} values over {:g} min\n\n", title, fit.target, fit.residual_um.size(),
-             min_from_s(fit.time_s.back() - fit.time_s.front()));
-  for (const std::string& sentence : sentences(fit, checked.where, checked.whiteness))
-    fmt::print("{}", wrapped(sentence));
-  fmt::print("\n{}\n", parameter_table(fit).text());
-  fmt::print(
-      "RMSE {:.3f} um, {:.2f} times the floor of {:.3f} um ({}); {} values, as good as {:.1f} independent ones\n\n",
-      fit.rmse_um, fit.rmse_um / fit.floor.rms_um, fit.floor.rms_um, fit.floor.source, fit.residual_um.size(),
-      fit.n_effective);
-  fmt::print("{}\n", misfit_table(checked).text());
-  std::vector<std::string> lags;
-  for (std::size_t k = 0; k < std::min<std::size_t>(5, checked.whiteness.autocorrelation.size()); ++k) {
-    lags.push_back(fmt::format("{:.2f}", checked.whiteness.autocorrelation[k]));
+  fmt::print("{}\n{}\n\n", title, heading(fit));
+  print_sentences(checked);
+  fmt::print("\n{}\n{}", parameter_table(fit).text(), wrapped(floor_text(fit)));
+  if (!checked.where.empty()) fmt::print("\n{}", misfit_table(checked).text());
+  fmt::print("\n{}", wrapped(noise_text(fit.noise) + whiteness_text(checked.whiteness, fit.residual_um.size())));
+  print_remarks(fit);
+}
+
+// Several targets: the sentences of each, and one table of all parameters.
+void print_targets(const std::vector<Checked>& all, const std::string& title) {
+  fmt::print("{}\n", title);
+  Table table({"target: effect", "parameter", "value", "unit", "correlated most with"});
+  for (const Checked& checked : all) {
+    fmt::print("\n{}\n", heading(checked.fit));
+    print_sentences(checked);
+    print_remarks(checked.fit);
+    add_parameters(table, checked.fit, checked.fit.target + ": ");
   }
-  fmt::print("{}",
-             wrapped(fmt::format("{} Autocorrelation of the residual at lags 1 to {}: {}. Cumulated periodogram of "
-                                 "the whitened residual: distance {:.3f}, p = {:.3g}.",
-                                 noise_text(fit.noise), lags.size(), fmt::join(lags, ", "),
-                                 checked.whiteness.periodogram_distance, checked.whiteness.p)));
-  if (fit.discounted > 0) fmt::print("{} values were discounted.\n", fit.discounted);
-  for (const std::string& remark : fit.remarks) fmt::print("{}", wrapped(remark));
+  fmt::print("\n{}\n--target {} shows one target in full.\n", table.text(), all.front().fit.target);
 }
 
 const char* state_name(ParameterState state) {
@@ -142,7 +203,7 @@ nlohmann::ordered_json json_of(const Checked& checked) {
   nlohmann::ordered_json json;
   json["target"] = fit.target;
   json["rmse_um"] = number(fit.rmse_um);
-  json["floor_um"] = number(fit.floor.rms_um);
+  json["floor_um"] = has_floor(fit) ? number(fit.floor.rms_um) : nullptr;
   json["floor_source"] = fit.floor.source;
   json["n"] = fit.residual_um.size();
   json["n_effective"] = number(fit.n_effective);
@@ -190,22 +251,23 @@ nlohmann::ordered_json json_of(const Checked& checked) {
 void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
-  nlohmann::ordered_json targets = nlohmann::ordered_json::array();
+  std::vector<Checked> all;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     Checked checked;
     checked.fit = fit(model, data.series, target, fit_options(options.model));
     checked.where = where_it_fails(checked.fit, data.series);
     checked.whiteness = whiteness(checked.fit);
-    if (options.json) {
-      targets.push_back(json_of(checked));
-    } else {
-      if (target > 0) fmt::print("\n");
-      print_text(checked, data.title);
-    }
+    all.push_back(std::move(checked));
   }
   if (options.json) {
+    nlohmann::ordered_json targets = nlohmann::ordered_json::array();
+    for (const Checked& checked : all) targets.push_back(json_of(checked));
     const nlohmann::ordered_json several{{"targets", targets}};
     fmt::print("{}\n", (targets.size() == 1 ? targets.front() : several).dump(2));
+  } else if (all.size() == 1) {
+    print_text(all.front(), data.title);
+  } else {
+    print_targets(all, data.title);
   }
 }
 
@@ -215,6 +277,7 @@ void add_check(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("check", "Fit a model, and show where it fails");
   add_model_options(*command, options->model, false);
+  add_fit_options(*command, options->model);
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"

@@ -3,9 +3,11 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "ballbar/effect.hpp"
 #include "ballbar/error.hpp"
@@ -16,6 +18,8 @@
 
 namespace ballbar::commands {
 namespace {
+
+constexpr std::size_t kMeaningWidth = 50;
 
 struct Options {
   std::string name;
@@ -37,7 +41,8 @@ void print_list() {
       if (effect->level != level) continue;
       std::vector<std::string> inputs;
       for (const Input& input : effect->inputs) inputs.push_back(input.role);
-      table.add({effect->name, inputs.empty() ? "time" : fmt::format("{}", fmt::join(inputs, ", ")),
+      const std::string none = effect == &expression_page() ? "any" : "time";
+      table.add({effect->name, inputs.empty() ? none : fmt::format("{}", fmt::join(inputs, ", ")),
                  effect->explanation.summary});
     }
     fmt::print("{}\n", table.left_aligned());
@@ -47,6 +52,16 @@ void print_list() {
 
 void print_part(const char* heading, const std::string& text) {
   if (!text.empty()) fmt::print("{}\n{}\n", heading, wrapped(text, 90));
+}
+
+// A row of a table whose last cell, a text, goes on below itself.
+void add_wrapped(Table& table, std::vector<std::string> row) {
+  std::istringstream text(wrapped(row.back(), kMeaningWidth));
+  for (std::string line; std::getline(text, line);) {
+    row.back() = line;
+    table.add(row);
+    std::fill(row.begin(), row.end(), "");
+  }
 }
 
 std::string bound(double value) { return std::isfinite(value) ? fmt::format("{:g}", value) : "-"; }
@@ -60,16 +75,16 @@ void print_page(const Effect& effect) {
   if (!effect.inputs.empty()) {
     Table inputs({"input", "unit", "what"});
     for (const Input& input : effect.inputs) {
-      inputs.add({input.role, fmt::format("{}", fmt::join(input.units, ", ")), input.meaning});
+      add_wrapped(inputs, {input.role, fmt::format("{}", fmt::join(input.units, ", ")), input.meaning});
     }
     fmt::print("{}\n", inputs.left_aligned());
   }
   if (!effect.parameters.empty()) {
     Table parameters({"parameter", "unit", "start", "lowest", "highest", "what"});
     for (const Parameter& parameter : effect.parameters) {
-      parameters.add({parameter.name, parameter.unit,
-                      fmt::format("{:g}{}", parameter.start, parameter.held ? " held" : ""), bound(parameter.lower),
-                      bound(parameter.upper), parameter.meaning});
+      add_wrapped(parameters, {parameter.name, parameter.unit,
+                               fmt::format("{:g}{}", parameter.start, parameter.held ? " held" : ""),
+                               bound(parameter.lower), bound(parameter.upper), parameter.meaning});
     }
     fmt::print("{}\n", parameters.left_aligned());
   }
@@ -128,8 +143,8 @@ void run(const Options& options) {
   }
   if (chosen.empty()) {
     throw Error(
-        fmt::format("expected the name of an effect, found \"{}\"; the nearest is {}, all are listed by ballbar "
-                    "effects.",
+        fmt::format("expected the name of an effect, found \"{}\"; the nearest is {}. ballbar effects lists "
+                    "all.",
                     options.name, nearest_name(options.name, names)));
   }
   if (options.json) {

@@ -35,6 +35,20 @@ Model circles_of(const ModelData& data) {
   return model;
 }
 
+// As expect_suits, with the model's file; a model that is all held still predicts.
+void expect_model_suits(Model model, const ModelData& data, const std::string& file) {
+  for (const std::string& target : model.targets) {
+    if (find_column(data.series, target) == nullptr || unit_of(target) == "um") continue;
+    throw Error(fmt::format("target: expected a column in um, found \"{}\".", target));
+  }
+  if (model.level == Level::series) model.constant_um.reset();
+  try {
+    expect_suits(model, data.series);
+  } catch (const Error& error) {
+    throw Error(file.empty() ? error.what() : fmt::format("{}: {}", file, error.what()));
+  }
+}
+
 }  // namespace
 
 void add_model_options(CLI::App& command, ModelOptions& options, bool model_required) {
@@ -43,11 +57,16 @@ void add_model_options(CLI::App& command, ModelOptions& options, bool model_requ
       command.add_option("--model", options.model, "model.toml: the effects to fit")->type_name("FILE");
   if (model_required) model->required();
   command.add_option("--target", options.target, "column to explain instead of the model's own; may be repeated")
-      ->type_name("COLUMN");
+      ->type_name("COLUMN")
+      ->allow_extra_args(false);
   command.add_option("--max-gap", options.max_gap_s, "longest gap of a signal to interpolate over; default 10min")
       ->type_name("TIME")
       ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
-                                        CLI::AsNumberWithUnit::CASE_SENSITIVE));
+                                        CLI::AsNumberWithUnit::CASE_SENSITIVE))
+      ->check(CLI::PositiveNumber);
+}
+
+void add_fit_options(CLI::App& command, ModelOptions& options) {
   command.add_flag("--robust", options.robust, "discount outlying values (Tukey's biweight)");
   command.add_flag("--white", options.white, "ordinary least squares: no memory in the noise");
 }
@@ -81,6 +100,7 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
   if (!options.target.empty()) model.targets = options.target;
   if (model.targets.empty())
     throw Error(fmt::format("{}: expected a measured column to explain, found none.", data.title));
+  expect_model_suits(model, data, options.model);
   return model;
 }
 
@@ -95,6 +115,9 @@ std::string value_text(const FittedParameter& parameter) {
   if (parameter.state == ParameterState::held) return fmt::format("{:g} held", parameter.value);
   if (parameter.state == ParameterState::undetermined) return "not determined";
   if (!std::isfinite(parameter.sigma)) return fmt::format("{:.4g} on its bound", parameter.value);
+  if (parameter.sigma < 1e-6 * std::abs(parameter.value)) {
+    return fmt::format("{:.6g} ± {:.0e}", parameter.value, parameter.sigma);
+  }
   // Two digits of sigma.
   const int decimals =
       parameter.sigma > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(parameter.sigma))), 0, 9) : 4;

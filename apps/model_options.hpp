@@ -26,12 +26,16 @@ struct ModelOptions {
 
 void add_model_options(CLI::App& command, ModelOptions& options, bool model_required);
 
+// --robust and --white, for the commands that print the fit.
+void add_fit_options(CLI::App& command, ModelOptions& options);
+
 constexpr double kUsualGap_s = 600.0;
 
 ModelData open_data(const ModelOptions& options);
 
 // The model of the file, its targets replaced where the command line says so; without a file a constant (or, on
-// recordings, a circle each). Throws Error: a model of drift for recordings or the other way round.
+// recordings, a circle each). Throws Error: a model of drift for recordings or the other way round, one that does not
+// suit the data (expect_suits) with the file's name, a target that is not in um.
 Model open_model(const ModelOptions& options, const ModelData& data);
 
 FitOptions fit_options(const ModelOptions& options);

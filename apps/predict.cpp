@@ -8,9 +8,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "ballbar/error.hpp"
 #include "ballbar/formats/bytes.hpp"
 #include "ballbar/formats/series_csv.hpp"
-#include "ballbar/units.hpp"
 #include "commands.hpp"
 #include "model_options.hpp"
 #include "out_files.hpp"
@@ -91,8 +91,8 @@ Table summary(const std::vector<Column>& columns) {
       last = value;
     }
     if (low > high) continue;
-    table.add({column.name, fmt::format("{:.3f}", low), fmt::format("{:.3f}", high), fmt::format("{:.3f}", last),
-               fmt::format("{:.3f}", rms(column.values))});
+    table.add(
+        {shortened(column.name, 60), fixed(low, 3), fixed(high, 3), fixed(last, 3), fixed(rms(column.values), 3)});
   }
   return table;
 }
@@ -106,6 +106,10 @@ void run(const Options& options) {
   std::vector<std::filesystem::path> inputs = data.files;
   inputs.insert(inputs.end(), other.files.begin(), other.files.end());
   inputs.emplace_back(options.model.model);
+  for (const std::string& path : options.out) {
+    if (std::filesystem::path(path).extension() == ".csv") continue;
+    throw Error(fmt::format("--out {}: expected a name that ends in .csv.", path));
+  }
   expect_no_input(options.out, inputs);
   Series series;
   series.time_s = other.series.time_s;
@@ -129,8 +133,8 @@ void run(const Options& options) {
     }
     fmt::print("{}\n", json.dump());
   } else {
-    fmt::print("{}\n{} of {} rows over {:g} min{}\n\n{}", other.title, options.model.model, series.time_s.size(),
-               min_from_s(series.time_s.back() - series.time_s.front()),
+    fmt::print("{}\n{}: {} rows over {}{}\n\n{}", other.title, options.model.model, series.time_s.size(),
+               duration_text(series.time_s.back() - series.time_s.front()),
                options.on.empty() ? "" : fmt::format(", fitted to {}", data.title), summary(series.columns).text());
   }
   for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
@@ -142,9 +146,10 @@ void add_predict(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("predict", "The model's series, with what each effect adds");
   add_model_options(*command, options->model, true);
+  add_fit_options(*command, options->model);
   command->add_option("--on", options->on, "other data to predict, with the parameters fitted to DATA")
       ->type_name("DATA");
-  command->add_option("--out", options->out, "write the series, .csv")->type_name("FILE");
+  command->add_option("--out", options->out, "write the series, .csv")->type_name("FILE")->allow_extra_args(false);
   command->add_flag("--json", options->json, "the series for a program");
   command->footer(
       "Example:\n"

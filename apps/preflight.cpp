@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,8 @@
 
 namespace ballbar::commands {
 namespace {
+
+constexpr std::size_t kTargetsShown = 6;
 
 struct Options {
   ModelOptions model;
@@ -35,33 +38,89 @@ const char* name_of(Testability testability) {
   return "testable";
 }
 
+// "0.13": two decimals, more where that would leave nothing.
+std::string um_text(double value_um) {
+  return value_um < 0.095 ? fmt::format("{:.2g}", value_um) : fmt::format("{:.2f}", value_um);
+}
+
+std::string columns_text(const Prospect& prospect) {
+  if (prospect.columns.empty()) return "time";
+  const std::string more = prospect.bindings > 1 ? fmt::format(" (best of {})", prospect.bindings) : "";
+  return shortened(fmt::format("{}", fmt::join(prospect.columns, ", ")), 40) + more;
+}
+
+// Numbers of the rows of the table; names of effects that are not in it.
+std::string inseparable_text(const Prospect& prospect, const std::vector<const Prospect*>& rows) {
+  std::vector<std::string> texts;
+  for (const std::string& name : prospect.inseparable_from) {
+    const auto same = [&](const Prospect* row) { return row->effect->name == name; };
+    const auto row = std::find_if(rows.begin(), rows.end(), same);
+    texts.push_back(row == rows.end() ? name : fmt::format("{}", row - rows.begin() + 1));
+  }
+  return texts.empty() ? "-" : fmt::format("{}", fmt::join(texts, ", "));
+}
+
+// What several effects have in common is said once.
+void print_untestable(const Preflight& result) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
+  for (const Prospect& prospect : result.prospects) {
+    if (prospect.testability == Testability::testable) continue;
+    const auto same = [&](const auto& reason) { return reason.first == prospect.why; };
+    auto reason = std::find_if(reasons.begin(), reasons.end(), same);
+    if (reason == reasons.end()) reason = reasons.insert(reasons.end(), {prospect.why, {}});
+    reason->second.push_back(prospect.effect->name);
+  }
+  if (!reasons.empty()) fmt::print("Not testable:\n");
+  for (const auto& [why, effects] : reasons) {
+    fmt::print("{}", wrapped(fmt::format("  {}: {}", why, fmt::join(effects, ", "))));
+  }
+}
+
 void print_text(const Preflight& result, const std::string& title) {
-  std::size_t testable = 0, apart = 0;
+  std::vector<const Prospect*> rows;
+  std::size_t apart = 0;
   for (const Prospect& prospect : result.prospects) {
     if (prospect.testability != Testability::testable) continue;
-    ++testable;
+    rows.push_back(&prospect);
     if (prospect.inseparable_from.empty()) ++apart;
   }
   fmt::print("{}\n{}, {} values\n\n{} of {} effects could be seen here, {} of them could be told from all others.\n\n",
-             title, result.target, result.n, testable, result.prospects.size(), apart);
-  Table table({"effect", "columns", "seen from um", "named from um", "not the model's %", "inseparable from"});
-  for (const Prospect& prospect : result.prospects) {
-    if (prospect.testability != Testability::testable) continue;
-    const std::string more = prospect.bindings > 1 ? fmt::format(" (best of {})", prospect.bindings) : "";
-    table.add(
-        {prospect.effect->name, fmt::format("{}{}", fmt::join(prospect.columns, ", "), more),
-         fmt::format("{:.2f}", prospect.detectable_um), fmt::format("{:.2f}", prospect.identifiable_um),
-         fmt::format("{:.0f}", 100.0 * prospect.surviving_share),
-         prospect.inseparable_from.empty() ? "-" : fmt::format("{}", fmt::join(prospect.inseparable_from, ", "))});
+             title, result.target, result.n, rows.size(), result.prospects.size(), apart);
+  Table table({"effect", "columns", "seen from um", "named from um", "own %", "inseparable from"});
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    table.add({fmt::format("{:2} {}", i + 1, rows[i]->effect->name), columns_text(*rows[i]),
+               um_text(rows[i]->detectable_um), um_text(rows[i]->identifiable_um),
+               fmt::format("{:.0f}", 100.0 * rows[i]->surviving_share), inseparable_text(*rows[i], rows)});
   }
-  if (testable > 0) fmt::print("{}\n", table.text());
-  for (const Prospect& prospect : result.prospects) {
-    if (prospect.testability == Testability::testable) continue;
-    fmt::print("{}: not testable, {}.\n", prospect.effect->name, prospect.why);
+  if (!rows.empty()) fmt::print("{}\n", table.text());
+  print_untestable(result);
+  fmt::print("\n{}", wrapped(fmt::format(
+                         "um: range (max - min) that the effect would add over these data, to be seen and to be named. "
+                         "own %: what of it the model cannot make already. Noise from: {}.",
+                         result.noise_source)));
+}
+
+// Effects by targets: the smallest that could be named.
+void print_targets(const std::vector<Preflight>& results, const std::string& title) {
+  std::vector<std::string> heading{"named from um"};
+  const std::size_t shown = std::min(results.size(), kTargetsShown);
+  for (std::size_t i = 0; i < shown; ++i) heading.push_back(results[i].target);
+  Table table(heading);
+  for (std::size_t k = 0; k < results.front().prospects.size(); ++k) {
+    std::vector<std::string> row{results.front().prospects[k].effect->name};
+    for (std::size_t i = 0; i < shown; ++i) {
+      const Prospect& prospect = results[i].prospects[k];
+      row.push_back(prospect.testability == Testability::testable ? um_text(prospect.identifiable_um) : "-");
+    }
+    if (std::any_of(row.begin() + 1, row.end(), [](const std::string& text) { return text != "-"; })) table.add(row);
   }
-  fmt::print("\n{}",
-             wrapped(fmt::format("um: range (max - min) that the effect would add over these data. Noise from: {}.",
-                                 result.noise_source)));
+  fmt::print("{}\n{} targets{}\n\n{}\n", title, results.size(),
+             shown < results.size() ? fmt::format(", the first {} shown", shown) : "", table.text());
+  print_untestable(results.front());
+  fmt::print("\n{}", wrapped(fmt::format(
+                         "um: range (max - min) that the effect would add over these data. Noise from: {}. --target {} "
+                         "shows one target in full: columns, and what is inseparable from what.",
+                         results.front().noise_source, results.front().target)));
 }
 
 nlohmann::ordered_json json_of(const Preflight& result) {
@@ -91,19 +150,19 @@ nlohmann::ordered_json json_of(const Preflight& result) {
 void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
-  nlohmann::ordered_json targets = nlohmann::ordered_json::array();
+  std::vector<Preflight> results;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
-    const Preflight result = preflight(model, data.series, target);
-    if (options.json) {
-      targets.push_back(json_of(result));
-    } else {
-      if (target > 0) fmt::print("\n");
-      print_text(result, data.title);
-    }
+    results.push_back(preflight(model, data.series, target));
   }
   if (options.json) {
+    nlohmann::ordered_json targets = nlohmann::ordered_json::array();
+    for (const Preflight& result : results) targets.push_back(json_of(result));
     const nlohmann::ordered_json several{{"targets", targets}};
     fmt::print("{}\n", (targets.size() == 1 ? targets.front() : several).dump(2));
+  } else if (results.size() == 1) {
+    print_text(results.front(), data.title);
+  } else {
+    print_targets(results, data.title);
   }
 }
 

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+
+#include "ballbar/units.hpp"
 
 namespace ballbar {
 namespace {
@@ -40,13 +43,40 @@ std::string Table::aligned(bool numbers) const {
 
 std::string with_sigma(double value, double sigma, int decimals) {
   if (std::isinf(sigma)) return "undetermined";
-  if (std::abs(value) < 0.5 * std::pow(10.0, -decimals)) value = 0.0;  // not "-0.00"
-  if (std::isnan(sigma)) return fmt::format("{:.{}f} ± ?", value, decimals);
-  return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sigma, decimals);
+  if (std::isnan(sigma)) return fixed(value, decimals) + " ± ?";
+  return fmt::format("{} ± {:.{}f}", fixed(value, decimals), sigma, decimals);
 }
 
 std::string with_sigma(const Estimate& estimate, int decimals) {
   return with_sigma(estimate.value_um, estimate.sigma_um, decimals);
+}
+
+std::string fixed(double value, int decimals) {
+  if (std::abs(value) < 0.5 * std::pow(10.0, -decimals)) value = 0.0;
+  return fmt::format("{:.{}f}", value, decimals);
+}
+
+std::string duration_text(double duration_s) {
+  if (duration_s < 120.0) return fmt::format("{:.3g} s", duration_s);
+  const double duration_min = min_from_s(duration_s);
+  return fmt::format("{:.{}f} min", duration_min, duration_min < 10.0 ? 1 : 0);
+}
+
+std::string shortened(const std::string& text, std::size_t width) {
+  std::string line;
+  for (const char c : text) {
+    if (std::isspace(static_cast<unsigned char>(c)) == 0) {
+      line += c;
+    } else if (!line.ends_with(' ')) {
+      line += ' ';
+    }
+  }
+  if (characters(line) <= width) return line;
+  std::size_t end = 0;
+  for (std::size_t shown = 0; end < line.size(); ++end) {
+    if ((static_cast<unsigned char>(line[end]) & 0xC0U) != 0x80U && ++shown > width - 3) break;
+  }
+  return line.substr(0, end) + "...";
 }
 
 std::string wrapped(const std::string& text, std::size_t width) {

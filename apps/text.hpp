@@ -25,6 +25,15 @@ class Table {
 std::string with_sigma(double value, double sigma, int decimals);
 std::string with_sigma(const Estimate& estimate, int decimals = 2);
 
+// "-0.00" is "0.00".
+std::string fixed(double value, int decimals);
+
+// "38.7 s" below two minutes, "164 min" above.
+std::string duration_text(double duration_s);
+
+// One line of at most `width` characters, with "..." where some were left out.
+std::string shortened(const std::string& text, std::size_t width);
+
 // Breaks at spaces so that no line is longer than `width`.
 std::string wrapped(const std::string& text, std::size_t width = 100);
 

@@ -14,6 +14,16 @@
 namespace ballbar {
 namespace {
 
+// An empty file and one of another kind, told here with all that would do.
+void expect_data(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return;  // a folder, or nothing: told by open_drift_data
+  const Content content = content_of(read_bytes(path, kLargestTable));
+  if (content == Content::series || content == Content::session) return;
+  throw Error(fmt::format("{}: expected a series .csv, a session.toml or recordings (.b5r, logs), found {}.",
+                          path.string(), description(content)));
+}
+
 bool is_recording(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;
@@ -40,8 +50,10 @@ ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths) {
     }
     RecordingFile file = open_recording(path);
     std::move(file.recordings.begin(), file.recordings.end(), std::back_inserter(recordings));
-    data.title += (data.title.empty() ? "" : ", ") + path.string();
   }
+  data.title = paths.size() == 1 ? paths.front().string()
+                                 : fmt::format("{} recordings of {} files, {} to {}", recordings.size(), paths.size(),
+                                               paths.front().string(), paths.back().string());
   data.series = trace_of(recordings);
   data.targets = {"deviation_um"};
   data.files = paths;
@@ -57,6 +69,7 @@ ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const
     throw Error(fmt::format("{}: expected one series or session, or recordings alone, found {} files.",
                             paths.front().string(), paths.size()));
   }
+  expect_data(paths.front());
   const DriftData source = open_drift_data(paths.front());
   ModelData data;
   data.title = paths.front().string();
@@ -69,7 +82,11 @@ ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const
     parts.push_back(series_of(drift_of(source.session->session, options)));
     for (const std::filesystem::path& path : source.session->signals) parts.push_back(open_series(path));
   }
-  data.series = joined(parts, max_gap_s);
+  try {
+    data.series = joined(parts, max_gap_s);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", paths.front().string(), error.what()));
+  }
   data.targets = measured_names(data.series);
   return data;
 }
