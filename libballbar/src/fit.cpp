@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "ballbar/error.hpp"
@@ -21,6 +22,7 @@ constexpr double kTukey = 4.685;
 constexpr int kRobustRounds = 8;
 constexpr int kNoiseRounds = 2;
 constexpr std::size_t kFewestForNoise = 30;  // below, the residual is taken as white
+constexpr double kWorseByWhitening = 1.5;    // rms: the slow part of the data was given up
 constexpr double kNoInformation = 1e-11;     // eigenvalue of the scaled information, of the largest
 
 Bounds bounds_of(const Model& model, const ModelRows& rows) {
@@ -125,8 +127,44 @@ bool on_bound(double value, double bound, double start) {
   return std::isfinite(bound) && std::abs(value - bound) <= 1e-6 * std::max({std::abs(bound), std::abs(start), 1e-6});
 }
 
-// State, sigma and covariance of the parameters from the weighted Jacobian at the minimum.
-void add_uncertainty(Fit& result, const Eigen::MatrixXd& jacobian, const Bounds& bounds, double variance) {
+// A memory longer than a tenth of the record is no noise that the record could show: it is what the model lacks. To
+// whiten it would difference the data and fit the fast part alone.
+bool is_misfit(const Noise& noise, const std::vector<double>& time_s) {
+  return noise.correlated_um > noise.white_um && noise.correlation_time_s > 0.1 * (time_s.back() - time_s.front());
+}
+
+// W C W x for the covariance C of the noise and the weights W: the exponential part by two recursions, O(n).
+Eigen::MatrixXd noise_times(const Fit& result, const Weighting& weighting, const Eigen::MatrixXd& columns) {
+  const Eigen::Index n = columns.rows();
+  const Noise& noise = result.noise;
+  Eigen::MatrixXd x = weighting.row.asDiagonal() * columns;
+  Eigen::MatrixXd out(n, columns.cols());
+  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(columns.cols());
+  const auto decay = [&](Eigen::Index i) {
+    const auto row = static_cast<std::size_t>(i);
+    return std::exp(-(result.time_s[row] - result.time_s[row - 1]) / noise.correlation_time_s);
+  };
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (i > 0) sum = decay(i) * (sum + x.row(i - 1));
+    out.row(i) = sum + x.row(i);
+  }
+  sum.setZero();
+  for (Eigen::Index i = n - 1; i >= 0; --i) {
+    if (i + 1 < n) sum = decay(i + 1) * (sum + x.row(i + 1));
+    out.row(i) += sum;
+  }
+  out *= noise.correlated_um * noise.correlated_um;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double sigma = result.sigma_um.empty() ? 0.0 : result.sigma_um[static_cast<std::size_t>(i)];
+    out.row(i) += (noise.white_um * noise.white_um + sigma * sigma) * x.row(i);
+  }
+  return weighting.row.asDiagonal() * out;
+}
+
+// State, sigma and covariance of the parameters from the weighted Jacobian J at the minimum: variance (J'J)^-1, or
+// where `noise` gives the covariance C of the weighted residuals, (J'J)^-1 J' C J (J'J)^-1.
+void add_uncertainty(Fit& result, const Eigen::MatrixXd& jacobian, const Bounds& bounds, double variance,
+                     const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& noise) {
   std::vector<Eigen::Index> used;
   for (std::size_t k = 0; k < result.parameters.size(); ++k) {
     FittedParameter& parameter = result.parameters[k];
@@ -162,6 +200,7 @@ void add_uncertainty(Fit& result, const Eigen::MatrixXd& jacobian, const Bounds&
       lost += direction.cwiseAbs2();
     }
   }
+  if (noise) inverse = inverse * (columns.transpose() * noise(columns)) * inverse;
   for (Eigen::Index j = 0; j < m; ++j) {
     const Eigen::Index row = used[static_cast<std::size_t>(j)];
     FittedParameter& parameter = result.parameters[static_cast<std::size_t>(row)];
@@ -179,7 +218,7 @@ void add_uncertainty(Fit& result, const Eigen::MatrixXd& jacobian, const Bounds&
   }
 }
 
-// An onset is known to the row, not better: at least the sigma of anywhere between two measured rows.
+// An onset is known to the row, not better: at least the rms of being anywhere within a row of the truth.
 void widen_onsets(Fit& result) {
   for (FittedParameter& parameter : result.parameters) {
     if (parameter.name != "onset_s" || parameter.state == ParameterState::held) continue;
@@ -188,7 +227,7 @@ void widen_onsets(Fit& result) {
     const double between_s = *after - *(after - 1);
     if (parameter.state == ParameterState::undetermined) parameter.sigma = 0.0;
     parameter.state = ParameterState::free;
-    parameter.sigma = std::max(std::isnan(parameter.sigma) ? 0.0 : parameter.sigma, between_s / std::sqrt(12.0));
+    parameter.sigma = std::max(std::isnan(parameter.sigma) ? 0.0 : parameter.sigma, between_s / std::sqrt(3.0));
   }
 }
 
@@ -271,15 +310,22 @@ Fit fit(const Model& model, const Series& data, std::size_t target, const FitOpt
   };
   Eigen::VectorXd residual = residual_at(best.minimum.parameters);
   const bool with_noise = !options.white && result.row.size() >= kFewestForNoise && result.row.size() > 2 * free;
+  bool misfit = false;
   if (with_noise) {
     for (int round = 0; round < kNoiseRounds; ++round) {
       // The last time with the parameters that the fit has spent (REML).
       const bool last = round + 1 == kNoiseRounds;
       result.noise = noise_of(result.time_s, vector_of(residual), result.sigma_um,
                               last ? jacobian_at(best.minimum.parameters) : Eigen::MatrixXd());
+      misfit = round == 0 && is_misfit(result.noise, result.time_s);
+      if (misfit) break;
       Weighting white{Eigen::VectorXd::Ones(n), Whitening(result.noise, result.time_s, result.sigma_um)};
-      best = solved(rows, measured, white, bounds, {best.minimum.parameters}, options.robust);
-      residual = residual_at(best.minimum.parameters);
+      Solved whitened = solved(rows, measured, white, bounds, {best.minimum.parameters}, options.robust);
+      const Eigen::VectorXd left = residual_at(whitened.minimum.parameters);
+      misfit = left.norm() > kWorseByWhitening * residual.norm();
+      if (misfit) break;
+      best = std::move(whitened);
+      residual = left;
     }
   } else {
     const double variance = residual.squaredNorm() / std::max(1.0, static_cast<double>(n) - static_cast<double>(free));
@@ -307,7 +353,12 @@ Fit fit(const Model& model, const Series& data, std::size_t target, const FitOpt
       std::max(1.0, static_cast<double>(n - static_cast<Eigen::Index>(result.discounted)) - static_cast<double>(free));
   double variance = with_noise && !options.robust ? 1.0 : 2.0 * best.minimum.cost / spent;
   if (!result.sigma_um.empty() && !with_noise) variance = std::max(1.0, variance);
-  add_uncertainty(result, weighted(best.weighting, jacobian), bounds, variance);
+  if (misfit) {
+    add_uncertainty(result, weighted(best.weighting, jacobian), bounds, 1.0,
+                    [&](const Eigen::MatrixXd& columns) { return noise_times(result, best.weighting, columns); });
+  } else {
+    add_uncertainty(result, weighted(best.weighting, jacobian), bounds, variance, nullptr);
+  }
   result.jacobian = std::move(jacobian);
   result.n_effective = effective_samples(result.noise, result.time_s, result.sigma_um);
   widen_onsets(result);
@@ -318,6 +369,13 @@ Fit fit(const Model& model, const Series& data, std::size_t target, const FitOpt
     for (const std::size_t row : result.row) speed_rpm.push_back(speed->values[row]);
   }
   result.floor = floor_of(result.time_s, result.measured_um, result.sigma_um, speed_rpm, result.noise);
+  if (misfit) {
+    result.remarks.push_back(
+        fmt::format("The residual has a memory of {:.0f} min. It is taken as what the model lacks rather than noise: "
+                    "the parameters "
+                    "are those of least squares, their sigma is widened for that memory.",
+                    result.noise.correlation_time_s / 60.0));
+  }
   add_remarks(result, free);
   return result;
 }

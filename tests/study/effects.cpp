@@ -57,6 +57,8 @@ Case case_of(const Effect& effect) {
       value = parameter.grid.size() > 1 ? 0.6 * parameter.grid[middle - 1] + 0.4 * parameter.grid[middle]
                                         : parameter.start * 1.1;
     }
+    // A small offset of a clock shows in the product with its gain alone.
+    if (parameter.name == "offset_s") value = 0.8 * parameter.grid.back();
     if (parameter.name == "onset_s") value = 0.4 * (example.time_s.front() + example.time_s.back());
     made.truth.push_back(value);
     term.settings.push_back({parameter.held, parameter.start, parameter.lower, parameter.upper, false});
@@ -124,7 +126,9 @@ int main(int argc, char** argv) {
                        tally.relative_error.begin() + static_cast<std::ptrdiff_t>(tally.relative_error.size() / 2),
                        tally.relative_error.end());
       const double median = tally.relative_error[tally.relative_error.size() / 2];
-      const bool off = binomial_probability_outside(tally.covered, tally.counted) < 1e-4;
+      // The sigma of an onset is a bound, a row's width: it may cover more.
+      const bool too_wide = effect->parameters[k].name == "onset_s" && 20 * tally.covered > 19 * tally.counted;
+      const bool off = !too_wide && binomial_probability_outside(tally.covered, tally.counted) < 1e-4;
       const bool slow = effect->parameters[k].name.ends_with("time_constant_s") && median > 0.10;
       failed = failed || off || slow;
       all_covered += tally.covered;

@@ -3,9 +3,11 @@
 // Least squares in Ceres over the rows where the target has a value, weighted by its sigma column (NAME_sigma_UNIT)
 // where there is one; one cost for the whole series with each effect's block of exact derivatives. The noise of the
 // residual is then estimated (noise.hpp) and the fit repeated with residual and derivatives whitened by it
-// (generalised least squares), so that sigma holds for residuals with a memory. Shape parameters start from the best of
-// their grids, the gains being solved for at every point of a grid (variable projection); the best three starts are
-// followed. A direction of the parameters that the data do not determine is left at its start and said.
+// (generalised least squares), so that sigma holds for residuals with a memory. A memory longer than a tenth of the
+// record is misfit rather than noise: then the parameters stay those of least squares and sigma is widened for it
+// (sandwich). Shape parameters start from the best of their grids, the gains being solved for at every point of a grid
+// (variable projection); the best three starts are followed. A direction of the parameters that the data do not
+// determine is left at its start and said.
 #pragma once
 
 #include <Eigen/Core>
