@@ -311,6 +311,27 @@ TEST(comparison, no_lag_where_none_is_determined) {
   EXPECT_FALSE(axis_of(compare(drift("a", few, {0, 5, 2}, 0.1), drift("b", few, {0, 5, 2}, 0.1))).lag_s) << "3 samples";
 }
 
+// Scatter on a straight line, or on nothing, always has some shift that fits best; it says nothing about the clocks.
+TEST(comparison, no_lag_from_scatter) {
+  std::mt19937_64 random =
+      simulation::stream_of(1, simulation::Stream::probe, simulation::key_of("no_lag_from_scatter"));
+  for (const double um_per_min : {0.0, 0.137, -2.0}) {
+    for (const double noise_um : {0.0, 0.1}) {
+      for (int draw = 0; draw < 50; ++draw) {
+        Values time_min, a, b;
+        for (int i = 0; i <= 60; ++i) {
+          time_min.push_back(i + 0.3 * simulation::uniform(random));
+          a.push_back(um_per_min * time_min.back() + noise_um * simulation::normal(random));
+          b.push_back(um_per_min * time_min.back() + noise_um * simulation::normal(random));
+        }
+        const AxisComparison x =
+            axis_of(compare(drift("a", minutes(time_min), a, 0.1), drift("b", minutes(time_min), b, 0.1)));
+        EXPECT_FALSE(x.lag_s.has_value()) << um_per_min << " um/min, " << noise_um << " um";
+      }
+    }
+  }
+}
+
 // Each sample lies beyond 2 sigma with 4.55 %: of 3 samples at least 1 with 13 %, at least 2 with 0.6 %, which is less
 // than the 1 % of the rule. The largest of 3 lies beyond z with 1 - (1 - erfc(z / sqrt 2))^3: 1 % at z = 2.935.
 TEST(comparison, verdict_by_chance) {
