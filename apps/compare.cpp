@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -51,21 +52,20 @@ MeasuredDrift drift_of_session(const SessionFiles& files, const Options& options
 struct Operands {
   MeasuredDrift a, b;
   std::vector<std::filesystem::path> files;
-  std::string title;
+  std::string title;  // of a session with its own five probes; two files are named by what they are
 };
 
 Operands operands_of(const Options& options) {
   Operands operands;
   const DriftData first = open_drift_data(options.a);
   operands.files = first.files;
-  operands.title = options.a;
   if (options.b.empty()) {
     if (!first.session || !first.session->five_probe) {
       throw Error(fmt::format("{}: expected a second file to compare with, or a session with [five_probe], found {}.",
                               options.a, first.session ? "a session without it" : "a series"));
     }
     const Session& session = first.session->session;
-    if (!session.title.empty()) operands.title = session.title;
+    operands.title = session.title.empty() ? options.a : session.title;
     operands.a = drift_of_session(*first.session, options);
     operands.b = drift_of_series(open_series(*first.session->five_probe), first.session->five_probe->string(), options,
                                  first.session->ball);
@@ -73,7 +73,6 @@ Operands operands_of(const Options& options) {
   }
   const DriftData second = open_drift_data(options.b);
   operands.files.insert(operands.files.end(), second.files.begin(), second.files.end());
-  operands.title = fmt::format("{} against {}", options.a, options.b);
   const BallPlace ball = first.session ? first.session->ball : second.session ? second.session->ball : BallPlace{};
   const auto drift = [&](const DriftData& data, const std::string& path) {
     MeasuredDrift result =
@@ -86,25 +85,42 @@ Operands operands_of(const Options& options) {
   return operands;
 }
 
-// "axial=-z": b's axis z, its sign changed, is compared as axial.
-void match(MeasuredDrift& b, const std::string& stated) {
-  const std::size_t equals = stated.find('=');
-  const bool minus = equals != std::string::npos && stated.substr(equals + 1).starts_with('-');
-  const std::string name = equals == std::string::npos ? "" : stated.substr(equals + (minus ? 2 : 1));
+std::string names_of(const MeasuredDrift& drift) {
+  std::vector<std::string> names;
+  for (const DriftAxis& axis : drift.axes) names.push_back(axis.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// "axial=-z": b's axis z, its sign changed, under the name that a has for it.
+DriftAxis matched(const MeasuredDrift& a, const MeasuredDrift& b, const std::string& stated) {
+  const std::size_t equals = std::min(stated.find('='), stated.size());
+  std::string name = stated.substr(std::min(equals + 1, stated.size()));
+  const bool minus = name.starts_with('-');
+  if (minus) name.erase(0, 1);
   const DriftAxis* axis = find_axis(b, name);
-  if (equals == 0 || axis == nullptr) {
-    std::vector<std::string> names;
-    for (const DriftAxis& known : b.axes) names.push_back(known.name);
-    throw Error(fmt::format("--match {}: expected AXIS=AXIS, the second one of {}, found \"{}\".", stated,
-                            fmt::join(names, ", "), equals == std::string::npos ? stated : name));
+  if (find_axis(a, stated.substr(0, equals)) == nullptr || axis == nullptr) {
+    throw Error(fmt::format("--match {}: expected A=B or A=-B, A an axis of {} ({}) and B one of {} ({}), found {}.",
+                            stated, a.what, names_of(a), b.what, names_of(b),
+                            equals == stated.size() ? "no ="
+                            : axis == nullptr       ? fmt::format("\"{}\" for B", name)
+                                                    : fmt::format("\"{}\" for A", stated.substr(0, equals))));
   }
   DriftAxis renamed = *axis;
   renamed.name = stated.substr(0, equals);
   if (minus) {
     for (double& value : renamed.value) value = -value;
   }
-  std::erase_if(b.axes, [&](const DriftAxis& known) { return known.name == renamed.name; });
-  b.axes.push_back(std::move(renamed));
+  return renamed;
+}
+
+// All of --match at once, so that x=y with y=-x turns the axes.
+void match(Operands& operands, const std::vector<std::string>& stated) {
+  std::vector<DriftAxis> axes;
+  for (const std::string& one : stated) axes.push_back(matched(operands.a, operands.b, one));
+  for (DriftAxis& axis : axes) {
+    std::erase_if(operands.b.axes, [&](const DriftAxis& known) { return known.name == axis.name; });
+    operands.b.axes.push_back(std::move(axis));
+  }
 }
 
 constexpr const char* kNone = "-";
@@ -131,7 +147,9 @@ Table statistics(const Comparison& comparison) {
   row("agrees", [](A axis) -> std::string {
     return axis.agreement == Agreement::agrees ? "yes" : axis.agreement == Agreement::disagrees ? "NO" : "cannot tell";
   });
-  row("samples within 2 sigma", [](A axis) { return fmt::format("{} of {}", axis.within, axis.counted); });
+  row("samples within 2 sigma", [](A axis) -> std::string {
+    return axis.counted == 0 ? kNone : fmt::format("{} of {}", axis.within, axis.counted);
+  });
   row("mean relative deviation %", [](A axis) { return fixed(axis.mean_relative_deviation, 2, 100.0); });
   row("  expected from sigma alone %", [](A axis) { return fixed(axis.expected_relative_deviation, 2, 100.0); });
   row("  share explained by sigma %", [](A axis) { return fixed(axis.explained_share, 0, 100.0); });
@@ -147,8 +165,9 @@ Table statistics(const Comparison& comparison) {
   return table;
 }
 
-// One sigma of a difference by source: root mean square over the samples, and share of the variance.
-Table budget_table(const Comparison& comparison) {
+// One sigma of a difference by source: root mean square over the samples, and share of the variance. Empty where no
+// source is known.
+std::string budget_text(const Comparison& comparison) {
   std::vector<std::string> heading{"one sigma of a difference"}, sources;
   for (const AxisComparison& axis : comparison.axes) {
     heading.push_back(fmt::format("{} {}", axis.name, axis.unit));
@@ -156,6 +175,7 @@ Table budget_table(const Comparison& comparison) {
       if (std::find(sources.begin(), sources.end(), share.source) == sources.end()) sources.push_back(share.source);
     }
   }
+  if (sources.empty()) return {};
   Table table(heading);
   for (const std::string& source : sources) {
     std::vector<std::string> cells{source};
@@ -167,18 +187,26 @@ Table budget_table(const Comparison& comparison) {
     }
     table.add(cells);
   }
-  return table;
+  return table.text();
 }
 
 void print_text(const Operands& operands, const Comparison& comparison) {
   const AxisComparison& axis = comparison.axes.front();
-  fmt::print("{}\n{} against {}\n{} samples in common, {:g} to {:g} min, both as changes since {:g} min\n\n",
-             operands.title, comparison.a, comparison.b, comparison.samples, min_from_s(axis.time_s.front()),
-             min_from_s(axis.time_s.back()), min_from_s(comparison.reference_s));
+  if (!operands.title.empty()) fmt::print("{}\n", operands.title);
+  fmt::print("{} against {}\n{} samples in common, {:g} to {:g} min, both as changes since {:g} min\n\n", comparison.a,
+             comparison.b, comparison.samples, min_from_s(axis.time_s.front()), min_from_s(axis.time_s.back()),
+             min_from_s(comparison.reference_s));
   fmt::print("{}\n{}\n", wrapped(conclusion(comparison)), statistics(comparison).text());
-  fmt::print("{}\n", budget_table(comparison).text());
-  fmt::print("{}", wrapped("Root mean square over the samples, in brackets the share of the variance. A sample agrees "
-                           "if its difference is at most 2 sigma. Lag: positive where the first one is late."));
+  const std::string budget = budget_text(comparison);
+  std::string legend = "Lag: positive where the first one is late.";
+  if (!budget.empty()) {
+    fmt::print("{}\n", budget);
+    legend =
+        "Root mean square over the samples, in brackets the share of the variance. A sample agrees if its "
+        "difference is at most 2 sigma. " +
+        legend;
+  }
+  fmt::print("{}", wrapped(legend));
   if (comparison.left_out > 0) {
     fmt::print("{} times fall into a gap and were left out (--max-gap).\n", comparison.left_out);
   }
@@ -282,14 +310,20 @@ Series differences(const Comparison& comparison) {
 
 void run(const Options& options) {
   if (!options.plot.empty()) expect_svg(options.plot);
+  if (options.max_gap_s && !(*options.max_gap_s > 0.0)) {
+    throw Error(fmt::format("--max-gap: expected a time above 0, found {} s.", *options.max_gap_s));
+  }
   for (const std::string& path : options.out) {
-    if (!path.ends_with(".csv")) throw Error(fmt::format("--out {}: expected a name that ends in .csv.", path));
+    const std::string ending = std::filesystem::path(path).extension().string();
+    if (ending == ".csv") continue;
+    throw Error(
+        fmt::format("{}: expected a name that ends in .csv, found {}.", path, ending.empty() ? "no ending" : ending));
   }
   Operands operands = operands_of(options);
   std::vector<std::string> outputs = options.out;
   if (!options.plot.empty()) outputs.push_back(options.plot);
   expect_no_input(outputs, operands.files);
-  for (const std::string& stated : options.match) match(operands.b, stated);
+  match(operands, options.match);
   const Comparison comparison = compare(operands.a, operands.b, {options.reference_s, options.max_gap_s});
   for (const std::string& path : options.out) write_bytes(path, write_series(differences(comparison)));
   if (!options.plot.empty()) plot_comparison(comparison, conclusion(comparison), options.plot);
@@ -328,7 +362,7 @@ void add_compare(CLI::App& app) {
   command->footer(
       "Examples:\n"
       "  ballbar compare sample-runs/two-arcs-he2015/session.toml --plot agreement.svg\n"
-      "  ballbar compare drift.csv sample-runs/two-arcs-he2015/five-probe.csv --from-plane-1 25");
+      "  ballbar compare sample-runs/two-arcs-he2015 sample-runs/two-arcs-he2015/five-probe.csv --from-plane-1 0");
   command->callback([options] { run(*options); });
 }
 

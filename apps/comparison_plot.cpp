@@ -32,10 +32,11 @@ struct Panel {
 constexpr Panel kSeries{90, 590};
 constexpr Panel kDifference{690, 1180};
 
-constexpr std::size_t kHeadingColumns = 140;
+constexpr std::size_t kHeadingColumns = 130;
 constexpr std::size_t kHeadingLines = 4;
 constexpr std::size_t kNameColumns = 58;
 constexpr std::size_t kMostSamples = 2000;  // of a series drawn as they are
+constexpr std::size_t kMostMarks = 300;     // of the difference; more are a line only
 constexpr std::size_t kGroups = 1000;       // else; a panel is 500 pixels wide
 
 // Colours that all kinds of colour vision tell apart (Okabe, Ito 2008).
@@ -207,11 +208,16 @@ std::string series_panel(const AxisComparison& axis, std::size_t row) {
   for (const double value : axis.b) widen(range, value);
   std::string text = panel_title(shortened(axis.name, 40), "") + y_range(with_margin(range, 0.06));
   text += "plot 0 with lines lc rgb '#888888' lw 1 notitle";
-  if (any_finite(axis.b)) text += fmt::format(", $b{} with lines lc rgb '{}' lw 2 notitle", row, kVermillion);
-  if (any_finite(axis.a)) {
-    text += fmt::format(", $a{} with points pt 7 ps {:.2f} lc rgb '{}' notitle", row, mark_size(axis.a.size()), kBlue);
-  }
-  return text + "\n";
+  const bool reduced = axis.a.size() > kMostSamples;
+  const std::string a =
+      any_finite(axis.a)
+          ? fmt::format(", $a{} with {} lc rgb '{}' notitle", row,
+                        reduced ? "lines lw 1" : fmt::format("points pt 7 ps {:.2f}", mark_size(axis.a.size())), kBlue)
+          : "";
+  const std::string b =
+      any_finite(axis.b) ? fmt::format(", $b{} with lines lc rgb '{}' lw 2 notitle", row, kVermillion) : "";
+  // Marks stand on the line; least and largest are joined to an area, which the line crosses.
+  return text + (reduced ? a + b : b + a) + "\n";
 }
 
 std::string deviation_shade(const Deviation& deviation, const Layout& layout) {
@@ -235,8 +241,9 @@ std::string difference_panel(const AxisComparison& axis, std::size_t row, const 
   std::string text = panel_title(shortened(axis.name, 20) + ": a − b", verdict(axis));
   text += y_range(with_margin(range, 0.06));
   if (axis.deviation) text += deviation_shade(*axis.deviation, layout);
+  const bool band = any_finite(axis.sigma);
   text += "plot ";
-  if (any_finite(axis.sigma)) {
+  if (band) {
     text += fmt::format(
         "$s{} using 1:(-2*$2):(2*$2) with filledcurves fc rgb '{}' fs transparent solid 0.35 noborder "
         "notitle, ",
@@ -244,10 +251,16 @@ std::string difference_panel(const AxisComparison& axis, std::size_t row, const 
   }
   text += "0 with lines lc rgb '#888888' lw 1 notitle";
   if (any_finite(axis.difference)) {
-    text += fmt::format(
-        ", $d{0} with lines lc rgb 'black' lw 1 notitle, $d{0} with points pt 7 ps {1:.2f} lc rgb "
-        "'black' notitle",
-        row, 0.8 * mark_size(axis.difference.size()));
+    text += fmt::format(", $d{} with lines lc rgb 'black' lw 1 notitle", row);
+    if (axis.difference.size() <= kMostMarks) {
+      text += fmt::format(", $d{} with points pt 7 ps {:.2f} lc rgb 'black' notitle", row,
+                          0.8 * mark_size(axis.difference.size()));
+    }
+  }
+  // Its edges stay in sight where the difference is dense.
+  if (band) {
+    text +=
+        fmt::format(", for [side in '-2 2'] $s{} using 1:(side*$2) with lines lc rgb '{}' lw 1 notitle", row, kSkyBlue);
   }
   return text + "\nunset object 1\n";
 }
@@ -261,20 +274,26 @@ std::string heading_and_legend(const Comparison& comparison, const std::vector<s
     text +=
         fmt::format("set label {} {} at {} left {}\n", ++number, gnuplot_quoted(words), at_screen(layout, x, y), style);
   };
+  const auto has = [&](auto what) { return std::any_of(comparison.axes.begin(), comparison.axes.end(), what); };
   int y = 24;
-  for (std::size_t i = 0; i < lines.size(); ++i, y += kHeadingLine) {
-    label(lines[i], 20, y, i == 0 ? "font ',16'" : "font ',14'");
+  for (const std::string& one : lines) {
+    label(one, 20, y, "font ',15'");
+    y += kHeadingLine;
   }
   y += 4;
   const int sample = kSeries.left + 12;
   const int words = kSeries.left + 32;
-  label(" ", sample, y, fmt::format("point pt 7 ps 0.6 lc rgb '{}'", kBlue));
-  label("a: " + shortened(comparison.a, kNameColumns), words, y, "");
-  const auto line = [&](int x, int line_y, const char* style) {
+  const auto line = [&](int x, int line_y, const std::string& style) {
     text += fmt::format("set arrow {} from {} to {} nohead {}\n", ++number, at_screen(layout, x - 12, line_y),
                         at_screen(layout, x + 12, line_y), style);
   };
-  line(sample, y + kLegendLine, fmt::format("lc rgb '{}' lw 2", kVermillion).c_str());
+  if (has([](const AxisComparison& axis) { return axis.a.size() > kMostSamples; })) {
+    line(sample, y, fmt::format("lc rgb '{}' lw 1", kBlue));
+  } else {
+    label(" ", sample, y, fmt::format("point pt 7 ps 0.6 lc rgb '{}'", kBlue));
+  }
+  label("a: " + shortened(comparison.a, kNameColumns), words, y, "");
+  line(sample, y + kLegendLine, fmt::format("lc rgb '{}' lw 2", kVermillion));
   label("b: " + shortened(comparison.b, kNameColumns), words, y + kLegendLine, "");
 
   const auto box = [&](int x, int box_y, const char* colour, double density) {
@@ -282,7 +301,6 @@ std::string heading_and_legend(const Comparison& comparison, const std::vector<s
                         ++number, at_screen(layout, x - 12, box_y + 6), at_screen(layout, x + 12, box_y - 6), colour,
                         density);
   };
-  const auto has = [&](auto what) { return std::any_of(comparison.axes.begin(), comparison.axes.end(), what); };
   int x = kDifference.left + 12;
   line(x, y, "lc rgb 'black' lw 1");
   label(" ", x, y, "point pt 7 ps 0.5 lc rgb 'black'");

@@ -39,8 +39,8 @@ Table step_table(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps
   Table table(names);
   for (std::size_t i = 0; i < std::min(steps.size(), kStepsShown); ++i) {
     const SpeedStep& step = steps[i];
-    std::vector<std::string> row{fmt::format("{:g}", min_from_s(drift.time_s[step.begin])),
-                                 fmt::format("{:g}", min_from_s(drift.time_s[step.end - 1])),
+    std::vector<std::string> row{fmt::format("{:8.2f}", min_from_s(drift.time_s[step.begin])),
+                                 fmt::format("{:.2f}", min_from_s(drift.time_s[step.end - 1])),
                                  fmt::format("{:.0f}", step.speed_rpm)};
     for (const DriftAxis& axis : drift.axes) {
       const DriftRange range = range_of(axis, drift.time_s, step.begin, step.end);

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 
 #include "ballbar/error.hpp"
 
@@ -33,6 +34,15 @@ void set_column(Series& series, FiveProbe& probe, const std::string& stated) {
   probe.columns[static_cast<std::size_t>(known - kProbes.begin())] = column;
 }
 
+// `found` as it was typed: CLI11's own check of a range prints the largest double to its last digit.
+std::string complaint(const std::string& found, bool above_0) {
+  double value = 0.0;
+  if (!CLI::detail::lexical_cast(found, value) || !std::isfinite(value) || (above_0 && !(value > 0.0))) {
+    return fmt::format("expected a {}, found {}", above_0 ? "number above 0" : "finite number", found);
+  }
+  return {};
+}
+
 }  // namespace
 
 bool FiveProbeOptions::any() const {
@@ -42,21 +52,23 @@ bool FiveProbeOptions::any() const {
 
 void add_five_probe_options(CLI::App& command, FiveProbeOptions& options) {
   constexpr const char* kGroup = "Five probes (what is given here goes before what the file states)";
-  const auto add = [&](const char* name, auto& value, const char* what) {
-    return command.add_option(name, value, what)->group(kGroup);
+  const auto add = [&](const char* name, auto& value, const char* what, const char* type) {
+    return command.add_option(name, value, what)->group(kGroup)->type_name(type);
   };
-  add("--from-plane-1", options.from_plane_1_mm, "drift at this distance from plane 1, towards plane 2; default: 0")
-      ->type_name("MM");
-  add("--from-nose", options.from_nose_mm, "drift at this distance from the spindle's nose")
-      ->type_name("MM")
+  const auto number = [&](const char* name, auto& value, const char* what, const char* type, bool above_0) {
+    return add(name, value, what, type)->check([above_0](const std::string& found) {
+      return complaint(found, above_0);
+    });
+  };
+  number("--from-plane-1", options.from_plane_1_mm,
+         "drift at this distance from plane 1, towards plane 2; default: the session's ball, else 0", "MM", false);
+  number("--from-nose", options.from_nose_mm, "drift at this distance from the spindle's nose", "MM", false)
       ->excludes("--from-plane-1");
-  add("--plane-1", options.plane_1_from_nose_mm, "distance of plane 1 from the nose")->type_name("MM");
-  add("--spacing", options.spacing_mm, "distance of the planes 1 and 2")->type_name("MM")->check(CLI::PositiveNumber);
-  add("--resolution", options.resolution_um, "step of a probe's reading")->type_name("UM")->check(CLI::PositiveNumber);
-  add("--linearity", options.linearity_percent, "limit of a probe's error, percent of the reading")
-      ->type_name("PERCENT")
-      ->check(CLI::PositiveNumber);
-  add("--probe", options.probes, "column of a probe, such as X1=ch1_um; may be repeated")->type_name("PROBE=COLUMN");
+  number("--plane-1", options.plane_1_from_nose_mm, "distance of plane 1 from the nose", "MM", false);
+  number("--spacing", options.spacing_mm, "distance of the planes 1 and 2", "MM", true);
+  number("--resolution", options.resolution_um, "step of a probe's reading", "UM", true);
+  number("--linearity", options.linearity_percent, "limit of a probe's error, percent of the reading", "PERCENT", true);
+  add("--probe", options.probes, "column of a probe, such as X1=ch1_um; may be repeated", "PROBE=COLUMN");
 }
 
 Series stated(Series series, const FiveProbeOptions& options) {
@@ -94,11 +106,17 @@ MeasuredDrift five_point_of(const Series& series, const FivePointOptions& how, c
         "`# X1 = \"COLUMN\"` under `# [five_probe]`, found the columns {}.",
         name, names_of(series)));
   }
+  MeasuredDrift drift;
   try {
-    return five_point(series, how).drift;
+    drift = five_point(series, how).drift;
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", name, error.what()));
   }
+  if (drift.axes.empty()) {
+    throw Error(fmt::format("{}: expected probes that give a drift or a tilt there, found none. {}", name,
+                            fmt::join(drift.remarks, " ")));
+  }
+  return drift;
 }
 
 }  // namespace ballbar

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <memory>
 #include <system_error>
+#include <vector>
 
 #include "ballbar/error.hpp"
 
@@ -35,6 +36,16 @@ std::string whole(std::FILE* file) {
   return bytes;
 }
 
+// The caller's, but for the terminal it names: gnuplot 5.4 crashes where it does not know that one.
+std::vector<char*> environment() {
+  std::vector<char*> kept;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    if (!std::string_view(*entry).starts_with("GNUTERM=")) kept.push_back(*entry);
+  }
+  kept.push_back(nullptr);
+  return kept;
+}
+
 // 0 or the reason why it could not be started; `status` as waitpid gives it.
 int run_gnuplot(int in, int out, int err, int& status) {
   posix_spawn_file_actions_t actions;
@@ -46,7 +57,7 @@ int run_gnuplot(int in, int out, int err, int& status) {
   char no_settings[] = "-d";
   char* const arguments[] = {name, no_settings, nullptr};
   pid_t child = 0;
-  const int failed = posix_spawnp(&child, name, &actions, nullptr, arguments, environ);
+  const int failed = posix_spawnp(&child, name, &actions, nullptr, arguments, environment().data());
   posix_spawn_file_actions_destroy(&actions);
   if (failed != 0) return failed;
   // A caller that ignores SIGCHLD leaves no status (ECHILD); the end of the output then tells.
@@ -58,7 +69,7 @@ int run_gnuplot(int in, int out, int err, int& status) {
 // The last line says what is wrong; those before it repeat the script.
 std::string last_line(std::string text) {
   constexpr const char* kSpace = " \t\r\n";
-  text.erase(text.find_last_not_of(kSpace) + 1);
+  text.erase(text.find_last_not_of(std::string(kSpace) + '.') + 1);  // the sentence has its own full stop
   const std::size_t line = text.rfind('\n') + 1;
   const std::size_t start = text.find_first_not_of(kSpace, line);
   return start == std::string::npos ? "" : text.substr(start);
@@ -136,7 +147,7 @@ std::string gnuplot_quoted(std::string_view text) {
       quoted += "\uFFFD";
     } else if (is_control(character)) {
       quoted += ' ';
-    } else if (length > 1 || letter || (first >= '0' && first <= '9') || kPlain.find(first) != kPlain.npos) {
+    } else if (length > 1 || letter || (first >= '0' && first <= '9') || kPlain.find(first) != std::string_view::npos) {
       quoted += character;
     } else {
       // gnuplot escapes < and & in an SVG, not >, and XML forbids "]]>" in a text.

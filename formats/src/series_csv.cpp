@@ -47,6 +47,16 @@ Role role_of(const TomlTable& column) {
   return static_cast<Role>(*index);
 }
 
+// The column whose name stands under the probe's key.
+std::optional<std::string> probe_column(const TomlTable& table, std::string_view probe,
+                                        const std::vector<std::string_view>& columns) {
+  std::optional<std::string> column = string(table, probe);
+  if (!column || std::find(columns.begin(), columns.end(), *column) != columns.end()) return column;
+  const std::string nearest = columns.empty() ? "" : fmt::format("; the nearest is {}", nearest_name(*column, columns));
+  fail_at_key(table, probe,
+              fmt::format("expected a column of readings for {}, found {}{}.", probe, in_quotes(*column), nearest));
+}
+
 // Which column a probe's readings stand in, where the file says so, and what else it states about the probes.
 FiveProbe five_probe_of(const TomlTable& table, const std::vector<std::string_view>& columns) {
   std::vector<std::string_view> known{"spacing_mm", "plane_1_from_nose_mm", "resolution_um", "linearity_percent"};
@@ -58,9 +68,9 @@ FiveProbe five_probe_of(const TomlTable& table, const std::vector<std::string_vi
   probe.resolution_um = positive(table, "resolution_um");
   probe.linearity_percent = positive(table, "linearity_percent");
   for (std::size_t i = 0; i < kProbes.size(); ++i) {
-    const std::optional<std::size_t> index = choice_index(table, kProbes[i], columns);
-    if (!index) continue;
-    probe.columns[i] = columns[*index];
+    const std::optional<std::string> column = probe_column(table, kProbes[i], columns);
+    if (!column) continue;
+    probe.columns[i] = *column;
     for (std::size_t before = 0; before < i; ++before) {
       if (!has(table, kProbes[before]) || probe.columns[before] != probe.columns[i]) continue;
       fail_at_key(table, kProbes[i],
@@ -91,8 +101,8 @@ SeriesHeader header_of(const TomlTable& header, const TableHead& head) {
     }
   }
   if (const auto five_probe = subtable(header, "five_probe")) {
-    std::vector<std::string_view> columns;
-    for (const ColumnName& column : head.columns) columns.push_back(column.name);
+    std::vector<std::string_view> columns;  // the first is the time
+    for (std::size_t i = 1; i < head.columns.size(); ++i) columns.push_back(head.columns[i].name);
     result.five_probe = five_probe_of(*five_probe, columns);
   }
   return result;

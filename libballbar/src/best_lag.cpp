@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kMostSamples = 2000;
 constexpr int kStepsEachWay = 100;
+constexpr double kSurely = 3.0;  // times what scatter makes of a straight line
 constexpr double kNotCovered = std::numeric_limits<double>::infinity();
 
 struct Curve {
@@ -45,6 +46,28 @@ double variance_at(const Samples& samples, const Curve& curve, double shift_s) {
   if (n < 4 || 3 * n < 2 * samples.time_s.size()) return kNotCovered;
   const auto count = static_cast<double>(n);
   return std::max(0.0, squares / count - sum * sum / (count * count));
+}
+
+// Whether the slope of the curve changes by more than scatter of that variance makes it seem to; a straight line
+// agrees at every shift. Slopes over a tenth of the samples' time, shorter at the curve's ends.
+bool bends(const Samples& samples, const Curve& curve, double shift_s, double variance) {
+  const double half_s = (samples.time_s.back() - samples.time_s.front()) / 20.0;
+  double sum = 0.0, squares = 0.0, scatter = 0.0;
+  std::size_t n = 0;
+  for (const double at_s : samples.time_s) {
+    const double from_s = std::max(at_s - shift_s - half_s, curve.time_s.front());
+    const double to_s = std::min(at_s - shift_s + half_s, curve.time_s.back());
+    if (to_s - from_s < half_s) continue;
+    const double slope = (curve.at(to_s) - curve.at(from_s)) / (to_s - from_s);
+    if (std::isnan(slope)) continue;
+    sum += slope;
+    squares += slope * slope;
+    scatter += 2.0 * variance / ((to_s - from_s) * (to_s - from_s));
+    ++n;
+  }
+  if (n < 4) return false;
+  constexpr double kRounding = 1e-9;
+  return squares - sum * sum / static_cast<double>(n) > std::max(kSurely * scatter, kRounding * squares);
 }
 
 // Where the parabola through three equidistant points is least, in steps from the middle one.
@@ -105,6 +128,7 @@ std::optional<BestLag> best_lag(std::span<const double> time_s, std::span<const 
   if (!(information > 0.0)) return std::nullopt;
   // The best of many shifts leaves too small a residual: never below what is stated.
   const double variance = std::max(sigma * sigma, variance_at(samples, curve, best_s) * count / (count - 2.0));
+  if (!bends(samples, curve, best_s, variance)) return std::nullopt;
   return BestLag{best_s, std::sqrt(variance / information)};
 }
 

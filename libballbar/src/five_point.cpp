@@ -41,7 +41,8 @@ Columns probes_of(const Series& series, const FiveProbe& probe) {
 
 // The row nearest to reference_s in which all probes have a reading.
 std::size_t reference_row(const Series& series, const Columns& columns, std::optional<double> reference_s) {
-  const double wanted_s = reference_s.value_or(series.time_s.front());
+  const double first_s = series.time_s.empty() ? 0.0 : series.time_s.front();
+  const double wanted_s = reference_s.value_or(first_s);
   std::optional<std::size_t> best;
   for (std::size_t row = 0; row < series.time_s.size(); ++row) {
     const double away_s = std::abs(series.time_s[row] - wanted_s);
@@ -74,12 +75,13 @@ std::optional<double> scatter_um(const std::vector<double>& time_s, const std::v
   return std::sqrt(sum / static_cast<double>(kept) / share);
 }
 
-// One axis as a weighted sum of probes; the tilt of the same pair for the share of the ball's place.
+// One axis as a weighted sum of probes; the pair whose tilt moves it where s is not known well.
 struct Combination {
   const char* name;
   const char* unit;
   std::vector<std::pair<std::size_t, double>> parts;  // probe and weight
-  double tilt_per_mm = 0.0;                           // d(value)/ds is this times the difference of the pair
+  double tilt_per_mm = 0.0;                           // d(value)/ds is this times the difference of the pair; 0: none
+  std::size_t pair_first = 0;                         // the pair's probe in plane 1; the next one is in plane 2
 };
 
 class Reduction {
@@ -150,8 +152,8 @@ class Reduction {
 
   std::vector<double> place(const Combination& combination) const {
     std::vector<double> sigma(series_.time_s.size(), 0.0);
-    const std::vector<double>& first = columns_[combination.parts[0].first]->values;
-    const std::vector<double>& second = columns_[combination.parts[1].first]->values;
+    const std::vector<double>& first = columns_[combination.pair_first]->values;
+    const std::vector<double>& second = columns_[combination.pair_first + 1]->values;
     for (std::size_t row = 0; row < sigma.size(); ++row) {
       const double pair = second[row] - second[reference_] - (first[row] - first[reference_]);
       sigma[row] = std::abs(combination.tilt_per_mm * pair) * options_.from_plane_1_sigma_mm;
@@ -178,11 +180,14 @@ std::optional<Combination> drift_of_pair(const char* name, std::size_t first, co
         fmt::format("{} is not known: there is neither {} nor {}.", name, kProbes[first], kProbes[second]));
     return std::nullopt;
   }
-  if (s_mm == 0.0 && has_first) return Combination{name, "um", {{first, 1.0}}};
-  if (probe.spacing_mm && s_mm == *probe.spacing_mm && has_second) return Combination{name, "um", {{second, 1.0}}};
+  const double tilt_per_mm = has_first && has_second && probe.spacing_mm ? 1.0 / *probe.spacing_mm : 0.0;
+  if (s_mm == 0.0 && has_first) return Combination{name, "um", {{first, 1.0}}, tilt_per_mm, first};
+  if (probe.spacing_mm && s_mm == *probe.spacing_mm && has_second) {
+    return Combination{name, "um", {{second, 1.0}}, tilt_per_mm, first};
+  }
   if (has_first && has_second) {
     const double share = s_mm / *probe.spacing_mm;
-    return Combination{name, "um", {{first, 1.0 - share}, {second, share}}, 1.0 / *probe.spacing_mm};
+    return Combination{name, "um", {{first, 1.0 - share}, {second, share}}, tilt_per_mm, first};
   }
   const std::string there = has_first          ? "at plane 1, 0 mm from plane 1"
                             : probe.spacing_mm ? fmt::format("at plane 2, {:g} mm from plane 1", *probe.spacing_mm)
@@ -224,10 +229,19 @@ FivePoint five_point(const Series& series, const FivePointOptions& options) {
     if (columns[i] != nullptr) found.scatter_um[i] = scatter_um(series.time_s, columns[i]->values);
   }
   const Reduction reduction(series, probe, columns, reference, options, found);
-  constexpr std::pair<const char*, std::size_t> kPairs[] = {{"x", 0}, {"y", 2}};
-  for (const auto& [name, first] : kPairs) {
-    const auto combination = drift_of_pair(name, first, columns, probe, options.from_plane_1_mm, drift.remarks);
-    if (combination) drift.axes.push_back(reduction.axis(*combination));
+  struct Pair {
+    const char *name, *tilt;
+    std::size_t first;
+  };
+  for (const Pair& pair : {Pair{"x", "B", 0}, Pair{"y", "A", 2}}) {
+    const auto combination =
+        drift_of_pair(pair.name, pair.first, columns, probe, options.from_plane_1_mm, drift.remarks);
+    if (!combination) continue;
+    drift.axes.push_back(reduction.axis(*combination));
+    if (options.from_plane_1_sigma_mm > 0.0 && combination->tilt_per_mm == 0.0) {
+      drift.remarks.push_back(fmt::format(
+          "The place of the ball is not in the uncertainty of {}: tilt {} is not known.", pair.name, pair.tilt));
+    }
   }
   if (columns[4] != nullptr) {
     drift.axes.push_back(reduction.axis({"z", "um", {{4, 1.0}}}));

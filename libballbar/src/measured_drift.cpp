@@ -17,8 +17,8 @@ constexpr std::string_view kSigma = "_sigma";
 
 // Bar's temperature of a test, from the first of its recordings that states one.
 std::optional<double> bar_temperature_degC(const SessionTest& test) {
-  for (const auto& recording : {test.axial, test.rotation, test.c_arc, test.a_arc}) {
-    if (recording && recording->bar_temperature_degC) return recording->bar_temperature_degC;
+  for (const auto* recording : {&test.axial, &test.rotation, &test.c_arc, &test.a_arc}) {
+    if (*recording && (*recording)->bar_temperature_degC) return (*recording)->bar_temperature_degC;
   }
   for (const Recording& circle : test.circles) {
     if (circle.bar_temperature_degC) return circle.bar_temperature_degC;

@@ -1,5 +1,7 @@
 #include "bench_data.hpp"
 
+#include <cmath>
+#include <random>
 #include <utility>
 
 #include "ballbar/formats/ballbar_log.hpp"
@@ -47,6 +49,26 @@ std::string log_bytes(std::size_t size) {
     log.length_mm.insert(log.length_mm.end(), turn.length_mm.begin(), turn.length_mm.end());
   }
   return write_ballbar_log(log);
+}
+
+Series five_probe_series(std::size_t rows) {
+  constexpr double kStep_s = 15.0, kWarmUp_s = 7200.0, kNoise_um = 0.1;
+  constexpr std::array<double, 5> kGain_um{5.0, 7.0, 30.0, 24.0, 40.0};
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> noise(0.0, kNoise_um);
+  Series series;
+  series.five_probe = FiveProbe{};
+  series.five_probe->spacing_mm = 80.0;
+  series.five_probe->resolution_um = 0.01;
+  for (const std::string& name : series.five_probe->columns) series.columns.push_back({name, Role::measured, {}});
+  for (std::size_t row = 0; row < rows; ++row) {
+    series.time_s.push_back(kStep_s * static_cast<double>(row));
+    const double warm = 1.0 - std::exp(-series.time_s.back() / kWarmUp_s);
+    for (std::size_t i = 0; i < kGain_um.size(); ++i) {
+      series.columns[i].values.push_back(std::round(100.0 * (kGain_um[i] * warm + noise(random))) / 100.0);
+    }
+  }
+  return series;
 }
 
 SimulatedSession two_arc_session() {

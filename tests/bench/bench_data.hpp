@@ -6,6 +6,7 @@
 
 #include "ballbar/formats/b5r.hpp"
 #include "ballbar/recording.hpp"
+#include "ballbar/series.hpp"
 #include "ballbar/simulate.hpp"
 
 namespace ballbar::bench {
@@ -18,6 +19,9 @@ std::string b5r_bytes();
 
 // A ballbar log of at least that many bytes: one circle of 100 000 readings over and over.
 std::string log_bytes(std::size_t size);
+
+// Five probes every 15 s over a warm-up, 0.1 um of noise, printed to 0.01 um; spacing and resolution stated.
+Series five_probe_series(std::size_t rows);
 
 // 15 tests of two arcs, 1500 and 800 readings, over four hours.
 SimulatedSession two_arc_session();

@@ -1,17 +1,18 @@
-// Writes what the benchmarks work on to a folder, for peer.py: test.b5r, log.csv and circle.csv.
+// Writes what the benchmarks work on to a folder, for peer.py: test.b5r, log.csv, circle.csv and probes.csv.
 //
-//   bench_files FOLDER LOG_MB CIRCLE_READINGS
+//   bench_files FOLDER LOG_MB CIRCLE_READINGS PROBE_ROWS
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 
 #include "ballbar/formats/ballbar_log.hpp"
 #include "ballbar/formats/bytes.hpp"
+#include "ballbar/formats/series_csv.hpp"
 #include "bench_data.hpp"
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
-    std::cerr << "bench_files FOLDER LOG_MB CIRCLE_READINGS\n";
+  if (argc != 5) {
+    std::cerr << "bench_files FOLDER LOG_MB CIRCLE_READINGS PROBE_ROWS\n";
     return 2;
   }
   const std::filesystem::path folder = argv[1];
@@ -20,5 +21,7 @@ int main(int argc, char** argv) {
   ballbar::write_bytes(folder / "log.csv", ballbar::bench::log_bytes(std::strtoull(argv[2], nullptr, 10) * 1'000'000));
   ballbar::write_bytes(folder / "circle.csv",
                        ballbar::write_ballbar_log(ballbar::bench::circle_of(std::strtoull(argv[3], nullptr, 10))));
+  ballbar::write_bytes(folder / "probes.csv",
+                       ballbar::write_series(ballbar::bench::five_probe_series(std::strtoull(argv[4], nullptr, 10))));
   return 0;
 }

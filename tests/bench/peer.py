@@ -4,7 +4,8 @@
 
 FILES_FOLDER is what bench_files wrote. Each figure is processor time, the median of the repetitions. A `.b5r` is read from disk and
 both its circles fitted, by the peer in two ways: as usually written, and with the exact Jacobian and MINPACK. The peer has no
-autocorrelation in its covariance, the second way no covariance; ours has both.
+autocorrelation in its covariance, the second way no covariance; ours has both. Five probes: read, drift and tilt, written; the peer
+without sigma, ours with a column of it for each.
 """
 import json
 import pathlib
@@ -76,7 +77,20 @@ def read_log(path):
     return np.radians(table[:, header.index("angle_deg")]), table[:, header.index("length_mm")]
 
 
+def five_probes(path, out, spacing_mm=80.0, from_plane_1_mm=25.0):
+    """Drift at the ball and tilt as changes since the first row, as a user writes it: loadtxt, savetxt."""
+    time_s, x1, x2, y1, y2, z = np.loadtxt(path, delimiter=",", comments=["#", "time_s"], unpack=True)
+    x1, x2, y1, y2, z = (probe - probe[0] for probe in (x1, x2, y1, y2, z))
+    share = from_plane_1_mm / spacing_mm
+    columns = (time_s, x1 + (x2 - x1) * share, y1 + (y2 - y1) * share, z,
+               -(y2 - y1) / spacing_mm * 1e3, (x2 - x1) / spacing_mm * 1e3)
+    np.savetxt(out, np.column_stack(columns), delimiter=",", comments="",
+               header="time_s,x_um,y_um,z_um,tilt_a_urad,tilt_b_urad")
+
+
 circle = read_log(folder / "circle.csv")
+with open(folder / "probes.csv", encoding="utf-8") as probes:
+    probe_rows = sum(1 for line in probes if line[0].isdigit())
 log_MB = (folder / "log.csv").stat().st_size / 1e6
 
 ours = {}
@@ -95,6 +109,9 @@ rows = [
     (f"sine and cosine of {circle[0].size} angles", "circle_sine_pass",
      median_ms(lambda: (circle[1] * (np.cos(circle[0]) + np.sin(circle[0]))).sum())),
     ("15 tests of two arcs from disk, their drift", "session_drift", None),
+    (f"five probes, {probe_rows} rows: read, drift, .csv", "five_probe_file",
+     median_ms(lambda: five_probes(folder / "probes.csv", folder / "probes-drift.csv"))),
+    ("  of it the drift and its uncertainty", "five_probe_reduced", None),
 ]
 print(f"{'':46} {'ours ms':>10} {'peer ms':>10} {'peer/ours':>10}")
 for title, name, peer_ms in rows:

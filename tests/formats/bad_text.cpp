@@ -43,6 +43,20 @@ time_s,speed_rpm,T_air_degC
 20,3000,20.7
 )";
 
+constexpr std::string_view kProbesOfOtherNames = R"(# format = "ballbar-series 1"
+# [five_probe]
+# spacing_mm = 60.0
+# plane_1_from_nose_mm = -12.5
+# resolution_um = 0.05
+# linearity_percent = 0.5
+# X1 = "ch1_um"
+# X2 = "ch2_um"
+# Z = "ch3_um"
+time_s,ch1_um,ch2_um,ch3_um
+0,0.10,0.20,0.30
+60,1.10,,1.30
+)";
+
 constexpr std::string_view kSession = R"(format = "ballbar-session 1"
 method = "two_arcs"
 title = "warm-up"
@@ -120,6 +134,7 @@ std::string good_text(std::string_view kind) {
   if (kind == "log") return std::string(kLog);
   if (kind == "axial") return std::string(kAxial);
   if (kind == "series") return std::string(kSeries);
+  if (kind == "probes") return std::string(kProbesOfOtherNames);
   if (kind == "session") return std::string(kSession);
   if (kind == "rotation") return std::string(kRotation);
   if (kind == "b5r") return std::string(kB5r);
@@ -138,7 +153,7 @@ std::string changed(std::string_view kind, std::string_view from, std::string_vi
 void read(std::string_view kind, std::string_view text) {
   if (kind == "log" || kind == "axial") {
     read_ballbar_log(text, "file");
-  } else if (kind == "series") {
+  } else if (kind == "series" || kind == "probes") {
     read_series(text, "file");
   } else if (kind == "b5r") {
     read_b5r(text, "file");

@@ -6,7 +6,7 @@
 
 namespace ballbar {
 
-// A good text of the kind "log", "axial", "series", "session", "rotation" (a session) or "b5r".
+// A good text of the kind "log", "axial", "series", "probes" (a series), "session", "rotation" (a session) or "b5r".
 std::string good_text(std::string_view kind);
 
 // good_text with every `from` replaced by `to`; `to` alone where `from` is "*".

@@ -123,7 +123,8 @@ constexpr BadText kBadTexts[] = {
     {"series", "speed_rpm,T_air_degC\n", "speed_rpm,speed_rpm\n",
      "file:6:18: expected each column once, found \"speed_rpm\" again."},
     {"series", "*", "time_s,T_F\n0,68\n",
-     "file:1:8: expected a name that ends in its unit, one of _um, _mm, _degC, _rpm, _A, _W, _K, found \"T_F\"."},
+     "file:1:8: expected a name that ends in its unit, one of _um, _mm, _urad, _degC, _rpm, _A, _W, _K, found "
+     "\"T_F\"."},
     {"series", "*", "time_s\n0\n", "file:1:1: expected a column besides the time, found none."},
     {"series", "columns.T_air", "columns.T_oil",
      "file:2:12: expected one of the keys time_s, speed_rpm, T_air_degC in [columns], found \"T_oil_degC\"; the "
@@ -135,6 +136,48 @@ constexpr BadText kBadTexts[] = {
      "file:3:3: expected no key but role in [T_air_degC], found \"roll\"."},
     {"series", "spacing_mm = 60.0", "spacing_mm = -60.0",
      "file:5:16: expected a number above 0 for spacing_mm, found the number -60."},
+    {"probes", "spacing_mm", "distance_mm",
+     "file:3:3: expected one of the keys spacing_mm, plane_1_from_nose_mm, resolution_um, linearity_percent, X1, X2, "
+     "Y1, Y2, Z in [five_probe], found \"distance_mm\"; the nearest is spacing_mm."},
+    {"probes", "spacing_mm = 60.0", "spacing_mm = \"60\"",
+     "file:3:16: expected a finite number for spacing_mm, found the text \"60\"."},
+    {"probes", "spacing_mm = 60.0", "spacing_mm = inf",
+     "file:3:16: expected a finite number for spacing_mm, found the number inf."},
+    {"probes", "plane_1_from_nose_mm = -12.5", "plane_1_from_nose_mm = true",
+     "file:4:26: expected a finite number for plane_1_from_nose_mm, found true."},
+    {"probes", "plane_1_from_nose_mm = -12.5", "plane_1_from_nose_mm = nan",
+     "file:4:26: expected a finite number for plane_1_from_nose_mm, found the number nan."},
+    {"probes", "resolution_um = 0.05", "resolution_um = -0.05",
+     "file:5:19: expected a number above 0 for resolution_um, found the number -0.05."},
+    {"probes", "resolution_um = 0.05", "resolution_um = 0",
+     "file:5:19: expected a number above 0 for resolution_um, found the integer 0."},
+    {"probes", "linearity_percent = 0.5", "linearity_percent = 0,5",
+     "file:6:24: expected TOML, found text that its parser refuses: Error while parsing key-value pair: expected a "
+     "comment or whitespace, saw ','; decimals need a point."},
+    {"probes", "linearity_percent = 0.5", "linearity_percent = 0",
+     "file:6:23: expected a number above 0 for linearity_percent, found the integer 0."},
+    {"probes", "X1 = \"ch1_um\"", "X1 = \"ch1\"",
+     "file:7:8: expected a column of readings for X1, found \"ch1\"; the nearest is ch1_um."},
+    {"probes", "time_s,ch1_um,ch2_um,ch3_um\n0,0.10,0.20,0.30\n60,1.10,,1.30\n", "time_s\n0\n",
+     "file:7:8: expected a column of readings for X1, found \"ch1_um\"."},
+    {"probes", "X1 = \"ch1_um\"", "X1 = ch1_um",
+     "file:7:8: expected TOML, found text that its parser refuses: Error while parsing value: could not determine "
+     "value type."},
+    {"probes", "X1 = \"ch1_um\"", "X1 = 1", "file:7:8: expected a text in quotes for X1, found the integer 1."},
+    {"probes", "X1 = \"ch1_um\"", "x1 = \"ch1_um\"",
+     "file:7:3: expected one of the keys spacing_mm, plane_1_from_nose_mm, resolution_um, linearity_percent, X1, X2, "
+     "Y1, Y2, Z in [five_probe], found \"x1\"; the nearest is X1."},
+    {"probes", "X2 = \"ch2_um\"", "X2 = \"ch1_um\"",
+     "file:8:8: expected a column of its own for each probe, found \"ch1_um\" for X1 and X2."},
+    {"probes", "Z = \"ch3_um\"", "Z = \"ch2_um\"",
+     "file:9:7: expected a column of its own for each probe, found \"ch2_um\" for X2 and Z."},
+    {"probes", "Z = \"ch3_um\"", "Z = \"time_s\"",
+     "file:9:7: expected a column of readings for Z, found \"time_s\"; the nearest is ch1_um."},
+    {"probes", "X2 = \"ch2_um\"", "X2 = \"\"",
+     "file:8:8: expected a column of readings for X2, found \"\"; the nearest is ch1_um."},
+    {"probes", "# [five_probe]\n", "# five_probe = 1\n",
+     "file:3:3: expected one of the keys format, title, method, reference_s, columns, five_probe, found "
+     "\"spacing_mm\"; the nearest is title."},
     {"series", "ballbar-series 1", "ballbar-series 3",
      "file:1:12: expected \"ballbar-series 1\" for format, found the text \"ballbar-series 3\"."},
     {"series", "\n10,3000,\n", "\n,3000,\n", "file:8:1: expected a number for time_s, found nothing."},
@@ -148,7 +191,8 @@ constexpr BadText kBadTexts[] = {
     {"series", "*", "\xE6\xB8\xA9\xE5\xBA\xA6,a_um\n1,2",
      "file:1:1: expected time_s or time_min as the first column, found \"温度\"."},
     {"series", "*", "time_s,\xE6\xB8\xA9_\xE5\xBA\xA6\n1,2",
-     "file:1:8: expected a name that ends in its unit, one of _um, _mm, _degC, _rpm, _A, _W, _K, found \"温_度\"."},
+     "file:1:8: expected a name that ends in its unit, one of _um, _mm, _urad, _degC, _rpm, _A, _W, _K, found "
+     "\"温_度\"."},
     {"session", "[bar]", "[#bar]", "file:4:2: expected TOML, found \"#\"."},
     {"session", "= 600.0", "= [}00", "file:11:14: expected TOML, found \"}\"."},
     {"session", "[[test]]", "[[ ]]",
@@ -171,7 +215,8 @@ constexpr BadText kBadTexts[] = {
     {"session", "format = \"ballbar-session 1\"\n", "", "file:1:1: expected the key format, found none."},
     {"session", "[bar]\nnominal_length_mm = 100.0\n", "", "file:1:1: expected the key bar, found none."},
     {"session", "nominal_length_mm = 100.0", "length_mm = 100.0",
-     "file:5:1: expected no key but nominal_length_mm in [bar], found \"length_mm\"."},
+     "file:5:1: expected one of the keys nominal_length_mm, expansion_ppm_per_K in [bar], found \"length_mm\"; the "
+     "nearest is nominal_length_mm."},
     {"session", "nominal_length_mm = 100.0", "nominal_length_mm = \"100\"",
      "file:5:21: expected a finite number for nominal_length_mm, found the text \"100\"."},
     {"session", "elapsed_s = 600.0", "elapsed_s = 0",
@@ -200,6 +245,28 @@ constexpr BadText kBadTexts[] = {
     {"session", "[\"temperatures.csv\"]", "\"temperatures.csv\"",
      "file:15:9: expected an array of texts for files, found the text \"temperatures.csv\"."},
     {"session", "file = \"five-probe.csv\"", "", "file:16:1: expected the key file in [five_probe], found none."},
+    {"session", "nominal_length_mm = 100.0", "nominal_length_mm = 100.0\nexpansion_ppm_per_K = \"11.7\"",
+     "file:6:23: expected a finite number for expansion_ppm_per_K, found the text \"11.7\"."},
+    {"session", "nominal_length_mm = 100.0", "nominal_length_mm = 100.0\nexpansion_ppm_per_K = inf",
+     "file:6:23: expected a finite number for expansion_ppm_per_K, found the number inf."},
+    {"session", "nominal_length_mm = 100.0", "nominal_length_mm = 100.0\nexpansion_ppm = 11.7",
+     "file:6:1: expected one of the keys nominal_length_mm, expansion_ppm_per_K in [bar], found \"expansion_ppm\"; the "
+     "nearest is expansion_ppm_per_K."},
+    {"session", "file = \"five-probe.csv\"", "file = \"five-probe.csv\"\nball_from_plane_1_mm = \"25\"",
+     "file:18:24: expected a finite number for ball_from_plane_1_mm, found the text \"25\"."},
+    {"session", "file = \"five-probe.csv\"", "file = \"five-probe.csv\"\nball_from_plane_1_mm = nan",
+     "file:18:24: expected a finite number for ball_from_plane_1_mm, found the number nan."},
+    {"session", "file = \"five-probe.csv\"", "file = \"five-probe.csv\"\nball_sigma_mm = 0",
+     "file:18:17: expected a number above 0 for ball_sigma_mm, found the integer 0."},
+    {"session", "file = \"five-probe.csv\"", "file = \"five-probe.csv\"\nball_sigma_mm = -0.5",
+     "file:18:17: expected a number above 0 for ball_sigma_mm, found the number -0.5."},
+    {"session", "file = \"five-probe.csv\"", "file = \"five-probe.csv\"\nball_mm = 25",
+     "file:18:1: expected one of the keys file, ball_from_plane_1_mm, ball_sigma_mm in [five_probe], found "
+     "\"ball_mm\"; the nearest is file."},
+    {"session", "file = \"five-probe.csv\"", "file = \"../five-probe.csv\"",
+     "file:17:8: expected a path to a file inside the session's folder for file, found \"../five-probe.csv\"."},
+    {"session", "file = \"five-probe.csv\"", "ball_from_plane_1_mm = 25",
+     "file:16:1: expected the key file in [five_probe], found none."},
     {"session", "title = \"warm-up\"", "title = \"warm-up",
      "file:3:17: expected TOML, found text that its parser refuses: Error while parsing string: unescaped control "
      "characters other than TAB (U+0009) are explicitly prohibited."},
@@ -295,7 +362,7 @@ TEST(bad_text, is_refused_with_a_whole_sentence) {
 }
 
 TEST(good_text, is_read_with_and_without_byte_order_mark_cr_lf_and_last_newline) {
-  for (const std::string_view kind : {"log", "axial", "series", "session", "rotation", "b5r"}) {
+  for (const std::string_view kind : {"log", "axial", "series", "probes", "session", "rotation", "b5r"}) {
     std::string text = good_text(kind);
     EXPECT_NO_THROW(read(kind, text)) << kind;
     text.pop_back();
@@ -308,7 +375,7 @@ TEST(good_text, is_read_with_and_without_byte_order_mark_cr_lf_and_last_newline)
 
 // Cut anywhere, a file is read or refused; nothing else happens.
 TEST(good_text, cut_short_is_read_or_refused) {
-  for (const std::string_view kind : {"log", "axial", "series", "session", "rotation", "b5r"}) {
+  for (const std::string_view kind : {"log", "axial", "series", "probes", "session", "rotation", "b5r"}) {
     const std::string text = good_text(kind);
     for (std::size_t size = 0; size < text.size(); ++size) {
       try {

@@ -26,6 +26,25 @@ TEST(series, columns_roles_and_gaps) {
   EXPECT_EQ(series.five_probe->spacing_mm, 60.0);
 }
 
+TEST(series, five_probes_of_other_names) {
+  const Series series = read_series(good_text("probes"), "file");
+  ASSERT_TRUE(series.five_probe);
+  EXPECT_EQ(series.five_probe->spacing_mm, 60.0);
+  EXPECT_EQ(series.five_probe->plane_1_from_nose_mm, -12.5);
+  EXPECT_EQ(series.five_probe->resolution_um, 0.05);
+  EXPECT_EQ(series.five_probe->linearity_percent, 0.5);
+  EXPECT_EQ(series.five_probe->columns, (std::array<std::string, 5>{"ch1_um", "ch2_um", "Y1_um", "Y2_um", "ch3_um"}));
+  EXPECT_EQ(series.columns[0].role, Role::measured);
+}
+
+TEST(series, probes_are_stated_only_where_the_header_says_so) {
+  EXPECT_FALSE(read_series("time_s,X1_um\n0,0\n", "file").five_probe);
+  const Series series = read_series("# format = \"ballbar-series 1\"\n# [five_probe]\ntime_s,X1_um\n0,0\n", "file");
+  ASSERT_TRUE(series.five_probe);
+  EXPECT_FALSE(series.five_probe->spacing_mm);
+  EXPECT_EQ(series.five_probe->columns, FiveProbe{}.columns);
+}
+
 TEST(series, plain_table_with_prose_in_its_comments) {
   const Series series =
       read_series("# measured by hand, unit = minutes\n#format of the shop\ntime_min,x_um\n0,0\n1.5,-3\n", "file");
@@ -87,7 +106,9 @@ TEST(series, written_and_read_again_is_the_same) {
       if (*rc::gen::arbitrary<bool>()) probe.plane_1_from_nose_mm = *rc::gen::inRange(-500, 500) / 7.0;
       if (*rc::gen::arbitrary<bool>()) probe.resolution_um = *rc::gen::inRange(1, 500) / 7.0;
       if (*rc::gen::arbitrary<bool>()) probe.linearity_percent = *rc::gen::inRange(1, 500) / 7.0;
-      if (*rc::gen::arbitrary<bool>()) probe.columns[4] = series.columns.front().name;
+      for (std::size_t i = 0; i < kProbes.size(); ++i) {
+        if (*rc::gen::arbitrary<bool>()) probe.columns[i] = series.columns[i].name;
+      }
       series.five_probe = probe;
     }
     const Series again = read_series(write_series(series), "file");

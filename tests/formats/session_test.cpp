@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
+
 #include "bad_text.hpp"
 #include "ballbar/formats/session_toml.hpp"
 #include "scratch_folder.hpp"
@@ -22,6 +24,19 @@ TEST(session_plan, two_arcs) {
   EXPECT_EQ(plan.tests[1].a_arc, "01-a.csv");
   EXPECT_EQ(plan.signal_files, std::vector<std::string>{"temperatures.csv"});
   EXPECT_EQ(plan.five_probe_file, "five-probe.csv");
+  EXPECT_FALSE(plan.bar_expansion_ppm_per_K);
+  EXPECT_FALSE(plan.ball.from_plane_1_mm);
+  EXPECT_FALSE(plan.ball.sigma_mm);
+}
+
+TEST(session_plan, expansion_of_the_bar_and_place_of_the_ball) {
+  std::string text = changed("session", "file = \"five-probe.csv\"",
+                             "file = \"five-probe.csv\"\nball_from_plane_1_mm = -12\nball_sigma_mm = 0.25");
+  text.replace(text.find("[[test]]"), 0, "expansion_ppm_per_K = 11.7\n");
+  const SessionPlan plan = read_session_plan(text, "file");
+  EXPECT_EQ(plan.bar_expansion_ppm_per_K, 11.7);
+  EXPECT_EQ(plan.ball.from_plane_1_mm, -12.0);
+  EXPECT_EQ(plan.ball.sigma_mm, 0.25);
 }
 
 TEST(session_plan, a_path_that_stays_inside_may_use_dots) {
@@ -63,7 +78,12 @@ TEST(session_plan, written_and_read_again_is_the_same) {
       plan.tests.push_back(test);
     }
     if (*rc::gen::arbitrary<bool>()) plan.signal_files = {"t.csv", "u \"v\".csv"};
-    if (*rc::gen::arbitrary<bool>()) plan.five_probe_file = "p.csv";
+    if (*rc::gen::arbitrary<bool>()) plan.bar_expansion_ppm_per_K = *rc::gen::inRange(-300, 300) / 7.0;
+    if (*rc::gen::arbitrary<bool>()) {
+      plan.five_probe_file = "p.csv";
+      if (*rc::gen::arbitrary<bool>()) plan.ball.from_plane_1_mm = *rc::gen::inRange(-2000, 2000) / 7.0;
+      if (*rc::gen::arbitrary<bool>()) plan.ball.sigma_mm = *rc::gen::inRange(1, 100) / 7.0;
+    }
     const SessionPlan again = read_session_plan(write_session_plan(plan), "file");
     RC_ASSERT(again.method == plan.method);
     RC_ASSERT(again.title == plan.title);
@@ -71,6 +91,9 @@ TEST(session_plan, written_and_read_again_is_the_same) {
     RC_ASSERT(again.spindle_above == plan.spindle_above);
     RC_ASSERT(again.signal_files == plan.signal_files);
     RC_ASSERT(again.five_probe_file == plan.five_probe_file);
+    RC_ASSERT(again.bar_expansion_ppm_per_K == plan.bar_expansion_ppm_per_K);
+    RC_ASSERT(again.ball.from_plane_1_mm == plan.ball.from_plane_1_mm);
+    RC_ASSERT(again.ball.sigma_mm == plan.ball.sigma_mm);
     RC_ASSERT(again.tests.size() == plan.tests.size());
     for (std::size_t i = 0; i < plan.tests.size(); ++i) {
       RC_ASSERT(again.tests[i].elapsed_s == plan.tests[i].elapsed_s);
@@ -114,6 +137,23 @@ TEST(session, two_arcs) {
     EXPECT_EQ(files.signals, std::vector<fs::path>{folder.path() / "temperatures.csv"});
     EXPECT_EQ(files.five_probe, folder.path() / "five-probe.csv");
   }
+}
+
+TEST(session, keeps_what_the_plan_states_and_lists_its_files) {
+  const ScratchFolder folder;
+  write_two_arcs(folder);
+  std::string text = changed("session", "file = \"five-probe.csv\"",
+                             "file = \"five-probe.csv\"\nball_from_plane_1_mm = 25\nball_sigma_mm = 0.5");
+  text.replace(text.find("[[test]]"), 0, "expansion_ppm_per_K = 11.7\n");
+  const SessionFiles files = open_session(folder.write("session.toml", text));
+  EXPECT_EQ(files.session.bar_expansion_ppm_per_K, 11.7);
+  EXPECT_EQ(files.ball.from_plane_1_mm, 25.0);
+  EXPECT_EQ(files.ball.sigma_mm, 0.5);
+  std::vector<std::string> names;
+  for (const fs::path& path : files.files) names.push_back(path.lexically_relative(folder.path()).string());
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, (std::vector<std::string>{"00-a.csv", "00-c.csv", "01-a.csv", "01-c.csv", "five-probe.csv",
+                                             "session.toml", "temperatures.csv"}));
 }
 
 TEST(session, spindle_rotation) {

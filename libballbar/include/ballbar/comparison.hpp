@@ -60,7 +60,7 @@ struct AxisComparison {
   std::size_t within = 0;                       // samples that agree, the reference left out
   std::size_t counted = 0;                      // samples with a sigma, the reference left out
   std::optional<double> correlation;
-  std::optional<double> lag_s, lag_sigma_s;  // nothing: no best lag within a quarter of the common time
+  std::optional<double> lag_s, lag_sigma_s;  // nothing: none within a quarter of the common time, or no bend
   std::vector<UncertaintyShare> budget;
 };
 
