@@ -3,6 +3,8 @@
 #
 #   sh tests/bench/run.sh             about three minutes
 #   sh tests/bench/run.sh --reduced   small data, once: only shows that everything runs
+#
+# BALLBAR_BUILD   folder of a Release build to use instead
 set -eu
 cd "$(dirname "$0")/../.."
 size_MB=50 readings=1000000 rows=1000000 repetitions=5 min_time=0.2
@@ -11,11 +13,12 @@ if [ "${1:-}" = --reduced ]; then
 fi
 
 sh apps/install-packages.sh build bench
-cmake -S . -B build-bench -DCMAKE_BUILD_TYPE=Release -DBALLBAR_BENCH=ON
-cmake --build build-bench -j "$(nproc)"
+build=${BALLBAR_BUILD:-build-bench}
+cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DBALLBAR_BENCH=ON
+cmake --build "$build" -j "$(nproc)"
 
-programs=build-bench/tests/bench
-results=build-bench/results
+programs=$build/tests/bench
+results=$build/results
 mkdir -p "$results"
 "$programs/bench_files" "$results" "$size_MB" "$readings" "$rows"
 export BALLBAR_BENCH_LOG_MB="$size_MB" BALLBAR_BENCH_READINGS="$readings" BALLBAR_BENCH_ROWS="$rows"
