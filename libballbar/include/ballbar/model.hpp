@@ -37,7 +37,8 @@ struct Model {
 // An effect of the catalogue with its own settings. Throws Error for a name that is not in it, with the nearest name.
 Term term_of(std::string_view effect_name, std::vector<std::string> columns, Level level = Level::series);
 
-// "lagged_expansion(T_air_degC)"; "expression(k * T_air_degC)" keeps its formula; "circle 2" is that of the second recording.
+// "lagged_expansion(T_air_degC)"; "expression(k * T_air_degC)" keeps its formula; "circle 2" is that of the second
+// recording.
 std::string label_of(const Term& term);
 
 // Throws Error where the model does not suit the data: an unknown column (with the nearest name), a column whose unit

@@ -131,9 +131,9 @@ struct SimulatedSession {
   Series signals;     // no columns where the machine has none
   Series five_probe;  // no columns where absent
   double ball_from_plane_1_mm = 0.0;
-  Series truth;       // one row a test: what drift_of would give without noise, changes since the first test:
-                      // x_um, y_um, z_um; spindle_rotation: radial_um, axial_um, shift_a_um, shift_b_um,
-                      // radius_change_um
+  Series truth;  // one row a test: what drift_of would give without noise, changes since the first test:
+                 // x_um, y_um, z_um; spindle_rotation: radial_um, axial_um, shift_a_um, shift_b_um,
+                 // radius_change_um
 };
 
 // Every recording, signal and probe draws from its own random stream, keyed by seed, kind and test time or
