@@ -57,8 +57,10 @@ void add_parameters(Table& table, const Fit& fit, const std::string& target) {
     const FittedParameter& parameter = fit.parameters[k];
     if (k == 0 && parameter.state == ParameterState::held && parameter.value == 0.0) continue;  // recordings have none
     if (parameter.name == "recording") continue;  // the label has it: circle 1
-    table.add({target + shortened(parameter.effect, 44), parameter.name, value_text(parameter), parameter.unit,
-               strongest_correlation(fit, k)});
+    std::vector<std::string> row{target + shortened(parameter.effect, 44), parameter.name, value_text(parameter),
+                                 parameter.unit};
+    if (target.empty()) row.push_back(strongest_correlation(fit, k));
+    table.add(std::move(row));
   }
 }
 
@@ -118,8 +120,9 @@ std::string floor_text(const Fit& fit) {
       has_floor(fit) ? fmt::format(", {:.2f} times the floor of {:.{}f} um ({})", fit.rmse_um / fit.floor.rms_um,
                                    fit.floor.rms_um, decimals, fit.floor.source)
                      : "";
-  return fmt::format("RMSE {:.{}f} um{}. {} values, as good as {} independent ones.", fit.rmse_um, decimals, of_floor,
-                     fit.residual_um.size(), independent_text(fit.n_effective));
+  const std::string rmse = fit.rmse_um < 1e-6 ? "below 0.000001" : fmt::format("{:.{}f}", fit.rmse_um, decimals);
+  return fmt::format("RMSE {} um{}. {} values, as good as {} independent ones.", rmse, of_floor, fit.residual_um.size(),
+                     independent_text(fit.n_effective));
 }
 
 std::string whiteness_text(const Whiteness& whiteness, std::size_t n) {
@@ -167,7 +170,7 @@ void print_text(const Checked& checked, const std::string& title) {
 // Several targets: the sentences of each, and one table of all parameters.
 void print_targets(const std::vector<Checked>& all, const std::string& title) {
   fmt::print("{}\n", title);
-  Table table({"target: effect", "parameter", "value", "unit", "correlated most with"});
+  Table table({"target: effect", "parameter", "value", "unit"});
   for (const Checked& checked : all) {
     fmt::print("\n{}\n", heading(checked.fit));
     print_sentences(checked);
@@ -281,7 +284,7 @@ void add_check(CLI::App& app) {
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"
-      "  ballbar check sample-runs/spindle-46h/measured.csv --model sample-runs/spindle-46h/speed.toml");
+      "  ballbar check sample-runs/two-arcs-he2015 --model sample-runs/two-arcs-he2015/model.toml");
   command->callback([options] { run(*options); });
 }
 

@@ -63,7 +63,9 @@ void add_model_options(CLI::App& command, ModelOptions& options, bool model_requ
       ->type_name("TIME")
       ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
                                         CLI::AsNumberWithUnit::CASE_SENSITIVE))
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Validator(
+          [](const std::string& seconds) { return std::stod(seconds) > 0.0 ? "" : std::string("expected above 0"); },
+          ""));
 }
 
 void add_fit_options(CLI::App& command, ModelOptions& options) {

@@ -106,11 +106,11 @@ void run(const Options& options) {
   std::vector<std::filesystem::path> inputs = data.files;
   inputs.insert(inputs.end(), other.files.begin(), other.files.end());
   inputs.emplace_back(options.model.model);
+  expect_no_input(options.out, inputs);
   for (const std::string& path : options.out) {
     if (std::filesystem::path(path).extension() == ".csv") continue;
     throw Error(fmt::format("--out {}: expected a name that ends in .csv.", path));
   }
-  expect_no_input(options.out, inputs);
   Series series;
   series.time_s = other.series.time_s;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
@@ -135,7 +135,7 @@ void run(const Options& options) {
   } else {
     fmt::print("{}\n{}: {} rows over {}{}\n\n{}", other.title, options.model.model, series.time_s.size(),
                duration_text(series.time_s.back() - series.time_s.front()),
-               options.on.empty() ? "" : fmt::format(", fitted to {}", data.title), summary(series.columns).text());
+               options.on.empty() ? "" : fmt::format("\nfitted to {}", data.title), summary(series.columns).text());
   }
   for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
 }
@@ -153,8 +153,7 @@ void add_predict(CLI::App& app) {
   command->add_flag("--json", options->json, "the series for a program");
   command->footer(
       "Example:\n"
-      "  ballbar predict sample-runs/spindle-46h/measured.csv --model sample-runs/spindle-46h/speed.toml --out "
-      "model.csv");
+      "  ballbar predict sample-runs/two-arcs-he2015 --model sample-runs/two-arcs-he2015/model.toml --out y.csv");
   command->callback([options] { run(*options); });
 }
 

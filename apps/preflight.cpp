@@ -45,7 +45,7 @@ std::string um_text(double value_um) {
 
 std::string columns_text(const Prospect& prospect) {
   if (prospect.columns.empty()) return "time";
-  const std::string more = prospect.bindings > 1 ? fmt::format(" (best of {})", prospect.bindings) : "";
+  const std::string more = prospect.bindings > 1 ? fmt::format(" (1 of {})", prospect.bindings) : "";
   return shortened(fmt::format("{}", fmt::join(prospect.columns, ", ")), 40) + more;
 }
 
@@ -72,7 +72,7 @@ void print_untestable(const Preflight& result) {
   }
   if (!reasons.empty()) fmt::print("Not testable:\n");
   for (const auto& [why, effects] : reasons) {
-    fmt::print("{}", wrapped(fmt::format("  {}: {}", why, fmt::join(effects, ", "))));
+    fmt::print("{}", wrapped(fmt::format("- {}: {}", why, fmt::join(effects, ", "))));
   }
 }
 
@@ -173,7 +173,7 @@ void add_preflight(CLI::App& app) {
   CLI::App* command = app.add_subcommand("preflight", "What these data could show, before looking at any residual");
   add_model_options(*command, options->model, false);
   command->add_flag("--json", options->json, "the result for a program");
-  command->footer("Example:\n  ballbar preflight sample-runs/spindle-46h/measured.csv --target ch3_um");
+  command->footer("Example:\n  ballbar preflight sample-runs/two-arcs-he2015 --target y_um");
   command->callback([options] { run(*options); });
 }
 
