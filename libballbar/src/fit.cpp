@@ -266,6 +266,12 @@ void add_remarks(Fit& result, std::size_t free) {
         fmt::format("{} free parameters for {:.1f} independent samples (of {}): too many for these data.", free,
                     result.n_effective, result.residual_um.size()));
   }
+  if (3 * free > result.residual_um.size() && static_cast<double>(free) <= result.n_effective) {
+    result.remarks.push_back(
+        fmt::format("{} free parameters for {} values: fewer than three values for each, so that much "
+                    "is fitted that is not there.",
+                    free, result.residual_um.size()));
+  }
   if (!result.converged) result.remarks.emplace_back("The fit did not converge; its parameters are the best it found.");
 }
 

@@ -15,7 +15,9 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kFewestOfRepeat = 8, kFewestOfStandstill = 20, kFewestOfResidual = 8;
+constexpr std::size_t kFewestOfRepeat = 8, kFewestOfStandstill = 20;
+// Fewer residuals are taken as white, and their innovations are the residual itself: it would be its own floor.
+constexpr std::size_t kFewestOfResidual = 30;
 constexpr double kShortestStandstill_s = 600.0;
 constexpr double kRest_s = 7200.0;
 constexpr double kSameSpeed = 0.02;   // of the largest

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ballbar/error.hpp"
@@ -12,6 +13,10 @@ namespace {
 std::span<const double> input_of(const Series& data, const std::string& name) {
   const Column* column = find_column(data, name);
   if (column == nullptr) throw Error(fmt::format("expected the column {} in the data, found none.", name));
+  if (std::all_of(column->values.begin(), column->values.end(), [](double v) { return std::isnan(v); })) {
+    throw Error(
+        fmt::format("expected values of {}, which the model needs, found none: the data do not state them.", name));
+  }
   for (std::size_t row = 0; row < column->values.size(); ++row) {
     if (std::isfinite(column->values[row])) continue;
     throw Error(fmt::format("expected a value of {} at every time, found a gap at {:g} s.", name, data.time_s[row]));

@@ -18,12 +18,30 @@ Regime later(double since_s, double before_rpm, double speed_rpm, double largest
   return rise > 0.02 * largest_rpm && since_s < kWarming_s ? Regime::warming : Regime::steady;
 }
 
+// Without the short rests in which a test is made: the stretches around them are one.
+std::vector<SpeedStep> without_stops(const std::vector<double>& time_s, const std::vector<SpeedStep>& steps,
+                                     double largest_rpm) {
+  const auto length_s = [&](const SpeedStep& step) { return time_s[step.end - 1] - time_s[step.begin]; };
+  std::vector<SpeedStep> result;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const bool stop = !result.empty() && i + 1 < steps.size() && at_rest(steps[i].speed_rpm, largest_rpm) &&
+                      std::abs(result.back().speed_rpm - steps[i + 1].speed_rpm) < 0.02 * largest_rpm &&
+                      length_s(steps[i]) < std::min({kAfterChange_s, length_s(result.back()), length_s(steps[i + 1])});
+    if (stop) {
+      result.back().end = steps[++i].end;
+    } else {
+      result.push_back(steps[i]);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Regime> regimes(const std::vector<double>& time_s, const Column& speed) {
   if (std::all_of(speed.values.begin(), speed.values.end(), [](double rpm) { return std::isnan(rpm); })) return {};
   const double largest_rpm = largest_of(speed.values);
-  const std::vector<SpeedStep> steps = speed_steps(time_s, speed);
+  const std::vector<SpeedStep> steps = without_stops(time_s, speed_steps(time_s, speed), largest_rpm);
   std::vector<Regime> result(time_s.size(), Regime::standstill);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const SpeedStep& step = steps[i];

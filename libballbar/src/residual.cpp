@@ -192,7 +192,9 @@ std::string of_place(const Fit& fit, const std::vector<Misfit>& where) {
 }
 
 std::string duration(double time_s) {
-  return time_s < 90.0 ? fmt::format("{:.2g} s", time_s) : fmt::format("{:.2g} min", min_from_s(time_s));
+  if (time_s < 90.0) return fmt::format("{:.2g} s", time_s);
+  const double time_min = min_from_s(time_s);
+  return time_min < 100.0 ? fmt::format("{:.2g} min", time_min) : fmt::format("{:.1f} h", time_min / 60.0);
 }
 
 std::string of_rest(const Fit& fit, const Whiteness& whiteness) {

@@ -76,17 +76,27 @@ TEST(Floor, of_the_innovations) {
 // sqrt((3^2 + 1^2) / 2) = 2.236; more than the scatter of the residual, or nothing else known.
 TEST(Floor, is_never_below_the_stated_sigma) {
   std::vector<double> time_s, sigma;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 40; ++i) {
     time_s.push_back(600.0 * i);
     sigma.push_back(i % 2 == 0 ? 3.0 : 1.0);
   }
-  const std::vector<double> target(20, 0.0);
+  const std::vector<double> target(40, 0.0);
   const Floor floor = floor_of(time_s, target, sigma, {}, {0.0, 0.0, 0.0, 0.0});
   EXPECT_EQ(floor.source, "sigma of the circle fits");
   EXPECT_NEAR(floor.rms_um, std::sqrt(5.0), 1e-12);
   const Floor above = floor_of(time_s, target, sigma, {}, {2.0, 0.0, 0.0, 0.0});
   EXPECT_EQ(above.source, "innovations of the residual");
   EXPECT_NEAR(above.rms_um, 3.0, 1e-12);
+}
+
+// A white residual of few readings would be its own floor: every model would look good enough.
+TEST(Floor, of_few_readings_is_the_stated_sigma_alone) {
+  std::vector<double> time_s;
+  for (int i = 0; i < 14; ++i) time_s.push_back(600.0 * i);
+  const std::vector<double> target(14, 0.0), sigma(14, 0.02);
+  const Floor floor = floor_of(time_s, target, sigma, {}, {9.8, 0.0, 0.0, 0.0});
+  EXPECT_EQ(floor.source, "sigma of the circle fits");
+  EXPECT_NEAR(floor.rms_um, 0.02, 1e-12);
 }
 
 TEST(Floor, of_few_readings_is_not_known) {

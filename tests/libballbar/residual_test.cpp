@@ -67,6 +67,17 @@ TEST(Regimes, a_record_that_begins_at_speed_begins_with_warming) {
   expect_stretches(regimes(minutes(100), speed), {{Regime::warming, 60}, {Regime::steady, 40}});
 }
 
+// Running from minute 20 on, with a rest of 2 min for a test every 8 min: one stretch.
+TEST(Regimes, a_short_rest_for_a_test_does_not_count) {
+  Column speed{"speed_rpm", Role::speed, std::vector<double>(136, 3000.0)};
+  for (std::size_t row = 0; row < 136; ++row) {
+    if (row < 20 || row % 8 < 2) speed.values[row] = 0.0;
+  }
+  // 20 to 23 min run before the first test at 24 min.
+  expect_stretches(regimes(minutes(136), speed),
+                   {{Regime::standstill, 20}, {Regime::after_change, 10}, {Regime::warming, 50}, {Regime::steady, 56}});
+}
+
 TEST(Regimes, none_without_a_speed) {
   Column speed{"speed_rpm", Role::speed, std::vector<double>(100, std::numeric_limits<double>::quiet_NaN())};
   EXPECT_TRUE(regimes(minutes(100), speed).empty());

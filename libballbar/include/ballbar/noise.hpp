@@ -78,7 +78,7 @@ struct Floor {
 //   innovations  rms of what the residual does that the rows before do not tell. Repeatability with a memory is left
 //   out
 //                of it, because a missing effect looks the same: a true model leaves this at least, and at most
-//                sqrt(w^2 + q^2). White residuals leave no difference: the floor is their rms, at least 8 rows
+//                sqrt(w^2 + q^2). White residuals leave no difference: the floor is their rms, at least 30 rows
 // and never below the rms of the stated sigma. Repeats and standstills that differ by more than 1.25 times what the
 // residual's noise has in all are passed over: something the model explains went on in them.
 Floor floor_of(std::span<const double> time_s, std::span<const double> target_um, std::span<const double> sigma_um,

@@ -28,6 +28,7 @@ struct Misfit {
 //   cooling       rest, or a lower speed than before, until 2 h after the change
 //   standstill    rest after that
 //   steady        any other speed after that
+// A rest of less than 10 min between two longer stretches of one speed is a stop for a test and does not count.
 // A record that begins at rest begins with a standstill (nobody knows since when), one that begins at a speed with
 // warming. One a row; none without a known speed.
 enum class Regime { standstill, after_change, warming, steady, cooling };
