@@ -1,9 +1,9 @@
-// How often drift and tilt of five probes lie within their stated uncertainty, and how often the comparison of a
-// ballbar session with its five probes gives the right verdict.
+// How often drift and tilt of five probes lie within their stated uncertainty, how often the comparison of a ballbar
+// session with its five probes gives the right verdict, and how often the lag lies within its sigma.
 //
 //   study_five_probe [SEEDS]    500 unless given, of which the verdicts take two fifths; every seed is another noise
 //
-// Both are simulated by the virtual machine: probes with 0.1 um noise and 0.05 um resolution; two arcs with 0.2 um
+// The first two are simulated by the virtual machine: probes with 0.1 um noise and 0.05 um resolution; two arcs with 0.2 um
 // noise, 13 tests in 2 h, 120 and 80 readings. Fails (exit 1) where a figure leaves the range stated beside it.
 #include <fmt/format.h>
 
@@ -152,8 +152,7 @@ bool judged(int seeds) {
   return all_good;
 }
 
-// Drift of 20 um with a time constant of a quarter of the time, a 3 min late;
-// noise of 0.1 um on both, stated or not.
+// Drift of 20 um with a time constant of a quarter of the time, a 3 min late; noise of 0.1 um on both, stated or not.
 bool lag_found(int seeds) {
   struct Situation {
     const char* what;
