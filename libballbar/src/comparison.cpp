@@ -32,6 +32,9 @@ double median_step_s(const std::vector<double>& time_s) {
 }
 
 void expect_comparable(const MeasuredDrift& a, const MeasuredDrift& b) {
+  for (const MeasuredDrift* drift : {&a, &b}) {
+    if (drift->time_s.empty()) throw Error(fmt::format("expected rows to compare, found none in {}.", drift->what));
+  }
   bool any = false;
   for (const DriftAxis& axis : a.axes) {
     const DriftAxis* other = find_axis(b, axis.name);
@@ -115,14 +118,14 @@ double binomial_tail(std::size_t k, std::size_t n, double p) {
 }
 
 double deviation_in_sigma(const AxisComparison& axis, std::size_t i) {
-  if (std::isnan(axis.sigma[i]) || axis.difference[i] == 0.0) return 0.0;
+  if (!std::isfinite(axis.sigma[i]) || axis.difference[i] == 0.0) return 0.0;
   return std::abs(axis.difference[i]) / axis.sigma[i];  // infinite where sigma is 0
 }
 
 void judge(AxisComparison& axis, double reference_s) {
   std::size_t worst = 0;
   for (std::size_t i = 0; i < axis.time_s.size(); ++i) {
-    if (axis.time_s[i] == reference_s || std::isnan(axis.sigma[i])) continue;
+    if (axis.time_s[i] == reference_s || !std::isfinite(axis.sigma[i])) continue;
     ++axis.counted;
     if (deviation_in_sigma(axis, i) <= 2.0) ++axis.within;
     if (deviation_in_sigma(axis, i) > deviation_in_sigma(axis, worst)) worst = i;
@@ -180,7 +183,7 @@ void describe(AxisComparison& axis, double reference_s) {
   if (range > 0.0) axis.range_deviation = absolute / count / range;
   if (relative_samples > 0) {
     axis.mean_relative_deviation = relative / static_cast<double>(relative_samples);
-    if (!std::isnan(expected)) {
+    if (std::isfinite(expected)) {
       axis.expected_relative_deviation = expected / static_cast<double>(relative_samples);
       if (relative > 0.0) axis.explained_share = std::min(1.0, expected / relative);
     }
@@ -195,7 +198,7 @@ std::vector<UncertaintyShare> shares_of(const std::vector<Contribution>& budget,
     double squares = 0.0;
     std::size_t known = 0;
     for (std::size_t i = 0; i < contribution.sigma.size(); ++i) {
-      if (i == zero || std::isnan(contribution.sigma[i])) continue;
+      if (i == zero || !std::isfinite(contribution.sigma[i])) continue;
       squares += contribution.sigma[i] * contribution.sigma[i];
       ++known;
     }
@@ -203,11 +206,11 @@ std::vector<UncertaintyShare> shares_of(const std::vector<Contribution>& budget,
     shares.push_back({contribution.source, std::sqrt(variance), variance});
     if (known > 0) total += variance;
   }
-  for (UncertaintyShare& share : shares) share.variance = total > 0.0 ? share.variance / total : 0.0;
+  for (UncertaintyShare& share : shares) share.variance = share.variance > 0.0 ? share.variance / total : 0.0;
   return shares;
 }
 
-double total_sigma(const std::vector<UncertaintyShare>& shares) {
+double total_sigma(std::span<const UncertaintyShare> shares) {
   double variance = 0.0;
   for (const UncertaintyShare& share : shares) variance += std::isnan(share.sigma) ? 0.0 : share.sigma * share.sigma;
   return std::sqrt(variance);
@@ -275,8 +278,11 @@ Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const Compari
   const double max_gap_s = options.max_gap_s.value_or(4.0 * median_step_s(dense.time_s));
   const CommonTimes common = common_times(a_is_sparse ? a : b, dense, max_gap_s);
   if (common.time_s.size() < 3) {
-    throw Error(fmt::format("expected at least 3 times in common, found {} between {:g} and {:g} min in {} and {}.",
-                            common.time_s.size(), min_from_s(from_s), min_from_s(to_s), a.what, b.what));
+    const std::string where = from_s == to_s
+                                  ? fmt::format("at {:g} min", min_from_s(from_s))
+                                  : fmt::format("between {:g} and {:g} min", min_from_s(from_s), min_from_s(to_s));
+    throw Error(fmt::format("expected at least 3 times in common, found {} {} in {} and {}.", common.time_s.size(),
+                            where, a.what, b.what));
   }
   Comparison result;
   result.a = a.what;
@@ -311,10 +317,11 @@ Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const Compari
     for (Contribution& contribution : side_b.budget) {
       for (Contribution& twin : side_a.budget) {
         if (twin.source != contribution.source) continue;
-        twin.source += ", " + a.what;
-        contribution.source += ", " + b.what;
+        twin.source += ", " + (a.what == b.what ? "the first" : a.what);
+        contribution.source += ", " + (a.what == b.what ? "the second" : b.what);
       }
     }
+    const std::size_t sources_of_a = side_a.budget.size();
     std::vector<Contribution> budget = std::move(side_a.budget);
     std::move(side_b.budget.begin(), side_b.budget.end(), std::back_inserter(budget));
 
@@ -332,8 +339,13 @@ Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const Compari
     axis.budget = shares_of(budget, zero);
     describe(axis, own.time_s[zero]);
     judge(axis, own.time_s[zero]);
-    const auto lag = best_lag(axis.time_s, a_is_sparse ? axis.a : axis.b, dense.time_s,
-                              (a_is_sparse ? *axis_b : axis_a).value, max_gap_s, total_sigma(axis.budget));
+    // Half of the variance of a change since the zero is the zero's: a constant, which moves no lag.
+    const std::span<const UncertaintyShare> shares(axis.budget);
+    const double sigma_a = total_sigma(shares.first(sources_of_a)) / std::numbers::sqrt2;
+    const double sigma_b = total_sigma(shares.subspan(sources_of_a)) / std::numbers::sqrt2;
+    const auto lag =
+        best_lag(axis.time_s, a_is_sparse ? axis.a : axis.b, dense.time_s, (a_is_sparse ? *axis_b : axis_a).value,
+                 max_gap_s, a_is_sparse ? sigma_a : sigma_b, a_is_sparse ? sigma_b : sigma_a);
     if (lag) {
       axis.lag_s = a_is_sparse ? lag->shift_s : -lag->shift_s;
       axis.lag_sigma_s = lag->sigma_s;
@@ -361,7 +373,7 @@ std::string conclusion(const Comparison& comparison) {
   }
   if (!unknown.empty()) {
     text +=
-        fmt::format("{}{}: cannot tell, no uncertainty is stated.", text.empty() ? "" : " ", fmt::join(unknown, ", "));
+        fmt::format("{}{}: cannot tell, no uncertainty is known.", text.empty() ? "" : " ", fmt::join(unknown, ", "));
   }
   return text;
 }

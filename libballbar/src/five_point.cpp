@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 constexpr double kHour_s = 3600.0;
+constexpr std::size_t kRowsForScatter = 6;
 
 using Columns = std::array<const Column*, 5>;  // as kProbes; nullptr: no such probe
 
@@ -65,7 +66,7 @@ std::optional<double> scatter_um(const std::vector<double>& time_s, const std::v
     const double apart = value[i] - (1.0 - w) * value[i - 1] - w * value[i + 1];
     if (!std::isnan(apart)) square.push_back(apart * apart / (1.0 + w * w + (1.0 - w) * (1.0 - w)));
   }
-  if (square.size() < 4) return std::nullopt;
+  if (square.size() + 2 < kRowsForScatter) return std::nullopt;
   const std::size_t kept = square.size() - square.size() / 20;
   // A normal variable cut at its 95 % (|z| < 1.960) keeps 0.759 of its variance; fewer than 20 are not cut.
   const double share = kept < square.size() ? 0.7589 : 1.0;
@@ -270,6 +271,19 @@ FivePoint five_point(const Series& series, const FivePointOptions& options) {
       drift.axes.push_back(reduction.axis({tilt.difference, "um", {{tilt.first, -1.0}, {second, 1.0}}}));
     }
   }
+  std::vector<std::string_view> unknown;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i] != nullptr && !found.scatter_um[i]) unknown.push_back(kProbes[i]);
+  }
+  if (!unknown.empty() && series.time_s.size() < kRowsForScatter) {
+    drift.remarks.push_back(
+        fmt::format("The probes' scatter is not in the uncertainty: {} rows are needed to find it, there {} {}.",
+                    kRowsForScatter, series.time_s.size() == 1 ? "is" : "are", series.time_s.size()));
+  } else if (!unknown.empty()) {
+    drift.remarks.push_back(fmt::format(
+        "The scatter of {} is not in the uncertainty: gaps leave fewer than {} readings between two others.",
+        fmt::join(unknown, ", "), kRowsForScatter - 2));
+  }
   if (!probe.resolution_um || !probe.linearity_percent) {
     drift.remarks.push_back(fmt::format(
         "Not in the uncertainty, because the file does not state it: the probes' {}{}{} under [five_probe].",
@@ -297,8 +311,7 @@ DriftRange range_of(const DriftAxis& axis, const std::vector<double>& time_s, st
     take(total, row);
     take(time_s[row] - time_s[begin] <= kHour_s ? first : after, row);
   }
-  // Each row's sigma holds the reference's share, which cancels between two rows; added all the same, so that
-  // sigma is never too small.
+  // Each row's sigma holds the reference's share, which cancels between two rows; added all the same.
   const auto change = [&](std::optional<std::size_t> from, std::optional<std::size_t> to) -> std::optional<Estimate> {
     if (!from || !to) return std::nullopt;
     const double sigma = *from == *to ? 0.0 : std::hypot(sigma_of(axis, *from), sigma_of(axis, *to));

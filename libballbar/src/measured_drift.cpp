@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
 
 namespace ballbar {
@@ -116,6 +117,7 @@ MeasuredDrift measured(const DriftSeries& drift, const Session& session) {
 }
 
 MeasuredDrift measured(const Series& series, std::string what) {
+  if (series.time_s.empty()) throw Error(fmt::format("expected rows, found none in {}.", what));
   MeasuredDrift result;
   result.what = std::move(what);
   result.time_s = series.time_s;
@@ -139,11 +141,11 @@ Series series_of(const MeasuredDrift& drift) {
   series.time_s = drift.time_s;
   for (const DriftAxis& axis : drift.axes) {
     series.columns.push_back({fmt::format("{}_{}", axis.name, axis.unit), Role::measured, axis.value});
-    if (axis.budget.empty()) continue;
     Column sigma{fmt::format("{}{}_{}", axis.name, kSigma, axis.unit), Role::measured, {}};
     sigma.values.reserve(drift.time_s.size());
     for (std::size_t row = 0; row < drift.time_s.size(); ++row) sigma.values.push_back(sigma_of(axis, row));
-    series.columns.push_back(std::move(sigma));
+    const bool known = std::any_of(sigma.values.begin(), sigma.values.end(), [](double s) { return !std::isnan(s); });
+    if (known) series.columns.push_back(std::move(sigma));
   }
   return series;
 }

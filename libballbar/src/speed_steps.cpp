@@ -28,12 +28,23 @@ std::vector<SpeedStep> speed_steps(const std::vector<double>& time_s, const Colu
   double largest = 0.0;
   for (const double value : rpm) largest = std::fmax(largest, std::abs(value));  // a gap does not count
   std::vector<std::size_t> starts{0};
+  std::vector<double> firsts;  // value that each finished step began with, its ramp left out
   double first = rpm.empty() ? 0.0 : rpm.front();
   std::size_t changed = 0;  // row of the last change of speed
   for (std::size_t row = 1; row < rpm.size(); ++row) {
     if (std::isnan(first)) first = rpm[row];
     if (!(std::abs(rpm[row] - first) > kTolerance * largest)) continue;
-    if (time_s[row] - time_s[changed] >= kShortest_s) starts.push_back(row);
+    if (time_s[row] - time_s[changed] >= kShortest_s) {
+      starts.push_back(row);
+      firsts.push_back(first);
+    } else if (!firsts.empty() && time_s[row] - time_s[starts.back()] < kShortest_s &&
+               std::abs(rpm[row] - firsts.back()) <= kTolerance * largest) {
+      first = firsts.back();
+      starts.pop_back();
+      firsts.pop_back();
+      changed = starts.back();
+      continue;
+    }
     changed = row;
     first = rpm[row];
   }

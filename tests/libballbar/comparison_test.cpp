@@ -246,6 +246,16 @@ TEST(comparison, twin_sources_are_told_apart) {
   EXPECT_EQ(x.budget[1].source, "probe scatter, evening");
 }
 
+// A series against itself: sigma 0.3 on both sides, half of the variance each.
+TEST(comparison, twin_sources_of_twin_series_are_told_apart) {
+  const MeasuredDrift one = drift("one.csv", minutes({0, 10, 20}), {0, 1, 2}, 0.3);
+  const AxisComparison x = axis_of(compare(one, one));
+  ASSERT_EQ(x.budget.size(), 2U);
+  EXPECT_EQ(x.budget[0].source, "sigma of one.csv, the first");
+  EXPECT_EQ(x.budget[1].source, "sigma of one.csv, the second");
+  EXPECT_NEAR(x.budget[1].variance, 0.5, kRounding);
+}
+
 // Sigma between two rows of the dense series is on the straight line: 0 at its reference, 0.4 at 10 min, 0.2 between.
 TEST(comparison, sigma_between_rows) {
   const MeasuredDrift a = drift("a", minutes({0, 5, 20}), {0, 1, 2}, 0.0);
@@ -394,6 +404,30 @@ TEST(comparison, without_a_sigma_it_cannot_tell) {
   EXPECT_EQ(some.agreement, Agreement::agrees);
 }
 
+// A sigma that is not determined agrees with everything, which says nothing.
+TEST(comparison, an_undetermined_sigma_does_not_count) {
+  constexpr double kUndetermined = std::numeric_limits<double>::infinity();
+  const Values time_s = minutes({0, 10, 20, 30});
+  MeasuredDrift a = drift("a", time_s, {0, 1, 2, 3}, 0.1);
+  a.axes[0].budget[0].sigma = {0.0, 0.1, kUndetermined, 0.1};
+  const AxisComparison some = axis_of(compare(a, drift("b", time_s, {0, 1, 9, 3}, 0.1)));
+  EXPECT_EQ(some.counted, 2U);
+  EXPECT_EQ(some.within, 2U);
+  EXPECT_EQ(some.agreement, Agreement::agrees);
+  EXPECT_FALSE(some.explained_share.has_value());
+  EXPECT_NEAR(some.budget[0].sigma, 0.1, kRounding) << "of the others";
+  EXPECT_NEAR(some.budget[0].variance, 0.5, kRounding);
+  a.axes[0].budget[0].sigma = {0.0, kUndetermined, kUndetermined, kUndetermined};
+  const AxisComparison none = axis_of(compare(a, drift("b", time_s, {0, 1, 2, 3}, 0.1)));
+  EXPECT_EQ(none.agreement, Agreement::cannot_tell);
+  EXPECT_EQ(none.counted, 0U);
+  EXPECT_FALSE(none.deviation.has_value());
+  ASSERT_EQ(none.budget.size(), 2U);
+  EXPECT_TRUE(std::isnan(none.budget[0].sigma));
+  EXPECT_EQ(none.budget[0].variance, 0.0);
+  EXPECT_NEAR(none.budget[1].variance, 1.0, kRounding);
+}
+
 // sigma 0.1, 10 min apart: -0.3 beyond, 0.3 0.5 0.25 beyond on the other side, then within.
 TEST(comparison, the_stretch_that_holds_the_worst) {
   const Values time_s = minutes({0, 10, 20, 30, 40, 50, 60});
@@ -439,12 +473,12 @@ TEST(comparison, conclusions) {
        "0.10 um at 10 min. x agrees."},
       {{{"x", zero, 0.1}, {"y", zero, 0.1}, {"z", {0, 1.0, 0, 0, 0}, 0.1}},
        "Beyond the stated uncertainty: z at 10 min, by 1.00 ± 0.10 um at 10 min. x, y agree."},
-      {{{"x", zero, 0.0}, {"y", zero, 0.0}}, "x, y: cannot tell, no uncertainty is stated."},
+      {{{"x", zero, 0.0}, {"y", zero, 0.0}}, "x, y: cannot tell, no uncertainty is known."},
       {{{"x", zero, 0.1}, {"y", zero, 0.0}},
-       "x agrees within the stated uncertainty. y: cannot tell, no uncertainty is stated."},
+       "x agrees within the stated uncertainty. y: cannot tell, no uncertainty is known."},
       {{{"x", {0, 1.0, 0, 0, 0}, 0.1}, {"y", zero, 0.0}, {"z", zero, 0.1}},
        "Beyond the stated uncertainty: x at 10 min, by 1.00 ± 0.10 um at 10 min. z agrees. y: cannot tell, no "
-       "uncertainty is stated."},
+       "uncertainty is known."},
   };
   for (const auto& [axes, sentence] : cases) {
     MeasuredDrift a, b;
@@ -479,8 +513,10 @@ TEST(comparison, errors) {
        drift("ballbar", minutes({-30, -20, -1}), {0, 1, 2}, 0.1), x},
       {"expected at least 3 times in common, found 2 between 20 and 30 min in ballbar and probes.csv.",
        drift("ballbar", minutes({20, 30, 40}), {0, 1, 2}, 0.1), x},
-      {"expected at least 3 times in common, found 1 between 30 and 30 min in ballbar and probes.csv.",
+      {"expected at least 3 times in common, found 1 at 30 min in ballbar and probes.csv.",
        drift("ballbar", minutes({30, 40, 50}), {0, 1, 2}, 0.1), x},
+      {"expected rows to compare, found none in ballbar.", drift("ballbar", {}, {}, 0.0), x},
+      {"expected rows to compare, found none in empty.csv.", x, drift("empty.csv", {}, {}, 0.0)},
       {"x is not compared: both have a value at 2 of the common times, 3 are needed.",
        drift("ballbar", time_s, {0, 1, kGap, kGap}, 0.1), x},
   };

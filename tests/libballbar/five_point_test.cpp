@@ -68,6 +68,10 @@ std::vector<std::string> names(const FivePoint& found) {
 
 using Texts = std::vector<std::string>;
 
+// What the 3 rows of probes() leave out as well.
+const char* const kFewRows =
+    "The probes' scatter is not in the uncertainty: 6 rows are needed to find it, there are 3.";
+
 std::mt19937_64 random_of_this_test() {
   const std::string_view name = testing::UnitTest::GetInstance()->current_test_info()->name();
   return simulation::stream_of(1, simulation::Stream::probe, simulation::key_of(name));
@@ -97,7 +101,7 @@ TEST(five_point, tilts_with_their_signs) {
     EXPECT_NEAR(value(found, "tilt_a", 1), -100.0, kRounding);
     EXPECT_NEAR(value(found, "tilt_a", 2), -1e3 * 5.0 / 60.0, kRounding);
     EXPECT_EQ(names(found), (Texts{"x_um", "y_um", "z_um", "tilt_a_urad", "tilt_b_urad"}));
-    EXPECT_TRUE(found.drift.remarks.empty());
+    EXPECT_EQ(found.drift.remarks, Texts{kFewRows});
   }
 }
 
@@ -152,7 +156,8 @@ TEST(five_point, without_the_spacing_the_difference_stands_for_the_tilt) {
             (Texts{"Tilt A is not known: the spacing of the probes' planes is not stated (spacing_mm under "
                    "[five_probe]); the difference Y2 - Y1 stands in its place.",
                    "Tilt B is not known: the spacing of the probes' planes is not stated (spacing_mm under "
-                   "[five_probe]); the difference X2 - X1 stands in its place."}));
+                   "[five_probe]); the difference X2 - X1 stands in its place.",
+                   kFewRows}));
 }
 
 TEST(five_point, one_probe_missing) {
@@ -163,20 +168,20 @@ TEST(five_point, one_probe_missing) {
       {"X1_um",
        {"y_um", "z_um", "tilt_a_urad"},
        {"x is not known 20 mm from plane 1: X1 is missing; it is known at plane 2, 60 mm from plane 1.",
-        "Tilt B is not known: there is no X1."}},
+        "Tilt B is not known: there is no X1.", kFewRows}},
       {"X2_um",
        {"y_um", "z_um", "tilt_a_urad"},
        {"x is not known 20 mm from plane 1: X2 is missing; it is known at plane 1, 0 mm from plane 1.",
-        "Tilt B is not known: there is no X2."}},
+        "Tilt B is not known: there is no X2.", kFewRows}},
       {"Y1_um",
        {"x_um", "z_um", "tilt_b_urad"},
        {"y is not known 20 mm from plane 1: Y1 is missing; it is known at plane 2, 60 mm from plane 1.",
-        "Tilt A is not known: there is no Y1."}},
+        "Tilt A is not known: there is no Y1.", kFewRows}},
       {"Y2_um",
        {"x_um", "z_um", "tilt_b_urad"},
        {"y is not known 20 mm from plane 1: Y2 is missing; it is known at plane 1, 0 mm from plane 1.",
-        "Tilt A is not known: there is no Y2."}},
-      {"Z_um", {"x_um", "y_um", "tilt_a_urad", "tilt_b_urad"}, {"z is not known: there is no Z."}},
+        "Tilt A is not known: there is no Y2.", kFewRows}},
+      {"Z_um", {"x_um", "y_um", "tilt_a_urad", "tilt_b_urad"}, {"z is not known: there is no Z.", kFewRows}},
   };
   for (const auto& [missing, axes, remarks] : cases) {
     const FivePoint found = five_point(without(probes(), {missing}), at(20.0));
@@ -191,7 +196,7 @@ TEST(five_point, one_probe_of_a_pair_in_its_own_plane) {
   EXPECT_NEAR(value(plane_1, "x", 1), 2.0, kRounding);
   EXPECT_NEAR(value(plane_1, "y", 1), -1.0, kRounding);
   EXPECT_EQ(plane_1.drift.remarks,
-            (Texts{"Tilt A is not known: there is no Y2.", "Tilt B is not known: there is no X2."}));
+            (Texts{"Tilt A is not known: there is no Y2.", "Tilt B is not known: there is no X2.", kFewRows}));
   const FivePoint plane_2 = five_point(without(probes(), {"X1_um", "Y1_um"}), at(60.0));
   EXPECT_NEAR(value(plane_2, "x", 1), 5.0, kRounding);
   EXPECT_NEAR(value(plane_2, "y", 1), 5.0, kRounding);
@@ -203,7 +208,7 @@ TEST(five_point, only_x2) {
   EXPECT_EQ(names(found), Texts{"x_um"});
   EXPECT_NEAR(value(found, "x", 1), 5.0, kRounding);
   const Texts others = {"y is not known: there is neither Y1 nor Y2.", "z is not known: there is no Z.",
-                        "Tilt A is not known: there is no Y1.", "Tilt B is not known: there is no X1."};
+                        "Tilt A is not known: there is no Y1.", "Tilt B is not known: there is no X1.", kFewRows};
   EXPECT_EQ(found.drift.remarks, others);
 
   series.five_probe.reset();
@@ -223,13 +228,15 @@ TEST(five_point, what_the_file_does_not_state_is_said) {
   Series series = probes();
   series.five_probe->linearity_percent.reset();
   EXPECT_EQ(five_point(series).drift.remarks,
-            Texts{"Not in the uncertainty, because the file does not state it: the probes' linearity "
-                  "(linearity_percent) under [five_probe]."});
+            (Texts{kFewRows,
+                   "Not in the uncertainty, because the file does not state it: the probes' linearity "
+                   "(linearity_percent) under [five_probe]."}));
   series = probes();
   series.five_probe->resolution_um.reset();
   EXPECT_EQ(five_point(series).drift.remarks,
-            Texts{"Not in the uncertainty, because the file does not state it: the probes' resolution (resolution_um) "
-                  "under [five_probe]."});
+            (Texts{kFewRows,
+                   "Not in the uncertainty, because the file does not state it: the probes' resolution (resolution_um) "
+                   "under [five_probe]."}));
 }
 
 TEST(five_point, columns_of_other_names) {
@@ -341,7 +348,7 @@ TEST(five_point, place_of_the_ball_in_a_plane_of_the_probes) {
   const FivePoint found = five_point(without(probes(), {"X2_um"}), options);
   EXPECT_TRUE(std::isnan(sigma(found, "x", "place of the ball", 1)));
   EXPECT_EQ(found.drift.remarks, (Texts{"The place of the ball is not in the uncertainty of x: tilt B is not known.",
-                                        "Tilt B is not known: there is no X2."}));
+                                        "Tilt B is not known: there is no X2.", kFewRows}));
 }
 
 Series one_probe(std::vector<double> time_s, std::vector<double> z_um) {
@@ -364,6 +371,11 @@ TEST(five_point, scatter_by_hand) {
   EXPECT_FALSE(five_point(one_probe({0, 1, 2, 3, 4}, {0, 3, 0, 3, 0})).scatter_um[4].has_value()) << "3 neighbours";
   const FivePoint gap = five_point(one_probe({0, 1, 2, 3, 4, 5, 6, 7, 8}, {0, 3, 0, 3, kGap, 3, 0, 3, 0}));
   EXPECT_NEAR(gap.scatter_um[4].value(), std::sqrt(6.0), kRounding) << "4 neighbours without the gap";
+  EXPECT_EQ(gap.drift.remarks.back().find("scatter"), std::string::npos);
+  const FivePoint gaps = five_point(one_probe({0, 1, 2, 3, 4, 5}, {0, 3, 0, kGap, 0, 3}));
+  const std::string few =
+      "The scatter of Z is not in the uncertainty: gaps leave fewer than 4 readings between two others.";
+  EXPECT_EQ(std::count(gaps.drift.remarks.begin(), gaps.drift.remarks.end(), few), 1);
   const FivePoint line = five_point(one_probe({0, 1, 4, 5, 8, 9}, {0, 2, 8, 10, 16, 18}));
   EXPECT_EQ(line.scatter_um[4].value(), 0.0) << "drift along a straight line is none";
 }
@@ -490,6 +502,14 @@ TEST(range_of, first_hour_after_total_and_end) {
   EXPECT_FALSE(part.after_60_min.has_value());
   expect_range(part.total, 4.0, 0.5);
   expect_range(part.at_end, 3.0, 0.5);
+}
+
+// A gain error of 3 % moves readings of -5 and +5 um apart by 0.3 um / sqrt(3): sqrt(2) more than the two added as
+// independent, 0.15 um sqrt(2) / sqrt(3).
+TEST(range_of, probe_linearity_of_opposite_signs) {
+  const double one_um = 0.15 / std::sqrt(3.0);
+  const DriftRange all = range_of(axis_of({0.0, -5.0, 5.0}, {0.0, one_um, one_um}), {0.0, 60.0, 120.0}, 0, 3);
+  expect_range(all.total, 10.0, 0.3 / std::sqrt(3.0) / std::sqrt(2.0));
 }
 
 TEST(range_of, a_drift_that_falls) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ballbar/error.hpp"
 namespace ballbar {
 namespace {
 
@@ -204,6 +205,23 @@ TEST(measured_drift, to_a_series_and_back) {
   }
   EXPECT_NEAR(sigma_of(back.axes[0], 1), 0.5, kRounding);
   EXPECT_NEAR(sigma_of(back.axes[0], 2), 0.3, kRounding);
+}
+
+TEST(measured_drift, a_sigma_never_known_is_not_written) {
+  MeasuredDrift drift;
+  drift.time_s = {0.0, 600.0};
+  drift.axes = {{"x", "um", {0.0, 1.0}, {{"circle fits", {kGap, kGap}}}}};
+  ASSERT_EQ(series_of(drift).columns.size(), 1U);
+  EXPECT_EQ(series_of(drift).columns[0].name, "x_um");
+}
+
+TEST(measured_drift, a_series_without_rows) {
+  try {
+    measured(Series{}, "probes.csv");
+    ADD_FAILURE() << "no Error";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "expected rows, found none in probes.csv.");
+  }
 }
 
 }  // namespace

@@ -55,6 +55,26 @@ TEST(speed_steps, shorter_than_60_s_is_no_step) {
                {{100.0, 0, 6}, {300.0, 6, 17}});
 }
 
+// One row of 10 s at 500 rpm, or five, within a constant stretch; six are a step. What comes after is found all the
+// same.
+TEST(speed_steps, a_stray_row_splits_nothing) {
+  for (const std::size_t stray : {1U, 5U, 6U}) {
+    std::vector<double> rpm(30, 3000.0);
+    std::fill_n(rpm.begin() + 10, stray, 500.0);
+    rpm[20] = 3050.0;  // within 2 %
+    if (stray < 6) {
+      expect_steps(steps_of(rpm, 10.0), {{3000.0, 0, 30}});
+    } else {
+      expect_steps(steps_of(rpm, 10.0), {{3000.0, 0, 10}, {500.0, 10, 16}, {3000.0, 16, 30}});
+    }
+  }
+  // 3000 for 20 s after the stray row, then 5000.
+  std::vector<double> rpm(40, 5000.0);
+  std::fill_n(rpm.begin(), 13, 3000.0);
+  rpm[10] = 500.0;
+  expect_steps(steps_of(rpm, 10.0), {{3000.0, 0, 13}, {5000.0, 13, 40}});
+}
+
 // 2 % of the largest speed, 5000: 100 rpm, at any speed.
 TEST(speed_steps, two_percent_of_the_largest_speed) {
   expect_steps(steps_of({5000, 5000, 1000, 1100, 1000}, 60.0), {{5000.0, 0, 2}, {1000.0, 2, 5}});

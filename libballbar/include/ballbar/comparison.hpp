@@ -11,10 +11,12 @@
 //   is late
 //
 // Uncertainty. sigma of d: root of the sum of the squared contributions of both (law of propagation); interpolated
-// linearly between rows; where the zero is moved to another row, that row's is added (never too small). A sample
-// agrees if |d| <= 2 sigma. An axis disagrees if more samples do not agree than chance allows (binomial with 4.55 %,
-// p < 1 %), or one lies farther out than the largest of so many would (p < 1 %). Errors that samples share make
-// the first rule wrong in at most 4.6 % of cases.
+// linearly between rows; where the zero is moved to another row, that row's is added as an independent one: too
+// large where the two share an error, too small by a factor of at most sqrt(2) where an error that grows with the
+// reading (probe linearity) meets readings of opposite sign. A sample agrees if |d| <= 2 sigma; where sigma is infinite
+// (undetermined) it does not count. An axis disagrees if more samples do not agree than chance allows (binomial
+// with 4.55 %, p < 1 %), or one lies farther out than the largest of so many would (p < 1 %). Errors that samples share
+// make the first rule wrong in at most 4.6 % of cases.
 #pragma once
 
 #include <cstddef>
@@ -30,8 +32,8 @@ enum class Agreement { agrees, disagrees, cannot_tell };
 
 struct UncertaintyShare {
   std::string source;
-  double sigma = 0.0;     // root mean square over the samples, in the axis' unit
-  double variance = 0.0;  // share of the variance of d, 0 to 1
+  double sigma = 0.0;     // root mean square over the samples, in the axis' unit; NaN: none known or determined
+  double variance = 0.0;  // share of the variance of d, 0 to 1; 0 where sigma is NaN
 };
 
 struct Deviation {
@@ -45,7 +47,7 @@ struct Deviation {
 
 struct AxisComparison {
   std::string name, unit;
-  std::vector<double> time_s, a, b, difference, sigma;  // n samples; sigma NaN: not stated
+  std::vector<double> time_s, a, b, difference, sigma;  // n samples; sigma NaN: not stated, infinite: not determined
   Agreement agreement = Agreement::cannot_tell;
   std::optional<Deviation> deviation;                 // where some sample is beyond 2 sigma
   std::optional<double> mean_relative_deviation;      // nothing: b does not move
@@ -58,7 +60,7 @@ struct AxisComparison {
   double bias = 0.0;
   std::optional<double> limit_low, limit_high;  // nothing: fewer than 2 samples after the reference
   std::size_t within = 0;                       // samples that agree, the reference left out
-  std::size_t counted = 0;                      // samples with a sigma, the reference left out
+  std::size_t counted = 0;                      // samples with a finite sigma, the reference left out
   std::optional<double> correlation;
   std::optional<double> lag_s, lag_sigma_s;  // nothing: none within a quarter of the common time, or no bend
   std::vector<UncertaintyShare> budget;
@@ -79,7 +81,7 @@ struct Comparison {
 };
 
 // Axes of the same name. Throws Error: no axis in common, an axis in different units, time ranges that do not overlap,
-// fewer than 3 common times.
+// a series without rows, fewer than 3 common times.
 Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const ComparisonOptions& options = {});
 
 // The conclusion first: agree or not, which axis, since when, by how much.

@@ -51,8 +51,9 @@ bool is_five_probe(const Series& series);
 FivePoint five_point(const Series& series, const FivePointOptions& options = {});
 
 // Range (max - min) of one axis: over the first 60 min from the first row, over the rest, and in total; and the
-// change from the first row to the last. sigma is that of the difference of two rows. Extreme values of noisy
-// readings lie apart even where nothing drifts: by about 3 sigma in ten readings, 6 in a thousand.
+// change from the first row to the last. sigma: that of both rows, added as independent; too large by what they share
+// of the reference, too small by a factor of at most sqrt(2) in the probe linearity of rows of opposite sign. Extreme
+// values of noisy readings lie apart even where nothing drifts: by about 3 sigma in ten readings, 6 in a thousand.
 struct DriftRange {
   std::optional<Estimate> first_60_min, after_60_min, total, at_end;
 };

@@ -49,6 +49,7 @@ const DriftAxis* find_axis(const MeasuredDrift& drift, std::string_view name);
 MeasuredDrift measured(const DriftSeries& drift, const Session& session);
 
 // Every measured column (unit um, mm or urad) of a series, its sigma from the column NAME_sigma_UNIT.
+// Throws Error: no row.
 MeasuredDrift measured(const Series& series, std::string what);
 
 // Columns NAME_UNIT and, where any is known, NAME_sigma_UNIT.
