@@ -26,10 +26,9 @@ Series data_of(const std::filesystem::path& folder, const char* set) {
 }
 
 TEST(spindle_24krpm, centrifugal_shift_goes_with_about_the_square_of_the_speed) {
-  const auto folder = external_data();
-  if (!folder) GTEST_SKIP() << "BALLBAR_EXTERNAL_DATA does not name the folder of measured data";
+  REQUIRE_EXTERNAL_DATA(folder);
   for (const char* set : {"set-02.csv", "set-04.csv"}) {
-    const Fit found = fit(model_of("cooling_asymmetry"), data_of(*folder, set));
+    const Fit found = fit(model_of("cooling_asymmetry"), data_of(folder, set));
     const FittedParameter& gain = found.parameters[found.parameters.size() - 2];
     const FittedParameter& exponent = found.parameters.back();
     EXPECT_GT(gain.value, 0.0) << set;
@@ -40,9 +39,8 @@ TEST(spindle_24krpm, centrifugal_shift_goes_with_about_the_square_of_the_speed) 
 
 // Least squares for both: the fits by generalised least squares weigh different parts of the misfit.
 TEST(spindle_24krpm, cooling_is_slower_at_rest) {
-  const auto folder = external_data();
-  if (!folder) GTEST_SKIP() << "BALLBAR_EXTERNAL_DATA does not name the folder of measured data";
-  const Series data = data_of(*folder, "set-04.csv");
+  REQUIRE_EXTERNAL_DATA(folder);
+  const Series data = data_of(folder, "set-04.csv");
   FitOptions least_squares;
   least_squares.white = true;
   const Fit symmetric = fit(model_of("speed_heating"), data, 0, least_squares);

@@ -3,8 +3,8 @@
 //
 //   study_five_probe [SEEDS]    500 unless given, of which the verdicts take two fifths; every seed is another noise
 //
-// The first two are simulated by the virtual machine: probes with 0.1 um noise and 0.05 um resolution; two arcs with 0.2 um
-// noise, 13 tests in 2 h, 120 and 80 readings. Fails (exit 1) where a figure leaves the range stated beside it.
+// The first two are simulated by the virtual machine: probes with 0.1 um noise and 0.05 um resolution; two arcs with
+// 0.2 um noise, 13 tests in 2 h, 120 and 80 readings. Fails (exit 1) where a figure leaves the range stated beside it.
 #include <fmt/format.h>
 
 #include <algorithm>
