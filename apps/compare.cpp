@@ -116,6 +116,7 @@ DriftAxis matched(const MeasuredDrift& a, const MeasuredDrift& b, const std::str
 // All of --match at once, so that x=y with y=-x turns the axes.
 void match(Operands& operands, const std::vector<std::string>& stated) {
   std::vector<DriftAxis> axes;
+  axes.reserve(stated.size());
   for (const std::string& one : stated) axes.push_back(matched(operands.a, operands.b, one));
   for (DriftAxis& axis : axes) {
     std::erase_if(operands.b.axes, [&](const DriftAxis& known) { return known.name == axis.name; });

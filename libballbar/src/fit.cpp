@@ -109,7 +109,7 @@ Minimum best_of(const ModelRows& rows, const Eigen::VectorXd& target, const Weig
   return best;
 }
 
-Solved solved(const ModelRows& rows, const Eigen::VectorXd& target, Weighting weighting, const Bounds& bounds,
+Solved solved(const ModelRows& rows, const Eigen::VectorXd& target, const Weighting& weighting, const Bounds& bounds,
               const std::vector<Eigen::VectorXd>& starts, bool robust) {
   Solved result{best_of(rows, target, weighting, bounds, starts), weighting, 0};
   if (!robust) return result;

@@ -13,7 +13,6 @@
 namespace ballbar {
 namespace {
 
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 constexpr double kHour_s = 3600.0;
 constexpr std::size_t kRowsForScatter = 6;
 
