@@ -1,5 +1,6 @@
 // `ballbar COMMAND`: exit 0 done, 1 the input is at fault, 2 the command line is at fault.
 #include <fmt/core.h>
+#include <glog/logging.h>
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
@@ -29,6 +30,7 @@ std::string told(const CLI::App& app, const CLI::ParseError& error, int argc, ch
 }  // namespace
 
 int main(int argc, char** argv) {
+  FLAGS_minloglevel = google::GLOG_FATAL;  // of the solver: what it says stands in the results
   CLI::App app{"Ballbar logs to thermal drift of the spindle."};
   app.name("ballbar");
   app.require_subcommand(1);

@@ -92,6 +92,11 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
                               data.level == Level::recording ? "recordings (level = \"recording\")" : "a drift series",
                               model.level == Level::recording ? "recordings" : "a drift series"));
     }
+    for (const Term& term : model.terms) {
+      if (!data.motion || applies_to(*term.effect, *data.motion)) continue;
+      throw Error(fmt::format("{}: expected effects that act where {} drives the circle, found {}.", options.model,
+                              name_of(*data.motion), term.effect->name));
+    }
     if (model.level == Level::recording) {
       const Model base = circles_of(data);
       const bool has_circle = std::any_of(model.terms.begin(), model.terms.end(),

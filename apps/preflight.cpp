@@ -34,6 +34,8 @@ const char* name_of(Testability testability) {
       return "absorbed by the model";
     case Testability::in_the_model:
       return "in the model";
+    case Testability::other_motion:
+      return "other motion";
   }
   return "testable";
 }
@@ -152,7 +154,7 @@ void run(const Options& options) {
   const Model model = open_model(options.model, data);
   std::vector<Preflight> results;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
-    results.push_back(preflight(model, data.series, target));
+    results.push_back(preflight(model, data.series, target, data.motion));
   }
   if (options.json) {
     nlohmann::ordered_json targets = nlohmann::ordered_json::array();

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "ballbar/error.hpp"
 #include "ballbar/formats/bytes.hpp"
 #include "ballbar/formats/drift_data.hpp"
@@ -54,6 +56,9 @@ ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths) {
   data.title = paths.size() == 1 ? paths.front().string()
                                  : fmt::format("{} recordings of {} files, {} to {}", recordings.size(), paths.size(),
                                                paths.front().string(), paths.back().string());
+  const bool one = std::all_of(recordings.begin(), recordings.end(),
+                               [&](const Recording& r) { return r.motion == recordings.front().motion; });
+  if (one && !recordings.empty()) data.motion = recordings.front().motion;
   data.series = trace_of(recordings);
   data.targets = {"deviation_um"};
   data.files = paths;

@@ -145,7 +145,8 @@ std::optional<BestLag> best_lag(std::span<const double> time_s, std::span<const 
     samples.value.push_back(value[i]);
   }
   const double span_s = time_s.back() - time_s.front();
-  const Smooth smooth = smoothed({curve_time_s, curve_value, max_gap_s}, span_s / 30.0);
+  const Smooth smooth =
+      smoothed({curve_time_s, curve_value, max_gap_s}, std::max(span_s / 30.0, 3.01 * median_step_s(curve_time_s)));
   const Curve curve{curve_time_s, smooth.value, max_gap_s};
   double step_s = span_s / (4.0 * kStepsEachWay);
   double best_s = 0.0;

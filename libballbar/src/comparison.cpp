@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "ballbar/error.hpp"
@@ -19,17 +20,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double kBeyond2Sigma = 0.0455;  // of a normal variable
 constexpr double kChance = 0.01;
-
-double median_step_s(const std::vector<double>& time_s) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < time_s.size(); ++i) steps.push_back(time_s[i] - time_s[i - 1]);
-  if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
 
 void expect_comparable(const MeasuredDrift& a, const MeasuredDrift& b) {
   for (const MeasuredDrift* drift : {&a, &b}) {
@@ -106,15 +97,34 @@ std::optional<double> correlation(const std::vector<double>& a, const std::vecto
   return ab / std::sqrt(aa * bb);
 }
 
-// P(at least k of n) of a binomial variable.
+// P(at least k of n) of a binomial variable; above 1000 by the normal distribution.
 double binomial_tail(std::size_t k, std::size_t n, double p) {
+  const auto dk = static_cast<double>(k), dn = static_cast<double>(n);
+  if (k == 0) return 1.0;
+  if (n > 1000) return 0.5 * std::erfc((dk - 0.5 - dn * p) / std::sqrt(2.0 * dn * p * (1.0 - p)));
   double below = 0.0;
   for (std::size_t i = 0; i < k; ++i) {
-    const auto di = static_cast<double>(i), dn = static_cast<double>(n);
+    const auto di = static_cast<double>(i);
     below += std::exp(std::lgamma(dn + 1.0) - std::lgamma(di + 1.0) - std::lgamma(dn - di + 1.0) + di * std::log(p) +
                       (dn - di) * std::log1p(-p));
   }
   return std::max(0.0, 1.0 - below);
+}
+
+// P(at least k of n samples beyond 2 sigma) where half of each variance is an error that all share: that of the zero.
+// The shared part c is integrated over; beyond 2 sigma is then |sqrt(1/2) c + sqrt(1/2) e| > 2 of the own part e.
+double chance_of_beyond(std::size_t k, std::size_t n) {
+  if (k == 0) return 1.0;
+  constexpr double kStep = 0.05, kFarthest = 6.0;
+  double probability = 0.0;
+  for (double c = -kFarthest; c <= kFarthest; c += kStep) {
+    const double density = std::exp(-0.5 * c * c) / std::sqrt(2.0 * std::numbers::pi);
+    const double above = 0.5 * std::erfc((2.0 - std::sqrt(0.5) * c) / std::sqrt(0.5) / std::numbers::sqrt2);
+    const double below = 0.5 * std::erfc((2.0 + std::sqrt(0.5) * c) / std::sqrt(0.5) / std::numbers::sqrt2);
+    const double p = std::clamp(above + below, 1e-12, 1.0 - 1e-12);
+    probability += density * kStep * binomial_tail(k, n, p);
+  }
+  return probability;
 }
 
 double deviation_in_sigma(const AxisComparison& axis, std::size_t i) {
@@ -134,7 +144,7 @@ void judge(AxisComparison& axis, double reference_s) {
   const double z = deviation_in_sigma(axis, worst);
   const double largest_by_chance =
       -std::expm1(static_cast<double>(axis.counted) * std::log1p(-std::erfc(z / std::numbers::sqrt2)));
-  const bool too_many = binomial_tail(axis.counted - axis.within, axis.counted, kBeyond2Sigma) < kChance;
+  const bool too_many = chance_of_beyond(axis.counted - axis.within, axis.counted) < kChance;
   axis.agreement = too_many || largest_by_chance < kChance ? Agreement::disagrees : Agreement::agrees;
   if (z <= 2.0) return;
   const auto beyond = [&](std::size_t i) {
@@ -324,6 +334,13 @@ Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const Compari
     const std::size_t sources_of_a = side_a.budget.size();
     std::vector<Contribution> budget = std::move(side_a.budget);
     std::move(side_b.budget.begin(), side_b.budget.end(), std::back_inserter(budget));
+
+    for (const auto& [side, what, other] :
+         {std::tuple(&axis_a, &a.what, &b.what), std::tuple(axis_b, &b.what, &a.what)}) {
+      if (!side->budget.empty() || budget.empty()) continue;
+      result.remarks.push_back(
+          fmt::format("{} states no uncertainty of {}: only that of {} counts.", *what, side->name, *other));
+    }
 
     AxisComparison axis;
     axis.name = axis_a.name;

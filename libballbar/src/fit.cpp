@@ -80,9 +80,11 @@ double median_of_magnitudes(const Eigen::VectorXd& values) {
   return *middle;
 }
 
+double scale_of(const Eigen::VectorXd& residual) { return std::max(1.4826 * median_of_magnitudes(residual), 1e-12); }
+
 // Square roots of Tukey's weights of weighted residuals.
 Eigen::VectorXd tukey(const Eigen::VectorXd& residual) {
-  const double scale = std::max(1.4826 * median_of_magnitudes(residual), 1e-12);
+  const double scale = scale_of(residual);
   Eigen::VectorXd weight(residual.size());
   for (Eigen::Index i = 0; i < residual.size(); ++i) {
     const double u = residual[i] / (kTukey * scale);
@@ -91,22 +93,42 @@ Eigen::VectorXd tukey(const Eigen::VectorXd& residual) {
   return weight;
 }
 
+// Variance of an M-estimate for (J'J)^-1 without its weights: n^2 / (n - p) sum psi^2 / (sum psi')^2 (Huber 1981).
+double robust_variance(const Eigen::VectorXd& residual, std::size_t free) {
+  const double scale = scale_of(residual);
+  double psi2 = 0.0, slope = 0.0;
+  for (Eigen::Index i = 0; i < residual.size(); ++i) {
+    const double u2 = std::pow(residual[i] / (kTukey * scale), 2);
+    if (u2 >= 1.0) continue;
+    psi2 += std::pow(residual[i] * (1.0 - u2) * (1.0 - u2), 2);
+    slope += (1.0 - u2) * (1.0 - 5.0 * u2);
+  }
+  const auto n = static_cast<double>(residual.size());
+  return n * n / std::max(1.0, n - static_cast<double>(free)) * psi2 / (slope * slope);
+}
+
 struct Solved {
   Minimum minimum;
   Weighting weighting;
   std::size_t discounted = 0;
 };
 
-// From every start; the best of them.
+// A few steps from every start, then to the end from the best of them.
 Minimum best_of(const ModelRows& rows, const Eigen::VectorXd& target, const Weighting& weighting, const Bounds& bounds,
                 const std::vector<Eigen::VectorXd>& starts) {
+  constexpr int kFewSteps = 12;
   Minimum best;
   best.cost = kInfinite;
   for (const Eigen::VectorXd& start : starts) {
-    Minimum now = minimise(rows, target, weighting, bounds, start);
+    Minimum now = minimise(rows, target, weighting, bounds, start, kFewSteps);
     if (now.cost < best.cost) best = std::move(now);
   }
-  return best;
+  if (std::isinf(best.cost)) {
+    throw Error(
+        "expected a model with finite values near its start, found none: the numbers in it or in the data are too "
+        "large.");
+  }
+  return best.converged ? best : minimise(rows, target, weighting, bounds, best.parameters);
 }
 
 Solved solved(const ModelRows& rows, const Eigen::VectorXd& target, const Weighting& weighting, const Bounds& bounds,
@@ -272,6 +294,10 @@ void add_remarks(Fit& result, std::size_t free) {
                     "is fitted that is not there.",
                     free, result.residual_um.size()));
   }
+  if (result.discounted > 0) {
+    result.remarks.emplace_back(
+        "A robust fit takes the noise as white. RMSE and misfit count the discounted values too.");
+  }
   if (!result.converged) result.remarks.emplace_back("The fit did not converge; its parameters are the best it found.");
 }
 
@@ -315,9 +341,11 @@ Fit fit(const Model& model, const Series& data, std::size_t target, const FitOpt
     return spent;
   };
   Eigen::VectorXd residual = residual_at(best.minimum.parameters);
-  const bool with_noise = !options.white && result.row.size() >= kFewestForNoise && result.row.size() > 2 * free;
+  const bool with_noise =
+      !options.white && !options.robust && result.row.size() >= kFewestForNoise && result.row.size() > 2 * free;
   bool misfit = false;
   if (with_noise) {
+    const Solved least_squares = best;
     for (int round = 0; round < kNoiseRounds; ++round) {
       // The last time with the parameters that the fit has spent (REML).
       const bool last = round + 1 == kNoiseRounds;
@@ -329,7 +357,12 @@ Fit fit(const Model& model, const Series& data, std::size_t target, const FitOpt
       Solved whitened = solved(rows, measured, white, bounds, {best.minimum.parameters}, options.robust);
       const Eigen::VectorXd left = residual_at(whitened.minimum.parameters);
       misfit = left.norm() > kWorseByWhitening * residual.norm();
-      if (misfit) break;
+      if (misfit) {
+        best = least_squares;
+        residual = residual_at(best.minimum.parameters);
+        result.noise = noise_of(result.time_s, vector_of(residual), result.sigma_um);
+        break;
+      }
       best = std::move(whitened);
       residual = left;
     }
@@ -357,7 +390,11 @@ Fit fit(const Model& model, const Series& data, std::size_t target, const FitOpt
   // The scatter that is left, for the parameters spent; never below what was stated.
   const double spent =
       std::max(1.0, static_cast<double>(n - static_cast<Eigen::Index>(result.discounted)) - static_cast<double>(free));
-  double variance = with_noise && !options.robust ? 1.0 : 2.0 * best.minimum.cost / spent;
+  double variance = with_noise ? 1.0 : 2.0 * best.minimum.cost / spent;
+  if (options.robust) {
+    best.weighting.row = weighting.row;
+    variance = robust_variance(residual.cwiseProduct(weighting.row), free);
+  }
   if (!result.sigma_um.empty() && !with_noise) variance = std::max(1.0, variance);
   if (misfit) {
     add_uncertainty(result, weighted(best.weighting, jacobian), bounds, 1.0,

@@ -24,6 +24,12 @@ Columns probes_of(const Series& series, const FiveProbe& probe) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     columns[i] = find_column(series, probe.columns[i]);
     if (columns[i] == nullptr) continue;
+    const std::vector<double>& readings = columns[i]->values;
+    if (!readings.empty() &&
+        std::all_of(readings.begin(), readings.end(), [](double value) { return std::isnan(value); })) {
+      columns[i] = nullptr;  // a dead probe is none
+      continue;
+    }
     for (std::size_t before = 0; before < i; ++before) {
       if (columns[before] == columns[i]) {
         throw Error(fmt::format("expected a column of its own for each probe, found {} for {} and {}.",
@@ -200,8 +206,9 @@ std::optional<Combination> drift_of_pair(const char* name, std::size_t first, co
 
 bool is_five_probe(const Series& series) {
   const FiveProbe probe = stated(series);
+  // Z alone may be a drift along Z.
   return series.five_probe.has_value() ||
-         std::any_of(probe.columns.begin(), probe.columns.end(),
+         std::any_of(probe.columns.begin(), probe.columns.begin() + 4,
                      [&](const std::string& name) { return find_column(series, name) != nullptr; });
 }
 

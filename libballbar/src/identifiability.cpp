@@ -217,7 +217,7 @@ std::string roles_missing(const Effect& effect, const Series& data) {
 
 }  // namespace
 
-Preflight preflight(const Model& model, const Series& data, std::size_t target) {
+Preflight preflight(const Model& model, const Series& data, std::size_t target, std::optional<Motion> motion) {
   const Fit fitted = fit(model, data, target);
   Preflight result;
   result.target = fitted.target;
@@ -231,6 +231,13 @@ Preflight preflight(const Model& model, const Series& data, std::size_t target) 
     if (effect->level != model.level) continue;
     Prospect prospect;
     prospect.effect = effect;
+    if (motion && !applies_to(*effect, *motion)) {
+      prospect.testability = Testability::other_motion;
+      prospect.why = fmt::format("it is not one of circles driven by {}", name_of(*motion));
+      result.prospects.push_back(std::move(prospect));
+      best.emplace_back();
+      continue;
+    }
     Binding chosen;
     double least = std::numeric_limits<double>::infinity();
     bool varying = effect->inputs.empty();

@@ -1,6 +1,7 @@
 #include "interpolation.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace ballbar {
 
@@ -15,6 +16,15 @@ std::optional<Place> place_of(std::span<const double> time_s, double at_s) {
 double value_at(std::span<const double> column, const Place& place) {
   if (place.share == 0.0) return column[place.row];
   return (1.0 - place.share) * column[place.row] + place.share * column[place.row + 1];
+}
+
+double median_step_s(std::span<const double> time_s) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < time_s.size(); ++i) steps.push_back(time_s[i] - time_s[i - 1]);
+  if (steps.empty()) return 0.0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
 }
 
 }  // namespace ballbar

@@ -3,6 +3,7 @@
 #include <ceres/ceres.h>
 
 #include <cmath>
+#include <limits>
 
 namespace ballbar {
 namespace {
@@ -83,7 +84,7 @@ Eigen::MatrixXd weighted(const Weighting& weighting, const Eigen::MatrixXd& jaco
 }
 
 Minimum minimise(const ModelRows& rows, const Eigen::VectorXd& target_um, const Weighting& weighting,
-                 const Bounds& bounds, const Eigen::VectorXd& start) {
+                 const Bounds& bounds, const Eigen::VectorXd& start, int most_iterations) {
   std::vector<Eigen::Index> free;
   for (Eigen::Index k = 0; k < start.size(); ++k) {
     if (!bounds.held[static_cast<std::size_t>(k)]) free.push_back(k);
@@ -112,14 +113,16 @@ Minimum minimise(const ModelRows& rows, const Eigen::VectorXd& target_um, const 
   }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  options.max_num_iterations = 100;
+  options.max_num_iterations = most_iterations;
   options.function_tolerance = 1e-10;
   options.parameter_tolerance = 1e-10;
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
   minimum.parameters = cost.parameters_of(u.data());
-  minimum.cost = summary.final_cost;
+  // A start where the model is not finite is no minimum, whatever Ceres leaves there.
+  const bool usable = summary.IsSolutionUsable() && std::isfinite(summary.final_cost) && summary.final_cost >= 0.0;
+  minimum.cost = usable ? summary.final_cost : std::numeric_limits<double>::infinity();
   minimum.converged = summary.termination_type == ceres::CONVERGENCE;
   return minimum;
 }

@@ -26,12 +26,12 @@ struct Bounds {
 
 struct Minimum {
   Eigen::VectorXd parameters;
-  double cost = 0.0;  // half the sum of squares
+  double cost = 0.0;  // half the sum of squares; infinite: the model has no finite values there
   bool converged = false;
 };
 
 // A positive parameter whose bounds are more than a factor of 100 apart moves by its logarithm.
 Minimum minimise(const ModelRows& rows, const Eigen::VectorXd& target_um, const Weighting& weighting,
-                 const Bounds& bounds, const Eigen::VectorXd& start);
+                 const Bounds& bounds, const Eigen::VectorXd& start, int most_iterations = 100);
 
 }  // namespace ballbar

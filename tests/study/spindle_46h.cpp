@@ -5,7 +5,7 @@
 //
 // Prints the mean absolute error on what was left out. The last cycle runs at 5000 rpm, above every speed in training:
 // there a regression extrapolates in all its columns, a physical model in the speed alone. Fails where a model leaves
-// more than the regression does on that cycle, or more than 3 um.
+// more than half of what the regression does on that cycle.
 #include <fmt/format.h>
 
 #include <Eigen/QR>
@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
             mean_absolute_error(data, name, predict(model, fitted.parameters, data).predicted_um, cycle);
         const double theirs = mean_absolute_error(data, name, regression(data, name, cycle), cycle);
         fmt::print("{:>10.2f} ({:5.2f})", ours, theirs);
-        if (cycle.to_s > 1e8) failed = failed || ours > theirs || ours > 3.0;
+        if (cycle.to_s > 1e8) failed = failed || ours > 0.5 * theirs;
       }
       fmt::print("\n");
     }

@@ -14,9 +14,10 @@
 // linearly between rows; where the zero is moved to another row, that row's is added as an independent one: too
 // large where the two share an error, too small by a factor of at most sqrt(2) where an error that grows with the
 // reading (probe linearity) meets readings of opposite sign. A sample agrees if |d| <= 2 sigma; where sigma is infinite
-// (undetermined) it does not count. An axis disagrees if more samples do not agree than chance allows (binomial
-// with 4.55 %, p < 1 %), or one lies farther out than the largest of so many would (p < 1 %). Errors that samples share
-// make the first rule wrong in at most 4.6 % of cases.
+// (undetermined) it does not count. An axis disagrees if more samples do not agree than chance allows (p < 1 %;
+// binomial, half of each variance an error that all samples share, that of the zero), or one lies farther out than the
+// largest of so many would (p < 1 %). Other errors that samples share, such as a probe's linearity, make it wrong more
+// often.
 #pragma once
 
 #include <cstddef>

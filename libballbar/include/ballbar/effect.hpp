@@ -76,6 +76,9 @@ struct Effect {
   std::vector<Motion> motions = {};  // recordings it applies to, by what drives the circle; empty: any
 };
 
+// Whether it acts in recordings that `motion` drives.
+bool applies_to(const Effect& effect, Motion motion);
+
 // All of the catalogue, drift series first, in the order of the documentation.
 std::span<const Effect* const> effects();
 

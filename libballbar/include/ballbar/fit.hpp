@@ -33,7 +33,7 @@ struct FittedParameter {
 };
 
 struct FitOptions {
-  bool robust = false;     // Tukey's biweight, readings it discounts are counted
+  bool robust = false;     // Tukey's biweight, the noise taken as white; values it discounts are counted
   bool white = false;      // ordinary least squares: no noise model
   std::size_t starts = 3;  // of the shape parameters
 };

@@ -24,7 +24,7 @@
 
 namespace ballbar {
 
-enum class Testability { testable, input_missing, input_constant, absorbed, in_the_model };
+enum class Testability { testable, input_missing, input_constant, absorbed, in_the_model, other_motion };
 
 struct Prospect {
   const Effect* effect = nullptr;
@@ -48,6 +48,8 @@ struct Preflight {
 
 // With a model: its fit's noise and Jacobian. Without: a constant, and the scatter of the target from row to row, which
 // is optimistic. Throws Error as fit does.
-Preflight preflight(const Model& model, const Series& data, std::size_t target = 0);
+// motion: what drove the recordings; effects of other motions do not apply.
+Preflight preflight(const Model& model, const Series& data, std::size_t target = 0,
+                    std::optional<Motion> motion = std::nullopt);
 
 }  // namespace ballbar

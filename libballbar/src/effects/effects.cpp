@@ -56,6 +56,11 @@ constexpr std::array kEffects = {
 
 }  // namespace
 
+bool applies_to(const Effect& effect, Motion motion) {
+  return effect.motions.empty() ||
+         std::find(effect.motions.begin(), effect.motions.end(), motion) != effect.motions.end();
+}
+
 std::span<const Effect* const> effects() { return kEffects; }
 
 const Effect* find_effect(std::string_view name, Level level) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct ModelData {
   std::vector<std::string> targets;          // what a model could explain: the measured columns, sigmas left out
   std::vector<std::filesystem::path> files;  // all that were read
   std::string title;
+  std::optional<Motion> motion;  // recordings: what drove all of them
 };
 
 // A session: its drift (drift_of with the options) joined with its signals; a series: its gaps closed as `joined` does;
