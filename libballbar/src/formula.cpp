@@ -145,6 +145,7 @@ class Reader {
     const Function* function = find_function(found);
     if (call && function == nullptr) {
       std::vector<std::string_view> known;
+      known.reserve(std::size(kFunctions));
       for (const Function& candidate : kFunctions) known.push_back(candidate.name);
       fail(from, fmt::format("expected one of the functions {}, found {}; the nearest known name is {}.",
                              fmt::join(known, ", "), in_quotes(found), nearest_name(found, known)));

@@ -26,7 +26,7 @@ Kalman::Kalman(std::span<const double> time_s, std::span<const double> sigma_um)
     const double before = step_s_[row - 1];
     if (std::abs(step - before) <= kSameStep * before && std::isfinite(before)) step = before;
     step_s_[row] = step;
-    as_before_[i] = step == before && stated_um2_[row] == stated_um2_[row - 1];
+    as_before_[i] = step == before && stated_um2_[row] == stated_um2_[row - 1] ? char{1} : char{0};
   }
   const auto even = std::count(as_before_.begin(), as_before_.end(), char{1});
   mostly_even_ = 2 * static_cast<std::size_t>(even) > time_s.size();

@@ -69,6 +69,7 @@ void expect_inputs(const Model& model, const Term& term, const Series& data) {
   const std::vector<Input>& inputs = term.effect->inputs;
   if (term.columns.size() != inputs.size()) {
     std::vector<std::string_view> roles;
+    roles.reserve(inputs.size());
     for (const Input& input : inputs) roles.push_back(input.role);
     fail(where, fmt::format("expected {} column{}{}{}, found {}.",
                             inputs.empty() ? "no" : std::to_string(inputs.size()), inputs.size() == 1 ? "" : "s",

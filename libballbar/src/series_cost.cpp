@@ -96,6 +96,7 @@ Minimum minimise(const ModelRows& rows, const Eigen::VectorXd& target_um, const 
   }
   SeriesCost cost(rows, target_um, weighting, bounds, start, free);
   std::vector<double> u;
+  u.reserve(free.size());
   for (const Eigen::Index k : free) u.push_back(by_logarithm(bounds, k) ? std::log(start[k]) : start[k]);
   ceres::Problem::Options ownership;
   ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
