@@ -1,34 +1,10 @@
-#include <algorithm>
-
 #include "catalogue.hpp"
 #include "evaluate.hpp"
+#include "step.hpp"
 
 namespace ballbar::catalogue {
-namespace {
 
-// k H_i over the time of the rows, the sweeps end to end; H_i the share of the time from row i - 1 to row i that lies
-// after the onset, as in `step`: an onset on a row's time is the exact step just after that row.
-struct MountingSlip {
-  template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
-    const std::span<const double> time_s = rows.time_s;
-    for (std::size_t i = 0; i < time_s.size(); ++i) {
-      const std::size_t end = std::min(std::max<std::size_t>(i, 1), time_s.size() - 1);
-      const double width_s = end > 0 ? time_s[end] - time_s[end - 1] : 1.0;
-      const T share = (time_s[i] - p[1]) / width_s;
-      if (!(share > T(0.0))) {
-        out[i] = T(0.0);
-      } else if (share > T(1.0)) {
-        out[i] = p[0];
-      } else {
-        out[i] = p[0] * share;
-      }
-    }
-  }
-};
-
-}  // namespace
-
+// Over the time of the rows, the sweeps end to end.
 const Effect kMountingSlip{
     "mounting_slip",
     Level::recording,
@@ -46,7 +22,7 @@ const Effect kMountingSlip{
     {},
     {{"step_um", "um", ParameterKind::gain, 0.0, -10000.0, 10000.0, {}, "length after less length before"},
      {"onset_s", "s", ParameterKind::shape, 0.0, 0.0, 1e7, {}, "time of the slip"}},
-    evaluated_by<2>(MountingSlip{}),
+    evaluated_by<2>(Step{}),
     true,
 };
 

@@ -1,0 +1,35 @@
+// A step whose onset a fit can find; shared by `step` and `mounting_slip`.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include "ballbar/effect.hpp"
+
+namespace ballbar {
+
+// k H_i, H_i the share of the time from row i - 1 to row i that lies after the onset: 0 before it, 1 after it. An onset
+// on a row's time gives the exact step just after that row. In between, one row takes the share, so that value and
+// derivative agree and a solver can move the onset within the step of a row; over longer ways a search over the rows'
+// times must bring it near. The first row takes the width of the second.
+struct Step {
+  template <class T>
+  void operator()(const EffectRows& rows, const T* p, T* out) const {
+    const std::span<const double> time_s = rows.time_s;
+    for (std::size_t i = 0; i < time_s.size(); ++i) {
+      const std::size_t end = std::min(std::max<std::size_t>(i, 1), time_s.size() - 1);
+      const double width_s = end > 0 ? time_s[end] - time_s[end - 1] : 1.0;
+      const T share = (time_s[i] - p[1]) / width_s;
+      if (!(share > T(0.0))) {
+        out[i] = T(0.0);
+      } else if (share > T(1.0)) {
+        out[i] = p[0];
+      } else {
+        out[i] = p[0] * share;
+      }
+    }
+  }
+};
+
+}  // namespace ballbar
