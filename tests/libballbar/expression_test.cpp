@@ -185,7 +185,8 @@ TEST(expression, derivatives) {
 TEST(expression, a_parameter_is_a_gain_where_the_formula_is_straight_in_it) {
   const auto kinds = [](std::string_view formula, std::vector<Parameter> parameters) {
     std::string text;
-    for (const Parameter& parameter : expression_of(formula, std::move(parameters))->parameters) {
+    const auto effect = expression_of(formula, std::move(parameters));
+    for (const Parameter& parameter : effect->parameters) {
       text += parameter.kind == ParameterKind::gain ? 'g' : 's';
     }
     return text;
