@@ -341,10 +341,15 @@ Fit fit(const Model& model, const Series& data, std::size_t target, const FitOpt
     return spent;
   };
   Eigen::VectorXd residual = residual_at(best.minimum.parameters);
-  const bool with_noise =
-      !options.white && !options.robust && result.row.size() >= kFewestForNoise && result.row.size() > 2 * free;
+  const bool with_noise = options.noise || (!options.white && !options.robust && result.row.size() >= kFewestForNoise &&
+                                            result.row.size() > 2 * free);
   bool misfit = false;
-  if (with_noise) {
+  if (options.noise) {
+    result.noise = *options.noise;
+    const Weighting known{Eigen::VectorXd::Ones(n), Whitening(result.noise, result.time_s, result.sigma_um)};
+    best = solved(rows, measured, known, bounds, from, options.robust);
+    residual = residual_at(best.minimum.parameters);
+  } else if (with_noise) {
     const Solved least_squares = best;
     for (int round = 0; round < kNoiseRounds; ++round) {
       // The last time with the parameters that the fit has spent (REML).

@@ -36,6 +36,7 @@ struct FitOptions {
   bool robust = false;     // Tukey's biweight, the noise taken as white; values it discounts are counted
   bool white = false;      // ordinary least squares: no noise model
   std::size_t starts = 3;  // of the shape parameters
+  std::optional<Noise> noise = std::nullopt;  // of the residual, known: not estimated
 };
 
 struct Fit {

@@ -10,8 +10,8 @@
 //   coherence         |cos| between the surviving signatures of two effects; above 0.95 at most of the shapes of one,
 //                     whatever shape the other has, they are inseparable here
 //
-// An effect with several gains counts by the space they span: d by its weakest direction, coherence by the smallest
-// canonical correlation.
+// An effect with several gains counts by the space they span: coherence by the smallest canonical correlation; d is
+// that of its first. Series with more than 1500 values of the target are seen as means of neighbouring rows.
 #pragma once
 
 #include <optional>
@@ -35,20 +35,20 @@ struct Prospect {
   double surviving_share = 0.0;
   double detectable_um = 0.0;
   double identifiable_um = 0.0;
-  std::vector<std::string> inseparable_from;  // names of effects, also of those in the model
+  std::vector<std::string> inseparable_from;  // names of effects that are not in the model
 };
 
 struct Preflight {
   std::string target;
   std::size_t n = 0;
   Noise noise;
-  std::string noise_source;         // a phrase: "residual of the model", "scatter of neighbouring values"
+  std::string noise_source;         // a phrase: "residual of the model"
   std::vector<Prospect> prospects;  // in the order of the catalogue
 };
 
-// With a model: its fit's noise and Jacobian. Without: a constant, and the scatter of the target from row to row, which
-// is optimistic. Throws Error as fit does.
-// motion: what drove the recordings; effects of other motions do not apply.
+// By the noise and the Jacobian of the model's fit. Without terms the model is a constant, and every effect that is
+// there counts as noise, which is pessimistic. Throws Error as fit does. motion: what drove the recordings; effects of
+// other motions do not apply.
 Preflight preflight(const Model& model, const Series& data, std::size_t target = 0,
                     std::optional<Motion> motion = std::nullopt);
 

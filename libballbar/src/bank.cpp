@@ -1,0 +1,189 @@
+#include "bank.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "bindings.hpp"
+#include "shape_grid.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kMostOnsets = 400;
+constexpr double kNothingLeft = 1e-8;  // share of a column's square
+
+bool is_constant(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return !(*high > *low);
+}
+
+bool is_whole(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+// One column a gain, at the rows of the fit; none where a value is not finite or nothing varies.
+std::vector<Eigen::VectorXd> gains_of(const Effect& effect, const EffectRows& inputs, const std::vector<double>& point,
+                                      const std::vector<std::size_t>& rows) {
+  const std::size_t count = effect.parameters.size();
+  std::vector<double> values(inputs.time_s.size()), slopes(values.size() * count);
+  effect.evaluate(inputs, point.data(), values.data(), slopes.data());
+  std::vector<Eigen::VectorXd> gains;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (effect.parameters[k].kind != ParameterKind::gain) continue;
+    Eigen::VectorXd column(static_cast<Eigen::Index>(rows.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i) column[static_cast<Eigen::Index>(i)] = slopes[rows[i] * count + k];
+    if (!column.allFinite() || column.maxCoeff() - column.minCoeff() < 1e-12) continue;
+    gains.push_back(std::move(column));
+  }
+  return gains;
+}
+
+std::vector<double> onsets(const EffectRows& rows, std::size_t most) {
+  std::vector<double> grid;
+  const std::size_t n = rows.time_s.size();
+  const std::size_t stride = 1 + n / most;
+  for (std::size_t row = std::max<std::size_t>(1, stride / 2); row < n; row += stride) {
+    grid.push_back(0.5 * (rows.time_s[row] + rows.time_s[row - 1]));
+  }
+  return grid;
+}
+
+Eigen::VectorXd whitened(const Whitening& whitening, const Eigen::VectorXd& column) {
+  Eigen::VectorXd out(column.size());
+  whitening.apply(column.data(), 1, out.data(), 1);
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows, const BankOptions& options) {
+  std::vector<double> first;
+  for (const Parameter& parameter : effect.parameters) {
+    first.push_back(parameter.kind == ParameterKind::gain ? 0.0 : parameter.start);
+  }
+  std::vector<std::vector<double>> points{first};
+  for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
+    const Parameter& parameter = effect.parameters[k];
+    if (parameter.kind == ParameterKind::gain) continue;
+    std::vector<double> grid =
+        shape_grid(effect, k, rows, parameter.lower, parameter.upper, effect.parameters.size() > 4 ? 12 : 200);
+    if (parameter.name == "onset_s") grid = onsets(rows, options.every_onset ? kMostOnsets : 7);
+    if (grid.empty()) continue;
+    std::vector<std::vector<double>> more;
+    for (const std::vector<double>& point : points) {
+      for (const double value : grid) {
+        more.push_back(point);
+        more.back()[k] = value;
+      }
+    }
+    points = std::move(more);
+  }
+  return points;
+}
+
+Bank bank_of(const Model& model, const Series& data, const Fit& fit, const BankOptions& options) {
+  Bank bank;
+  std::vector<Eigen::VectorXd> columns;
+  for (const Effect* effect : effects()) {
+    if (effect->level != model.level || effect->name == "circle") continue;
+    if (options.motion && !applies_to(*effect, *options.motion)) continue;
+    for (std::vector<std::string>& names : bindings_of(*effect, model, data)) {
+      const bool again = effect->name == "step" || effect->name == "thermostat_cycle";
+      if (has_term(model, *effect, names) && !again) continue;
+      EffectRows inputs;
+      inputs.time_s = data.time_s;
+      bool usable = true;
+      for (const std::string& name : names) {
+        const Column& column = *find_column(data, name);
+        usable =
+            usable && is_whole(column.values) && (effect->level == Level::recording || !is_constant(column.values));
+        inputs.inputs.emplace_back(column.values);
+      }
+      if (!usable) continue;
+      Family family{effect, std::move(names), bank.signatures.size(), 0};
+      for (std::vector<double>& point : shapes_of(*effect, inputs, options)) {
+        std::vector<Eigen::VectorXd> gains = gains_of(*effect, inputs, point, fit.row);
+        if (gains.empty()) continue;
+        Signature signature{bank.families.size(), std::move(point), static_cast<Eigen::Index>(columns.size()),
+                            static_cast<Eigen::Index>(gains.size()),
+                            gains.front().maxCoeff() - gains.front().minCoeff()};
+        for (Eigen::VectorXd& gain : gains) columns.push_back(std::move(gain));
+        bank.signatures.push_back(std::move(signature));
+        ++family.count;
+      }
+      if (family.count > 0) bank.families.push_back(std::move(family));
+    }
+  }
+  bank.columns.resize(static_cast<Eigen::Index>(fit.row.size()), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) bank.columns.col(static_cast<Eigen::Index>(k)) = columns[k];
+  return bank;
+}
+
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
+  if (columns.cols() == 0) return columns;
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+  return Eigen::MatrixXd(qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank()));
+}
+
+Eigen::MatrixXd model_columns(const Fit& fit) {
+  std::vector<Eigen::Index> used;
+  for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
+    const auto index = static_cast<Eigen::Index>(k);
+    if (fit.parameters[k].state != ParameterState::held && fit.jacobian.col(index).norm() > 0.0) used.push_back(index);
+  }
+  Eigen::MatrixXd columns(fit.jacobian.rows(), static_cast<Eigen::Index>(used.size()));
+  for (std::size_t j = 0; j < used.size(); ++j) {
+    columns.col(static_cast<Eigen::Index>(j)) = fit.jacobian.col(used[j]).normalized();
+  }
+  return columns;
+}
+
+Projected projected(const Bank& bank, const Eigen::VectorXd& residual_um, const Eigen::MatrixXd& basis,
+                    const Whitening& whitening) {
+  Projected result;
+  Eigen::MatrixXd white(basis.rows(), basis.cols());
+  for (Eigen::Index k = 0; k < basis.cols(); ++k) white.col(k) = whitened(whitening, basis.col(k));
+  result.model = orthonormal(white);
+  const auto freed = [&](Eigen::VectorXd column) {
+    column -= result.model * (result.model.transpose() * column);
+    return column;
+  };
+  result.residual = freed(whitened(whitening, residual_um));
+  result.columns.resize(bank.columns.rows(), bank.columns.cols());
+  for (const Signature& signature : bank.signatures) {
+    double share = 1.0, norm = 0.0;
+    for (Eigen::Index j = 0; j < signature.width; ++j) {
+      const Eigen::VectorXd all = whitened(whitening, bank.columns.col(signature.first + j));
+      Eigen::VectorXd left = freed(all);
+      for (Eigen::Index i = 0; i < j; ++i) {
+        const auto before = result.columns.col(signature.first + i);
+        left -= before * before.dot(left);
+      }
+      const double square = left.squaredNorm();
+      const double part = all.squaredNorm() > 0.0 ? square / all.squaredNorm() : 0.0;
+      share = std::min(share, part);
+      if (j == 0) norm = std::sqrt(square);
+      if (part > kNothingLeft) {
+        result.columns.col(signature.first + j) = left / std::sqrt(square);
+      } else {
+        result.columns.col(signature.first + j).setZero();
+      }
+    }
+    result.share.push_back(share);
+    result.norm.push_back(norm);
+  }
+  return result;
+}
+
+Eigen::VectorXd scores(const Bank& bank, const Projected& projected, const Eigen::VectorXd& residual) {
+  const Eigen::VectorXd along = projected.columns.transpose() * residual;
+  Eigen::VectorXd result(static_cast<Eigen::Index>(bank.signatures.size()));
+  for (std::size_t k = 0; k < bank.signatures.size(); ++k) {
+    const Signature& signature = bank.signatures[k];
+    result[static_cast<Eigen::Index>(k)] = along.segment(signature.first, signature.width).squaredNorm();
+  }
+  return result;
+}
+
+}  // namespace ballbar

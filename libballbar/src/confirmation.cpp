@@ -1,0 +1,227 @@
+#include "confirmation.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <unsupported/Eigen/FFT>
+#include <unsupported/Eigen/SpecialFunctions>
+
+#include "ballbar/speed_steps.hpp"
+#include "ballbar/units.hpp"
+#include "interpolation.hpp"
+#include "simulate_noise.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kMostCycles = 12;
+constexpr std::size_t kParts = 5;
+constexpr std::size_t kFakeGrid = 1024;
+constexpr std::size_t kFakeShapes = 8;
+
+Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::MatrixXd& columns) {
+  Eigen::MatrixXd out(columns.rows(), columns.cols());
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) whitening.apply(columns.col(k).data(), 1, out.col(k).data(), 1);
+  return out;
+}
+
+Whitening whitening_of(const Leftover& leftover, const Noise& noise) {
+  return {noise, leftover.time_s, leftover.sigma_um};
+}
+
+std::vector<std::size_t> parts_of(const std::vector<double>& time_s, const std::vector<std::size_t>& rows,
+                                  std::size_t parts) {
+  std::vector<std::size_t> cycle;
+  const double begin = time_s[rows.front()], span = time_s[rows.back()] - begin;
+  for (const std::size_t row : rows) {
+    const double place = span > 0.0 ? (time_s[row] - begin) / span : 0.0;
+    cycle.push_back(std::min(parts - 1, static_cast<std::size_t>(place * static_cast<double>(parts))));
+  }
+  return cycle;
+}
+
+// Spectrum of a signal on an even grid, the line through its ends taken off.
+struct Spectrum {
+  std::vector<std::complex<double>> bins;
+  double first = 0.0, last = 0.0;
+};
+
+Spectrum spectrum_of(std::vector<double> values, Eigen::FFT<double>& fft) {
+  Spectrum spectrum;
+  spectrum.first = values.front();
+  spectrum.last = values.back();
+  const auto n = static_cast<double>(values.size() - 1);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] -= spectrum.first + (spectrum.last - spectrum.first) * static_cast<double>(i) / n;
+  }
+  fft.fwd(spectrum.bins, values);
+  return spectrum;
+}
+
+std::vector<double> scrambled(const Spectrum& spectrum, const std::vector<double>& phases, Eigen::FFT<double>& fft) {
+  std::vector<std::complex<double>> bins = spectrum.bins;
+  const std::size_t n = bins.size();
+  for (std::size_t k = 1; 2 * k < n; ++k) {
+    bins[k] *= std::polar(1.0, phases[k]);
+    bins[n - k] = std::conj(bins[k]);
+  }
+  std::vector<double> values;
+  fft.inv(values, bins);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] +=
+        spectrum.first + (spectrum.last - spectrum.first) * static_cast<double>(i) / static_cast<double>(n - 1);
+  }
+  return values;
+}
+
+// What a unit of the first gain adds at all rows of the data, on an even grid over the rows of the target.
+std::vector<double> on_grid(const Effect& effect, const EffectRows& inputs, const std::vector<double>& point,
+                            double begin_s, double end_s) {
+  const std::size_t count = effect.parameters.size();
+  std::vector<double> values(inputs.time_s.size()), slopes(values.size() * count);
+  effect.evaluate(inputs, point.data(), values.data(), slopes.data());
+  std::size_t gain = 0;
+  while (gain + 1 < count && effect.parameters[gain].kind != ParameterKind::gain) ++gain;
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = slopes[i * count + gain];
+  std::vector<double> grid(kFakeGrid);
+  std::size_t row = 0;
+  for (std::size_t i = 0; i < kFakeGrid; ++i) {
+    const double t = begin_s + (end_s - begin_s) * static_cast<double>(i) / static_cast<double>(kFakeGrid - 1);
+    while (row + 2 < values.size() && inputs.time_s[row + 1] < t) ++row;
+    const double step = inputs.time_s[row + 1] - inputs.time_s[row];
+    const double part = std::clamp((t - inputs.time_s[row]) / step, 0.0, 1.0);
+    grid[i] = values[row] + part * (values[row + 1] - values[row]);
+  }
+  return grid;
+}
+
+}  // namespace
+
+std::vector<std::size_t> cycles_of(const Series& data, const std::vector<std::size_t>& rows) {
+  const auto speed = std::find_if(data.columns.begin(), data.columns.end(),
+                                  [](const Column& column) { return column.role == Role::speed; });
+  if (speed == data.columns.end()) return parts_of(data.time_s, rows, kParts);
+  const std::vector<SpeedStep> steps = speed_steps(data.time_s, *speed);
+  std::vector<std::size_t> step_of(data.time_s.size(), 0);
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    for (std::size_t row = steps[s].begin; row < steps[s].end; ++row) step_of[row] = s;
+  }
+  // A cycle ends with a step once it holds its share of the rows.
+  const std::size_t fewest = std::max<std::size_t>(2, rows.size() / kMostCycles);
+  std::vector<std::size_t> cycle;
+  std::size_t now = 0, held = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i > 0 && step_of[rows[i]] != step_of[rows[i - 1]] && held >= fewest && rows.size() - i >= fewest / 2) {
+      ++now;
+      held = 0;
+    }
+    cycle.push_back(now);
+    ++held;
+  }
+  return now == 0 ? parts_of(data.time_s, rows, kParts) : cycle;
+}
+
+double held_out_rmse_um(const Leftover& leftover, const Noise& noise, const std::vector<std::size_t>& cycle) {
+  const std::size_t cycles = *std::max_element(cycle.begin(), cycle.end()) + 1;
+  double squares = 0.0;
+  for (std::size_t out = 0; out < cycles; ++out) {
+    std::vector<Eigen::Index> kept, left;
+    Leftover rest;
+    for (std::size_t i = 0; i < cycle.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      if (cycle[i] == out) {
+        left.push_back(row);
+        continue;
+      }
+      kept.push_back(row);
+      rest.time_s.push_back(leftover.time_s[i]);
+      if (!leftover.sigma_um.empty()) rest.sigma_um.push_back(leftover.sigma_um[i]);
+    }
+    const Whitening whitening = whitening_of(rest, noise);
+    const Eigen::MatrixXd x = whitened(whitening, leftover.model(kept, Eigen::all));
+    const Eigen::VectorXd r = whitened(whitening, leftover.residual_um(kept));
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+    solver.setThreshold(1e-6);
+    solver.compute(x);
+    squares += (leftover.residual_um(left) - leftover.model(left, Eigen::all) * solver.solve(r)).squaredNorm();
+  }
+  return std::sqrt(squares / static_cast<double>(cycle.size()));
+}
+
+double p_same_gain(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise,
+                   const std::vector<std::size_t>& cycle) {
+  const auto cycles = static_cast<Eigen::Index>(*std::max_element(cycle.begin(), cycle.end()) + 1);
+  const Whitening whitening = whitening_of(leftover, noise);
+  Eigen::MatrixXd together(columns.rows(), leftover.model.cols() + columns.cols());
+  together << leftover.model, columns;
+  Eigen::MatrixXd apart = Eigen::MatrixXd::Zero(columns.rows(), columns.cols() * cycles);
+  for (std::size_t i = 0; i < cycle.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    apart.block(row, static_cast<Eigen::Index>(cycle[i]) * columns.cols(), 1, columns.cols()) = columns.row(row);
+  }
+  const Eigen::MatrixXd basis = orthonormal(whitened(whitening, together));
+  Eigen::VectorXd r = whitened(whitening, leftover.residual_um);
+  r -= basis * (basis.transpose() * r);
+  Eigen::MatrixXd left = whitened(whitening, apart);
+  const Eigen::VectorXd before = left.colwise().squaredNorm();
+  left -= basis * (basis.transpose() * left);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(left);
+  qr.setThreshold(1e-3);
+  const Eigen::Index degrees = qr.rank();
+  if (degrees == 0) return 1.0;
+  const Eigen::MatrixXd directions = qr.householderQ() * Eigen::MatrixXd::Identity(left.rows(), degrees);
+  const double chi2 = (directions.transpose() * r).squaredNorm();
+  return Eigen::numext::igammac(0.5 * static_cast<double>(degrees), 0.5 * chi2);
+}
+
+BestFake best_fake(const Family& family, const Bank& bank, const Series& data, const std::vector<std::size_t>& rows,
+                   const Leftover& leftover, const Noise& noise, std::size_t count, std::uint64_t seed) {
+  EffectRows inputs;
+  inputs.time_s = data.time_s;
+  for (const std::string& name : family.columns) inputs.inputs.emplace_back(find_column(data, name)->values);
+  Eigen::FFT<double> fft;
+  std::vector<Spectrum> spectra;
+  const std::size_t stride = 1 + (family.count - 1) / kFakeShapes;
+  for (std::size_t i = family.first; i < family.first + family.count; i += stride) {
+    spectra.push_back(spectrum_of(
+        on_grid(*family.effect, inputs, bank.signatures[i].point, leftover.time_s.front(), leftover.time_s.back()),
+        fft));
+  }
+  const Whitening whitening = whitening_of(leftover, noise);
+  const Eigen::MatrixXd basis = orthonormal(whitened(whitening, leftover.model));
+  Eigen::VectorXd r = whitened(whitening, leftover.residual_um);
+  r -= basis * (basis.transpose() * r);
+  const Eigen::MatrixXd plain_basis = orthonormal(leftover.model);
+  const Eigen::VectorXd plain = leftover.residual_um - plain_basis * (plain_basis.transpose() * leftover.residual_um);
+  std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 3);
+  BestFake best;
+  double most = 0.0;
+  Eigen::VectorXd fake(static_cast<Eigen::Index>(rows.size())), white(fake.size());
+  const double span = leftover.time_s.back() - leftover.time_s.front();
+  for (std::size_t number = 0; number < count; ++number) {
+    std::vector<double> phases(kFakeGrid);
+    for (double& phase : phases) phase = 2.0 * kPi * simulation::uniform(random);
+    for (const Spectrum& spectrum : spectra) {
+      const std::vector<double> grid = scrambled(spectrum, phases, fft);
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double place = (leftover.time_s[i] - leftover.time_s.front()) / span * static_cast<double>(kFakeGrid - 1);
+        const auto at = std::min(kFakeGrid - 2, static_cast<std::size_t>(place));
+        const double part = place - static_cast<double>(at);
+        fake[static_cast<Eigen::Index>(i)] = grid[at] + part * (grid[at + 1] - grid[at]);
+      }
+      whitening.apply(fake.data(), 1, white.data(), 1);
+      white -= basis * (basis.transpose() * white);
+      const double square = white.squaredNorm();
+      if (square > 0.0) best.gain = std::max(best.gain, std::pow(white.dot(r), 2) / square);
+      fake -= plain_basis * (plain_basis.transpose() * fake);
+      const double plain_square = fake.squaredNorm();
+      if (plain_square > 0.0) most = std::max(most, std::pow(fake.dot(plain), 2) / plain_square);
+    }
+  }
+  best.fall = 1.0 - std::sqrt(std::max(0.0, 1.0 - most / std::max(plain.squaredNorm(), 1e-300)));
+  return best;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,34 @@
+// Whether what fits a residual is a cause: the same in every cycle, found again where it was not fitted, better than
+// fakes of the same smoothness.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bank.hpp"
+#include "evidence.hpp"
+
+namespace ballbar {
+
+// Cycle of every row: stretches between changes of speed, the short ones joined to their neighbour, at most 12; without
+// a speed that changes five parts of the time.
+std::vector<std::size_t> cycles_of(const Series& data, const std::vector<std::size_t>& rows);
+
+// RMSE of each cycle's rows predicted from the others', all rows together. The model is taken as linear about its fit,
+// so that shapes move too; the cycle left out counts as a gap in the noise's memory.
+double held_out_rmse_um(const Leftover& leftover, const Noise& noise, const std::vector<std::size_t>& cycle);
+
+// Chance of gains as different from cycle to cycle as these: chi^2 of one gain for each cycle against one for all.
+// columns: of the candidate alone, n by its gains; leftover.model the rest.
+double p_same_gain(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise,
+                   const std::vector<std::size_t>& cycle);
+
+// The best of `count` fakes: the family's signatures with their phases scrambled, the same spectrum and no cause.
+struct BestFake {
+  double gain = 0.0;  // largest fall of chi^2
+  double fall = 0.0;  // largest relative fall of the RMSE by least squares
+};
+BestFake best_fake(const Family& family, const Bank& bank, const Series& data, const std::vector<std::size_t>& rows,
+                   const Leftover& leftover, const Noise& noise, std::size_t count, std::uint64_t seed);
+
+}  // namespace ballbar

@@ -1,0 +1,133 @@
+#include "evidence.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "bank.hpp"
+#include "simulate_noise.hpp"
+
+namespace ballbar {
+namespace {
+
+Eigen::MatrixXd joined_columns(const Leftover& leftover, const Eigen::MatrixXd& added) {
+  Eigen::MatrixXd all(leftover.residual_um.size(), leftover.model.cols() + added.cols());
+  all << leftover.model, added;
+  return all;
+}
+
+std::span<const double> span_of(const Eigen::VectorXd& values) {
+  return {values.data(), static_cast<std::size_t>(values.size())};
+}
+
+Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::MatrixXd& columns) {
+  Eigen::MatrixXd out(columns.rows(), columns.cols());
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) whitening.apply(columns.col(k).data(), 1, out.col(k).data(), 1);
+  return out;
+}
+
+// ln of the restricted likelihood, up to a constant: with the columns X, -1/2 (ln|C| + ln|X'C^-1 X| + r'P r).
+double restricted_log_likelihood(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise) {
+  const Whitening whitening(noise, leftover.time_s, leftover.sigma_um);
+  const Eigen::MatrixXd x = whitened(whitening, columns);
+  const Eigen::VectorXd r = whitened(whitening, leftover.residual_um);
+  const Eigen::LDLT<Eigen::MatrixXd> gram(Eigen::MatrixXd(x.transpose() * x));
+  const Eigen::VectorXd along = x.transpose() * r;
+  const double log_gram = gram.vectorD().cwiseAbs().cwiseMax(1e-300).array().log().sum();
+  return log_likelihood(noise, leftover.time_s, span_of(leftover.residual_um), leftover.sigma_um) +
+         0.5 * along.dot(gram.solve(along)) - 0.5 * log_gram;
+}
+
+}  // namespace
+
+Leftover leftover_of(const Fit& fit) {
+  return {fit.time_s, fit.sigma_um,
+          Eigen::VectorXd::Map(fit.residual_um.data(), static_cast<Eigen::Index>(fit.residual_um.size())),
+          model_columns(fit)};
+}
+
+Explained explained(const Leftover& leftover, const Eigen::MatrixXd& added, const Noise& start, int rounds) {
+  const Eigen::MatrixXd columns = joined_columns(leftover, added);
+  Explained result;
+  result.noise = start;
+  for (int round = 0; round <= rounds; ++round) {
+    const Whitening whitening(result.noise, leftover.time_s, leftover.sigma_um);
+    const Eigen::MatrixXd x = whitened(whitening, columns);
+    const Eigen::VectorXd r = whitened(whitening, leftover.residual_um);
+    const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(x);
+    const Eigen::VectorXd gains = solver.solve(r);
+    result.residual_um = leftover.residual_um - columns * gains;
+    if (round == rounds) {
+      result.gains = gains.tail(added.cols());
+      const Eigen::MatrixXd inverse =
+          Eigen::MatrixXd(x.transpose() * x).completeOrthogonalDecomposition().pseudoInverse();
+      result.covariance = inverse.bottomRightCorner(added.cols(), added.cols());
+      break;
+    }
+    result.noise = noise_of(leftover.time_s, span_of(result.residual_um), leftover.sigma_um);
+  }
+  result.log_likelihood = log_likelihood(result.noise, leftover.time_s, span_of(result.residual_um), leftover.sigma_um);
+  return result;
+}
+
+Noise restricted_noise(const Leftover& leftover, const Eigen::MatrixXd& added, const Eigen::VectorXd& residual_um) {
+  Noise noise = noise_of(leftover.time_s, span_of(residual_um), leftover.sigma_um, joined_columns(leftover, added));
+  if (noise.correlated_um > 0.0) return noise;
+  // White: the parameters spent widen it.
+  const auto n = static_cast<double>(residual_um.size());
+  const double spent = static_cast<double>(leftover.model.cols() + added.cols());
+  double stated = 0.0;
+  for (const double sigma : leftover.sigma_um) stated += sigma * sigma / n;
+  const double variance = residual_um.squaredNorm() / std::max(1.0, n - spent);
+  noise.white_um = std::sqrt(std::max(0.0, variance - stated));
+  return noise;
+}
+
+std::vector<Noise> plausible_noises(const Leftover& leftover, const Eigen::MatrixXd& added, const Noise& best,
+                                    std::size_t count, std::uint64_t seed) {
+  std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 1);
+  std::vector<Noise> result;
+  const Eigen::MatrixXd columns = joined_columns(leftover, added);
+  if (!(best.correlated_um > 0.0)) {
+    const double degrees =
+        std::max(1.0, static_cast<double>(leftover.residual_um.size()) - static_cast<double>(columns.cols()));
+    double stated = 0.0;
+    for (const double sigma : leftover.sigma_um)
+      stated += sigma * sigma / static_cast<double>(leftover.sigma_um.size());
+    const double total = best.white_um * best.white_um + stated;
+    for (std::size_t i = 0; i < count; ++i) {
+      double chi2 = 0.0;
+      for (int k = 0; k < static_cast<int>(degrees); ++k) chi2 += std::pow(simulation::normal(random), 2);
+      Noise noise = best;
+      noise.white_um = std::sqrt(std::max(0.0, total * degrees / std::max(chi2, 1e-3 * degrees) - stated));
+      result.push_back(noise);
+    }
+    return result;
+  }
+  // Random walk in the logarithms of q and theta (Metropolis); the white part is well known and moves with q.
+  Noise now = best;
+  double level = restricted_log_likelihood(leftover, columns, now);
+  const std::size_t burn_in = 20, every = 3;
+  for (std::size_t step = 0; result.size() < count && step < burn_in + every * count; ++step) {
+    Noise next = now;
+    // Along the ridge q^2 / theta = constant, where the likelihood is flat, and across it.
+    const double along = 0.5 * simulation::normal(random), across = 0.08 * simulation::normal(random);
+    next.correlation_time_s *= std::exp(along);
+    next.correlated_um *= std::exp(0.5 * along + across);
+    next.white_um *= std::exp(0.05 * simulation::normal(random));
+    const double span = leftover.time_s.back() - leftover.time_s.front();
+    if (next.correlation_time_s < span) {
+      const double there = restricted_log_likelihood(leftover, columns, next);
+      if (std::log(simulation::uniform(random)) < there - level) {
+        now = next;
+        level = there;
+      }
+    }
+    if (step >= burn_in && (step - burn_in) % every == 0) result.push_back(now);
+  }
+  return result;
+}
+
+}  // namespace ballbar

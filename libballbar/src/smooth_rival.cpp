@@ -1,0 +1,134 @@
+#include "smooth_rival.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "ballbar/units.hpp"
+#include "nelder_mead.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kLeastVariance_um2 = 1e-18;
+
+// States: s, f, f'.
+struct Step {
+  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d q = Eigen::Matrix3d::Zero();
+};
+
+Step step_of(double dt_s, const Noise& noise, double amplitude_um, double length_s) {
+  const double rate = std::sqrt(3.0) / length_s;
+  Step step;
+  if (noise.correlated_um > 0.0) step.a(0, 0) = std::exp(-dt_s / noise.correlation_time_s);
+  const double decay = std::exp(-rate * dt_s);
+  step.a(1, 1) = decay * (1.0 + rate * dt_s);
+  step.a(1, 2) = decay * dt_s;
+  step.a(2, 1) = -decay * rate * rate * dt_s;
+  step.a(2, 2) = decay * (1.0 - rate * dt_s);
+  Eigen::Matrix3d stationary = Eigen::Matrix3d::Zero();
+  stationary(0, 0) = noise.correlated_um * noise.correlated_um;
+  stationary(1, 1) = amplitude_um * amplitude_um;
+  stationary(2, 2) = stationary(1, 1) * rate * rate;
+  step.q = stationary - step.a * stationary * step.a.transpose();
+  return step;
+}
+
+}  // namespace
+
+double log_likelihood(const Leftover& leftover, const Noise& noise, double amplitude_um, double length_s) {
+  const Eigen::Index n = leftover.residual_um.size(), p = leftover.model.cols();
+  Eigen::MatrixXd columns(n, p + 1);
+  columns << leftover.model, leftover.residual_um;
+  Eigen::MatrixXd out(n, p + 1);
+  Eigen::Matrix<double, 3, Eigen::Dynamic> state = Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, p + 1);
+  Eigen::Matrix3d variance = Eigen::Matrix3d::Zero(), last = Eigen::Matrix3d::Constant(-1.0);
+  Eigen::Vector3d gain = Eigen::Vector3d::Zero();
+  Step step;
+  double before_s = -1.0, log_variances = 0.0, innovation_variance = 1.0;
+  bool steady = false;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    const double dt_s = i == 0 ? 0.0 : leftover.time_s[row] - leftover.time_s[row - 1];
+    if (i == 0) {
+      variance(0, 0) = noise.correlated_um * noise.correlated_um;
+      variance(1, 1) = amplitude_um * amplitude_um;
+      variance(2, 2) = variance(1, 1) * 3.0 / (length_s * length_s);
+    } else {
+      if (std::abs(dt_s - before_s) > 1e-9 * dt_s) {
+        step = step_of(dt_s, noise, amplitude_um, length_s);
+        before_s = dt_s;
+        steady = false;
+      }
+      state = step.a * state;
+      if (!steady) variance = step.a * variance * step.a.transpose() + step.q;
+    }
+    if (!steady || !leftover.sigma_um.empty()) {
+      double white = noise.white_um * noise.white_um;
+      if (!leftover.sigma_um.empty()) white += leftover.sigma_um[row] * leftover.sigma_um[row];
+      const Eigen::Vector3d seen = variance.col(0) + variance.col(1);
+      innovation_variance = seen[0] + seen[1] + std::max(white, kLeastVariance_um2);
+      gain = seen / innovation_variance;
+      steady = leftover.sigma_um.empty() &&
+               (variance - last).cwiseAbs().maxCoeff() <= 1e-13 * variance.cwiseAbs().maxCoeff();
+      last = variance;
+      variance -= gain * seen.transpose();
+      if (steady) variance = last;  // the next prediction is this one
+    }
+    const Eigen::RowVectorXd innovation = columns.row(i) - state.row(0) - state.row(1);
+    state += gain * innovation;
+    out.row(i) = innovation / std::sqrt(innovation_variance);
+    log_variances += std::log(innovation_variance);
+  }
+  const Eigen::MatrixXd gram = out.transpose() * out;
+  double squares = gram(p, p);
+  if (p > 0) {
+    const Eigen::VectorXd along = gram.topRightCorner(p, 1);
+    squares -= along.dot(gram.topLeftCorner(p, p).ldlt().solve(along));
+  }
+  return -0.5 * (static_cast<double>(n) * std::log(2.0 * kPi) + log_variances + squares);
+}
+
+SmoothRival smooth_rival(const Leftover& leftover, const Noise& start) {
+  const double span_s = leftover.time_s.back() - leftover.time_s.front();
+  const auto n = static_cast<double>(leftover.residual_um.size());
+  const double rms_um = std::max(1e-9, std::sqrt(leftover.residual_um.squaredNorm() / n));
+  const double shortest_s = std::max(2.0 * span_s / n, span_s / 500.0);
+  const auto noise_at = [&](const std::array<double, 4>& x) {
+    Noise noise = start;
+    noise.white_um = std::max(start.white_um, 1e-6 * rms_um);
+    noise.correlated_um = std::exp(x[2]);
+    noise.correlation_time_s = std::exp(x[3]);
+    return noise;
+  };
+  const auto cost = [&](const std::array<double, 4>& x) {
+    const double length_s = std::exp(x[1]), time_s = std::exp(x[3]);
+    if (length_s < shortest_s || length_s > span_s || time_s > span_s || time_s < 0.2 * span_s / n ||
+        std::exp(x[0]) > 100.0 * rms_um || std::exp(x[2]) > 100.0 * rms_um) {
+      return 1e30;
+    }
+    return -log_likelihood(leftover, noise_at(x), std::exp(x[0]), length_s);
+  };
+  const bool memory = start.correlated_um > 0.0;
+  const double correlated = memory ? start.correlated_um : 0.1 * rms_um;
+  SmoothRival best;
+  best.log_likelihood = -1e30;
+  for (const double part : {0.02, 0.1}) {
+    // Noise with the memory found, and noise of which the smooth curve took the slow part.
+    for (const double shorter : {1.0, 0.2}) {
+      const double time_s =
+          std::clamp((memory ? start.correlation_time_s : span_s / n) * shorter, 0.3 * span_s / n, 0.9 * span_s);
+      const std::array<double, 4> from{std::log(0.7 * rms_um), std::log(std::max(shortest_s * 1.5, part * span_s)),
+                                       std::log(std::max(correlated * std::sqrt(shorter), 1e-6 * rms_um)),
+                                       std::log(time_s)};
+      const auto found = nelder_mead<4>(cost, from, {0.5, 0.5, -0.3, -0.3}, 0.02, 160);
+      if (-found.value <= best.log_likelihood) continue;
+      best = {std::exp(found.x[0]), std::exp(found.x[1]), noise_at(found.x), -found.value};
+    }
+  }
+  return best;
+}
+
+}  // namespace ballbar
