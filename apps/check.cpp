@@ -147,8 +147,8 @@ void print_sentences(const Checked& checked) {
 }
 
 void print_remarks(const Fit& fit) {
-  if (fit.discounted > 0)
-    fmt::print("{} {} discounted.\n", fit.discounted, fit.discounted == 1 ? "value was" : "values were");
+  const std::size_t discounted = fit.discounted.size();
+  if (discounted > 0) fmt::print("{} {} discounted.\n", discounted, discounted == 1 ? "value was" : "values were");
   for (const std::string& remark : fit.remarks) fmt::print("{}", wrapped(remark));
 }
 
