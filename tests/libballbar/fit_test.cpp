@@ -205,9 +205,9 @@ void PrintTo(const Contaminated& one, std::ostream* out) {
 
 class RobustFit : public testing::TestWithParam<Contaminated> {};
 
-// Slope and constant are within 1.96 sigma in 95 % of the seeds: binomial of 400 (two parameters of 200 seeds), of
-// which sigma is 1.1 % for independent ones and 1.5 % if the two were the same; 4 of these. The AR(1) has theta known
-// to some 15 %, as sigma^2: 93 % is what a fit without outliers has then.
+// Slope and constant are within 1.96 sigma in 95 % of the seeds: binomial of 400 (two parameters of 200 seeds), whose
+// sigma is 1.1 % for independent ones and 1.5 % if the two were the same; within 3 of these. A memory is itself
+// estimated, which costs a fit without outliers 1 % too.
 TEST_P(RobustFit, intervals_cover) {
   constexpr std::size_t kRows = 300;
   constexpr std::uint64_t kSeeds = 200;
@@ -234,7 +234,7 @@ TEST_P(RobustFit, intervals_cover) {
     discounted += found.discounted.size();
     for (const std::size_t row : found.discounted) found_outliers += row % 20 == 7 ? 1 : 0;
   }
-  EXPECT_NEAR(covered / 400.0, GetParam().phi > 0.0 ? 0.935 : 0.95, 0.045);
+  EXPECT_NEAR(covered / 400.0, GetParam().phi > 0.0 ? 0.94 : 0.95, 0.045);
   if (GetParam().outliers) {
     EXPECT_EQ(found_outliers, kSeeds * kRows / 20);
   }
@@ -247,7 +247,7 @@ INSTANTIATE_TEST_SUITE_P(fit, RobustFit,
                          testing::Values(Contaminated{0.0, false}, Contaminated{0.0, true}, Contaminated{0.7, false},
                                          Contaminated{0.7, true}));
 
-// 1 um off is five times what AR(1) noise of 1 um, phi = 0.98, does from row to row (0.2 um), and not much in all: only
+// 1.8 um is nine times what AR(1) noise of 1 um, phi = 0.98, does from row to row (0.2 um), and not much in all: only
 // the filter sees it. The rows after it are not discounted with it.
 TEST(fit, robust_sees_what_lies_apart_from_its_neighbours) {
   Series data = duty_cycle(600);
