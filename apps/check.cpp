@@ -82,7 +82,7 @@ std::vector<Misfit> worth_showing(const Checked& checked) {
   for (const Misfit& misfit : checked.where) {
     (misfit.what == "regime" || misfit.what == "quadrant" ? shown : rest).push_back(misfit);
   }
-  const auto n = static_cast<double>(checked.fit.residual_um.size());
+  const auto n = static_cast<double>(checked.fit.residual_um.size() - checked.fit.discounted.size());
   const auto excess = [&](const Misfit& misfit) { return misfit.share / (static_cast<double>(misfit.n) / n); };
   std::stable_sort(rest.begin(), rest.end(),
                    [&](const Misfit& left, const Misfit& right) { return excess(left) > excess(right); });

@@ -33,7 +33,7 @@ struct Noise {
 //
 // fitted: the columns of the Jacobian that was fitted (n by p), or empty. A fit takes the slow part of a noise with
 // memory away; with them the likelihood is the restricted one (REML), of what a fit cannot take. The larger p, the
-// slower: p = 6 takes some 5 times as long. log_likelihood is always that of the residual.
+// slower: p = 6 takes some 4 times as long. log_likelihood is always that of the residual.
 // Source: D. A. Harville, Maximum likelihood approaches to variance component estimation, J. Am. Stat. Assoc. 72
 // (1977).
 Noise noise_of(std::span<const double> time_s, std::span<const double> residual_um, std::span<const double> sigma_um,
