@@ -82,7 +82,7 @@ std::vector<Misfit> worth_showing(const Checked& checked) {
   for (const Misfit& misfit : checked.where) {
     (misfit.what == "regime" || misfit.what == "quadrant" ? shown : rest).push_back(misfit);
   }
-  const auto n = static_cast<double>(checked.fit.residual_um.size());
+  const auto n = static_cast<double>(checked.fit.residual_um.size() - checked.fit.discounted.size());
   const auto excess = [&](const Misfit& misfit) { return misfit.share / (static_cast<double>(misfit.n) / n); };
   std::stable_sort(rest.begin(), rest.end(),
                    [&](const Misfit& left, const Misfit& right) { return excess(left) > excess(right); });
@@ -147,8 +147,8 @@ void print_sentences(const Checked& checked) {
 }
 
 void print_remarks(const Fit& fit) {
-  if (fit.discounted > 0)
-    fmt::print("{} {} discounted.\n", fit.discounted, fit.discounted == 1 ? "value was" : "values were");
+  const std::size_t discounted = fit.discounted.size();
+  if (discounted > 0) fmt::print("{} {} discounted.\n", discounted, discounted == 1 ? "value was" : "values were");
   for (const std::string& remark : fit.remarks) fmt::print("{}", wrapped(remark));
 }
 

@@ -121,7 +121,10 @@ FitOptions fit_options(const ModelOptions& options) {
 std::string value_text(const FittedParameter& parameter) {
   if (parameter.state == ParameterState::held) return fmt::format("{:g} held", parameter.value);
   if (parameter.state == ParameterState::undetermined) return "not determined";
-  if (!std::isfinite(parameter.sigma)) return fmt::format("{:.4g} on its bound", parameter.value);
+  const bool free = parameter.state == ParameterState::free;
+  if (!std::isfinite(parameter.sigma)) {
+    return fmt::format("{:.4g}{}", parameter.value, free ? ", sigma not known" : " on its bound");
+  }
   if (parameter.sigma < 1e-6 * std::abs(parameter.value)) {
     return fmt::format("{:.6g} ± {:.0e}", parameter.value, parameter.sigma);
   }

@@ -11,11 +11,14 @@ constexpr double kSameStep = 1e-9;  // relative: rounding of times
 
 }  // namespace
 
-Kalman::Kalman(std::span<const double> time_s, std::span<const double> sigma_um) {
+Kalman::Kalman(std::span<const double> time_s, std::span<const double> sigma_um,
+               std::span<const std::size_t> left_out) {
   const auto n = static_cast<Eigen::Index>(time_s.size());
   step_s_.setConstant(n, std::numeric_limits<double>::infinity());
   stated_um2_.setZero(n);
   as_before_.assign(time_s.size(), 0);
+  left_out_.assign(time_s.size(), 0);
+  for (const std::size_t row : left_out) left_out_[row] = 1;
   std::vector<double> steps;
   for (std::size_t i = 0; i < time_s.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
@@ -26,7 +29,8 @@ Kalman::Kalman(std::span<const double> time_s, std::span<const double> sigma_um)
     const double before = step_s_[row - 1];
     if (std::abs(step - before) <= kSameStep * before && std::isfinite(before)) step = before;
     step_s_[row] = step;
-    as_before_[i] = step == before && stated_um2_[row] == stated_um2_[row - 1] ? char{1} : char{0};
+    const bool both_in = left_out_[i - 1] == 0 && left_out_[i] == 0;
+    as_before_[i] = both_in && step == before && stated_um2_[row] == stated_um2_[row - 1] ? char{1} : char{0};
   }
   const auto even = std::count(as_before_.begin(), as_before_.end(), char{1});
   mostly_even_ = 2 * static_cast<std::size_t>(even) > time_s.size();
@@ -65,6 +69,10 @@ void Kalman::set(const NoiseVariances& noise) {
       weight_[i] = 1.0 / (before + r);
       gain_[i] = before * weight_[i];
       p = gain_[i] * r;
+      if (left_out_[static_cast<std::size_t>(i)] != 0) {
+        gain_[i] = 0.0;
+        p = before;
+      }
       converged = as_before && std::abs(before - last) <= 1e-14 * before;
       last = before;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct NoiseVariances {
 
 class Kalman {
  public:
-  Kalman(std::span<const double> time_s, std::span<const double> sigma_um);
+  // left_out: rows, rising, that tell the filter nothing: their innovations are there, but no row after them knows.
+  Kalman(std::span<const double> time_s, std::span<const double> sigma_um, std::span<const std::size_t> left_out = {});
 
   // Gains for this noise. Where step and sigma repeat, the gain converges and is no longer computed.
   void set(const NoiseVariances& noise);
@@ -38,7 +40,8 @@ class Kalman {
  private:
   Eigen::ArrayXd step_s_;        // infinite at the start and where time goes back
   Eigen::ArrayXd stated_um2_;    // sigma_i^2
-  std::vector<char> as_before_;  // step and sigma are those of the row before
+  std::vector<char> as_before_;  // step and sigma are those of the row before, and neither is left out
+  std::vector<char> left_out_;
   double usual_step_s_ = 0.0, shortest_step_s_ = 0.0;
   bool mostly_even_ = false;
   Eigen::ArrayXd decay_, gain_, weight_;

@@ -52,15 +52,17 @@ struct Unknowns {
   Eigen::Vector<double, P> at(const Eigen::Vector<double, P>& s) const { return origin + basis * s; }
 };
 
-// Upper triangular U with U'U = gram, for a gram of [J r]; rows of zeros where it is singular.
+// Upper triangular U with U'U = gram, for a gram of [J r] (of which the upper half is read); rows of zeros where it is
+// singular.
 template <int N>
 Eigen::Matrix<double, N, N> triangular_factor(const Eigen::Matrix<double, N, N>& gram) {
-  Eigen::Matrix<double, N, N> u = Eigen::Matrix<double, N, N>::Zero();
-  for (int i = 0; i < N; ++i) {
+  const Eigen::Index n = gram.cols();
+  Eigen::Matrix<double, N, N> u = Eigen::Matrix<double, N, N>::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
     const double rest = gram(i, i) - u.col(i).head(i).squaredNorm();
     if (rest <= 1e-15 * gram(i, i)) continue;
     u(i, i) = std::sqrt(rest);
-    for (int j = i + 1; j < N; ++j) u(i, j) = (gram(i, j) - u.col(i).head(i).dot(u.col(j).head(i))) / u(i, i);
+    for (Eigen::Index j = i + 1; j < n; ++j) u(i, j) = (gram(i, j) - u.col(i).head(i).dot(u.col(j).head(i))) / u(i, i);
   }
   return u;
 }

@@ -39,6 +39,19 @@ ModelRows::ModelRows(const Model& model, const Series& data, std::vector<std::si
   }
 }
 
+void ModelRows::evaluate(const Eigen::VectorXd& parameters, bool with_slopes, Evaluated& out) const {
+  out.values.resize(effects_.size());
+  out.slopes.resize(effects_.size());
+  out.sum.setConstant(static_cast<Eigen::Index>(rows_.size()), parameters[0]);
+  for (std::size_t t = 0; t < effects_.size(); ++t) {
+    out.values[t].resize(all_rows_);
+    if (with_slopes) out.slopes[t].resize(all_rows_ * effects_[t]->parameters.size());
+    effects_[t]->evaluate(inputs_[t], parameters.data() + offset_[t], out.values[t].data(),
+                          with_slopes ? out.slopes[t].data() : nullptr);
+    for (std::size_t i = 0; i < rows_.size(); ++i) out.sum[static_cast<Eigen::Index>(i)] += out.values[t][rows_[i]];
+  }
+}
+
 Eigen::VectorXd ModelRows::term(std::size_t term, const double* parameters, Eigen::MatrixXd* derivatives) const {
   const std::size_t count = effects_[term]->parameters.size();
   std::vector<double> values(all_rows_);

@@ -25,6 +25,15 @@ class ModelRows {
   const Effect& effect(std::size_t term) const { return *effects_[term]; }
   const EffectRows& inputs(std::size_t term) const { return inputs_[term]; }
 
+  const std::vector<std::size_t>& data_rows() const { return rows_; }
+
+  // All terms over all rows of the data, in memory that is used again from one evaluation to the next.
+  struct Evaluated {
+    std::vector<std::vector<double>> values, slopes;  // one a term; slopes: rows by its parameters
+    Eigen::VectorXd sum;                              // at the rows of interest, with the constant
+  };
+  void evaluate(const Eigen::VectorXd& parameters, bool with_slopes, Evaluated& out) const;
+
   // Values of one term; its derivatives as columns where `derivatives` is not null, rows by the term's parameters.
   Eigen::VectorXd term(std::size_t term, const double* parameters, Eigen::MatrixXd* derivatives) const;
 

@@ -48,6 +48,7 @@ struct Likelihood {
   bool stated = false;
   double shortest_s = 0.0, longest_s = 0.0;  // bounds of theta
   double mean_square = 0.0;
+  RowMajor innovations = {};  // a block of rows, used again
 
   Likelihood(std::span<const double> time_s, std::span<const double> residual, std::span<const double> sigma_um,
              RowMajor fitted_columns)
@@ -79,16 +80,22 @@ struct Likelihood {
     Kalman::Sums sums = kalman.sums(residual_um);
     const Eigen::Index p = fitted.cols();
     if (p == 0) return sums;
+    constexpr Eigen::Index kBlockRows = 256;
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(p + 1, p + 1);
-    Eigen::VectorXd predicted = Eigen::VectorXd::Zero(p + 1), row(p + 1);
-    for (Eigen::Index i = 0; i < fitted.rows(); ++i) {
-      row.head(p) = fitted.row(i).transpose();
-      row[p] = residual_um[static_cast<std::size_t>(i)];
-      predicted *= kalman.decay()[i];
-      row -= predicted;
-      predicted += kalman.gain()[i] * row;
-      const double weight = kalman.weight()[i];
-      for (Eigen::Index j = 0; j <= p; ++j) gram.col(j).head(j + 1) += weight * row[j] * row.head(j + 1);
+    Eigen::RowVectorXd predicted = Eigen::RowVectorXd::Zero(p + 1);
+    innovations.resize(std::min(kBlockRows, fitted.rows()), p + 1);
+    for (Eigen::Index first = 0; first < fitted.rows(); first += kBlockRows) {
+      const Eigen::Index rows = std::min(kBlockRows, fitted.rows() - first);
+      auto block = innovations.topRows(rows);
+      block.leftCols(p) = fitted.middleRows(first, rows);
+      block.col(p) = Eigen::VectorXd::Map(residual_um.data() + first, rows);
+      for (Eigen::Index i = 0; i < rows; ++i) {
+        predicted *= kalman.decay()[first + i];
+        block.row(i) -= predicted;
+        predicted += kalman.gain()[first + i] * block.row(i);
+        block.row(i) *= std::sqrt(kalman.weight()[first + i]);
+      }
+      gram.selfadjointView<Eigen::Upper>().rankUpdate(block.transpose());
     }
     const Eigen::MatrixXd g = gram.topLeftCorner(p, p).selfadjointView<Eigen::Upper>();
     const Eigen::LLT<Eigen::MatrixXd> factor(g);
@@ -134,47 +141,58 @@ NoiseVariances white(Likelihood& likelihood) {
   return {std::exp(best.x[0]), 0.0, 0.0};
 }
 
-NoiseVariances with_memory(Likelihood& likelihood) {
-  constexpr double kLeastWhite = -8.0, kMostWhite = 10.0;  // y
+// Minus the likelihood of a noise with a memory in the unknowns x, y and, where sigma is stated, z.
+struct Cost {
+  static constexpr double kLeastWhite = -8.0, kMostWhite = 10.0;  // y
+  Likelihood& likelihood;
+
+  double at(const std::array<double, 3>& p) const {
+    const auto [x, y, z] = p;
+    const double out = outside(x, std::log(likelihood.shortest_s), std::log(likelihood.longest_s)) +
+                       outside(y, kLeastWhite, kMostWhite);
+    if (!likelihood.stated) return out * out - likelihood.log_likelihood_scaled(likelihood.at(x, y, 0.0));
+    const double size = std::log(likelihood.mean_square), far = outside(z, size - 12.0, size + 4.0);
+    return out * out + far * far - likelihood.log_likelihood_of(likelihood.at(x, y, z));
+  }
+
+  Minimum<3> down_from(const std::array<double, 3>& start) const {
+    if (likelihood.stated) {
+      return nelder_mead<3>([&](const auto& p) { return at(p); }, start, {0.6, 0.6, 0.3}, 1e-4, 200);
+    }
+    const Minimum<2> plane = nelder_mead<2>(
+        [&](const auto& p) {
+          return at({p[0], p[1], 0.0});
+        },
+        {start[0], start[1]}, {0.6, 0.6}, 1e-4, 120);
+    return {{plane.x[0], plane.x[1], 0.0}, plane.value};
+  }
+};
+
+// From the two best of a grid of starts the way down.
+Minimum<3> best_of_grid(Likelihood& likelihood) {
+  constexpr int kTimes = 6;
+  const Cost cost{likelihood};
   const double low = std::log(likelihood.shortest_s), high = std::log(likelihood.longest_s);
   const double size = std::log(likelihood.mean_square);
-  const auto penalty = [&](double x, double y) {
-    const double out = outside(x, low, high) + outside(y, kLeastWhite, kMostWhite);
-    return out * out;
-  };
-  const auto cost_2 = [&](const std::array<double, 2>& p) {
-    return penalty(p[0], p[1]) - likelihood.log_likelihood_scaled(likelihood.at(p[0], p[1], 0.0));
-  };
-  const auto cost_3 = [&](const std::array<double, 3>& p) {
-    const double out = outside(p[2], size - 12.0, size + 4.0);
-    return penalty(p[0], p[1]) + out * out - likelihood.log_likelihood_of(likelihood.at(p[0], p[1], p[2]));
-  };
-  // The two best of a grid of starts, and from each the way down.
-  constexpr int kTimes = 6;
+  const std::vector<double> sizes =
+      likelihood.stated ? std::vector<double>{size - 1.5, size} : std::vector<double>{0.0};
   std::vector<Minimum<3>> starts;
   for (int i = 0; i < kTimes; ++i) {
     const double x = low + (high - low) * (i + 0.5) / kTimes;
     for (const double y : {-5.0, -1.5, 0.5, 2.5, 4.5}) {
-      if (!likelihood.stated) {
-        starts.push_back({{x, y, 0.0}, cost_2({x, y})});
-        continue;
-      }
-      for (const double z : {size - 1.5, size}) starts.push_back({{x, y, z}, cost_3({x, y, z})});
+      for (const double z : sizes) starts.push_back({{x, y, z}, cost.at({x, y, z})});
     }
   }
   std::stable_sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
-  starts.resize(2);
-  Minimum<3> best = starts[0];
-  for (const Minimum<3>& start : starts) {
-    Minimum<3> found;
-    if (likelihood.stated) {
-      found = nelder_mead<3>(cost_3, start.x, {0.6, 0.6, 0.3}, 1e-4, 200);
-    } else {
-      const Minimum<2> plane = nelder_mead<2>(cost_2, {start.x[0], start.x[1]}, {0.6, 0.6}, 1e-4, 120);
-      found = {{plane.x[0], plane.x[1], 0.0}, plane.value};
-    }
-    if (found.value < best.value) best = found;
-  }
+  const Minimum<3> first = cost.down_from(starts[0].x), second = cost.down_from(starts[1].x);
+  return second.value < first.value ? second : first;
+}
+
+// Where columns were fitted, the largest of the plain likelihood, which costs less, is the start for the restricted
+// one.
+NoiseVariances with_memory(Likelihood& likelihood, Likelihood& plain) {
+  Minimum<3> best = best_of_grid(plain);
+  if (likelihood.fitted.cols() > 0) best = Cost{likelihood}.down_from(best.x);
   NoiseVariances noise = likelihood.at(best.x[0], best.x[1], best.x[2]);
   if (!likelihood.stated) noise = likelihood.scaled(noise);
   // No white part where none is needed.
@@ -190,12 +208,18 @@ Noise noise_of(std::span<const double> time_s, std::span<const double> residual_
   if (residual_um.empty()) return {};
   RowMajor columns = basis_of(fitted);
   if (static_cast<std::size_t>(columns.cols()) >= residual_um.size()) columns = RowMajor(fitted.rows(), 0);
-  Likelihood likelihood(time_s, residual_um, sigma_um, std::move(columns));
+  std::vector<double> left_um(residual_um.begin(), residual_um.end());
+  if (columns.cols() > 0) {
+    Eigen::Map<Eigen::VectorXd> left(left_um.data(), columns.rows());
+    left -= columns * (columns.transpose() * left).eval();
+  }
+  Likelihood likelihood(time_s, left_um, sigma_um, std::move(columns));
   NoiseVariances noise = white(likelihood);
   const bool enough = likelihood.degrees >= kFewest && likelihood.kalman.usual_step_s() > 0.0 &&
                       likelihood.mean_square > kLeastVariance_um2;
   if (enough) {
-    const NoiseVariances other = with_memory(likelihood);
+    Likelihood plain(time_s, left_um, sigma_um, RowMajor(0, 0));
+    const NoiseVariances other = with_memory(likelihood, plain);
     if (likelihood.log_likelihood_of(other) > likelihood.log_likelihood_of(noise) + kWorthIt) noise = other;
   }
   Noise result{std::sqrt(noise.white), std::sqrt(noise.correlated), noise.correlated > 0.0 ? noise.time_s : 0.0, 0.0};
@@ -210,8 +234,9 @@ double log_likelihood(const Noise& noise, std::span<const double> time_s, std::s
   return log_likelihood(kalman.sums(residual_um), static_cast<double>(residual_um.size()));
 }
 
-Whitening::Whitening(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um) {
-  Kalman kalman(time_s, sigma_um);
+Whitening::Whitening(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um,
+                     std::span<const std::size_t> left_out) {
+  Kalman kalman(time_s, sigma_um, left_out);
   kalman.set(variances_of(noise));
   decay_.assign(kalman.decay().begin(), kalman.decay().end());
   gain_.assign(kalman.gain().begin(), kalman.gain().end());
@@ -226,6 +251,16 @@ void Whitening::apply(const double* column, std::size_t stride, double* out, std
     const double innovation = column[i * stride] - s;
     s += gain_[i] * innovation;
     out[i * out_stride] = scale_[i] * innovation;
+  }
+}
+
+void Whitening::apply(std::size_t first, RowMajorBlock block, Eigen::Ref<Eigen::RowVectorXd> state) const {
+  for (Eigen::Index i = 0; i < block.rows(); ++i) {
+    const std::size_t row = first + static_cast<std::size_t>(i);
+    state *= decay_[row];
+    block.row(i) -= state;
+    state += gain_[row] * block.row(i);
+    block.row(i) *= scale_[row];
   }
 }
 

@@ -1,4 +1,8 @@
 // The one cost of all models of a series: target less model, weighted or whitened, in one Ceres problem.
+//
+// n rows enter through the Gram matrix of [J r] alone, as in least_squares.hpp: Ceres gets its triangular factor
+// [U q; 0 e], P + 1 residuals, and takes the steps that all n would give. The rows are made, whitened and summed block
+// by block, in buffers that are used again.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,10 +14,11 @@
 
 namespace ballbar {
 
-// How residuals are made comparable: a weight a row, then the filter of the noise where there is one.
+// How residuals are made comparable: a weight a row, then the filter of the noise, then a robust fit's discount.
 struct Weighting {
-  Eigen::VectorXd row;                 // n; 1 over sigma, or what a robust fit leaves of it
-  std::optional<Whitening> whitening;  // then `row` holds the robust weights alone
+  Eigen::VectorXd row;  // n; 1 over sigma, or 1 where the filter knows sigma
+  std::optional<Whitening> whitening = {};
+  Eigen::VectorXd discount = {};  // n square roots of robust weights; empty: none
 };
 
 Eigen::VectorXd weighted(const Weighting& weighting, const Eigen::VectorXd& residual);

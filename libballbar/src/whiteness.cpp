@@ -4,11 +4,13 @@
 #include <unsupported/Eigen/FFT>
 
 #include "ballbar/residual.hpp"
+#include "kept_rows.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr std::size_t kFewest = 16, kLags = 10, kLargestFactor = 100;
+constexpr double kNothing_um = 1e-9;  // rounding
 
 std::size_t largest_prime_factor(std::size_t n) {
   std::size_t largest = 1;
@@ -45,9 +47,12 @@ std::vector<double> autocorrelation(const std::vector<double>& residual) {
 // Of white noise the powers I_j at the frequencies j = 1 ... m below the highest are independent and exponential, so
 // that C_k = sum_(j<=k) I_j / sum_j I_j, k < m, are m - 1 sorted uniform numbers.
 Whiteness whiteness(const Fit& fit) {
+  if (!fit.discounted.empty()) return whiteness(kept_of(fit));
   Whiteness result{autocorrelation(fit.residual_um)};
   std::size_t n = fit.residual_um.size();
   if (n < kFewest) return result;
+  const auto is_nothing = [](double residual_um) { return std::abs(residual_um) < kNothing_um; };
+  if (std::all_of(fit.residual_um.begin(), fit.residual_um.end(), is_nothing)) return result;
   std::vector<double> white(n);
   Whitening(fit.noise, fit.time_s, fit.sigma_um).apply(fit.residual_um.data(), 1, white.data(), 1);
   while (largest_prime_factor(n) > kLargestFactor) --n;

@@ -104,6 +104,41 @@ TEST(Noise, whitening_is_the_root_of_the_inverse_covariance) {
   EXPECT_LT((w.transpose() * w - inverse).cwiseAbs().maxCoeff(), 1e-12 * inverse.cwiseAbs().maxCoeff());
 }
 
+// What is left out is as if it were not there: the other rows' innovations are those without it; its own is on what the
+// rows before tell. Block by block it is the same.
+TEST(Noise, whitening_learns_nothing_from_rows_left_out) {
+  const Noise noise{0.5, 1.2, 100.0, 0.0};
+  const std::vector<double> time_s = uneven_times(20, 60.0, 6), sigma = stated(20, 7),
+                            r = drawn(noise, time_s, sigma, 8);
+  const std::vector<std::size_t> out{5, 6, 11};
+  std::vector<double> whitened(20), kept_time_s, kept_sigma, kept_r;
+  for (std::size_t i = 0; i < 20; ++i) {
+    if (i == 5 || i == 6 || i == 11) continue;
+    kept_time_s.push_back(time_s[i]);
+    kept_sigma.push_back(sigma[i]);
+    kept_r.push_back(r[i]);
+  }
+  const Whitening whitening(noise, time_s, sigma, out);
+  whitening.apply(r.data(), 1, whitened.data(), 1);
+  std::vector<double> expected(17);
+  Whitening(noise, kept_time_s, kept_sigma).apply(kept_r.data(), 1, expected.data(), 1);
+  for (std::size_t i = 0, k = 0; i < 20; ++i) {
+    if (i == 5 || i == 6 || i == 11) continue;
+    EXPECT_NEAR(whitened[i], expected[k++], 1e-12);
+  }
+  const std::vector<double> until(time_s.begin(), time_s.begin() + 6), sigma_until(sigma.begin(), sigma.begin() + 6);
+  std::vector<double> sixth(6);
+  Whitening(noise, until, sigma_until).apply(r.data(), 1, sixth.data(), 1);
+  EXPECT_NEAR(whitened[5], sixth[5], 1e-12);
+
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> block(20, 2);
+  for (Eigen::Index i = 0; i < 20; ++i) block.row(i) << r[static_cast<std::size_t>(i)], 1.0;
+  Eigen::RowVectorXd state = Eigen::RowVectorXd::Zero(2);
+  whitening.apply(0, block.topRows(12), state);
+  whitening.apply(12, block.bottomRows(8), state);
+  for (Eigen::Index i = 0; i < 20; ++i) EXPECT_NEAR(block(i, 0), whitened[static_cast<std::size_t>(i)], 1e-14);
+}
+
 TEST(Noise, whitening_white_noise_of_1_um_changes_nothing) {
   const std::vector<double> time_s = uneven_times(50, 15.0, 8);
   std::vector<double> column = drawn({1.0, 0.0, 0.0, 0.0}, time_s, {}, 9);

@@ -256,6 +256,35 @@ TEST(Whiteness, few_rows_say_nothing) {
   EXPECT_EQ(whiteness(fit_with(std::vector<double>(64, 0.0))).p, 1.0);
 }
 
+// Rounding of a perfect fit: a tone of 1e-10 um is no misfit.
+TEST(Whiteness, of_a_perfect_fit_nothing_is_left) {
+  std::vector<double> residual(100);
+  for (std::size_t i = 0; i < 100; ++i) residual[i] = 1e-10 * std::sin(0.3 * static_cast<double>(i));
+  EXPECT_EQ(whiteness(fit_with(residual)).p, 1.0);
+  for (double& r : residual) r *= 1000.0;
+  EXPECT_LT(whiteness(fit_with(residual)).p, 0.001);
+}
+
+// Two of 40 rows are 100 um off and discounted: the others have 1 um, tenths of 4 rows but for those two with 3, and no
+// tone of the two is left.
+TEST(WhereItFails, does_not_count_what_was_discounted) {
+  std::vector<double> residual = white(40, 3), with_outliers = residual;
+  with_outliers[1] = with_outliers[21] = 100.0;
+  Fit fit = fit_with(with_outliers);
+  fit.discounted = {1, 21};
+  std::vector<double> kept = residual;
+  kept.erase(kept.begin() + 21);
+  kept.erase(kept.begin() + 1);
+  double squares = 0.0;
+  for (const double r : kept) squares += r * r;
+  const std::vector<Misfit> time = of(where_it_fails(fit, series_with(40, {})), "time");
+  ASSERT_EQ(time.size(), 10U);
+  EXPECT_EQ(time[0].n, 3U);
+  EXPECT_EQ(time[1].n, 4U);
+  EXPECT_NEAR(time[0].share, (kept[0] * kept[0] + kept[1] * kept[1] + kept[2] * kept[2]) / squares, 1e-12);
+  EXPECT_EQ(whiteness(fit).p, whiteness(fit_with(kept)).p);
+}
+
 // 0.1 um to and fro, and -3 um in 40 of 570 rows: squares 5.7 + 360 of which 360.4 are there, rms sqrt(365.7 / 570);
 // the bias of 40 rows of 0.8 um is known to 0.126 um.
 TEST(Sentences, of_a_model_that_fails) {

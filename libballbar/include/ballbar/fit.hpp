@@ -5,9 +5,11 @@
 // residual is then estimated (noise.hpp) and the fit repeated with residual and derivatives whitened by it
 // (generalised least squares), so that sigma holds for residuals with a memory. A memory longer than a tenth of the
 // record is misfit rather than noise: then the parameters stay those of least squares and sigma is widened for it
-// (sandwich). Shape parameters start from the best of their grids, the gains being solved for at every point of a grid
-// (variable projection); the best three starts are followed. A direction of the parameters that the data do not
-// determine is left at its start and said.
+// (sandwich). A robust fit weighs the (whitened) residuals by Tukey's biweight; values of less than a tenth of full
+// weight are discounted: they count in no noise, floor, RMSE or number of samples, and no row learns from them. Shape
+// parameters start from the best of their grids, the gains being solved for at every point of a grid (variable
+// projection); the best three starts are followed. A direction of the parameters that the data do not determine is left
+// at its start and said.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,12 +30,12 @@ struct FittedParameter {
   std::string effect;  // label of its term, "constant" for the constant
   std::string name, unit;
   double value = 0.0;
-  double sigma = 0.0;  // NaN: held or on a bound; infinite: undetermined
+  double sigma = 0.0;  // NaN: held, on a bound, or too few values to tell it; infinite: undetermined
   ParameterState state = ParameterState::free;
 };
 
 struct FitOptions {
-  bool robust = false;     // Tukey's biweight, the noise taken as white; values it discounts are counted
+  bool robust = false;     // Tukey's biweight
   bool white = false;      // ordinary least squares: no noise model
   std::size_t starts = 3;  // of the shape parameters
   std::optional<Noise> noise = std::nullopt;  // of the residual, known: not estimated
@@ -51,9 +53,9 @@ struct Fit {
   Eigen::MatrixXd jacobian;                                    // n by parameters, um per unit, unweighted
   Noise noise;
   Floor floor;
-  double n_effective = 0.0;
+  std::vector<std::size_t> discounted;  // robust: of the n rows, rising
+  double n_effective = 0.0;             // of the rows that are not discounted, as RMSE, noise and floor
   double rmse_um = 0.0;
-  std::size_t discounted = 0;  // robust
   bool converged = false;
   std::vector<std::string> remarks;  // whole sentences: more parameters than independent samples, on a bound ...
 };

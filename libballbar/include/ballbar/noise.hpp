@@ -33,7 +33,7 @@ struct Noise {
 //
 // fitted: the columns of the Jacobian that was fitted (n by p), or empty. A fit takes the slow part of a noise with
 // memory away; with them the likelihood is the restricted one (REML), of what a fit cannot take. The larger p, the
-// slower: p = 6 takes some 5 times as long. log_likelihood is always that of the residual.
+// slower: p = 6 takes some 4 times as long. log_likelihood is always that of the residual.
 // Source: D. A. Harville, Maximum likelihood approaches to variance component estimation, J. Am. Stat. Assoc. 72
 // (1977).
 Noise noise_of(std::span<const double> time_s, std::span<const double> residual_um, std::span<const double> sigma_um,
@@ -43,13 +43,21 @@ Noise noise_of(std::span<const double> time_s, std::span<const double> residual_
 double log_likelihood(const Noise& noise, std::span<const double> time_s, std::span<const double> residual_um,
                       std::span<const double> sigma_um);
 
+using RowMajorBlock = Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+
 // The filter's gains for these times, to be applied to any column.
 class Whitening {
  public:
-  Whitening(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um);
+  // left_out: rows, rising, of which the filter does not learn (outliers): each still gives its innovation, on what the
+  // other rows tell.
+  Whitening(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um,
+            std::span<const std::size_t> left_out = {});
   // n innovations over their standard deviation. `stride`: distance of the column's values in memory. `out` may be the
   // column itself.
   void apply(const double* column, std::size_t stride, double* out, std::size_t out_stride) const;
+  // Several columns at once, block of rows after block: rows first, first + 1, ... become their innovations. `state`:
+  // one a column, 0 before the first block.
+  void apply(std::size_t first, RowMajorBlock block, Eigen::Ref<Eigen::RowVectorXd> state) const;
   std::size_t size() const { return decay_.size(); }
 
  private:

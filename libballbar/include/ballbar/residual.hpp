@@ -1,4 +1,6 @@
 // Where a model fails: the residual by regime, time, value of a signal, angle; and whether it is noise.
+//
+// All of it is about the values that were kept: what a robust fit discounted counts nowhere.
 #pragma once
 
 #include <cstddef>
@@ -42,7 +44,8 @@ std::vector<Misfit> where_it_fails(const Fit& fit, const Series& data);
 
 // Is the whitened residual white? Kolmogorov-Smirnov distance of the cumulated periodogram, p of a larger one by chance
 // (Stephens 1970). The residual is whitened by the fit's noise and taken as a sequence, whatever its steps; of a length
-// with a prime factor above 100 the last few rows are left out. Below 16 rows: p = 1.
+// with a prime factor above 100 the last few rows are left out. Below 16 rows, and where nothing is left (all below
+// 1e-9 um): p = 1.
 // Source: J. Durbin, Tests for serial correlation in regression analysis based on the periodogram of least-squares
 // residuals, Biometrika 56 (1969) 1.
 struct Whiteness {
