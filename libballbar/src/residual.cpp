@@ -68,8 +68,13 @@ void by_regime(const Fit& fit, const Series& data, Groups& groups) {
   }
 }
 
+// Four digits, or as many as a tenth of the whole needs: a clock may have started long before.
 std::string printed_time(double time_s, double whole_s) {
-  return whole_s < 600.0 ? fmt::format("{:.4g} s", time_s) : fmt::format("{:.4g} min", min_from_s(time_s));
+  const bool in_s = whole_s < 600.0;
+  const double time = in_s ? time_s : min_from_s(time_s);
+  const std::string number =
+      std::abs(time) < 1000.0 ? fmt::format("{:.4g}", time) : fmt::format("{:.12g}", std::round(10.0 * time) / 10.0);
+  return fmt::format("{} {}", number, in_s ? "s" : "min");
 }
 
 void by_time(const Fit& fit, Groups& groups) {
@@ -155,8 +160,10 @@ std::string of_floor(const Fit& fit) {
     return fmt::format("The model leaves {:.3g} um, as little as the floor of {:.3g} um ({}).", fit.rmse_um, floor_um,
                        fit.floor.source);
   }
-  return fmt::format("The model leaves {:.3g} um, {:.{}f} times the floor of {:.3g} um ({}).", fit.rmse_um, ratio,
-                     ratio < 2.0 ? 2 : 1, floor_um, fit.floor.source);
+  const std::string times =
+      ratio < 1e6 ? fmt::format("{:.{}f}", ratio, ratio < 2.0 ? 2 : 1) : fmt::format("{:.1e}", ratio);
+  return fmt::format("The model leaves {:.3g} um, {} times the floor of {:.3g} um ({}).", fit.rmse_um, times, floor_um,
+                     fit.floor.source);
 }
 
 std::string place_of(const Misfit& group) {
