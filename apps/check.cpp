@@ -266,9 +266,10 @@ void run(const Options& options) {
     for (const std::string& name : measured_inputs_with_gaps(model, data.series)) {
       const auto& values = find_column(data.series, name)->values;
       const auto known = std::count_if(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-      checked.fit.remarks.push_back(
-          fmt::format("{} is an input and was measured at {} of {} times: between them it is taken as a straight line.",
-                      name, known, values.size()));
+      checked.fit.remarks.push_back(fmt::format(
+          "{} is an input measured at {} of {} times: between them it is a straight line, outside them the nearest "
+          "value.",
+          name, known, values.size()));
     }
     all.push_back(std::move(checked));
   }

@@ -32,6 +32,7 @@ std::string listed(const std::vector<std::string_view>& names) {
   constexpr std::size_t kMostListed = 30;
   if (names.size() > kMostListed) return fmt::format("{} names", names.size());
   std::vector<std::string> all;
+  all.reserve(names.size());
   for (const std::string_view name : names) all.push_back(readable(name));
   return fmt::format("{}", fmt::join(all, ", "));
 }
