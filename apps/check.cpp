@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "ballbar/measured_input.hpp"
 #include "ballbar/residual.hpp"
 #include "commands.hpp"
 #include "model_options.hpp"
@@ -17,6 +18,7 @@ namespace ballbar::commands {
 namespace {
 
 constexpr std::size_t kGroupsShown = 8;
+constexpr std::size_t kWidest = 120;  // of a table
 
 struct Options {
   ModelOptions model;
@@ -49,7 +51,7 @@ std::string strongest_correlation(const Fit& fit, std::size_t k) {
   if (other.name == "constant_um") return fmt::format("{:.2f} constant", largest);
   const auto same = [&](const FittedParameter& parameter) { return parameter.name == other.name; };
   const bool unique = std::count_if(fit.parameters.begin(), fit.parameters.end(), same) == 1;
-  return fmt::format("{:.2f} {}{}", largest, other.name, unique ? "" : ", " + shortened(other.effect, 20));
+  return fmt::format("{:.2f} {}{}", largest, other.name, unique ? "" : ", " + shortened(other.effect, 24));
 }
 
 void add_parameters(Table& table, const Fit& fit, const std::string& target) {
@@ -57,8 +59,8 @@ void add_parameters(Table& table, const Fit& fit, const std::string& target) {
     const FittedParameter& parameter = fit.parameters[k];
     if (k == 0 && parameter.state == ParameterState::held && parameter.value == 0.0) continue;  // recordings have none
     if (parameter.name == "recording") continue;  // the label has it: circle 1
-    std::vector<std::string> row{target + shortened(parameter.effect, 44), parameter.name, value_text(parameter),
-                                 parameter.unit};
+    std::vector<std::string> row{target + shortened(parameter.effect, 44), shortened(parameter.name, 30),
+                                 value_text(parameter), shortened(parameter.unit, 12)};
     if (target.empty()) row.push_back(strongest_correlation(fit, k));
     table.add(std::move(row));
   }
@@ -97,13 +99,14 @@ Table misfit_table(const Checked& checked) {
   for (const Misfit& misfit : worth_showing(checked)) {
     table.add({shortened(misfit.what, 30), misfit.from, misfit.from == misfit.to ? "" : misfit.to,
                fmt::format("{}", misfit.n), with_sigma(misfit.bias_um, misfit.bias_sigma_um, decimals),
-               fmt::format("{:.{}f}", misfit.rmse_um, decimals + 1), fmt::format("{:.0f}", 100.0 * misfit.share)});
+               fixed(misfit.rmse_um, decimals + 1), fmt::format("{:.0f}", 100.0 * misfit.share)});
   }
   return table;
 }
 
 std::string noise_text(const Noise& noise) {
-  if (!(noise.correlated_um > 0.0)) return fmt::format("Noise of the residual: white, {:.3g} um.", noise.white_um);
+  if (!(noise.correlated_um > 0.0))
+    return fmt::format("Noise of the residual: white, {:.3g} um.", std::abs(noise.white_um));
   const std::string white =
       noise.white_um > 0.0005 * noise.correlated_um ? fmt::format("{:.3g} um white, ", noise.white_um) : "";
   return fmt::format("Noise of the residual: {}{:.3g} um with a memory of {}.", white, noise.correlated_um,
@@ -117,10 +120,10 @@ std::string independent_text(double n) { return n < 100.0 ? fmt::format("{:.1f}"
 std::string floor_text(const Fit& fit) {
   const int decimals = decimals_of(fit.rmse_um) + 1;
   const std::string of_floor =
-      has_floor(fit) ? fmt::format(", {:.2f} times the floor of {:.{}f} um ({})", fit.rmse_um / fit.floor.rms_um,
-                                   fit.floor.rms_um, decimals, fit.floor.source)
+      has_floor(fit) ? fmt::format(", {} times the floor of {} um ({})", fixed(fit.rmse_um / fit.floor.rms_um, 2),
+                                   fixed(fit.floor.rms_um, decimals), fit.floor.source)
                      : "";
-  const std::string rmse = fit.rmse_um < 1e-6 ? "below 0.000001" : fmt::format("{:.{}f}", fit.rmse_um, decimals);
+  const std::string rmse = fit.rmse_um < 1e-6 ? "below 0.000001" : fixed(fit.rmse_um, decimals);
   return fmt::format("RMSE {} um{}. {} values, as good as {} independent ones.", rmse, of_floor, fit.residual_um.size(),
                      independent_text(fit.n_effective));
 }
@@ -161,8 +164,8 @@ void print_text(const Checked& checked, const std::string& title) {
   const Fit& fit = checked.fit;
   fmt::print("{}\n{}\n\n", title, heading(fit));
   print_sentences(checked);
-  fmt::print("\n{}\n{}", parameter_table(fit).text(), wrapped(floor_text(fit)));
-  if (!checked.where.empty()) fmt::print("\n{}", misfit_table(checked).text());
+  fmt::print("\n{}\n{}", parameter_table(fit).text(kWidest), wrapped(floor_text(fit)));
+  if (!checked.where.empty()) fmt::print("\n{}", misfit_table(checked).text(kWidest));
   fmt::print("\n{}", wrapped(noise_text(fit.noise) + whiteness_text(checked.whiteness, fit.residual_um.size())));
   print_remarks(fit);
 }
@@ -177,7 +180,7 @@ void print_targets(const std::vector<Checked>& all, const std::string& title) {
     print_remarks(checked.fit);
     add_parameters(table, checked.fit, checked.fit.target + ": ");
   }
-  fmt::print("\n{}\n--target {} shows one target in full.\n", table.text(), all.front().fit.target);
+  fmt::print("\n{}\n--target {} shows one target in full.\n", table.text(kWidest), all.front().fit.target);
 }
 
 const char* state_name(ParameterState state) {
@@ -257,9 +260,17 @@ void run(const Options& options) {
   std::vector<Checked> all;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     Checked checked;
-    checked.fit = fit(model, data.series, target, fit_options(options.model));
+    checked.fit = fit_of(options.model, model, data, target);
     checked.where = where_it_fails(checked.fit, data.series);
     checked.whiteness = whiteness(checked.fit);
+    for (const std::string& name : measured_inputs_with_gaps(model, data.series)) {
+      const auto& values = find_column(data.series, name)->values;
+      const auto known = std::count_if(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+      checked.fit.remarks.push_back(fmt::format(
+          "{} is an input measured at {} of {} times: between them it is a straight line, outside them the nearest "
+          "value.",
+          name, known, values.size()));
+    }
     all.push_back(std::move(checked));
   }
   if (options.json) {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "ballbar/effect.hpp"
 #include "ballbar/error.hpp"
@@ -20,6 +19,7 @@ namespace ballbar::commands {
 namespace {
 
 constexpr std::size_t kMeaningWidth = 50;
+constexpr std::size_t kSummaryWidth = 62;
 
 struct Options {
   std::string name;
@@ -42,8 +42,9 @@ void print_list() {
       std::vector<std::string> inputs;
       for (const Input& input : effect->inputs) inputs.push_back(input.role);
       const std::string none = effect == &expression_page() ? "any" : "time";
-      table.add({effect->name, inputs.empty() ? none : fmt::format("{}", fmt::join(inputs, ", ")),
-                 effect->explanation.summary});
+      table.add_wrapped({effect->name, inputs.empty() ? none : fmt::format("{}", fmt::join(inputs, ", ")),
+                         effect->explanation.summary},
+                        kSummaryWidth);
     }
     fmt::print("{}\n", table.left_aligned());
   }
@@ -52,16 +53,6 @@ void print_list() {
 
 void print_part(const char* heading, const std::string& text) {
   if (!text.empty()) fmt::print("{}\n{}\n", heading, wrapped(text, 90));
-}
-
-// A row of a table whose last cell, a text, goes on below itself.
-void add_wrapped(Table& table, std::vector<std::string> row) {
-  std::istringstream text(wrapped(row.back(), kMeaningWidth));
-  for (std::string line; std::getline(text, line);) {
-    row.back() = line;
-    table.add(row);
-    std::fill(row.begin(), row.end(), "");
-  }
 }
 
 std::string bound(double value) { return std::isfinite(value) ? fmt::format("{:g}", value) : "-"; }
@@ -75,16 +66,26 @@ void print_page(const Effect& effect) {
   if (!effect.inputs.empty()) {
     Table inputs({"input", "unit", "what"});
     for (const Input& input : effect.inputs) {
-      add_wrapped(inputs, {input.role, fmt::format("{}", fmt::join(input.units, ", ")), input.meaning});
+      inputs.add_wrapped({input.role, fmt::format("{}", fmt::join(input.units, ", ")), input.meaning}, kMeaningWidth);
     }
-    fmt::print("{}\n", inputs.left_aligned());
+    fmt::print("{}", inputs.left_aligned());
+    const bool measured = effect.level == Level::series &&
+                          std::any_of(effect.inputs.begin(), effect.inputs.end(), [](const Input& input) {
+                            return std::find(input.units.begin(), input.units.end(), "um") != input.units.end();
+                          });
+    if (measured) {
+      fmt::print("{}",
+                 wrapped("A measured column is a straight line between its values, and outside them the nearest."));
+    }
+    fmt::print("\n");
   }
   if (!effect.parameters.empty()) {
     Table parameters({"parameter", "unit", "start", "lowest", "highest", "what"});
     for (const Parameter& parameter : effect.parameters) {
-      add_wrapped(parameters, {parameter.name, parameter.unit,
-                               fmt::format("{:g}{}", parameter.start, parameter.held ? " held" : ""),
-                               bound(parameter.lower), bound(parameter.upper), parameter.meaning});
+      parameters.add_wrapped(
+          {parameter.name, parameter.unit, fmt::format("{:g}{}", parameter.start, parameter.held ? " held" : ""),
+           bound(parameter.lower), bound(parameter.upper), parameter.meaning},
+          kMeaningWidth);
     }
     fmt::print("{}\n", parameters.left_aligned());
   }
@@ -143,9 +144,9 @@ void run(const Options& options) {
   }
   if (chosen.empty()) {
     throw Error(
-        fmt::format("expected the name of an effect, found \"{}\"; the nearest is {}. ballbar effects lists "
+        fmt::format("expected the name of an effect, found {}; the nearest is {}. ballbar effects lists "
                     "all.",
-                    options.name, nearest_name(options.name, names)));
+                    in_quotes(options.name), nearest_name(options.name, names)));
   }
   if (options.json) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();

@@ -5,12 +5,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/bytes.hpp"
 #include "ballbar/formats/model_toml.hpp"
+#include "ballbar/nearest_name.hpp"
 #include "ballbar/trace.hpp"
+#include "text.hpp"
 
 namespace ballbar {
 namespace {
@@ -36,17 +39,27 @@ Model circles_of(const ModelData& data) {
 }
 
 // As expect_suits, with the model's file; a model that is all held still predicts.
-void expect_model_suits(Model model, const ModelData& data, const std::string& file) {
-  for (const std::string& target : model.targets) {
-    if (find_column(data.series, target) == nullptr || unit_of(target) == "um") continue;
-    throw Error(fmt::format("target: expected a column in um, found \"{}\".", target));
-  }
+void expect_model_suits(Model model, const ModelOptions& options, const ModelData& data) {
   if (model.level == Level::series) model.constant_um.reset();
-  try {
-    expect_suits(model, data.series);
-  } catch (const Error& error) {
-    throw Error(file.empty() ? error.what() : fmt::format("{}: {}", file, error.what()));
+  const auto expect_targets = [&] {
+    for (const std::string& target : model.targets) {
+      if (find_column(data.series, target) == nullptr || unit_of(target) == "um") continue;
+      throw Error(fmt::format("target: expected a column in um, found {}.", in_quotes(target)));
+    }
+    Model bare;
+    bare.targets = model.targets;
+    expect_suits(bare, data.series);
+  };
+  if (options.target.empty()) {
+    with_source(options.model, expect_targets);
+  } else {
+    try {
+      expect_targets();
+    } catch (const Error& error) {
+      throw Error(fmt::format("--{}", error.what()));  // --target: expected ...
+    }
   }
+  with_source(options.model, [&] { expect_suits(model, data.series); });
 }
 
 }  // namespace
@@ -54,7 +67,11 @@ void expect_model_suits(Model model, const ModelData& data, const std::string& f
 void add_model_options(CLI::App& command, ModelOptions& options, bool model_required) {
   command.add_option("DATA", options.data, "series .csv, session, or recordings (.b5r, logs)")->required();
   CLI::Option* model =
-      command.add_option("--model", options.model, "model.toml: the effects to fit")->type_name("FILE");
+      command.add_option("--model", options.model, "model.toml: the effects to fit")
+          ->type_name("FILE")
+          ->check(CLI::Validator(
+              [](const std::string& name) { return std::string(name.empty() ? "expected a file, found no name" : ""); },
+              ""));
   if (model_required) model->required();
   command.add_option("--target", options.target, "column to explain instead of the model's own; may be repeated")
       ->type_name("COLUMN")
@@ -64,7 +81,10 @@ void add_model_options(CLI::App& command, ModelOptions& options, bool model_requ
       ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
                                         CLI::AsNumberWithUnit::CASE_SENSITIVE))
       ->check(CLI::Validator(
-          [](const std::string& seconds) { return std::stod(seconds) > 0.0 ? "" : std::string("expected above 0"); },
+          [](const std::string& seconds) {
+            const double max_gap_s = std::strtod(seconds.c_str(), nullptr);  // 0 where it is too small for a double
+            return max_gap_s > 0.0 && std::isfinite(max_gap_s) ? "" : std::string("expected a finite time above 0");
+          },
           ""));
 }
 
@@ -107,15 +127,20 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
   if (!options.target.empty()) model.targets = options.target;
   if (model.targets.empty())
     throw Error(fmt::format("{}: expected a measured column to explain, found none.", data.title));
-  expect_model_suits(model, data, options.model);
+  expect_model_suits(model, options, data);
   return model;
 }
 
-FitOptions fit_options(const ModelOptions& options) {
+void expect_to_fit(const ModelOptions& options, const Model& model, const ModelData& data) {
+  with_source(options.model, [&] { expect_suits(model, data.series); });
+}
+
+Fit fit_of(const ModelOptions& options, const Model& model, const ModelData& data, std::size_t target) {
+  expect_to_fit(options, model, data);
   FitOptions how;
   how.robust = options.robust;
   how.white = options.white;
-  return how;
+  return with_source(options.data.front(), [&] { return fit(model, data.series, target, how); });
 }
 
 std::string value_text(const FittedParameter& parameter) {
@@ -131,7 +156,7 @@ std::string value_text(const FittedParameter& parameter) {
   // Two digits of sigma.
   const int decimals =
       parameter.sigma > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(parameter.sigma))), 0, 9) : 4;
-  return fmt::format("{:.{}f} ± {:.{}f}", parameter.value, decimals, parameter.sigma, decimals);
+  return with_sigma(parameter.value, parameter.sigma, decimals);
 }
 
 }  // namespace ballbar

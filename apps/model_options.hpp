@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/error.hpp"
 #include "ballbar/fit.hpp"
 #include "ballbar/formats/data_file.hpp"
 #include "ballbar/model.hpp"
@@ -38,7 +39,22 @@ ModelData open_data(const ModelOptions& options);
 // suit the data (expect_suits) with the file's name, a target that is not in um.
 Model open_model(const ModelOptions& options, const ModelData& data);
 
-FitOptions fit_options(const ModelOptions& options);
+// Throws Error, with the model's file, where nothing of it is free.
+void expect_to_fit(const ModelOptions& options, const Model& model, const ModelData& data);
+
+// fit() as the options say. Throws Error with the file that is at fault: the model's (expect_to_fit), or DATA's.
+Fit fit_of(const ModelOptions& options, const Model& model, const ModelData& data, std::size_t target);
+
+// What `work` returns; what it throws gets the source in front, "model.toml: ...", where there is one.
+template <class Work>
+auto with_source(const std::string& source, Work work) -> decltype(work()) {
+  if (source.empty()) return work();
+  try {
+    return work();
+  } catch (const Error& error) {
+    throw Error(source + ": " + error.what());
+  }
+}
 
 // "12.3 ± 0.4", "held", "not determined" with as many digits as sigma deserves.
 std::string value_text(const FittedParameter& parameter);

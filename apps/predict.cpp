@@ -19,6 +19,8 @@
 namespace ballbar::commands {
 namespace {
 
+constexpr std::size_t kWidest = 120;  // of a table
+
 struct Options {
   ModelOptions model;
   std::vector<std::string> on;
@@ -70,14 +72,14 @@ std::vector<Column> columns_of(const Model& model, const std::string& target, co
 
 // Root mean square of what is finite; NaN where nothing is.
 double rms(const std::vector<double>& values) {
-  double squares = 0.0;
+  double norm = 0.0;
   std::size_t n = 0;
   for (const double value : values) {
     if (!std::isfinite(value)) continue;
-    squares += value * value;
+    norm = std::hypot(norm, value);  // whose square may be too large for a double
     ++n;
   }
-  return n > 0 ? std::sqrt(squares / static_cast<double>(n)) : std::numeric_limits<double>::quiet_NaN();
+  return n > 0 ? norm / std::sqrt(static_cast<double>(n)) : std::numeric_limits<double>::quiet_NaN();
 }
 
 Table summary(const std::vector<Column>& columns) {
@@ -115,9 +117,9 @@ void run(const Options& options) {
   series.time_s = other.series.time_s;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     const std::vector<FittedParameter> parameters =
-        has_free(model) ? fit(model, data.series, target, fit_options(options.model)).parameters
-                        : held_parameters(model);
-    const Prediction prediction = predict(model, parameters, other.series);
+        has_free(model) ? fit_of(options.model, model, data, target).parameters : held_parameters(model);
+    const Prediction prediction =
+        with_source(elsewhere.data.front(), [&] { return predict(model, parameters, other.series); });
     const std::vector<Column> columns = columns_of(model, model.targets[target], prediction, other.series);
     series.columns.insert(series.columns.end(), columns.begin(), columns.end());
   }
@@ -135,7 +137,8 @@ void run(const Options& options) {
   } else {
     fmt::print("{}\n{}: {} rows over {}{}\n\n{}", other.title, options.model.model, series.time_s.size(),
                duration_text(series.time_s.back() - series.time_s.front()),
-               options.on.empty() ? "" : fmt::format("\nfitted to {}", data.title), summary(series.columns).text());
+               options.on.empty() ? "" : fmt::format("\nfitted to {}", data.title),
+               summary(series.columns).text(kWidest));
   }
   for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
 }

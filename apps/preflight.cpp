@@ -16,6 +16,8 @@ namespace ballbar::commands {
 namespace {
 
 constexpr std::size_t kTargetsShown = 6;
+constexpr std::size_t kColumnsWidth = 40, kListWidth = 19;
+constexpr std::size_t kWidest = 120;  // of a table
 
 struct Options {
   ModelOptions model;
@@ -40,15 +42,16 @@ const char* name_of(Testability testability) {
   return "testable";
 }
 
-// "0.13": two decimals, more where that would leave nothing.
+// "0.13": two decimals, more where that would leave nothing; a metre is never seen.
 std::string um_text(double value_um) {
+  if (value_um > 1e6) return "> 1e6";
   return value_um < 0.095 ? fmt::format("{:.2g}", value_um) : fmt::format("{:.2f}", value_um);
 }
 
 std::string columns_text(const Prospect& prospect) {
   if (prospect.columns.empty()) return "time";
   const std::string more = prospect.bindings > 1 ? fmt::format(" (1 of {})", prospect.bindings) : "";
-  return shortened(fmt::format("{}", fmt::join(prospect.columns, ", ")), 40) + more;
+  return shortened(fmt::format("{}", fmt::join(prospect.columns, ", ")), kColumnsWidth - more.size()) + more;
 }
 
 // Numbers of the rows of the table; names of effects that are not in it.
@@ -90,11 +93,12 @@ void print_text(const Preflight& result, const std::string& title) {
              title, result.target, result.n, rows.size(), result.prospects.size(), apart);
   Table table({"effect", "columns", "seen from um", "named from um", "own %", "inseparable from"});
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    table.add({fmt::format("{:2} {}", i + 1, rows[i]->effect->name), columns_text(*rows[i]),
-               um_text(rows[i]->detectable_um), um_text(rows[i]->identifiable_um),
-               fmt::format("{:.0f}", 100.0 * rows[i]->surviving_share), inseparable_text(*rows[i], rows)});
+    table.add_wrapped({fmt::format("{:2} {}", i + 1, rows[i]->effect->name), columns_text(*rows[i]),
+                       um_text(rows[i]->detectable_um), um_text(rows[i]->identifiable_um),
+                       fmt::format("{:.0f}", 100.0 * rows[i]->surviving_share), inseparable_text(*rows[i], rows)},
+                      kListWidth);
   }
-  if (!rows.empty()) fmt::print("{}\n", table.text());
+  if (!rows.empty()) fmt::print("{}\n", table.text(kWidest));
   print_untestable(result);
   fmt::print("\n{}", wrapped(fmt::format(
                          "um: range (max - min) that the effect would add over these data, to be seen and to be named. "
@@ -117,7 +121,7 @@ void print_targets(const std::vector<Preflight>& results, const std::string& tit
     if (std::any_of(row.begin() + 1, row.end(), [](const std::string& text) { return text != "-"; })) table.add(row);
   }
   fmt::print("{}\n{} targets{}\n\n{}\n", title, results.size(),
-             shown < results.size() ? fmt::format(", the first {} shown", shown) : "", table.text());
+             shown < results.size() ? fmt::format(", the first {} shown", shown) : "", table.text(kWidest));
   print_untestable(results.front());
   fmt::print("\n{}", wrapped(fmt::format(
                          "um: range (max - min) that the effect would add over these data. Noise from: {}. --target {} "
@@ -152,9 +156,11 @@ nlohmann::ordered_json json_of(const Preflight& result) {
 void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
+  expect_to_fit(options.model, model, data);
   std::vector<Preflight> results;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
-    results.push_back(preflight(model, data.series, target, data.motion));
+    results.push_back(
+        with_source(options.model.data.front(), [&] { return preflight(model, data.series, target, data.motion); }));
   }
   if (options.json) {
     nlohmann::ordered_json targets = nlohmann::ordered_json::array();

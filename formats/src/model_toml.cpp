@@ -11,6 +11,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/expression.hpp"
+#include "ballbar/nearest_name.hpp"
 #include "ballbar/trace.hpp"
 #include "source_text.hpp"
 #include "toml_source.hpp"
@@ -114,6 +115,26 @@ Term catalogue_term(const TomlTable& table, const std::string& name, Level level
   return term;
 }
 
+// A number or a table in an expression's own is a parameter, which its formula must have.
+void expect_in_formula(const TomlTable& table, const std::vector<std::string>& names) {
+  const toml::key* first = nullptr;
+  for (const auto& [key, value] : *table.table) {
+    if (!value.is_number() && !value.is_table()) continue;
+    if (key == "name" || key == "formula" || std::find(names.begin(), names.end(), key.str()) != names.end()) continue;
+    if (first == nullptr || key.source().begin.line < first->source().begin.line) first = &key;
+  }
+  if (first == nullptr) return;
+  const std::string expected = fmt::format("expected the parameter {} in the formula, found", in_quotes(first->str()));
+  if (names.empty()) fail_at_key(table, first->str(), fmt::format("{} no names in it.", expected));
+  constexpr std::size_t kMostListed = 30;
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  fail_at_key(table, first->str(),
+              fmt::format("{} {} in it; the nearest is {}.", expected,
+                          known.size() > kMostListed ? fmt::format("{} others", known.size())
+                                                     : fmt::format("{}", fmt::join(known, ", ")),
+                          nearest_name(first->str(), known)));
+}
+
 Term own_term(const TomlTable& table, Level level) {
   const std::string formula = required(string, table, "formula");
   std::vector<std::string> names;
@@ -124,6 +145,7 @@ Term own_term(const TomlTable& table, Level level) {
   }
   std::vector<std::string_view> known{"name", "formula"};
   known.insert(known.end(), names.begin(), names.end());
+  expect_in_formula(table, names);
   expect_keys(table, known);
   std::vector<Parameter> parameters;
   for (const std::string& name : names) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
+#include "ballbar/measured_input.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "effects/low_pass.hpp"
 #include "expression_kind.hpp"
@@ -167,15 +168,18 @@ Explanation page() {
 
 void expect_finite(const Term& term, const Series& data) {
   EffectRows rows;
+  std::vector<std::vector<double>> columns;
+  for (const std::string& name : term.columns) {
+    const Column& column = *find_column(data, name);
+    columns.push_back(term.effect->level == Level::series ? input_values(data, column) : column.values);
+  }
   std::vector<double> time_s;
-  std::vector<std::vector<double>> inputs(term.columns.size());
+  std::vector<std::vector<double>> inputs(columns.size());
   for (std::size_t i = 0; i < data.time_s.size(); ++i) {  // without the gaps
-    const auto known = [&](const std::string& column) { return std::isfinite(find_column(data, column)->values[i]); };
-    if (!std::all_of(term.columns.begin(), term.columns.end(), known)) continue;
+    const auto known = [&](const std::vector<double>& values) { return std::isfinite(values[i]); };
+    if (!std::all_of(columns.begin(), columns.end(), known)) continue;
     time_s.push_back(data.time_s[i]);
-    for (std::size_t k = 0; k < inputs.size(); ++k) {
-      inputs[k].push_back(find_column(data, term.columns[k])->values[i]);
-    }
+    for (std::size_t k = 0; k < inputs.size(); ++k) inputs[k].push_back(columns[k][i]);
   }
   rows.time_s = time_s;
   for (const std::vector<double>& input : inputs) rows.inputs.emplace_back(input);

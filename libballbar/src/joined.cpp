@@ -34,6 +34,9 @@ Known known(const Series& part, const Column& column) {
   return result;
 }
 
+// "6.67": to 0.01 min.
+std::string min_text(double time_s) { return fmt::format("{:.10g}", std::round(100.0 * min_from_s(time_s)) / 100.0); }
+
 struct Range {
   double from_s = -std::numeric_limits<double>::infinity();
   double to_s = std::numeric_limits<double>::infinity();
@@ -68,15 +71,17 @@ void expect_no_gap(const std::string& name, const Known& values, const Range& ra
   for (std::size_t i = 1; i < values.time_s.size(); ++i) {
     const double before_s = values.time_s[i - 1], after_s = values.time_s[i];
     if (after_s - before_s <= max_gap_s || after_s <= range.from_s || before_s >= range.to_s) continue;
-    throw Error(fmt::format("expected values of {} at most {:g} min apart, found none between {:g} and {:g} min.", name,
-                            min_from_s(max_gap_s), min_from_s(before_s), min_from_s(after_s)));
+    const bool in_s = max_gap_s < 120.0;
+    const auto text = [&](double time_s) { return in_s ? fmt::format("{:.10g}", time_s) : min_text(time_s); };
+    throw Error(fmt::format("expected values of {0} at most {1} {4} apart, found none between {2} and {3} {4}.", name,
+                            text(max_gap_s), text(before_s), text(after_s), in_s ? "s" : "min"));
   }
 }
 
 std::string times_of(const Series& part) {
   const std::string name = part.columns.empty() ? "a part without columns" : part.columns.front().name;
   if (part.time_s.empty()) return fmt::format("{} at no time", name);
-  return fmt::format("{} from {:g} to {:g} min", name, min_from_s(part.time_s.front()), min_from_s(part.time_s.back()));
+  return fmt::format("{} from {} to {} min", name, min_text(part.time_s.front()), min_text(part.time_s.back()));
 }
 
 void expect_common_times(const std::vector<Series>& parts, const Range& range) {
@@ -87,8 +92,8 @@ void expect_common_times(const std::vector<Series>& parts, const Range& range) {
       for (const Series& each : parts) found += (found.empty() ? "" : ", ") + times_of(each);
       throw Error(fmt::format("expected times in common, found {}.", found));
     }
-    throw Error(fmt::format("expected times in common, found {} and signals from {:g} to {:g} min.", times_of(part),
-                            min_from_s(range.from_s), min_from_s(range.to_s)));
+    throw Error(fmt::format("expected times in common, found {} and signals from {} to {} min.", times_of(part),
+                            min_text(range.from_s), min_text(range.to_s)));
   }
 }
 

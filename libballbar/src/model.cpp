@@ -19,11 +19,22 @@ std::string_view level_name(Level level) { return level == Level::series ? "a dr
 
 Level other_than(Level level) { return level == Level::series ? Level::recording : Level::series; }
 
+// For a sentence: whole but for what nobody would read to the end.
+std::string readable(std::string_view name) {
+  constexpr std::size_t kLongest = 200;
+  if (name.size() <= kLongest) return std::string(name);
+  const std::string quoted = in_quotes(name);
+  return quoted.substr(1, quoted.size() - 2);
+}
+
 // "a, b, c"; a log of a machine can have hundreds.
 std::string listed(const std::vector<std::string_view>& names) {
   constexpr std::size_t kMostListed = 30;
   if (names.size() > kMostListed) return fmt::format("{} names", names.size());
-  return fmt::format("{}", fmt::join(names, ", "));
+  std::vector<std::string> all;
+  all.reserve(names.size());
+  for (const std::string_view name : names) all.push_back(readable(name));
+  return fmt::format("{}", fmt::join(all, ", "));
 }
 
 // Whether the name of a column ends in one of the units; "1" is a column without a unit, no units are any.
@@ -39,7 +50,7 @@ std::string found_unit(std::string_view column) {
 }
 
 [[noreturn]] void fail(std::string_view where, std::string_view sentence) {
-  throw Error(fmt::format("{}: {}", where, sentence));
+  throw Error(fmt::format("{}: {}", readable(where), sentence));
 }
 
 void expect_column(const Series& data, std::string_view column, std::string_view where, std::string_view purpose) {
@@ -51,7 +62,7 @@ void expect_column(const Series& data, std::string_view column, std::string_view
          fmt::format("expected the column {} in the data for {}, found no columns.", in_quotes(column), purpose));
   }
   fail(where, fmt::format("expected a column of the data for {}, one of {}, found {}; the nearest is {}.", purpose,
-                          listed(known), in_quotes(column), nearest_name(column, known)));
+                          listed(known), in_quotes(column), readable(nearest_name(column, known))));
 }
 
 void expect_targets(const Model& model, const Series& data) {
@@ -136,6 +147,35 @@ bool same_term(const Term& left, const Term& right) {
   return true;
 }
 
+// "onset_s = 3600" or "onset_s from 0 to 3600": what a model says of the shapes of a term.
+std::vector<std::string> shapes_stated(const Term& term) {
+  std::vector<std::string> stated;
+  for (std::size_t k = 0; k < term.settings.size(); ++k) {
+    const Parameter& parameter = term.effect->parameters[k];
+    const Setting& setting = term.settings[k];
+    if (parameter.kind == ParameterKind::gain || parameter.name == "recording") continue;
+    if (setting.stated) {
+      stated.push_back(fmt::format("{} = {}", parameter.name, setting.start));
+    } else if (setting.lower != parameter.lower || setting.upper != parameter.upper) {
+      stated.push_back(fmt::format("{} from {} to {}", parameter.name, setting.lower, setting.upper));
+    }
+  }
+  return stated;
+}
+
+// What is there to be done about the same term twice.
+std::string once(const Term& term) {
+  std::vector<std::string_view> shapes;
+  for (const Parameter& parameter : term.effect->parameters) {
+    if (parameter.kind == ParameterKind::shape && parameter.name != "recording") shapes.push_back(parameter.name);
+  }
+  if (term.effect->name == "expression") return "each formula once";
+  if (!term.effect->inputs.empty() && term.effect->level == Level::series)
+    return "each effect on the same columns once";
+  if (shapes.empty()) return "each effect once";
+  return fmt::format("each effect once, or with another start stated for {}", fmt::join(shapes, " or "));
+}
+
 }  // namespace
 
 Term term_of(std::string_view effect_name, std::vector<std::string> columns, Level level) {
@@ -176,7 +216,10 @@ std::string label_of(const Term& term) {
     if (effect.parameters[k].name != "recording" || term.settings[k].start < 0.0) continue;
     return fmt::format("{} {:g}", effect.name, term.settings[k].start + 1.0);
   }
-  if (term.columns.empty() || effect.level == Level::recording) return effect.name;
+  if (term.columns.empty() || effect.level == Level::recording) {
+    const std::vector<std::string> shapes = shapes_stated(term);
+    return shapes.empty() ? effect.name : fmt::format("{}({})", effect.name, fmt::join(shapes, ", "));
+  }
   return fmt::format("{}({})", effect.name, fmt::join(term.columns, ", "));
 }
 
@@ -193,15 +236,14 @@ void expect_suits(const Model& model, const Series& data) {
     expect_inputs(model, term, data);
     for (std::size_t j = 0; j < i; ++j) {
       if (!same_term(model.terms[j], term)) continue;
-      fail(label_of(term),
-           fmt::format("expected each effect on the same columns once, found it as effects {} and {}.", j + 1, i + 1));
+      fail(label_of(term), fmt::format("expected {}, found it as effects {} and {}.", once(term), j + 1, i + 1));
     }
   }
   if (model.constant_um && !std::isfinite(*model.constant_um)) {
     fail("constant_um", fmt::format("expected a finite number, found {}.", *model.constant_um));
   }
   if (!has_free(model)) {
-    fail("model", "expected at least one free parameter, found none: every parameter is held.");
+    throw Error("expected at least one free parameter, found none: every parameter is held.");
   }
 }
 

@@ -6,33 +6,45 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
+#include "ballbar/measured_input.hpp"
 
 namespace ballbar {
 namespace {
 
-std::span<const double> input_of(const Series& data, const std::string& name) {
+const Column& input_of(const Series& data, const std::string& name) {
   const Column* column = find_column(data, name);
   if (column == nullptr) throw Error(fmt::format("expected the column {} in the data, found none.", name));
   if (std::all_of(column->values.begin(), column->values.end(), [](double v) { return std::isnan(v); })) {
     throw Error(
         fmt::format("expected values of {}, which the model needs, found none: the data do not state them.", name));
   }
-  for (std::size_t row = 0; row < column->values.size(); ++row) {
-    if (std::isfinite(column->values[row])) continue;
+  return *column;
+}
+
+void expect_no_gap(const Series& data, const std::string& name, std::span<const double> values) {
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    if (std::isfinite(values[row])) continue;
     throw Error(fmt::format("expected a value of {} at every time, found a gap at {:g} s.", name, data.time_s[row]));
   }
-  return column->values;
 }
 
 }  // namespace
 
 ModelRows::ModelRows(const Model& model, const Series& data, std::vector<std::size_t> rows)
     : rows_(std::move(rows)), all_rows_(data.time_s.size()) {
+  for (const std::string& name : measured_inputs_with_gaps(model, data)) {
+    lines_.emplace(name, input_values(data, *find_column(data, name)));
+  }
   for (const Term& term : model.terms) {
     effects_.push_back(term.effect.get());
     EffectRows inputs;
     inputs.time_s = data.time_s;
-    for (const std::string& column : term.columns) inputs.inputs.push_back(input_of(data, column));
+    for (const std::string& name : term.columns) {
+      const auto line = lines_.find(name);
+      const std::vector<double>& values = line != lines_.end() ? line->second : input_of(data, name).values;
+      expect_no_gap(data, name, values);
+      inputs.inputs.emplace_back(values);
+    }
     inputs_.push_back(std::move(inputs));
     offset_.push_back(parameters_);
     parameters_ += static_cast<Eigen::Index>(term.effect->parameters.size());

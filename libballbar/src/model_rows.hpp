@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "ballbar/model.hpp"
@@ -14,9 +16,11 @@ namespace ballbar {
 
 class ModelRows {
  public:
-  // `rows` of the data, rising: where values are wanted. The effects run over all rows of the data. Throws Error where
-  // an input has a gap.
+  // `rows` of the data, rising: where values are wanted. The effects run over all rows of the data, which must outlive
+  // this. Measured inputs are lines between their values (measured_input.hpp). Throws Error where another has a gap.
   ModelRows(const Model& model, const Series& data, std::vector<std::size_t> rows);
+  ModelRows(const ModelRows&) = delete;  // its inputs point into it
+  ModelRows& operator=(const ModelRows&) = delete;
 
   std::size_t terms() const { return effects_.size(); }
   std::size_t rows() const { return rows_.size(); }
@@ -42,6 +46,7 @@ class ModelRows {
 
  private:
   std::vector<const Effect*> effects_;
+  std::map<std::string, std::vector<double>> lines_;  // of measured inputs with gaps
   std::vector<EffectRows> inputs_;
   std::vector<Eigen::Index> offset_;
   std::vector<std::size_t> rows_;

@@ -69,8 +69,13 @@ void by_regime(const Fit& fit, const Series& data, Groups& groups) {
   }
 }
 
+// Four digits, or as many as a tenth of the whole needs: a clock may have started long before.
 std::string printed_time(double time_s, double whole_s) {
-  return whole_s < 600.0 ? fmt::format("{:.4g} s", time_s) : fmt::format("{:.4g} min", min_from_s(time_s));
+  const bool in_s = whole_s < 600.0;
+  const double time = in_s ? time_s : min_from_s(time_s);
+  const std::string number =
+      std::abs(time) < 1000.0 ? fmt::format("{:.4g}", time) : fmt::format("{:.12g}", std::round(10.0 * time) / 10.0);
+  return fmt::format("{} {}", number, in_s ? "s" : "min");
 }
 
 void by_time(const Fit& fit, Groups& groups) {
@@ -146,18 +151,26 @@ std::string with_sigma(double value, double sigma) {
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sigma, decimals);
 }
 
+// Three digits, whole micrometres above 1000; what is absurd gets an exponent.
+std::string digits(double value_um) {
+  return value_um < 999.5 || value_um >= 1e9 ? fmt::format("{:.3g}", value_um) : fmt::format("{:.0f}", value_um);
+}
+
 std::string of_floor(const Fit& fit) {
   const double floor_um = fit.floor.rms_um;
   if (!(floor_um > 0.0) || fit.floor.source.empty()) {
-    return fmt::format("The model leaves {:.3g} um; what a true model could leave at least is not known.", fit.rmse_um);
+    return fmt::format("The model leaves {} um; what a true model could leave at least is not known.",
+                       digits(fit.rmse_um));
   }
   const double ratio = fit.rmse_um / floor_um;
   if (ratio < 1.05) {
-    return fmt::format("The model leaves {:.3g} um, as little as the floor of {:.3g} um ({}).", fit.rmse_um, floor_um,
-                       fit.floor.source);
+    return fmt::format("The model leaves {} um, as little as the floor of {} um ({}).", digits(fit.rmse_um),
+                       digits(floor_um), fit.floor.source);
   }
-  return fmt::format("The model leaves {:.3g} um, {:.{}f} times the floor of {:.3g} um ({}).", fit.rmse_um, ratio,
-                     ratio < 2.0 ? 2 : 1, floor_um, fit.floor.source);
+  const std::string times =
+      ratio < 1e6 ? fmt::format("{:.{}f}", ratio, ratio < 2.0 ? 2 : 1) : fmt::format("{:.1e}", ratio);
+  return fmt::format("The model leaves {} um, {} times the floor of {} um ({}).", digits(fit.rmse_um), times,
+                     digits(floor_um), fit.floor.source);
 }
 
 std::string place_of(const Misfit& group) {

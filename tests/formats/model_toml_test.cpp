@@ -289,11 +289,17 @@ constexpr BadText kBadTexts[] = {
      "tanh, asinh, acosh, atanh, atan2, exp, ln, log, log2, log10, sqrt, abs, sign, rint, min, max, sum, avg, found "
      "\"lagg\"; the nearest known name is lag."},
     {"k = {", "kk = {",
-     "file:16:1: expected one of the keys name, formula, k, T_oil_degC, T_air_degC, tau in [[effect]] 3, found \"kk\"; "
-     "the nearest is k."},
+     "file:16:6: expected the parameter \"kk\" in the formula, found k, T_oil_degC, T_air_degC, tau in it; the nearest "
+     "is k."},
     {"k = {", "p = 1\nk = {",
-     "file:16:1: expected one of the keys name, formula, k, T_oil_degC, T_air_degC, tau in [[effect]] 3, found \"p\"; "
-     "the nearest is k."},
+     "file:16:5: expected the parameter \"p\" in the formula, found k, T_oil_degC, T_air_degC, tau in it; the nearest "
+     "is "
+     "k."},
+    {"k = {", "temperature = \"T_oil_degC\"\nk = {",
+     "file:16:1: expected one of the keys name, formula, k, T_oil_degC, T_air_degC, tau in [[effect]] 3, found "
+     "\"temperature\"; the nearest is tau."},
+    {"\"k * lag(T_oil_degC - T_air_degC, tau)\"", "\"t\"",
+     "file:16:5: expected the parameter \"k\" in the formula, found no names in it."},
     {"k = { start = 0.0, unit = \"um/K\" }", "k = [0.0]",
      "file:16:5: expected a number, which is held, or { start, lower, upper }, which is free from there, for k, found "
      "an array."},

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "ballbar/error.hpp"
 #include "ballbar/expression.hpp"
@@ -128,8 +129,34 @@ TEST(model, the_same_effect_twice) {
                              term_of("expansion", {"T_air_degC"})})),
             "expansion(T_air_degC): expected each effect on the same columns once, found it as effects 1 and 3.");
   EXPECT_EQ(complaint(model({own("t * k", {gain("k")}), own("t * k", {gain("k")})})),
-            "expression(t * k): expected each effect on the same columns once, found it as effects 1 and 2.");
+            "expression(t * k): expected each formula once, found it as effects 1 and 2.");
   EXPECT_EQ(complaint(model({own("t * k", {gain("k")}), own("t^2 * k", {gain("k")})})), "suits");
+}
+
+// Two knocks are two steps; where both are free from the same start nothing tells them apart.
+TEST(model, the_same_effect_of_time_at_another_start) {
+  const auto step = [](std::optional<double> onset_s, bool held = false) {
+    Term term = term_of("step", {});
+    term.settings[1].held = held;
+    term.settings[1].stated = onset_s.has_value();
+    term.settings[1].start = onset_s.value_or(0.0);
+    return term;
+  };
+  EXPECT_EQ(label_of(step(std::nullopt)), "step");
+  EXPECT_EQ(label_of(step(10.5)), "step(onset_s = 10.5)");
+  EXPECT_EQ(complaint(model({step(10.0), step(20.0)})), "suits");
+  EXPECT_EQ(complaint(model({step(10.0, true), step(20.0, true), step(std::nullopt)})), "suits");
+  EXPECT_EQ(complaint(model({step(10.0), step(10.0, true)})),
+            "step(onset_s = 10): expected each effect once, or with another start stated for onset_s, found it as "
+            "effects 1 and 2.");
+  EXPECT_EQ(complaint(model({step(std::nullopt), step(std::nullopt)})),
+            "step: expected each effect once, or with another start stated for onset_s, found it as effects 1 and 2.");
+  EXPECT_EQ(complaint(model({term_of("linear_drift", {}), term_of("linear_drift", {})})),
+            "linear_drift: expected each effect once, found it as effects 1 and 2.");
+  Term early = step(std::nullopt), late = step(std::nullopt);
+  early.settings[1].upper = 15.0;
+  EXPECT_EQ(label_of(early), "step(onset_s from -inf to 15)");
+  EXPECT_EQ(complaint(model({early, late})), "suits");
 }
 
 TEST(model, settings) {
@@ -158,7 +185,7 @@ TEST(model, nothing_free) {
   Model bad = model({held});
   EXPECT_EQ(complaint(bad), "suits");  // the constant
   bad.constant_um = 1.0;
-  EXPECT_EQ(complaint(bad), "model: expected at least one free parameter, found none: every parameter is held.");
+  EXPECT_EQ(complaint(bad), "expected at least one free parameter, found none: every parameter is held.");
   bad.constant_um = NAN;
   EXPECT_EQ(complaint(bad), "constant_um: expected a finite number, found nan.");
 }

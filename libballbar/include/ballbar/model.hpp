@@ -38,12 +38,12 @@ struct Model {
 Term term_of(std::string_view effect_name, std::vector<std::string> columns, Level level = Level::series);
 
 // "lagged_expansion(T_air_degC)"; "expression(k * T_air_degC)" keeps its formula; "circle 2" is that of the second
-// recording.
+// recording. Where no column tells one from another, a shape that the model states does: "step(onset_s = 3600)".
 std::string label_of(const Term& term);
 
 // Throws Error where the model does not suit the data: an unknown column (with the nearest name), a column whose unit
-// an input does not take, the same effect on the same columns twice, bounds crossed or a start outside them, nothing
-// free, a target that is an input of the model itself.
+// an input does not take, the same effect on the same columns twice (without columns, with the same label), bounds
+// crossed or a start outside them, nothing free, a target that is an input of the model itself.
 void expect_suits(const Model& model, const Series& data);
 
 }  // namespace ballbar
