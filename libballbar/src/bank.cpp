@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/measured_input.hpp"
 #include "bindings.hpp"
 #include "shape_grid.hpp"
 
@@ -57,6 +58,20 @@ Eigen::VectorXd whitened(const Whitening& whitening, const Eigen::VectorXd& colu
 
 }  // namespace
 
+BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& names, const Series& data) {
+  BoundInputs bound;
+  bound.rows.time_s = data.time_s;
+  for (const std::string& name : names) {
+    const Column& column = *find_column(data, name);
+    bound.values.push_back(effect.level == Level::series ? input_values(data, column) : column.values);
+    const std::vector<double>& values = bound.values.back();
+    bound.has_gaps = bound.has_gaps || !is_whole(values);
+    bound.usable = bound.usable && is_whole(values) && (effect.level == Level::recording || !is_constant(values));
+  }
+  for (const std::vector<double>& values : bound.values) bound.rows.inputs.emplace_back(values);
+  return bound;
+}
+
 std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows, const BankOptions& options) {
   std::vector<double> first;
   for (const Parameter& parameter : effect.parameters) {
@@ -91,16 +106,9 @@ Bank bank_of(const Model& model, const Series& data, const Fit& fit, const BankO
     for (std::vector<std::string>& names : bindings_of(*effect, model, data)) {
       const bool again = effect->name == "step" || effect->name == "thermostat_cycle";
       if (has_term(model, *effect, names) && !again) continue;
-      EffectRows inputs;
-      inputs.time_s = data.time_s;
-      bool usable = true;
-      for (const std::string& name : names) {
-        const Column& column = *find_column(data, name);
-        usable =
-            usable && is_whole(column.values) && (effect->level == Level::recording || !is_constant(column.values));
-        inputs.inputs.emplace_back(column.values);
-      }
-      if (!usable) continue;
+      const BoundInputs bound = inputs_of(*effect, names, data);
+      if (!bound.usable) continue;
+      const EffectRows& inputs = bound.rows;
       Family family{effect, std::move(names), bank.signatures.size(), 0};
       for (std::vector<double>& point : shapes_of(*effect, inputs, options)) {
         std::vector<Eigen::VectorXd> gains = gains_of(*effect, inputs, point, fit.row);

@@ -49,6 +49,15 @@ struct BankOptions {
 // a period, and those whose inputs are constant or have gaps.
 Bank bank_of(const Model& model, const Series& data, const Fit& fit, const BankOptions& options = {});
 
+// What an effect bound to these columns is evaluated on; `rows` points into `values`.
+struct BoundInputs {
+  std::vector<std::vector<double>> values;
+  EffectRows rows;
+  bool usable = true;  // whole, and on a series not constant
+  bool has_gaps = false;
+};
+BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& names, const Series& data);
+
 // Points of the grid of an effect's shapes on these rows, held ones that have a grid included.
 std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows, const BankOptions& options);
 

@@ -178,9 +178,8 @@ double p_same_gain(const Leftover& leftover, const Eigen::MatrixXd& columns, con
 
 BestFake best_fake(const Family& family, const Bank& bank, const Series& data, const std::vector<std::size_t>& rows,
                    const Leftover& leftover, const Noise& noise, std::size_t count, std::uint64_t seed) {
-  EffectRows inputs;
-  inputs.time_s = data.time_s;
-  for (const std::string& name : family.columns) inputs.inputs.emplace_back(find_column(data, name)->values);
+  const BoundInputs bound = inputs_of(*family.effect, family.columns, data);
+  const EffectRows& inputs = bound.rows;
   Eigen::FFT<double> fft;
   std::vector<Spectrum> spectra;
   const std::size_t stride = 1 + (family.count - 1) / kFakeShapes;

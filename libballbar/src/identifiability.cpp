@@ -96,12 +96,7 @@ void say_unusable(Prospect& prospect, const Model& model, const Series& data,
   prospect.testability = Testability::input_constant;
   prospect.why = "its input does not change";
   for (const std::vector<std::string>& names : bindings) {
-    for (const std::string& name : names) {
-      const std::vector<double>& values = find_column(data, name)->values;
-      if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) {
-        prospect.why = "its input has gaps";
-      }
-    }
+    if (inputs_of(*prospect.effect, names, data).has_gaps) prospect.why = "its input has gaps";
   }
 }
 

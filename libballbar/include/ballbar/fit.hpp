@@ -35,9 +35,9 @@ struct FittedParameter {
 };
 
 struct FitOptions {
-  bool robust = false;     // Tukey's biweight
-  bool white = false;      // ordinary least squares: no noise model
-  std::size_t starts = 3;  // of the shape parameters
+  bool robust = false;                        // Tukey's biweight
+  bool white = false;                         // ordinary least squares: no noise model
+  std::size_t starts = 3;                     // of the shape parameters
   std::optional<Noise> noise = std::nullopt;  // of the residual, known: not estimated
 };
 

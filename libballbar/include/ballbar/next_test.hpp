@@ -1,7 +1,7 @@
 // The experiment that would tell the remaining candidates apart, and how well.
 //
-// A menu of tests a shop can do (standstill, stop and go, another speed, two dwell lengths, a step of the room or of the
-// coolant, the same again after a new set-up; on recordings the other direction, another feed, another radius) is
+// A menu of tests a shop can do (standstill, stop and go, another speed, two dwell lengths, a step of the room or of
+// the coolant, the same again after a new set-up; on recordings the other direction, another feed, another radius) is
 // predicted: temperatures follow speed and room as they did in the data, every candidate adds what it was fitted to.
 // Old and new data are whitened by the noise and freed of the model, of a new constant and of the other candidate with
 // its shapes; what is left of one candidate,
