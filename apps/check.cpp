@@ -8,8 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "ballbar/measured_input.hpp"
-#include "ballbar/residual.hpp"
+#include "checked.hpp"
 #include "commands.hpp"
 #include "model_options.hpp"
 #include "text.hpp"
@@ -23,12 +22,6 @@ constexpr std::size_t kWidest = 120;  // of a table
 struct Options {
   ModelOptions model;
   bool json = false;
-};
-
-struct Checked {
-  Fit fit;
-  std::vector<Misfit> where;
-  Whiteness whiteness;
 };
 
 // The parameter that varies with it most, where that matters.
@@ -72,12 +65,6 @@ Table parameter_table(const Fit& fit) {
   return table;
 }
 
-// Enough that a residual of this size shows two digits.
-int decimals_of(double rmse_um) {
-  if (!(rmse_um > 0.0)) return 2;
-  return std::clamp(1 - static_cast<int>(std::floor(std::log10(rmse_um))), 2, 6);
-}
-
 // Regimes and quadrants whole, then the groups that hold more of the misfit than their share of the rows.
 std::vector<Misfit> worth_showing(const Checked& checked) {
   std::vector<Misfit> shown, rest;
@@ -113,21 +100,6 @@ std::string noise_text(const Noise& noise) {
                      duration_text(noise.correlation_time_s));
 }
 
-bool has_floor(const Fit& fit) { return !fit.floor.source.empty() && fit.floor.rms_um > 0.0; }
-
-std::string independent_text(double n) { return n < 100.0 ? fmt::format("{:.1f}", n) : fmt::format("{:.0f}", n); }
-
-std::string floor_text(const Fit& fit) {
-  const int decimals = decimals_of(fit.rmse_um) + 1;
-  const std::string of_floor =
-      has_floor(fit) ? fmt::format(", {} times the floor of {} um ({})", fixed(fit.rmse_um / fit.floor.rms_um, 2),
-                                   fixed(fit.floor.rms_um, decimals), fit.floor.source)
-                     : "";
-  const std::string rmse = fit.rmse_um < 1e-6 ? "below 0.000001" : fixed(fit.rmse_um, decimals);
-  return fmt::format("RMSE {} um{}. {} values, as good as {} independent ones.", rmse, of_floor, fit.residual_um.size(),
-                     independent_text(fit.n_effective));
-}
-
 std::string whiteness_text(const Whiteness& whiteness, std::size_t n) {
   std::vector<std::string> lags;
   for (std::size_t k = 0; k < std::min<std::size_t>(5, whiteness.autocorrelation.size()); ++k) {
@@ -143,21 +115,10 @@ std::string whiteness_text(const Whiteness& whiteness, std::size_t n) {
                             whiteness.periodogram_distance, p);
 }
 
-void print_sentences(const Checked& checked) {
-  for (const std::string& sentence : sentences(checked.fit, checked.where, checked.whiteness)) {
-    fmt::print("{}", wrapped(sentence));
-  }
-}
-
 void print_remarks(const Fit& fit) {
   const std::size_t discounted = fit.discounted.size();
   if (discounted > 0) fmt::print("{} {} discounted.\n", discounted, discounted == 1 ? "value was" : "values were");
   for (const std::string& remark : fit.remarks) fmt::print("{}", wrapped(remark));
-}
-
-std::string heading(const Fit& fit) {
-  return fmt::format("{}, {} values over {}", fit.target, fit.residual_um.size(),
-                     duration_text(fit.time_s.back() - fit.time_s.front()));
 }
 
 void print_text(const Checked& checked, const std::string& title) {
@@ -183,95 +144,12 @@ void print_targets(const std::vector<Checked>& all, const std::string& title) {
   fmt::print("\n{}\n--target {} shows one target in full.\n", table.text(kWidest), all.front().fit.target);
 }
 
-const char* state_name(ParameterState state) {
-  switch (state) {
-    case ParameterState::free:
-      return "free";
-    case ParameterState::held:
-      return "held";
-    case ParameterState::on_lower_bound:
-      return "on lower bound";
-    case ParameterState::on_upper_bound:
-      return "on upper bound";
-    case ParameterState::undetermined:
-      return "undetermined";
-  }
-  return "free";
-}
-
-nlohmann::ordered_json number(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  return value;
-}
-
-nlohmann::ordered_json json_of(const Checked& checked) {
-  const Fit& fit = checked.fit;
-  nlohmann::ordered_json json;
-  json["target"] = fit.target;
-  json["rmse_um"] = number(fit.rmse_um);
-  json["floor_um"] = has_floor(fit) ? number(fit.floor.rms_um) : nullptr;
-  json["floor_source"] = fit.floor.source;
-  json["n"] = fit.residual_um.size();
-  json["n_effective"] = number(fit.n_effective);
-  json["adequate"] = is_adequate(fit, checked.whiteness);
-  json["where"] = nlohmann::ordered_json::array();
-  for (const Misfit& misfit : checked.where) {
-    json["where"].push_back({{"what", misfit.what},
-                             {"from", misfit.from},
-                             {"to", misfit.to},
-                             {"n", misfit.n},
-                             {"bias_um", number(misfit.bias_um)},
-                             {"bias_sigma_um", number(misfit.bias_sigma_um)},
-                             {"rmse_um", number(misfit.rmse_um)},
-                             {"share", number(misfit.share)}});
-  }
-  json["parameters"] = nlohmann::ordered_json::array();
-  for (const FittedParameter& parameter : fit.parameters) {
-    json["parameters"].push_back({{"effect", parameter.effect},
-                                  {"name", parameter.name},
-                                  {"value", number(parameter.value)},
-                                  {"sigma", number(parameter.sigma)},
-                                  {"unit", parameter.unit},
-                                  {"state", state_name(parameter.state)}});
-  }
-  json["correlation"] = nlohmann::ordered_json::array();
-  for (Eigen::Index i = 0; i < fit.covariance.rows(); ++i) {
-    nlohmann::ordered_json row = nlohmann::ordered_json::array();
-    for (Eigen::Index j = 0; j < fit.covariance.cols(); ++j) {
-      row.push_back(number(fit.covariance(i, j) / std::sqrt(fit.covariance(i, i) * fit.covariance(j, j))));
-    }
-    json["correlation"].push_back(std::move(row));
-  }
-  json["noise"] = {{"white_um", number(fit.noise.white_um)},
-                   {"correlated_um", number(fit.noise.correlated_um)},
-                   {"correlation_time_s", number(fit.noise.correlation_time_s)}};
-  json["whiteness"] = {{"autocorrelation", checked.whiteness.autocorrelation},
-                       {"periodogram_distance", number(checked.whiteness.periodogram_distance)},
-                       {"p", number(checked.whiteness.p)}};
-  json["sentences"] = sentences(fit, checked.where, checked.whiteness);
-  json["converged"] = fit.converged;
-  json["remarks"] = fit.remarks;
-  return json;
-}
-
 void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
   std::vector<Checked> all;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
-    Checked checked;
-    checked.fit = fit_of(options.model, model, data, target);
-    checked.where = where_it_fails(checked.fit, data.series);
-    checked.whiteness = whiteness(checked.fit);
-    for (const std::string& name : measured_inputs_with_gaps(model, data.series)) {
-      const auto& values = find_column(data.series, name)->values;
-      const auto known = std::count_if(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-      checked.fit.remarks.push_back(fmt::format(
-          "{} is an input measured at {} of {} times: between them it is a straight line, outside them the nearest "
-          "value.",
-          name, known, values.size()));
-    }
-    all.push_back(std::move(checked));
+    all.push_back(checked(options.model, model, data, target));
   }
   if (options.json) {
     nlohmann::ordered_json targets = nlohmann::ordered_json::array();

@@ -15,6 +15,7 @@ void add_simulate(CLI::App& app);
 void add_effects(CLI::App& app);
 void add_preflight(CLI::App& app);
 void add_check(CLI::App& app);
+void add_diagnose(CLI::App& app);
 void add_predict(CLI::App& app);
 
 }  // namespace ballbar::commands

@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
   ballbar::commands::add_effects(app);
   ballbar::commands::add_preflight(app);
   ballbar::commands::add_check(app);
+  ballbar::commands::add_diagnose(app);
   ballbar::commands::add_predict(app);
   try {
     app.parse(argc, argv);

@@ -12,6 +12,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kMostOnsets = 400;
+constexpr double kSameAsExpansion = 0.99;
 constexpr double kNothingLeft = 1e-8;  // share of a column's square
 
 bool is_constant(const std::vector<double>& values) {
@@ -38,6 +39,16 @@ std::vector<Eigen::VectorXd> gains_of(const Effect& effect, const EffectRows& in
     gains.push_back(std::move(column));
   }
   return gains;
+}
+
+// Play that never gives way holds the whole expansion back: it shows no loop and is expansion under another name.
+bool is_stuck(const Effect& effect, const EffectRows& inputs, const std::vector<std::size_t>& rows,
+              const Eigen::VectorXd& gain) {
+  if (effect.name != "play_hysteresis") return false;
+  Eigen::VectorXd input(gain.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) input[static_cast<Eigen::Index>(i)] = inputs.inputs[0][rows[i]];
+  const Eigen::VectorXd a = input.array() - input.mean(), b = gain.array() - gain.mean();
+  return std::abs(a.dot(b)) > kSameAsExpansion * a.norm() * b.norm();
 }
 
 std::vector<double> onsets(const EffectRows& rows, std::size_t most) {
@@ -112,7 +123,7 @@ Bank bank_of(const Model& model, const Series& data, const Fit& fit, const BankO
       Family family{effect, std::move(names), bank.signatures.size(), 0};
       for (std::vector<double>& point : shapes_of(*effect, inputs, options)) {
         std::vector<Eigen::VectorXd> gains = gains_of(*effect, inputs, point, fit.row);
-        if (gains.empty()) continue;
+        if (gains.empty() || is_stuck(*effect, inputs, fit.row, gains.front())) continue;
         Signature signature{bank.families.size(), std::move(point), static_cast<Eigen::Index>(columns.size()),
                             static_cast<Eigen::Index>(gains.size()),
                             gains.front().maxCoeff() - gains.front().minCoeff()};

@@ -46,7 +46,8 @@ struct BankOptions {
 };
 
 // Families of effects that are in the model on the same columns are left out, but for time-only ones with an onset or
-// a period, and those whose inputs are constant or have gaps.
+// a period, and those whose inputs are constant or have gaps; and shapes of play that the input
+// never moves.
 Bank bank_of(const Model& model, const Series& data, const Fit& fit, const BankOptions& options = {});
 
 // What an effect bound to these columns is evaluated on; `rows` points into `values`.

@@ -10,7 +10,6 @@
 namespace ballbar {
 namespace {
 
-constexpr double kChance = 0.01;
 constexpr double kSameDirection = 0.98;  // coherence beyond which two signatures are not fitted together
 constexpr std::size_t kPairs = 25;
 constexpr std::size_t kFamiliesOfAnEffect = 6;
@@ -23,7 +22,7 @@ class Search {
     along_ = projected.columns.transpose() * projected.residual;
     scores_ = scores(bank, projected, projected.residual);
     for (const Family& family : bank.families) {
-      threshold_.push_back(null != nullptr ? null->threshold(*family.effect, kChance) : 10.0);
+      threshold_.push_back(null != nullptr ? null->threshold(*family.effect) : 10.0);
     }
   }
 

@@ -40,6 +40,8 @@ bool suits(const Effect& effect, const Input& input, const Column& column, const
   if (unit == "um") return is_axial(data, column.name);
   if (effect.name == "bar_temperature") return column.name.find("bar") != std::string::npos;
   if (effect.name == "clock_offset") return is_read(model, column.name);
+  const bool elsewhere = column.role == Role::ambient || column.role == Role::coolant;
+  if (effect.name == "bearing_rings" || effect.name == "viscosity_feedback") return unit == "rpm" || !elsewhere;
   return true;
 }
 

@@ -123,16 +123,18 @@ std::vector<std::size_t> cycles_of(const Series& data, const std::vector<std::si
   return now == 0 ? parts_of(data.time_s, rows, kParts) : cycle;
 }
 
-double held_out_rmse_um(const Leftover& leftover, const Noise& noise, const std::vector<std::size_t>& cycle) {
+HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector<std::size_t>& cycle) {
   const std::size_t cycles = *std::max_element(cycle.begin(), cycle.end()) + 1;
-  double squares = 0.0;
+  HeldOut result;
   for (std::size_t out = 0; out < cycles; ++out) {
     std::vector<Eigen::Index> kept, left;
-    Leftover rest;
+    Leftover rest, own;
     for (std::size_t i = 0; i < cycle.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
       if (cycle[i] == out) {
         left.push_back(row);
+        own.time_s.push_back(leftover.time_s[i]);
+        if (!leftover.sigma_um.empty()) own.sigma_um.push_back(leftover.sigma_um[i]);
         continue;
       }
       kept.push_back(row);
@@ -145,9 +147,12 @@ double held_out_rmse_um(const Leftover& leftover, const Noise& noise, const std:
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
     solver.setThreshold(1e-6);
     solver.compute(x);
-    squares += (leftover.residual_um(left) - leftover.model(left, Eigen::all) * solver.solve(r)).squaredNorm();
+    const Eigen::VectorXd error = leftover.residual_um(left) - leftover.model(left, Eigen::all) * solver.solve(r);
+    result.rmse_um += error.squaredNorm();
+    result.chi2 += whitened(whitening_of(own, noise), error).squaredNorm();
   }
-  return std::sqrt(squares / static_cast<double>(cycle.size()));
+  result.rmse_um = std::sqrt(result.rmse_um / static_cast<double>(cycle.size()));
+  return result;
 }
 
 double p_same_gain(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise,

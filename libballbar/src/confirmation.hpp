@@ -14,9 +14,13 @@ namespace ballbar {
 // a speed that changes five parts of the time.
 std::vector<std::size_t> cycles_of(const Series& data, const std::vector<std::size_t>& rows);
 
-// RMSE of each cycle's rows predicted from the others', all rows together. The model is taken as linear about its fit,
-// so that shapes move too; the cycle left out counts as a gap in the noise's memory.
-double held_out_rmse_um(const Leftover& leftover, const Noise& noise, const std::vector<std::size_t>& cycle);
+// Each cycle's rows predicted from the others'. The model is taken as linear about its fit, so that shapes move too;
+// the cycle left out counts as a gap in the noise's memory.
+struct HeldOut {
+  double rmse_um = 0.0;  // of all rows
+  double chi2 = 0.0;     // whitened by the noise within each cycle: what a slow noise adds to the RMSE counts little
+};
+HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector<std::size_t>& cycle);
 
 // Chance of gains as different from cycle to cycle as these: chi^2 of one gain for each cycle against one for all.
 // columns: of the candidate alone, n by its gains; leftover.model the rest.

@@ -26,7 +26,8 @@ constexpr std::size_t kMostRows = 1500;
 constexpr double kChance = 0.01;
 constexpr double kNearlyAsGood = 6.0;  // 2 ln L
 constexpr double kWorthRefitting = 12.0;
-constexpr std::size_t kRefitted = 8;
+constexpr double kGridError = 0.1;  // share of the evidence that a point of a grid may lack
+constexpr std::size_t kRefitted = 14;
 constexpr double kFewestEvidence = 25.0;  // d = 5
 constexpr double kSmoothEvidence = 18.0;  // of a smooth curve that is more than noise
 constexpr double kSameGain = 0.001;
@@ -112,7 +113,7 @@ class Case {
   }
 
   // Terms of the set added to the model, shapes free from their grid point, held ones held there; fitted.
-  Refitted refitted(const Set& set) const {
+  Refitted refitted(const Set& set, const Noise& noise) const {
     Refitted result{set, model_, {}, {}, {}, 0.0, 0.0};
     for (const std::size_t index : set) {
       Term term = term_of(family(index).effect->name, family(index).columns, model_.level);
@@ -124,7 +125,9 @@ class Case {
       }
       result.model.terms.push_back(std::move(term));
     }
-    result.fit = fit(result.model, data_, target_index());
+    FitOptions options;
+    options.noise = noise;
+    result.fit = fit(result.model, data_, target_index(), options);
     result.leftover = leftover_of(result.fit);
     const Explained rest =
         explained(result.leftover, Eigen::MatrixXd(result.leftover.residual_um.size(), 0), result.fit.noise, 2);
@@ -225,7 +228,7 @@ std::vector<Set> swaps(const Case& now, const Projected& seen, const Set& set) {
       for (std::size_t i = family.first; i < family.first + family.count; ++i) {
         if (gain(i) > gain(best)) best = i;
       }
-      if (gain(best) < own - 2.0 * kWorthRefitting || gain(best) < 0.5 * own) continue;
+      if (gain(best) < 0.8 * own - kWorthRefitting) continue;
       Set swapped = others;
       swapped.push_back(best);
       result.push_back(std::move(swapped));
@@ -240,7 +243,7 @@ bool has(const Case& now, const Set& set, const BoundEffect& bound) {
 
 double thresholds(const Case& now, const SearchNull& null, const Set& set) {
   double sum = 0.0;
-  for (const std::size_t index : set) sum += null.threshold(*now.family(index).effect, kChance);
+  for (const std::size_t index : set) sum += null.threshold(*now.family(index).effect);
   return sum;
 }
 
@@ -382,7 +385,7 @@ Diagnosis diagnose(const Model& model, const Series& all, std::size_t target, co
     const Effect& effect = *now.family(i).effect;
     result.p_anything = std::min(result.p_anything, null.p_search(effect, score[static_cast<Eigen::Index>(i)]));
     if (seen.share[i] < 0.05) continue;
-    const double um = std::sqrt(null.threshold(effect, kChance)) * now.at(i).range_um / seen.norm[i];
+    const double um = std::sqrt(null.threshold(effect)) * now.at(i).range_um / seen.norm[i];
     if (um >= result.smallest_um) continue;
     result.smallest_um = um;
     result.smallest = now.bound(i);
@@ -413,17 +416,20 @@ Diagnosis diagnose(const Model& model, const Series& all, std::size_t target, co
     }
   }
 
+  const double allowance =
+      kWorthRefitting +
+      kGridError * std::max(0.0, 2.0 * (now.evaluated(sets.front(), noise).log_likelihood - base_log_likelihood));
   std::vector<Refitted> refits;
   std::vector<std::vector<BoundEffect>> done;
   for (const Set& set : sets) {
-    if (refits.size() == kRefitted || penalised(set) < penalised(sets.front()) - kWorthRefitting) break;
+    if (refits.size() == kRefitted || penalised(set) < penalised(sets.front()) - allowance) break;
     std::vector<BoundEffect> key;
     for (const std::size_t index : set) key.push_back(now.bound(index));
     std::sort(key.begin(), key.end(),
               [](const BoundEffect& a, const BoundEffect& b) { return label_of(a) < label_of(b); });
     if (std::find(done.begin(), done.end(), key) != done.end()) continue;
     done.push_back(std::move(key));
-    Refitted refit = now.refitted(set);
+    Refitted refit = now.refitted(set, noise);
     refit.penalised = 2.0 * refit.log_likelihood - thresholds(now, null, set);
     refits.push_back(std::move(refit));
   }
@@ -441,10 +447,12 @@ Diagnosis diagnose(const Model& model, const Series& all, std::size_t target, co
     const Refitted without = now.without(best, m);
     const Effect& effect = *candidate.bound.effect;
     candidate.evidence = 2.0 * (best.log_likelihood - without.log_likelihood);
-    candidate.threshold = null.threshold(effect, kChance);
+    candidate.threshold = null.threshold(effect);
     candidate.p_search = null.p_search(effect, candidate.evidence);
-    candidate.held_out_before_um = held_out_rmse_um(without.leftover, best.noise, cycle);
-    candidate.held_out_after_um = held_out_rmse_um(best.leftover, best.noise, cycle);
+    const HeldOut before = held_out(without.leftover, best.noise, cycle),
+                  after = held_out(best.leftover, best.noise, cycle);
+    candidate.held_out_before_um = before.rmse_um;
+    candidate.held_out_after_um = after.rmse_um;
     candidate.p_same_gain =
         p_same_gain(best.leftover, gain_columns(best.fit, best.model, model.terms.size() + m), best.noise, cycle);
     if (!effect.time_only && model.level == Level::series) {
@@ -493,13 +501,13 @@ Diagnosis diagnose(const Model& model, const Series& all, std::size_t target, co
                                      [&](const Candidate& candidate) { return candidate.bound == bound; });
       if (there) continue;
       Candidate candidate = candidate_of(now, refit, m);
-      candidate.threshold = null.threshold(*bound.effect, kChance);
+      candidate.threshold = null.threshold(*bound.effect);
       Set others = refit.set;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(m));
       candidate.evidence = 2.0 * (refit.log_likelihood - now.evaluated(others, noise).log_likelihood);
       candidate.p_search = null.p_search(*bound.effect, candidate.evidence);
-      candidate.held_out_before_um = held_out_rmse_um(now.leftover(), noise, cycle);
-      candidate.held_out_after_um = held_out_rmse_um(refit.leftover, refit.noise, cycle);
+      candidate.held_out_before_um = held_out(now.leftover(), noise, cycle).rmse_um;
+      candidate.held_out_after_um = held_out(refit.leftover, refit.noise, cycle).rmse_um;
       result.candidates.push_back(std::move(candidate));
     }
   }

@@ -80,7 +80,8 @@ double SearchNull::p_search(const Effect& effect, double score) const {
   return rarest_.p(-std::log(std::max(p_of_effect(effect, score), 1e-300)));
 }
 
-double SearchNull::threshold(const Effect& effect, double chance) const {
+double SearchNull::threshold(const Effect& effect) const {
+  const double chance = effect.time_only ? 0.001 : 0.01;
   return tails_.at(index_of(effect)).quantile(std::exp(-rarest_.quantile(chance)));
 }
 

@@ -20,8 +20,9 @@ class SearchNull {
   double p_of_effect(const Effect& effect, double score) const;
   // Chance that any effect of the search shows something as rare.
   double p_search(const Effect& effect, double score) const;
-  // Score of this effect that the search as a whole exceeds with this chance.
-  double threshold(const Effect& effect, double chance) const;
+  // Score of this effect that the search as a whole exceeds by chance in 1 %; of what needs nothing but time, and so
+  // imitates anything slow, in 0.1 %.
+  double threshold(const Effect& effect) const;
 
  private:
   struct Tail {

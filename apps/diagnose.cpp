@@ -1,0 +1,280 @@
+// `ballbar diagnose DATA --model M`: which physical effect the model lacks, or that the data cannot tell.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/diagnosis.hpp"
+#include "ballbar/next_test.hpp"
+#include "checked.hpp"
+#include "commands.hpp"
+#include "model_options.hpp"
+#include "text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+constexpr std::size_t kWidest = 120;
+
+struct Options {
+  ModelOptions model;
+  double tolerance_um = 0.0;
+  std::uint64_t seed = 1;
+  bool json = false;
+};
+
+struct Diagnosed {
+  Checked checked;
+  Diagnosis diagnosis;
+  std::vector<NextTest> next_tests;
+};
+
+std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {
+  std::vector<std::string> texts;
+  for (const BoundEffect& bound : bounds) texts.push_back(label_of(bound));
+  return fmt::format("{}", fmt::join(texts, between));
+}
+
+std::string p_text(double p) { return p < 0.0005 ? "< 0.1 %" : fmt::format("{:.1f} %", 100.0 * p); }
+
+const Candidate* candidate_of(const Diagnosis& diagnosis, const BoundEffect& bound) {
+  const auto at = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                               [&](const Candidate& candidate) { return candidate.bound == bound; });
+  return at == diagnosis.candidates.end() ? nullptr : &*at;
+}
+
+// The verdict in words, whole sentences.
+std::string verdict_text(const Diagnosis& found) {
+  std::string text = fmt::format("Verdict: {}. ", name_of(found.verdict));
+  const std::string searched = fmt::format("after searching {} effects", found.searched_effects);
+  const std::string chance = fmt::format("A data set without any effect shows one as clear in {} of cases, {}.",
+                                         p_text(found.p_anything), searched);
+  switch (found.verdict) {
+    case Verdict::named:
+      text += fmt::format("What is missing is {}.", labels(found.named, " and "));
+      for (const BoundEffect& bound : found.named) {
+        const Candidate* candidate = candidate_of(found, bound);
+        if (candidate != nullptr && candidate->minor) text += fmt::format(" {} is minor.", label_of(bound));
+      }
+      for (const std::vector<BoundEffect>& group : found.equivalent) {
+        text += fmt::format(" Beside it something that the data cannot tell apart: {}.", labels(group, " or "));
+      }
+      text += " " + chance;
+      break;
+    case Verdict::equivalent:
+      text += "Something is missing, and the data cannot tell what. They are consistent with ";
+      for (std::size_t i = 0; i < found.equivalent.size(); ++i) {
+        text += fmt::format("{}{}", i == 0 ? "" : "; and with ", labels(found.equivalent[i], " or "));
+      }
+      text += ". " + chance;
+      break;
+    case Verdict::unexplained:
+      text +=
+          "Something is missing that is no effect of the catalogue, or none that these data allow to test. " + chance;
+      break;
+    case Verdict::untestable:
+      text += "These data could not have shown a missing effect.";
+      break;
+    case Verdict::nothing:
+      text += fmt::format("No effect was found. {} ", chance);
+      if (std::isfinite(found.smallest_um) && found.smallest.effect != nullptr) {
+        text += fmt::format("The smallest that would have been: {:.2g} um of {}.", found.smallest_um,
+                            label_of(found.smallest));
+      }
+      break;
+  }
+  return text;
+}
+
+Table candidate_table(const Diagnosis& found) {
+  Table table(
+      {"candidate", "amplitude um", "RMSE um", "held out um", "evidence", "needed", "by chance", "not told from"});
+  const int decimals = decimals_of(found.base.rmse_um);
+  std::vector<const Candidate*> order;
+  for (const Candidate& candidate : found.candidates) order.push_back(&candidate);
+  std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) {
+    if (a->in_best_set != b->in_best_set) return a->in_best_set;
+    return a->evidence > b->evidence;
+  });
+  const auto number_of = [&](const std::string& label) {
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (label_of(order[i]->bound) == label) return fmt::format("{}", i + 1);
+    }
+    return label;
+  };
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Candidate& candidate = *order[i];
+    std::vector<std::string> same;
+    for (const std::string& label : candidate.inseparable_from) same.push_back(number_of(label));
+    table.add(
+        {fmt::format("{} {}{}", i + 1, shortened(label_of(candidate.bound), 44), candidate.in_best_set ? " *" : ""),
+         with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, decimals),
+         fmt::format("{:.{}f}", candidate.rmse_after_um, decimals + 1),
+         fmt::format("{:.{}f} -> {:.{}f}", candidate.held_out_before_um, decimals, candidate.held_out_after_um,
+                     decimals),
+         fmt::format("{:.0f}", candidate.evidence), fmt::format("{:.0f}", candidate.threshold),
+         p_text(candidate.p_search), same.empty() ? "-" : fmt::format("{}", fmt::join(same, ", "))});
+  }
+  return table;
+}
+
+// What several effects have in common is said once.
+std::string untestable_text(const Diagnosis& found) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
+  for (const Prospect& prospect : found.prospects) {
+    if (prospect.testability == Testability::testable || prospect.testability == Testability::in_the_model ||
+        prospect.testability == Testability::other_motion) {
+      continue;
+    }
+    auto at = std::find_if(reasons.begin(), reasons.end(), [&](const auto& one) { return one.first == prospect.why; });
+    if (at == reasons.end()) at = reasons.insert(reasons.end(), {prospect.why, {}});
+    at->second.push_back(prospect.effect->name);
+  }
+  std::vector<std::string> texts;
+  for (const auto& [why, names] : reasons) texts.push_back(fmt::format("{} ({})", fmt::join(names, ", "), why));
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+std::string next_text(const Diagnosed& diagnosed) {
+  if (diagnosed.next_tests.empty() || diagnosed.next_tests.front().text.empty()) return "";
+  return fmt::format("Next test: {}", diagnosed.next_tests.front().text);
+}
+
+void print_text(const Diagnosed& diagnosed, const std::string& title) {
+  const Diagnosis& found = diagnosed.diagnosis;
+  fmt::print("{}\n{}\n\n{}\n", title, heading(diagnosed.checked.fit), wrapped(verdict_text(found)));
+  print_sentences(diagnosed.checked);
+  fmt::print("{}", wrapped(floor_text(diagnosed.checked.fit)));
+  if (!found.candidates.empty()) {
+    fmt::print("\n{}", candidate_table(found).text(kWidest));
+    fmt::print("{}",
+               wrapped("* the best set, each beside the others. RMSE with it; held out: cycles left out, before and "
+                       "after. Evidence: 2 ln of the likelihood ratio; needed: what 1 % of searches find by chance."));
+  }
+  std::string falls;
+  if (found.best_fake_fall > 0.0) {
+    falls = fmt::format("The best fake of 200 with the same smoothness lowers the RMSE by {:.0f} %",
+                        100.0 * found.best_fake_fall);
+    falls += fmt::format("; the best set by {:.0f} %. ", 100.0 * (1.0 - found.rmse_after_um / found.base.rmse_um));
+  }
+  falls += fmt::format("Evidence of the most likely smooth curve: {:.0f}.", std::max(0.0, found.smooth_evidence));
+  fmt::print("\n{}", wrapped(falls));
+  if (!found.reasons.empty()) fmt::print("\nWhy it is not named, or not all of it:\n");
+  for (const std::string& reason : found.reasons) fmt::print("{}", wrapped("- " + reason));
+  const std::string untestable = untestable_text(found);
+  if (!untestable.empty()) fmt::print("\n{}", wrapped("Not testable here: " + untestable + "."));
+  const std::string next = next_text(diagnosed);
+  if (!next.empty()) fmt::print("\n{}", wrapped(next));
+}
+
+nlohmann::ordered_json json_of(const BoundEffect& bound) {
+  nlohmann::ordered_json columns = nlohmann::ordered_json::object();
+  for (std::size_t k = 0; k < bound.columns.size(); ++k) columns[bound.effect->inputs[k].role] = bound.columns[k];
+  return {{"effect", bound.effect->name}, {"columns", columns}};
+}
+
+nlohmann::ordered_json json_of(const Candidate& candidate) {
+  nlohmann::ordered_json json = json_of(candidate.bound);
+  json["amplitude_um"] = number(candidate.amplitude_um);
+  json["amplitude_sigma_um"] = number(candidate.amplitude_sigma_um);
+  json["rmse_after_um"] = number(candidate.rmse_after_um);
+  json["held_out_before_um"] = number(candidate.held_out_before_um);
+  json["held_out_after_um"] = number(candidate.held_out_after_um);
+  json["evidence"] = number(candidate.evidence);
+  json["evidence_needed"] = number(candidate.threshold);
+  json["p_search"] = number(candidate.p_search);
+  json["p_same_gain"] = number(candidate.p_same_gain);
+  json["beats_fakes"] = candidate.beats_fakes;
+  json["in_best_set"] = candidate.in_best_set;
+  json["minor"] = candidate.minor;
+  json["inseparable_from"] = candidate.inseparable_from;
+  json["parameters"] = nlohmann::ordered_json::array();
+  for (const FittedParameter& parameter : candidate.parameters) {
+    json["parameters"].push_back({{"name", parameter.name},
+                                  {"value", number(parameter.value)},
+                                  {"sigma", number(parameter.sigma)},
+                                  {"unit", parameter.unit}});
+  }
+  return json;
+}
+
+nlohmann::ordered_json json_of(const Diagnosed& diagnosed) {
+  const Diagnosis& found = diagnosed.diagnosis;
+  nlohmann::ordered_json json = ballbar::json_of(diagnosed.checked);
+  json["verdict"] = name_of(found.verdict);
+  json["verdict_text"] = verdict_text(found);
+  json["named"] = nlohmann::ordered_json::array();
+  for (const BoundEffect& bound : found.named) json["named"].push_back(json_of(bound));
+  json["equivalent"] = nlohmann::ordered_json::array();
+  for (const std::vector<BoundEffect>& group : found.equivalent) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const BoundEffect& bound : group) list.push_back(json_of(bound));
+    json["equivalent"].push_back(std::move(list));
+  }
+  json["candidates"] = nlohmann::ordered_json::array();
+  for (const Candidate& candidate : found.candidates) json["candidates"].push_back(json_of(candidate));
+  json["p_anything"] = number(found.p_anything);
+  json["smooth_evidence"] = number(found.smooth_evidence);
+  json["best_fake_fall"] = number(found.best_fake_fall);
+  json["smallest_um"] = number(found.smallest_um);
+  json["untestable"] = nlohmann::ordered_json::array();
+  for (const Prospect& prospect : found.prospects) {
+    if (prospect.testability == Testability::testable || prospect.testability == Testability::in_the_model) continue;
+    json["untestable"].push_back({{"effect", prospect.effect->name}, {"why", prospect.why}});
+  }
+  json["reasons"] = found.reasons;
+  json["next_test"] = nullptr;
+  if (!diagnosed.next_tests.empty()) {
+    json["next_test"] = {{"text", diagnosed.next_tests.front().text},
+                         {"separation", number(diagnosed.next_tests.front().separation)}};
+  }
+  return json;
+}
+
+void run(const Options& options) {
+  const ModelData data = open_data(options.model);
+  const Model model = open_model(options.model, data);
+  nlohmann::ordered_json targets = nlohmann::ordered_json::array();
+  for (std::size_t target = 0; target < model.targets.size(); ++target) {
+    Diagnosed diagnosed;
+    diagnosed.checked = checked(options.model, model, data, target);
+    DiagnosisOptions how;
+    how.motion = data.motion;
+    how.tolerance_um = options.tolerance_um;
+    how.seed = options.seed;
+    diagnosed.diagnosis = diagnose(model, data.series, target, how);
+    diagnosed.next_tests = next_tests(model, data.series, diagnosed.diagnosis);
+    if (options.json) {
+      targets.push_back(json_of(diagnosed));
+      continue;
+    }
+    if (target > 0) fmt::print("\n");
+    print_text(diagnosed, data.title);
+  }
+  if (!options.json) return;
+  const nlohmann::ordered_json several{{"targets", targets}};
+  fmt::print("{}\n", (targets.size() == 1 ? targets.front() : several).dump(2));
+}
+
+}  // namespace
+
+void add_diagnose(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("diagnose", "Which physical effect a model lacks");
+  add_model_options(*command, options->model, false);
+  command->add_option("--tolerance-um", options->tolerance_um, "smaller effects are called minor")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--seed", options->seed, "of the random draws; the same seed gives the same result");
+  command->add_flag("--json", options->json, "the result for a program");
+  command->footer(
+      "Example:\n"
+      "  ballbar diagnose sample-runs/spindle-46h/measured.csv --model sample-runs/spindle-46h/speed.toml "
+      "--target ch3_um");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands
