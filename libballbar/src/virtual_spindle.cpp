@@ -27,6 +27,9 @@ void expect_not_negative(std::initializer_list<Named> numbers) {
   }
 }
 
+// Never the zero with a minus, which a file would show.
+double reading(double value, double resolution) { return simulation::rounded(value, resolution) + 0.0; }
+
 // Student's t with f degrees of freedom, sqrt(f - 2) / sqrt(f) of it, so that the standard deviation is 1:
 // t = w_0 / sqrt((w_1^2 + ... + w_f^2) / f), w normal.
 double heavy_tailed(std::mt19937_64& random, double freedom) {
@@ -51,8 +54,7 @@ Column measured_position(const ThermalRun& run, const Column& truth, const Spind
   Column column{truth.name, Role::measured, {}};
   for (const double true_um : truth.values) {
     const double noise_um = measurement.noise_um * heavy_tailed(independent, measurement.tail_freedom);
-    column.values.push_back(
-        simulation::rounded(true_um + noise_um + memory_um.next(remembered), measurement.resolution_um));
+    column.values.push_back(reading(true_um + noise_um + memory_um.next(remembered), measurement.resolution_um));
   }
   return column;
 }
@@ -63,9 +65,8 @@ Column measured_sensor(const Column& sensor, const SpindleMeasurement& measureme
       simulation::stream_of(seed, simulation::Stream::signal, simulation::key_of(std::string_view(sensor.name)));
   Column column{sensor.name, sensor.role, {}};
   for (const double true_degC : sensor.values) {
-    column.values.push_back(
-        simulation::rounded(true_degC + measurement.temperature_noise_K * simulation::normal(random),
-                            measurement.temperature_resolution_K));
+    column.values.push_back(reading(true_degC + measurement.temperature_noise_K * simulation::normal(random),
+                                    measurement.temperature_resolution_K));
   }
   return column;
 }

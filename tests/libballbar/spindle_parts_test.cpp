@@ -55,6 +55,24 @@ TEST(SpindleParts, MassesOfShaftAndHousing) {
   EXPECT_NEAR(network.capacity_J_per_K.segment(shaft, housing).sum() / heat, 39.360, 1e-3);
 }
 
+// Cells of 10 mm, 45 W/m/K. Over the nose 5 mm of 2764.6 mm2 and 5 mm of 804.25 mm2: 0.04019 + 0.13815 K/W. Along a
+// side of the housing 45 * 3298.7 mm2 / 10 mm; round it 45 * 30 mm * 10 mm / (70 mm * pi / 2).
+TEST(SpindleParts, ConductionOfShaftAndHousing) {
+  const FiniteVolumeSpindle spindle;
+  const Cells cells = cells_of(spindle);
+  const Network network = network_of(spindle, {}, cells, 0.0);
+  const auto between = [&](Eigen::Index a, Eigen::Index b) {
+    double W_per_K = 0.0;
+    for (const Link& link : network.links) {
+      if ((link.a == a && link.b == b) || (link.a == b && link.b == a)) W_per_K += link.W_per_K;
+    }
+    return W_per_K;
+  };
+  EXPECT_NEAR(between(cells.shaft_node(41), cells.shaft_node(42)), 5.6072, 1e-3);
+  EXPECT_NEAR(between(cells.housing_node(3, plus_x), cells.housing_node(4, plus_x)), 14.844, 1e-3);
+  EXPECT_NEAR(between(cells.housing_node(3, minus_y), cells.housing_node(3, plus_x)), 0.12278, 1e-5);
+}
+
 // Cells that do not end where the bodies do still carry the whole of each contact.
 TEST(SpindleParts, ContactsAreWholeOnAnyGrid) {
   for (const double number : {7.0, 52.0, 131.0}) {
