@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "ballbar/error.hpp"
 #include "spindle_network.hpp"
 #include "spindle_tip.hpp"
 
@@ -78,6 +79,7 @@ class Machine {
     const thermal::ImplicitStep forever(network, std::numeric_limits<double>::infinity(), heat, guess);
     temperature_degC_ = start_degC_ =
         forever.next(guess, surroundings_degC(plan.time_s.front()), heat).temperature_degC;
+    expect_finite();
   }
 
   const thermal::Cells& cells() const { return cells_; }
@@ -118,6 +120,7 @@ class Machine {
     };
     const thermal::Stepped stepped = implicit_->next(temperature_degC_, surroundings_degC, heat);
     temperature_degC_ = stepped.temperature_degC;
+    expect_finite();
     stale_ = stepped.repetitions > kManyRepetitions;
 
     const double chiller_W = chilled ? spindle_.chiller_W : 0.0;
@@ -125,6 +128,11 @@ class Machine {
     balance_.source_J += (stepped.heat_W.sum() + chiller_W) * implicit_step_s_;
     balance_.room_J += given[thermal::room] * implicit_step_s_;
     balance_.chiller_J += (given[thermal::set_point] + chiller_W) * implicit_step_s_;
+  }
+
+  void expect_finite() const {
+    if (temperature_degC_.allFinite()) return;
+    throw Error("spindle: expected finite temperatures of these masses, conductances, oil and speeds, found others.");
   }
 
   // Steps that differ by rounding alone share one matrix.

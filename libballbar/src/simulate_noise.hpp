@@ -17,7 +17,8 @@ enum class Stream : std::uint32_t {
   signal,
   probe,
   spindle_noise,
-  spindle_memory
+  spindle_memory,
+  spindle_variety
 };
 
 // The stream of that seed, kind and key; the key is the test's time or the column's name.

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <string_view>
@@ -71,7 +72,41 @@ Column measured_sensor(const Column& sensor, const SpindleMeasurement& measureme
   return column;
 }
 
+constexpr std::array kVaried = {&FiniteVolumeSpindle::f0,
+                                &FiniteVolumeSpindle::bearing_load_N,
+                                &FiniteVolumeSpindle::inner_ring_W_per_K,
+                                &FiniteVolumeSpindle::outer_ring_W_per_K,
+                                &FiniteVolumeSpindle::motor_loss_W,
+                                &FiniteVolumeSpindle::motor_windage_W,
+                                &FiniteVolumeSpindle::shaft_turning_W_per_m2_K,
+                                &FiniteVolumeSpindle::gap_turning_W_per_m2_K,
+                                &FiniteVolumeSpindle::jacket_W_per_K,
+                                &FiniteVolumeSpindle::flow_W_per_K,
+                                &FiniteVolumeSpindle::tank_kg,
+                                &FiniteVolumeSpindle::chiller_W,
+                                &FiniteVolumeSpindle::flange_W_per_K,
+                                &FiniteVolumeSpindle::head_kg,
+                                &FiniteVolumeSpindle::column_kg,
+                                &FiniteVolumeSpindle::head_column_W_per_K,
+                                &FiniteVolumeSpindle::column_front_back_W_per_K,
+                                &FiniteVolumeSpindle::head_room_W_per_K,
+                                &FiniteVolumeSpindle::column_room_W_per_K};
+constexpr std::array kVariedShares = {&FiniteVolumeSpindle::stator_to_plus_x, &FiniteVolumeSpindle::coolant_to_plus_x,
+                                      &FiniteVolumeSpindle::flange_to_minus_y};
+
 }  // namespace
+
+FiniteVolumeSpindle varied(const FiniteVolumeSpindle& spindle, double spread, std::uint64_t seed) {
+  std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::spindle_variety, 0);
+  FiniteVolumeSpindle result = spindle;
+  for (double FiniteVolumeSpindle::*const member : kVaried) {
+    result.*member *= std::exp(spread * simulation::normal(random));
+  }
+  for (double FiniteVolumeSpindle::*const member : kVariedShares) {
+    result.*member = std::clamp(result.*member * std::exp(spread * simulation::normal(random)), -1.0, 1.0);
+  }
+  return result;
+}
 
 namespace simulation {
 

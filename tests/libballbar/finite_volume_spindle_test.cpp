@@ -252,6 +252,19 @@ TEST(FiniteVolumeSpindle, RefusesWhatMakesNoSense) {
             "spindle: expected a number from -1 to 1 for coolant_to_plus_x, found 1.5.");
 }
 
+// Each number makes sense by itself.
+TEST(FiniteVolumeSpindle, RefusesNumbersThatAreTooLargeTogether) {
+  FiniteVolumeSpindle dense;
+  dense.flow_W_per_K = 1.7e308;
+  dense.jacket_W_per_K = 1.7e308;
+  const std::string sentence =
+      "spindle: expected finite temperatures of these masses, conductances, oil and speeds, found others.";
+  EXPECT_EQ(complaint(dense, on_and_off()), sentence);
+  DutyPlan fast = on_and_off();
+  fast.speed_rpm = {1e200, 0.0};
+  EXPECT_EQ(complaint({}, fast), sentence);
+}
+
 TEST(FiniteVolumeSpindle, RefusesPlansThatMakeNoSense) {
   EXPECT_EQ(complaint({}, {}), "spindle: expected a duty plan of at least one speed, found none.");
   DutyPlan plan = on_and_off();

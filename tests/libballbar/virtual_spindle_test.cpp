@@ -117,6 +117,27 @@ TEST(VirtualSpindle, RefusesMeasurementsThatMakeNoSense) {
             "T_coolant_degC, T_head_degC, T_column_degC, T_room_degC in not_logged, found \"T_oil_degC\".");
 }
 
+TEST(VirtualSpindle, VariesFromSpindleToSpindle) {
+  const FiniteVolumeSpindle one = varied({}, 0.2, 1);
+  EXPECT_EQ(one.f0, varied({}, 0.2, 1).f0);
+  EXPECT_NE(one.f0, varied({}, 0.2, 2).f0);
+  EXPECT_EQ(one.length_mm, FiniteVolumeSpindle{}.length_mm);
+  EXPECT_EQ(varied({}, 0.0, 1).jacket_W_per_K, FiniteVolumeSpindle{}.jacket_W_per_K);
+  // 400 seeds: the mean of ln has a sigma of 0.01, its standard deviation one of 0.007.
+  double sum = 0.0, squares = 0.0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    const double ln = std::log(varied({}, 0.2, seed).head_kg / FiniteVolumeSpindle{}.head_kg);
+    sum += ln;
+    squares += ln * ln;
+  }
+  EXPECT_NEAR(sum / 400.0, 0.0, 0.04);
+  EXPECT_NEAR(std::sqrt(squares / 400.0), 0.2, 0.03);
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const ThermalRun other = run_of(varied({}, 0.3, seed), {.time_s = {0.0}, .speed_rpm = {15000.0}, .end_s = 3600.0});
+    EXPECT_GT(find_column(other.truth, "z_um")->values.back(), 10.0) << seed;
+  }
+}
+
 VirtualMachine machine(Method method) {
   VirtualMachine result;
   result.name = "m.toml";

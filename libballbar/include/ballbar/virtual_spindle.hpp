@@ -31,6 +31,11 @@ struct VirtualSpindle {
   SpindleMeasurement measurement;
 };
 
+// Another spindle of the same build: every loss, conductance, mass and share of a side times exp(spread w), w normal
+// and its own from number to number. Lengths, materials and counts stay, and a share stays within -1 and 1. The same
+// seed gives the same spindle. spread 0.2 makes most of them differ by a fifth.
+FiniteVolumeSpindle varied(const FiniteVolumeSpindle& spindle, double spread, std::uint64_t seed);
+
 // Rows of the run: what is logged of its sensors, then x_um, y_um, z_um. The same seed gives the same numbers; every
 // column has its own stream, so that leaving one out changes no other. Throws Error, "spindle: ...", for noise that
 // makes no sense and for a column that is not there.
