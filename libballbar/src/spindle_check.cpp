@@ -109,7 +109,11 @@ void expect_finite(std::string_view name, double value) {
 }
 
 void expect_bound(const SpindleParameter& parameter, double value) {
+  constexpr double kMost = 1e9;  // far beyond any machine, far below where sums overflow
   expect_finite(parameter.name, value);
+  if (std::abs(value) > kMost) {
+    refuse(fmt::format("expected a number up to {:g} for {}, found {}.", kMost, parameter.name, value));
+  }
   if (parameter.bound == Bound::positive && !(value > 0.0)) {
     refuse(fmt::format("expected a number above 0 for {}, found {}.", parameter.name, value));
   }

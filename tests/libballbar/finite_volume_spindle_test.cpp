@@ -243,6 +243,7 @@ TEST(FiniteVolumeSpindle, RefusesWhatMakesNoSense) {
   EXPECT_EQ(spindle(&S::head_kg, -3.0), "spindle: expected a number above 0 for head_kg, found -3.");
   EXPECT_EQ(spindle(&S::f0, -1.0), "spindle: expected a number not below 0 for f0, found -1.");
   EXPECT_EQ(spindle(&S::pump_W, NAN), "spindle: expected a finite number for pump_W, found nan.");
+  EXPECT_EQ(spindle(&S::flow_W_per_K, 1e300), "spindle: expected a number up to 1e+09 for flow_W_per_K, found 1e+300.");
   EXPECT_EQ(spindle(&S::cells, 10.5), "spindle: expected a whole number from 1 to 1000 for cells, found 10.5.");
   EXPECT_EQ(spindle(&S::front_to_mm, 400.0), "spindle: expected front_to_mm not above housing_mm, found 400 and 380.");
   EXPECT_EQ(spindle(&S::rear_to_mm, 30.0), "spindle: expected rear_to_mm above rear_from_mm, found 30 and 40.");
@@ -252,17 +253,12 @@ TEST(FiniteVolumeSpindle, RefusesWhatMakesNoSense) {
             "spindle: expected a number from -1 to 1 for coolant_to_plus_x, found 1.5.");
 }
 
-// Each number makes sense by itself.
-TEST(FiniteVolumeSpindle, RefusesNumbersThatAreTooLargeTogether) {
-  FiniteVolumeSpindle dense;
-  dense.flow_W_per_K = 1.7e308;
-  dense.jacket_W_per_K = 1.7e308;
-  const std::string sentence =
-      "spindle: expected finite temperatures of these masses, conductances, oil and speeds, found others.";
-  EXPECT_EQ(complaint(dense, on_and_off()), sentence);
-  DutyPlan fast = on_and_off();
-  fast.speed_rpm = {1e200, 0.0};
-  EXPECT_EQ(complaint({}, fast), sentence);
+// lg lg (0.2 + 0.7) is not a number.
+TEST(FiniteVolumeSpindle, RefusesAnOilThatIsNone) {
+  FiniteVolumeSpindle thin;
+  thin.oil_at_100_degC_mm2_per_s = 0.2;
+  EXPECT_EQ(complaint(thin, on_and_off()),
+            "spindle: expected finite temperatures of these masses, conductances, oil and speeds, found others.");
 }
 
 TEST(FiniteVolumeSpindle, RefusesPlansThatMakeNoSense) {
