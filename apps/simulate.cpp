@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
 
 #include "ballbar/formats/bytes.hpp"
 #include "ballbar/formats/machine_toml.hpp"
@@ -40,23 +41,37 @@ fs::path truth_file(const Options& options) {
   return folder.string() + "-truth.csv";
 }
 
-void print_text(const VirtualMachine& machine, const std::vector<SimulatedFile>& files, const Options& options,
-                const fs::path& truth) {
-  const double span_min = min_from_s(machine.test_s.back() - machine.test_s.front());
-  fmt::print("simulated  {}, {} test{} over {:g} min, seed {}\n", name_of(machine.method), machine.test_s.size(),
-             machine.test_s.size() == 1 ? "" : "s", span_min, machine.seed);
-  fmt::print("written    {}: {} files, {} to {}\n", options.out, files.size(), files.front().name, files.back().name);
+std::string_view method_name(const VirtualMachine& machine) {
+  return machine.series ? std::string_view("series") : name_of(machine.method);
+}
+
+void print_text(const VirtualMachine& machine, const SimulatedSession& simulated,
+                const std::vector<SimulatedFile>& files, const Options& options, const fs::path& truth) {
+  const std::vector<double>& time_s = machine.series ? simulated.series.time_s : machine.test_s;
+  fmt::print("simulated  {}, {} {}{} over {:g} min, seed {}\n", method_name(machine), time_s.size(),
+             machine.series ? "row" : "test", time_s.size() == 1 ? "" : "s", min_from_s(time_s.back() - time_s.front()),
+             machine.seed);
+  if (files.size() == 1) {
+    fmt::print("written    {}: {}\n", options.out, files.front().name);
+  } else {
+    fmt::print("written    {}: {} files, {} to {}\n", options.out, files.size(), files.front().name, files.back().name);
+  }
   fmt::print("truth      {} (kept apart: no other command reads it)\n", truth.string());
 }
 
-void print_json(const VirtualMachine& machine, const std::vector<SimulatedFile>& files, const Options& options,
-                const fs::path& truth) {
-  nlohmann::ordered_json json = {{"method", name_of(machine.method)},
-                                 {"tests", machine.test_s.size()},
-                                 {"seed", machine.seed},
-                                 {"folder", options.out},
-                                 {"files", nlohmann::ordered_json::array()},
-                                 {"truth", truth.string()}};
+void print_json(const VirtualMachine& machine, const SimulatedSession& simulated,
+                const std::vector<SimulatedFile>& files, const Options& options, const fs::path& truth) {
+  nlohmann::ordered_json json = {{"method", method_name(machine)}};
+  if (machine.series) {
+    json["rows"] = simulated.series.time_s.size();
+  } else {
+    json["tests"] = machine.test_s.size();
+  }
+  const nlohmann::ordered_json rest = {{"seed", machine.seed},
+                                       {"folder", options.out},
+                                       {"files", nlohmann::ordered_json::array()},
+                                       {"truth", truth.string()}};
+  json.update(rest);
   for (const SimulatedFile& file : files) json["files"].push_back(file.name);
   fmt::print("{}\n", json.dump(2));
 }
@@ -68,7 +83,7 @@ void run(const Options& options) {
   const std::vector<SimulatedFile> files = simulated_files(simulated, options.b5r);
   const fs::path truth = truth_file(options);
   write_simulated(files, simulated.truth, options.out, truth, options.force);
-  (options.json ? print_json : print_text)(machine, files, options, truth);
+  (options.json ? print_json : print_text)(machine, simulated, files, options, truth);
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
+#include "spindle_toml.hpp"
 #include "toml_source.hpp"
 
 namespace ballbar {
@@ -149,6 +152,29 @@ VirtualFiveProbe read_five_probe(const TomlTable& table) {
   return probe;
 }
 
+// The three methods of a session, or the spindle's series alone.
+void read_method(const TomlTable& root, VirtualMachine& machine) {
+  constexpr std::array kSessions{Method::two_arcs, Method::spindle_rotation, Method::circles};
+  const std::array names{name_of(kSessions[0]), name_of(kSessions[1]), name_of(kSessions[2]),
+                         std::string_view("series")};
+  const std::optional<std::size_t> index = choice_index(root, "method", names);
+  if (!index) return;
+  machine.series = *index == kSessions.size();
+  if (!machine.series) {
+    machine.method = kSessions[*index];
+    return;
+  }
+  for (const std::string_view key :
+       {"started", "test_min", "feed_mm_per_min", "plane", "height_offset_mm", "spindle_above", "bar", "setup", "c_arc",
+        "a_arc", "circle", "axial", "truth", "signals", "signal", "five_probe"}) {
+    if (!has(root, key)) continue;
+    fail_at_key(root, key,
+                fmt::format("expected nothing but title, seed and [spindle] beside method = \"series\", which has no "
+                            "ballbar, found {}.",
+                            key));
+  }
+}
+
 void read_root(const TomlTable& root, VirtualMachine& machine) {
   if (const std::string format = required(string, root, "format"); format != kFormat) {
     fail_at_key(root, "format", fmt::format("expected format = \"{}\", found \"{}\".", kFormat, format));
@@ -172,8 +198,9 @@ void read_root(const TomlTable& root, VirtualMachine& machine) {
                      "truth",
                      "signals",
                      "signal",
-                     "five_probe"});
-  take(machine.method, choice(root, "method", {Method::two_arcs, Method::spindle_rotation, Method::circles}));
+                     "five_probe",
+                     "spindle"});
+  read_method(root, machine);
   take(machine.title, string(root, "title"));
   std::size_t seed = machine.seed;
   take_count(seed, root, "seed");
@@ -201,7 +228,14 @@ VirtualMachine read_machine(std::string_view bytes, std::string_view name) {
   if (const auto table = subtable(root, "a_arc")) read_arc(*table, machine.a_arc);
   if (const auto table = subtable(root, "circle")) read_circle(*table, machine);
   if (const auto table = subtable(root, "axial")) read_axial(*table, machine.axial);
-  machine.truth = read_truth(root);
+  if (const auto table = subtable(root, "spindle")) {
+    if (has(root, "truth")) fail_at_key(root, "truth", "expected the truth from [spindle] alone, found truth as well.");
+    const auto last_test_s = machine.series ? std::nullopt : std::optional(machine.test_s.back());
+    machine.spindle = read_spindle(*table, last_test_s);
+  } else {
+    if (machine.series) fail_missing(root, "spindle");
+    machine.truth = read_truth(root);
+  }
   if (const auto table = subtable(root, "signals")) {
     expect_keys(*table, {"interval_s"});
     take(machine.interval_s, positive(*table, "interval_s"));

@@ -164,10 +164,12 @@ void make_folder(const fs::path& folder) {
 
 std::vector<SimulatedFile> simulated_files(const SimulatedSession& simulated, bool as_b5r) {
   const Session& session = simulated.session;
-  if (as_b5r && session.method != Method::circles) {
+  const bool is_series = !simulated.series.columns.empty();
+  if (as_b5r && (is_series || session.method != Method::circles)) {
     throw Error(fmt::format("Only method circles makes .b5r files: expected it with --b5r, found {}.",
-                            name_of(session.method)));
+                            is_series ? std::string_view("series") : name_of(session.method)));
   }
+  if (is_series) return {{"series.csv", labelled_csv(write_series(simulated.series))}};
   std::vector<SimulatedFile> files;
   SessionPlan plan = plan_of(simulated);
   for (const SessionTest& test : session.tests) {

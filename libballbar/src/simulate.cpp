@@ -9,6 +9,7 @@
 #include "ballbar/units.hpp"
 #include "simulate_noise.hpp"
 #include "simulate_parts.hpp"
+#include "simulate_spindle.hpp"
 
 namespace ballbar {
 namespace {
@@ -186,9 +187,7 @@ void spindle_rotation(const VirtualMachine& machine, const TruePosition& truth, 
   }
 }
 
-}  // namespace
-
-SimulatedSession simulate(const VirtualMachine& machine) {
+SimulatedSession session_of(const VirtualMachine& machine) {
   simulation::check(machine);
   SimulatedSession simulated;
   Session& session = simulated.session;
@@ -218,6 +217,20 @@ SimulatedSession simulate(const VirtualMachine& machine) {
   simulated.five_probe = simulation::five_probe_of(machine);
   simulated.ball_from_plane_1_mm = machine.five_probe.ball_offset_mm;
   simulated.truth = simulation::truth_of(machine);
+  return simulated;
+}
+
+}  // namespace
+
+SimulatedSession simulate(const VirtualMachine& machine) {
+  if (machine.series) return simulation::series_of(machine);
+  if (!machine.spindle) return session_of(machine);
+  const VirtualSpindle& spindle = *machine.spindle;
+  const ThermalRun run = run_of(spindle.body, spindle.plan, spindle.mechanisms, spindle.clock);
+  SimulatedSession simulated = session_of(simulation::moved_by(machine, run));
+  for (Column& cause : simulation::causes_at_tests(machine, run)) {
+    simulated.truth.columns.push_back(std::move(cause));
+  }
   return simulated;
 }
 

@@ -7,7 +7,19 @@
 
 namespace ballbar::simulation {
 
-enum class Stream : std::uint32_t { c_arc = 1, a_arc, rotation, axial, ccw, cw, signal, probe };
+enum class Stream : std::uint32_t {
+  c_arc = 1,
+  a_arc,
+  rotation,
+  axial,
+  ccw,
+  cw,
+  signal,
+  probe,
+  spindle_noise,
+  spindle_memory,
+  spindle_variety
+};
 
 // The stream of that seed, kind and key; the key is the test's time or the column's name.
 std::mt19937_64 stream_of(std::uint64_t seed, Stream kind, std::uint64_t key);

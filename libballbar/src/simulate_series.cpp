@@ -37,13 +37,18 @@ double interpolated(const std::vector<double>& time_s, const std::vector<double>
 }
 
 TruePosition truth_at(const VirtualMachine& machine, double at_s) {
+  const std::vector<TruePosition>& truth = machine.truth;
+  const auto later = [](double time_s, const TruePosition& point) { return time_s < point.time_s; };
+  const auto after = std::upper_bound(truth.begin(), truth.end(), at_s, later);
+  if (after == truth.begin() || after == truth.end()) {
+    TruePosition held = after == truth.begin() ? truth.front() : truth.back();
+    held.time_s = at_s;
+    return held;
+  }
+  const TruePosition& before = *(after - 1);
+  const double share = (at_s - before.time_s) / (after->time_s - before.time_s);
   const auto at = [&](double TruePosition::*component) {
-    std::vector<double> time_s, value_um;
-    for (const TruePosition& point : machine.truth) {
-      time_s.push_back(point.time_s);
-      value_um.push_back(point.*component);
-    }
-    return interpolated(time_s, value_um, at_s);
+    return before.*component + share * ((*after).*component - before.*component);
   };
   return {at_s, at(&TruePosition::x_um), at(&TruePosition::y_um), at(&TruePosition::z_um),
           at(&TruePosition::along_bar_um)};

@@ -112,6 +112,7 @@ rows = [
     (f"five probes, {probe_rows} rows: read, drift, .csv", "five_probe_file",
      median_ms(lambda: five_probes(folder / "probes.csv", folder / "probes-drift.csv"))),
     ("  of it the drift and its uncertainty", "five_probe_reduced", None),
+    ("46 h of the finite-volume spindle", "spindle_46h", None),
 ]
 print(f"{'':46} {'ours ms':>10} {'peer ms':>10} {'peer/ours':>10}")
 for title, name, peer_ms in rows:

@@ -22,7 +22,7 @@ results=$build/results
 mkdir -p "$results"
 "$programs/bench_files" "$results" "$size_MB" "$readings" "$rows"
 export BALLBAR_BENCH_LOG_MB="$size_MB" BALLBAR_BENCH_READINGS="$readings" BALLBAR_BENCH_ROWS="$rows"
-for name in b5r log circle session five_probe; do
+for name in b5r log circle session five_probe spindle; do
   "$programs/bench_$name" --benchmark_min_time="$min_time" --benchmark_repetitions="$repetitions" \
     --benchmark_out="$results/$name.json" --benchmark_out_format=json
 done
@@ -30,4 +30,4 @@ echo
 # Debian's own python3: numpy and scipy are installed for that one.
 /usr/bin/python3 tests/bench/peer.py "$results" "$repetitions" \
   "$results/b5r.json" "$results/log.json" "$results/circle.json" "$results/session.json" \
-  "$results/five_probe.json"
+  "$results/five_probe.json" "$results/spindle.json"

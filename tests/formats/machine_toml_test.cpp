@@ -157,6 +157,74 @@ TEST(machine_toml, truth_as_arrays) {
   EXPECT_EQ(machine.truth[1].x_um, 0.0);
 }
 
+constexpr const char* kSpindle = R"(format = "ballbar-machine 1"
+method = "series"
+seed = 3
+[spindle]
+time_min = [0, 240]
+speed_rpm = [10000, 0]
+load_W = [1500, 0]
+end_min = 480
+room_min = [0, 480]
+room_degC = [20.0, 22.5]
+off = ["centrifugal", "room"]
+interval_s = 30.0
+step_s = 10.0
+[spindle.body]
+f0 = 0.6
+flange_mm = 180.0
+set_point_degC = -5
+[spindle.measured]
+noise_um = 0.3
+tail_freedom = 4
+memory_um = 0.5
+memory_s = 900
+resolution_um = 0.1
+temperature_noise_K = 0.05
+temperature_resolution_K = 0.2
+not_logged = ["T_room_degC"]
+)";
+
+TEST(machine_toml, spindle) {
+  const VirtualMachine machine = read_machine(kSpindle, "m.toml");
+  EXPECT_TRUE(machine.series);
+  EXPECT_TRUE(machine.truth.empty());
+  ASSERT_TRUE(machine.spindle.has_value());
+  const VirtualSpindle& spindle = *machine.spindle;
+  EXPECT_EQ(spindle.plan.time_s, (std::vector<double>{0.0, 14400.0}));
+  EXPECT_EQ(spindle.plan.speed_rpm, (std::vector<double>{10000.0, 0.0}));
+  EXPECT_EQ(spindle.plan.load_W, (std::vector<double>{1500.0, 0.0}));
+  EXPECT_EQ(spindle.plan.end_s, 28800.0);
+  EXPECT_EQ(spindle.plan.room_time_s, (std::vector<double>{0.0, 28800.0}));
+  EXPECT_EQ(spindle.plan.room_degC, (std::vector<double>{20.0, 22.5}));
+  EXPECT_FALSE(spindle.mechanisms.centrifugal);
+  EXPECT_FALSE(spindle.mechanisms.room);
+  EXPECT_TRUE(spindle.mechanisms.viscosity);
+  EXPECT_EQ(spindle.clock.interval_s, 30.0);
+  EXPECT_EQ(spindle.clock.step_s, 10.0);
+  EXPECT_EQ(spindle.body.f0, 0.6);
+  EXPECT_EQ(spindle.body.flange_mm, 180.0);
+  EXPECT_EQ(spindle.body.set_point_degC, -5.0);
+  EXPECT_EQ(spindle.body.head_kg, FiniteVolumeSpindle{}.head_kg);
+  EXPECT_EQ(spindle.measurement.noise_um, 0.3);
+  EXPECT_EQ(spindle.measurement.tail_freedom, 4.0);
+  EXPECT_EQ(spindle.measurement.memory_um, 0.5);
+  EXPECT_EQ(spindle.measurement.memory_s, 900.0);
+  EXPECT_EQ(spindle.measurement.resolution_um, 0.1);
+  EXPECT_EQ(spindle.measurement.temperature_noise_K, 0.05);
+  EXPECT_EQ(spindle.measurement.temperature_resolution_K, 0.2);
+  EXPECT_EQ(spindle.measurement.not_logged, std::vector<std::string>{"T_room_degC"});
+}
+
+// The run has a row at or after the last test.
+TEST(machine_toml, spindle_of_a_session_lasts_to_its_last_test) {
+  const VirtualMachine machine = read_machine(
+      "format = \"ballbar-machine 1\"\ntest_min = [0, 7.1]\n[spindle]\ntime_min = [0]\nspeed_rpm = [5000]\n", "m.toml");
+  EXPECT_FALSE(machine.series);
+  EXPECT_EQ(machine.spindle->plan.end_s, 426.0 + 15.0);
+  EXPECT_EQ(simulate(machine).session.tests.size(), 2u);
+}
+
 struct Bad {
   const char* text;  // after the format line
   const char* message;
@@ -167,10 +235,10 @@ TEST(machine_toml, bad_text) {
       {"metod = \"circles\"",
        "m.toml:2:1: expected one of the keys format, method, title, seed, started, test_min, feed_mm_per_min, plane, "
        "height_offset_mm, spindle_above, bar, setup, c_arc, a_arc, circle, axial, truth, signals, signal, five_probe, "
-       "found \"metod\"; the nearest is method."},
+       "spindle, found \"metod\"; the nearest is method."},
       {"method = \"circle\"",
-       "m.toml:2:10: expected one of \"two_arcs\", \"spindle_rotation\", \"circles\" for method, found the text "
-       "\"circle\"."},
+       "m.toml:2:10: expected one of \"two_arcs\", \"spindle_rotation\", \"circles\", \"series\" for method, found "
+       "the text \"circle\"."},
       {"seed = -1", "m.toml:2:8: expected a count not below 0 for seed, found -1."},
       {"[bar]\nnominal_length_mm = 0",
        "m.toml:3:21: expected a number above 0 for nominal_length_mm, found the integer 0."},
@@ -195,6 +263,42 @@ TEST(machine_toml, bad_text) {
        "m.toml:3:14: expected a number above 0 for spacing_mm, found the number -60."},
       {"[signals]\ninterval_min = 1",
        "m.toml:3:1: expected no key but interval_s in [signals], found \"interval_min\"."},
+      {"method = \"series\"", "m.toml:1:1: expected the key spindle, found none."},
+      {"method = \"series\"\n[spindle]\ntime_min = [0]\nspeed_rpm = [1]\n[bar]\nnoise_um = 1",
+       "m.toml:6:1: expected nothing but title, seed and [spindle] beside method = \"series\", which has no ballbar, "
+       "found bar."},
+      {"method = \"series\"\n[spindle]\ntime_min = [0]\nspeed_rpm = [1]",
+       "m.toml:3:1: expected the key end_min in [spindle], found none."},
+      {"[truth]\ntime_min = [0]\n[spindle]\ntime_min = [0]\nspeed_rpm = [1]",
+       "m.toml:2:1: expected the truth from [spindle] alone, found truth as well."},
+      {"[spindle]\nspeed_rpm = [1]", "m.toml:2:1: expected the key time_min in [spindle], found none."},
+      {"[spindle]\ntime_min = [0, 5, 5]", "m.toml:3:19: expected rising times for time_min, found 5 after 5."},
+      {"[spindle]\ntime_min = []", "m.toml:3:12: expected at least one time for time_min, found an array."},
+      {"[spindle]\ntime_min = [0, 5]\nspeed_rpm = [1]",
+       "m.toml:4:13: expected as many values for speed_rpm as for time_min, 2, found 1."},
+      {"[spindle]\ntime_min = [0, 5]\nspeed_rpm = [1, -2]",
+       "m.toml:4:17: expected numbers not below 0 for speed_rpm, found -2."},
+      {"[spindle]\ntime_min = [0, 5]\nspeed_rpm = [1, 2]\nend_min = 4",
+       "m.toml:5:11: expected an end_min at or after the last of time_min, 5, found 4."},
+      {"[spindle]\ntime_min = [0]\nspeed_rpm = [1]\nroom_degC = [20]",
+       "m.toml:2:1: expected the key room_min in [spindle], found none."},
+      {"[spindle]\ntime_min = [0]\nspeed_rpm = [1]\nroom_min = [0, 1]\nroom_degC = [20]",
+       "m.toml:6:13: expected as many values for room_degC as for room_min, 2, found 1."},
+      {"[spindle]\ntime_min = [0]\nspeed_rpm = [1]\noff = [\"room\", \"gravity\"]",
+       "m.toml:5:16: expected one of viscosity, convection, asymmetry, rings, centrifugal, thermostat, coolant, room, "
+       "structure in off, found \"gravity\"."},
+      {"[spindle]\ntime_min = [0]\nspeed_rpm = [1]\n[spindle.body]\nhead_kg = -120",
+       "m.toml:6:11: expected a number above 0 for head_kg, found the integer -120."},
+      {"[spindle]\ntime_min = [0]\nspeed_rpm = [1]\n[spindle.body]\npump_W = -0.5",
+       "m.toml:6:10: expected a number not below 0 for pump_W, found the number -0.5."},
+      {"[spindle]\ntime_min = [0]\nspeed_rpm = [1]\n[spindle.body]\nhead_mass = 1",
+       "m.toml:6:1: expected one of the 77 known keys in [spindle.body], found \"head_mass\"; the nearest is "
+       "head_kg."},
+      {"[spindle]\ntime_min = [0]\nspeed_rpm = [1]\n[spindle.measured]\nnoise = 1",
+       "m.toml:6:1: expected one of the keys noise_um, tail_freedom, memory_um, memory_s, resolution_um, "
+       "temperature_noise_K, temperature_resolution_K, not_logged in [spindle.measured], found \"noise\"; the nearest "
+       "is "
+       "noise_um."},
   };
   for (const Bad& bad : cases) {
     try {

@@ -23,6 +23,11 @@
 //                     Axial: the bar stands on the table's second mount under the spindle, length
 //                     nominal + axial offset - z; + z where spindle_above is false (ball on the far side).
 //
+// A spindle (finite_volume_spindle.hpp) may stand in for the stated truth. Its x, y are those of the truth and its
+// elongation z is -z of the truth, for Z points up; spindle_rotation states elongation, and shows the fixed-frame x as
+// -along_bar, since nothing of the spindle's turns with it. Its sensors join the signals. Alone it makes a series: no
+// ballbar, x, y and z as dense as its rows.
+//
 // Angles are uniform at mid-sample, start + (i + 1/2) (end - start) / n, to 1e-9 deg; times likewise over
 // R arc / feed, to 1 us.
 #pragma once
@@ -36,6 +41,7 @@
 #include "ballbar/drift.hpp"
 #include "ballbar/recording.hpp"
 #include "ballbar/series.hpp"
+#include "ballbar/virtual_spindle.hpp"
 
 namespace ballbar {
 
@@ -104,7 +110,9 @@ struct VirtualMachine {
   std::string name = "virtual machine";  // for messages: the file it came from
   Method method = Method::two_arcs;
   std::string title;
-  std::vector<TruePosition> truth;        // at least one, times rising
+  std::vector<TruePosition> truth;  // at least one, times rising; none where there is a spindle
+  std::optional<VirtualSpindle> spindle;
+  bool series = false;                    // the spindle's series alone; of the rest only title and seed count
   std::vector<double> test_s;             // when tests start, rising
   std::optional<std::int64_t> started_s;  // local clock at time 0, s since 1970-01-01T00:00:00
   VirtualBar bar;
@@ -131,9 +139,10 @@ struct SimulatedSession {
   Series signals;     // no columns where the machine has none
   Series five_probe;  // no columns where absent
   double ball_from_plane_1_mm = 0.0;
-  Series truth;  // one row a test: what drift_of would give without noise, changes since the first test:
-                 // x_um, y_um, z_um; spindle_rotation: radial_um, axial_um, shift_a_um, shift_b_um,
-                 // radius_change_um
+  Series series;  // of a spindle alone: its sensors, then x_um, y_um, z_um, z_um positive towards the table
+  Series truth;   // one row a test: what drift_of would give without noise, changes since the first test:
+                  // x_um, y_um, z_um; spindle_rotation: radial_um, axial_um, shift_a_um, shift_b_um,
+                  // radius_change_um. Of a spindle also the causes; of a spindle alone ThermalRun::truth
 };
 
 // Every recording, signal and probe draws from its own random stream, keyed by seed, kind and test time or

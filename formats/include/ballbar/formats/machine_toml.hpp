@@ -2,7 +2,7 @@
 // given has the default of simulate.hpp, where each quantity and its sign is explained.
 //
 //   format = "ballbar-machine 1"
-//   method = "two_arcs"            # two_arcs | spindle_rotation | circles
+//   method = "two_arcs"            # two_arcs | spindle_rotation | circles | series
 //   title = "warm-up at 14 000 rpm"
 //   seed = 1
 //   started = 2015-03-02T09:00:00  # local clock at time 0; `.b5r` files need it
@@ -21,6 +21,25 @@
 //   [signals]    interval_s = 10.0
 //   [[signal]]   name role time_min = [...] value = [...] noise resolution
 //   [five_probe] spacing_mm interval_s noise_um resolution_um tilt_a_urad_per_um tilt_b_urad_per_um ball_offset_mm
+//
+// A spindle in the place of the truth: its physics (finite_volume_spindle.hpp) moves the ball, and its sensors are
+// signals, beside any [[signal]]. method = "series" has no ballbar: of the rest only title and seed may be given, and
+// x_um, y_um, z_um are measured as densely as the sensors.
+//
+//   [spindle]
+//   time_min = [0, 240]            # from these times on
+//   speed_rpm = [10000, 0]         # this speed
+//   load_W = [0, 0]                # and cutting power; default: none
+//   end_min = 480                  # series; a session ends with its last test by default
+//   room_min = [0, 480]            # straight lines between these points; default: 20 degC
+//   room_degC = [20.0, 22.5]
+//   off = ["centrifugal", "room"]  # mechanisms left out: viscosity convection asymmetry rings centrifugal thermostat
+//                                  # coolant room structure
+//   interval_s = 15.0              # of the rows
+//   step_s = 15.0                  # longest step of the calculation
+//   [spindle.body]                 # numbers of FiniteVolumeSpindle: f0 = 0.6, flange_mm = 180.0 ...
+//   [spindle.measured]             # series: noise_um tail_freedom memory_um memory_s resolution_um; all:
+//                                  # temperature_noise_K temperature_resolution_K not_logged = ["T_room_degC"]
 #pragma once
 
 #include <string_view>
