@@ -35,6 +35,7 @@ struct Diagnosed {
 
 std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {
   std::vector<std::string> texts;
+  texts.reserve(bounds.size());
   for (const BoundEffect& bound : bounds) texts.push_back(label_of(bound));
   return fmt::format("{}", fmt::join(texts, between));
 }
@@ -135,6 +136,7 @@ std::string untestable_text(const Diagnosis& found) {
     at->second.push_back(prospect.effect->name);
   }
   std::vector<std::string> texts;
+  texts.reserve(reasons.size());
   for (const auto& [why, names] : reasons) texts.push_back(fmt::format("{} ({})", fmt::join(names, ", "), why));
   return fmt::format("{}", fmt::join(texts, "; "));
 }

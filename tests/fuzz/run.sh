@@ -8,7 +8,7 @@ build=$root/build-fuzz
 targets="b5r ballbar_log series session machine model"
 
 cmake -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang -DCMAKE_BUILD_TYPE=RelWithDebInfo \
-  -DBALLBAR_FUZZ=ON -DBALLBAR_SANITIZE=fuzzer-no-link,address,undefined > /dev/null
+  -DBALLBAR_FUZZ=ON -DBALLBAR_SANITIZE=address,undefined > /dev/null
 for target in $targets; do
   cmake --build "$build" --target "fuzz_$target" -j2
 done

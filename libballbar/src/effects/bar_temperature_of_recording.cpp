@@ -6,7 +6,7 @@ namespace ballbar::catalogue {
 namespace {
 
 // - L alpha (T_bar - 20 degC); ppm of mm are nm
-struct BarTemperature {
+struct BarTemperatureOfRecording {
   template <class T>
   void operator()(const EffectRows& rows, const T* p, T* out) const {
     const std::span<const double> radius_mm = rows.inputs[0], bar_degC = rows.inputs[1];
@@ -33,7 +33,7 @@ const Effect kBarTemperatureOfRecording{
      .source = "Free expansion; no paper's equation."},
     {radius_input(), bar_input()},
     {{"expansion_ppm_per_K", "ppm/K", ParameterKind::gain, 0.0, -100.0, 100.0, {}, "expansion coefficient of the bar"}},
-    evaluated_by<1>(BarTemperature{}),
+    evaluated_by<1>(BarTemperatureOfRecording{}),
 };
 
 }  // namespace ballbar::catalogue
