@@ -24,6 +24,7 @@ struct Options {
   ModelOptions model;
   double tolerance_um = 0.0;
   std::uint64_t seed = 1;
+  std::size_t most_rows = 1500;
   bool json = false;
 };
 
@@ -248,6 +249,7 @@ void run(const Options& options) {
     how.motion = data.motion;
     how.tolerance_um = options.tolerance_um;
     how.seed = options.seed;
+    how.most_rows = options.most_rows;
     diagnosed.diagnosis = diagnose(model, data.series, target, how);
     diagnosed.next_tests = next_tests(model, data.series, diagnosed.diagnosis);
     if (options.json) {
@@ -271,6 +273,8 @@ void add_diagnose(CLI::App& app) {
   command->add_option("--tolerance-um", options->tolerance_um, "smaller effects are called minor")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--seed", options->seed, "of the random draws; the same seed gives the same result");
+  command->add_option("--most-rows", options->most_rows, "longer series are searched on means of so many rows")
+      ->check(CLI::Range(30, 5000));
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"

@@ -37,9 +37,9 @@ bool suits(const Effect& effect, const Input& input, const Column& column, const
   if (std::find(input.units.begin(), input.units.end(), unit) == input.units.end()) return false;
   if (column.name.find("_sigma_") != std::string::npos) return false;
   if (std::find(model.targets.begin(), model.targets.end(), column.name) != model.targets.end()) return false;
+  if (effect.name == "clock_offset" && !is_read(model, column.name)) return false;
   if (unit == "um") return is_axial(data, column.name);
   if (effect.name == "bar_temperature") return column.name.find("bar") != std::string::npos;
-  if (effect.name == "clock_offset") return is_read(model, column.name);
   const bool elsewhere = column.role == Role::ambient || column.role == Role::coolant;
   if (effect.name == "bearing_rings" || effect.name == "viscosity_feedback") return unit == "rpm" || !elsewhere;
   return true;

@@ -22,7 +22,6 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kMostRows = 1500;
 constexpr double kChance = 0.01;
 constexpr double kNearlyAsGood = 6.0;  // 2 ln L
 constexpr double kWorthRefitting = 12.0;
@@ -34,6 +33,7 @@ constexpr double kSameGain = 0.001;
 constexpr double kWhite = 0.001;
 constexpr std::size_t kShown = 8;
 constexpr std::size_t kSearchRounds = 3;
+constexpr Eigen::Index kFewest = 30;  // rows, for a noise that is estimated
 
 using Set = std::vector<std::size_t>;  // signatures
 
@@ -80,6 +80,9 @@ class Case {
     return projected(bank_, leftover_.residual_um, leftover_.model,
                      Whitening(noise, leftover_.time_s, leftover_.sigma_um));
   }
+
+  // The noise from which an evaluation starts matters for few rows alone: then all that was evaluated before is forgotten.
+  void forget() { evaluated_.clear(); }
 
   const Explained& evaluated(const Set& set, const Noise& start) {
     Set key = set;
@@ -169,6 +172,13 @@ Set best_set(Case& now, const Noise& base_noise, double base_log_likelihood, std
   Set best;
   double most = 2.0 * base_log_likelihood;
   noise = base_noise;
+  if (now.leftover().residual_um.size() < kFewest && !now.leftover().sigma_um.empty()) {
+    // What is stated, nothing more; all is judged by it.
+    now.forget();
+    noise = {};
+    starts = {noise};
+    most = 2.0 * now.evaluated({}, noise).log_likelihood;
+  }
   std::vector<Set> tried;
   for (std::size_t round = 0; round < kSearchRounds && !starts.empty(); ++round) {
     const std::vector<Noise> from = std::move(starts);
@@ -350,7 +360,7 @@ std::string label_of(const BoundEffect& bound) {
 }
 
 Diagnosis diagnose(const Model& model, const Series& all, std::size_t target, const DiagnosisOptions& options) {
-  const Series data = condensed(all, model.targets.at(target), kMostRows);
+  const Series data = condensed(all, model.targets.at(target), options.most_rows);
   Diagnosis result;
   result.base = fit(model, data, target);
   result.target = result.base.target;
@@ -369,11 +379,16 @@ Diagnosis diagnose(const Model& model, const Series& all, std::size_t target, co
     return result;
   }
 
-  const double base_log_likelihood = now.evaluated({}, result.base.noise).log_likelihood;
+  const Noise base_noise = now.evaluated({}, result.base.noise).noise;
+  double base_log_likelihood = now.evaluated({}, result.base.noise).log_likelihood;
   Noise noise;
-  Set first = best_set(now, result.base.noise, base_log_likelihood, largest, noise);
+  Set first = best_set(now, base_noise, base_log_likelihood, largest, noise);
   const Eigen::MatrixXd first_columns = now.columns(first);
   noise = restricted_noise(now.leftover(), first_columns, now.evaluated(first, noise).residual_um);
+  if (now.leftover().residual_um.size() < kFewest) {
+    now.forget();
+    base_log_likelihood = now.evaluated({}, noise).log_likelihood;
+  }
   const Projected seen = now.projected_by(noise);
   const SearchNull null = search_null(now.bank(), seen, now.leftover(), noise,
                                       plausible_noises(now.leftover(), first_columns, noise, 64, options.seed),
@@ -406,7 +421,8 @@ Diagnosis diagnose(const Model& model, const Series& all, std::size_t target, co
   for (Set& swapped : swaps(now, seen, sets.front())) sets.push_back(std::move(swapped));
   std::stable_sort(sets.begin(), sets.end(), by_likelihood);
 
-  const SmoothRival smooth = smooth_rival(now.leftover(), result.base.noise);
+  const bool few = now.leftover().residual_um.size() < kFewest;
+  const SmoothRival smooth = smooth_rival(now.leftover(), few ? noise : base_noise);
   result.smooth_evidence = 2.0 * (smooth.log_likelihood - base_log_likelihood);
   const bool something = result.p_anything < kChance && penalised(sets.front()) > 2.0 * base_log_likelihood;
   if (!something) {

@@ -7,10 +7,18 @@
 #include <random>
 
 #include "bank.hpp"
+#include "memory_limit.hpp"
 #include "simulate_noise.hpp"
 
 namespace ballbar {
 namespace {
+
+constexpr Eigen::Index kFewestForMemory = 30;
+
+// A memory longer than this the record cannot show: what varies so slowly counts as what the model lacks.
+double longest_memory_s(const Leftover& leftover) {
+  return (leftover.time_s.back() - leftover.time_s.front()) / 6.0;
+}
 
 Eigen::MatrixXd joined_columns(const Leftover& leftover, const Eigen::MatrixXd& added) {
   Eigen::MatrixXd all(leftover.residual_um.size(), leftover.model.cols() + added.cols());
@@ -40,6 +48,15 @@ double restricted_log_likelihood(const Leftover& leftover, const Eigen::MatrixXd
          0.5 * along.dot(gram.solve(along)) - 0.5 * log_gram;
 }
 
+// Too few rows to tell a memory: white, and what is stated counts as known.
+Noise most_likely_noise(const Leftover& leftover, const Eigen::VectorXd& residual_um, const Noise& before) {
+  if (leftover.residual_um.size() >= kFewestForMemory) {
+    return noise_of(leftover.time_s, span_of(residual_um), leftover.sigma_um, {}, longest_memory_s(leftover));
+  }
+  if (!leftover.sigma_um.empty()) return before;
+  return {residual_um.norm() / std::sqrt(static_cast<double>(residual_um.size())), 0.0, 0.0, 0.0};
+}
+
 }  // namespace
 
 Leftover leftover_of(const Fit& fit) {
@@ -66,14 +83,18 @@ Explained explained(const Leftover& leftover, const Eigen::MatrixXd& added, cons
       result.covariance = inverse.bottomRightCorner(added.cols(), added.cols());
       break;
     }
-    result.noise = noise_of(leftover.time_s, span_of(result.residual_um), leftover.sigma_um);
+    result.noise = most_likely_noise(leftover, result.residual_um, result.noise);
   }
   result.log_likelihood = log_likelihood(result.noise, leftover.time_s, span_of(result.residual_um), leftover.sigma_um);
   return result;
 }
 
 Noise restricted_noise(const Leftover& leftover, const Eigen::MatrixXd& added, const Eigen::VectorXd& residual_um) {
-  Noise noise = noise_of(leftover.time_s, span_of(residual_um), leftover.sigma_um, joined_columns(leftover, added));
+  Noise noise;
+  if (residual_um.size() >= kFewestForMemory) {
+    noise = noise_of(leftover.time_s, span_of(residual_um), leftover.sigma_um, joined_columns(leftover, added),
+                     longest_memory_s(leftover));
+  }
   if (noise.correlated_um > 0.0) return noise;
   // White: the parameters spent widen it.
   const auto n = static_cast<double>(residual_um.size());
@@ -117,8 +138,7 @@ std::vector<Noise> plausible_noises(const Leftover& leftover, const Eigen::Matri
     next.correlation_time_s *= std::exp(along);
     next.correlated_um *= std::exp(0.5 * along + across);
     next.white_um *= std::exp(0.05 * simulation::normal(random));
-    const double span = leftover.time_s.back() - leftover.time_s.front();
-    if (next.correlation_time_s < span) {
+    if (next.correlation_time_s < longest_memory_s(leftover)) {
       const double there = restricted_log_likelihood(leftover, columns, next);
       if (std::log(simulation::uniform(random)) < there - level) {
         now = next;

@@ -93,6 +93,14 @@ void say_unusable(Prospect& prospect, const Model& model, const Series& data,
     prospect.why = "it is in the model";
     return;
   }
+  const bool usable = std::any_of(bindings.begin(), bindings.end(), [&](const std::vector<std::string>& names) {
+    return inputs_of(*prospect.effect, names, data).usable;
+  });
+  if (usable) {
+    prospect.testability = Testability::absorbed;
+    prospect.why = "what it adds is made by the model already";
+    return;
+  }
   prospect.testability = Testability::input_constant;
   prospect.why = "its input does not change";
   for (const std::vector<std::string>& names : bindings) {

@@ -10,6 +10,7 @@
 
 #include "ballbar/units.hpp"
 #include "kalman.hpp"
+#include "memory_limit.hpp"
 #include "nelder_mead.hpp"
 
 namespace ballbar {
@@ -205,6 +206,11 @@ NoiseVariances with_memory(Likelihood& likelihood, Likelihood& plain) {
 
 Noise noise_of(std::span<const double> time_s, std::span<const double> residual_um, std::span<const double> sigma_um,
                const Eigen::MatrixXd& fitted) {
+  return noise_of(time_s, residual_um, sigma_um, fitted, std::numeric_limits<double>::infinity());
+}
+
+Noise noise_of(std::span<const double> time_s, std::span<const double> residual_um, std::span<const double> sigma_um,
+               const Eigen::MatrixXd& fitted, double longest_memory_s) {
   if (residual_um.empty()) return {};
   RowMajor columns = basis_of(fitted);
   if (static_cast<std::size_t>(columns.cols()) >= residual_um.size()) columns = RowMajor(fitted.rows(), 0);
@@ -214,11 +220,13 @@ Noise noise_of(std::span<const double> time_s, std::span<const double> residual_
     left -= columns * (columns.transpose() * left).eval();
   }
   Likelihood likelihood(time_s, left_um, sigma_um, std::move(columns));
+  likelihood.longest_s = std::max(likelihood.shortest_s, std::min(likelihood.longest_s, longest_memory_s));
   NoiseVariances noise = white(likelihood);
   const bool enough = likelihood.degrees >= kFewest && likelihood.kalman.usual_step_s() > 0.0 &&
                       likelihood.mean_square > kLeastVariance_um2;
   if (enough) {
     Likelihood plain(time_s, left_um, sigma_um, RowMajor(0, 0));
+    plain.longest_s = likelihood.longest_s;
     const NoiseVariances other = with_memory(likelihood, plain);
     if (likelihood.log_likelihood_of(other) > likelihood.log_likelihood_of(noise) + kWorthIt) noise = other;
   }

@@ -105,7 +105,7 @@ SmoothRival smooth_rival(const Leftover& leftover, const Noise& start) {
   };
   const auto cost = [&](const std::array<double, 4>& x) {
     const double length_s = std::exp(x[1]), time_s = std::exp(x[3]);
-    if (length_s < shortest_s || length_s > span_s || time_s > span_s || time_s < 0.2 * span_s / n ||
+    if (length_s < shortest_s || length_s > span_s || time_s > span_s / 6.0 || time_s < 0.2 * span_s / n ||
         std::exp(x[0]) > 100.0 * rms_um || std::exp(x[2]) > 100.0 * rms_um) {
       return 1e30;
     }
@@ -119,7 +119,7 @@ SmoothRival smooth_rival(const Leftover& leftover, const Noise& start) {
     // Noise with the memory found, and noise of which the smooth curve took the slow part.
     for (const double shorter : {1.0, 0.2}) {
       const double time_s =
-          std::clamp((memory ? start.correlation_time_s : span_s / n) * shorter, 0.3 * span_s / n, 0.9 * span_s);
+          std::clamp((memory ? start.correlation_time_s : span_s / n) * shorter, 0.3 * span_s / n, 0.15 * span_s);
       const std::array<double, 4> from{std::log(0.7 * rms_um), std::log(std::max(shortest_s * 1.5, part * span_s)),
                                        std::log(std::max(correlated * std::sqrt(shorter), 1e-6 * rms_um)),
                                        std::log(time_s)};

@@ -86,6 +86,7 @@ struct DiagnosisOptions {
   std::size_t draws = 2000;
   std::size_t fakes = 200;
   std::uint64_t seed = 1;
+  std::size_t most_rows = 1500;  // searched; longer series are condensed
 };
 
 // Throws Error as fit does.
