@@ -70,18 +70,44 @@ bool is_circle(const Term& term) { return term.effect->name == "circle"; }
 
 }  // namespace
 
-std::optional<Rival> rival_of(const Candidate& candidate, const Series& data) {
+std::optional<Rival> rival_of(const Candidate& candidate, const Series& data, std::size_t most_points) {
   const Effect* effect = candidate.bound.effect;
   if (effect == nullptr || candidate.parameters.size() != effect->parameters.size()) return std::nullopt;
   if (candidate.bound.columns.size() != effect->inputs.size()) return std::nullopt;
   for (const std::string& name : candidate.bound.columns) {
     if (find_column(data, name) == nullptr) return std::nullopt;
   }
-  Rival rival{candidate.bound, {}, {}, false};
+  Rival rival;
+  rival.bound = candidate.bound;
   for (std::size_t k = 0; k < candidate.parameters.size(); ++k) {
     if (!std::isfinite(candidate.parameters[k].value)) return std::nullopt;
     rival.parameters.push_back(candidate.parameters[k].value);
-    if (candidate.parameters[k].state != ParameterState::held) rival.free.push_back(k);
+    if (candidate.parameters[k].state != ParameterState::held) {
+      rival.free.push_back(k);
+      if (effect->parameters[k].kind == ParameterKind::gain) rival.gains.push_back(k);
+    }
+  }
+  if (rival.gains.size() == rival.free.size() || most_points == 0) return rival;
+  // No lag at all, the longest one: where effects become each other.
+  for (const std::size_t k : rival.free) {
+    const Parameter& parameter = effect->parameters[k];
+    if (parameter.kind != ParameterKind::shape || parameter.name == "onset_s") continue;
+    for (const double bound : {parameter.lower, parameter.upper}) {
+      if (!std::isfinite(bound)) continue;
+      rival.points.push_back(rival.parameters);
+      rival.points.back()[k] = bound;
+    }
+  }
+  BankOptions options;
+  options.every_onset = false;
+  const BoundInputs inputs = inputs_of(*effect, candidate.bound.columns, data);
+  const std::vector<std::vector<double>> grid = shapes_of(*effect, inputs.rows, options);
+  const std::size_t stride = 1 + (grid.size() - 1) / most_points;
+  for (std::size_t i = 0; i < grid.size(); i += stride) {
+    rival.points.push_back(rival.parameters);
+    for (const std::size_t k : rival.free) {
+      if (effect->parameters[k].kind == ParameterKind::shape) rival.points.back()[k] = grid[i][k];
+    }
   }
   return rival;
 }
@@ -94,7 +120,12 @@ Places places_of(const CandidateRows& candidates, Eigen::Index own) {
   for (const Rival& rival : candidates.rivals) {
     places.signal.push_back(next++);
     places.free.emplace_back();
-    for (std::size_t k = 0; k < rival.free.size(); ++k) places.free.back().push_back(next++);
+    const auto add = [&](std::size_t count) {
+      std::vector<Eigen::Index>& fit = places.free.back().emplace_back();
+      while (fit.size() < count) fit.push_back(next++);
+    };
+    add(rival.free.size());
+    for (std::size_t point = 0; point < rival.points.size(); ++point) add(rival.gains.size());
   }
   return places;
 }
@@ -103,13 +134,24 @@ namespace {
 
 Eigen::Index width_of(const CandidateRows& candidates, Eigen::Index own) {
   auto width = static_cast<Eigen::Index>(used_of(*candidates.base).size()) + own;
-  for (const Rival& rival : candidates.rivals) width += 1 + static_cast<Eigen::Index>(rival.free.size());
+  for (const Rival& rival : candidates.rivals) {
+    width += 1 + static_cast<Eigen::Index>(rival.free.size() + rival.gains.size() * rival.points.size());
+  }
   return width;
 }
 
-void put(const Rival& rival, const Evaluated& values, Eigen::Index& column, Eigen::MatrixXd& result) {
-  result.col(column++) = values.values;
-  for (const std::size_t k : rival.free) result.col(column++) = values.slopes.col(static_cast<Eigen::Index>(k));
+// at: the effect's values with given parameters, nullopt where it has none; false then.
+template <class At>
+bool put(const Rival& rival, const At& at, Eigen::Index& column, Eigen::MatrixXd& result) {
+  const auto slopes = [&](const Evaluated& values, const std::vector<std::size_t>& by) {
+    for (const std::size_t k : by) result.col(column++) = values.slopes.col(static_cast<Eigen::Index>(k));
+  };
+  const std::optional<Evaluated> fitted = at(rival.parameters);
+  if (!fitted) return false;
+  result.col(column++) = fitted->values;
+  slopes(*fitted, rival.free);
+  for (const std::vector<double>& point : rival.points) slopes(*at(point), rival.gains);
+  return true;
 }
 
 }  // namespace
@@ -123,7 +165,10 @@ std::optional<Eigen::MatrixXd> columns_in_data(const CandidateRows& candidates, 
   column += own;
   for (const Rival& rival : candidates.rivals) {
     const BoundInputs inputs = inputs_of(*rival.bound.effect, rival.bound.columns, *candidates.data);
-    put(rival, evaluated(*rival.bound.effect, inputs.rows, rival.parameters, base.row), column, result);
+    const auto at = [&](const std::vector<double>& parameters) {
+      return std::optional(evaluated(*rival.bound.effect, inputs.rows, parameters, base.row));
+    };
+    put(rival, at, column, result);
   }
   if (!result.allFinite()) return std::nullopt;
   return result;
@@ -186,14 +231,16 @@ std::optional<Eigen::MatrixXd> columns_in_test(const CandidateRows& candidates, 
   for (const Eigen::Index k : used_of(base)) result.col(column++) = all.col(k);
   for (Eigen::Index k = 0; k < own.cols(); ++k) result.col(column++) = own.col(k);
   for (const Rival& rival : candidates.rivals) {
-    std::optional<Evaluated> values =
-        in_test(*rival.bound.effect, rival.bound.columns, rival.parameters, test, *candidates.data);
-    if (!values) return std::nullopt;
-    if (rival.only_once) {
-      values->values.setZero();
-      values->slopes.setZero();
-    }
-    put(rival, *values, column, result);
+    const auto at = [&](const std::vector<double>& parameters) {
+      std::optional<Evaluated> values =
+          in_test(*rival.bound.effect, rival.bound.columns, parameters, test, *candidates.data);
+      if (values && rival.only_once) {
+        values->values.setZero();
+        values->slopes.setZero();
+      }
+      return values;
+    };
+    if (!put(rival, at, column, result)) return std::nullopt;
   }
   if (!result.allFinite()) return std::nullopt;
   return result;

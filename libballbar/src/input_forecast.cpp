@@ -15,7 +15,7 @@ constexpr std::array kExponents{5.0 / 3.0, 1.0, 2.0};  // the first unless anoth
 constexpr std::array kOfSpeed_s{0.0, 300.0, 1200.0, 3600.0, 10800.0};
 constexpr std::array kOfRoom_s{0.0, 1800.0, 7200.0, 21600.0};
 constexpr std::array kOfCoolant_s{0.0, 600.0, 3600.0};
-constexpr std::array kDecays_s{1800.0, 10800.0};
+constexpr std::array kDecays_s{1800.0, 5400.0};
 constexpr std::size_t kMostRows = 400;  // that the gains are learned from
 constexpr Eigen::Index kFewest = 8;
 constexpr double kDamping = 1e-5;  // of a column's own square

@@ -20,6 +20,8 @@ namespace {
 constexpr std::size_t kMostRows = 1500;  // as the diagnosis
 constexpr double kSeen = 5.0;
 constexpr double kNamed = 7.5;
+constexpr double kImitated = 1.0, kNearlyImitated = 0.2;  // d, and d over that of the other order
+constexpr std::size_t kMostPoints = 60;                   // of the shapes of all candidates
 
 // Indices of CandidateRows::rivals; `others`: of the rest of the best set, fitted beside them.
 struct Pair {
@@ -36,12 +38,11 @@ bool in(const std::vector<BoundEffect>& group, const BoundEffect& bound) {
   return std::find(group.begin(), group.end(), bound) != group.end();
 }
 
-// Groups of which one is it: those of the diagnosis that a test could settle, else the strongest two.
+// Groups of which one is it: those of the diagnosis, else the strongest two.
 std::vector<std::vector<BoundEffect>> open_groups(const Diagnosis& diagnosis) {
   std::vector<std::vector<BoundEffect>> groups;
   for (const std::vector<BoundEffect>& group : diagnosis.equivalent) {
-    const bool again = group.size() == 1 && group.front().effect != nullptr && group.front().effect->time_only;
-    if (group.size() > 1 || again) groups.push_back(group);
+    if (!group.empty()) groups.push_back(group);
   }
   if (!groups.empty()) return groups;
   std::vector<const Candidate*> strongest;
@@ -58,8 +59,9 @@ Question question_of(const Model& model, const Series& data, const Diagnosis& di
   Question question{{&model, &data, &diagnosis.base, {}}, {}};
   std::vector<Rival>& rivals = question.candidates.rivals;
   std::vector<std::size_t> best_set;
+  const std::size_t points = kMostPoints / std::max<std::size_t>(4, diagnosis.candidates.size());
   for (const Candidate& candidate : diagnosis.candidates) {
-    std::optional<Rival> rival = rival_of(candidate, data);
+    std::optional<Rival> rival = rival_of(candidate, data, points);
     if (!rival) continue;
     if (candidate.in_best_set) best_set.push_back(rivals.size());
     rivals.push_back(std::move(*rival));
@@ -110,7 +112,7 @@ Noise noise_with_best_set(const CandidateRows& candidates, const Diagnosis& diag
     for (std::size_t k = 0; candidate.in_best_set && k < candidates.rivals.size(); ++k) {
       const Rival& rival = candidates.rivals[k];
       if (rival.only_once || !(rival.bound == candidate.bound)) continue;
-      added.insert(added.end(), places.free[k].begin(), places.free[k].end());
+      added.insert(added.end(), places.free[k][0].begin(), places.free[k][0].end());
     }
   }
   Eigen::MatrixXd best = columns(Eigen::all, added);
@@ -120,17 +122,43 @@ Noise noise_with_best_set(const CandidateRows& candidates, const Diagnosis& diag
   return explained(leftover_of(diagnosis.base), best, diagnosis.base.noise).noise;
 }
 
-// The smaller of both orders.
-double separation(const Eigen::MatrixXd& factor, const Places& places, const Pair& pair) {
+// d of both orders: a true and b fitted, b true and a fitted.
+struct Orders {
+  double a_true = 0.0, b_true = 0.0;
+};
+
+Orders orders_of(const Eigen::MatrixXd& factor, const Places& places, const Pair& pair) {
   const auto one_way = [&](std::size_t truth, std::size_t rival) {
-    std::vector<Eigen::Index> columns = places.shared;
-    columns.insert(columns.end(), places.free[rival].begin(), places.free[rival].end());
-    for (const std::size_t other : pair.others) {
-      columns.insert(columns.end(), places.free[other].begin(), places.free[other].end());
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::vector<Eigen::Index>& free : places.free[rival]) {
+      std::vector<Eigen::Index> columns = places.shared;
+      columns.insert(columns.end(), free.begin(), free.end());
+      for (const std::size_t other : pair.others) {
+        columns.insert(columns.end(), places.free[other][0].begin(), places.free[other][0].end());
+      }
+      least = std::min(least, distance(factor, places.signal[truth], columns));
     }
-    return distance(factor, places.signal[truth], columns);
+    return least;
   };
-  return std::min(one_way(pair.a, pair.b), one_way(pair.b, pair.a));
+  return {one_way(pair.a, pair.b), one_way(pair.b, pair.a)};
+}
+
+enum class Holds { neither, a_holds_b, b_holds_a };
+
+// A rival with more parameters that makes all that the other does, whatever is done: a lag of nothing is no lag.
+Holds holds(const Orders& orders, const Question& question, const Pair& pair) {
+  const auto count = [&](std::size_t rival) { return question.candidates.rivals[rival].free.size(); };
+  const auto imitated = [](double d, double other) { return d < std::max(kImitated, kNearlyImitated * other); };
+  if (count(pair.a) > count(pair.b) && imitated(orders.b_true, orders.a_true)) return Holds::a_holds_b;
+  if (count(pair.b) > count(pair.a) && imitated(orders.a_true, orders.b_true)) return Holds::b_holds_a;
+  return Holds::neither;
+}
+
+// The smaller of both orders; where one rival holds the other, of that which can be seen.
+double separation(const Orders& orders, Holds holds) {
+  if (holds == Holds::a_holds_b) return orders.a_true;
+  if (holds == Holds::b_holds_a) return orders.b_true;
+  return std::min(orders.a_true, orders.b_true);
 }
 
 // Columns of the pair that the list has.
@@ -170,29 +198,43 @@ std::string interval_text(const Series& all, const std::string& target) {
 
 struct Judged {
   PlannedTest test;
-  std::vector<double> separations;  // one a pair
-  double smallest = 0.0;
+  double smallest = std::numeric_limits<double>::infinity();
+  double so_far = 0.0;      // of the same pair in the data
   std::size_t hardest = 0;  // pair
+  Holds holds = Holds::neither;
+  std::size_t settled = 0;  // pairs with d of kNamed or more
 };
 
-std::string pair_text(const Question& question, const Pair& pair) {
-  const Rival &a = question.candidates.rivals[pair.a], &b = question.candidates.rivals[pair.b];
-  if (b.only_once) return fmt::format("show whether {} comes again", label_of(a.bound));
-  return fmt::format("tell {} from {}", label_of(a.bound), label_of(b.bound));
+bool better(const Judged& a, const Judged& b) {
+  const bool a_seen = a.smallest >= kSeen, b_seen = b.smallest >= kSeen;
+  if (a_seen != b_seen) return a_seen;
+  if (!a_seen && a.settled != b.settled) return a.settled > b.settled;
+  return a.smallest > b.smallest;
 }
 
-std::string text_of(const Question& question, const Judged& judged, double so_far, const std::string& interval) {
+std::string pair_text(const Question& question, const Pair& pair, Holds holds) {
+  const std::string a = label_of(question.candidates.rivals[pair.a].bound),
+                    b = label_of(question.candidates.rivals[pair.b].bound);
+  if (question.candidates.rivals[pair.b].only_once) return fmt::format("show whether {} comes again", a);
+  if (holds == Holds::a_holds_b) return fmt::format("show whether {} is more than {}", a, b);
+  if (holds == Holds::b_holds_a) return fmt::format("show whether {} is more than {}", b, a);
+  return fmt::format("tell {} from {}", a, b);
+}
+
+std::string text_of(const Question& question, const Judged& judged, const std::string& interval) {
   std::string text = judged.test.name + ": " + judged.test.doing + interval + ".";
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   const Pair& hardest = question.pairs[judged.hardest];
+  const double d = judged.smallest;
   const std::string outcome =
-      fmt::format("{} ({}); the data so far have {}.", d_text(judged.smallest),
-                  judged.smallest < kSeen ? "5 is needed, 7.5 to name one" : "named from 7.5", d_text(so_far));
+      fmt::format("{} ({}); the data so far have {}.", d_text(d),
+                  d < kSeen ? "5 is needed, 7.5 to name one" : "named from 7.5", d_text(judged.so_far));
+  const std::string pair = pair_text(question, hardest, judged.holds);
   if (question.pairs.size() == 1) {
-    text += fmt::format(" It would {} with {}", pair_text(question, hardest), outcome);
+    text += fmt::format(" It would {} with {}", pair, outcome);
   } else {
-    text += fmt::format(" It would settle {} pairs of candidates; hardest to {}, with {}", question.pairs.size(),
-                        pair_text(question, hardest), outcome);
+    text += fmt::format(" Of {} pairs of candidates it would settle {} (d of 7.5 or more); the hardest is to {}: {}",
+                        question.pairs.size(), judged.settled, pair, outcome);
   }
   std::vector<std::string> predicted, unknown;
   for (const std::size_t k : listed(judged.test.forecast_columns, question, hardest)) {
@@ -223,8 +265,8 @@ std::vector<NextTest> next_tests(const Model& model, const Series& all, const Di
   if (!in_data) return result;
   const Noise noise = noise_with_best_set(candidates, diagnosis, *in_data, without_own);
   const Eigen::MatrixXd factor = whitened_factor(*in_data, Whitening(noise, base.time_s, base.sigma_um));
-  std::vector<double> so_far;
-  for (const Pair& pair : question.pairs) so_far.push_back(separation(factor, without_own, pair));
+  std::vector<Orders> so_far;
+  for (const Pair& pair : question.pairs) so_far.push_back(orders_of(factor, without_own, pair));
   const auto model_width = static_cast<Eigen::Index>(without_own.shared.size());
 
   std::vector<double> sigma = base.sigma_um;
@@ -244,32 +286,33 @@ std::vector<NextTest> next_tests(const Model& model, const Series& all, const Di
     Eigen::MatrixXd before(factor.rows(), in_test->cols());
     before << factor.leftCols(model_width), Eigen::MatrixXd::Zero(factor.rows(), own.cols()),
         factor.rightCols(factor.cols() - model_width);
-    const Eigen::MatrixXd together = both(before, whitened_factor(*in_test, Whitening(noise, time_s, sigma_um)));
+    const Eigen::MatrixXd together = both(before, *in_test, Whitening(noise, time_s, sigma_um));
     const Places places = places_of(candidates, own.cols());
-    Judged judged{std::move(test), {}, std::numeric_limits<double>::infinity(), 0};
+    Judged judged;
+    judged.test = std::move(test);
     for (std::size_t k = 0; k < question.pairs.size(); ++k) {
       const Pair& pair = question.pairs[k];
       const bool known = listed(judged.test.unknown, question, pair).empty();
-      const double d = known ? separation(together, places, pair) : so_far[k];
-      if (!std::isfinite(d)) continue;
-      judged.separations.push_back(d);
-      if (d < judged.smallest) {
-        judged.smallest = d;
-        judged.hardest = k;
-      }
+      const Orders orders = known ? orders_of(together, places, pair) : so_far[k];
+      const Holds held = holds(orders, question, pair);
+      const double d = separation(orders, held);
+      if (d >= kNamed) ++judged.settled;
+      if (!(d < judged.smallest)) continue;
+      judged.smallest = d;
+      judged.so_far = separation(so_far[k], held);
+      judged.hardest = k;
+      judged.holds = held;
     }
-    if (!judged.separations.empty()) tests.push_back(std::move(judged));
+    if (std::isfinite(judged.smallest)) tests.push_back(std::move(judged));
   }
-  std::stable_sort(tests.begin(), tests.end(),
-                   [](const Judged& a, const Judged& b) { return a.smallest > b.smallest; });
+  std::stable_sort(tests.begin(), tests.end(), better);
   const std::string interval = model.level == Level::series ? interval_text(all, diagnosis.target) : std::string();
   for (const Judged& judged : tests) {
-    const double now = so_far[judged.hardest];
-    std::string text = text_of(question, judged, now, interval);
+    std::string text = text_of(question, judged, interval);
     if (result.empty() && judged.smallest < kSeen) {
-      text = "No test on the list tells them apart (d of 5 or more); the best is this. " + text;
+      text = "No test on the list tells all of them apart (d of 5 or more); the best is this. " + text;
     }
-    result.push_back({judged.test.name, std::move(text), judged.smallest, judged.test.duration_s, now});
+    result.push_back({judged.test.name, std::move(text), judged.smallest, judged.test.duration_s, judged.so_far});
   }
   return result;
 }

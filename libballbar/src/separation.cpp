@@ -13,17 +13,21 @@ Eigen::MatrixXd triangular(const Eigen::MatrixXd& columns) {
   return qr.matrixQR().topRows(columns.cols()).triangularView<Eigen::Upper>();
 }
 
+Eigen::MatrixXd whitened(const Eigen::MatrixXd& columns, const Whitening& whitening) {
+  Eigen::MatrixXd white(columns.rows(), columns.cols());
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) whitening.apply(columns.col(k).data(), 1, white.col(k).data(), 1);
+  return white;
+}
+
 }  // namespace
 
 Eigen::MatrixXd whitened_factor(const Eigen::MatrixXd& columns, const Whitening& whitening) {
-  Eigen::MatrixXd white(columns.rows(), columns.cols());
-  for (Eigen::Index k = 0; k < columns.cols(); ++k) whitening.apply(columns.col(k).data(), 1, white.col(k).data(), 1);
-  return triangular(white);
+  return triangular(whitened(columns, whitening));
 }
 
-Eigen::MatrixXd both(const Eigen::MatrixXd& first, const Eigen::MatrixXd& second) {
-  Eigen::MatrixXd stacked(first.rows() + second.rows(), first.cols());
-  stacked << first, second;
+Eigen::MatrixXd both(const Eigen::MatrixXd& first, const Eigen::MatrixXd& columns, const Whitening& whitening) {
+  Eigen::MatrixXd stacked(first.rows() + columns.rows(), first.cols());
+  stacked << first, whitened(columns, whitening);
   return triangular(stacked);
 }
 

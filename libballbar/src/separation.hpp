@@ -19,8 +19,8 @@ namespace ballbar {
 // n by m columns -> at most m rows.
 Eigen::MatrixXd whitened_factor(const Eigen::MatrixXd& columns, const Whitening& whitening);
 
-// Of both runs together; same columns.
-Eigen::MatrixXd both(const Eigen::MatrixXd& first, const Eigen::MatrixXd& second);
+// Of the run with the factor `first` and another together; same columns.
+Eigen::MatrixXd both(const Eigen::MatrixXd& first, const Eigen::MatrixXd& columns, const Whitening& whitening);
 
 double distance(const Eigen::MatrixXd& factor, Eigen::Index signal, const std::vector<Eigen::Index>& columns);
 

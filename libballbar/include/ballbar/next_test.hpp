@@ -10,12 +10,14 @@
 //
 //   d = |(I - P) W g|,
 //
-// is the root of the fall of chi^2 that would show it is not the other. The separation of a pair is the smaller d of
-// both orders, that of a test the smallest of all pairs; the test with the largest is proposed. A pair that reads a
-// column which follows neither speed nor room (R2 < 0.5) is promised no more than the data have already.
+// is the root of the fall of chi^2 that would show it is not the other, with the shape of its grid that imitates best.
+// The separation of a pair is the smaller d of both orders; where one with more parameters can imitate the other
+// whatever is done (an expansion is a lag of nothing), that of the order which can be seen. The separation of a test is
+// the smallest of all pairs; the test with the largest is proposed, or, where none reaches 5, the one that settles most
+// pairs. A pair that reads a column which follows neither speed nor room (R2 < 0.5) is promised no more than the data
+// have already. A response of the room that the data hardly show is promised too small rather than too large.
 //
-// d is linear in the candidates about their fit: where a shape has far to go, the truth is farther from its rival than
-// another shape of it. 1334 rows and 4 rivals: 0.1 s.
+// Against chi^2 of simulated tests d is right within a factor of 1.5. 1334 rows and 4 rivals: 0.2 s.
 #pragma once
 
 #include <cstddef>
@@ -37,8 +39,9 @@ struct NextTest {
 };
 
 // All tests that the data allow to predict, the one that separates best first. Candidates: those of
-// `diagnosis.equivalent` (a single one of time alone: whether it comes again), else the strongest two that are not
-// named; none: empty, as for the verdict `nothing` and a diagnosis of other data. Does not throw.
+// `diagnosis.equivalent` (of a group with one member: whether it comes again, once the data alone may no longer speak
+// for it), else the strongest two that are not named; none: empty, as for the verdict `nothing` and a diagnosis of
+// other data. Does not throw.
 std::vector<NextTest> next_tests(const Model& model, const Series& data, const Diagnosis& diagnosis);
 
 }  // namespace ballbar
