@@ -364,6 +364,21 @@ TEST(next_test, a_squareness_is_told_from_an_oval_form_by_the_radius) {
   EXPECT_NEAR(tests.front().separation, 15.0, 3.0);
 }
 
+// A chiller that follows the load a little: the housing behind it or a drift.
+TEST(next_test, a_coolant_step_where_there_is_a_coolant) {
+  Series data = machine(4 * 60, start_once, wandering_room);
+  Column coolant{"T_coolant_degC", Role::coolant, {}};
+  for (const double warm : data.columns[2].values) coolant.values.push_back(20.0 + 0.1 * (warm - 20.0));
+  data.columns.push_back(coolant);
+  const Term lagged = term_of("lagged_expansion", {"T_coolant_degC"});
+  add_target(data, values_of(lagged, {6.0, 1800.0}, data), 0.3, 18);
+  const std::vector<Term> rivals{lagged, term_of("speed_heating", {"speed_rpm"})};
+  const std::vector<NextTest> tests = next_tests(empty_model(), data, undecided(empty_model(), data, rivals));
+  ASSERT_FALSE(tests.empty());
+  EXPECT_EQ(tests.front().name, "coolant step");
+  EXPECT_GT(tests.front().separation, 20.0);
+}
+
 // One effect of a room, weak in the data: a step of the room would show it again.
 TEST(next_test, a_single_candidate_is_to_come_again) {
   Series data = machine(6 * 60, start_and_stop, wandering_room);
