@@ -271,7 +271,7 @@ void add_diagnose(CLI::App& app) {
   CLI::App* command = app.add_subcommand("diagnose", "Which physical effect a model lacks");
   add_model_options(*command, options->model, false);
   command->add_option("--tolerance-um", options->tolerance_um, "smaller effects are called minor")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0.0, 1e6));
   command->add_option("--seed", options->seed, "of the random draws; the same seed gives the same result");
   command->add_option("--most-rows", options->most_rows, "longer series are searched on means of so many rows")
       ->check(CLI::Range(30, 5000));

@@ -81,7 +81,8 @@ class Case {
                      Whitening(noise, leftover_.time_s, leftover_.sigma_um));
   }
 
-  // The noise from which an evaluation starts matters for few rows alone: then all that was evaluated before is forgotten.
+  // The noise from which an evaluation starts matters for few rows alone: then all that was evaluated before is
+  // forgotten.
   void forget() { evaluated_.clear(); }
 
   const Explained& evaluated(const Set& set, const Noise& start) {
@@ -355,7 +356,8 @@ std::string_view name_of(Verdict verdict) {
 }
 
 std::string label_of(const BoundEffect& bound) {
-  if (bound.columns.empty()) return bound.effect->name;
+  // On recordings the columns are the trace's own.
+  if (bound.columns.empty() || bound.effect->level == Level::recording) return bound.effect->name;
   return fmt::format("{}({})", bound.effect->name, fmt::join(bound.columns, ", "));
 }
 
@@ -436,21 +438,36 @@ Diagnosis diagnose(const Model& model, const Series& all, std::size_t target, co
       kWorthRefitting +
       kGridError * std::max(0.0, 2.0 * (now.evaluated(sets.front(), noise).log_likelihood - base_log_likelihood));
   std::vector<Refitted> refits;
-  std::vector<std::vector<BoundEffect>> done;
+  std::vector<std::vector<std::string>> done;
+  const auto refit = [&](const Set& set) {
+    std::vector<std::string> key;
+    for (const std::size_t index : set) key.push_back(label_of(now.bound(index)));
+    std::sort(key.begin(), key.end());
+    if (std::find(done.begin(), done.end(), key) != done.end()) return;
+    done.push_back(std::move(key));
+    refits.push_back(now.refitted(set, noise));
+    refits.back().penalised = 2.0 * refits.back().log_likelihood - thresholds(now, null, set);
+  };
+  const auto sort_refits = [&] {
+    std::stable_sort(refits.begin(), refits.end(),
+                     [](const Refitted& a, const Refitted& b) { return a.penalised > b.penalised; });
+  };
   for (const Set& set : sets) {
     if (refits.size() == kRefitted || penalised(set) < penalised(sets.front()) - allowance) break;
-    std::vector<BoundEffect> key;
-    for (const std::size_t index : set) key.push_back(now.bound(index));
-    std::sort(key.begin(), key.end(),
-              [](const BoundEffect& a, const BoundEffect& b) { return label_of(a) < label_of(b); });
-    if (std::find(done.begin(), done.end(), key) != done.end()) continue;
-    done.push_back(std::move(key));
-    Refitted refit = now.refitted(set, noise);
-    refit.penalised = 2.0 * refit.log_likelihood - thresholds(now, null, set);
-    refits.push_back(std::move(refit));
+    refit(set);
   }
-  std::stable_sort(refits.begin(), refits.end(),
-                   [](const Refitted& a, const Refitted& b) { return a.penalised > b.penalised; });
+  sort_refits();
+  // What a point of the grid lacked another effect may have filled in: with free shapes it may not be needed.
+  for (std::size_t before = 0; before != refits.size() && refits.front().set.size() > 1;) {
+    before = refits.size();
+    const Set whole = refits.front().set;
+    for (std::size_t out = 0; out < whole.size(); ++out) {
+      Set fewer = whole;
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(out));
+      refit(fewer);
+    }
+    sort_refits();
+  }
   const Refitted& best = refits.front();
   result.rmse_after_um = best.fit.rmse_um;
 

@@ -1,0 +1,214 @@
+// The steps of a diagnosis, each by hand or against dense matrices.
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <cmath>
+#include <random>
+
+#include "bank.hpp"
+#include "best_subset.hpp"
+#include "condensed.hpp"
+#include "confirmation.hpp"
+#include "evidence.hpp"
+#include "search_null.hpp"
+#include "smooth_rival.hpp"
+
+namespace ballbar {
+namespace {
+
+Series rows_of(std::size_t n, double step_s) {
+  Series data;
+  for (std::size_t i = 0; i < n; ++i) data.time_s.push_back(static_cast<double>(i) * step_s);
+  return data;
+}
+
+Leftover leftover_with(const std::vector<double>& residual_um) {
+  Leftover leftover;
+  for (std::size_t i = 0; i < residual_um.size(); ++i) leftover.time_s.push_back(60.0 * static_cast<double>(i));
+  leftover.residual_um = Eigen::VectorXd::Map(residual_um.data(), static_cast<Eigen::Index>(residual_um.size()));
+  leftover.model = Eigen::MatrixXd::Ones(leftover.residual_um.size(), 1);
+  return leftover;
+}
+
+// A bank of single columns, each a family of the effect `expansion`.
+Bank bank_with(const Eigen::MatrixXd& columns) {
+  Bank bank;
+  bank.columns = columns;
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+    bank.families.push_back(
+        {find_effect("expansion", Level::series), {"T" + std::to_string(k) + "_degC"}, static_cast<std::size_t>(k), 1});
+    bank.signatures.push_back({static_cast<std::size_t>(k), {0.0}, k, 1, 1.0});
+  }
+  return bank;
+}
+
+TEST(Condensed, means_of_neighbours_and_their_sigma) {
+  Series data = rows_of(5, 10.0);
+  data.columns = {{"z_um", Role::measured, {1, 3, 5, 7, 9}}, {"z_sigma_um", Role::measured, {3, 4, 3, 4, 5}}};
+  const Series means = condensed(data, "z_um", 3);
+  EXPECT_EQ(means.time_s, (std::vector<double>{5, 25, 40}));
+  EXPECT_EQ(means.columns[0].values, (std::vector<double>{2, 6, 9}));
+  EXPECT_EQ(means.columns[1].values, (std::vector<double>{2.5, 2.5, 5}));  // sqrt(9 + 16) / 2
+  EXPECT_EQ(condensed(data, "z_um", 5).time_s, data.time_s);
+}
+
+TEST(Condensed, recordings_stay_apart_and_a_turns_end_does_not_matter) {
+  Series data = rows_of(5, 1.0);
+  data.columns = {{"deviation_um", Role::measured, {1, 3, 5, 7, 9}},
+                  {"recording", Role::event, {0, 0, 0, 1, 1}},
+                  {"angle_rad", Role::event, {6.2, 6.283185307179586 - 6.283185307179586 + 0.0168, 1.0, 2.0, 3.0}}};
+  const Series means = condensed(data, "deviation_um", 4);
+  EXPECT_EQ(means.columns[0].values, (std::vector<double>{2, 5, 8}));
+  EXPECT_EQ(means.columns[1].values, (std::vector<double>{0, 0, 1}));
+  EXPECT_NEAR(means.columns[2].values[0], 6.25, 1e-3);  // between 6.2 and 6.3 = 0.0168 + 2 pi
+}
+
+// The model is a constant: (1, -1, 1, -1) / 2 survives whole, (1, 1, 1, 1) not at all; r = 3 (1, -1, 1, -1).
+TEST(Bank, score_is_the_fall_of_chi2) {
+  Eigen::MatrixXd columns(4, 2);
+  columns << 2, 1, -2, 1, 2, 1, -2, 1;
+  const Bank bank = bank_with(columns);
+  const Eigen::VectorXd residual = (Eigen::VectorXd(4) << 3, -3, 3, -3).finished();
+  const Leftover leftover = leftover_with({3, -3, 3, -3});
+  const Noise noise{2.0, 0.0, 0.0, 0.0};
+  const Projected seen = projected(bank, residual, Eigen::MatrixXd::Ones(4, 1), Whitening(noise, leftover.time_s, {}));
+  const Eigen::VectorXd found = scores(bank, seen, seen.residual);
+  EXPECT_NEAR(found[0], 36.0 / 4.0, 1e-12);
+  EXPECT_NEAR(found[1], 0.0, 1e-12);
+  EXPECT_NEAR(seen.share[0], 1.0, 1e-12);
+  EXPECT_NEAR(seen.share[1], 0.0, 1e-12);
+  EXPECT_NEAR(seen.norm[0], 4.0 / 2.0, 1e-12);
+}
+
+// One signature, white noise: scores are chi^2 with one degree of freedom; 90 % quantile 2.706, mean excess about 2.4.
+TEST(SearchNull, one_signature_is_chi2) {
+  const std::size_t n = 40;
+  Eigen::MatrixXd columns(n, 1);
+  for (Eigen::Index i = 0; i < columns.rows(); ++i) columns(i, 0) = std::sin(0.7 * static_cast<double>(i));
+  const Bank bank = bank_with(columns);
+  const Leftover leftover = leftover_with(std::vector<double>(n, 0.0));
+  const Noise noise{0.3, 0.0, 0.0, 0.0};
+  const Projected seen = projected(bank, leftover.residual_um, leftover.model, Whitening(noise, leftover.time_s, {}));
+  const SearchNull null = search_null(bank, seen, leftover, noise, {noise}, 20000, 1);
+  const Effect& effect = *bank.families[0].effect;
+  EXPECT_NEAR(null.p_of_effect(effect, 2.706), 0.1, 0.01);
+  EXPECT_NEAR(null.p_of_effect(effect, 6.635), 0.01, 0.004);
+  EXPECT_NEAR(null.p_search(effect, 6.635), 0.01, 0.004);
+  EXPECT_GT(null.threshold(effect), 5.5);
+  EXPECT_LT(null.threshold(effect), 8.0);
+}
+
+// u1 and u2 nearly the same, r along their difference: each alone explains little, together all.
+TEST(BestSubset, finds_a_pair_of_which_each_alone_is_weak) {
+  const Eigen::Index n = 200;
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  Eigen::MatrixXd base(n, 3);
+  for (Eigen::Index i = 0; i < n; ++i) base.row(i) << normal(random), normal(random), normal(random);
+  Eigen::MatrixXd columns(n, 3);
+  columns.col(0) = base.col(0) + 0.5 * base.col(1);
+  columns.col(1) = base.col(0) - 0.5 * base.col(1);
+  columns.col(2) = base.col(2);
+  const Bank bank = bank_with(columns);
+  const Eigen::VectorXd residual = columns.col(0) - columns.col(1);
+  Leftover leftover = leftover_with(std::vector<double>(residual.begin(), residual.end()));
+  const Noise noise{0.1, 0.0, 0.0, 0.0};
+  const Projected seen = projected(bank, residual, leftover.model, Whitening(noise, leftover.time_s, {}));
+  const std::vector<Subset> subsets = best_subsets(bank, seen, nullptr, 3);
+  ASSERT_FALSE(subsets.empty());
+  EXPECT_EQ(subsets.front().signatures, (std::vector<std::size_t>{0, 1}));
+  EXPECT_NEAR(subsets.front().gain, seen.residual.squaredNorm(), 1e-6 * seen.residual.squaredNorm());
+}
+
+// Generalised least squares and its likelihood against dense matrices.
+TEST(Evidence, explained_is_generalised_least_squares) {
+  const std::vector<double> residual{0.3, -0.2, 0.5, 0.9, 1.4, 1.1, 1.9, 2.3};
+  const Leftover leftover = leftover_with(residual);
+  const Noise noise{0.2, 0.4, 120.0, 0.0};
+  Eigen::MatrixXd added(8, 1);
+  added << 0, 1, 2, 3, 4, 5, 6, 7;
+  const Explained found = explained(leftover, added, noise, 0);
+  Eigen::MatrixXd covariance(8, 8), x(8, 2);
+  for (int i = 0; i < 8; ++i) {
+    for (int j = 0; j < 8; ++j) {
+      covariance(i, j) = 0.16 * std::exp(-60.0 * std::abs(i - j) / 120.0) + (i == j ? 0.04 : 0.0);
+    }
+  }
+  x << leftover.model, added;
+  const Eigen::MatrixXd inverse = covariance.inverse();
+  const Eigen::VectorXd gains =
+      (x.transpose() * inverse * x).ldlt().solve(x.transpose() * inverse * leftover.residual_um);
+  EXPECT_NEAR(found.gains[0], gains[1], 1e-10);
+  const Eigen::VectorXd left = leftover.residual_um - x * gains;
+  const double dense =
+      -0.5 * (8.0 * std::log(2.0 * M_PI) + std::log(covariance.determinant()) + left.dot(inverse * left));
+  EXPECT_NEAR(found.log_likelihood, dense, 1e-9);
+}
+
+TEST(SmoothRival, likelihood_is_that_of_the_dense_covariance) {
+  const std::vector<double> residual{0.3, -0.2, 0.5, 0.9, 1.4, 1.1};
+  Leftover leftover = leftover_with(residual);
+  leftover.time_s = {0.0, 60.0, 90.0, 200.0, 260.0, 400.0};
+  const Noise noise{0.2, 0.4, 120.0, 0.0};
+  const double amplitude = 0.7, length_s = 150.0;
+  Eigen::MatrixXd covariance(6, 6);
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j) {
+      const double dt =
+          std::abs(leftover.time_s[static_cast<std::size_t>(i)] - leftover.time_s[static_cast<std::size_t>(j)]);
+      const double s = std::sqrt(3.0) * dt / length_s;
+      covariance(i, j) =
+          0.16 * std::exp(-dt / 120.0) + amplitude * amplitude * (1.0 + s) * std::exp(-s) + (i == j ? 0.04 : 0.0);
+    }
+  }
+  const Eigen::MatrixXd inverse = covariance.inverse();
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(6);
+  const double mean = ones.dot(inverse * leftover.residual_um) / ones.dot(inverse * ones);
+  const Eigen::VectorXd left = leftover.residual_um - mean * ones;
+  const double dense =
+      -0.5 * (6.0 * std::log(2.0 * M_PI) + std::log(covariance.determinant()) + left.dot(inverse * left));
+  EXPECT_NEAR(log_likelihood(leftover, noise, amplitude, length_s), dense, 1e-9);
+}
+
+TEST(Confirmation, cycles_end_with_changes_of_speed) {
+  Series data = rows_of(40, 60.0);
+  std::vector<double> speed(40, 0.0);
+  for (std::size_t i = 10; i < 30; ++i) speed[i] = i < 20 ? 3000.0 : 6000.0;
+  data.columns = {{"speed_rpm", Role::speed, speed}};
+  std::vector<std::size_t> rows(40);
+  for (std::size_t i = 0; i < 40; ++i) rows[i] = i;
+  const std::vector<std::size_t> cycle = cycles_of(data, rows);
+  EXPECT_EQ(cycle[9], 0U);
+  EXPECT_EQ(cycle[10], 1U);
+  EXPECT_EQ(cycle[19], 1U);
+  EXPECT_EQ(cycle[20], 2U);
+  EXPECT_EQ(cycle[39], 3U);
+}
+
+// Mean of the other cycle predicts: errors 2 everywhere.
+TEST(Confirmation, held_out_is_predicted_from_the_rest) {
+  const Leftover leftover = leftover_with({1, 1, 1, -1, -1, -1});
+  const HeldOut found = held_out(leftover, {0.5, 0.0, 0.0, 0.0}, {0, 0, 0, 1, 1, 1});
+  EXPECT_NEAR(found.rmse_um, 2.0, 1e-9);
+  EXPECT_NEAR(found.chi2, 6.0 * 4.0 / 0.25, 1e-6);
+}
+
+// Gain +1 in one cycle and -1 in the other, sigma 1: chi^2 = 2 sum of squares about the common gain 0 = 2 * 0.5 * 20.
+TEST(Confirmation, another_gain_in_every_cycle_is_seen) {
+  std::vector<double> residual, same;
+  Eigen::MatrixXd column(40, 1);
+  for (int i = 0; i < 40; ++i) {
+    column(i, 0) = i % 2 == 0 ? 1.0 : -1.0;
+    residual.push_back((i < 20 ? 1.0 : -1.0) * column(i, 0));
+    same.push_back(column(i, 0));
+  }
+  std::vector<std::size_t> cycle(40, 0);
+  for (std::size_t i = 20; i < 40; ++i) cycle[i] = 1;
+  const Noise noise{1.0, 0.0, 0.0, 0.0};
+  EXPECT_NEAR(p_same_gain(leftover_with(residual), column, noise, cycle), std::erfc(std::sqrt(40.0 / 2.0)), 1e-11);
+  EXPECT_NEAR(p_same_gain(leftover_with(same), column, noise, cycle), 1.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace ballbar
