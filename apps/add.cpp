@@ -77,6 +77,14 @@ void add_terms(const Options& options, const ModelData& data, const std::vector<
   story.trials.push_back(std::move(tried));
 }
 
+// A new effect may not read what the file is to explain beside the target chosen here.
+void expect_file_suits(const Options& options, const ModelData& data, const std::string& bytes) {
+  if (data.level == Level::recording) return;
+  Model file = read_model(bytes, options.effect.model.model);
+  std::erase_if(file.targets, [&](const std::string& target) { return find_column(data.series, target) == nullptr; });
+  if (!file.targets.empty()) with_source(options.effect.model.model, [&] { expect_suits(file, data.series); });
+}
+
 std::string either_text(const std::vector<std::vector<BoundEffect>>& groups) {
   std::vector<std::string> texts;
   for (const std::vector<BoundEffect>& group : groups) {
@@ -163,6 +171,7 @@ void run(Options options) {
   } else {
     add_terms(options, data, terms_of(options.effect.effects, story.model, data), nullptr, story);
   }
+  expect_file_suits(options, data, story.bytes);
   const std::vector<LedgerRow> rows = read_ledger(story.bytes, how.model);
   if (!story.trials.empty()) write_bytes(out, story.bytes);
   if (options.effect.json) {
