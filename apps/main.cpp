@@ -44,6 +44,10 @@ int main(int argc, char** argv) {
   ballbar::commands::add_check(app);
   ballbar::commands::add_diagnose(app);
   ballbar::commands::add_predict(app);
+  ballbar::commands::add_try(app);
+  ballbar::commands::add_add(app);
+  ballbar::commands::add_undo(app);
+  ballbar::commands::add_ledger(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

@@ -14,6 +14,7 @@
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/trace.hpp"
 #include "source_text.hpp"
+#include "table_place.hpp"
 #include "toml_source.hpp"
 
 namespace ballbar {
@@ -254,24 +255,6 @@ std::string effect_text(const Term& term) {
   return out;
 }
 
-// Offset of the line on which a table starts.
-std::size_t line_start(const SourceText& text, const TomlTable& table) {
-  std::size_t at = 0;
-  for (auto line = table.table->source().begin.line; line > 1; --line) at = text.bytes.find('\n', at) + 1;
-  return at;
-}
-
-// [[name]] on a line of its own, not { } in an array.
-bool has_header(const SourceText& text, const TomlTable& table) {
-  std::string_view line = text.bytes.substr(line_start(text, table));
-  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-  return line.starts_with("[[");
-}
-
-bool is_before(const TomlTable& left, const TomlTable& right) {
-  return left.table->source().begin.line < right.table->source().begin.line;
-}
-
 }  // namespace
 
 Model read_model(std::string_view bytes, std::string_view name) {
@@ -298,18 +281,14 @@ std::string with_effect(std::string_view bytes, std::string_view name, const Ter
   const TomlTable root = root_of(source);
   static_cast<void>(model_of(root));
   const std::vector<TomlTable> effects = subtables(root, "effect");
-  if (!effects.empty() && !has_header(text, effects[0])) {
+  if (!effects.empty() && !has_header(text.bytes, effects[0])) {
     fail_at_table(effects[0], "expected effects as tables [[effect]], to which one can be added, found an array.");
   }
   std::size_t at = text.bytes.size();
   const std::vector<TomlTable> history = subtables(root, "history");
-  if (!history.empty() && has_header(text, history[0]) && (effects.empty() || is_before(effects.back(), history[0]))) {
-    at = line_start(text, history[0]);
-    while (at > 0) {  // with the comments directly above it
-      const std::size_t before = text.bytes.substr(0, at - 1).rfind('\n') + 1;
-      if (text.bytes[before] != '#') break;
-      at = before;
-    }
+  if (!history.empty() && has_header(text.bytes, history[0]) &&
+      (effects.empty() || is_before(effects.back(), history[0]))) {
+    at = start_with_comments(text.bytes, history[0]);
   }
   const std::size_t skipped = bytes.size() - text.bytes.size();  // the byte order mark
   std::string result(bytes.substr(0, skipped + at));

@@ -1,0 +1,20 @@
+// An effect as a user names it on the command line.
+//
+//   lagged_expansion                                   columns where the data offer one choice
+//   lagged_expansion:temperature=T_air_degC            role=column
+//   gradient_bending:hot=T3_degC,cold=T16_degC         several roles
+#pragma once
+
+#include <string_view>
+
+#include "ballbar/model.hpp"
+#include "ballbar/series.hpp"
+
+namespace ballbar {
+
+// The effect with the catalogue's settings. Columns that are not named are found where only one choice that is not in
+// the model yet goes with those that are. Throws Error: an unknown effect, role or column (with the nearest name), a
+// role twice, no column that suits, several choices (listed), columns on recordings, which bind by themselves.
+Term term_from_text(std::string_view text, const Model& model, const Series& data);
+
+}  // namespace ballbar
