@@ -273,7 +273,9 @@ void add_diagnose(CLI::App& app) {
   command->add_option("--tolerance-um", options->tolerance_um, "smaller effects are called minor")
       ->check(CLI::Range(0.0, 1e6));
   command->add_option("--seed", options->seed, "of the random draws; the same seed gives the same result");
-  command->add_option("--most-rows", options->most_rows, "longer series are searched on means of so many rows")
+  command
+      ->add_option("--most-rows", options->most_rows,
+                   "values of the target that are searched, of longer series every k-th")
       ->check(CLI::Range(30, 5000));
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(

@@ -12,12 +12,12 @@
 #include "bank.hpp"
 #include "best_subset.hpp"
 #include "bindings.hpp"
-#include "condensed.hpp"
 #include "confirmation.hpp"
 #include "evidence.hpp"
 #include "prospects.hpp"
 #include "search_null.hpp"
 #include "smooth_rival.hpp"
+#include "thinned.hpp"
 
 namespace ballbar {
 namespace {
@@ -362,7 +362,7 @@ std::string label_of(const BoundEffect& bound) {
 }
 
 Diagnosis diagnose(const Model& model, const Series& all, std::size_t target, const DiagnosisOptions& options) {
-  const Series data = condensed(all, model.targets.at(target), options.most_rows);
+  const Series data = thinned(all, model.targets.at(target), options.most_rows);
   Diagnosis result;
   result.base = fit(model, data, target);
   result.target = result.base.target;
@@ -522,25 +522,25 @@ Diagnosis diagnose(const Model& model, const Series& all, std::size_t target, co
   const Whiteness white = whiteness(best.fit);
   const bool adequate = left_evidence < kSmoothEvidence && white.p >= kWhite;
   std::vector<const Refitted*> rivals;
-  for (const Refitted& refit : refits) {
-    if (&refit != &best && refit.penalised > best.penalised - kNearlyAsGood) rivals.push_back(&refit);
+  for (const Refitted& other : refits) {
+    if (&other != &best && other.penalised > best.penalised - kNearlyAsGood) rivals.push_back(&other);
   }
   const std::vector<std::vector<BoundEffect>> groups = groups_of(now, seen, best, rivals);
   // Rivals as candidates too, then the strongest singles.
-  for (const Refitted& refit : refits) {
-    for (std::size_t m = 0; m < refit.set.size() && result.candidates.size() < kShown; ++m) {
-      const BoundEffect bound = now.bound(refit.set[m]);
+  for (const Refitted& other : refits) {
+    for (std::size_t m = 0; m < other.set.size() && result.candidates.size() < kShown; ++m) {
+      const BoundEffect bound = now.bound(other.set[m]);
       const bool there = std::any_of(result.candidates.begin(), result.candidates.end(),
                                      [&](const Candidate& candidate) { return candidate.bound == bound; });
       if (there) continue;
-      Candidate candidate = candidate_of(now, refit, m);
+      Candidate candidate = candidate_of(now, other, m);
       candidate.threshold = null.threshold(*bound.effect);
-      Set others = refit.set;
+      Set others = other.set;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(m));
-      candidate.evidence = 2.0 * (refit.log_likelihood - now.evaluated(others, noise).log_likelihood);
+      candidate.evidence = 2.0 * (other.log_likelihood - now.evaluated(others, noise).log_likelihood);
       candidate.p_search = null.p_search(*bound.effect, candidate.evidence);
       candidate.held_out_before_um = held_out(now.leftover(), noise, cycle).rmse_um;
-      candidate.held_out_after_um = held_out(refit.leftover, refit.noise, cycle).rmse_um;
+      candidate.held_out_after_um = held_out(other.leftover, other.noise, cycle).rmse_um;
       result.candidates.push_back(std::move(candidate));
     }
   }

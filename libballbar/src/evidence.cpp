@@ -16,9 +16,7 @@ namespace {
 constexpr Eigen::Index kFewestForMemory = 30;
 
 // A memory longer than this the record cannot show: what varies so slowly counts as what the model lacks.
-double longest_memory_s(const Leftover& leftover) {
-  return (leftover.time_s.back() - leftover.time_s.front()) / 6.0;
-}
+double longest_memory_s(const Leftover& leftover) { return (leftover.time_s.back() - leftover.time_s.front()) / 6.0; }
 
 Eigen::MatrixXd joined_columns(const Leftover& leftover, const Eigen::MatrixXd& added) {
   Eigen::MatrixXd all(leftover.residual_um.size(), leftover.model.cols() + added.cols());

@@ -19,7 +19,8 @@ struct Leftover {
 Leftover leftover_of(const Fit& fit);
 
 // Columns J = [model, added] by generalised least squares, the noise by maximum likelihood, in turn. With fewer than 30
-// rows the noise is white; where sigma is stated it stays that of `start`, as so few rows tell less than what is stated.
+// rows the noise is white; where sigma is stated it stays that of `start`, as so few rows tell less than what is
+// stated.
 struct Explained {
   Noise noise;
   double log_likelihood = 0.0;  // at the maximum over gains and noise

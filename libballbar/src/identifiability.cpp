@@ -10,8 +10,8 @@
 
 #include "bank.hpp"
 #include "bindings.hpp"
-#include "condensed.hpp"
 #include "prospects.hpp"
+#include "thinned.hpp"
 
 namespace ballbar {
 namespace {
@@ -160,7 +160,7 @@ std::vector<Prospect> prospects_of(const Bank& bank, const Projected& seen, cons
 }
 
 Preflight preflight(const Model& model, const Series& all, std::size_t target, std::optional<Motion> motion) {
-  const Series data = condensed(all, model.targets.at(target), kMostRows);
+  const Series data = thinned(all, model.targets.at(target), kMostRows);
   const Fit fitted = fit(model, data, target);
   Preflight result;
   result.target = fitted.target;

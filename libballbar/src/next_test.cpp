@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "candidate_rows.hpp"
-#include "condensed.hpp"
 #include "evidence.hpp"
 #include "open_question.hpp"
 #include "planned_test.hpp"
 #include "separation.hpp"
+#include "thinned.hpp"
 
 namespace ballbar {
 namespace {
@@ -188,7 +188,7 @@ std::string text_of(const Question& question, const Judged& judged, const std::s
 std::vector<NextTest> next_tests(const Model& model, const Series& all, const Diagnosis& diagnosis) {
   std::vector<NextTest> result;
   if (diagnosis.verdict == Verdict::nothing || find_column(all, diagnosis.target) == nullptr) return result;
-  const Series data = condensed(all, diagnosis.target, kMostRows);
+  const Series data = thinned(all, diagnosis.target, kMostRows);
   if (!suits(model, data, diagnosis)) return result;
   const Question question = question_of(model, data, diagnosis);
   if (question.pairs.empty()) return result;

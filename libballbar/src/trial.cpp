@@ -8,9 +8,9 @@
 #include <unsupported/Eigen/SpecialFunctions>
 
 #include "bank.hpp"
-#include "condensed.hpp"
 #include "confirmation.hpp"
 #include "likely.hpp"
+#include "thinned.hpp"
 
 namespace ballbar {
 namespace {
@@ -188,12 +188,12 @@ void tell_earlier(const std::vector<Stay>& earlier, LedgerRow& row) {
 }  // namespace
 
 std::vector<Stay> stays(const Model& model, std::size_t count, const Series& data, std::size_t target) {
-  const Series seen = condensed(data, model.targets.at(target), kMostTestedRows);
+  const Series seen = thinned(data, model.targets.at(target), kMostTestedRows);
   return stays(model, count, tested(model, seen, target));
 }
 
 Trial trial(const Model& model, const std::vector<Term>& added, const Series& data, std::size_t target) {
-  const Series seen = condensed(data, model.targets.at(target), kMostTestedRows);
+  const Series seen = thinned(data, model.targets.at(target), kMostTestedRows);
   Trial result;
   result.model = model;
   result.model.terms.insert(result.model.terms.end(), added.begin(), added.end());
@@ -226,7 +226,7 @@ Pruned pruned(Trial trial, const Series& data, std::size_t target) {
   std::size_t earlier = now.model.terms.size() - now.added.size();
   std::vector<std::size_t> place(earlier);  // in the model before, of what is left of it
   for (std::size_t t = 0; t < earlier; ++t) place[t] = t;
-  const Series seen = condensed(data, now.model.targets.at(target), kMostTestedRows);
+  const Series seen = thinned(data, now.model.targets.at(target), kMostTestedRows);
   while (true) {
     const auto least = std::max_element(now.earlier.begin(), now.earlier.end(),
                                         [](const Stay& a, const Stay& b) { return a.p < b.p; });

@@ -8,11 +8,11 @@
 
 #include "bank.hpp"
 #include "best_subset.hpp"
-#include "condensed.hpp"
 #include "confirmation.hpp"
 #include "evidence.hpp"
 #include "search_null.hpp"
 #include "smooth_rival.hpp"
+#include "thinned.hpp"
 
 namespace ballbar {
 namespace {
@@ -43,25 +43,21 @@ Bank bank_with(const Eigen::MatrixXd& columns) {
   return bank;
 }
 
-TEST(Condensed, means_of_neighbours_and_their_sigma) {
-  Series data = rows_of(5, 10.0);
-  data.columns = {{"z_um", Role::measured, {1, 3, 5, 7, 9}}, {"z_sigma_um", Role::measured, {3, 4, 3, 4, 5}}};
-  const Series means = condensed(data, "z_um", 3);
-  EXPECT_EQ(means.time_s, (std::vector<double>{5, 25, 40}));
-  EXPECT_EQ(means.columns[0].values, (std::vector<double>{2, 6, 9}));
-  EXPECT_EQ(means.columns[1].values, (std::vector<double>{2.5, 2.5, 5}));  // sqrt(9 + 16) / 2
-  EXPECT_EQ(condensed(data, "z_um", 5).time_s, data.time_s);
-}
-
-TEST(Condensed, recordings_stay_apart_and_a_turns_end_does_not_matter) {
-  Series data = rows_of(5, 1.0);
-  data.columns = {{"deviation_um", Role::measured, {1, 3, 5, 7, 9}},
-                  {"recording", Role::event, {0, 0, 0, 1, 1}},
-                  {"angle_rad", Role::event, {6.2, 6.283185307179586 - 6.283185307179586 + 0.0168, 1.0, 2.0, 3.0}}};
-  const Series means = condensed(data, "deviation_um", 4);
-  EXPECT_EQ(means.columns[0].values, (std::vector<double>{2, 5, 8}));
-  EXPECT_EQ(means.columns[1].values, (std::vector<double>{0, 0, 1}));
-  EXPECT_NEAR(means.columns[2].values[0], 6.25, 1e-3);  // between 6.2 and 6.3 = 0.0168 + 2 pi
+TEST(Thinned, keeps_every_kth_value_of_the_target_and_all_inputs) {
+  Series data = rows_of(6, 10.0);
+  data.columns = {{"z_um", Role::measured, {1, 3, std::nan(""), 5, 7, 9}},
+                  {"T_degC", Role::structure, {1, 2, 3, 4, 5, 6}}};
+  const Series found = thinned(data, "z_um", 3);
+  EXPECT_EQ(found.time_s, data.time_s);
+  EXPECT_EQ(found.columns[1].values, data.columns[1].values);
+  const std::vector<double>& left = found.columns[0].values;
+  EXPECT_EQ(left[0], 1.0);
+  EXPECT_TRUE(std::isnan(left[1]));
+  EXPECT_TRUE(std::isnan(left[2]));
+  EXPECT_EQ(left[3], 5.0);
+  EXPECT_TRUE(std::isnan(left[4]));
+  EXPECT_EQ(left[5], 9.0);
+  EXPECT_EQ(thinned(data, "z_um", 5).columns[0].values[1], 3.0);
 }
 
 // The model is a constant: (1, -1, 1, -1) / 2 survives whole, (1, 1, 1, 1) not at all; r = 3 (1, -1, 1, -1).

@@ -11,8 +11,8 @@
 // Evidence: 2 ln of the likelihood ratio, the noise estimated anew under each hypothesis. Sets of effects are searched
 // together, not one after the other.
 //
-// Series with more than 1500 values of the target are searched on means of neighbouring rows; figures of the effects
-// are of that search. O(n) in rows, linear in signatures; 5000 rows and 20 effects: about 1.5 s.
+// Of more than 1500 values of the target every second, third ... is searched; figures of the effects are of that
+// search. O(n) in rows, linear in signatures; 5000 rows and 20 effects: about 1.5 s.
 #pragma once
 
 #include <cstddef>
@@ -86,7 +86,7 @@ struct DiagnosisOptions {
   std::size_t draws = 2000;
   std::size_t fakes = 200;
   std::uint64_t seed = 1;
-  std::size_t most_rows = 1500;  // searched; longer series are condensed
+  std::size_t most_rows = 1500;  // values of the target searched
 };
 
 // Throws Error as fit does.

@@ -11,7 +11,8 @@
 //                     whatever shape the other has, they are inseparable here
 //
 // An effect with several gains counts by the space they span: coherence by the smallest canonical correlation; d is
-// that of its first. Series with more than 1500 values of the target are seen as means of neighbouring rows.
+// that of its first. Of more than 1500 values of the target every
+// second, third ... counts.
 #pragma once
 
 #include <optional>
