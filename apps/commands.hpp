@@ -17,5 +17,7 @@ void add_preflight(CLI::App& app);
 void add_check(CLI::App& app);
 void add_diagnose(CLI::App& app);
 void add_predict(CLI::App& app);
+void add_blind(CLI::App& app);
+void add_inject(CLI::App& app);
 
 }  // namespace ballbar::commands

@@ -44,6 +44,8 @@ int main(int argc, char** argv) {
   ballbar::commands::add_check(app);
   ballbar::commands::add_diagnose(app);
   ballbar::commands::add_predict(app);
+  ballbar::commands::add_blind(app);
+  ballbar::commands::add_inject(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
