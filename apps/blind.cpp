@@ -27,7 +27,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMostSets = 500;
-constexpr std::size_t kWidest = 140;
 
 struct MakeOptions {
   int count = 20;
@@ -135,9 +134,11 @@ void print_text(const std::vector<SealedSet>& sets, const std::vector<BlindVerdi
   print_share(totals, "truth named or in the reported set", scores.in_set);
   print_share(totals, "false name for what the catalogue lacks", scores.false_names);
   fmt::print("{}\n", totals.text());
-  fmt::print("{}",
-             wrapped("d: root of the fall of chi^2 that finding the hidden signal would bring. Right: see blind.hpp; "
-                     "intervals are Wilson's."));
+  fmt::print("{}", wrapped("Right: all that is hidden is named and nothing else is reported; where nothing is hidden, "
+                           "nothing found; for what the catalogue lacks, unexplained; where the data cannot tell, the "
+                           "truth in a set and nothing named. Wrong: another effect named, or something found where "
+                           "nothing is. d: root of the fall of chi^2 that finding the hidden signal brings. Intervals "
+                           "are Wilson's."));
 }
 
 nlohmann::ordered_json json_of(const std::vector<BoundEffect>& bounds) {
@@ -163,6 +164,7 @@ void print_json(const std::vector<SealedSet>& sets, const std::vector<BlindVerdi
                             {"kind", name_of(answer.kind)},
                             {"truth", answer.what},
                             {"hidden", json_of(answer.hidden)},
+                            {"match", json_of(answer.match)},
                             {"d", answer.d},
                             {"amplitude_um", answer.amplitude_um},
                             {"verdict", name_of(verdicts[i].verdict)},

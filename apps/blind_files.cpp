@@ -217,7 +217,7 @@ std::string write_blind(const fs::path& folder, const fs::path& answers, std::si
                         const std::function<void(std::size_t)>& progress) {
   if (folder.empty()) throw Error("Expected the name of a folder to write to, found an empty one.");
   const fs::path target = fs::absolute(folder / "").lexically_normal().parent_path();  // no trailing slash
-  expect_new(target, answers);
+  expect_new(folder, answers);
   const bool apart = fs::absolute(answers).lexically_normal() != target / "answers.json";
   const fs::path temporary = new_folder_beside(target);
   std::string digest;

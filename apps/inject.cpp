@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -38,7 +39,8 @@ struct Options {
 struct Injected {
   Injection injection;
   double amplitude_um = 0.0;
-  double d = 0.0;  // of that amplitude, by the noise of the model's fit
+  Fit base;        // of the model, without it
+  double d = 0.0;  // of that amplitude, by the noise of that fit
   Diagnosis without, with;
   SmallestSeen smallest;
 };
@@ -89,6 +91,8 @@ std::string shapes_text(const Injection& injection) {
 
 bool is_seen(Sight sight) { return sight == Sight::named || sight == Sight::in_set; }
 
+double amplitude_of(const Injected& result, double d) { return d / result.d * result.amplitude_um; }
+
 // Whole sentences.
 std::string answer_text(const Injected& result) {
   const std::string label = label_of(result.injection.bound);
@@ -100,34 +104,52 @@ std::string answer_text(const Injected& result) {
         "nothing.",
         label, name_of(before));
   }
-  std::string text = now == Sight::named    ? fmt::format("It would be named. ")
-                     : now == Sight::in_set ? fmt::format("It would be in the reported set, not named. ")
-                     : now == Sight::unexplained && before != Sight::unexplained
-                         ? fmt::format("It would show as something unexplained, not under its name. ")
-                         : fmt::format("It would not be seen. ");
-  const SmallestSeen& smallest = result.smallest;
-  if (std::isfinite(smallest.seen_um)) {
-    text += smallest.not_seen_um > 0.0
-                ? fmt::format("The smallest amplitude that is seen lies between {:.2g} and {:.2g} um",
-                              smallest.not_seen_um, smallest.seen_um)
-                : fmt::format("The smallest amplitude that is seen is at most {:.2g} um", smallest.seen_um);
-  } else {
-    text += fmt::format("Up to {:.2g} um it is not seen", smallest.not_seen_um);
+  std::string text;
+  switch (now) {
+    case Sight::named:
+      text = "It would be named.";
+      break;
+    case Sight::in_set:
+      text = "It would be in the reported set, not named.";
+      break;
+    case Sight::candidate:
+      text = "It would lead the candidates, neither named nor in a reported set.";
+      break;
+    case Sight::unexplained:
+      text = before == Sight::unexplained ? "It would not be seen: something unexplained is there already."
+                                          : "It would show as something unexplained, not under its name.";
+      break;
+    case Sight::not_seen:
+      text = "It would not be seen.";
+      break;
   }
-  return text + fmt::format(" ({} diagnoses).", smallest.diagnoses);
+  const SmallestSeen& smallest = result.smallest;
+  if (!std::isfinite(smallest.seen_um)) {
+    text += fmt::format(" Up to {:.2g} um it is neither named nor in the set", smallest.not_seen_um);
+  } else if (smallest.not_seen_um > 0.0) {
+    text += fmt::format(" The smallest amplitude that is named or in the set lies between {:.2g} and {:.2g} um",
+                        smallest.not_seen_um, smallest.seen_um);
+  } else {
+    text += fmt::format(" The smallest amplitude that is named or in the set is at most {:.2g} um", smallest.seen_um);
+  }
+  text += fmt::format(" ({} diagnoses).", smallest.diagnoses);
+  if (smallest.seen_um < amplitude_of(result, 3.0)) text += " That is chance: the noise already has some of its shape.";
+  return text;
 }
 
 void print_text(const Injected& result, const std::string& title) {
-  fmt::print("{}\n{}\n\n", title, heading(result.without.base));
-  fmt::print("{}\n",
-             wrapped(fmt::format(
-                 "Added: {}{}, {:g} um from its lowest to its highest value, d = {:.1f} beside the noise of "
-                 "the model's residual (5 can be detected, 7.5 identified).",
-                 label_of(result.injection.bound), shapes_text(result.injection), result.amplitude_um, result.d)));
-  Table table({"", "RMSE um", "verdict", label_of(result.injection.bound)});
+  fmt::print("{}\n{}\n\n", title, heading(result.base));
+  fmt::print(
+      "{}\n",
+      wrapped(fmt::format(
+          "Added: {}{}, {:g} um from its lowest to its highest value: d = {:.1f} beside the noise of the model's "
+          "residual. Detectable (d = 5) are {:.2g} um, identifiable (d = 7.5) {:.2g} um.",
+          label_of(result.injection.bound), shapes_text(result.injection), result.amplitude_um, result.d,
+          amplitude_of(result, 5.0), amplitude_of(result, 7.5))));
+  Table table({"", "verdict", label_of(result.injection.bound)});
   const auto add = [&](const char* what, const Diagnosis& found) {
-    table.add({what, fmt::format("{:.{}f}", found.base.rmse_um, decimals_of(found.base.rmse_um)),
-               std::string(name_of(found.verdict)), std::string(name_of(sight_of(found, result.injection.bound)))});
+    table.add(
+        {what, std::string(name_of(found.verdict)), std::string(name_of(sight_of(found, result.injection.bound)))});
   };
   add("as measured", result.without);
   add("with it", result.with);
@@ -135,9 +157,7 @@ void print_text(const Injected& result, const std::string& title) {
 }
 
 nlohmann::ordered_json json_of(const Diagnosis& found, const BoundEffect& bound) {
-  return {{"verdict", name_of(found.verdict)},
-          {"seen", name_of(sight_of(found, bound))},
-          {"rmse_um", number(found.base.rmse_um)}};
+  return {{"verdict", name_of(found.verdict)}, {"seen", name_of(sight_of(found, bound))}};
 }
 
 void print_json(const Injected& result) {
@@ -154,6 +174,8 @@ void print_json(const Injected& result) {
                                        {"shapes", shapes},
                                        {"amplitude_um", result.amplitude_um},
                                        {"d", number(result.d)},
+                                       {"detectable_um", number(amplitude_of(result, 5.0))},
+                                       {"identifiable_um", number(amplitude_of(result, 7.5))},
                                        {"without", json_of(result.without, bound)},
                                        {"with", json_of(result.with, bound)},
                                        {"answer", answer_text(result)},
@@ -201,28 +223,33 @@ void run(const Options& options) {
   }
   expect_to_fit(options.model, model, data);
   const std::string& target = model.targets.front();
-  Injected result{injection(options, model, data), options.amplitude_um, 0.0, {}, {}, {}};
+  Injected result{injection(options, model, data), options.amplitude_um, {}, 0.0, {}, {}, {}};
   const Series changed =
       with_source("EFFECT", [&] { return injected(data.series, target, result.injection, options.amplitude_um); });
   DiagnosisOptions how;
   how.motion = data.motion;
   how.seed = options.seed;
+  result.base = fit_of(options.model, model, data, 0);
   show_progress(1);
   result.without = diagnose(model, data.series, 0, how);
   show_progress(2);
   result.with = diagnose(model, changed, 0, how);
   const std::vector<double> signal = signal_of(result.injection, data.series);
-  const double d_per_um = survival_of(signal, result.without.base, result.without.base.noise).d / range_of(signal);
+  const double d_per_um = survival_of(signal, result.base, result.base.noise).d / range_of(signal);
   result.d = options.amplitude_um * d_per_um;
   result.smallest = {0.0, std::numeric_limits<double>::infinity(), 2};
   if (!is_seen(sight_of(result.without, result.injection.bound))) {
     const bool seen = is_seen(sight_of(result.with, result.injection.bound));
     (seen ? result.smallest.seen_um : result.smallest.not_seen_um) = options.amplitude_um;
     result.smallest =
-        smallest_seen(model, data.series, result.injection, d_per_um, result.smallest, how, 6, show_progress);
+        smallest_seen(model, data.series, result.injection, d_per_um, result.smallest, how, show_progress);
   }
   show_progress(0);
-  if (!options.out.empty()) write_bytes(options.out, write_series(changed));
+  if (!options.out.empty()) {
+    const std::string label = fmt::format("# # INJECTED by ballbar inject, not measured: {:g} um of {} in {}.\n",
+                                          options.amplitude_um, label_of(result.injection.bound), target);
+    write_bytes(options.out, label + write_series(changed));
+  }
   if (options.json) {
     print_json(result);
   } else {
@@ -239,7 +266,12 @@ void add_inject(CLI::App& app) {
   command->add_option("EFFECT", options->effect, "name, with columns where there is a choice: NAME:ROLE=COLUMN")
       ->required();
   command->add_option("--amplitude-um", options->amplitude_um, "its largest less its smallest value")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Validator(
+          [](const std::string& amplitude_um) {
+            const double value = std::strtod(amplitude_um.c_str(), nullptr);
+            return value > 0.0 && std::isfinite(value) ? "" : std::string("expected a finite amplitude above 0");
+          },
+          ""))
       ->required();
   add_model_options(*command, options->model, false);
   command

@@ -184,6 +184,7 @@ bool fill(BlindSet& set, BlindKind kind, Random& random) {
   const Scatter scatter = drawn_scatter(random);
   const Noise noise = noise_model(scatter, workshop.logged.time_s[1] - workshop.logged.time_s[0]);
   set.data = workshop.logged;
+  set.noise = noise;
 
   if (kind == BlindKind::spindle) {
     set.model.targets = {target};

@@ -87,6 +87,9 @@ Sight sight_of(const Diagnosis& diagnosis, const BoundEffect& bound) {
   };
   if (holds(diagnosis.named)) return Sight::named;
   if (std::any_of(diagnosis.equivalent.begin(), diagnosis.equivalent.end(), holds)) return Sight::in_set;
+  const auto is_best = [&](const Candidate& candidate) { return candidate.in_best_set && candidate.bound == bound; };
+  const bool calls = diagnosis.verdict != Verdict::nothing && diagnosis.verdict != Verdict::untestable;
+  if (calls && std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(), is_best)) return Sight::candidate;
   return diagnosis.verdict == Verdict::unexplained ? Sight::unexplained : Sight::not_seen;
 }
 
@@ -96,8 +99,10 @@ std::string_view name_of(Sight sight) {
       return "named";
     case Sight::in_set:
       return "in the reported set";
+    case Sight::candidate:
+      return "candidate";
     case Sight::unexplained:
-      return "as something unexplained";
+      return "unexplained";
     case Sight::not_seen:
       break;
   }
@@ -105,13 +110,16 @@ std::string_view name_of(Sight sight) {
 }
 
 SmallestSeen smallest_seen(const Model& model, const Series& data, const Injection& injection, double d_per_um,
-                           SmallestSeen known, const DiagnosisOptions& options, std::size_t most,
+                           SmallestSeen known, const DiagnosisOptions& options,
                            const std::function<void(std::size_t)>& progress) {
   constexpr double kClose = 1.15;
-  for (std::size_t tries = 0; tries < most && known.seen_um > kClose * known.not_seen_um; ++tries) {
+  constexpr int kMost = 6, kMostUpwards = 3;
+  int upwards = 0;
+  for (int tries = 0; tries < kMost && known.seen_um > kClose * known.not_seen_um; ++tries) {
     const double detected_um = 5.0 / d_per_um, identified_um = 7.5 / d_per_um;
     double try_um = std::sqrt(known.not_seen_um * known.seen_um);
     if (!std::isfinite(known.seen_um)) {
+      if (++upwards > kMostUpwards) break;
       try_um = identified_um > 1.5 * known.not_seen_um && std::isfinite(identified_um) ? identified_um
                                                                                        : 2.0 * known.not_seen_um;
     } else if (known.not_seen_um == 0.0) {

@@ -38,6 +38,7 @@
 
 #include "ballbar/diagnosis.hpp"
 #include "ballbar/model.hpp"
+#include "ballbar/noise.hpp"
 #include "ballbar/series.hpp"
 
 namespace ballbar {
@@ -64,6 +65,7 @@ struct BlindSet {
   BlindAnswer answer;
   std::vector<double> clean_um;                // the base model's part, one a row
   std::vector<std::vector<double>> hidden_um;  // the hidden signals
+  Noise noise;                                 // the true one, rounding included
 };
 
 // The same kind and seed give the same set.

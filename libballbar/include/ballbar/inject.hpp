@@ -44,12 +44,12 @@ struct Survival {
 };
 Survival survival_of(std::span<const double> signal_um, const Fit& fit, const Noise& noise);
 
-enum class Sight { named, in_set, unexplained, not_seen };
+enum class Sight { named, in_set, candidate, unexplained, not_seen };
 
-// What a diagnosis makes of an effect that is there: it names it, has it in a set of equivalent ones, says that
-// something unexplained is there, or sees nothing of it.
+// What a diagnosis makes of an effect that is there: it names it, has it in a set of equivalent ones, has it in its
+// best set without confirming it, says that something unexplained is there, or sees nothing of it.
 Sight sight_of(const Diagnosis& diagnosis, const BoundEffect& bound);
-std::string_view name_of(Sight sight);  // "named", "in the reported set", "as something unexplained", "not seen"
+std::string_view name_of(Sight sight);  // "named", "in the reported set", "candidate", "unexplained", "not seen"
 
 // Amplitudes (range of the signal, um) between which the smallest lies that is seen: named or in a reported set.
 struct SmallestSeen {
@@ -58,11 +58,12 @@ struct SmallestSeen {
   std::size_t diagnoses = 0;
 };
 
-// Narrows what is `known` by diagnoses of the model's first target with more and less of the signal, at most `most`
-// of them, until the two are within 15 %: where they are far apart first at d = 7.5 and 5 (d_per_um: d of 1 um), then
-// at their geometric mean. Seeing need not grow with the amplitude everywhere; then it is one place where it changes.
+// Narrows what is `known` by at most 6 diagnoses of the model's first target with more and less of the signal, until
+// the two are within 15 %: first at d = 7.5 and 5 (d_per_um: d of 1 um), then at their geometric mean; where nothing is
+// seen, twice the amplitude, three times. Seeing need not grow with the amplitude everywhere; then it is one place
+// where it changes.
 SmallestSeen smallest_seen(const Model& model, const Series& data, const Injection& injection, double d_per_um,
-                           SmallestSeen known, const DiagnosisOptions& options, std::size_t most,
+                           SmallestSeen known, const DiagnosisOptions& options,
                            const std::function<void(std::size_t)>& progress);
 
 }  // namespace ballbar
