@@ -88,6 +88,7 @@ BlindVerdict diagnosed(const fs::path& folder) {
 
 std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {
   std::vector<std::string> texts;
+  texts.reserve(bounds.size());
   for (const BoundEffect& bound : bounds) {
     texts.push_back(bound.columns.empty() ? bound.effect->name : label_of(bound));
   }

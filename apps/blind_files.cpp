@@ -123,7 +123,7 @@ void expect_made(const fs::path& file, std::size_t limit, const std::string& dig
 fs::path new_folder_beside(const fs::path& folder) {
   std::random_device random;
   for (int attempt = 0;; ++attempt) {
-    const fs::path name = folder.string() + fmt::format(".{:08x}", random());
+    fs::path name = folder.string() + fmt::format(".{:08x}", random());
     std::error_code error;
     if (fs::create_directories(name, error)) return name;
     if (error || attempt == 100) {

@@ -151,6 +151,7 @@ std::vector<Hidden> drawn_causes(const Workshop& workshop, std::string_view targ
   if (target == "y_um") names = {"y_structure_um", "y_bending_um"};
   for (std::size_t i = names.size(); i > 1; --i) std::swap(names[i - 1], names[index_below(random, i)]);
   std::vector<Hidden> causes;
+  causes.reserve(names.size());
   for (const std::string& name : names) {
     causes.push_back({fmt::format("{} of a finite-volume spindle", name.substr(0, name.size() - 3)), std::nullopt,
                       match_of(name), values_of(workshop.causes, name)});

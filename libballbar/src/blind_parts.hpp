@@ -42,7 +42,7 @@ enum class Plan { usual, one_speed, constant_room };
 
 // one_speed: a rest, then one speed and load to the end. Logged are always the speed, in one_speed the load, and
 // T_room_degC and T_front_degC; in constant_room T_room_degC is constant.
-Workshop workshop_of(Plan plan, Random& random);
+Workshop workshop_of(Plan kind, Random& random);
 
 // Parameters between the second and the last but one point of their grid, evenly in the logarithm, gains 1 or -1.
 // Thresholds and half-widths by how far the input moves.
