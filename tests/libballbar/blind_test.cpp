@@ -63,8 +63,8 @@ TEST(Blind, TheBaseModelIsRight) {
   }
 }
 
-// What is neither the base model's nor hidden is noise of the stated kind: whitened, its mean square is 1. 0.35: a short
-// set has some 200 rows, and the square of a Student's t with 4 degrees of freedom scatters without bounds.
+// What is neither the base model's nor hidden is noise of the stated kind: whitened, its mean square is 1. 0.35: a
+// short set has some 200 rows, and the square of a Student's t with 4 degrees of freedom scatters without bounds.
 TEST(Blind, TheRestIsNoise) {
   for (const BlindKind kind : kAll) {
     const BlindSet& set = short_set(kind);
