@@ -21,5 +21,7 @@ void add_try(CLI::App& app);
 void add_add(CLI::App& app);
 void add_undo(CLI::App& app);
 void add_ledger(CLI::App& app);
+void add_blind(CLI::App& app);
+void add_inject(CLI::App& app);
 
 }  // namespace ballbar::commands

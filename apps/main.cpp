@@ -18,7 +18,13 @@ namespace {
 // What is wrong with the command line, and where help is.
 std::string told(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   const auto chosen = app.get_subcommands();
-  if (!chosen.empty()) return fmt::format("{}; see ballbar {} --help", error.what(), chosen.front()->get_name());
+  if (!chosen.empty()) {
+    std::string name = "ballbar";
+    for (auto command = chosen; !command.empty(); command = command.front()->get_subcommands()) {
+      name += " " + command.front()->get_name();
+    }
+    return fmt::format("{}; see {} --help", error.what(), name);
+  }
   std::string names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     names += (names.empty() ? "" : ", ") + command->get_name();
@@ -48,6 +54,8 @@ int main(int argc, char** argv) {
   ballbar::commands::add_add(app);
   ballbar::commands::add_undo(app);
   ballbar::commands::add_ledger(app);
+  ballbar::commands::add_blind(app);
+  ballbar::commands::add_inject(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

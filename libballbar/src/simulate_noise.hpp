@@ -18,7 +18,9 @@ enum class Stream : std::uint32_t {
   probe,
   spindle_noise,
   spindle_memory,
-  spindle_variety
+  spindle_variety,
+  blind_kind,
+  blind_set
 };
 
 // The stream of that seed, kind and key; the key is the test's time or the column's name.
