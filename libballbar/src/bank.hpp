@@ -39,10 +39,8 @@ struct Bank {
 };
 
 struct BankOptions {
-  std::optional<Motion> motion;        // of recordings
-  std::size_t most_shapes = 48;        // points of one family's grid
-  std::size_t most_signatures = 3000;  // beyond, families with two columns are thinned out
-  bool every_onset = true;             // of a step: up to 400 of them; else 7
+  std::optional<Motion> motion;  // of recordings
+  bool every_onset = true;       // of a step: up to 400 of them; else 7
 };
 
 // Families of effects that are in the model on the same columns are left out, but for time-only ones with an onset or

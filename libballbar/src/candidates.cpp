@@ -1,0 +1,131 @@
+#include "candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "confirmation.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kChance = 0.01;
+constexpr double kFewestEvidence = 25.0;  // d = 5
+
+// Of the residual freed of the model's columns.
+double chi2(const Leftover& leftover, const Noise& noise) {
+  const Whitening whitening(noise, leftover.time_s, leftover.sigma_um);
+  const auto whitened = [&](const Eigen::VectorXd& column) {
+    Eigen::VectorXd out(column.size());
+    whitening.apply(column.data(), 1, out.data(), 1);
+    return out;
+  };
+  Eigen::MatrixXd x(leftover.model.rows(), leftover.model.cols());
+  for (Eigen::Index k = 0; k < x.cols(); ++k) x.col(k) = whitened(leftover.model.col(k));
+  const Eigen::MatrixXd basis = orthonormal(x);
+  const Eigen::VectorXd r = whitened(leftover.residual_um);
+  return r.squaredNorm() - (basis.transpose() * r).squaredNorm();
+}
+
+// Columns of the Jacobian that are gains of the term.
+Eigen::MatrixXd gain_columns(const Fit& fit, const Model& model, std::size_t term) {
+  Eigen::Index offset = 1;
+  for (std::size_t t = 0; t < term; ++t) offset += static_cast<Eigen::Index>(model.terms[t].settings.size());
+  std::vector<Eigen::Index> gains;
+  const std::vector<Parameter>& parameters = model.terms[term].effect->parameters;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    if (parameters[k].kind == ParameterKind::gain) gains.push_back(offset + static_cast<Eigen::Index>(k));
+  }
+  return fit.jacobian(Eigen::all, gains);
+}
+
+}  // namespace
+
+Candidate candidate_of(const Hypotheses& now, const Refitted& with, std::size_t place) {
+  Candidate candidate;
+  candidate.bound = now.bound(with.set[place]);
+  const std::size_t term = now.model().terms.size() + place;
+  std::size_t first = 1;
+  for (std::size_t t = 0; t < term; ++t) first += with.model.terms[t].settings.size();
+  const std::vector<Parameter>& parameters = candidate.bound.effect->parameters;
+  double relative = 0.0;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const FittedParameter& fitted = with.fit.parameters[first + k];
+    candidate.parameters.push_back(fitted);
+    if (parameters[k].kind == ParameterKind::gain && fitted.value != 0.0) {
+      const double one = std::abs(fitted.sigma / fitted.value);
+      relative = relative == 0.0 ? one : std::min(relative, one);
+    }
+  }
+  const auto [low, high] =
+      std::minmax_element(with.fit.contribution_um[term].begin(), with.fit.contribution_um[term].end());
+  candidate.amplitude_um = *high - *low;
+  candidate.amplitude_sigma_um = relative * candidate.amplitude_um;
+  candidate.rmse_after_um = with.fit.rmse_um;
+  return candidate;
+}
+
+Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& with, std::size_t place,
+                    const SearchNull& null, const std::vector<std::size_t>& cycle, const DiagnosisOptions& options) {
+  Confirmed result{candidate_of(now, with, place), 0.0, {}};
+  Candidate& candidate = result.candidate;
+  candidate.in_best_set = true;
+  const Refitted without = now.without(with, place);
+  const Effect& effect = *candidate.bound.effect;
+  candidate.evidence = 2.0 * (with.log_likelihood - without.log_likelihood);
+  candidate.threshold = null.threshold(effect);
+  candidate.p_search = null.p_search(effect, candidate.evidence);
+  const HeldOut before = held_out(without.leftover, with.noise, cycle);
+  const HeldOut after = held_out(with.leftover, with.noise, cycle);
+  candidate.held_out_before_um = before.rmse_um;
+  candidate.held_out_after_um = after.rmse_um;
+  candidate.p_same_gain = p_same_gain(
+      with.leftover, gain_columns(with.fit, with.model, now.model().terms.size() + place), with.noise, cycle);
+  candidate.beats_fakes = now.model().level == Level::recording;
+  if (!effect.time_only && now.model().level == Level::series) {
+    const BestFake fake = best_fake(now.family(with.set[place]), now.bank(), data, with.fit.row, without.leftover,
+                                    with.noise, options.fakes, options.seed);
+    candidate.best_fake_gain = fake.gain;
+    candidate.beats_fakes = chi2(without.leftover, with.noise) - chi2(with.leftover, with.noise) > fake.gain;
+    result.best_fake_fall = fake.fall;
+  }
+  const auto fails = [&](const std::string& why) { result.why_not.push_back(label_of(candidate.bound) + ": " + why); };
+  if (effect.time_only) {
+    fails("it needs nothing but time, so that one run cannot name it as a cause.");
+    return result;
+  }
+  if (candidate.evidence < kFewestEvidence) fails("its evidence is below 25 (d = 5).");
+  if (candidate.p_search >= kChance) fails("a search without any effect shows as much too often.");
+  if (candidate.p_same_gain < kSameGain) fails("its gain differs from cycle to cycle.");
+  if (!(after.chi2 < before.chi2)) fails("cycles left out are not predicted better.");
+  if (!candidate.beats_fakes) fails("a fake of the same smoothness does as well.");
+  return result;
+}
+
+std::vector<std::vector<BoundEffect>> groups_of(const Hypotheses& now, const Projected& seen, const Refitted& best,
+                                                const std::vector<const Refitted*>& rivals) {
+  std::vector<std::vector<BoundEffect>> groups;
+  for (const std::size_t index : best.set) groups.push_back({now.bound(index)});
+  for (const Refitted* rival : rivals) {
+    for (const std::size_t extra : rival->set) {
+      if (has(now, best.set, now.bound(extra))) continue;
+      // In the place of the one it is most like.
+      double most = -1.0;
+      std::size_t place = groups.size();
+      for (std::size_t m = 0; m < best.set.size(); ++m) {
+        if (has(now, rival->set, now.bound(best.set[m]))) continue;
+        const double alike =
+            std::abs(seen.columns.col(now.at(best.set[m]).first).dot(seen.columns.col(now.at(extra).first)));
+        if (alike > most) {
+          most = alike;
+          place = m;
+        }
+      }
+      if (place == groups.size()) continue;
+      std::vector<BoundEffect>& group = groups[place];
+      if (std::find(group.begin(), group.end(), now.bound(extra)) == group.end()) group.push_back(now.bound(extra));
+    }
+  }
+  return groups;
+}
+
+}  // namespace ballbar

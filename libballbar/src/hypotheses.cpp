@@ -1,0 +1,186 @@
+#include "hypotheses.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "best_subset.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kWorthRefitting = 12.0;  // 2 ln L
+constexpr std::size_t kSearchRounds = 3;
+
+}  // namespace
+
+Hypotheses::Hypotheses(const Model& model, const Series& data, std::size_t target, const Fit& base,
+                       std::optional<Motion> motion)
+    : model_(model), data_(data), target_(target), leftover_(leftover_of(base)) {
+  BankOptions options;
+  options.motion = motion;
+  bank_ = bank_of(model, data, base, options);
+}
+
+std::size_t Hypotheses::largest_set() const {
+  const auto n = static_cast<std::size_t>(leftover_.residual_um.size());
+  const auto p = static_cast<std::size_t>(leftover_.model.cols());
+  return n <= p ? 0 : std::min<std::size_t>(3, (n - p) / 4);
+}
+
+Eigen::MatrixXd Hypotheses::columns(const Set& set) const {
+  Eigen::Index width = 0;
+  for (const std::size_t index : set) width += at(index).width;
+  Eigen::MatrixXd result(bank_.columns.rows(), width);
+  Eigen::Index column = 0;
+  for (const std::size_t index : set) {
+    result.middleCols(column, at(index).width) = bank_.columns.middleCols(at(index).first, at(index).width);
+    column += at(index).width;
+  }
+  return result;
+}
+
+Projected Hypotheses::projected_by(const Noise& noise) const {
+  return projected(bank_, leftover_.residual_um, leftover_.model,
+                   Whitening(noise, leftover_.time_s, leftover_.sigma_um));
+}
+
+const Explained& Hypotheses::evaluated(const Set& set, const Noise& start) {
+  Set key = set;
+  std::sort(key.begin(), key.end());
+  const auto known = evaluated_.find(key);
+  if (known != evaluated_.end()) return known->second;
+  return evaluated_.emplace(std::move(key), explained(leftover_, columns(set), start)).first->second;
+}
+
+Refitted Hypotheses::refitted(const Set& set, const Noise& noise) const {
+  Refitted result{set, model_, {}, {}, {}, 0.0, 0.0};
+  for (const std::size_t index : set) {
+    Term term = term_of(family(index).effect->name, family(index).columns, model_.level);
+    for (std::size_t k = 0; k < term.settings.size(); ++k) {
+      if (term.effect->parameters[k].kind != ParameterKind::shape) continue;
+      Setting& setting = term.settings[k];
+      setting.start = std::clamp(at(index).point[k], setting.lower, setting.upper);
+      setting.stated = true;
+    }
+    result.model.terms.push_back(std::move(term));
+  }
+  FitOptions options;
+  options.noise = noise;
+  result.fit = fit(result.model, data_, target_, options);
+  result.leftover = leftover_of(result.fit);
+  const Explained rest =
+      explained(result.leftover, Eigen::MatrixXd(result.leftover.residual_um.size(), 0), result.fit.noise, 2);
+  result.noise = rest.noise;
+  result.log_likelihood = rest.log_likelihood;
+  return result;
+}
+
+Refitted Hypotheses::without(const Refitted& whole, std::size_t place) const {
+  Refitted result = whole;
+  const std::size_t term = model_.terms.size() + place;
+  result.set.erase(result.set.begin() + static_cast<std::ptrdiff_t>(place));
+  std::size_t parameter = 1;
+  for (Term& one : result.model.terms) {
+    for (Setting& setting : one.settings) {
+      setting.start = std::clamp(whole.fit.parameters[parameter++].value, setting.lower, setting.upper);
+      setting.stated = true;
+    }
+  }
+  result.model.terms.erase(result.model.terms.begin() + static_cast<std::ptrdiff_t>(term));
+  FitOptions options;
+  options.noise = whole.noise;
+  result.fit = fit(result.model, data_, target_, options);
+  result.leftover = leftover_of(result.fit);
+  const Explained rest =
+      explained(result.leftover, Eigen::MatrixXd(result.leftover.residual_um.size(), 0), result.fit.noise, 2);
+  result.log_likelihood = rest.log_likelihood;
+  return result;
+}
+
+Guess first_guess(Hypotheses& now, const Noise& base_noise, double base_log_likelihood) {
+  constexpr double kPrice = 14.0;  // of an effect, before its threshold is known
+  Noise white = base_noise;
+  white.white_um =
+      std::sqrt(base_noise.white_um * base_noise.white_um + base_noise.correlated_um * base_noise.correlated_um);
+  white.correlated_um = 0.0;
+  std::vector<Noise> starts{base_noise};
+  if (base_noise.correlated_um > 0.0) starts.push_back(white);
+  Guess guess{{}, base_noise};
+  double most = 2.0 * base_log_likelihood;
+  if (now.has_few_rows() && !now.leftover().sigma_um.empty()) {
+    // What is stated, nothing more; all is judged by it.
+    now.forget();
+    guess.noise = {};
+    starts = {guess.noise};
+    most = 2.0 * now.evaluated({}, guess.noise).log_likelihood;
+  }
+  for (std::size_t round = 0; round < kSearchRounds && !starts.empty(); ++round) {
+    const std::vector<Noise> from = std::move(starts);
+    starts.clear();
+    bool better = false;
+    for (const Noise& start : from) {
+      const Projected seen = now.projected_by(start);
+      std::vector<Subset> subsets = best_subsets(now.bank(), seen, nullptr, now.largest_set());
+      // The best few of every size.
+      std::map<std::size_t, std::size_t> taken;
+      for (const Subset& subset : subsets) {
+        if (++taken[subset.signatures.size()] > 5) continue;
+        const Explained& found = now.evaluated(subset.signatures, start);
+        const double value = 2.0 * found.log_likelihood - kPrice * static_cast<double>(subset.signatures.size());
+        if (value <= most + 0.5) continue;
+        most = value;
+        guess = {subset.signatures, found.noise};
+        better = true;
+      }
+    }
+    if (better) starts.push_back(guess.noise);
+  }
+  return guess;
+}
+
+std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& set) {
+  std::vector<Set> result;
+  for (std::size_t out = 0; out < set.size(); ++out) {
+    Set others = set;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(out));
+    Eigen::MatrixXd basis(seen.columns.rows(), 0);
+    for (const std::size_t index : others) {
+      Eigen::MatrixXd more(basis.rows(), basis.cols() + now.at(index).width);
+      more << basis, seen.columns.middleCols(now.at(index).first, now.at(index).width);
+      basis = std::move(more);
+    }
+    basis = orthonormal(basis);
+    const Eigen::VectorXd left = seen.residual - basis * (basis.transpose() * seen.residual);
+    const Eigen::VectorXd along = seen.columns.transpose() * left;
+    const Eigen::MatrixXd inside = basis.transpose() * seen.columns;
+    const auto gain = [&](std::size_t index) {
+      double sum = 0.0;
+      for (Eigen::Index j = now.at(index).first; j < now.at(index).first + now.at(index).width; ++j) {
+        const double survives = 1.0 - inside.col(j).squaredNorm();
+        if (survives > 0.04) sum += along[j] * along[j] / survives;
+      }
+      return sum;
+    };
+    const double own = gain(set[out]);
+    for (std::size_t f = 0; f < now.bank().families.size(); ++f) {
+      const Family& family = now.bank().families[f];
+      const bool there = std::any_of(set.begin(), set.end(), [&](std::size_t i) { return now.at(i).family == f; });
+      if (there && now.at(set[out]).family != f) continue;
+      std::size_t best = family.first;
+      for (std::size_t i = family.first; i < family.first + family.count; ++i) {
+        if (gain(i) > gain(best)) best = i;
+      }
+      if (gain(best) < 0.8 * own - kWorthRefitting) continue;
+      Set swapped = others;
+      swapped.push_back(best);
+      result.push_back(std::move(swapped));
+    }
+  }
+  return result;
+}
+
+bool has(const Hypotheses& now, const Set& set, const BoundEffect& bound) {
+  return std::any_of(set.begin(), set.end(), [&](std::size_t index) { return now.bound(index) == bound; });
+}
+
+}  // namespace ballbar

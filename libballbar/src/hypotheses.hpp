@@ -1,0 +1,83 @@
+// Sets of effects held against the data of one diagnosis: by their likelihood on the grid of shapes, and fitted.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "ballbar/diagnosis.hpp"
+#include "bank.hpp"
+#include "evidence.hpp"
+
+namespace ballbar {
+
+inline constexpr Eigen::Index kFewestForNoise = 30;  // rows; with fewer the noise is not estimated anew for every set
+
+using Set = std::vector<std::size_t>;  // signatures
+
+struct Refitted {
+  Set set;
+  Model model;
+  Fit fit;
+  Leftover leftover;
+  Noise noise;  // most likely
+  double log_likelihood = 0.0;
+  double penalised = 0.0;  // 2 ln L less thresholds
+};
+
+// Everything the steps of a diagnosis share: data flows in once, figures are looked up. Refers to model and data.
+class Hypotheses {
+ public:
+  Hypotheses(const Model& model, const Series& data, std::size_t target, const Fit& base, std::optional<Motion> motion);
+
+  const Bank& bank() const { return bank_; }
+  const Leftover& leftover() const { return leftover_; }
+  const Signature& at(std::size_t index) const { return bank_.signatures[index]; }
+  const Family& family(std::size_t index) const { return bank_.families[at(index).family]; }
+  BoundEffect bound(std::size_t index) const { return {family(index).effect, family(index).columns}; }
+  const Model& model() const { return model_; }
+  bool has_few_rows() const { return leftover_.residual_um.size() < kFewestForNoise; }
+
+  // Most effects that may be added together: one for four values that are left, at most three.
+  std::size_t largest_set() const;
+
+  Eigen::MatrixXd columns(const Set& set) const;
+  Projected projected_by(const Noise& noise) const;
+
+  // On the grid, remembered. The noise from which an evaluation starts matters for few rows alone: then all that was
+  // evaluated before has to be forgotten.
+  const Explained& evaluated(const Set& set, const Noise& start);
+  void forget() { evaluated_.clear(); }
+
+  // Terms of the set added to the model, shapes free from their grid point, held ones held there; fitted. Throws Error
+  // as fit does.
+  Refitted refitted(const Set& set, const Noise& noise) const;
+
+  // Without the effect at `place` of the set, by the noise with it: the shapes of the model start from where they are.
+  Refitted without(const Refitted& whole, std::size_t place) const;
+
+ private:
+  const Model& model_;
+  const Series& data_;
+  std::size_t target_;
+  Leftover leftover_;
+  Bank bank_;
+  std::map<Set, Explained> evaluated_;
+};
+
+// The set by which the noise is told: from the base residual and from the residual of the best sets found so far,
+// whichever makes the data most likely. Empty: the model alone.
+struct Guess {
+  Set set;
+  Noise noise;
+};
+Guess first_guess(Hypotheses& hypotheses, const Noise& base_noise, double base_log_likelihood);
+
+// The best shape of every family in the place of one of the set, where it explains nearly as much.
+std::vector<Set> swaps(const Hypotheses& hypotheses, const Projected& seen, const Set& set);
+
+bool has(const Hypotheses& hypotheses, const Set& set, const BoundEffect& bound);
+
+}  // namespace ballbar
