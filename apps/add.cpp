@@ -115,6 +115,20 @@ std::string stop_text(const Diagnosis& diagnosis) {
   }
 }
 
+// With its held shapes (an exponent) where the search found them.
+Term as_diagnosed(const BoundEffect& bound, const Diagnosis& diagnosis, Level level) {
+  Term term = term_of(bound.effect->name, bound.columns, level);
+  const auto candidate = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                                      [&](const Candidate& one) { return one.bound == bound; });
+  if (candidate == diagnosis.candidates.end()) return term;
+  for (std::size_t k = 0; k < term.settings.size(); ++k) {
+    if (!term.settings[k].held) continue;
+    term.settings[k].start = candidate->parameters[k].value;
+    term.settings[k].stated = true;
+  }
+  return term;
+}
+
 // Effects that diagnose() names, until it names none. Returns why it stopped.
 std::string add_named(const Options& options, const ModelData& data, Story& story, Verdict& verdict) {
   while (true) {
@@ -127,7 +141,7 @@ std::string add_named(const Options& options, const ModelData& data, Story& stor
     if (verdict != Verdict::named) return stop_text(diagnosis);
     std::vector<Term> terms;
     for (const BoundEffect& bound : diagnosis.named) {
-      terms.push_back(term_of(bound.effect->name, bound.columns, story.model.level));
+      terms.push_back(as_diagnosed(bound, diagnosis, story.model.level));
     }
     add_terms(options, data, terms, &diagnosis, story);
     if (story.trials.size() < kMostAdditions) continue;

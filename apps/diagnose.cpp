@@ -164,8 +164,10 @@ void print_text(const Diagnosed& diagnosed, const std::string& title) {
                         100.0 * found.best_fake_fall);
     falls += fmt::format("; the best set by {:.0f} %. ", 100.0 * (1.0 - found.rmse_after_um / found.base.rmse_um));
   }
-  falls += fmt::format("Evidence of the most likely smooth curve: {:.0f}.", std::max(0.0, found.smooth_evidence));
-  fmt::print("\n{}", wrapped(falls));
+  if (found.verdict != Verdict::untestable) {
+    falls += fmt::format("Evidence of the most likely smooth curve: {:.0f}.", std::max(0.0, found.smooth_evidence));
+    fmt::print("\n{}", wrapped(falls));
+  }
   if (!found.reasons.empty()) fmt::print("\nWhy it is not named, or not all of it:\n");
   for (const std::string& reason : found.reasons) fmt::print("{}", wrapped("- " + reason));
   const std::string untestable = untestable_text(found);

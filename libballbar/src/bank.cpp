@@ -91,7 +91,7 @@ std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRow
   std::vector<std::vector<double>> points{first};
   for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
     const Parameter& parameter = effect.parameters[k];
-    if (parameter.kind == ParameterKind::gain) continue;
+    if (parameter.kind == ParameterKind::gain || (parameter.held && parameter.grid.empty())) continue;
     std::vector<double> grid =
         shape_grid(effect, k, rows, parameter.lower, parameter.upper, effect.parameters.size() > 4 ? 12 : 200);
     if (parameter.name == "onset_s") grid = onsets(rows, options.every_onset ? kMostOnsets : 7);

@@ -63,7 +63,7 @@ class Search {
       for (std::size_t i = family.first; i < family.first + family.count; ++i) {
         if (score(i) > score(most)) most = i;
       }
-      best.push_back(most);
+      if (score(most) > 0.0) best.push_back(most);  // else the model makes all of it already
     }
     return best;
   }
@@ -174,6 +174,7 @@ std::vector<Subset> best_pairs(const Search& search, const std::vector<std::size
       const Signature& b = search.at(reduced[j]);
       if (a.family == b.family) continue;
       const double gain = search.pair_gain(reduced[i], reduced[j], gram.block(offset[i], offset[j], a.width, b.width));
+      if (!(gain > 0.0)) continue;
       Subset& known = best[{a.family, b.family}];
       if (gain > known.gain) known = search.made({reduced[i], reduced[j]}, gain);
     }

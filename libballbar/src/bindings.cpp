@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "ballbar/trace.hpp"
 
@@ -20,10 +21,10 @@ bool is_read(const Model& model, const std::string& name) {
   });
 }
 
-double mean_of(const Series& data, const std::string& name) {
+double mean_of(const Column& column) {
   double sum = 0.0;
   std::size_t count = 0;
-  for (const double value : find_column(data, name)->values) {
+  for (const double value : column.values) {
     if (std::isnan(value)) continue;
     sum += value;
     ++count;
@@ -48,6 +49,11 @@ bool suits(const Effect& effect, const Input& input, const Column& column, const
 }  // namespace
 
 std::vector<std::vector<std::string>> bindings_of(const Effect& effect, const Model& model, const Series& data) {
+  const bool by_warmth = effect.name == "gradient_bending";
+  std::map<std::string, double> mean;
+  for (const Column& column : data.columns) {
+    if (by_warmth) mean[column.name] = mean_of(column);
+  }
   std::vector<std::vector<std::string>> bindings{{}};
   for (const Input& input : effect.inputs) {
     std::vector<std::vector<std::string>> more;
@@ -55,17 +61,13 @@ std::vector<std::vector<std::string>> bindings_of(const Effect& effect, const Mo
       if (!suits(effect, input, column, model, data)) continue;
       for (const std::vector<std::string>& binding : bindings) {
         if (std::find(binding.begin(), binding.end(), column.name) != binding.end()) continue;
+        if (by_warmth && !binding.empty() && mean[binding.front()] < mean[column.name]) continue;
         if (more.size() == kMostBindings) break;
         more.push_back(binding);
         more.back().push_back(column.name);
       }
     }
     bindings = std::move(more);
-  }
-  if (effect.name == "gradient_bending") {
-    std::erase_if(bindings, [&](const std::vector<std::string>& binding) {
-      return mean_of(data, binding[0]) < mean_of(data, binding[1]);
-    });
   }
   return bindings;
 }

@@ -144,10 +144,13 @@ HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector
     const Whitening whitening = whitening_of(rest, noise);
     const Eigen::MatrixXd x = whitened(whitening, leftover.model(kept, Eigen::all));
     const Eigen::VectorXd r = whitened(whitening, leftover.residual_um(kept));
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-    solver.setThreshold(1e-6);
-    solver.compute(x);
-    const Eigen::VectorXd error = leftover.residual_um(left) - leftover.model(left, Eigen::all) * solver.solve(r);
+    Eigen::VectorXd error = leftover.residual_um(left);
+    if (x.cols() > 0) {
+      Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+      solver.setThreshold(1e-6);
+      solver.compute(x);
+      error -= leftover.model(left, Eigen::all) * solver.solve(r);
+    }
     result.rmse_um += error.squaredNorm();
     result.chi2 += whitened(whitening_of(own, noise), error).squaredNorm();
   }
@@ -170,7 +173,6 @@ double p_same_gain(const Leftover& leftover, const Eigen::MatrixXd& columns, con
   Eigen::VectorXd r = whitened(whitening, leftover.residual_um);
   r -= basis * (basis.transpose() * r);
   Eigen::MatrixXd left = whitened(whitening, apart);
-  const Eigen::VectorXd before = left.colwise().squaredNorm();
   left -= basis * (basis.transpose() * left);
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(left);
   qr.setThreshold(1e-3);

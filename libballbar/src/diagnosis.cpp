@@ -74,6 +74,7 @@ Diagnosis diagnose(const Model& model, const Series& all, std::size_t target, co
   const std::size_t largest = now.largest_set();
   if (now.bank().families.empty() || largest == 0) {
     result.verdict = Verdict::untestable;
+    result.prospects = prospects_of(now.bank(), now.projected_by(result.base.noise), model, data, options.motion);
     result.reasons.emplace_back(now.bank().families.empty() ? "No effect of the catalogue can be tested on these data."
                                                             : "There are too few values to test anything more.");
     return result;
@@ -178,6 +179,9 @@ Diagnosis diagnose(const Model& model, const Series& all, std::size_t target, co
   std::vector<bool> sound;
   for (std::size_t m = 0; m < best.set.size(); ++m) {
     Confirmed one = confirmed(now, data, best, m, null, cycle, options);
+    if (best.set.size() == 1) {  // whichever model without it is more likely
+      one.candidate.evidence = std::min(one.candidate.evidence, 2.0 * (best.log_likelihood - base_log_likelihood));
+    }
     one.candidate.minor = one.candidate.amplitude_um < std::max(0.05 * result.base.rmse_um, options.tolerance_um);
     sound.push_back(one.why_not.empty());
     result.best_fake_fall = std::max(result.best_fake_fall, one.best_fake_fall);

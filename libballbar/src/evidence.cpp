@@ -67,6 +67,13 @@ Explained explained(const Leftover& leftover, const Eigen::MatrixXd& added, cons
   const Eigen::MatrixXd columns = joined_columns(leftover, added);
   Explained result;
   result.noise = start;
+  if (columns.cols() == 0) {
+    if (rounds > 0) result.noise = most_likely_noise(leftover, leftover.residual_um, start);
+    result.residual_um = leftover.residual_um;
+    result.log_likelihood =
+        log_likelihood(result.noise, leftover.time_s, span_of(result.residual_um), leftover.sigma_um);
+    return result;
+  }
   for (int round = 0; round <= rounds; ++round) {
     const Whitening whitening(result.noise, leftover.time_s, leftover.sigma_um);
     const Eigen::MatrixXd x = whitened(whitening, columns);

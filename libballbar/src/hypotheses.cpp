@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kWorthRefitting = 12.0;  // 2 ln L
 constexpr std::size_t kSearchRounds = 3;
+constexpr std::size_t kMostSwaps = 20;  // of one of the set
 
 }  // namespace
 
@@ -162,6 +163,7 @@ std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& 
       return sum;
     };
     const double own = gain(set[out]);
+    std::vector<std::pair<double, Set>> places;
     for (std::size_t f = 0; f < now.bank().families.size(); ++f) {
       const Family& family = now.bank().families[f];
       const bool there = std::any_of(set.begin(), set.end(), [&](std::size_t i) { return now.at(i).family == f; });
@@ -170,11 +172,14 @@ std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& 
       for (std::size_t i = family.first; i < family.first + family.count; ++i) {
         if (gain(i) > gain(best)) best = i;
       }
-      if (gain(best) < 0.8 * own - kWorthRefitting) continue;
+      if (!(gain(best) > 0.0) || gain(best) < 0.8 * own - kWorthRefitting) continue;
       Set swapped = others;
       swapped.push_back(best);
-      result.push_back(std::move(swapped));
+      places.emplace_back(gain(best), std::move(swapped));
     }
+    std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    places.resize(std::min(places.size(), kMostSwaps));
+    for (auto& [value, swapped] : places) result.push_back(std::move(swapped));
   }
   return result;
 }

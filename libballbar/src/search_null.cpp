@@ -88,6 +88,7 @@ double SearchNull::threshold(const Effect& effect) const {
 SearchNull search_null(const Bank& bank, const Projected& projected, const Leftover& leftover, const Noise& noise,
                        const std::vector<Noise>& plausible, std::size_t draws, std::uint64_t seed) {
   constexpr Eigen::Index kBatch = 64;
+  draws = std::max<std::size_t>(draws, 100);  // fewer have no tail
   std::vector<const Effect*> effects;
   std::vector<Eigen::Index> effect_of_family;
   for (const Family& family : bank.families) {

@@ -58,6 +58,7 @@ double log_likelihood(const Leftover& leftover, const Noise& noise, double ampli
       variance(2, 2) = variance(1, 1) * 3.0 / (length_s * length_s);
     } else {
       if (std::abs(dt_s - before_s) > 1e-9 * dt_s) {
+        if (steady) variance -= gain * (variance.col(0) + variance.col(1)).transpose();
         step = step_of(dt_s, noise, amplitude_um, length_s);
         before_s = dt_s;
         steady = false;

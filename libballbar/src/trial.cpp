@@ -63,9 +63,10 @@ Likely likely_without(const Model& model, const Tested& whole, std::size_t term)
     const std::vector<double>& added = whole.fit.contribution_um[term];
     rest.leftover.residual_um += Eigen::VectorXd::Map(added.data(), static_cast<Eigen::Index>(added.size()));
     rest.leftover.model.resize(rest.leftover.residual_um.size(), 0);
-    const std::vector<double> residual_um(rest.leftover.residual_um.begin(), rest.leftover.residual_um.end());
-    rest.noise = noise_of(rest.leftover.time_s, residual_um, rest.leftover.sigma_um);
-    rest.log_likelihood = rest.noise.log_likelihood;
+    const Explained explained_rest =
+        explained(rest.leftover, Eigen::MatrixXd(rest.leftover.residual_um.size(), 0), whole.likely.noise);
+    rest.noise = explained_rest.noise;
+    rest.log_likelihood = explained_rest.log_likelihood;
     return rest;
   }
   const Model from_there = drop(from_where_it_is(model, whole.fit));
@@ -208,7 +209,7 @@ Trial trial(const Model& model, const std::vector<Term>& added, const Series& da
     result.added.push_back(tried_of(result.model, result.fit_after, whole, t));
     changes.push_back("+ " + result.added.back().label);
     const double fall = result.added.back().best_fake_fall;
-    if (!(result.after.best_fake_fall >= fall)) result.after.best_fake_fall = fall;
+    if (std::isfinite(fall) && !(result.after.best_fake_fall >= fall)) result.after.best_fake_fall = fall;
   }
   // Alone it is that of its own test, which looks for the smaller model from both sides.
   result.after.evidence = added.size() == 1 ? result.added.front().evidence : evidence_of(whole.likely, base.likely);

@@ -167,6 +167,46 @@ TEST(SmoothRival, likelihood_is_that_of_the_dense_covariance) {
   EXPECT_NEAR(log_likelihood(leftover, noise, amplitude, length_s), dense, 1e-9);
 }
 
+// Even steps until the gains are steady, then a gap.
+TEST(SmoothRival, a_gap_after_steady_steps_is_that_of_the_dense_covariance) {
+  const Eigen::Index n = 160;
+  Leftover leftover;
+  leftover.residual_um.resize(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    leftover.time_s.push_back(60.0 * static_cast<double>(i) + (i >= 120 ? 500.0 : 0.0));
+    leftover.residual_um[i] = std::sin(0.05 * static_cast<double>(i)) + 0.2 * std::cos(1.7 * static_cast<double>(i));
+  }
+  leftover.model = Eigen::MatrixXd(n, 0);
+  const Noise noise{0.2, 0.3, 100.0, 0.0};
+  Eigen::MatrixXd covariance(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const double dt =
+          std::abs(leftover.time_s[static_cast<std::size_t>(i)] - leftover.time_s[static_cast<std::size_t>(j)]);
+      const double s = std::sqrt(3.0) * dt / 400.0;
+      covariance(i, j) = 0.09 * std::exp(-dt / 100.0) + 0.49 * (1.0 + s) * std::exp(-s) + (i == j ? 0.04 : 0.0);
+    }
+  }
+  const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
+  const double log_det = 2.0 * Eigen::MatrixXd(factor.matrixL()).diagonal().array().log().sum();
+  const double dense = -0.5 * (static_cast<double>(n) * std::log(2.0 * M_PI) + log_det +
+                               leftover.residual_um.dot(factor.solve(leftover.residual_um)));
+  EXPECT_NEAR(log_likelihood(leftover, noise, 0.7, 400.0), dense, 1e-6);
+}
+
+// What the model makes already has no score and leads no search.
+TEST(BestSubset, leaves_out_what_the_model_absorbs) {
+  Eigen::MatrixXd columns(6, 2);
+  columns << 1, 1, 1, -1, 1, 2, 1, -2, 1, 1, 1, 3;
+  const Bank bank = bank_with(columns);
+  const Leftover leftover = leftover_with({0.1, -0.2, 0.1, 0.2, -0.1, -0.1});
+  const Noise noise{0.2, 0.0, 0.0, 0.0};
+  const Projected seen = projected(bank, leftover.residual_um, leftover.model, Whitening(noise, leftover.time_s, {}));
+  for (const Subset& subset : best_subsets(bank, seen, nullptr, 2)) {
+    EXPECT_EQ(subset.signatures, std::vector<std::size_t>{1});
+  }
+}
+
 TEST(Confirmation, cycles_end_with_changes_of_speed) {
   Series data = rows_of(40, 60.0);
   std::vector<double> speed(40, 0.0);

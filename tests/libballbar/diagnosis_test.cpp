@@ -129,6 +129,17 @@ TEST(Diagnosis, too_few_values_are_untestable) {
   EXPECT_FALSE(found.reasons.empty());
 }
 
+// A model without any live column: its input never changes and its constant is held.
+TEST(Diagnosis, a_model_that_makes_nothing) {
+  Series data = made(3.0, 6);
+  data.columns.push_back({"T_still_degC", Role::structure, std::vector<double>(kRows, 20.0)});
+  Model model;
+  model.targets = {"z_um"};
+  model.terms = {term_of("expansion", {"T_still_degC"})};
+  model.constant_um = 0.0;
+  EXPECT_NE(diagnose(model, data).verdict, Verdict::nothing);
+}
+
 // 18 tests, 20 min apart, sigma stated; signals every 100 s.
 TEST(Diagnosis, a_session_of_few_tests) {
   Series data = made(6.0, 5);

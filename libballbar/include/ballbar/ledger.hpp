@@ -35,7 +35,7 @@ struct LedgerRow {
 
 // Figures of a model that is fitted to all rows. held_out_um: cycles are stretches between changes of speed (without
 // one, five parts of the time), the noise that of the model itself; series with more than 1500 values of the target by
-// means of neighbouring rows. The rest is as of a model that starts.
+// every second, third ... value. The rest is as of a model that starts.
 LedgerRow row_of(const Model& model, const Series& data, std::size_t target = 0);
 
 constexpr double kErrorOfASearch = 0.01;

@@ -8,7 +8,7 @@
 // (p >= 0.001), cycles left out are predicted better, and its fall of chi^2 is larger than that of the best of 200
 // fakes, its own signatures with their phases scrambled. That holds for an effect chosen before looking at these data;
 // one found by searching them is for diagnose(). Figures but those of the rows are, of series with more than 1500
-// values of the target, of means of neighbouring rows, as diagnose() has them.
+// values of the target, of every second, third ..., as diagnose() has them.
 #pragma once
 
 #include <cstddef>
