@@ -12,7 +12,7 @@ namespace ballbar {
 inline constexpr double kSameGain = 0.001;  // p of gains that differ from cycle to cycle
 
 // Its parameters, amplitude and RMSE.
-Candidate candidate_of(const Hypotheses& hypotheses, const Refitted& with, std::size_t place);
+Candidate candidate_of(const Hypotheses& now, const Refitted& with, std::size_t place);
 
 // All the tests of the effect at `place` beside the rest of the set; `why_not`: sentences, empty where all are passed.
 struct Confirmed {
@@ -20,11 +20,11 @@ struct Confirmed {
   double best_fake_fall = 0.0;
   std::vector<std::string> why_not;
 };
-Confirmed confirmed(const Hypotheses& hypotheses, const Series& data, const Refitted& with, std::size_t place,
+Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& with, std::size_t place,
                     const SearchNull& null, const std::vector<std::size_t>& cycle, const DiagnosisOptions& options);
 
 // Effects that stand in the place of one of the best set in a rival set, one group for each.
-std::vector<std::vector<BoundEffect>> groups_of(const Hypotheses& hypotheses, const Projected& seen,
-                                                const Refitted& best, const std::vector<const Refitted*>& rivals);
+std::vector<std::vector<BoundEffect>> groups_of(const Hypotheses& now, const Projected& seen, const Refitted& best,
+                                                const std::vector<const Refitted*>& rivals);
 
 }  // namespace ballbar

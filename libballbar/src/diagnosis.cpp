@@ -60,13 +60,13 @@ std::string label_of(const BoundEffect& bound) {
   return fmt::format("{}({})", bound.effect->name, fmt::join(bound.columns, ", "));
 }
 
-Diagnosis diagnose(const Model& model, const Series& all, std::size_t target, const DiagnosisOptions& options) {
-  const Series data = thinned(all, model.targets.at(target), options.most_rows);
+Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options) {
+  const Series rows = thinned(data, model.targets.at(target), options.most_rows);
   Diagnosis result;
-  result.base = fit(model, data, target);
+  result.base = fit(model, rows, target);
   result.target = result.base.target;
   result.base_whiteness = whiteness(result.base);
-  Hypotheses now(model, data, target, result.base, options.motion);
+  Hypotheses now(model, rows, target, result.base, options.motion);
   result.searched_signatures = now.bank().signatures.size();
   std::set<const Effect*> searched;
   for (const Family& family : now.bank().families) searched.insert(family.effect);
@@ -74,7 +74,7 @@ Diagnosis diagnose(const Model& model, const Series& all, std::size_t target, co
   const std::size_t largest = now.largest_set();
   if (now.bank().families.empty() || largest == 0) {
     result.verdict = Verdict::untestable;
-    result.prospects = prospects_of(now.bank(), now.projected_by(result.base.noise), model, data, options.motion);
+    result.prospects = prospects_of(now.bank(), now.projected_by(result.base.noise), model, rows, options.motion);
     result.reasons.emplace_back(now.bank().families.empty() ? "No effect of the catalogue can be tested on these data."
                                                             : "There are too few values to test anything more.");
     return result;
@@ -94,7 +94,7 @@ Diagnosis diagnose(const Model& model, const Series& all, std::size_t target, co
   const SearchNull null = search_null(now.bank(), seen, now.leftover(), noise,
                                       plausible_noises(now.leftover(), first_columns, noise, 64, options.seed),
                                       options.draws, options.seed);
-  result.prospects = prospects_of(now.bank(), seen, model, data, options.motion);
+  result.prospects = prospects_of(now.bank(), seen, model, rows, options.motion);
   const Eigen::VectorXd score = scores(now.bank(), seen, seen.residual);
   result.smallest_um = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < now.bank().signatures.size(); ++i) {
@@ -175,10 +175,10 @@ Diagnosis diagnose(const Model& model, const Series& all, std::size_t target, co
   result.rmse_after_um = best.fit.rmse_um;
 
   // Every effect of the best set beside the rest of it.
-  const std::vector<std::size_t> cycle = cycles_of(data, result.base.row);
+  const std::vector<std::size_t> cycle = cycles_of(rows, result.base.row);
   std::vector<bool> sound;
   for (std::size_t m = 0; m < best.set.size(); ++m) {
-    Confirmed one = confirmed(now, data, best, m, null, cycle, options);
+    Confirmed one = confirmed(now, rows, best, m, null, cycle, options);
     if (best.set.size() == 1) {  // whichever model without it is more likely
       one.candidate.evidence = std::min(one.candidate.evidence, 2.0 * (best.log_likelihood - base_log_likelihood));
     }

@@ -73,11 +73,11 @@ struct Guess {
   Set set;
   Noise noise;
 };
-Guess first_guess(Hypotheses& hypotheses, const Noise& base_noise, double base_log_likelihood);
+Guess first_guess(Hypotheses& now, const Noise& base_noise, double base_log_likelihood);
 
 // The best shape of every family in the place of one of the set, where it explains nearly as much.
-std::vector<Set> swaps(const Hypotheses& hypotheses, const Projected& seen, const Set& set);
+std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& set);
 
-bool has(const Hypotheses& hypotheses, const Set& set, const BoundEffect& bound);
+bool has(const Hypotheses& now, const Set& set, const BoundEffect& bound);
 
 }  // namespace ballbar

@@ -159,12 +159,12 @@ std::vector<Prospect> prospects_of(const Bank& bank, const Projected& seen, cons
   return prospects;
 }
 
-Preflight preflight(const Model& model, const Series& all, std::size_t target, std::optional<Motion> motion) {
-  const Series data = thinned(all, model.targets.at(target), kMostRows);
-  const Fit fitted = fit(model, data, target);
+Preflight preflight(const Model& model, const Series& data, std::size_t target, std::optional<Motion> motion) {
+  const Series rows = thinned(data, model.targets.at(target), kMostRows);
+  const Fit fitted = fit(model, rows, target);
   Preflight result;
   result.target = fitted.target;
-  const std::vector<double>& values = find_column(all, fitted.target)->values;
+  const std::vector<double>& values = find_column(data, fitted.target)->values;
   result.n = static_cast<std::size_t>(
       std::count_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); }));
   result.noise = fitted.noise;
@@ -173,12 +173,12 @@ Preflight preflight(const Model& model, const Series& all, std::size_t target, s
   BankOptions options;
   options.motion = motion;
   options.every_onset = false;
-  const Bank bank = bank_of(model, data, fitted, options);
+  const Bank bank = bank_of(model, rows, fitted, options);
   const Eigen::VectorXd residual =
       Eigen::VectorXd::Map(fitted.residual_um.data(), static_cast<Eigen::Index>(fitted.residual_um.size()));
   const Projected seen =
       projected(bank, residual, model_columns(fitted), Whitening(fitted.noise, fitted.time_s, fitted.sigma_um));
-  result.prospects = prospects_of(bank, seen, model, data, motion);
+  result.prospects = prospects_of(bank, seen, model, rows, motion);
   return result;
 }
 
