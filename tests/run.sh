@@ -5,12 +5,11 @@
 #
 # BALLBAR_EXTERNAL_DATA  folder of measured data that is not part of ballbar; without it those tests skip
 # BALLBAR_WERROR=1       warnings are errors
-# BALLBAR_PCH=1          large headers precompiled: faster
 set -eu
 cd "$(dirname "$0")/.."
 
 sh apps/install-packages.sh build test
 cmake -S . -B build-tests -DCMAKE_BUILD_TYPE=Release -DBALLBAR_TESTS=ON \
-  -DBALLBAR_WERROR="${BALLBAR_WERROR:-0}" -DBALLBAR_PCH="${BALLBAR_PCH:-0}" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+  -DBALLBAR_WERROR="${BALLBAR_WERROR:-0}" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
 cmake --build build-tests -j "$(nproc)"
 ctest --test-dir build-tests --output-on-failure -j "$(nproc)" "$@"
