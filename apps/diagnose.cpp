@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -14,6 +15,7 @@
 #include "commands.hpp"
 #include "model_options.hpp"
 #include "text.hpp"
+#include "untestable.hpp"
 
 namespace ballbar::commands {
 namespace {
@@ -124,18 +126,14 @@ Table candidate_table(const Diagnosis& found) {
   return table;
 }
 
-// What several effects have in common is said once.
 std::string untestable_text(const Diagnosis& found) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
-  for (const Prospect& prospect : found.prospects) {
-    if (prospect.testability == Testability::testable || prospect.testability == Testability::in_the_model ||
-        prospect.testability == Testability::other_motion) {
-      continue;
-    }
-    auto at = std::find_if(reasons.begin(), reasons.end(), [&](const auto& one) { return one.first == prospect.why; });
-    if (at == reasons.end()) at = reasons.insert(reasons.end(), {prospect.why, {}});
-    at->second.push_back(prospect.effect->name);
-  }
+  std::vector<Prospect> untestable;
+  std::copy_if(
+      found.prospects.begin(), found.prospects.end(), std::back_inserter(untestable), [](const Prospect& prospect) {
+        return prospect.testability != Testability::testable && prospect.testability != Testability::in_the_model &&
+               prospect.testability != Testability::other_motion;
+      });
+  const auto reasons = by_reason(untestable);
   std::vector<std::string> texts;
   texts.reserve(reasons.size());
   for (const auto& [why, names] : reasons) texts.push_back(fmt::format("{} ({})", fmt::join(names, ", "), why));

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +12,7 @@
 #include "commands.hpp"
 #include "model_options.hpp"
 #include "text.hpp"
+#include "untestable.hpp"
 
 namespace ballbar::commands {
 namespace {
@@ -65,16 +67,11 @@ std::string inseparable_text(const Prospect& prospect, const std::vector<const P
   return texts.empty() ? "-" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
-// What several effects have in common is said once.
 void print_untestable(const Preflight& result) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
-  for (const Prospect& prospect : result.prospects) {
-    if (prospect.testability == Testability::testable) continue;
-    const auto same = [&](const auto& reason) { return reason.first == prospect.why; };
-    auto reason = std::find_if(reasons.begin(), reasons.end(), same);
-    if (reason == reasons.end()) reason = reasons.insert(reasons.end(), {prospect.why, {}});
-    reason->second.push_back(prospect.effect->name);
-  }
+  std::vector<Prospect> untestable;
+  std::copy_if(result.prospects.begin(), result.prospects.end(), std::back_inserter(untestable),
+               [](const Prospect& prospect) { return prospect.testability != Testability::testable; });
+  const auto reasons = by_reason(untestable);
   if (!reasons.empty()) fmt::print("Not testable:\n");
   for (const auto& [why, effects] : reasons) {
     fmt::print("{}", wrapped(fmt::format("- {}: {}", why, fmt::join(effects, ", "))));

@@ -7,6 +7,7 @@
 #include "ballbar/measured_input.hpp"
 #include "bindings.hpp"
 #include "shape_grid.hpp"
+#include "whitened.hpp"
 
 namespace ballbar {
 namespace {
@@ -59,12 +60,6 @@ std::vector<double> onsets(const EffectRows& rows, std::size_t most) {
     grid.push_back(0.5 * (rows.time_s[row] + rows.time_s[row - 1]));
   }
   return grid;
-}
-
-Eigen::VectorXd whitened(const Whitening& whitening, const Eigen::VectorXd& column) {
-  Eigen::VectorXd out(column.size());
-  whitening.apply(column.data(), 1, out.data(), 1);
-  return out;
 }
 
 }  // namespace
@@ -161,9 +156,7 @@ Eigen::MatrixXd model_columns(const Fit& fit) {
 Projected projected(const Bank& bank, const Eigen::VectorXd& residual_um, const Eigen::MatrixXd& basis,
                     const Whitening& whitening) {
   Projected result;
-  Eigen::MatrixXd white(basis.rows(), basis.cols());
-  for (Eigen::Index k = 0; k < basis.cols(); ++k) white.col(k) = whitened(whitening, basis.col(k));
-  result.model = orthonormal(white);
+  result.model = orthonormal(whitened(whitening, basis));
   const auto freed = [&](Eigen::VectorXd column) {
     column -= result.model * (result.model.transpose() * column);
     return column;

@@ -3,40 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/trial.hpp"
 #include "confirmation.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr double kChance = 0.01;
-constexpr double kFewestEvidence = 25.0;  // d = 5
-
-// Of the residual freed of the model's columns.
-double chi2(const Leftover& leftover, const Noise& noise) {
-  const Whitening whitening(noise, leftover.time_s, leftover.sigma_um);
-  const auto whitened = [&](const Eigen::VectorXd& column) {
-    Eigen::VectorXd out(column.size());
-    whitening.apply(column.data(), 1, out.data(), 1);
-    return out;
-  };
-  Eigen::MatrixXd x(leftover.model.rows(), leftover.model.cols());
-  for (Eigen::Index k = 0; k < x.cols(); ++k) x.col(k) = whitened(leftover.model.col(k));
-  const Eigen::MatrixXd basis = orthonormal(x);
-  const Eigen::VectorXd r = whitened(leftover.residual_um);
-  return r.squaredNorm() - (basis.transpose() * r).squaredNorm();
-}
-
-// Columns of the Jacobian that are gains of the term.
-Eigen::MatrixXd gain_columns(const Fit& fit, const Model& model, std::size_t term) {
-  Eigen::Index offset = 1;
-  for (std::size_t t = 0; t < term; ++t) offset += static_cast<Eigen::Index>(model.terms[t].settings.size());
-  std::vector<Eigen::Index> gains;
-  const std::vector<Parameter>& parameters = model.terms[term].effect->parameters;
-  for (std::size_t k = 0; k < parameters.size(); ++k) {
-    if (parameters[k].kind == ParameterKind::gain) gains.push_back(offset + static_cast<Eigen::Index>(k));
-  }
-  return fit.jacobian(Eigen::all, gains);
-}
 
 }  // namespace
 
@@ -44,8 +17,7 @@ Candidate candidate_of(const Hypotheses& now, const Refitted& with, std::size_t 
   Candidate candidate;
   candidate.bound = now.bound(with.set[place]);
   const std::size_t term = now.model().terms.size() + place;
-  std::size_t first = 1;
-  for (std::size_t t = 0; t < term; ++t) first += with.model.terms[t].settings.size();
+  const std::size_t first = first_parameter(with.model, term);
   const std::vector<Parameter>& parameters = candidate.bound.effect->parameters;
   double relative = 0.0;
   for (std::size_t k = 0; k < parameters.size(); ++k) {

@@ -9,8 +9,6 @@
 
 namespace ballbar {
 
-inline constexpr double kSameGain = 0.001;  // p of gains that differ from cycle to cycle
-
 // Its parameters, amplitude and RMSE.
 Candidate candidate_of(const Hypotheses& now, const Refitted& with, std::size_t place);
 

@@ -12,6 +12,7 @@
 #include "ballbar/units.hpp"
 #include "interpolation.hpp"
 #include "simulate_noise.hpp"
+#include "whitened.hpp"
 
 namespace ballbar {
 namespace {
@@ -20,12 +21,6 @@ constexpr std::size_t kMostCycles = 12;
 constexpr std::size_t kParts = 5;
 constexpr std::size_t kFakeGrid = 1024;
 constexpr std::size_t kFakeShapes = 8;
-
-Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::MatrixXd& columns) {
-  Eigen::MatrixXd out(columns.rows(), columns.cols());
-  for (Eigen::Index k = 0; k < columns.cols(); ++k) whitening.apply(columns.col(k).data(), 1, out.col(k).data(), 1);
-  return out;
-}
 
 Whitening whitening_of(const Leftover& leftover, const Noise& noise) {
   return {noise, leftover.time_s, leftover.sigma_um};
@@ -158,6 +153,29 @@ HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector
   return result;
 }
 
+double chi2(const Leftover& leftover, const Noise& noise) {
+  const Whitening whitening = whitening_of(leftover, noise);
+  const Eigen::MatrixXd basis = orthonormal(whitened(whitening, leftover.model));
+  const Eigen::VectorXd r = whitened(whitening, leftover.residual_um);
+  return r.squaredNorm() - (basis.transpose() * r).squaredNorm();
+}
+
+std::size_t first_parameter(const Model& model, std::size_t term) {
+  std::size_t first = 1;
+  for (std::size_t t = 0; t < term; ++t) first += model.terms[t].settings.size();
+  return first;
+}
+
+Eigen::MatrixXd gain_columns(const Fit& fit, const Model& model, std::size_t term) {
+  std::vector<Eigen::Index> gains;
+  const std::vector<Parameter>& parameters = model.terms[term].effect->parameters;
+  const std::size_t first = first_parameter(model, term);
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    if (parameters[k].kind == ParameterKind::gain) gains.push_back(static_cast<Eigen::Index>(first + k));
+  }
+  return fit.jacobian(Eigen::all, gains);
+}
+
 double p_same_gain(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise,
                    const std::vector<std::size_t>& cycle) {
   const auto cycles = static_cast<Eigen::Index>(*std::max_element(cycle.begin(), cycle.end()) + 1);
@@ -179,8 +197,7 @@ double p_same_gain(const Leftover& leftover, const Eigen::MatrixXd& columns, con
   const Eigen::Index degrees = qr.rank();
   if (degrees == 0) return 1.0;
   const Eigen::MatrixXd directions = qr.householderQ() * Eigen::MatrixXd::Identity(left.rows(), degrees);
-  const double chi2 = (directions.transpose() * r).squaredNorm();
-  return Eigen::numext::igammac(0.5 * static_cast<double>(degrees), 0.5 * chi2);
+  return Eigen::numext::igammac(0.5 * static_cast<double>(degrees), 0.5 * (directions.transpose() * r).squaredNorm());
 }
 
 BestFake best_fake(const Family& family, const Bank& bank, const Series& data, const std::vector<std::size_t>& rows,

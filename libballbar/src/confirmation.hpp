@@ -22,6 +22,17 @@ struct HeldOut {
 };
 HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector<std::size_t>& cycle);
 
+// Of the residual freed of the model's columns.
+double chi2(const Leftover& leftover, const Noise& noise);
+
+// Where a term's parameters begin in Fit::parameters: the constant comes first.
+std::size_t first_parameter(const Model& model, std::size_t term);
+
+// Columns of the Jacobian that are gains of the term.
+Eigen::MatrixXd gain_columns(const Fit& fit, const Model& model, std::size_t term);
+
+inline constexpr double kSameGain = 0.001;  // p_same_gain below which gains differ
+
 // Chance of gains as different from cycle to cycle as these: chi^2 of one gain for each cycle against one for all.
 // columns: of the candidate alone, n by its gains; leftover.model the rest.
 double p_same_gain(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise,

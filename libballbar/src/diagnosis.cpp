@@ -65,9 +65,7 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   Diagnosis result;
   result.base = fit(model, rows, target);
   result.target = result.base.target;
-  result.base_whiteness = whiteness(result.base);
   Hypotheses now(model, rows, target, result.base, options.motion);
-  result.searched_signatures = now.bank().signatures.size();
   std::set<const Effect*> searched;
   for (const Family& family : now.bank().families) searched.insert(family.effect);
   result.searched_effects = searched.size();
@@ -200,6 +198,7 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   }
   const std::vector<std::vector<BoundEffect>> groups = groups_of(now, seen, best, rivals);
   // Rivals as candidates too, then the strongest singles.
+  const double held_out_um = held_out(now.leftover(), noise, cycle).rmse_um;
   for (const Refitted& other : refits) {
     for (std::size_t m = 0; m < other.set.size() && result.candidates.size() < kShown; ++m) {
       const BoundEffect bound = now.bound(other.set[m]);
@@ -212,7 +211,7 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(m));
       candidate.evidence = 2.0 * (other.log_likelihood - now.evaluated(others, noise).log_likelihood);
       candidate.p_search = null.p_search(*bound.effect, candidate.evidence);
-      candidate.held_out_before_um = held_out(now.leftover(), noise, cycle).rmse_um;
+      candidate.held_out_before_um = held_out_um;
       candidate.held_out_after_um = held_out(other.leftover, other.noise, cycle).rmse_um;
       result.candidates.push_back(std::move(candidate));
     }

@@ -9,6 +9,7 @@
 #include "bank.hpp"
 #include "memory_limit.hpp"
 #include "simulate_noise.hpp"
+#include "whitened.hpp"
 
 namespace ballbar {
 namespace {
@@ -26,12 +27,6 @@ Eigen::MatrixXd joined_columns(const Leftover& leftover, const Eigen::MatrixXd& 
 
 std::span<const double> span_of(const Eigen::VectorXd& values) {
   return {values.data(), static_cast<std::size_t>(values.size())};
-}
-
-Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::MatrixXd& columns) {
-  Eigen::MatrixXd out(columns.rows(), columns.cols());
-  for (Eigen::Index k = 0; k < columns.cols(); ++k) whitening.apply(columns.col(k).data(), 1, out.col(k).data(), 1);
-  return out;
 }
 
 // ln of the restricted likelihood, up to a constant: with the columns X, -1/2 (ln|C| + ln|X'C^-1 X| + r'P r).
@@ -83,9 +78,6 @@ Explained explained(const Leftover& leftover, const Eigen::MatrixXd& added, cons
     result.residual_um = leftover.residual_um - columns * gains;
     if (round == rounds) {
       result.gains = gains.tail(added.cols());
-      const Eigen::MatrixXd inverse =
-          Eigen::MatrixXd(x.transpose() * x).completeOrthogonalDecomposition().pseudoInverse();
-      result.covariance = inverse.bottomRightCorner(added.cols(), added.cols());
       break;
     }
     result.noise = most_likely_noise(leftover, result.residual_um, result.noise);

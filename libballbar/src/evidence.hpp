@@ -25,7 +25,6 @@ struct Explained {
   Noise noise;
   double log_likelihood = 0.0;  // at the maximum over gains and noise
   Eigen::VectorXd gains;        // of `added`
-  Eigen::MatrixXd covariance;   // of these
   Eigen::VectorXd residual_um;
 };
 Explained explained(const Leftover& leftover, const Eigen::MatrixXd& added, const Noise& start, int rounds = 2);

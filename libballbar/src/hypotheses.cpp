@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "best_subset.hpp"
+#include "likely.hpp"
 
 namespace ballbar {
 namespace {
@@ -53,6 +54,14 @@ const Explained& Hypotheses::evaluated(const Set& set, const Noise& start) {
   return evaluated_.emplace(std::move(key), explained(leftover_, columns(set), start)).first->second;
 }
 
+void Hypotheses::fit_by(const Noise& noise, Refitted& refitted) const {
+  Seen seen = seen_by(noise, refitted.model, data_, target_);
+  refitted.fit = std::move(seen.fit);
+  refitted.leftover = std::move(seen.likely.leftover);
+  refitted.noise = seen.likely.noise;
+  refitted.log_likelihood = seen.likely.log_likelihood;
+}
+
 Refitted Hypotheses::refitted(const Set& set, const Noise& noise) const {
   Refitted result{set, model_, {}, {}, {}, 0.0, 0.0};
   for (const std::size_t index : set) {
@@ -65,36 +74,15 @@ Refitted Hypotheses::refitted(const Set& set, const Noise& noise) const {
     }
     result.model.terms.push_back(std::move(term));
   }
-  FitOptions options;
-  options.noise = noise;
-  result.fit = fit(result.model, data_, target_, options);
-  result.leftover = leftover_of(result.fit);
-  const Explained rest =
-      explained(result.leftover, Eigen::MatrixXd(result.leftover.residual_um.size(), 0), result.fit.noise, 2);
-  result.noise = rest.noise;
-  result.log_likelihood = rest.log_likelihood;
+  fit_by(noise, result);
   return result;
 }
 
 Refitted Hypotheses::without(const Refitted& whole, std::size_t place) const {
-  Refitted result = whole;
-  const std::size_t term = model_.terms.size() + place;
+  Refitted result{whole.set, from_where_it_is(whole.model, whole.fit), {}, {}, {}, 0.0, 0.0};
   result.set.erase(result.set.begin() + static_cast<std::ptrdiff_t>(place));
-  std::size_t parameter = 1;
-  for (Term& one : result.model.terms) {
-    for (Setting& setting : one.settings) {
-      setting.start = std::clamp(whole.fit.parameters[parameter++].value, setting.lower, setting.upper);
-      setting.stated = true;
-    }
-  }
-  result.model.terms.erase(result.model.terms.begin() + static_cast<std::ptrdiff_t>(term));
-  FitOptions options;
-  options.noise = whole.noise;
-  result.fit = fit(result.model, data_, target_, options);
-  result.leftover = leftover_of(result.fit);
-  const Explained rest =
-      explained(result.leftover, Eigen::MatrixXd(result.leftover.residual_um.size(), 0), result.fit.noise, 2);
-  result.log_likelihood = rest.log_likelihood;
+  result.model.terms.erase(result.model.terms.begin() + static_cast<std::ptrdiff_t>(model_.terms.size() + place));
+  fit_by(whole.noise, result);
   return result;
 }
 

@@ -59,6 +59,9 @@ class Hypotheses {
   Refitted without(const Refitted& whole, std::size_t place) const;
 
  private:
+  // Fits refitted.model: all but set and model of `refitted` becomes new.
+  void fit_by(const Noise& noise, Refitted& refitted) const;
+
   const Model& model_;
   const Series& data_;
   std::size_t target_;

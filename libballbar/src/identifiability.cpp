@@ -20,7 +20,6 @@ constexpr double kAbsorbed = 0.05;
 constexpr double kInseparable = 0.95;
 constexpr double kDetectable = 5.0;
 constexpr double kIdentifiable = 7.5;
-constexpr std::size_t kMostRows = 1500;
 constexpr std::size_t kMostShapes = 12;  // of one family, compared with those of the others
 
 auto block(const Projected& seen, const Signature& signature) {
@@ -160,7 +159,7 @@ std::vector<Prospect> prospects_of(const Bank& bank, const Projected& seen, cons
 }
 
 Preflight preflight(const Model& model, const Series& data, std::size_t target, std::optional<Motion> motion) {
-  const Series rows = thinned(data, model.targets.at(target), kMostRows);
+  const Series rows = thinned(data, model.targets.at(target), kMostTested);
   const Fit fitted = fit(model, rows, target);
   Preflight result;
   result.target = fitted.target;

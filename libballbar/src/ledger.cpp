@@ -66,7 +66,7 @@ LedgerRow row_of(const Fit& fit, const Likely& seen) {
 }
 
 LedgerRow row_of(const Model& model, const Series& data, std::size_t target) {
-  const Series seen = thinned(data, model.targets.at(target), kMostTestedRows);
+  const Series seen = thinned(data, model.targets.at(target), kMostTested);
   return row_of(fit(model, data, target), seen_of(model, seen, target).likely);
 }
 

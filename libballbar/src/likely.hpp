@@ -12,8 +12,6 @@
 
 namespace ballbar {
 
-constexpr std::size_t kMostTestedRows = 1500;  // as diagnose() searches
-
 struct Likely {
   Leftover leftover;
   Noise noise;

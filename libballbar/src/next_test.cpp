@@ -18,7 +18,6 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kMostRows = 1500;  // as the diagnosis
 constexpr double kSeen = 5.0;
 constexpr double kNamed = 7.5;
 constexpr double kImitated = 1.0, kNearlyImitated = 0.2;  // d, and d over that of the other order
@@ -188,7 +187,7 @@ std::string text_of(const Question& question, const Judged& judged, const std::s
 std::vector<NextTest> next_tests(const Model& model, const Series& all, const Diagnosis& diagnosis) {
   std::vector<NextTest> result;
   if (diagnosis.verdict == Verdict::nothing || find_column(all, diagnosis.target) == nullptr) return result;
-  const Series data = thinned(all, diagnosis.target, kMostRows);
+  const Series data = thinned(all, diagnosis.target, kMostTested);
   if (!suits(model, data, diagnosis)) return result;
   const Question question = question_of(model, data, diagnosis);
   if (question.pairs.empty()) return result;

@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 
 #include "bank.hpp"
+#include "whitened.hpp"
 
 namespace ballbar {
 namespace {
@@ -13,21 +14,15 @@ Eigen::MatrixXd triangular(const Eigen::MatrixXd& columns) {
   return qr.matrixQR().topRows(columns.cols()).triangularView<Eigen::Upper>();
 }
 
-Eigen::MatrixXd whitened(const Eigen::MatrixXd& columns, const Whitening& whitening) {
-  Eigen::MatrixXd white(columns.rows(), columns.cols());
-  for (Eigen::Index k = 0; k < columns.cols(); ++k) whitening.apply(columns.col(k).data(), 1, white.col(k).data(), 1);
-  return white;
-}
-
 }  // namespace
 
 Eigen::MatrixXd whitened_factor(const Eigen::MatrixXd& columns, const Whitening& whitening) {
-  return triangular(whitened(columns, whitening));
+  return triangular(whitened(whitening, columns));
 }
 
 Eigen::MatrixXd both(const Eigen::MatrixXd& first, const Eigen::MatrixXd& columns, const Whitening& whitening) {
   Eigen::MatrixXd stacked(first.rows() + columns.rows(), first.cols());
-  stacked << first, whitened(columns, whitening);
+  stacked << first, whitened(whitening, columns);
   return triangular(stacked);
 }
 

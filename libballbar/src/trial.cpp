@@ -15,17 +15,9 @@
 namespace ballbar {
 namespace {
 
-constexpr double kSameGain = 0.001;
 constexpr std::size_t kFakes = 200;
 constexpr std::uint64_t kSeed = 1;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-// Of Fit::parameters: the constant comes first.
-std::size_t first_parameter(const Model& model, std::size_t term) {
-  std::size_t first = 1;
-  for (std::size_t t = 0; t < term; ++t) first += model.terms[t].settings.size();
-  return first;
-}
 
 std::size_t free_parameters(const Term& term) {
   return static_cast<std::size_t>(
@@ -83,27 +75,6 @@ double evidence_of(const Likely& with, const Likely& without) {
 // Chance of a chi^2 as large.
 double upper_tail(double chi2, std::size_t degrees) {
   return chi2 > 0.0 ? Eigen::numext::igammac(0.5 * static_cast<double>(degrees), 0.5 * chi2) : 1.0;
-}
-
-// Of the residual freed of the model's columns, whitened by the noise.
-double chi2(const Leftover& leftover, const Noise& noise) {
-  Eigen::VectorXd residual = leftover.residual_um;
-  if (leftover.model.cols() > 0) {
-    residual = explained(leftover, Eigen::MatrixXd(residual.size(), 0), noise, 0).residual_um;
-  }
-  const Whitening whitening(noise, leftover.time_s, leftover.sigma_um);
-  whitening.apply(residual.data(), 1, residual.data(), 1);
-  return residual.squaredNorm();
-}
-
-Eigen::MatrixXd gain_columns(const Fit& fit, const Model& model, std::size_t term) {
-  std::vector<Eigen::Index> gains;
-  const std::vector<Parameter>& parameters = model.terms[term].effect->parameters;
-  const std::size_t first = first_parameter(model, term);
-  for (std::size_t k = 0; k < parameters.size(); ++k) {
-    if (parameters[k].kind == ParameterKind::gain) gains.push_back(static_cast<Eigen::Index>(first + k));
-  }
-  return fit.jacobian(Eigen::all, gains);
 }
 
 // Fakes of an effect that reads a logged input; nothing where it cannot be faked.
@@ -189,12 +160,12 @@ void tell_earlier(const std::vector<Stay>& earlier, LedgerRow& row) {
 }  // namespace
 
 std::vector<Stay> stays(const Model& model, std::size_t count, const Series& data, std::size_t target) {
-  const Series seen = thinned(data, model.targets.at(target), kMostTestedRows);
+  const Series seen = thinned(data, model.targets.at(target), kMostTested);
   return stays(model, count, tested(model, seen, target));
 }
 
 Trial trial(const Model& model, const std::vector<Term>& added, const Series& data, std::size_t target) {
-  const Series seen = thinned(data, model.targets.at(target), kMostTestedRows);
+  const Series seen = thinned(data, model.targets.at(target), kMostTested);
   Trial result;
   result.model = model;
   result.model.terms.insert(result.model.terms.end(), added.begin(), added.end());
@@ -227,7 +198,7 @@ Pruned pruned(Trial trial, const Series& data, std::size_t target) {
   std::size_t earlier = now.model.terms.size() - now.added.size();
   std::vector<std::size_t> place(earlier);  // in the model before, of what is left of it
   for (std::size_t t = 0; t < earlier; ++t) place[t] = t;
-  const Series seen = thinned(data, now.model.targets.at(target), kMostTestedRows);
+  const Series seen = thinned(data, now.model.targets.at(target), kMostTested);
   while (true) {
     const auto least = std::max_element(now.earlier.begin(), now.earlier.end(),
                                         [](const Stay& a, const Stay& b) { return a.p < b.p; });

@@ -64,7 +64,6 @@ struct Candidate {
 struct Diagnosis {
   std::string target;
   Fit base;
-  Whiteness base_whiteness;
   Verdict verdict = Verdict::nothing;
   std::vector<BoundEffect> named;
   std::vector<std::vector<BoundEffect>> equivalent;  // each: effects of which one is it
@@ -75,7 +74,7 @@ struct Diagnosis {
   double smallest_um = 0.0;    // amplitude that would have been found, of the effect that shows best
   BoundEffect smallest;        // that effect
   double rmse_after_um = 0.0;  // with the best set
-  std::size_t searched_effects = 0, searched_signatures = 0;
+  std::size_t searched_effects = 0;
   std::vector<Prospect> prospects;   // what the data could show, as preflight
   std::vector<std::string> reasons;  // why not `named`; whole sentences
 };
