@@ -33,11 +33,10 @@ std::vector<double> without(const std::vector<double>& values, const std::vector
 
 Eigen::MatrixXd without(const Eigen::MatrixXd& rows, const std::vector<std::size_t>& discounted) {
   if (discounted.empty()) return rows;
-  Eigen::MatrixXd result(rows.rows() - static_cast<Eigen::Index>(discounted.size()), rows.cols());
-  Eigen::Index next = 0;
+  std::vector<Eigen::Index> index;
   for_each_kept(static_cast<std::size_t>(rows.rows()), discounted,
-                [&](std::size_t row) { result.row(next++) = rows.row(static_cast<Eigen::Index>(row)); });
-  return result;
+                [&](std::size_t row) { index.push_back(static_cast<Eigen::Index>(row)); });
+  return rows(index, Eigen::all);
 }
 
 Fit kept_of(const Fit& fit) {
