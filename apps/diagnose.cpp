@@ -156,6 +156,11 @@ void print_text(const Diagnosed& diagnosed, const std::string& title) {
                wrapped("* the best set, each beside the others. RMSE with it; held out: cycles left out, before and "
                        "after. Evidence: 2 ln of the likelihood ratio; needed: what 1 % of searches find by chance."));
   }
+  for (const Candidate& candidate : found.candidates) {
+    if (candidate.also_drawn_by.empty()) continue;
+    fmt::print("{}", wrapped(fmt::format("{} would draw the same curve as {}: with what it adds to it at nothing.",
+                                         fmt::join(candidate.also_drawn_by, " and "), label_of(candidate.bound))));
+  }
   std::string falls;
   if (found.best_fake_fall > 0.0) {
     falls = fmt::format("The best fake of 200 with the same smoothness lowers the RMSE by {:.0f} %",
@@ -195,6 +200,7 @@ nlohmann::ordered_json json_of(const Candidate& candidate) {
   json["in_best_set"] = candidate.in_best_set;
   json["minor"] = candidate.minor;
   json["inseparable_from"] = candidate.inseparable_from;
+  json["also_drawn_by"] = candidate.also_drawn_by;
   json["parameters"] = nlohmann::ordered_json::array();
   for (const FittedParameter& parameter : candidate.parameters) {
     json["parameters"].push_back({{"name", parameter.name},

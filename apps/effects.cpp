@@ -90,6 +90,7 @@ void print_page(const Effect& effect) {
     fmt::print("{}\n", parameters.left_aligned());
   }
   print_part("Confused with", fmt::format("{}", fmt::join(page.confused_with, ", ")));
+  if (!page.becomes.empty()) print_part("Becomes", page.becomes + ", at the edge of its shapes");
   print_part("Told apart by", page.separated_by);
   print_part("Remedy", page.remedy);
   print_part("Validity", page.validity);
@@ -109,6 +110,7 @@ nlohmann::ordered_json json_of(const Effect& effect) {
                               {"formula", page.formula},
                               {"signature", page.signature},
                               {"confused_with", page.confused_with},
+                              {"becomes", page.becomes},
                               {"separated_by", page.separated_by},
                               {"remedy", page.remedy},
                               {"validity", page.validity},

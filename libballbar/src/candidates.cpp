@@ -5,11 +5,13 @@
 
 #include "ballbar/trial.hpp"
 #include "confirmation.hpp"
+#include "whitened.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr double kChance = 0.01;
+constexpr double kSameCurve = 2.0;  // chi^2 of the difference of two fits
 
 }  // namespace
 
@@ -71,6 +73,22 @@ Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& w
   if (!(after.chi2 < before.chi2)) fails("cycles left out are not predicted better.");
   if (!candidate.beats_fakes) fails("a fake of the same smoothness does as well.");
   return result;
+}
+
+std::optional<std::size_t> redrawn(const Hypotheses& now, const Refitted& plain, const Refitted& rich) {
+  if (plain.set.size() != rich.set.size()) return std::nullopt;
+  std::vector<std::size_t> own, others;  // places of what the other has not
+  for (std::size_t m = 0; m < rich.set.size(); ++m) {
+    if (!has(now, plain.set, now.bound(rich.set[m]))) own.push_back(m);
+    if (!has(now, rich.set, now.bound(plain.set[m]))) others.push_back(m);
+  }
+  if (own.size() != 1 || others.size() != 1) return std::nullopt;
+  const BoundEffect a = now.bound(plain.set[others.front()]), b = now.bound(rich.set[own.front()]);
+  if (b.effect->explanation.becomes != a.effect->name || b.columns != a.columns) return std::nullopt;
+  const Whitening whitening(plain.noise, plain.leftover.time_s, plain.leftover.sigma_um);
+  const Eigen::VectorXd apart = whitened(whitening, plain.leftover.residual_um - rich.leftover.residual_um);
+  if (!(apart.squaredNorm() < kSameCurve)) return std::nullopt;
+  return own.front();
 }
 
 std::vector<std::vector<BoundEffect>> groups_of(const Hypotheses& now, const Projected& seen, const Refitted& best,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "ballbar/error.hpp"
@@ -169,6 +170,14 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
     }
     sort_refits();
   }
+  // What draws the same curve with fewer shapes is the one to speak of.
+  for (std::size_t k = 1; k < refits.size() && refits[k].penalised > refits.front().penalised - kNearlyAsGood; ++k) {
+    if (redrawn(now, refits[k], refits.front())) {
+      std::rotate(refits.begin(), refits.begin() + static_cast<std::ptrdiff_t>(k),
+                  refits.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+      k = 0;
+    }
+  }
   const Refitted& best = refits.front();
   result.rmse_after_um = best.fit.rmse_um;
 
@@ -194,7 +203,18 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   const bool adequate = left_evidence < kSmoothEvidence && white.p >= kWhite;
   std::vector<const Refitted*> rivals;
   for (const Refitted& other : refits) {
-    if (&other != &best && other.penalised > best.penalised - kNearlyAsGood) rivals.push_back(&other);
+    if (&other == &best || other.penalised < best.penalised - kNearlyAsGood) continue;
+    const std::optional<std::size_t> place = redrawn(now, best, other);
+    if (!place) {
+      rivals.push_back(&other);
+      continue;
+    }
+    const BoundEffect rich = now.bound(other.set[*place]);
+    for (Candidate& candidate : result.candidates) {
+      const bool plain =
+          candidate.bound.columns == rich.columns && candidate.bound.effect->name == rich.effect->explanation.becomes;
+      if (plain) candidate.also_drawn_by.push_back(label_of(rich));
+    }
   }
   const std::vector<std::vector<BoundEffect>> groups = groups_of(now, seen, best, rivals);
   // Rivals as candidates too, then the strongest singles.

@@ -108,6 +108,18 @@ TEST(Diagnosis, a_duplicate_is_never_named) {
   EXPECT_NE(std::find(labels.begin(), labels.end(), "lagged_expansion(T_twin_degC)"), labels.end());
 }
 
+// A lag of no time and play that never gives way are expansion too: the one with fewer shapes is named.
+TEST(Diagnosis, what_becomes_the_same_curve_is_no_rival) {
+  Series data = made(0.0, 4);
+  for (std::size_t i = 0; i < kRows; ++i) data.columns[3].values[i] += 2.5 * (data.columns[1].values[i] - 22.0);
+  const Diagnosis found = diagnose(by_speed(), data);
+  EXPECT_EQ(found.verdict, Verdict::named);
+  ASSERT_EQ(found.named.size(), 1U);
+  EXPECT_EQ(label_of(found.named.front()), "expansion(T_room_degC)");
+  const std::vector<std::string>& same = found.candidates.front().also_drawn_by;
+  EXPECT_NE(std::find(same.begin(), same.end(), "lagged_expansion(T_room_degC)"), same.end());
+}
+
 TEST(Diagnosis, is_the_same_every_time) {
   const Series data = made(2.0, 3);
   const Diagnosis once = diagnose(by_speed(), data), again = diagnose(by_speed(), data);

@@ -59,6 +59,8 @@ struct Candidate {
   bool in_best_set = false;
   bool minor = false;                         // below max(5 % of the RMSE, the tolerance)
   std::vector<std::string> inseparable_from;  // labels
+  // Labels of effects that as fitted draw the same curve: at the edge of their shapes they become this one.
+  std::vector<std::string> also_drawn_by;
 };
 
 struct Diagnosis {

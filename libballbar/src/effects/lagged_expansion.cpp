@@ -29,6 +29,7 @@ const Effect kLaggedExpansion{
      .signature =
          "Residual against temperature is a loop: small while it warms, large while it cools (or the other way).",
      .confused_with = {"speed_heating", "day_cycle", "settling", "expansion"},
+     .becomes = "expansion",
      .separated_by = "A step of this temperature alone: door, air conditioning or chiller, at constant speed.",
      .remedy = "Move the sensor nearer to the body, shield it from draught, or compensate with the lag.",
      .validity = "One dominant time constant; a thick wall has several.",

@@ -31,6 +31,7 @@ const Effect kPlayHysteresis{
                 "first row",
      .signature = "Residual against the signal is a loop of constant width, however slow or fast the signal changes.",
      .confused_with = {"lagged_expansion", "gradient_bending", "preload_loss"},
+     .becomes = "expansion",
      .separated_by =
          "Warm and cool once fast and once slowly: the loop of a lag shrinks when slow, that of play stays.",
      .remedy = "Tighten the joint to its torque; guide it so that it can slide without sticking; oil it.",

@@ -27,6 +27,7 @@ const Effect kPreloadLoss{
      .formula = "gain max(0, u - u0 - threshold), u the signal, u0 its first value",
      .signature = "Residual against the signal has a kink, at the same place while it warms and while it cools.",
      .confused_with = {"bearing_clearance", "expansion", "play_hysteresis"},
+     .becomes = "expansion",
      .separated_by = "Warm up and cool down twice past the kink: it stays where it is; a lag or play moves it.",
      .remedy = "Set the preload again, or use springs; keep the spindle below the kink by cooling.",
      .validity = "One bearing, one kink; linear on both sides. The place is u0 + threshold: compare that between runs.",

@@ -41,6 +41,45 @@ TEST_P(all_effects, are_explained) {
   EXPECT_FALSE(page.confused_with.empty()) << effect.name;
 }
 
+// At one corner of its shapes it draws, but for factor and constant, the curve of the effect it says it becomes there.
+TEST_P(all_effects, become_what_they_say) {
+  const Effect& effect = *GetParam();
+  if (effect.explanation.becomes.empty()) return;
+  const Effect* plain = find_effect(effect.explanation.becomes, effect.level);
+  ASSERT_NE(plain, nullptr);
+  ASSERT_EQ(plain->inputs.size(), effect.inputs.size());
+  EXPECT_LT(plain->parameters.size(), effect.parameters.size());
+  std::vector<double> time_s, signal;  // never below its first value
+  for (int i = 0; i < 400; ++i) {
+    time_s.push_back(60.0 * i);
+    signal.push_back(20.0 + 3.0 * (1.0 - std::cos(0.05 * i)) + 0.01 * i);
+  }
+  const EffectRows rows{time_s, {signal}};
+  const auto curve = [&](const Effect& of, const std::vector<double>& parameters) {
+    std::vector<double> values(time_s.size());
+    of.evaluate(rows, parameters.data(), values.data(), nullptr);
+    double mean = 0.0, square = 0.0;
+    for (const double value : values) mean += value / static_cast<double>(values.size());
+    for (double& value : values) square += (value - mean) * (value - mean);
+    for (double& value : values) value = (value - mean) / std::sqrt(square);
+    return values;
+  };
+  const std::vector<double> wanted = curve(*plain, {1.0});
+  double most = 0.0;
+  for (const bool high : {false, true}) {
+    std::vector<double> corner;
+    for (const Parameter& parameter : effect.parameters) {
+      const bool gain = parameter.kind == ParameterKind::gain;
+      corner.push_back(gain ? 1.0 : high ? parameter.upper : parameter.lower);
+    }
+    const std::vector<double> values = curve(effect, corner);
+    double alike = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) alike += values[i] * wanted[i];
+    if (std::isfinite(alike)) most = std::max(most, std::abs(alike));
+  }
+  EXPECT_GT(most, 0.9999) << effect.name << " is never " << plain->name;
+}
+
 TEST_P(all_effects, name_parameters_with_their_units) {
   const Effect& effect = *GetParam();
   std::set<std::string> names;
