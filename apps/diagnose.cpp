@@ -126,6 +126,19 @@ Table candidate_table(const Diagnosis& found) {
   return table;
 }
 
+Table goes_with_table(const Diagnosis& found) {
+  Table table({"it goes with", "amplitude um", "RMSE um", "held out um"});
+  const int decimals = decimals_of(found.base.rmse_um);
+  for (const Candidate& candidate : found.goes_with) {
+    table.add({shortened(label_of(candidate.bound), 60),
+               with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, decimals),
+               fmt::format("{:.{}f} -> {:.{}f}", found.base.rmse_um, decimals, candidate.rmse_after_um, decimals),
+               fmt::format("{:.{}f} -> {:.{}f}", candidate.held_out_before_um, decimals, candidate.held_out_after_um,
+                           decimals)});
+  }
+  return table;
+}
+
 std::string untestable_text(const Diagnosis& found) {
   std::vector<Prospect> untestable;
   std::copy_if(
@@ -170,6 +183,10 @@ void print_text(const Diagnosed& diagnosed, const std::string& title) {
   if (found.verdict != Verdict::untestable) {
     falls += fmt::format("Evidence of the most likely smooth curve: {:.0f}.", std::max(0.0, found.smooth_evidence));
     fmt::print("\n{}", wrapped(falls));
+  }
+  if (!found.goes_with.empty()) {
+    fmt::print("\n{}{}", goes_with_table(found).text(kWidest),
+               wrapped("Each alone beside the model. That it goes with something is no proof of a cause."));
   }
   if (!found.reasons.empty()) fmt::print("\nWhy it is not named, or not all of it:\n");
   for (const std::string& reason : found.reasons) fmt::print("{}", wrapped("- " + reason));
@@ -224,8 +241,15 @@ nlohmann::ordered_json json_of(const Diagnosed& diagnosed) {
     for (const BoundEffect& bound : group) list.push_back(json_of(bound));
     json["equivalent"].push_back(std::move(list));
   }
+  if (!found.goes_with.empty()) {  // of an unexplained one: what is nearest to it
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Candidate& candidate : found.goes_with) list.push_back(json_of(candidate.bound));
+    json["equivalent"].push_back(std::move(list));
+  }
   json["candidates"] = nlohmann::ordered_json::array();
   for (const Candidate& candidate : found.candidates) json["candidates"].push_back(json_of(candidate));
+  json["goes_with"] = nlohmann::ordered_json::array();
+  for (const Candidate& candidate : found.goes_with) json["goes_with"].push_back(json_of(candidate));
   json["p_anything"] = number(found.p_anything);
   json["smooth_evidence"] = number(found.smooth_evidence);
   json["best_fake_fall"] = number(found.best_fake_fall);

@@ -13,6 +13,7 @@
 #include "best_subset.hpp"
 #include "candidates.hpp"
 #include "confirmation.hpp"
+#include "correlates.hpp"
 #include "hypotheses.hpp"
 #include "prospects.hpp"
 #include "search_null.hpp"
@@ -124,11 +125,14 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   const SmoothRival smooth = smooth_rival(now.leftover(), now.has_few_rows() ? noise : base_noise);
   result.smooth_evidence = 2.0 * (smooth.log_likelihood - base_log_likelihood);
   const bool something = result.p_anything < kChance && penalised(sets.front()) > 2.0 * base_log_likelihood;
-  if (!something) {
-    result.verdict = result.smooth_evidence > kSmoothEvidence ? Verdict::unexplained : Verdict::nothing;
-    if (result.verdict == Verdict::unexplained) {
-      result.reasons.emplace_back("Something slow is left, and no effect of the catalogue has its shape.");
-    }
+  const std::vector<std::size_t> cycle = cycles_of(rows, result.base.row);
+  const auto unexplained = [&] {
+    result.verdict = Verdict::unexplained;
+    result.goes_with = correlates(now, noise, cycle);
+  };
+  if (!something && result.smooth_evidence > kSmoothEvidence) {
+    unexplained();
+    result.reasons.emplace_back("Something slow is left, and no effect of the catalogue has its shape.");
   }
 
   const double allowance =
@@ -182,7 +186,6 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   result.rmse_after_um = best.fit.rmse_um;
 
   // Every effect of the best set beside the rest of it.
-  const std::vector<std::size_t> cycle = cycles_of(rows, result.base.row);
   std::vector<bool> sound;
   for (std::size_t m = 0; m < best.set.size(); ++m) {
     Confirmed one = confirmed(now, rows, best, m, null, cycle, options);
@@ -247,12 +250,12 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   if (!something) return result;
 
   if (!adequate) {
-    result.verdict = Verdict::unexplained;
+    unexplained();
     result.reasons.emplace_back("What the best effects leave is not noise.");
     return result;
   }
   if (!beats_smooth) {
-    result.verdict = Verdict::unexplained;
+    unexplained();
     result.reasons.emplace_back("A smooth curve without any cause explains the data better.");
     return result;
   }
@@ -260,7 +263,7 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
       std::any_of(result.candidates.begin(), result.candidates.begin() + static_cast<std::ptrdiff_t>(best.set.size()),
                   [](const Candidate& candidate) { return candidate.p_same_gain < kSameGain; });
   if (varying) {
-    result.verdict = Verdict::unexplained;
+    unexplained();
     return result;
   }
   for (std::size_t m = 0; m < groups.size(); ++m) {

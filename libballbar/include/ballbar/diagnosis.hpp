@@ -70,12 +70,14 @@ struct Diagnosis {
   std::vector<BoundEffect> named;
   std::vector<std::vector<BoundEffect>> equivalent;  // each: effects of which one is it
   std::vector<Candidate> candidates;                 // most evidence first, at most 8
-  double p_anything = 1.0;                           // share of data sets without any effect with a best score as rare
-  double smooth_evidence = 0.0;                      // 2 ln L gained by the most likely smooth curve
-  double best_fake_fall = 0.0;                       // relative fall of the RMSE by the best of the fakes
-  double smallest_um = 0.0;    // amplitude that would have been found, of the effect that shows best
-  BoundEffect smallest;        // that effect
-  double rmse_after_um = 0.0;  // with the best set
+  // Unexplained: what it goes with, each alone beside the model; the lowest held-out RMSE first, at most 4.
+  std::vector<Candidate> goes_with;
+  double p_anything = 1.0;       // share of data sets without any effect with a best score as rare
+  double smooth_evidence = 0.0;  // 2 ln L gained by the most likely smooth curve
+  double best_fake_fall = 0.0;   // relative fall of the RMSE by the best of the fakes
+  double smallest_um = 0.0;      // amplitude that would have been found, of the effect that shows best
+  BoundEffect smallest;          // that effect
+  double rmse_after_um = 0.0;    // with the best set
   std::size_t searched_effects = 0;
   std::vector<Prospect> prospects;   // what the data could show, as preflight
   std::vector<std::string> reasons;  // why not `named`; whole sentences

@@ -1,0 +1,67 @@
+#include "correlates.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "ballbar/error.hpp"
+#include "candidates.hpp"
+#include "confirmation.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kLess = 0.7;  // of the held-out RMSE
+constexpr std::size_t kFitted = 8;
+constexpr std::size_t kOfAnEffect = 2;
+constexpr std::size_t kShown = 4;
+
+// The shape of every family that lowers the sum of squares most, the largest fall first. Least squares: a residual of
+// which no noise is known is not whitened.
+std::vector<std::size_t> by_fall(const Hypotheses& now) {
+  const Eigen::MatrixXd basis = orthonormal(now.leftover().model);
+  const Eigen::VectorXd r = now.leftover().residual_um - basis * (basis.transpose() * now.leftover().residual_um);
+  const auto fall = [&](std::size_t index) {
+    Eigen::MatrixXd columns = now.columns({index});
+    columns -= basis * (basis.transpose() * columns);
+    return (orthonormal(columns).transpose() * r).squaredNorm();
+  };
+  std::vector<std::pair<double, std::size_t>> best;
+  for (const Family& family : now.bank().families) {
+    if (family.effect->time_only) continue;
+    std::pair<double, std::size_t> most{0.0, family.first};
+    for (std::size_t i = family.first; i < family.first + family.count; ++i) most = std::max(most, {fall(i), i});
+    best.push_back(most);
+  }
+  std::stable_sort(best.begin(), best.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::map<const Effect*, std::size_t> taken;
+  std::vector<std::size_t> result;
+  for (const auto& [value, index] : best) {
+    if (result.size() < kFitted && ++taken[now.family(index).effect] <= kOfAnEffect) result.push_back(index);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Candidate> correlates(const Hypotheses& now, const Noise& noise, const std::vector<std::size_t>& cycle) {
+  const double before = held_out(now.leftover(), noise, cycle).rmse_um;
+  std::vector<Candidate> result;
+  for (const std::size_t index : by_fall(now)) {
+    try {
+      const Refitted with = now.refitted({index}, noise);
+      const double after = held_out(with.leftover, with.noise, cycle).rmse_um;
+      if (!(after < kLess * before)) continue;
+      result.push_back(candidate_of(now, with, 0));
+      result.back().held_out_before_um = before;
+      result.back().held_out_after_um = after;
+    } catch (const Error&) {
+      continue;  // what cannot be fitted explains nothing
+    }
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.held_out_after_um < b.held_out_after_um; });
+  if (result.size() > kShown) result.erase(result.begin() + kShown, result.end());
+  return result;
+}
+
+}  // namespace ballbar
