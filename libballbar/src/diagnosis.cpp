@@ -10,6 +10,7 @@
 #include <set>
 
 #include "ballbar/error.hpp"
+#include "ballbar/trial.hpp"
 #include "best_subset.hpp"
 #include "candidates.hpp"
 #include "confirmation.hpp"
@@ -24,10 +25,14 @@ namespace ballbar {
 namespace {
 
 constexpr double kChance = 0.01;
-constexpr double kNearlyAsGood = 6.0;     // 2 ln L
-constexpr double kWorthRefitting = 12.0;  // 2 ln L
-constexpr double kGridError = 0.1;        // share of the evidence that a point of a grid may lack
-constexpr std::size_t kRefitted = 14;
+constexpr double kNearlyAsGood = 6.0;        // 2 ln L less thresholds
+constexpr double kThreeNearlyAsGood = 12.0;  // the same of sets of three, of which there are far more
+constexpr double kFarFromGood = 40.0;        // 2 ln L less thresholds: not worth another fit
+constexpr double kAsGood = 3.0;              // 2 ln L: so near, the thresholds alone decide nothing
+constexpr double kWorthRefitting = 12.0;     // 2 ln L
+constexpr double kGridError = 0.1;           // share of the evidence that a point of a grid may lack
+constexpr std::size_t kRefitted = 14;        // sets of one effect; half as many more for every other one
+constexpr std::size_t kRounds = 2;
 constexpr double kSmoothEvidence = 18.0;  // of a smooth curve that is more than noise
 constexpr double kWhite = 0.001;
 constexpr std::size_t kShown = 8;
@@ -124,17 +129,6 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
 
   const SmoothRival smooth = smooth_rival(now.leftover(), now.has_few_rows() ? noise : base_noise);
   result.smooth_evidence = 2.0 * (smooth.log_likelihood - base_log_likelihood);
-  const bool something = result.p_anything < kChance && penalised(sets.front()) > 2.0 * base_log_likelihood;
-  const std::vector<std::size_t> cycle = cycles_of(rows, result.base.row);
-  const auto unexplained = [&] {
-    result.verdict = Verdict::unexplained;
-    result.goes_with = correlates(now, noise, cycle);
-  };
-  if (!something && result.smooth_evidence > kSmoothEvidence) {
-    unexplained();
-    result.reasons.emplace_back("Something slow is left, and no effect of the catalogue has its shape.");
-  }
-
   const double allowance =
       kWorthRefitting +
       kGridError * std::max(0.0, 2.0 * (now.evaluated(sets.front(), noise).log_likelihood - base_log_likelihood));
@@ -157,11 +151,55 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
     std::stable_sort(refits.begin(), refits.end(),
                      [](const Refitted& a, const Refitted& b) { return a.penalised > b.penalised; });
   };
+  const std::size_t most = kRefitted * (sets.front().size() + 1) / 2;
   for (const Set& set : sets) {
-    if (refits.size() == kRefitted || penalised(set) < penalised(sets.front()) - allowance) break;
+    if (refits.size() == most || penalised(set) < penalised(sets.front()) - allowance) break;
     refit(set);
   }
   sort_refits();
+  // Sets that share effects with the best one, anew from where that has them; and in the place of every effect of it
+  // the others.
+  for (std::size_t round = 0; round < kRounds && !refits.empty() && refits.front().set.size() > 1; ++round) {
+    const Refitted whole = refits.front();
+    for (std::size_t out = 0; out < whole.set.size(); ++out) {
+      for (const std::size_t other : in_place_of(now, whole, out, null)) {
+        Set swapped = whole.set;
+        swapped[out] = other;
+        refit(swapped);
+      }
+    }
+    for (Refitted& other : refits) {
+      if (other.penalised < whole.penalised - kFarFromGood) continue;
+      const bool shares = std::any_of(other.set.begin(), other.set.end(),
+                                      [&](std::size_t index) { return has(now, whole.set, now.bound(index)); });
+      if (!shares) continue;
+      try {
+        Refitted again = now.refitted_from(whole, other.set);
+        if (!(again.log_likelihood > other.log_likelihood)) continue;
+        again.penalised = 2.0 * again.log_likelihood - thresholds(now, null, again.set);
+        other = std::move(again);
+      } catch (const Error&) {
+        continue;  // from there it has no fit
+      }
+    }
+    sort_refits();
+    if (refits.front().set == whole.set) break;
+  }
+  // Thresholds hold for the noise that explains most by itself; where that is much, the likelihood with the noise
+  // estimated anew has its own word.
+  const bool something = result.p_anything < kChance && !refits.empty() &&
+                         (penalised(sets.front()) > 2.0 * base_log_likelihood ||
+                          2.0 * (refits.front().log_likelihood - base_log_likelihood) >
+                              kFewestEvidence * static_cast<double>(refits.front().set.size()));
+  const std::vector<std::size_t> cycle = cycles_of(rows, result.base.row);
+  const auto unexplained = [&] {
+    result.verdict = Verdict::unexplained;
+    result.goes_with = correlates(now, noise, cycle);
+  };
+  if (!something && result.smooth_evidence > kSmoothEvidence) {
+    unexplained();
+    result.reasons.emplace_back("Something slow is left, and no effect of the catalogue has its shape.");
+  }
   if (refits.empty()) return result;
   // What a point of the grid lacked another effect may have filled in: with free shapes it may not be needed.
   for (std::size_t before = 0; before != refits.size() && refits.front().set.size() > 1;) {
@@ -175,8 +213,13 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
     sort_refits();
   }
   // What draws the same curve with fewer shapes is the one to speak of.
-  for (std::size_t k = 1; k < refits.size() && refits[k].penalised > refits.front().penalised - kNearlyAsGood; ++k) {
-    if (redrawn(now, refits[k], refits.front())) {
+  const auto is_rival = [&](const Refitted& best, const Refitted& other) {
+    const double nearly = best.set.size() < 3 ? kNearlyAsGood : kThreeNearlyAsGood;
+    return other.penalised > best.penalised - nearly ||
+           (other.set.size() == best.set.size() && 2.0 * (best.log_likelihood - other.log_likelihood) < kAsGood);
+  };
+  for (std::size_t k = 1; k < refits.size(); ++k) {
+    if (is_rival(refits.front(), refits[k]) && redrawn(now, refits[k], refits.front())) {
       std::rotate(refits.begin(), refits.begin() + static_cast<std::ptrdiff_t>(k),
                   refits.begin() + static_cast<std::ptrdiff_t>(k) + 1);
       k = 0;
@@ -206,7 +249,7 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   const bool adequate = left_evidence < kSmoothEvidence && white.p >= kWhite;
   std::vector<const Refitted*> rivals;
   for (const Refitted& other : refits) {
-    if (&other == &best || other.penalised < best.penalised - kNearlyAsGood) continue;
+    if (&other == &best || !is_rival(best, other)) continue;
     const std::optional<std::size_t> place = redrawn(now, best, other);
     if (!place) {
       rivals.push_back(&other);

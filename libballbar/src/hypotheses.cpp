@@ -62,19 +62,36 @@ void Hypotheses::fit_by(const Noise& noise, Refitted& refitted) const {
   refitted.log_likelihood = seen.likely.log_likelihood;
 }
 
+Term Hypotheses::term_at(std::size_t index) const {
+  Term term = term_of(family(index).effect->name, family(index).columns, model_.level);
+  for (std::size_t k = 0; k < term.settings.size(); ++k) {
+    if (term.effect->parameters[k].kind != ParameterKind::shape) continue;
+    Setting& setting = term.settings[k];
+    setting.start = std::clamp(at(index).point[k], setting.lower, setting.upper);
+    setting.stated = true;
+  }
+  return term;
+}
+
 Refitted Hypotheses::refitted(const Set& set, const Noise& noise) const {
   Refitted result{set, model_, {}, {}, {}, 0.0, 0.0};
-  for (const std::size_t index : set) {
-    Term term = term_of(family(index).effect->name, family(index).columns, model_.level);
-    for (std::size_t k = 0; k < term.settings.size(); ++k) {
-      if (term.effect->parameters[k].kind != ParameterKind::shape) continue;
-      Setting& setting = term.settings[k];
-      setting.start = std::clamp(at(index).point[k], setting.lower, setting.upper);
-      setting.stated = true;
-    }
-    result.model.terms.push_back(std::move(term));
-  }
+  for (const std::size_t index : set) result.model.terms.push_back(term_at(index));
   fit_by(noise, result);
+  return result;
+}
+
+Refitted Hypotheses::refitted_from(const Refitted& near, const Set& set) const {
+  Refitted result{set, from_where_it_is(near.model, near.fit), {}, {}, {}, 0.0, 0.0};
+  std::vector<Term> shared(result.model.terms.begin() + static_cast<std::ptrdiff_t>(model_.terms.size()),
+                           result.model.terms.end());
+  result.model.terms.resize(model_.terms.size());
+  for (const std::size_t index : set) {
+    const auto at =
+        std::find_if(near.set.begin(), near.set.end(), [&](std::size_t other) { return bound(other) == bound(index); });
+    result.model.terms.push_back(at == near.set.end() ? term_at(index)
+                                                      : shared[static_cast<std::size_t>(at - near.set.begin())]);
+  }
+  fit_by(near.noise, result);
   return result;
 }
 
@@ -170,6 +187,36 @@ std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& 
     for (auto& [value, swapped] : places) result.push_back(std::move(swapped));
   }
   return result;
+}
+
+std::vector<std::size_t> in_place_of(const Hypotheses& now, const Refitted& whole, std::size_t place,
+                                     const SearchNull& null) {
+  constexpr std::size_t kMost = 8;
+  const Refitted without = now.without(whole, place);
+  const Whitening whitening(whole.noise, without.leftover.time_s, without.leftover.sigma_um);
+  const Projected seen = projected(now.bank(), without.leftover.residual_um, without.leftover.model, whitening);
+  const Eigen::VectorXd score = scores(now.bank(), seen, seen.residual);
+  const auto net = [&](std::size_t index) {
+    return score[static_cast<Eigen::Index>(index)] - null.threshold(*now.family(index).effect);
+  };
+  std::vector<std::size_t> best;
+  double own = 0.0;
+  for (std::size_t f = 0; f < now.bank().families.size(); ++f) {
+    const Family& family = now.bank().families[f];
+    std::size_t most = family.first;
+    for (std::size_t i = family.first; i < family.first + family.count; ++i) {
+      if (net(i) > net(most)) most = i;
+    }
+    if (now.at(whole.set[place]).family == f) own = net(most);
+    const bool there =
+        std::any_of(whole.set.begin(), whole.set.end(), [&](std::size_t i) { return now.at(i).family == f; });
+    if (!there) best.push_back(most);
+  }
+  std::stable_sort(best.begin(), best.end(), [&](std::size_t a, std::size_t b) { return net(a) > net(b); });
+  std::size_t taken = 0;
+  while (taken < std::min(best.size(), kMost) && net(best[taken]) > 0.8 * own - kWorthRefitting) ++taken;
+  best.resize(taken);
+  return best;
 }
 
 bool has(const Hypotheses& now, const Set& set, const BoundEffect& bound) {

@@ -10,6 +10,7 @@
 #include "ballbar/diagnosis.hpp"
 #include "bank.hpp"
 #include "evidence.hpp"
+#include "search_null.hpp"
 
 namespace ballbar {
 
@@ -55,10 +56,17 @@ class Hypotheses {
   // as fit does.
   Refitted refitted(const Set& set, const Noise& noise) const;
 
+  // The same by the noise of another fitted set, what the two share from where that has it: a grid point far from the
+  // truth would end in a hollow of its own.
+  Refitted refitted_from(const Refitted& near, const Set& set) const;
+
   // Without the effect at `place` of the set, by the noise with it: the shapes of the model start from where they are.
   Refitted without(const Refitted& whole, std::size_t place) const;
 
  private:
+  // The effect with its shapes at this point of the grid.
+  Term term_at(std::size_t index) const;
+
   // Fits refitted.model: all but set and model of `refitted` becomes new.
   void fit_by(const Noise& noise, Refitted& refitted) const;
 
@@ -80,6 +88,11 @@ Guess first_guess(Hypotheses& now, const Noise& base_noise, double base_log_like
 
 // The best shape of every family in the place of one of the set, where it explains nearly as much.
 std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& set);
+
+// The best shapes of other families, at most 8, that in the place of one of a fitted set would explain nearly as much,
+// thresholds taken off: by the residual without it, freed of what the others can make with their shapes free.
+std::vector<std::size_t> in_place_of(const Hypotheses& now, const Refitted& whole, std::size_t place,
+                                     const SearchNull& null);
 
 bool has(const Hypotheses& now, const Set& set, const BoundEffect& bound);
 
