@@ -126,7 +126,7 @@ void print_text(const std::vector<SealedSet>& sets, const std::vector<BlindVerdi
                std::string(name_of(verdicts[i].verdict)), shortened(said(verdicts[i]), 52),
                std::string(name_of(outcomes[i]))});
   }
-  fmt::print("{} sets, the seal is whole; verdicts {}\n\n{}\n", sets.size(),
+  fmt::print("{} set{}, the seal is whole; verdicts {}\n\n{}\n", sets.size(), sets.size() == 1 ? "" : "s",
              by_hand.empty() ? "by ballbar diagnose" : "of " + by_hand, table.left_aligned());
   Table totals({"", "sets", "share", "95 % interval"});
   print_share(totals, "false call where nothing is hidden", scores.false_calls);

@@ -15,6 +15,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kWidest = 120;  // of a table
+constexpr double kNotNoise = 0.01;    // as the sentences of residual.hpp
 
 std::string known(double value, int decimals) { return std::isfinite(value) ? fixed(value, decimals) : "-"; }
 
@@ -115,9 +116,16 @@ std::string conclusion(const Trial& trial) {
   if (trial.after.verdict == "time only") {
     text += ", which needs nothing but time, so that one run cannot name it as a cause";
   }
-  if (!is_adequate(trial.fit_after, whiteness(trial.fit_after))) {
-    text += fmt::format(". What is left is not noise: something else is missing too, and {} may stand in for that",
-                        trial.added.size() == 1 ? "this effect" : "these effects");
+  const Whiteness white = whiteness(trial.fit_after);
+  if (!is_adequate(trial.fit_after, white)) {
+    const std::string_view these = trial.added.size() == 1 ? "this effect" : "these effects";
+    text += white.p < kNotNoise
+                ? fmt::format(
+                      ". What is left is not noise: something else is missing too, and {} may stand in for that", these)
+                : fmt::format(
+                      ". What is left is above the floor: noise with a memory, or something else that is missing, for "
+                      "which {} may stand in",
+                      these);
   }
   return text + '.';
 }

@@ -1,4 +1,4 @@
-"""Holds README.md to what the program does. Its fenced blocks:
+"""Holds README.md, or another page, to what the program does. Its fenced blocks:
 
     ```csv cold.csv          a plain name: the block is a file of that name
     ```cpp tests/x/main.cpp  a path: the block must stand in that file
@@ -6,9 +6,9 @@
                              the files above, those of tests/cli/readme/ and sample-runs/; `ballbar` is the
                              program built. The lines below each are its output; `...` stands for any lines.
 
-    python3 readme.py PROGRAM SOURCE_FOLDER SCRATCH [--update]
+    python3 readme.py PROGRAM SOURCE_FOLDER SCRATCH [PAGE] [--update]
 
---update rewrites the outputs that differ.
+PAGE is relative to the source folder; default README.md. --update rewrites the outputs that differ.
 """
 import difflib
 import os
@@ -20,7 +20,8 @@ import sys
 
 program, source, scratch = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 update = "--update" in sys.argv[4:]
-readme = source / "README.md"
+page = next((argument for argument in sys.argv[4:] if argument != "--update"), "README.md")
+readme = source / page
 
 
 def run(command):
@@ -41,7 +42,7 @@ def steps_of(block):
         if line.startswith("$ "):
             steps.append(([line], []))
         elif not steps:
-            raise SystemExit(f"README.md: a console block starts without `$ `: {line}")
+            raise SystemExit(f"{page}: a console block starts without `$ `: {line}")
         elif not steps[-1][1] and steps[-1][0][-1].endswith("\\"):
             steps[-1][0].append(line)
         else:
@@ -75,7 +76,7 @@ for language, name, block in pieces:
         (scratch / name).write_text(text, encoding="utf-8")
     elif text not in (source / name).read_text(encoding="utf-8"):
         wrong += 1
-        print(f"README.md: the block of {name} does not stand in that file")
+        print(f"{page}: the block of {name} does not stand in that file")
 
 for language, name, block in pieces:
     if language != "console":
@@ -89,11 +90,11 @@ for language, name, block in pieces:
         else:
             wrong += 1
             print("\n".join(command))
-            print("\n".join(difflib.unified_diff(expected, came, "README.md", "program", lineterm="")))
+            print("\n".join(difflib.unified_diff(expected, came, page, "program", lineterm="")))
         rewritten += command + came
     block[:] = rewritten
 
-print(f"README.md: {commands} commands run, {wrong} differences")
+print(f"{page}: {commands} commands run, {wrong} differences")
 if update:
     readme.write_text("".join(line + "\n" for _, _, lines in pieces for line in lines), encoding="utf-8")
 elif wrong or not commands:

@@ -1,8 +1,8 @@
 #!/bin/sh
-# Writes down what the program prints now as what tests/cli and the README expect. Read the difference
+# Writes down what the program prints now as what tests/cli and the READMEs expect. Read the difference
 # (git diff) before keeping it.
 #
-#   sh tests/cli/update.sh build-tests/apps/ballbar [NAME...]      no name: all cases and the README
+#   sh tests/cli/update.sh build-tests/apps/ballbar [NAME...]      no name: all cases and the READMEs
 set -eu
 program=$(realpath "$1")
 shift
@@ -20,5 +20,7 @@ for name in "$@"; do
   sh tests/cli/case.sh "$program" "$source" "$name" "$scratch" --update
 done
 if [ $readme = yes ]; then
-  python3 tests/cli/readme.py "$program" "$source" "$scratch/readme" --update
+  for page in README.md sample-runs/hidden-effect/README.md sample-runs/spindle-46h/README.md; do
+    python3 tests/cli/readme.py "$program" "$source" "$scratch/readme" "$page" --update
+  done
 fi
