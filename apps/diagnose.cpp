@@ -36,10 +36,13 @@ struct Diagnosed {
   std::vector<NextTest> next_tests;
 };
 
+constexpr std::size_t kInASentence = 4;
+
 std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {
   std::vector<std::string> texts;
-  texts.reserve(bounds.size());
-  for (const BoundEffect& bound : bounds) texts.push_back(label_of(bound));
+  const std::size_t said = bounds.size() > kInASentence + 1 ? kInASentence : bounds.size();
+  for (std::size_t i = 0; i < said; ++i) texts.push_back(label_of(bounds[i]));
+  if (said < bounds.size()) texts.push_back(fmt::format("one of {} more", bounds.size() - said));
   return fmt::format("{}", fmt::join(texts, between));
 }
 
@@ -104,16 +107,22 @@ Table candidate_table(const Diagnosis& found) {
     if (a->in_best_set != b->in_best_set) return a->in_best_set;
     return a->evidence > b->evidence;
   });
-  const auto number_of = [&](const std::string& label) {
+  const auto number_of = [&](const std::string& label) -> std::size_t {  // 0: not in the table
     for (std::size_t i = 0; i < order.size(); ++i) {
-      if (label_of(order[i]->bound) == label) return fmt::format("{}", i + 1);
+      if (label_of(order[i]->bound) == label) return i + 1;
     }
-    return label;
+    return 0;
   };
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Candidate& candidate = *order[i];
     std::vector<std::string> same;
-    for (const std::string& label : candidate.inseparable_from) same.push_back(number_of(label));
+    std::size_t more = 0;
+    for (const std::string& label : candidate.inseparable_from) {
+      const std::size_t number = number_of(label);
+      if (number > 0) same.push_back(fmt::format("{}", number));
+      more += number > 0 ? 0 : 1;
+    }
+    if (more > 0) same.push_back(fmt::format("{} more", more));
     table.add(
         {fmt::format("{} {}{}", i + 1, shortened(label_of(candidate.bound), 44), candidate.in_best_set ? " *" : ""),
          with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, decimals),
@@ -154,6 +163,8 @@ std::string untestable_text(const Diagnosis& found) {
 }
 
 std::string next_text(const Diagnosed& diagnosed) {
+  const Diagnosis& found = diagnosed.diagnosis;
+  if (found.verdict == Verdict::named && found.equivalent.empty()) return "";  // nothing is left to tell
   if (diagnosed.next_tests.empty() || diagnosed.next_tests.front().text.empty()) return "";
   return fmt::format("Next test: {}", diagnosed.next_tests.front().text);
 }
@@ -188,8 +199,10 @@ void print_text(const Diagnosed& diagnosed, const std::string& title) {
     fmt::print("\n{}{}", goes_with_table(found).text(kWidest),
                wrapped("Each alone beside the model. That it goes with something is no proof of a cause."));
   }
-  if (!found.reasons.empty()) fmt::print("\nWhy it is not named, or not all of it:\n");
-  for (const std::string& reason : found.reasons) fmt::print("{}", wrapped("- " + reason));
+  if (!found.reasons.empty() && found.verdict != Verdict::nothing) {
+    fmt::print("\nWhy it is not named, or not all of it:\n");
+    for (const std::string& reason : found.reasons) fmt::print("{}", wrapped("- " + reason));
+  }
   const std::string untestable = untestable_text(found);
   if (!untestable.empty()) fmt::print("\n{}", wrapped("Not testable here: " + untestable + "."));
   const std::string next = next_text(diagnosed);

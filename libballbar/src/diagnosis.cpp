@@ -9,14 +9,12 @@
 #include <optional>
 #include <set>
 
-#include "ballbar/error.hpp"
 #include "ballbar/trial.hpp"
-#include "best_subset.hpp"
 #include "candidates.hpp"
 #include "confirmation.hpp"
 #include "correlates.hpp"
-#include "hypotheses.hpp"
 #include "prospects.hpp"
+#include "rival_sets.hpp"
 #include "search_null.hpp"
 #include "smooth_rival.hpp"
 #include "thinned.hpp"
@@ -25,22 +23,30 @@ namespace ballbar {
 namespace {
 
 constexpr double kChance = 0.01;
-constexpr double kNearlyAsGood = 6.0;        // 2 ln L less thresholds
-constexpr double kThreeNearlyAsGood = 12.0;  // the same of sets of three, of which there are far more
-constexpr double kFarFromGood = 40.0;        // 2 ln L less thresholds: not worth another fit
-constexpr double kAsGood = 3.0;              // 2 ln L: so near, the thresholds alone decide nothing
-constexpr double kWorthRefitting = 12.0;     // 2 ln L
-constexpr double kGridError = 0.1;           // share of the evidence that a point of a grid may lack
-constexpr std::size_t kRefitted = 14;        // sets of one effect; half as many more for every other one
-constexpr std::size_t kRounds = 2;
 constexpr double kSmoothEvidence = 18.0;  // of a smooth curve that is more than noise
 constexpr double kWhite = 0.001;
 constexpr std::size_t kShown = 8;
 
-double thresholds(const Hypotheses& now, const SearchNull& null, const Set& set) {
-  double sum = 0.0;
-  for (const std::size_t index : set) sum += null.threshold(*now.family(index).effect);
-  return sum;
+// The members of the best set that draw the curve of another: told with them.
+void tell_who_draws_the_same(const BoundEffect& rich, std::vector<Candidate>& candidates) {
+  for (Candidate& candidate : candidates) {
+    const bool plain =
+        candidate.bound.columns == rich.columns && candidate.bound.effect->name == rich.effect->explanation.becomes;
+    if (plain) candidate.also_drawn_by.push_back(label_of(rich));
+  }
+}
+
+// The fitted set without one of its effects: one of those that were fitted, or anew.
+Refitted others_of(const Hypotheses& now, const std::vector<Refitted>& refits, const Refitted& whole,
+                   std::size_t place) {
+  const auto same = std::find_if(refits.begin(), refits.end(), [&](const Refitted& other) {
+    if (other.set.size() + 1 != whole.set.size()) return false;
+    for (std::size_t m = 0; m < whole.set.size(); ++m) {
+      if (m != place && !has(now, other.set, now.bound(whole.set[m]))) return false;
+    }
+    return true;
+  });
+  return same != refits.end() ? *same : now.without(whole, place);
 }
 
 }  // namespace
@@ -112,83 +118,14 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
     result.smallest = now.bound(i);
   }
 
-  // Every set worth a look by its likelihood, the noise estimated anew for each.
-  std::vector<Set> sets;
-  for (const Subset& subset : best_subsets(now.bank(), seen, &null, largest)) {
-    sets.push_back(subset.signatures);
-    if (sets.size() == 20) break;
-  }
-  if (!first.set.empty()) sets.push_back(first.set);
-  const auto penalised = [&](const Set& set) {
-    return 2.0 * now.evaluated(set, noise).log_likelihood - thresholds(now, null, set);
-  };
-  const auto by_likelihood = [&](const Set& a, const Set& b) { return penalised(a) > penalised(b); };
-  std::stable_sort(sets.begin(), sets.end(), by_likelihood);
-  for (Set& swapped : swaps(now, seen, sets.front())) sets.push_back(std::move(swapped));
-  std::stable_sort(sets.begin(), sets.end(), by_likelihood);
-
+  const Ground ground{first, noise, seen, null, base_log_likelihood};
+  const std::vector<Refitted> refits = rival_sets(now, ground);
   const SmoothRival smooth = smooth_rival(now.leftover(), now.has_few_rows() ? noise : base_noise);
   result.smooth_evidence = 2.0 * (smooth.log_likelihood - base_log_likelihood);
-  const double allowance =
-      kWorthRefitting +
-      kGridError * std::max(0.0, 2.0 * (now.evaluated(sets.front(), noise).log_likelihood - base_log_likelihood));
-  std::vector<Refitted> refits;
-  std::vector<std::vector<std::string>> done;
-  const auto refit = [&](const Set& set) {
-    std::vector<std::string> key;
-    for (const std::size_t index : set) key.push_back(label_of(now.bound(index)));
-    std::sort(key.begin(), key.end());
-    if (std::find(done.begin(), done.end(), key) != done.end()) return;
-    done.push_back(std::move(key));
-    try {
-      refits.push_back(now.refitted(set, noise));
-    } catch (const Error&) {
-      return;  // a set that cannot be fitted explains nothing
-    }
-    refits.back().penalised = 2.0 * refits.back().log_likelihood - thresholds(now, null, set);
-  };
-  const auto sort_refits = [&] {
-    std::stable_sort(refits.begin(), refits.end(),
-                     [](const Refitted& a, const Refitted& b) { return a.penalised > b.penalised; });
-  };
-  const std::size_t most = kRefitted * (sets.front().size() + 1) / 2;
-  for (const Set& set : sets) {
-    if (refits.size() == most || penalised(set) < penalised(sets.front()) - allowance) break;
-    refit(set);
-  }
-  sort_refits();
-  // Sets that share effects with the best one, anew from where that has them; and in the place of every effect of it
-  // the others.
-  for (std::size_t round = 0; round < kRounds && !refits.empty() && refits.front().set.size() > 1; ++round) {
-    const Refitted whole = refits.front();
-    for (std::size_t out = 0; out < whole.set.size(); ++out) {
-      for (const std::size_t other : in_place_of(now, whole, out, null)) {
-        Set swapped = whole.set;
-        swapped[out] = other;
-        refit(swapped);
-      }
-    }
-    for (Refitted& other : refits) {
-      if (other.penalised < whole.penalised - kFarFromGood) continue;
-      const bool shares = std::any_of(other.set.begin(), other.set.end(),
-                                      [&](std::size_t index) { return has(now, whole.set, now.bound(index)); });
-      if (!shares) continue;
-      try {
-        Refitted again = now.refitted_from(whole, other.set);
-        if (!(again.log_likelihood > other.log_likelihood)) continue;
-        again.penalised = 2.0 * again.log_likelihood - thresholds(now, null, again.set);
-        other = std::move(again);
-      } catch (const Error&) {
-        continue;  // from there it has no fit
-      }
-    }
-    sort_refits();
-    if (refits.front().set == whole.set) break;
-  }
   // Thresholds hold for the noise that explains most by itself; where that is much, the likelihood with the noise
   // estimated anew has its own word.
   const bool something = result.p_anything < kChance && !refits.empty() &&
-                         (penalised(sets.front()) > 2.0 * base_log_likelihood ||
+                         (refits.front().penalised > 2.0 * base_log_likelihood ||
                           2.0 * (refits.front().log_likelihood - base_log_likelihood) >
                               kFewestEvidence * static_cast<double>(refits.front().set.size()));
   const std::vector<std::size_t> cycle = cycles_of(rows, result.base.row);
@@ -201,30 +138,6 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
     result.reasons.emplace_back("Something slow is left, and no effect of the catalogue has its shape.");
   }
   if (refits.empty()) return result;
-  // What a point of the grid lacked another effect may have filled in: with free shapes it may not be needed.
-  for (std::size_t before = 0; before != refits.size() && refits.front().set.size() > 1;) {
-    before = refits.size();
-    const Set whole = refits.front().set;
-    for (std::size_t out = 0; out < whole.size(); ++out) {
-      Set fewer = whole;
-      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(out));
-      refit(fewer);
-    }
-    sort_refits();
-  }
-  // What draws the same curve with fewer shapes is the one to speak of.
-  const auto is_rival = [&](const Refitted& best, const Refitted& other) {
-    const double nearly = best.set.size() < 3 ? kNearlyAsGood : kThreeNearlyAsGood;
-    return other.penalised > best.penalised - nearly ||
-           (other.set.size() == best.set.size() && 2.0 * (best.log_likelihood - other.log_likelihood) < kAsGood);
-  };
-  for (std::size_t k = 1; k < refits.size(); ++k) {
-    if (is_rival(refits.front(), refits[k]) && redrawn(now, refits[k], refits.front())) {
-      std::rotate(refits.begin(), refits.begin() + static_cast<std::ptrdiff_t>(k),
-                  refits.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-      k = 0;
-    }
-  }
   const Refitted& best = refits.front();
   result.rmse_after_um = best.fit.rmse_um;
 
@@ -249,22 +162,17 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   const bool adequate = left_evidence < kSmoothEvidence && white.p >= kWhite;
   std::vector<const Refitted*> rivals;
   for (const Refitted& other : refits) {
-    if (&other == &best || !is_rival(best, other)) continue;
+    if (&other == &best || !is_open_between(best, other)) continue;
     const std::optional<std::size_t> place = redrawn(now, best, other);
     if (!place) {
       rivals.push_back(&other);
       continue;
     }
-    const BoundEffect rich = now.bound(other.set[*place]);
-    for (Candidate& candidate : result.candidates) {
-      const bool plain =
-          candidate.bound.columns == rich.columns && candidate.bound.effect->name == rich.effect->explanation.becomes;
-      if (plain) candidate.also_drawn_by.push_back(label_of(rich));
-    }
+    tell_who_draws_the_same(now.bound(other.set[*place]), result.candidates);
   }
   const std::vector<std::vector<BoundEffect>> groups = groups_of(now, seen, best, rivals);
   // Rivals as candidates too, then the strongest singles.
-  const double held_out_um = held_out(now.leftover(), noise, cycle).rmse_um;
+  const double base_held_out_um = held_out(now.leftover(), noise, cycle).rmse_um;
   for (const Refitted& other : refits) {
     for (std::size_t m = 0; m < other.set.size() && result.candidates.size() < kShown; ++m) {
       const BoundEffect bound = now.bound(other.set[m]);
@@ -273,11 +181,14 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
       if (there) continue;
       Candidate candidate = candidate_of(now, other, m);
       candidate.threshold = null.threshold(*bound.effect);
-      Set others = other.set;
-      others.erase(others.begin() + static_cast<std::ptrdiff_t>(m));
-      candidate.evidence = 2.0 * (other.log_likelihood - now.evaluated(others, noise).log_likelihood);
+      candidate.evidence = 2.0 * (other.log_likelihood - base_log_likelihood);
+      candidate.held_out_before_um = base_held_out_um;
+      if (other.set.size() > 1) {
+        const Refitted others = others_of(now, refits, other, m);
+        candidate.evidence = 2.0 * (other.log_likelihood - others.log_likelihood);
+        candidate.held_out_before_um = held_out(others.leftover, others.noise, cycle).rmse_um;
+      }
       candidate.p_search = null.p_search(*bound.effect, candidate.evidence);
-      candidate.held_out_before_um = held_out_um;
       candidate.held_out_after_um = held_out(other.leftover, other.noise, cycle).rmse_um;
       result.candidates.push_back(std::move(candidate));
     }

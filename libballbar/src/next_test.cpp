@@ -19,6 +19,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kSeen = 5.0;
+constexpr double kUseless = 1.0;
 constexpr double kNamed = 7.5;
 constexpr double kImitated = 1.0, kNearlyImitated = 0.2;  // d, and d over that of the other order
 
@@ -243,7 +244,10 @@ std::vector<NextTest> next_tests(const Model& model, const Series& all, const Di
   const std::string interval = model.level == Level::series ? interval_text(all, diagnosis.target) : std::string();
   for (const Judged& judged : tests) {
     std::string text = text_of(question, judged, interval);
-    if (result.empty() && judged.smallest < kSeen) {
+    if (result.empty() && judged.smallest < kUseless) {
+      text = fmt::format("None on the list would tell all of them apart: the best ({}) reaches {}, 5 is needed.",
+                         judged.test.name, d_text(judged.smallest));
+    } else if (result.empty() && judged.smallest < kSeen) {
       text = "No test on the list tells all of them apart (d of 5 or more); the best is this. " + text;
     }
     result.push_back({judged.test.name, std::move(text), judged.smallest, judged.test.duration_s, judged.so_far});

@@ -1,0 +1,158 @@
+#include "rival_sets.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "ballbar/error.hpp"
+#include "best_subset.hpp"
+#include "candidates.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kNearlyAsGood = 6.0;        // 2 ln L less thresholds
+constexpr double kThreeNearlyAsGood = 12.0;  // the same of sets of three
+constexpr double kAsGood = 3.0;              // 2 ln L
+constexpr double kFarFromGood = 40.0;        // 2 ln L less thresholds: not worth another fit
+constexpr double kWorthRefitting = 12.0;     // 2 ln L
+constexpr double kGridError = 0.1;           // share of the evidence that a point of a grid may lack
+constexpr std::size_t kRefitted = 14;        // sets of one effect; half as many more for every other one
+constexpr std::size_t kRounds = 2;
+
+double thresholds(const Hypotheses& now, const SearchNull& null, const Set& set) {
+  double sum = 0.0;
+  for (const std::size_t index : set) sum += null.threshold(*now.family(index).effect);
+  return sum;
+}
+
+// Fitted sets, each set of effects once.
+class Fitted {
+ public:
+  Fitted(const Hypotheses& now, const Ground& ground) : now_(now), ground_(ground) {}
+
+  void add(const Set& set) {
+    std::vector<std::string> key;
+    for (const std::size_t index : set) key.push_back(label_of(now_.bound(index)));
+    std::sort(key.begin(), key.end());
+    if (std::find(done_.begin(), done_.end(), key) != done_.end()) return;
+    done_.push_back(std::move(key));
+    try {
+      refits_.push_back(judged(now_.refitted(set, ground_.noise)));
+    } catch (const Error&) {
+      return;  // a set that cannot be fitted explains nothing
+    }
+  }
+
+  void again_from(const Refitted& near) {
+    for (Refitted& other : refits_) {
+      if (other.penalised < near.penalised - kFarFromGood) continue;
+      const bool shares = std::any_of(other.set.begin(), other.set.end(),
+                                      [&](std::size_t index) { return has(now_, near.set, now_.bound(index)); });
+      if (!shares) continue;
+      try {
+        Refitted again = judged(now_.refitted_from(near, other.set));
+        if (again.log_likelihood > other.log_likelihood) other = std::move(again);
+      } catch (const Error&) {
+        continue;  // from there it has no fit
+      }
+    }
+  }
+
+  void sort() {
+    std::stable_sort(refits_.begin(), refits_.end(),
+                     [](const Refitted& a, const Refitted& b) { return a.penalised > b.penalised; });
+  }
+
+  std::vector<Refitted>& refits() { return refits_; }
+
+ private:
+  Refitted judged(Refitted refitted) const {
+    refitted.penalised = 2.0 * refitted.log_likelihood - thresholds(now_, ground_.null, refitted.set);
+    return refitted;
+  }
+
+  const Hypotheses& now_;
+  const Ground& ground_;
+  std::vector<Refitted> refits_;
+  std::vector<std::vector<std::string>> done_;
+};
+
+// By the grid, the most likely first.
+std::vector<Set> worth_a_look(Hypotheses& now, const Ground& ground) {
+  constexpr std::size_t kMost = 20;
+  std::vector<Set> sets;
+  for (const Subset& subset : best_subsets(now.bank(), ground.seen, &ground.null, now.largest_set())) {
+    sets.push_back(subset.signatures);
+    if (sets.size() == kMost) break;
+  }
+  if (!ground.first.set.empty()) sets.push_back(ground.first.set);
+  const auto by_likelihood = [&](const Set& a, const Set& b) {
+    return penalised(now, ground, a) > penalised(now, ground, b);
+  };
+  std::stable_sort(sets.begin(), sets.end(), by_likelihood);
+  for (Set& swapped : swaps(now, ground.seen, sets.front())) sets.push_back(std::move(swapped));
+  std::stable_sort(sets.begin(), sets.end(), by_likelihood);
+  return sets;
+}
+
+}  // namespace
+
+double penalised(Hypotheses& now, const Ground& ground, const Set& set) {
+  return 2.0 * now.evaluated(set, ground.noise).log_likelihood - thresholds(now, ground.null, set);
+}
+
+bool is_open_between(const Refitted& best, const Refitted& other) {
+  const double nearly = best.set.size() < 3 ? kNearlyAsGood : kThreeNearlyAsGood;
+  return other.penalised > best.penalised - nearly ||
+         (other.set.size() == best.set.size() && 2.0 * (best.log_likelihood - other.log_likelihood) < kAsGood);
+}
+
+std::vector<Refitted> rival_sets(Hypotheses& now, const Ground& ground) {
+  const std::vector<Set> sets = worth_a_look(now, ground);
+  const double gained = 2.0 * (now.evaluated(sets.front(), ground.noise).log_likelihood - ground.log_likelihood);
+  const double allowance = kWorthRefitting + kGridError * std::max(0.0, gained);
+  const std::size_t most = kRefitted * (sets.front().size() + 1) / 2;
+  Fitted fitted(now, ground);
+  std::vector<Refitted>& refits = fitted.refits();
+  for (const Set& set : sets) {
+    if (refits.size() == most || penalised(now, ground, set) < penalised(now, ground, sets.front()) - allowance) break;
+    fitted.add(set);
+  }
+  fitted.sort();
+  if (refits.empty()) return {};
+
+  // A grid point far from the truth ends in a hollow of its own.
+  for (std::size_t round = 0; round < kRounds && refits.front().set.size() > 1; ++round) {
+    const Refitted whole = refits.front();
+    for (std::size_t out = 0; out < whole.set.size(); ++out) {
+      for (const std::size_t other : in_place_of(now, whole, out, ground.null)) {
+        Set swapped = whole.set;
+        swapped[out] = other;
+        fitted.add(swapped);
+      }
+    }
+    fitted.again_from(whole);
+    fitted.sort();
+    if (refits.front().set == whole.set) break;
+  }
+  // What a point of the grid lacked another effect may have filled in: with free shapes it may not be needed.
+  for (std::size_t before = 0; before != refits.size() && refits.front().set.size() > 1;) {
+    before = refits.size();
+    const Set whole = refits.front().set;
+    for (std::size_t out = 0; out < whole.size(); ++out) {
+      Set fewer = whole;
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(out));
+      fitted.add(fewer);
+    }
+    fitted.sort();
+  }
+  for (std::size_t k = 1; k < refits.size(); ++k) {
+    if (!is_open_between(refits.front(), refits[k]) || !redrawn(now, refits[k], refits.front())) continue;
+    std::rotate(refits.begin(), refits.begin() + static_cast<std::ptrdiff_t>(k),
+                refits.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+    k = 0;
+  }
+  return std::move(refits);
+}
+
+}  // namespace ballbar
