@@ -11,7 +11,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kChance = 0.01;
-constexpr double kSameCurve = 2.0;  // chi^2 of the difference of two fits
+constexpr double kSameCurve = 2.0;  // chi^2 of the difference of two curves
 
 }  // namespace
 
@@ -75,20 +75,32 @@ Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& w
   return result;
 }
 
-std::optional<std::size_t> redrawn(const Hypotheses& now, const Refitted& plain, const Refitted& rich) {
-  if (plain.set.size() != rich.set.size()) return std::nullopt;
+bool draws_the_same(const Hypotheses& now, const Refitted& plain, std::size_t m, const Refitted& rich, std::size_t k) {
+  const BoundEffect a = now.bound(plain.set[m]), b = now.bound(rich.set[k]);
+  if (b.effect->explanation.becomes != a.effect->name || b.columns != a.columns) return false;
+  const Whitening whitening(plain.noise, plain.leftover.time_s, plain.leftover.sigma_um);
+  const auto curve = [&](const Refitted& of, std::size_t place) -> Eigen::VectorXd {
+    const std::vector<double>& um = of.fit.contribution_um[now.model().terms.size() + place];
+    return whitened(whitening, Eigen::Map<const Eigen::VectorXd>(um.data(), static_cast<Eigen::Index>(um.size())));
+  };
+  const Eigen::MatrixXd basis = orthonormal(whitened(whitening, now.leftover().model));
+  const auto freed = [&](const Eigen::VectorXd& all) -> Eigen::VectorXd {
+    return all - basis * (basis.transpose() * all);
+  };
+  const Eigen::VectorXd one = freed(curve(plain, m)), other = freed(curve(rich, k));
+  const double square = other.squaredNorm();
+  if (!(square > 0.0)) return false;
+  return (one - one.dot(other) / square * other).squaredNorm() < kSameCurve;
+}
+
+bool redrawn(const Hypotheses& now, const Refitted& plain, const Refitted& rich) {
+  if (plain.set.size() != rich.set.size()) return false;
   std::vector<std::size_t> own, others;  // places of what the other has not
   for (std::size_t m = 0; m < rich.set.size(); ++m) {
     if (!has(now, plain.set, now.bound(rich.set[m]))) own.push_back(m);
     if (!has(now, rich.set, now.bound(plain.set[m]))) others.push_back(m);
   }
-  if (own.size() != 1 || others.size() != 1) return std::nullopt;
-  const BoundEffect a = now.bound(plain.set[others.front()]), b = now.bound(rich.set[own.front()]);
-  if (b.effect->explanation.becomes != a.effect->name || b.columns != a.columns) return std::nullopt;
-  const Whitening whitening(plain.noise, plain.leftover.time_s, plain.leftover.sigma_um);
-  const Eigen::VectorXd apart = whitened(whitening, plain.leftover.residual_um - rich.leftover.residual_um);
-  if (!(apart.squaredNorm() < kSameCurve)) return std::nullopt;
-  return own.front();
+  return own.size() == 1 && others.size() == 1 && draws_the_same(now, plain, others.front(), rich, own.front());
 }
 
 std::vector<std::vector<BoundEffect>> groups_of(const Hypotheses& now, const Projected& seen, const Refitted& best,
@@ -96,8 +108,12 @@ std::vector<std::vector<BoundEffect>> groups_of(const Hypotheses& now, const Pro
   std::vector<std::vector<BoundEffect>> groups;
   for (const std::size_t index : best.set) groups.push_back({now.bound(index)});
   for (const Refitted* rival : rivals) {
-    for (const std::size_t extra : rival->set) {
+    for (std::size_t k = 0; k < rival->set.size(); ++k) {
+      const std::size_t extra = rival->set[k];
       if (has(now, best.set, now.bound(extra))) continue;
+      bool same = false;
+      for (std::size_t m = 0; m < best.set.size(); ++m) same = same || draws_the_same(now, best, m, *rival, k);
+      if (same) continue;
       // In the place of the one it is most like.
       double most = -1.0;
       std::size_t place = groups.size();

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,11 +22,14 @@ struct Confirmed {
 Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& with, std::size_t place,
                     const SearchNull& null, const std::vector<std::size_t>& cycle, const DiagnosisOptions& options);
 
-// `rich` is `plain` with another effect in the place of one of the set: one that at the edge of its shapes becomes it,
-// and as fitted draws the same curve. Gives the place in the set of `rich`.
-std::optional<std::size_t> redrawn(const Hypotheses& now, const Refitted& plain, const Refitted& rich);
+// The effect at place k of `rich` is one that at the edge of its shapes becomes that at place m of `plain`, and as
+// fitted draws the same curve but for its factor.
+bool draws_the_same(const Hypotheses& now, const Refitted& plain, std::size_t m, const Refitted& rich, std::size_t k);
 
-// Effects that stand in the place of one of the best set in a rival set, one group for each.
+// `rich` is `plain` but for one effect, and that draws the same.
+bool redrawn(const Hypotheses& now, const Refitted& plain, const Refitted& rich);
+
+// Effects that stand in the place of one of the best set in a rival set, one group for each; not what draws the same.
 std::vector<std::vector<BoundEffect>> groups_of(const Hypotheses& now, const Projected& seen, const Refitted& best,
                                                 const std::vector<const Refitted*>& rivals);
 

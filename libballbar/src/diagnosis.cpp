@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <set>
 
 #include "ballbar/trial.hpp"
@@ -26,15 +25,6 @@ constexpr double kChance = 0.01;
 constexpr double kSmoothEvidence = 18.0;  // of a smooth curve that is more than noise
 constexpr double kWhite = 0.001;
 constexpr std::size_t kShown = 8;
-
-// The members of the best set that draw the curve of another: told with them.
-void tell_who_draws_the_same(const BoundEffect& rich, std::vector<Candidate>& candidates) {
-  for (Candidate& candidate : candidates) {
-    const bool plain =
-        candidate.bound.columns == rich.columns && candidate.bound.effect->name == rich.effect->explanation.becomes;
-    if (plain) candidate.also_drawn_by.push_back(label_of(rich));
-  }
-}
 
 // The fitted set without one of its effects: one of those that were fitted, or anew.
 Refitted others_of(const Hypotheses& now, const std::vector<Refitted>& refits, const Refitted& whole,
@@ -163,12 +153,15 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   std::vector<const Refitted*> rivals;
   for (const Refitted& other : refits) {
     if (&other == &best || !is_open_between(best, other)) continue;
-    const std::optional<std::size_t> place = redrawn(now, best, other);
-    if (!place) {
-      rivals.push_back(&other);
-      continue;
+    rivals.push_back(&other);
+    for (std::size_t m = 0; m < best.set.size(); ++m) {
+      for (std::size_t k = 0; k < other.set.size(); ++k) {
+        if (!draws_the_same(now, best, m, other, k)) continue;
+        std::vector<std::string>& same = result.candidates[m].also_drawn_by;
+        const std::string label = label_of(now.bound(other.set[k]));
+        if (std::find(same.begin(), same.end(), label) == same.end()) same.push_back(label);
+      }
     }
-    tell_who_draws_the_same(now.bound(other.set[*place]), result.candidates);
   }
   const std::vector<std::vector<BoundEffect>> groups = groups_of(now, seen, best, rivals);
   // Rivals as candidates too, then the strongest singles.
