@@ -64,6 +64,8 @@ std::optional<DataSet> after_proposed_test(const DataSet& set, const Diagnosis& 
     new_set_up.settings[k].held = true;
     new_set_up.settings[k].stated = true;
   }
+  const auto added = set.model.terms.begin() + static_cast<std::ptrdiff_t>(set.believed.size());
+  again.model.terms.insert(again.model.terms.end(), added, set.model.terms.end());  // of earlier tests
   again.model.terms.push_back(std::move(new_set_up));
   again.base = fit(again.model, again.data, 0, {.white = true});
   again.options = set.options;

@@ -11,9 +11,10 @@
 namespace ballbar::study {
 namespace {
 
-constexpr std::array kLeftOut{"expansion",         "lagged_expansion",   "centrifugal_shift",
-                              "cooling_asymmetry", "viscosity_feedback", "gradient_bending",
-                              "bearing_rings",     "preload_loss",       "play_hysteresis"};
+// No other effect of the catalogue, nor two of them, make the same: expansion is a lag of nothing, gradient_bending and
+// bearing_rings are two expansions.
+constexpr std::array kLeftOut{"lagged_expansion",   "centrifugal_shift", "cooling_asymmetry",
+                              "viscosity_feedback", "preload_loss",      "play_hysteresis"};
 
 Random random_of(std::uint64_t seed) { return Random(seed * 7919 + 13); }
 
@@ -69,11 +70,6 @@ Outcome outside(Outside what, std::uint64_t seed) {
       const std::string name = kLeftOut[(seed - 1) % kLeftOut.size()];
       hide_effects(set, 1, kD, random, name);
       set.options.without = {name};
-      // Without a lag it is the same.
-      if (name == "expansion") {
-        const std::vector<std::string> columns = set.hidden.front().injection->bound.columns;
-        set.hidden.front().match.push_back({find_effect("lagged_expansion", Level::series), columns});
-      }
       break;
     }
   }
@@ -85,12 +81,11 @@ Outcome logged_twice(std::uint64_t seed) {
   Random random = random_of(seed);
   DataSet set = data_set(rich_record(), friction_heat(), {});
   set.options.seed = seed;
-  hide_effects(set, 1, 10.0, random, {}, seed % 2 == 0 ? "T_room_degC" : "T_housing_degC");
+  const std::string twice = seed % 2 == 0 ? "T_room_degC" : "T_housing_degC";
+  hide_effects(set, 1, 10.0, random, {}, twice);
   finish(set, random);
-  log_also(set, logged_again(*find_column(set.data, set.hidden.front().injection->bound.columns.front() == "speed_rpm"
-                                                        ? set.hidden.front().injection->bound.columns.back()
-                                                        : set.hidden.front().injection->bound.columns.front())));
-  return examined(set, Expected::undecided);
+  log_also(set, logged_again(*find_column(set.data, twice)));
+  return examined(set, Expected::undecided, {.baselines = false});
 }
 
 // The difference to a room that does not move is the other temperature alone.
@@ -99,10 +94,11 @@ Outcome constant_room(std::uint64_t seed) {
   DataSet set = data_set(with_constant_room(rich_record()), friction_heat(), {});
   set.options.seed = seed;
   const BoundEffect truth{find_effect("gradient_bending", Level::series), {"T_bearing_degC", "T_room_degC"}};
-  hide_effect(set, {find_effect("lagged_expansion", Level::series), {"T_bearing_degC"}}, 10.0, random);
-  set.hidden.front() = {std::nullopt, label_of(truth), set.hidden.front().signal_um, {truth}};
+  const BoundEffect alone{find_effect("lagged_expansion", Level::series), {"T_bearing_degC"}};
+  while (!hide_effect(set, alone, 10.0, random)) continue;
+  set.hidden.front() = {std::nullopt, label_of(truth), set.hidden.front().signal_um, {truth, alone}};
   finish(set, random);
-  return examined(set, Expected::undecided);
+  return examined(set, Expected::undecided, {.baselines = false});
 }
 
 // The load in proportion to the only speed: either heats.
@@ -117,14 +113,18 @@ DataSet one_speed_set(std::uint64_t seed) {
   return set;
 }
 
-// Of the sets that are left undecided.
-std::optional<Outcome> after_test(const DataSet& set, std::uint64_t seed) {
-  const Diagnosis found = diagnose(set.model, set.data, 0, set.options);
+// Of the sets that are left undecided: after one proposed test after the other until nothing is, at most so many.
+std::optional<Outcome> after_tests(DataSet set, std::size_t most) {
+  Diagnosis found = diagnose(set.model, set.data, 0, set.options);
   if (found.equivalent.empty()) return std::nullopt;
-  Random random = random_of(seed + 5000);
-  const std::optional<DataSet> again = after_proposed_test(set, found, random);
-  if (!again) return judged(set, found, Expected::effects);
-  return examined(*again, Expected::effects, {.baselines = false, .errors = false});
+  Random random = random_of(set.options.seed + 5000);
+  for (std::size_t k = 0; k < most && !found.equivalent.empty(); ++k) {
+    std::optional<DataSet> again = after_proposed_test(set, found, random);
+    if (!again) break;
+    set = std::move(*again);
+    found = diagnose(set.model, set.data, 0, set.options);
+  }
+  return judged_and_weighed(set, found, Expected::effects);
 }
 
 // Means of 150 s: 24 temperatures make a bank of thousands.
@@ -175,10 +175,15 @@ std::vector<Cell> cells() {
        [](std::uint64_t s) { return outside(Outside::left_out, s); }},
       {"inseparable: logged twice, d = 10", "never named", logged_twice},
       {"inseparable: constant room, d = 10", "never named", constant_room},
-      {"inseparable: one speed, d = 10", "never named", of(one_speed_set, Expected::undecided)},
-      {"one speed, after the test", "right >= 95 %", [](std::uint64_t s) { return after_test(one_speed_set(s), s); }},
-      {"poor and undecided, after the test", "right >= 95 %",
-       [](std::uint64_t s) { return after_test(poor_set(s, 10.0), s); }},
+      {"inseparable: one speed, d = 10", "never named",
+       [](std::uint64_t s) { return examined(one_speed_set(s), Expected::undecided, {.baselines = false}); }},
+      {"one speed, after the proposed test", "right >= 95 %",
+       [](std::uint64_t s) { return after_tests(one_speed_set(s), 1); }},
+      {"one speed, after up to three", "right >= 95 %",
+       [](std::uint64_t s) { return after_tests(one_speed_set(s), 3); }},
+      {"poor, after the proposed test", "right >= 95 %",
+       [](std::uint64_t s) { return after_tests(poor_set(s, 10.0), 1); }},
+      {"poor, after up to three", "right >= 95 %", [](std::uint64_t s) { return after_tests(poor_set(s, 10.0), 3); }},
       {"20 fakes, nothing", "wrong <= 1 %", [](std::uint64_t s) { return fakes(0, s); }},
       {"20 fakes, one, d = 10", "wrong <= 1 %", [](std::uint64_t s) { return fakes(1, s); }},
       {"20 fakes, measured", "wrong <= 3 %", measured_fakes},

@@ -48,7 +48,7 @@ std::optional<Outcome> measured_room(std::uint64_t seed) {
     held_out = std::max(held_out, 1.0 - candidate.held_out_after_um / candidate.held_out_before_um);
   }
   const bool axial = found.target == "ch5_um";
-  outcome.right = axial ? !named : outcome.in_set && training >= 0.55 && held_out >= 0.5;
+  outcome.right = axial ? !named : *outcome.in_set && training >= 0.55 && held_out >= 0.5;
   outcome.wrong = axial && named;
   if (is_verbose()) {
     print(set, found, outcome);
@@ -64,9 +64,8 @@ Outcome measured_fakes(std::uint64_t seed) {
   for (Column& fake : fake_temperatures(set.data.time_s, 20, random)) log_also(set, std::move(fake));
   const Diagnosis found = diagnose(set.model, set.data, 0, set.options);
   Outcome outcome = judged(set, found, Expected::nothing);
-  outcome.wrong = outcome.fake;
-  outcome.right = !outcome.fake;
-  outcome.in_set = false;
+  outcome.wrong = *outcome.fake;
+  outcome.right = !*outcome.fake;
   if (is_verbose()) print(set, found, outcome);
   return outcome;
 }

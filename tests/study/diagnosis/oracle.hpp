@@ -24,7 +24,7 @@ struct Oracle {
   std::string rival;
 };
 
-// Of what is not in the catalogue: the loss of the one effect that imitates it best.
+// Of what is not in the catalogue: the loss by the one effect that imitates it best.
 Oracle oracle(const DataSet& set);
 
 }  // namespace ballbar::study

@@ -76,11 +76,16 @@ Outcome judged(const DataSet& set, const Diagnosis& found, Expected expected) {
   outcome.verdict = found.verdict;
   outcome.called = found.verdict != Verdict::nothing && found.verdict != Verdict::untestable;
   const std::vector<DataSet> ones = one_by_one(set);
-  outcome.in_set = std::all_of(ones.begin(), ones.end(), [&](const DataSet& one) { return is_reported(found, one); });
+  if (!ones.empty() && expected != Expected::unexplained) {
+    outcome.in_set = std::all_of(ones.begin(), ones.end(), [&](const DataSet& one) { return is_reported(found, one); });
+  }
   const Said names = said(set, found.named);
-  outcome.fake = std::any_of(found.named.begin(), found.named.end(), [](const BoundEffect& bound) {
+  const auto reads_fake = [](const BoundEffect& bound) {
     return std::any_of(bound.columns.begin(), bound.columns.end(), is_fake);
-  });
+  };
+  if (std::any_of(set.data.columns.begin(), set.data.columns.end(), [](const Column& c) { return is_fake(c.name); })) {
+    outcome.fake = std::any_of(found.named.begin(), found.named.end(), reads_fake);
+  }
   switch (expected) {
     case Expected::nothing:
       outcome.right = !outcome.called;
@@ -97,7 +102,7 @@ Outcome judged(const DataSet& set, const Diagnosis& found, Expected expected) {
       break;
     case Expected::undecided:
       outcome.wrong = !found.named.empty();
-      outcome.right = !outcome.wrong && outcome.in_set;
+      outcome.right = !outcome.wrong && outcome.in_set.value_or(false);
       break;
   }
   return outcome;
@@ -107,7 +112,10 @@ void print(const DataSet& set, const Diagnosis& found, const Outcome& outcome) {
   std::string truth, equivalent;
   for (const Hidden& hidden : set.hidden) truth += (truth.empty() ? "" : " ") + hidden.what;
   for (const auto& group : found.equivalent) equivalent += "{" + labels(group) + "}";
-  const char* word = outcome.right ? "RIGHT" : outcome.wrong ? "WRONG" : outcome.in_set ? "inset" : "miss ";
+  const char* word = outcome.right                    ? "RIGHT"
+                     : outcome.wrong                  ? "WRONG"
+                     : outcome.in_set.value_or(false) ? "inset"
+                                                      : "miss ";
   fmt::print("{:4} {} truth [{}] {} named [{}] equivalent [{}] p {:.4f} smooth {:.1f}\n", set.options.seed, word, truth,
              name_of(found.verdict), labels(found.named), equivalent, found.p_anything, found.smooth_evidence);
   if (outcome.loss) fmt::print("       loss {:.1f} by {}\n", *outcome.loss, outcome.rival);
@@ -123,8 +131,7 @@ void print(const DataSet& set, const Diagnosis& found, const Outcome& outcome) {
   }
 }
 
-Outcome examined(const DataSet& set, Expected expected, const Besides& besides) {
-  const Diagnosis found = diagnose(set.model, set.data, 0, set.options);
+Outcome judged_and_weighed(const DataSet& set, const Diagnosis& found, Expected expected) {
   Outcome outcome = judged(set, found, expected);
   if (!set.hidden.empty() && !set.base.row.empty()) {
     const Oracle allowed = oracle(set);
@@ -132,6 +139,13 @@ Outcome examined(const DataSet& set, Expected expected, const Besides& besides) 
     outcome.loss = allowed.loss;
     outcome.rival = allowed.rival;
   }
+  if (is_verbose()) print(set, found, outcome);
+  return outcome;
+}
+
+Outcome examined(const DataSet& set, Expected expected, const Besides& besides) {
+  const Diagnosis found = diagnose(set.model, set.data, 0, set.options);
+  Outcome outcome = judged_and_weighed(set, found, expected);
   if (besides.baselines) {
     const auto selected = baselines(set);
     outcome.baselines.emplace();
@@ -141,8 +155,8 @@ Outcome examined(const DataSet& set, Expected expected, const Besides& besides) 
     const Errors errors = errors_of(set, found.named);
     outcome.training = errors.training;
     outcome.other_duty = errors.other_duty;
+    if (is_verbose()) fmt::print("       training {:.3f} other duty {:.3f}\n", errors.training, errors.other_duty);
   }
-  if (is_verbose()) print(set, found, outcome);
   return outcome;
 }
 

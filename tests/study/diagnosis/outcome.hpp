@@ -25,11 +25,11 @@ struct Said {
 struct Outcome {
   Verdict verdict = Verdict::nothing;
   bool right = false;
-  bool wrong = false;   // something is named that is not hidden; of `nothing`: any verdict but nothing and untestable;
-                        // of `undecided`: anything is named
-  bool in_set = false;  // all that is hidden is named or among what is reported
-  bool called = false;  // any verdict but nothing and untestable
-  bool fake = false;    // a fake is named
+  bool wrong = false;  // something is named that is not hidden; of `nothing`: any verdict but nothing and untestable;
+                       // of `undecided`: anything is named
+  std::optional<bool> in_set;     // all that is hidden is named or among what is reported
+  bool called = false;            // any verdict but nothing and untestable
+  std::optional<bool> fake;       // one is named, where there are any
   std::optional<bool> separable;  // oracle.hpp, as the next two
   std::optional<double> loss;
   std::string rival;
@@ -48,7 +48,10 @@ struct Besides {
   bool errors = false;  // on another duty cycle of the rich record
 };
 
-// Diagnoses and judges. Hidden effects of the catalogue are held against the oracle.
+// And held against the oracle where something is hidden; printed where every data set is.
+Outcome judged_and_weighed(const DataSet& set, const Diagnosis& found, Expected expected);
+
+// Diagnosed first.
 Outcome examined(const DataSet& set, Expected expected, const Besides& besides = {});
 
 void print(const DataSet& set, const Diagnosis& found, const Outcome& outcome);

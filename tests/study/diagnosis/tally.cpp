@@ -38,9 +38,11 @@ void Tally::add(const Outcome& outcome) {
   ++sets;
   right += outcome.right;
   wrong += outcome.wrong;
-  in_set += outcome.in_set;
+  hiding += outcome.in_set.has_value();
+  in_set += outcome.in_set.value_or(false);
   called += outcome.called;
-  fake += outcome.fake;
+  with_fakes += outcome.fake.has_value();
+  fake += outcome.fake.value_or(false);
   if (outcome.separable) {
     ++asked_oracle;
     separable += *outcome.separable;
@@ -66,17 +68,17 @@ std::string heading() {
 }
 
 std::string lines_of(std::size_t number, const Cell& cell, const Tally& tally) {
-  std::string text =
-      fmt::format("{:>2} {:<35} {:>5} {:>18} {:>18} {:>18} {:>18} {:>18} {:>18}  {}\n", number, cell.name, tally.sets,
-                  percent(tally.right, tally.sets), percent(tally.wrong, tally.sets), percent(tally.in_set, tally.sets),
-                  percent(tally.called, tally.sets), percent(tally.separable, tally.asked_oracle),
-                  percent(tally.right_of_separable, tally.separable), cell.aim);
+  std::string text = fmt::format("{:>2} {:<35} {:>5} {:>18} {:>18} {:>18} {:>18} {:>18} {:>18}  {}\n", number,
+                                 cell.name, tally.sets, percent(tally.right, tally.sets),
+                                 percent(tally.wrong, tally.sets), percent(tally.in_set, tally.hiding),
+                                 percent(tally.called, tally.sets), percent(tally.separable, tally.asked_oracle),
+                                 percent(tally.right_of_separable, tally.separable), cell.aim);
   for (std::size_t k = 0; tally.asked_baselines > 0 && k < kBaselines.size(); ++k) {
     text += fmt::format("     {:<32} {:>5} {:>18} {:>18}\n", kBaselines[k], tally.asked_baselines,
                         percent(tally.baseline_right[k], tally.asked_baselines),
                         percent(tally.baseline_wrong[k], tally.asked_baselines));
   }
-  if (tally.fake > 0) text += fmt::format("     a fake named: {} %\n", percent(tally.fake, tally.sets));
+  if (tally.with_fakes > 0) text += fmt::format("     a fake named: {} %\n", percent(tally.fake, tally.with_fakes));
   if (!tally.amplitude.empty()) {
     text += fmt::format(
         "     of the rightly named: amplitude within 25 %: {} %; time constant within 35 %: {} %; 95 % intervals cover "
@@ -95,7 +97,7 @@ std::string lines_of(std::size_t number, const Cell& cell, const Tally& tally) {
 bool clearly_missed(const Gate& gate, const Tally& tally) {
   if (gate.most_wrong && clearly_above(tally.wrong, tally.sets, *gate.most_wrong)) return true;
   if (gate.most_called && clearly_above(tally.called, tally.sets, *gate.most_called)) return true;
-  return gate.least_in_set && clearly_above(tally.sets - tally.in_set, tally.sets, 1.0 - *gate.least_in_set);
+  return gate.least_in_set && clearly_above(tally.hiding - tally.in_set, tally.hiding, 1.0 - *gate.least_in_set);
 }
 
 }  // namespace ballbar::study
