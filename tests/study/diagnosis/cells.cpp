@@ -1,7 +1,7 @@
 #include "cells.hpp"
 
 #include <array>
-#include <cmath>
+#include <stdexcept>
 
 #include "after_test.hpp"
 #include "measured.hpp"
@@ -23,7 +23,7 @@ DataSet set_on(const Record& record, std::vector<Injection> believed, const Scat
                double d, Random& random, std::uint64_t seed) {
   DataSet set = data_set(record, std::move(believed), scatter);
   set.options.seed = seed;
-  hide_effects(set, count, d, random);
+  if (!hide_effects(set, count, d, random)) throw std::runtime_error("too few effects can be hidden.");
   finish(set, random);
   return set;
 }
@@ -54,7 +54,7 @@ Cell session(std::string name, std::string aim, std::size_t count, const Gate& g
 
 enum class Outside { driven, time, left_out };
 
-Outcome outside(Outside what, std::uint64_t seed) {
+std::optional<Outcome> outside(Outside what, std::uint64_t seed) {
   Random random = random_of(seed);
   DataSet set = data_set(rich_record(), friction_heat(), {});
   set.options.seed = seed;
@@ -68,7 +68,7 @@ Outcome outside(Outside what, std::uint64_t seed) {
       break;
     case Outside::left_out: {
       const std::string name = kLeftOut[(seed - 1) % kLeftOut.size()];
-      hide_effects(set, 1, kD, random, name);
+      if (!hide_effects(set, 1, kD, random, name)) return std::nullopt;
       set.options.without = {name};
       break;
     }
@@ -77,12 +77,12 @@ Outcome outside(Outside what, std::uint64_t seed) {
   return examined(set, Expected::unexplained);
 }
 
-Outcome logged_twice(std::uint64_t seed) {
+std::optional<Outcome> logged_twice(std::uint64_t seed) {
   Random random = random_of(seed);
   DataSet set = data_set(rich_record(), friction_heat(), {});
   set.options.seed = seed;
   const std::string twice = seed % 2 == 0 ? "T_room_degC" : "T_housing_degC";
-  hide_effects(set, 1, 10.0, random, {}, twice);
+  if (!hide_effects(set, 1, 10.0, random, {}, twice)) return std::nullopt;
   finish(set, random);
   log_also(set, logged_again(*find_column(set.data, twice)));
   return examined(set, Expected::undecided, {.baselines = false});

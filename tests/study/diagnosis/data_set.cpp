@@ -7,7 +7,6 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
 
 #include "blind_parts.hpp"
 #include "simulate_noise.hpp"
@@ -16,7 +15,7 @@ namespace ballbar::study {
 namespace {
 
 constexpr double kLeastShare = 0.05;
-constexpr double kLargestRange = 200.0;  // in sigmas
+constexpr double kLargestRange = 20.0;  // in sigmas, for d = 1
 constexpr double kLargestCosine = 0.9;
 constexpr int kMostTries = 1000;
 
@@ -99,7 +98,7 @@ bool hide(DataSet& set, Hidden hidden, double d) {
   if (!(survival.share > kLeastShare) || !std::isfinite(survival.d)) return false;
   const double scale = d / survival.d;
   const double sigma_um = set.base.sigma_um.empty() ? set.scatter.sigma_um : set.base.sigma_um.front();
-  if (!(scale * range_of(hidden.signal_um) < kLargestRange * sigma_um)) return false;
+  if (!(scale * range_of(hidden.signal_um) < kLargestRange * d * sigma_um)) return false;
   for (const Hidden& other : set.hidden) {
     const Survival before = survival_of(other.signal_um, set.base, set.noise);
     const double along =
@@ -118,10 +117,10 @@ bool hide(DataSet& set, Hidden hidden, double d) {
   return true;
 }
 
-void hide_effects(DataSet& set, std::size_t count, double d, Random& random, const std::string& only,
+bool hide_effects(DataSet& set, std::size_t count, double d, Random& random, const std::string& only,
                   const std::string& reads) {
   for (int tries = 0; set.hidden.size() < count; ++tries) {
-    if (tries == kMostTries) throw std::runtime_error("nothing can be hidden in these data: " + only);
+    if (tries == kMostTries) return false;
     const std::optional<blind::Hidden> drawn = blind::drawn_effect(set.model, set.data, random);
     if (!drawn) continue;
     const BoundEffect& bound = *drawn->bound;
@@ -130,6 +129,7 @@ void hide_effects(DataSet& set, std::size_t count, double d, Random& random, con
     if (is_true(set, bound)) continue;
     hide(set, {Injection{bound, drawn->parameters}, drawn->what, drawn->signal_um}, d);
   }
+  return true;
 }
 
 void log_also(DataSet& set, Column column) { set.data.columns.insert(set.data.columns.begin(), std::move(column)); }

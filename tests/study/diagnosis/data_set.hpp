@@ -55,9 +55,10 @@ std::vector<Injection> friction_heat();
 
 // Hides effects of the catalogue until `count` are: driven by logged columns, shapes drawn off their grid, scaled to
 // that d: the norm of the signal, whitened by the true noise and freed of the base model. Not hidden are signals of
-// which the base model makes 95 %, that need more than 200 times the noise, or that are another hidden one to 0.9.
-// `only`: the name of the effect, empty: any; `reads`: a column that it has to read, empty: any.
-void hide_effects(DataSet& set, std::size_t count, double d, Random& random, const std::string& only = {},
+// which the base model makes 95 %, that need more than 20 d times the noise, or that are another hidden one to 0.9.
+// `only`: the name of the effect, empty: any; `reads`: a column that it has to read, empty: any. False where not so
+// many suit.
+bool hide_effects(DataSet& set, std::size_t count, double d, Random& random, const std::string& only = {},
                   const std::string& reads = {});
 
 // The effect on these columns, shapes drawn; false where it does not suit.

@@ -32,15 +32,15 @@ double rmse_on(const DataSet& other, const Model& model, const Fit& fitted) {
 
 }  // namespace
 
-Errors errors_of(const DataSet& set, const std::vector<BoundEffect>& named) {
+Errors errors_of(const DataSet& set, const std::vector<BoundEffect>& added) {
   std::vector<BoundEffect> truth;
   for (const Hidden& hidden : set.hidden) truth.push_back(hidden.injection->bound);
-  Model with_named, with_truth;
-  const Fit after = fit_with(set, named, with_named), ideal = fit_with(set, truth, with_truth);
+  Model with_added, with_truth;
+  const Fit after = fit_with(set, added, with_added), ideal = fit_with(set, truth, with_truth);
   double square = 0.0;
   for (const double value : set.scatter_um) square += value * value / static_cast<double>(set.scatter_um.size());
   const DataSet other = on_other_duty(set);
-  return {after.rmse_um / std::sqrt(square), rmse_on(other, with_named, after) / rmse_on(other, with_truth, ideal)};
+  return {after.rmse_um / std::sqrt(square), rmse_on(other, with_added, after) / rmse_on(other, with_truth, ideal)};
 }
 
 }  // namespace ballbar::study

@@ -151,8 +151,10 @@ Outcome examined(const DataSet& set, Expected expected, const Besides& besides) 
     outcome.baselines.emplace();
     for (std::size_t k = 0; k < selected.size(); ++k) (*outcome.baselines)[k] = said(set, selected[k]);
   }
-  if (besides.errors && !found.named.empty()) {
-    const Errors errors = errors_of(set, found.named);
+  if (besides.errors && !(found.named.empty() && found.equivalent.empty())) {
+    std::vector<BoundEffect> added = found.named;
+    for (const std::vector<BoundEffect>& group : found.equivalent) added.push_back(group.front());
+    const Errors errors = errors_of(set, added);
     outcome.training = errors.training;
     outcome.other_duty = errors.other_duty;
     if (is_verbose()) fmt::print("       training {:.3f} other duty {:.3f}\n", errors.training, errors.other_duty);

@@ -36,8 +36,8 @@ struct Outcome {
   std::optional<std::array<Said, 4>> baselines;
   // Of the rightly named: amplitude within 25 %, time constants within 35 %, in the 95 % interval.
   std::vector<bool> amplitude, time_constant, covered;
-  // RMSE after adding what is named over that of the noise; and on another duty cycle over that of the true model,
-  // fitted to the same data.
+  // RMSE after adding what is named, and the first of what is left undecided, over that of the noise; and on another
+  // duty cycle over that of the true model, fitted to the same data.
   std::optional<double> training, other_duty;
 };
 

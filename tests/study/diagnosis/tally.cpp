@@ -87,7 +87,8 @@ std::string lines_of(std::size_t number, const Cell& cell, const Tally& tally) {
   }
   if (!tally.training.empty()) {
     text += fmt::format(
-        "     with what is named: RMSE at most 1.05 times the noise: {}; on another duty cycle at most 1.15 times the "
+        "     with what is named or first in a set: RMSE at most 1.05 times the noise: {}; on another duty cycle at "
+        "most 1.15 times the "
         "true model's: {}\n",
         within(tally.training, 1.05), within(tally.other_duty, 1.15));
   }
