@@ -109,6 +109,7 @@ Bank bank_of(const Model& model, const Series& data, const Fit& fit, const BankO
   for (const Effect* effect : effects()) {
     if (effect->level != model.level || effect->name == "circle") continue;
     if (options.motion && !applies_to(*effect, *options.motion)) continue;
+    if (std::find(options.without.begin(), options.without.end(), effect->name) != options.without.end()) continue;
     for (std::vector<std::string>& names : bindings_of(*effect, model, data)) {
       const bool again = effect->name == "step" || effect->name == "thermostat_cycle";
       if (has_term(model, *effect, names) && !again) continue;

@@ -39,8 +39,9 @@ struct Bank {
 };
 
 struct BankOptions {
-  std::optional<Motion> motion;  // of recordings
-  bool every_onset = true;       // of a step: up to 400 of them; else 7
+  std::optional<Motion> motion;      // of recordings
+  bool every_onset = true;           // of a step: up to 400 of them; else 7
+  std::vector<std::string> without;  // names of effects that are left out
 };
 
 // Families of effects that are in the model on the same columns are left out, but for time-only ones with an onset or

@@ -116,7 +116,7 @@ std::optional<Hidden> drawn_effect(const Model& model, const Series& logged, Ran
   if (std::any_of(injection.parameters.begin(), injection.parameters.end(), [](double v) { return !(v != 0.0); })) {
     return std::nullopt;  // a threshold of a signal that never rises
   }
-  return Hidden{label_of(bound), bound, {}, signal_of(injection, logged)};
+  return Hidden{label_of(bound), bound, {}, signal_of(injection, logged), injection.parameters};
 }
 
 Hidden drawn_outsider(const Series& sensors, Random& random) {

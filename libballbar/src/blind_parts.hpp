@@ -53,6 +53,7 @@ struct Hidden {
   std::optional<BoundEffect> bound;     // of the catalogue
   std::vector<BoundEffect> match = {};  // spindle
   std::vector<double> signal_um;        // before it is scaled to its d
+  std::vector<double> parameters = {};  // of the bound effect
 };
 
 // An effect of the catalogue that the logged columns drive and the model lacks; nothing where the draw does not suit.

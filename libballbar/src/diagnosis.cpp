@@ -39,6 +39,14 @@ Refitted others_of(const Hypotheses& now, const std::vector<Refitted>& refits, c
   return same != refits.end() ? *same : now.without(whole, place);
 }
 
+// Nothing is said of effects that are not searched.
+std::vector<Prospect> prospects_but(const DiagnosisOptions& options, std::vector<Prospect> prospects) {
+  std::erase_if(prospects, [&](const Prospect& one) {
+    return std::find(options.without.begin(), options.without.end(), one.effect->name) != options.without.end();
+  });
+  return prospects;
+}
+
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
@@ -68,14 +76,15 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   Diagnosis result;
   result.base = fit(model, rows, target);
   result.target = result.base.target;
-  Hypotheses now(model, rows, target, result.base, options.motion);
+  Hypotheses now(model, rows, target, result.base, options);
   std::set<const Effect*> searched;
   for (const Family& family : now.bank().families) searched.insert(family.effect);
   result.searched_effects = searched.size();
   const std::size_t largest = now.largest_set();
   if (now.bank().families.empty() || largest == 0) {
     result.verdict = Verdict::untestable;
-    result.prospects = prospects_of(now.bank(), now.projected_by(result.base.noise), model, rows, options.motion);
+    result.prospects = prospects_but(
+        options, prospects_of(now.bank(), now.projected_by(result.base.noise), model, rows, options.motion));
     result.reasons.emplace_back(now.bank().families.empty() ? "No effect of the catalogue can be tested on these data."
                                                             : "There are too few values to test anything more.");
     return result;
@@ -95,7 +104,7 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   const SearchNull null = search_null(now.bank(), seen, now.leftover(), noise,
                                       plausible_noises(now.leftover(), first_columns, noise, 64, options.seed),
                                       options.draws, options.seed);
-  result.prospects = prospects_of(now.bank(), seen, model, rows, options.motion);
+  result.prospects = prospects_but(options, prospects_of(now.bank(), seen, model, rows, options.motion));
   const Eigen::VectorXd score = scores(now.bank(), seen, seen.residual);
   result.smallest_um = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < now.bank().signatures.size(); ++i) {

@@ -16,11 +16,12 @@ constexpr std::size_t kMostSwaps = 20;  // of one of the set
 }  // namespace
 
 Hypotheses::Hypotheses(const Model& model, const Series& data, std::size_t target, const Fit& base,
-                       std::optional<Motion> motion)
+                       const DiagnosisOptions& options)
     : model_(model), data_(data), target_(target), leftover_(leftover_of(base)) {
-  BankOptions options;
-  options.motion = motion;
-  bank_ = bank_of(model, data, base, options);
+  BankOptions searched;
+  searched.motion = options.motion;
+  searched.without = options.without;
+  bank_ = bank_of(model, data, base, searched);
 }
 
 std::size_t Hypotheses::largest_set() const {

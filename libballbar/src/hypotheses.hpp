@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <vector>
 
 #include "ballbar/diagnosis.hpp"
@@ -31,7 +30,8 @@ struct Refitted {
 // Everything the steps of a diagnosis share: data flows in once, figures are looked up. Refers to model and data.
 class Hypotheses {
  public:
-  Hypotheses(const Model& model, const Series& data, std::size_t target, const Fit& base, std::optional<Motion> motion);
+  Hypotheses(const Model& model, const Series& data, std::size_t target, const Fit& base,
+             const DiagnosisOptions& options);
 
   const Bank& bank() const { return bank_; }
   const Leftover& leftover() const { return leftover_; }

@@ -94,6 +94,19 @@ TEST(Diagnosis, nothing_hidden_is_nothing) {
   EXPECT_LE(called, 1);  // a false call in 2 % of data sets: two of eight in 1 %
 }
 
+TEST(Diagnosis, says_nothing_of_an_effect_that_is_not_searched) {
+  DiagnosisOptions options;
+  options.draws = 500;
+  options.fakes = 20;
+  options.without = {"lagged_expansion"};
+  const Diagnosis found = diagnose(by_speed(), made(3.0, 1), 0, options);
+  const auto is_it = [](const auto& one) { return one.effect->name == "lagged_expansion"; };
+  EXPECT_TRUE(std::none_of(found.named.begin(), found.named.end(), is_it));
+  EXPECT_TRUE(std::none_of(found.prospects.begin(), found.prospects.end(), is_it));
+  EXPECT_FALSE(found.candidates.empty());
+  for (const Candidate& candidate : found.candidates) EXPECT_FALSE(is_it(candidate.bound));
+}
+
 // The same column twice under two names: no data tell them apart.
 TEST(Diagnosis, a_duplicate_is_never_named) {
   Series data = made(3.0, 2);

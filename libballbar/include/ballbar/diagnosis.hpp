@@ -89,7 +89,8 @@ struct DiagnosisOptions {
   std::size_t draws = 2000;
   std::size_t fakes = 200;
   std::uint64_t seed = 1;
-  std::size_t most_rows = 1500;  // values of the target searched
+  std::size_t most_rows = 1500;      // values of the target searched
+  std::vector<std::string> without;  // names of effects that are not searched
 };
 
 // Throws Error as fit does.

@@ -1,0 +1,39 @@
+#include "oracle.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "additions.hpp"
+#include "whitened.hpp"
+
+namespace ballbar::study {
+
+Oracle oracle(const DataSet& set) {
+  const Bank bank =
+      bank_of(set.model, set.data, set.base, {.motion = {}, .every_onset = true, .without = set.options.without});
+  const auto n = static_cast<Eigen::Index>(set.base.row.size());
+  const Whitening whitening(set.noise, set.base.time_s, set.base.sigma_um);
+  const Projected seen = projected(bank, Eigen::VectorXd::Zero(n), model_columns(set.base), whitening);
+  Eigen::MatrixXd signals(n, static_cast<Eigen::Index>(set.hidden.size()));
+  for (std::size_t m = 0; m < set.hidden.size(); ++m) {
+    const Survival survival = survival_of(set.hidden[m].signal_um, set.base, set.noise);
+    signals.col(static_cast<Eigen::Index>(m)) = Eigen::VectorXd::Map(survival.left.data(), n);
+  }
+  Oracle smallest{std::numeric_limits<double>::infinity(), {}};
+  for (Eigen::Index m = 0; m < signals.cols(); ++m) {
+    Eigen::MatrixXd others(n, signals.cols() - 1);
+    others << signals.leftCols(m), signals.rightCols(signals.cols() - 1 - m);
+    others = orthonormal(others);
+    const Eigen::VectorXd target = freed(others, signals.col(m));
+    const std::vector<double> fall = falls(bank, seen, others, target);
+    for (std::size_t k = 0; k < fall.size(); ++k) {
+      const Family& family = bank.families[bank.signatures[k].family];
+      const BoundEffect rival{family.effect, family.columns};
+      const double loss = target.squaredNorm() - fall[k];
+      if (loss < smallest.loss && !is_true(set, rival)) smallest = {loss, label_of(rival)};
+    }
+  }
+  return smallest;
+}
+
+}  // namespace ballbar::study
