@@ -191,7 +191,8 @@ nlohmann::ordered_json json_of(const Candidate& candidate) {
   json["evidence_needed"] = number(candidate.threshold);
   json["p_search"] = number(candidate.p_search);
   json["p_same_gain"] = number(candidate.p_same_gain);
-  json["beats_fakes"] = candidate.beats_fakes;
+  json["beats_fakes"] = nullptr;  // not tested
+  if (candidate.beats_fakes) json["beats_fakes"] = *candidate.beats_fakes;
   json["in_best_set"] = candidate.in_best_set;
   json["minor"] = candidate.minor;
   json["inseparable_from"] = candidate.inseparable_from;
