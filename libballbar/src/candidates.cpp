@@ -33,6 +33,13 @@ TracedEffect traced(const Hypotheses& now, const Refitted& with, std::size_t pla
 
 }  // namespace
 
+double rmse_after_um(const Hypotheses& now, const Refitted& with) {
+  if (now.model().level == Level::series) return with.fit.rmse_um;
+  const Eigen::MatrixXd basis = orthonormal(with.leftover.model);
+  const Eigen::VectorXd& r = with.leftover.residual_um;
+  return (r - basis * (basis.transpose() * r)).norm() / std::sqrt(static_cast<double>(r.size()));
+}
+
 Candidate candidate_of(const Hypotheses& now, const Refitted& with, std::size_t place) {
   Candidate candidate;
   candidate.bound = now.bound(with.set[place]);
@@ -52,7 +59,7 @@ Candidate candidate_of(const Hypotheses& now, const Refitted& with, std::size_t 
       std::minmax_element(with.fit.contribution_um[term].begin(), with.fit.contribution_um[term].end());
   candidate.amplitude_um = *high - *low;
   candidate.amplitude_sigma_um = relative * candidate.amplitude_um;
-  candidate.rmse_after_um = with.fit.rmse_um;
+  candidate.rmse_after_um = rmse_after_um(now, with);
   return candidate;
 }
 

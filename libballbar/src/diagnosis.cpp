@@ -170,7 +170,7 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
     sort_refits();
   }
   const Refitted& best = refits.front();
-  result.rmse_after_um = best.fit.rmse_um;
+  result.rmse_after_um = rmse_after_um(now, best);
 
   // Every effect of the best set beside the rest of it.
   const std::vector<std::size_t> cycle = cycles_of(rows, result.base.row);
