@@ -169,6 +169,17 @@ std::string next_text(const Diagnosed& diagnosed) {
   return fmt::format("Next test: {}", diagnosed.next_tests.front().text);
 }
 
+// Of the best set on recordings.
+std::vector<std::string> never_faked(const Diagnosis& found) {
+  std::vector<std::string> names;
+  for (const Candidate& candidate : found.candidates) {
+    const Effect& effect = *candidate.bound.effect;
+    if (!candidate.in_best_set || candidate.beats_fakes || effect.time_only) continue;
+    if (effect.level == Level::recording) names.push_back(effect.name);
+  }
+  return names;
+}
+
 void print_text(const Diagnosed& diagnosed, const std::string& title) {
   const Diagnosis& found = diagnosed.diagnosis;
   fmt::print("{}\n{}\n\n{}\n", title, heading(diagnosed.checked.fit), wrapped(verdict_text(found)));
@@ -176,9 +187,11 @@ void print_text(const Diagnosed& diagnosed, const std::string& title) {
   fmt::print("{}", wrapped(floor_text(diagnosed.checked.fit)));
   if (!found.candidates.empty()) {
     fmt::print("\n{}", candidate_table(found).text(kWidest));
-    fmt::print("{}",
-               wrapped("* the best set, each beside the others. RMSE with it; held out: cycles left out, before and "
-                       "after. Evidence: 2 ln of the likelihood ratio; needed: what 1 % of searches find by chance."));
+    const bool of_recordings = found.candidates.front().bound.effect->level == Level::recording;
+    fmt::print("{}", wrapped(fmt::format("* the best set, each beside the others. RMSE with it; held out: {} left out, "
+                                         "before and after. Evidence: 2 ln of the likelihood ratio; needed: what 1 % "
+                                         "of searches find by chance.",
+                                         of_recordings ? "recordings, or quarters of their sweeps," : "cycles")));
   }
   for (const Candidate& candidate : found.candidates) {
     if (candidate.also_drawn_by.empty()) continue;
@@ -190,6 +203,11 @@ void print_text(const Diagnosed& diagnosed, const std::string& title) {
     falls = fmt::format("The best fake of 200 with the same smoothness lowers the RMSE by {:.0f} %",
                         100.0 * found.best_fake_fall);
     falls += fmt::format("; the best set by {:.0f} %. ", 100.0 * (1.0 - found.rmse_after_um / found.base.rmse_um));
+  }
+  const std::vector<std::string> untried = never_faked(found);
+  if (!untried.empty()) {
+    falls += fmt::format("Not tested against fakes: {} (a random curve as smooth is nearly the effect itself). ",
+                         fmt::join(untried, ", "));
   }
   if (found.verdict != Verdict::untestable) {
     falls += fmt::format("Evidence of the most likely smooth curve: {:.0f}.", std::max(0.0, found.smooth_evidence));
@@ -226,7 +244,8 @@ nlohmann::ordered_json json_of(const Candidate& candidate) {
   json["evidence_needed"] = number(candidate.threshold);
   json["p_search"] = number(candidate.p_search);
   json["p_same_gain"] = number(candidate.p_same_gain);
-  json["beats_fakes"] = candidate.beats_fakes;
+  json["beats_fakes"] = nullptr;  // not tested
+  if (candidate.beats_fakes) json["beats_fakes"] = *candidate.beats_fakes;
   json["in_best_set"] = candidate.in_best_set;
   json["minor"] = candidate.minor;
   json["inseparable_from"] = candidate.inseparable_from;

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "ballbar/circle_model.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/bytes.hpp"
 #include "ballbar/formats/model_toml.hpp"
@@ -17,26 +18,6 @@
 
 namespace ballbar {
 namespace {
-
-// The circle of one recording.
-Term circle_of(std::size_t recording) {
-  Term circle = term_of("circle", {}, Level::recording);
-  for (std::size_t k = 0; k < circle.settings.size(); ++k) {
-    if (circle.effect->parameters[k].name == "recording") circle.settings[k].start = static_cast<double>(recording);
-  }
-  return circle;
-}
-
-// One circle a recording: what a trace is without any effect.
-Model circles_of(const ModelData& data) {
-  Model model;
-  model.level = Level::recording;
-  model.targets = data.targets;
-  const std::vector<double>& recording = find_column(data.series, "recording")->values;
-  const auto count = static_cast<std::size_t>(recording.back()) + 1;
-  for (std::size_t index = 0; index < count; ++index) model.terms.push_back(circle_of(index));
-  return model;
-}
 
 // As expect_suits, with the model's file; a model that is all held still predicts.
 void expect_model_suits(Model model, const ModelOptions& options, const ModelData& data) {
@@ -101,7 +82,8 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
   Model model;
   if (options.model.empty()) {
     if (data.level == Level::recording) {
-      model = circles_of(data);
+      model = circles_of(data.series);
+      model.targets = data.targets;
     } else {
       model.targets = data.targets;
     }
@@ -118,7 +100,7 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
                               name_of(*data.motion), term.effect->name));
     }
     if (model.level == Level::recording) {
-      const Model base = circles_of(data);
+      const Model base = circles_of(data.series);
       const bool has_circle = std::any_of(model.terms.begin(), model.terms.end(),
                                           [](const Term& term) { return term.effect->name == "circle"; });
       if (!has_circle) model.terms.insert(model.terms.begin(), base.terms.begin(), base.terms.end());

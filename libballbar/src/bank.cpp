@@ -13,6 +13,8 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kMostOnsets = 400;
+constexpr std::size_t kMostPeriods = 200;
+constexpr std::size_t kMostWaves = 400;  // of one shape on recordings
 constexpr double kSameAsExpansion = 0.99;
 constexpr double kNothingLeft = 1e-8;  // share of a column's square
 
@@ -87,8 +89,8 @@ std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRow
   for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
     const Parameter& parameter = effect.parameters[k];
     if (parameter.kind == ParameterKind::gain || (parameter.held && parameter.grid.empty())) continue;
-    std::vector<double> grid =
-        shape_grid(effect, k, rows, parameter.lower, parameter.upper, effect.parameters.size() > 4 ? 12 : 200);
+    const std::size_t most = effect.level == Level::series ? kMostPeriods : kMostWaves;
+    std::vector<double> grid = shape_grid(effect, k, rows, parameter.lower, parameter.upper, most);
     if (parameter.name == "onset_s") grid = onsets(rows, options.every_onset ? kMostOnsets : 7);
     if (grid.empty()) continue;
     std::vector<std::vector<double>> more;

@@ -5,6 +5,7 @@
 
 #include "ballbar/trial.hpp"
 #include "confirmation.hpp"
+#include "trace_fakes.hpp"
 #include "whitened.hpp"
 
 namespace ballbar {
@@ -12,8 +13,34 @@ namespace {
 
 constexpr double kChance = 0.01;
 constexpr double kSameCurve = 2.0;  // chi^2 of the difference of two curves
+constexpr std::size_t kFakedShapes = 8;
+
+// The shape as fitted, and some of the grid.
+TracedEffect traced(const Hypotheses& now, const Refitted& with, std::size_t place) {
+  const Family& family = now.family(with.set[place]);
+  const std::size_t term = now.model().terms.size() + place;
+  TracedEffect result{family.effect, family.columns, {{}}, {}};
+  const std::size_t first = first_parameter(with.model, term);
+  for (std::size_t k = 0; k < family.effect->parameters.size(); ++k) {
+    result.points.front().push_back(with.fit.parameters[first + k].value);
+  }
+  const std::size_t stride = 1 + (family.count - 1) / kFakedShapes;
+  for (std::size_t i = family.first; family.count > 1 && i < family.first + family.count; i += stride) {
+    result.points.push_back(now.at(i).point);
+  }
+  const std::vector<double>& added = with.fit.contribution_um[term];
+  result.added_um = Eigen::VectorXd::Map(added.data(), static_cast<Eigen::Index>(added.size()));
+  return result;
+}
 
 }  // namespace
+
+double rmse_after_um(const Hypotheses& now, const Refitted& with) {
+  if (now.model().level == Level::series) return with.fit.rmse_um;
+  const Eigen::MatrixXd basis = orthonormal(with.leftover.model);
+  const Eigen::VectorXd& r = with.leftover.residual_um;
+  return (r - basis * (basis.transpose() * r)).norm() / std::sqrt(static_cast<double>(r.size()));
+}
 
 Candidate candidate_of(const Hypotheses& now, const Refitted& with, std::size_t place) {
   Candidate candidate;
@@ -34,7 +61,7 @@ Candidate candidate_of(const Hypotheses& now, const Refitted& with, std::size_t 
       std::minmax_element(with.fit.contribution_um[term].begin(), with.fit.contribution_um[term].end());
   candidate.amplitude_um = *high - *low;
   candidate.amplitude_sigma_um = relative * candidate.amplitude_um;
-  candidate.rmse_after_um = with.fit.rmse_um;
+  candidate.rmse_after_um = rmse_after_um(now, with);
   return candidate;
 }
 
@@ -48,19 +75,25 @@ Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& w
   candidate.evidence = 2.0 * (with.log_likelihood - without.log_likelihood);
   candidate.threshold = null.threshold(effect);
   candidate.p_search = null.p_search(effect, candidate.evidence);
-  const HeldOut before = held_out(without.leftover, with.noise, cycle);
-  const HeldOut after = held_out(with.leftover, with.noise, cycle);
+  const bool of_recordings = now.model().level == Level::recording;
+  const Eigen::MatrixXd gains = gain_columns(with.fit, with.model, now.model().terms.size() + place);
+  const std::vector<std::size_t> told = cycles_that_tell(data, with.fit.row, cycle, gains);
+  const HeldOut before = held_out(without.leftover, with.noise, told);
+  const HeldOut after = held_out(with.leftover, with.noise, told);
   candidate.held_out_before_um = before.rmse_um;
   candidate.held_out_after_um = after.rmse_um;
-  candidate.p_same_gain = p_same_gain(
-      with.leftover, gain_columns(with.fit, with.model, now.model().terms.size() + place), with.noise, cycle);
-  candidate.beats_fakes = now.model().level == Level::recording;
-  if (!effect.time_only && now.model().level == Level::series) {
-    const BestFake fake = best_fake(now.family(with.set[place]), now.bank(), data, with.fit.row, without.leftover,
-                                    with.noise, options.fakes, options.seed);
-    candidate.best_fake_gain = fake.gain;
-    candidate.beats_fakes = chi2(without.leftover, with.noise) - chi2(with.leftover, with.noise) > fake.gain;
-    result.best_fake_fall = fake.fall;
+  candidate.p_same_gain = p_same_gain(with.leftover, gains, with.noise, told);
+  if (!effect.time_only) {
+    const std::optional<BestFake> fake =
+        of_recordings ? best_trace_fake(traced(now, with, place), data, with.fit.row, without.leftover, with.noise,
+                                        options.fakes, options.seed)
+                      : best_fake(now.family(with.set[place]), now.bank(), data, with.fit.row, without.leftover,
+                                  with.noise, options.fakes, options.seed);
+    if (fake) {
+      candidate.best_fake_gain = fake->gain;
+      candidate.beats_fakes = chi2(without.leftover, with.noise) - chi2(with.leftover, with.noise) > fake->gain;
+      result.best_fake_fall = fake->fall;
+    }
   }
   const auto fails = [&](const std::string& why) { result.why_not.push_back(label_of(candidate.bound) + ": " + why); };
   if (effect.time_only) {
@@ -69,9 +102,14 @@ Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& w
   }
   if (candidate.evidence < kFewestEvidence) fails("its evidence is below 25 (d = 5).");
   if (candidate.p_search >= kChance) fails("a search without any effect shows as much too often.");
-  if (candidate.p_same_gain < kSameGain) fails("its gain differs from cycle to cycle.");
-  if (!(after.chi2 < before.chi2)) fails("cycles left out are not predicted better.");
-  if (!candidate.beats_fakes) fails("a fake of the same smoothness does as well.");
+  if (candidate.p_same_gain < kSameGain) {
+    fails(of_recordings ? "its gain differs from recording to recording." : "its gain differs from cycle to cycle.");
+  }
+  if (!(after.chi2 < before.chi2)) {
+    fails(of_recordings ? "recordings left out are not predicted better."
+                        : "cycles left out are not predicted better.");
+  }
+  if (candidate.beats_fakes && !*candidate.beats_fakes) fails("a fake of the same smoothness does as well.");
   return result;
 }
 

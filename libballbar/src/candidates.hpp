@@ -10,6 +10,10 @@
 
 namespace ballbar {
 
+// Of a trace by least squares from there: a form error is easily taken for noise with a memory, under which the circle
+// hardly counts and its RMSE may rise.
+double rmse_after_um(const Hypotheses& now, const Refitted& with);
+
 // Its parameters, amplitude and RMSE.
 Candidate candidate_of(const Hypotheses& now, const Refitted& with, std::size_t place);
 

@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::size_t kMostCycles = 12;
 constexpr std::size_t kParts = 5;
+constexpr std::size_t kPartsOfASweep = 4;
+constexpr double kNowhere = 1e-12;  // share of a column's square that is none
 constexpr std::size_t kFakeGrid = 1024;
 constexpr std::size_t kFakeShapes = 8;
 
@@ -35,6 +37,43 @@ std::vector<std::size_t> parts_of(const std::vector<double>& time_s, const std::
     cycle.push_back(std::min(parts - 1, static_cast<std::size_t>(place * static_cast<double>(parts))));
   }
   return cycle;
+}
+
+// Whole numbers: 0, 1, 2 ... in the order they come in, those of the same recording the same; at most kMostCycles, of
+// more recordings neighbours together.
+std::vector<std::size_t> recordings_of(const Column& recording, const std::vector<std::size_t>& rows) {
+  std::vector<std::size_t> cycle;
+  std::size_t now = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i > 0 && recording.values[rows[i]] != recording.values[rows[i - 1]]) ++now;
+    cycle.push_back(now);
+  }
+  const std::size_t count = now + 1;
+  if (count > kMostCycles) {
+    for (std::size_t& one : cycle) one = one * kMostCycles / count;
+  }
+  return cycle;
+}
+
+// The same part of every sweep.
+std::vector<std::size_t> parts_of_sweeps(const Column& recording, const std::vector<double>& time_s,
+                                         const std::vector<std::size_t>& rows) {
+  std::vector<std::size_t> cycle;
+  for (std::size_t first = 0; first < rows.size();) {
+    std::size_t last = first;
+    while (last < rows.size() && recording.values[rows[last]] == recording.values[rows[first]]) ++last;
+    const std::vector<std::size_t> sweep(rows.begin() + static_cast<std::ptrdiff_t>(first),
+                                         rows.begin() + static_cast<std::ptrdiff_t>(last));
+    const std::vector<std::size_t> parts = parts_of(time_s, sweep, kPartsOfASweep);
+    cycle.insert(cycle.end(), parts.begin(), parts.end());
+    first = last;
+  }
+  return cycle;
+}
+
+// Of a trace the column that numbers its recordings; nullptr: a drift series.
+const Column* recording_numbers(const Series& data) {
+  return find_column(data, "angle_rad") == nullptr ? nullptr : find_column(data, "recording");
 }
 
 // Spectrum of a signal on an even grid, the line through its ends taken off.
@@ -95,6 +134,10 @@ std::vector<double> on_grid(const Effect& effect, const EffectRows& inputs, cons
 }  // namespace
 
 std::vector<std::size_t> cycles_of(const Series& data, const std::vector<std::size_t>& rows) {
+  if (const Column* recording = recording_numbers(data)) {
+    const bool several = recording->values[rows.front()] != recording->values[rows.back()];
+    return several ? recordings_of(*recording, rows) : parts_of_sweeps(*recording, data.time_s, rows);
+  }
   const auto speed = std::find_if(data.columns.begin(), data.columns.end(),
                                   [](const Column& column) { return column.role == Role::speed; });
   if (speed == data.columns.end()) return parts_of(data.time_s, rows, kParts);
@@ -118,6 +161,24 @@ std::vector<std::size_t> cycles_of(const Series& data, const std::vector<std::si
   return now == 0 ? parts_of(data.time_s, rows, kParts) : cycle;
 }
 
+std::vector<std::size_t> cycles_that_tell(const Series& data, const std::vector<std::size_t>& rows,
+                                          const std::vector<std::size_t>& cycle, const Eigen::MatrixXd& columns) {
+  const Column* recording = recording_numbers(data);
+  if (recording == nullptr) return cycle;
+  const std::size_t cycles = *std::max_element(cycle.begin(), cycle.end()) + 1;
+  Eigen::MatrixXd square = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(cycles), columns.cols());
+  for (std::size_t i = 0; i < cycle.size(); ++i) {
+    square.row(static_cast<Eigen::Index>(cycle[i])) += columns.row(static_cast<Eigen::Index>(i)).cwiseAbs2();
+  }
+  const Eigen::RowVectorXd all = square.colwise().sum();
+  for (Eigen::Index out = 0; out < square.rows(); ++out) {
+    if (((all - square.row(out)).array() <= kNowhere * all.array()).any()) {
+      return parts_of_sweeps(*recording, data.time_s, rows);
+    }
+  }
+  return cycle;
+}
+
 HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector<std::size_t>& cycle) {
   const std::size_t cycles = *std::max_element(cycle.begin(), cycle.end()) + 1;
   HeldOut result;
@@ -136,18 +197,25 @@ HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector
       rest.time_s.push_back(leftover.time_s[i]);
       if (!leftover.sigma_um.empty()) rest.sigma_um.push_back(leftover.sigma_um[i]);
     }
-    const Whitening whitening = whitening_of(rest, noise);
-    const Eigen::MatrixXd x = whitened(whitening, leftover.model(kept, Eigen::all));
-    const Eigen::VectorXd r = whitened(whitening, leftover.residual_um(kept));
+    std::vector<Eigen::Index> shared, of_its_own;
+    for (Eigen::Index j = 0; j < leftover.model.cols(); ++j) {
+      const bool elsewhere = leftover.model(kept, j).squaredNorm() > kNowhere * leftover.model.col(j).squaredNorm();
+      (elsewhere ? shared : of_its_own).push_back(j);
+    }
     Eigen::VectorXd error = leftover.residual_um(left);
-    if (x.cols() > 0) {
+    const Whitening whitening = whitening_of(rest, noise), own_whitening = whitening_of(own, noise);
+    const auto free_of = [&](const std::vector<Eigen::Index>& columns, const Eigen::MatrixXd& x,
+                             const Eigen::VectorXd& r) {
+      if (columns.empty() || x.rows() == 0) return;
       Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
       solver.setThreshold(1e-6);
       solver.compute(x);
-      error -= leftover.model(left, Eigen::all) * solver.solve(r);
-    }
+      error -= leftover.model(left, columns) * solver.solve(r);
+    };
+    free_of(shared, whitened(whitening, leftover.model(kept, shared)), whitened(whitening, leftover.residual_um(kept)));
+    free_of(of_its_own, whitened(own_whitening, leftover.model(left, of_its_own)), whitened(own_whitening, error));
     result.rmse_um += error.squaredNorm();
-    result.chi2 += whitened(whitening_of(own, noise), error).squaredNorm();
+    result.chi2 += whitened(own_whitening, error).squaredNorm();
   }
   result.rmse_um = std::sqrt(result.rmse_um / static_cast<double>(cycle.size()));
   return result;

@@ -11,11 +11,19 @@
 namespace ballbar {
 
 // Cycle of every row: stretches between changes of speed, the short ones joined to their neighbour, at most 12; without
-// a speed that changes five parts of the time.
+// a speed that changes five parts of the time. Of a trace each recording is one; a single recording is left out by
+// quarters of its sweep.
 std::vector<std::size_t> cycles_of(const Series& data, const std::vector<std::size_t>& rows);
 
+// Cycles by which the gains of these columns can be tested: as `cycle`, but where a gain belongs to one recording (a
+// vibration has a phase of its own in each direction) that recording cannot be told from the others, and quarters of
+// all sweeps are left out.
+std::vector<std::size_t> cycles_that_tell(const Series& data, const std::vector<std::size_t>& rows,
+                                          const std::vector<std::size_t>& cycle, const Eigen::MatrixXd& columns);
+
 // Each cycle's rows predicted from the others'. The model is taken as linear about its fit, so that shapes move too;
-// the cycle left out counts as a gap in the noise's memory.
+// the cycle left out counts as a gap in the noise's memory. What the model has for that cycle alone, such as the circle
+// of its recording, is fitted to it.
 struct HeldOut {
   double rmse_um = 0.0;  // of all rows
   double chi2 = 0.0;     // whitened by the noise within each cycle: what a slow noise adds to the RMSE counts little

@@ -138,7 +138,7 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   }
   if (refits.empty()) return result;
   const Refitted& best = refits.front();
-  result.rmse_after_um = best.fit.rmse_um;
+  result.rmse_after_um = rmse_after_um(now, best);
 
   // Every effect of the best set beside the rest of it.
   std::vector<bool> sound;

@@ -1,7 +1,9 @@
 #include "search_null.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <thread>
 
 #include "simulate_noise.hpp"
 
@@ -87,7 +89,8 @@ double SearchNull::threshold(const Effect& effect) const {
 
 SearchNull search_null(const Bank& bank, const Projected& projected, const Leftover& leftover, const Noise& noise,
                        const std::vector<Noise>& plausible, std::size_t draws, std::uint64_t seed) {
-  constexpr Eigen::Index kBatch = 64;
+  constexpr Eigen::Index kBatch = 64, kChunk = 512;
+  constexpr unsigned kMostThreads = 4;
   draws = std::max<std::size_t>(draws, 100);  // fewer have no tail
   std::vector<const Effect*> effects;
   std::vector<Eigen::Index> effect_of_family;
@@ -101,22 +104,44 @@ SearchNull search_null(const Bank& bank, const Projected& projected, const Lefto
   std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 2);
   Eigen::MatrixXf maxima =
       Eigen::MatrixXf::Zero(static_cast<Eigen::Index>(draws), static_cast<Eigen::Index>(effects.size()));
-  Eigen::VectorXd path(leftover.residual_um.size());
-  Eigen::MatrixXf paths(path.size(), kBatch), along;
-  for (Eigen::Index done = 0; done < maxima.rows(); done += kBatch) {
-    const Eigen::Index now = std::min(kBatch, maxima.rows() - done);
-    for (Eigen::Index b = 0; b < now; ++b) {
-      draw(leftover, plausible[static_cast<std::size_t>(done + b) % plausible.size()], whitening, random, path);
+  const auto drawn = [&](Eigen::Index first) {
+    Eigen::VectorXd path(leftover.residual_um.size());
+    Eigen::MatrixXf paths(path.size(), std::min(kChunk, maxima.rows() - first));
+    for (Eigen::Index b = 0; b < paths.cols(); ++b) {
+      draw(leftover, plausible[static_cast<std::size_t>(first + b) % plausible.size()], whitening, random, path);
       paths.col(b) = path.cast<float>();
     }
-    along.noalias() = transposed * paths.leftCols(now);
+    return paths;
+  };
+  const auto search = [&](Eigen::Index first, const auto& paths) {
+    const Eigen::MatrixXf along = transposed * paths;
     for (const Signature& signature : bank.signatures) {
       const Eigen::Index effect = effect_of_family[signature.family];
-      for (Eigen::Index b = 0; b < now; ++b) {
+      for (Eigen::Index b = 0; b < paths.cols(); ++b) {
         const float score = along.col(b).segment(signature.first, signature.width).squaredNorm();
-        maxima(done + b, effect) = std::max(maxima(done + b, effect), score);
+        maxima(first + b, effect) = std::max(maxima(first + b, effect), score);
       }
     }
+  };
+  // Drawn in order, by one thread; batches of them are searched by all, so that nothing depends on their number.
+  Eigen::MatrixXf paths = drawn(0);
+  for (Eigen::Index first = 0; first < maxima.rows(); first += kChunk) {
+    std::atomic<Eigen::Index> next{0};
+    const auto search_batches = [&] {
+      for (Eigen::Index begin = kBatch * next++; begin < paths.cols(); begin = kBatch * next++) {
+        search(first + begin, paths.middleCols(begin, std::min(kBatch, paths.cols() - begin)));
+      }
+    };
+    Eigen::MatrixXf after;
+    {
+      std::vector<std::jthread> helpers;
+      for (unsigned k = 1; k < std::min(std::thread::hardware_concurrency(), kMostThreads); ++k) {
+        helpers.emplace_back(search_batches);
+      }
+      if (first + kChunk < maxima.rows()) after = drawn(first + kChunk);
+      search_batches();
+    }
+    paths = std::move(after);
   }
   return {std::move(effects), std::move(maxima)};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ballbar {
 namespace {
@@ -17,6 +18,12 @@ double range_of_input(const Effect& effect, const EffectRows& rows, std::string_
     if (effect.inputs[i].role == role) return range_of(rows.inputs[i]);
   }
   return 0.0;
+}
+
+double shortest_step(std::span<const double> time_s) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < time_s.size(); ++i) shortest = std::min(shortest, time_s[i] - time_s[i - 1]);
+  return shortest;
 }
 
 double largest_input(const Effect& effect, const EffectRows& rows, std::string_view role) {
@@ -45,10 +52,12 @@ std::vector<double> shape_grid(const Effect& effect, std::size_t parameter, cons
     grid = frequencies(1.0 / upper, 1.0 / lower, range_of(rows.time_s), most);
     for (double& value : grid) value = 1.0 / value;
   } else if (shape.name == "pitch_mm") {
-    grid = frequencies(1.0 / upper, 1.0 / lower, 2.0 * largest_input(effect, rows, "radius"), most);
+    const double finest = grid.empty() ? lower : std::max(lower, grid.front());
+    grid = frequencies(1.0 / upper, 1.0 / finest, 2.0 * largest_input(effect, rows, "radius"), most);
     for (double& value : grid) value = 1.0 / value;
   } else if (shape.name == "frequency_Hz" && !grid.empty()) {
-    grid = frequencies(grid.front(), grid.back(), range_of_input(effect, rows, "sweep"), most);
+    const double highest = std::min(grid.back(), 0.5 / shortest_step(rows.time_s));
+    grid = frequencies(grid.front(), highest, range_of_input(effect, rows, "sweep"), most);
   }
   std::erase_if(grid, [&](double value) { return value < lower || value > upper; });
   return grid;

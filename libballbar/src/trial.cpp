@@ -11,6 +11,7 @@
 #include "confirmation.hpp"
 #include "likely.hpp"
 #include "thinned.hpp"
+#include "trace_fakes.hpp"
 
 namespace ballbar {
 namespace {
@@ -77,12 +78,23 @@ double upper_tail(double chi2, std::size_t degrees) {
   return chi2 > 0.0 ? Eigen::numext::igammac(0.5 * static_cast<double>(degrees), 0.5 * chi2) : 1.0;
 }
 
-// Fakes of an effect that reads a logged input; nothing where it cannot be faked.
-std::optional<BestFake> fake_of(const Term& term, const Tested& whole, const Likely& without) {
+// The model's fakes of one of its terms; nothing where it cannot be faked.
+std::optional<BestFake> fake_of(const Model& model, std::size_t place, const Tested& whole, const Likely& without) {
+  const Term& term = model.terms[place];
   const Effect& effect = *term.effect;
-  if (effect.time_only || effect.level == Level::recording || effect.inputs.empty()) return std::nullopt;
+  if (effect.time_only || effect.inputs.empty()) return std::nullopt;
   const BoundInputs inputs = inputs_of(effect, term.columns, whole.data);
   if (!inputs.usable) return std::nullopt;
+  if (effect.level == Level::recording) {
+    TracedEffect traced{&effect, term.columns, {{}}, {}};
+    const std::size_t first = first_parameter(model, place);
+    for (std::size_t k = 0; k < term.settings.size(); ++k) {
+      traced.points.front().push_back(whole.fit.parameters[first + k].value);
+    }
+    const std::vector<double>& added = whole.fit.contribution_um[place];
+    traced.added_um = Eigen::VectorXd::Map(added.data(), static_cast<Eigen::Index>(added.size()));
+    return best_trace_fake(traced, whole.data, whole.fit.row, without.leftover, whole.likely.noise, kFakes, kSeed);
+  }
   Bank bank;
   for (std::vector<double>& point : shapes_of(effect, inputs.rows, {})) {
     Signature signature;
@@ -112,18 +124,26 @@ Tried tried_of(const Model& model, const Fit& all, const Tested& whole, std::siz
   tried.amplitude_sigma_um = relative * tried.amplitude_um;
   const Likely without = likely_without(model, whole, place);
   tried.evidence = evidence_of(whole.likely, without);
-  tried.p_same_gain =
-      p_same_gain(whole.likely.leftover, gain_columns(whole.fit, model, place), whole.likely.noise, whole.likely.cycle);
-  tried.held_out_um = held_out(without.leftover, whole.likely.noise, whole.likely.cycle).rmse_um;
-  const double held_out_with_um = held_out(whole.likely.leftover, whole.likely.noise, whole.likely.cycle).rmse_um;
+  const Eigen::MatrixXd gains = gain_columns(whole.fit, model, place);
+  const std::vector<std::size_t> told = cycles_that_tell(whole.data, whole.fit.row, whole.likely.cycle, gains);
+  tried.p_same_gain = p_same_gain(whole.likely.leftover, gains, whole.likely.noise, told);
+  tried.held_out_um = held_out(without.leftover, whole.likely.noise, told).rmse_um;
+  const double held_out_with_um = held_out(whole.likely.leftover, whole.likely.noise, told).rmse_um;
   tried.gain = chi2(without.leftover, whole.likely.noise) - chi2(whole.likely.leftover, whole.likely.noise);
-  if (const std::optional<BestFake> fake = fake_of(term, whole, without)) {
+  if (const std::optional<BestFake> fake = fake_of(model, place, whole, without)) {
     tried.best_fake_gain = fake->gain;
     tried.best_fake_fall = fake->fall;
   }
   if (tried.evidence < kFewestEvidence) tried.doubts.emplace_back("its evidence is below 25 (d = 5)");
-  if (tried.p_same_gain < kSameGain) tried.doubts.emplace_back("its gain differs from cycle to cycle");
-  if (!(held_out_with_um < tried.held_out_um)) tried.doubts.emplace_back("cycles left out are not predicted better");
+  const bool of_recordings = model.level == Level::recording;
+  if (tried.p_same_gain < kSameGain) {
+    tried.doubts.emplace_back(of_recordings ? "its gain differs from recording to recording"
+                                            : "its gain differs from cycle to cycle");
+  }
+  if (!(held_out_with_um < tried.held_out_um)) {
+    tried.doubts.emplace_back(of_recordings ? "recordings left out are not predicted better"
+                                            : "cycles left out are not predicted better");
+  }
   if (tried.best_fake_gain >= tried.gain) tried.doubts.emplace_back("a fake of the same smoothness does as well");
   return tried;
 }

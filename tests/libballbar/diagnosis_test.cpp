@@ -72,7 +72,7 @@ TEST(Diagnosis, names_the_room_and_its_gain) {
   ASSERT_FALSE(found.candidates.empty());
   const Candidate& best = found.candidates.front();
   EXPECT_TRUE(best.in_best_set);
-  EXPECT_TRUE(best.beats_fakes);
+  EXPECT_EQ(best.beats_fakes, true);
   EXPECT_GT(best.evidence, best.threshold);
   EXPECT_NEAR(best.parameters[0].value, 3.0, 4.0 * best.parameters[0].sigma);
   EXPECT_LT(best.held_out_after_um, 0.5 * best.held_out_before_um);

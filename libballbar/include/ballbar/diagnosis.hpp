@@ -52,10 +52,10 @@ struct Candidate {
   double held_out_before_um = 0.0, held_out_after_um = 0.0;  // cycles left out, see confirmation
   double evidence = 0.0;                                     // 2 ln L gained by it
   double threshold = 0.0;                                    // of the evidence: the search exceeds it by chance in 1 %
-  double p_search = 1.0;        // share of data sets without any effect that show one as rare
-  double p_same_gain = 1.0;     // of gains as different from cycle to cycle
-  double best_fake_gain = 0.0;  // largest fall of chi^2 by a fake
-  bool beats_fakes = false;
+  double p_search = 1.0;            // share of data sets without any effect that show one as rare
+  double p_same_gain = 1.0;         // of gains as different from cycle to cycle
+  double best_fake_gain = 0.0;      // largest fall of chi^2 by a fake
+  std::optional<bool> beats_fakes;  // nothing: not tested, see confirmation
   bool in_best_set = false;
   bool minor = false;                         // below max(5 % of the RMSE, the tolerance)
   std::vector<std::string> inseparable_from;  // labels
