@@ -1,5 +1,7 @@
 #include "candidates.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +14,8 @@ namespace ballbar {
 namespace {
 
 constexpr double kChance = 0.01;
-constexpr double kSameCurve = 2.0;  // chi^2 of the difference of two curves
+constexpr double kHeldOutWorse = 1.05;  // of the RMSE, which a slow noise makes up by itself: not clearly more
+constexpr double kSameCurve = 2.0;      // chi^2 of the difference of two curves
 constexpr std::size_t kFakedShapes = 8;
 
 // The shape as fitted, and some of the grid.
@@ -105,9 +108,15 @@ Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& w
   if (candidate.p_same_gain < kSameGain) {
     fails(of_recordings ? "its gain differs from recording to recording." : "its gain differs from cycle to cycle.");
   }
-  if (!(after.chi2 < before.chi2)) {
+  if (!(after.chi2 < before.chi2) || after.rmse_um > kHeldOutWorse * before.rmse_um) {
     fails(of_recordings ? "recordings left out are not predicted better."
                         : "cycles left out are not predicted better.");
+  }
+  for (const FittedParameter& parameter : candidate.parameters) {
+    const bool on_bound =
+        parameter.state == ParameterState::on_lower_bound || parameter.state == ParameterState::on_upper_bound;
+    if (on_bound)
+      fails(fmt::format("its {} lies on its bound, {:g} {}.", parameter.name, parameter.value, parameter.unit));
   }
   if (candidate.beats_fakes && !*candidate.beats_fakes) fails("a fake of the same smoothness does as well.");
   return result;

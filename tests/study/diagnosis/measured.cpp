@@ -38,11 +38,15 @@ std::optional<Outcome> measured_room(std::uint64_t seed) {
   const Diagnosis found = diagnose(set.model, set.data, 0, set.options);
   Outcome outcome = judged(set, found, Expected::nothing);
   const bool named = std::any_of(found.named.begin(), found.named.end(), reads_room);
-  outcome.in_set = named || std::any_of(found.equivalent.begin(), found.equivalent.end(), [](const auto& group) {
-                     return std::any_of(group.begin(), group.end(), reads_room);
-                   });
+  const bool goes_with = std::any_of(found.goes_with.begin(), found.goes_with.end(),
+                                     [](const Candidate& candidate) { return reads_room(candidate.bound); });
+  outcome.in_set = named || goes_with ||
+                   std::any_of(found.equivalent.begin(), found.equivalent.end(),
+                               [](const auto& group) { return std::any_of(group.begin(), group.end(), reads_room); });
   double training = 0.0, held_out = 0.0;
-  for (const Candidate& candidate : found.candidates) {
+  std::vector<Candidate> seen = found.candidates;
+  seen.insert(seen.end(), found.goes_with.begin(), found.goes_with.end());
+  for (const Candidate& candidate : seen) {
     if (!reads_room(candidate.bound)) continue;
     training = std::max(training, 1.0 - candidate.rmse_after_um / found.base.rmse_um);
     held_out = std::max(held_out, 1.0 - candidate.held_out_after_um / candidate.held_out_before_um);

@@ -8,6 +8,18 @@
 
 namespace ballbar::study {
 
+namespace {
+
+// A truth with a shape more: at its edge it is the truth, and no rival.
+bool becomes_true(const DataSet& set, const BoundEffect& rival) {
+  return std::any_of(set.hidden.begin(), set.hidden.end(), [&](const Hidden& hidden) {
+    return hidden.injection && rival.columns == hidden.injection->bound.columns &&
+           rival.effect->explanation.becomes == hidden.injection->bound.effect->name;
+  });
+}
+
+}  // namespace
+
 Oracle oracle(const DataSet& set) {
   const Bank bank =
       bank_of(set.model, set.data, set.base, {.motion = {}, .every_onset = true, .without = set.options.without});
@@ -30,7 +42,7 @@ Oracle oracle(const DataSet& set) {
       const Family& family = bank.families[bank.signatures[k].family];
       const BoundEffect rival{family.effect, family.columns};
       const double loss = target.squaredNorm() - fall[k];
-      if (loss < smallest.loss && !is_true(set, rival)) smallest = {loss, label_of(rival)};
+      if (loss < smallest.loss && !is_true(set, rival) && !becomes_true(set, rival)) smallest = {loss, label_of(rival)};
     }
   }
   return smallest;

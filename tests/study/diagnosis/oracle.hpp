@@ -1,9 +1,10 @@
 // What the data allow: how much worse the best wrong answer would be.
 //
 // Every hidden effect in turn is left out and imitated by one of another family (another effect, or the same on other
-// columns) with the best shape of its grid and free gains, beside the base model and the other hidden effects with free
-// gains. With d the norm of the hidden signal, whitened by the true noise and freed of all of these, and rho the
-// largest correlation with such a rival, the rival explains the data worse by
+// columns; not one that at the edge of its shapes becomes the hidden one) with the best shape of its grid and free
+// gains, beside the base model and the other hidden effects with free gains. With d the norm of the hidden signal,
+// whitened by the true noise and freed of all of these, and rho the largest correlation with such a rival, the rival
+// explains the data worse by
 //
 //   loss = d^2 (1 - rho^2)      2 ln L, expected, without noise
 //
