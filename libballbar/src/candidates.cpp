@@ -104,6 +104,9 @@ Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& w
     return result;
   }
   if (candidate.evidence < kFewestEvidence) fails("its evidence is below 25 (d = 5).");
+  if (null.p_search(effect, gain_of_many(without.leftover, gains, with.noise)) >= kChance) {
+    fails("a few readings alone make it.");
+  }
   if (candidate.p_search >= kChance) fails("a search without any effect shows as much too often.");
   if (candidate.p_same_gain < kSameGain) {
     fails(of_recordings ? "its gain differs from recording to recording." : "its gain differs from cycle to cycle.");

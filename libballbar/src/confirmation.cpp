@@ -268,6 +268,15 @@ double p_same_gain(const Leftover& leftover, const Eigen::MatrixXd& columns, con
   return Eigen::numext::igammac(0.5 * static_cast<double>(degrees), 0.5 * (directions.transpose() * r).squaredNorm());
 }
 
+double gain_of_many(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise) {
+  const Whitening whitening = whitening_of(leftover, noise);
+  const Eigen::MatrixXd basis = orthonormal(whitened(whitening, leftover.model));
+  Eigen::MatrixXd added = whitened(whitening, columns);
+  added -= basis * (basis.transpose() * added);
+  const Eigen::VectorXd r = whitened(whitening, leftover.residual_um);
+  return (orthonormal(added).transpose() * clipped(r - basis * (basis.transpose() * r))).squaredNorm();
+}
+
 BestFake best_fake(const Family& family, const Bank& bank, const Series& data, const std::vector<std::size_t>& rows,
                    const Leftover& leftover, const Noise& noise, std::size_t count, std::uint64_t seed) {
   const BoundInputs bound = inputs_of(*family.effect, family.columns, data);

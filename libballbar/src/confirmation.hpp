@@ -46,6 +46,9 @@ inline constexpr double kSameGain = 0.001;  // p_same_gain below which gains dif
 double p_same_gain(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise,
                    const std::vector<std::size_t>& cycle);
 
+// Fall of chi^2 by the columns beside the model where no whitened reading counts for more than 4 sigma.
+double gain_of_many(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise);
+
 // The best of `count` fakes: the family's signatures with their phases scrambled, the same spectrum and no cause.
 struct BestFake {
   double gain = 0.0;  // largest fall of chi^2

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "ballbar/error.hpp"
 #include "candidates.hpp"
 #include "confirmation.hpp"
+#include "parallel.hpp"
 
 namespace ballbar {
 namespace {
@@ -45,18 +47,23 @@ std::vector<std::size_t> by_fall(const Hypotheses& now) {
 
 std::vector<Candidate> correlates(const Hypotheses& now, const Noise& noise, const std::vector<std::size_t>& cycle) {
   const double before = held_out(now.leftover(), noise, cycle).rmse_um;
-  std::vector<Candidate> result;
-  for (const std::size_t index : by_fall(now)) {
+  const std::vector<std::size_t> tried = by_fall(now);
+  std::vector<std::optional<Candidate>> found(tried.size());
+  in_parallel(tried.size(), [&](std::size_t i) {
     try {
-      const Refitted with = now.refitted({index}, noise);
+      const Refitted with = now.refitted({tried[i]}, noise);
       const double after = held_out(with.leftover, with.noise, cycle).rmse_um;
-      if (!(after < kLess * before)) continue;
-      result.push_back(candidate_of(now, with, 0));
-      result.back().held_out_before_um = before;
-      result.back().held_out_after_um = after;
+      if (!(after < kLess * before)) return;
+      found[i] = candidate_of(now, with, 0);
+      found[i]->held_out_before_um = before;
+      found[i]->held_out_after_um = after;
     } catch (const Error&) {
-      continue;  // what cannot be fitted explains nothing
+      return;  // what cannot be fitted explains nothing
     }
+  });
+  std::vector<Candidate> result;
+  for (std::optional<Candidate>& one : found) {
+    if (one) result.push_back(std::move(*one));
   }
   std::stable_sort(result.begin(), result.end(),
                    [](const Candidate& a, const Candidate& b) { return a.held_out_after_um < b.held_out_after_um; });

@@ -17,6 +17,7 @@
 #include "search_null.hpp"
 #include "smooth_rival.hpp"
 #include "thinned.hpp"
+#include "whitened.hpp"
 
 namespace ballbar {
 namespace {
@@ -105,7 +106,7 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
                                       plausible_noises(now.leftover(), first_columns, noise, 64, options.seed),
                                       options.draws, options.seed);
   result.prospects = prospects_but(options, prospects_of(now.bank(), seen, model, rows, options.motion));
-  const Eigen::VectorXd score = scores(now.bank(), seen, seen.residual);
+  const Eigen::VectorXd score = scores(now.bank(), seen, clipped(seen.residual));
   result.smallest_um = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < now.bank().signatures.size(); ++i) {
     const Effect& effect = *now.family(i).effect;

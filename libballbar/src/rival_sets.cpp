@@ -1,11 +1,13 @@
 #include "rival_sets.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "ballbar/error.hpp"
 #include "best_subset.hpp"
 #include "candidates.hpp"
+#include "parallel.hpp"
 
 namespace ballbar {
 namespace {
@@ -30,32 +32,44 @@ class Fitted {
  public:
   Fitted(const Hypotheses& now, const Ground& ground) : now_(now), ground_(ground) {}
 
-  void add(const Set& set) {
-    std::vector<std::string> key;
-    for (const std::size_t index : set) key.push_back(label_of(now_.bound(index)));
-    std::sort(key.begin(), key.end());
-    if (std::find(done_.begin(), done_.end(), key) != done_.end()) return;
-    done_.push_back(std::move(key));
-    try {
-      refits_.push_back(judged(now_.refitted(set, ground_.noise)));
-    } catch (const Error&) {
-      return;  // a set that cannot be fitted explains nothing
+  // Those that are new.
+  void add(const std::vector<Set>& sets) {
+    std::vector<Set> fresh;
+    for (const Set& set : sets) {
+      std::vector<std::string> key;
+      for (const std::size_t index : set) key.push_back(label_of(now_.bound(index)));
+      std::sort(key.begin(), key.end());
+      if (std::find(done_.begin(), done_.end(), key) != done_.end()) continue;
+      done_.push_back(std::move(key));
+      fresh.push_back(set);
+    }
+    std::vector<std::optional<Refitted>> fitted(fresh.size());
+    in_parallel(fresh.size(), [&](std::size_t i) {
+      try {
+        fitted[i] = judged(now_.refitted(fresh[i], ground_.noise));
+      } catch (const Error&) {
+        return;  // a set that cannot be fitted explains nothing
+      }
+    });
+    for (std::optional<Refitted>& one : fitted) {
+      if (one) refits_.push_back(std::move(*one));
     }
   }
 
   void again_from(const Refitted& near) {
-    for (Refitted& other : refits_) {
-      if (other.penalised < near.penalised - kFarFromGood) continue;
+    in_parallel(refits_.size(), [&](std::size_t i) {
+      Refitted& other = refits_[i];
+      if (other.penalised < near.penalised - kFarFromGood) return;
       const bool shares = std::any_of(other.set.begin(), other.set.end(),
                                       [&](std::size_t index) { return has(now_, near.set, now_.bound(index)); });
-      if (!shares) continue;
+      if (!shares) return;
       try {
         Refitted again = judged(now_.refitted_from(near, other.set));
         if (again.log_likelihood > other.log_likelihood) other = std::move(again);
       } catch (const Error&) {
-        continue;  // from there it has no fit
+        return;  // from there it has no fit
       }
-    }
+    });
   }
 
   void sort() {
@@ -114,23 +128,28 @@ std::vector<Refitted> rival_sets(Hypotheses& now, const Ground& ground) {
   const std::size_t most = kRefitted * (sets.front().size() + 1) / 2;
   Fitted fitted(now, ground);
   std::vector<Refitted>& refits = fitted.refits();
+  std::vector<Set> tried;
   for (const Set& set : sets) {
-    if (refits.size() == most || penalised(now, ground, set) < penalised(now, ground, sets.front()) - allowance) break;
-    fitted.add(set);
+    if (tried.size() == most || penalised(now, ground, set) < penalised(now, ground, sets.front()) - allowance) break;
+    tried.push_back(set);
   }
+  fitted.add(tried);
   fitted.sort();
   if (refits.empty()) return {};
 
   // A grid point far from the truth ends in a hollow of its own.
   for (std::size_t round = 0; round < kRounds && refits.front().set.size() > 1; ++round) {
     const Refitted whole = refits.front();
-    for (std::size_t out = 0; out < whole.set.size(); ++out) {
-      for (const std::size_t other : in_place_of(now, whole, out, ground.null)) {
-        Set swapped = whole.set;
-        swapped[out] = other;
-        fitted.add(swapped);
+    std::vector<std::vector<std::size_t>> others(whole.set.size());
+    in_parallel(others.size(), [&](std::size_t out) { others[out] = in_place_of(now, whole, out, ground.null); });
+    std::vector<Set> swapped;
+    for (std::size_t out = 0; out < others.size(); ++out) {
+      for (const std::size_t other : others[out]) {
+        swapped.push_back(whole.set);
+        swapped.back()[out] = other;
       }
     }
+    fitted.add(swapped);
     fitted.again_from(whole);
     fitted.sort();
     if (refits.front().set == whole.set) break;
@@ -139,11 +158,12 @@ std::vector<Refitted> rival_sets(Hypotheses& now, const Ground& ground) {
   for (std::size_t before = 0; before != refits.size() && refits.front().set.size() > 1;) {
     before = refits.size();
     const Set whole = refits.front().set;
+    std::vector<Set> fewer;
     for (std::size_t out = 0; out < whole.size(); ++out) {
-      Set fewer = whole;
-      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(out));
-      fitted.add(fewer);
+      fewer.push_back(whole);
+      fewer.back().erase(fewer.back().begin() + static_cast<std::ptrdiff_t>(out));
     }
+    fitted.add(fewer);
     fitted.sort();
   }
   for (std::size_t k = 1; k < refits.size(); ++k) {

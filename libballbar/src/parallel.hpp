@@ -1,0 +1,14 @@
+// Work that falls into independent parts, shared out among the processor's cores.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace ballbar {
+
+// part(i) for every i < count, in no order, by several threads at a time. Parts write to places of their own alone, so
+// that nothing depends on the number of threads. What a part throws is thrown here once all have ended: of several the
+// first by i.
+void in_parallel(std::size_t count, const std::function<void(std::size_t)>& part);
+
+}  // namespace ballbar
