@@ -92,6 +92,7 @@ std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRow
     const std::size_t most = effect.level == Level::series ? kMostPeriods : kMostWaves;
     std::vector<double> grid = shape_grid(effect, k, rows, parameter.lower, parameter.upper, most);
     if (parameter.name == "onset_s") grid = onsets(rows, options.every_onset ? kMostOnsets : 7);
+    if (parameter.name == "frequency_Hz") std::erase_if(grid, [&](double f) { return f > options.highest_Hz; });
     if (grid.empty()) continue;
     std::vector<std::vector<double>> more;
     for (const std::vector<double>& point : points) {
@@ -105,7 +106,12 @@ std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRow
   return points;
 }
 
-Bank bank_of(const Model& model, const Series& data, const Fit& fit, const BankOptions& options) {
+Bank bank_of(const Model& model, const Series& data, const Fit& fit, BankOptions options) {
+  for (std::size_t i = 1; i < fit.time_s.size(); ++i) {
+    // The shortest step: one above half that rate would pass for a slow one.
+    options.highest_Hz = i == 1 ? 0.5 / (fit.time_s[1] - fit.time_s[0])
+                                : std::max(options.highest_Hz, 0.5 / (fit.time_s[i] - fit.time_s[i - 1]));
+  }
   Bank bank;
   std::vector<Eigen::VectorXd> columns;
   for (const Effect* effect : effects()) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,15 +40,16 @@ struct Bank {
 };
 
 struct BankOptions {
-  std::optional<Motion> motion;      // of recordings
-  bool every_onset = true;           // of a step: up to 400 of them; else 7
-  std::vector<std::string> without;  // names of effects that are left out
+  std::optional<Motion> motion;                                 // of recordings
+  bool every_onset = true;                                      // of a step: up to 400 of them; else 7
+  std::vector<std::string> without;                             // names of effects that are left out
+  double highest_Hz = std::numeric_limits<double>::infinity();  // bank_of: half the rate of the rows that are fitted
 };
 
 // Families of effects that are in the model on the same columns are left out, but for time-only ones with an onset or
 // a period, and those whose inputs are constant or have gaps; and shapes of play that the input
 // never moves.
-Bank bank_of(const Model& model, const Series& data, const Fit& fit, const BankOptions& options = {});
+Bank bank_of(const Model& model, const Series& data, const Fit& fit, BankOptions options = {});
 
 // What an effect bound to these columns is evaluated on; `rows` points into `values`.
 struct BoundInputs {

@@ -6,6 +6,7 @@
 
 #include "confirmation.hpp"
 #include "made_recordings.hpp"
+#include "thinned.hpp"
 #include "trace_fakes.hpp"
 
 namespace ballbar {
@@ -56,6 +57,24 @@ TEST(HeldOut, fits_what_belongs_to_the_recording_left_out_to_it) {
   leftover.model.topLeftCorner(2, 1).setOnes();
   leftover.model.bottomRightCorner(2, 1).setOnes();
   EXPECT_NEAR(held_out(leftover, {1.0, 0.0, 0.0, 0.0}, {0, 0, 1, 1}).rmse_um, 1.0, 1e-12);
+}
+
+// 360 readings in a sweep of 18.8 s, or every third: 19.1 or 6.4 a second. Above half of that a vibration passes for a
+// slow one, and for the form of the path.
+TEST(BankOfRecordings, has_no_frequency_above_half_the_rate_of_the_rows) {
+  const Series all = circles(made::both_ways(), 360);
+  const Effect* vibration = find_effect("vibration", Level::recording);
+  const auto highest_Hz = [&](std::size_t most) {
+    const Series trace = thinned(all, "deviation_um", most);
+    const Bank bank = bank_of(circles_of(trace), trace, fit(circles_of(trace), trace));
+    double highest = 0.0;
+    for (const Signature& signature : bank.signatures) {
+      if (bank.families[signature.family].effect == vibration) highest = std::max(highest, signature.point[4]);
+    }
+    return highest;
+  };
+  EXPECT_NEAR(highest_Hz(720), 9.5, 0.1);
+  EXPECT_NEAR(highest_Hz(240), 3.2, 0.1);
 }
 
 struct Faked {

@@ -46,15 +46,17 @@ const Effect kVibration{
      .separated_by = "Another feed: at twice the feed there are half as many waves. What is fixed in the machine's "
                      "position stays where it was.",
      .remedy = "Tune the servo loop; stop pumps and fans one after the other and look again; check the foundation.",
-     .validity = "One frequency, constant over the sweep, below half the rate of the readings. Two sweeps in one "
-                 "direction have different phases: use one vibration for each and name its `recording`.",
+     .validity =
+         "One frequency, constant over the sweep, from 1 Hz (what is slower is the form of the path) to half the "
+         "rate of the readings. Two sweeps in one "
+         "direction have different phases: use one vibration for each and name its `recording`.",
      .source = "Sinusoid in time; no paper's equation."},
     {sweep_input(), direction_input(), recording_input()},
     {{"sine_ccw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "sine part in CCW recordings"},
      {"cosine_ccw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "cosine part in CCW recordings"},
      {"sine_cw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "sine part in CW recordings"},
      {"cosine_cw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "cosine part in CW recordings"},
-     {"frequency_Hz", "Hz", ParameterKind::shape, 5.0, 0.1, 500.0, frequencies_Hz(), "of the vibration"},
+     {"frequency_Hz", "Hz", ParameterKind::shape, 5.0, 1.0, 500.0, frequencies_Hz(), "of the vibration"},
      {"recording", "1", ParameterKind::shape, -1.0, -1.0, 1e6, {}, "which recording it belongs to; -1: all", true}},
     evaluated_by<6>(Vibration{}),
 };
