@@ -80,14 +80,15 @@ std::string verdict_text(const Diagnosis& found) {
       text += ". " + chance;
       break;
     case Verdict::unexplained:
-      text +=
-          "Something is missing that is no effect of the catalogue, or none that these data allow to test. " + chance;
+      text += "Something is missing that is no effect of the catalogue, or none that these data allow to test.";
+      if (found.p_anything < 0.01) text += " " + chance;
       break;
     case Verdict::untestable:
       text += "These data could not have shown a missing effect.";
       break;
     case Verdict::nothing:
-      text += fmt::format("No effect was found. {} ", chance);
+      text += found.p_anything < 0.01 ? "No effect was found that is clear: a noise with a longer memory does as well. "
+                                      : fmt::format("No effect was found. {} ", chance);
       if (std::isfinite(found.smallest_um) && found.smallest.effect != nullptr) {
         text += fmt::format("The smallest that would have been: {:.2g} um of {}.", found.smallest_um,
                             label_of(found.smallest));
@@ -124,7 +125,7 @@ Table candidate_table(const Diagnosis& found) {
     }
     if (more > 0) same.push_back(fmt::format("{} more", more));
     table.add(
-        {fmt::format("{} {}{}", i + 1, shortened(label_of(candidate.bound), 44), candidate.in_best_set ? " *" : ""),
+        {fmt::format("{}{} {}", i + 1, candidate.in_best_set ? "*" : " ", shortened(label_of(candidate.bound), 44)),
          with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, decimals),
          fmt::format("{:.{}f}", candidate.rmse_after_um, decimals + 1),
          fmt::format("{:.{}f} -> {:.{}f}", candidate.held_out_before_um, decimals, candidate.held_out_after_um,

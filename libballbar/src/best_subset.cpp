@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <string>
 
 namespace ballbar {
 namespace {
@@ -70,9 +71,9 @@ class Search {
 
   // The strongest shapes of the strongest families of every effect, and some shapes evenly from the grid.
   std::vector<std::size_t> reduced() const {
-    std::map<const Effect*, std::vector<std::size_t>> of_effect;
+    std::map<std::string, std::vector<std::size_t>> of_effect;  // by name
     for (const std::size_t best : best_of_every_family()) {
-      of_effect[bank_.families[at(best).family].effect].push_back(best);
+      of_effect[bank_.families[at(best).family].effect->name].push_back(best);
     }
     std::vector<std::size_t> result;
     for (auto& [effect, bests] : of_effect) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ballbar/trial.hpp"
 #include "confirmation.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kChance = 0.01;
 constexpr double kHeldOutWorse = 1.05;  // of the RMSE, which a slow noise makes up by itself: not clearly more
+constexpr double kInOneCycle = 0.9;     // share of what it shows
 constexpr double kSameCurve = 2.0;      // chi^2 of the difference of two curves
 constexpr std::size_t kFakedShapes = 8;
 
@@ -51,13 +53,13 @@ Candidate candidate_of(const Hypotheses& now, const Refitted& with, std::size_t 
   const std::size_t term = now.model().terms.size() + place;
   const std::size_t first = first_parameter(with.model, term);
   const std::vector<Parameter>& parameters = candidate.bound.effect->parameters;
-  double relative = 0.0;
+  double relative = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const FittedParameter& fitted = with.fit.parameters[first + k];
     candidate.parameters.push_back(fitted);
     if (parameters[k].kind == ParameterKind::gain && fitted.value != 0.0) {
       const double one = std::abs(fitted.sigma / fitted.value);
-      relative = relative == 0.0 ? one : std::min(relative, one);
+      relative = std::isfinite(relative) ? std::min(relative, one) : one;
     }
   }
   const auto [low, high] =
@@ -81,8 +83,8 @@ Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& w
   const bool of_recordings = now.model().level == Level::recording;
   const Eigen::MatrixXd gains = gain_columns(with.fit, with.model, now.model().terms.size() + place);
   const std::vector<std::size_t> told = cycles_that_tell(data, with.fit.row, cycle, gains);
-  const HeldOut before = held_out(without.leftover, with.noise, told);
-  const HeldOut after = held_out(with.leftover, with.noise, told);
+  const HeldOut before = held_out(without.leftover, with.noise, told, of_recordings);
+  const HeldOut after = held_out(with.leftover, with.noise, told, of_recordings);
   candidate.held_out_before_um = before.rmse_um;
   candidate.held_out_after_um = after.rmse_um;
   candidate.p_same_gain = p_same_gain(with.leftover, gains, with.noise, told);
@@ -110,6 +112,9 @@ Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& w
   if (candidate.p_search >= kChance) fails("a search without any effect shows as much too often.");
   if (candidate.p_same_gain < kSameGain) {
     fails(of_recordings ? "its gain differs from recording to recording." : "its gain differs from cycle to cycle.");
+  }
+  if (!of_recordings && share_of_one_cycle(without.leftover, gains, with.noise, told) > kInOneCycle) {
+    fails("it shows in one cycle alone, so that no other can confirm it.");
   }
   if (!(after.chi2 < before.chi2) || after.rmse_um > kHeldOutWorse * before.rmse_um) {
     fails(of_recordings ? "recordings left out are not predicted better."

@@ -71,11 +71,6 @@ std::vector<std::size_t> parts_of_sweeps(const Column& recording, const std::vec
   return cycle;
 }
 
-// Of a trace the column that numbers its recordings; nullptr: a drift series.
-const Column* recording_numbers(const Series& data) {
-  return find_column(data, "angle_rad") == nullptr ? nullptr : find_column(data, "recording");
-}
-
 // Spectrum of a signal on an even grid, the line through its ends taken off.
 struct Spectrum {
   std::vector<std::complex<double>> bins;
@@ -133,6 +128,10 @@ std::vector<double> on_grid(const Effect& effect, const EffectRows& inputs, cons
 
 }  // namespace
 
+const Column* recording_numbers(const Series& data) {
+  return find_column(data, "angle_rad") == nullptr ? nullptr : find_column(data, "recording");
+}
+
 std::vector<std::size_t> cycles_of(const Series& data, const std::vector<std::size_t>& rows) {
   if (const Column* recording = recording_numbers(data)) {
     const bool several = recording->values[rows.front()] != recording->values[rows.back()];
@@ -179,7 +178,8 @@ std::vector<std::size_t> cycles_that_tell(const Series& data, const std::vector<
   return cycle;
 }
 
-HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector<std::size_t>& cycle) {
+HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector<std::size_t>& cycle,
+                 bool of_recordings) {
   const std::size_t cycles = *std::max_element(cycle.begin(), cycle.end()) + 1;
   HeldOut result;
   for (std::size_t out = 0; out < cycles; ++out) {
@@ -200,7 +200,7 @@ HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector
     std::vector<Eigen::Index> shared, of_its_own;
     for (Eigen::Index j = 0; j < leftover.model.cols(); ++j) {
       const bool elsewhere = leftover.model(kept, j).squaredNorm() > kNowhere * leftover.model.col(j).squaredNorm();
-      (elsewhere ? shared : of_its_own).push_back(j);
+      (elsewhere || !of_recordings ? shared : of_its_own).push_back(j);
     }
     Eigen::VectorXd error = leftover.residual_um(left);
     const Whitening whitening = whitening_of(rest, noise), own_whitening = whitening_of(own, noise);
@@ -266,6 +266,19 @@ double p_same_gain(const Leftover& leftover, const Eigen::MatrixXd& columns, con
   if (degrees == 0) return 1.0;
   const Eigen::MatrixXd directions = qr.householderQ() * Eigen::MatrixXd::Identity(left.rows(), degrees);
   return Eigen::numext::igammac(0.5 * static_cast<double>(degrees), 0.5 * (directions.transpose() * r).squaredNorm());
+}
+
+double share_of_one_cycle(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise,
+                          const std::vector<std::size_t>& cycle) {
+  const Whitening whitening = whitening_of(leftover, noise);
+  const Eigen::MatrixXd basis = orthonormal(whitened(whitening, leftover.model));
+  Eigen::MatrixXd added = whitened(whitening, columns);
+  added -= basis * (basis.transpose() * added);
+  std::vector<double> square(*std::max_element(cycle.begin(), cycle.end()) + 1, 0.0);
+  for (std::size_t i = 0; i < cycle.size(); ++i)
+    square[cycle[i]] += added.row(static_cast<Eigen::Index>(i)).squaredNorm();
+  const double all = added.squaredNorm();
+  return all > 0.0 ? *std::max_element(square.begin(), square.end()) / all : 0.0;
 }
 
 double gain_of_many(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise) {

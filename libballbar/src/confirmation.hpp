@@ -10,6 +10,9 @@
 
 namespace ballbar {
 
+// Of a trace the column that numbers its recordings; nullptr: a drift series.
+const Column* recording_numbers(const Series& data);
+
 // Cycle of every row: stretches between changes of speed, the short ones joined to their neighbour, at most 12; without
 // a speed that changes five parts of the time. Of a trace each recording is one; a single recording is left out by
 // quarters of its sweep.
@@ -28,7 +31,10 @@ struct HeldOut {
   double rmse_um = 0.0;  // of all rows
   double chi2 = 0.0;     // whitened by the noise within each cycle: what a slow noise adds to the RMSE counts little
 };
-HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector<std::size_t>& cycle);
+// of_recordings: what moves in the cycle left out alone is that recording's own and fitted to it; in a drift series it
+// is predicted by nothing.
+HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector<std::size_t>& cycle,
+                 bool of_recordings);
 
 // Of the residual freed of the model's columns.
 double chi2(const Leftover& leftover, const Noise& noise);
@@ -45,6 +51,10 @@ inline constexpr double kSameGain = 0.001;  // p_same_gain below which gains dif
 // columns: of the candidate alone, n by its gains; leftover.model the rest.
 double p_same_gain(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise,
                    const std::vector<std::size_t>& cycle);
+
+// Largest share of one cycle in the square of the columns, whitened and freed of the model.
+double share_of_one_cycle(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise,
+                          const std::vector<std::size_t>& cycle);
 
 // Fall of chi^2 by the columns beside the model where no whitened reading counts for more than 4 sigma.
 double gain_of_many(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise);

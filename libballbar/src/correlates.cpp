@@ -46,13 +46,13 @@ std::vector<std::size_t> by_fall(const Hypotheses& now) {
 }  // namespace
 
 std::vector<Candidate> correlates(const Hypotheses& now, const Noise& noise, const std::vector<std::size_t>& cycle) {
-  const double before = held_out(now.leftover(), noise, cycle).rmse_um;
+  const double before = held_out(now.leftover(), noise, cycle, false).rmse_um;
   const std::vector<std::size_t> tried = by_fall(now);
   std::vector<std::optional<Candidate>> found(tried.size());
   in_parallel(tried.size(), [&](std::size_t i) {
     try {
       const Refitted with = now.refitted({tried[i]}, noise);
-      const double after = held_out(with.leftover, with.noise, cycle).rmse_um;
+      const double after = held_out(with.leftover, with.noise, cycle, false).rmse_um;
       if (!(after < kLess * before)) return;
       found[i] = candidate_of(now, with, 0);
       found[i]->held_out_before_um = before;

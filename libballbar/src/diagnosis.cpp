@@ -26,6 +26,7 @@ constexpr double kChance = 0.01;
 constexpr double kSmoothEvidence = 18.0;  // of a smooth curve that is more than noise
 constexpr double kWhite = 0.001;
 constexpr std::size_t kShown = 8;
+constexpr std::size_t kShownInQuestion = 12;
 
 // The fitted set without one of its effects: one of those that were fitted, or anew.
 Refitted others_of(const Hypotheses& now, const std::vector<Refitted>& refits, const Refitted& whole,
@@ -158,7 +159,9 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   const SmoothRival remainder = smooth_rival(best.leftover, best.noise);
   const double left_evidence = 2.0 * (remainder.log_likelihood - best.log_likelihood);
   const bool beats_smooth = best.log_likelihood > smooth.log_likelihood;
-  const Whiteness white = whiteness(best.fit);
+  Fit left = best.fit;
+  left.noise = best.noise;
+  const Whiteness white = whiteness(left);
   const bool adequate = left_evidence < kSmoothEvidence && white.p >= kWhite;
   std::vector<const Refitted*> rivals;
   for (const Refitted& other : refits) {
@@ -174,27 +177,39 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
     }
   }
   const std::vector<std::vector<BoundEffect>> groups = groups_of(now, seen, best, rivals);
-  // Rivals as candidates too, then the strongest singles.
-  const double base_held_out_um = held_out(now.leftover(), noise, cycle).rmse_um;
-  for (const Refitted& other : refits) {
-    for (std::size_t m = 0; m < other.set.size() && result.candidates.size() < kShown; ++m) {
-      const BoundEffect bound = now.bound(other.set[m]);
-      const bool there = std::any_of(result.candidates.begin(), result.candidates.end(),
-                                     [&](const Candidate& candidate) { return candidate.bound == bound; });
-      if (there) continue;
-      Candidate candidate = candidate_of(now, other, m);
-      candidate.threshold = null.threshold(*bound.effect);
-      candidate.evidence = 2.0 * (other.log_likelihood - base_log_likelihood);
-      candidate.held_out_before_um = base_held_out_um;
-      if (other.set.size() > 1) {
-        const Refitted others = others_of(now, refits, other, m);
-        candidate.evidence = 2.0 * (other.log_likelihood - others.log_likelihood);
-        candidate.held_out_before_um = held_out(others.leftover, others.noise, cycle).rmse_um;
-      }
-      candidate.p_search = null.p_search(*bound.effect, candidate.evidence);
-      candidate.held_out_after_um = held_out(other.leftover, other.noise, cycle).rmse_um;
-      result.candidates.push_back(std::move(candidate));
+  // Whatever may be it is shown, then the strongest of the others.
+  const bool of_recordings = model.level == Level::recording;
+  const double base_held_out_um = held_out(now.leftover(), noise, cycle, of_recordings).rmse_um;
+  const auto show = [&](const Refitted& other, std::size_t m) {
+    const BoundEffect bound = now.bound(other.set[m]);
+    const bool there = std::any_of(result.candidates.begin(), result.candidates.end(),
+                                   [&](const Candidate& candidate) { return candidate.bound == bound; });
+    if (there) return;
+    Candidate candidate = candidate_of(now, other, m);
+    candidate.threshold = null.threshold(*bound.effect);
+    candidate.evidence = 2.0 * (other.log_likelihood - base_log_likelihood);
+    candidate.held_out_before_um = base_held_out_um;
+    if (other.set.size() > 1) {
+      const Refitted others = others_of(now, refits, other, m);
+      candidate.evidence = 2.0 * (other.log_likelihood - others.log_likelihood);
+      candidate.held_out_before_um = held_out(others.leftover, others.noise, cycle, of_recordings).rmse_um;
     }
+    candidate.p_search = null.p_search(*bound.effect, candidate.evidence);
+    candidate.held_out_after_um = held_out(other.leftover, other.noise, cycle, of_recordings).rmse_um;
+    result.candidates.push_back(std::move(candidate));
+  };
+  const auto is_in_question = [&](const BoundEffect& bound) {
+    return std::any_of(groups.begin(), groups.end(), [&](const std::vector<BoundEffect>& group) {
+      return std::find(group.begin(), group.end(), bound) != group.end();
+    });
+  };
+  for (const Refitted* rival : rivals) {
+    for (std::size_t m = 0; m < rival->set.size() && result.candidates.size() < kShownInQuestion; ++m) {
+      if (is_in_question(now.bound(rival->set[m]))) show(*rival, m);
+    }
+  }
+  for (const Refitted& other : refits) {
+    for (std::size_t m = 0; m < other.set.size() && result.candidates.size() < kShown; ++m) show(other, m);
   }
   for (const std::vector<BoundEffect>& group : groups) {
     for (Candidate& candidate : result.candidates) {

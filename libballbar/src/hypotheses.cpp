@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/error.hpp"
 #include "best_subset.hpp"
 #include "likely.hpp"
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kWorthRefitting = 12.0;  // 2 ln L
 constexpr std::size_t kSearchRounds = 3;
+constexpr double kLeastShare = 0.05;    // of a signature that survives beside the model
 constexpr std::size_t kMostSwaps = 20;  // of one of the set
 
 }  // namespace
@@ -43,8 +45,13 @@ Eigen::MatrixXd Hypotheses::columns(const Set& set) const {
 }
 
 Projected Hypotheses::projected_by(const Noise& noise) const {
-  return projected(bank_, leftover_.residual_um, leftover_.model,
-                   Whitening(noise, leftover_.time_s, leftover_.sigma_um));
+  Projected seen =
+      projected(bank_, leftover_.residual_um, leftover_.model, Whitening(noise, leftover_.time_s, leftover_.sigma_um));
+  // What the model makes nearly all of is not searched.
+  for (std::size_t i = 0; i < bank_.signatures.size(); ++i) {
+    if (seen.share[i] < kLeastShare) seen.columns.middleCols(at(i).first, at(i).width).setZero();
+  }
+  return seen;
 }
 
 const Explained& Hypotheses::evaluated(const Set& set, const Noise& start) {
@@ -193,7 +200,12 @@ std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& 
 std::vector<std::size_t> in_place_of(const Hypotheses& now, const Refitted& whole, std::size_t place,
                                      const SearchNull& null) {
   constexpr std::size_t kMost = 8;
-  const Refitted without = now.without(whole, place);
+  Refitted without;
+  try {
+    without = now.without(whole, place);
+  } catch (const Error&) {
+    return {};
+  }
   const Whitening whitening(whole.noise, without.leftover.time_s, without.leftover.sigma_um);
   const Projected seen = projected(now.bank(), without.leftover.residual_um, without.leftover.model, whitening);
   const Eigen::VectorXd score = scores(now.bank(), seen, seen.residual);

@@ -61,7 +61,7 @@ LedgerRow row_of(const Fit& fit, const Likely& seen) {
                     [](const FittedParameter& parameter) { return parameter.state != ParameterState::held; }));
   row.rmse_um = fit.rmse_um;
   if (!fit.floor.source.empty() && fit.floor.rms_um > 0.0) row.times_floor = fit.rmse_um / fit.floor.rms_um;
-  row.held_out_um = held_out(seen.leftover, seen.noise, seen.cycle).rmse_um;
+  row.held_out_um = held_out(seen.leftover, seen.noise, seen.cycle, seen.of_recordings).rmse_um;
   return row;
 }
 

@@ -11,7 +11,7 @@ constexpr int kMostRounds = 8;
 constexpr double kWorthAnotherRound = 0.01;  // ln L
 
 Likely likely_of(const Fit& fit, const Series& data) {
-  Likely result{leftover_of(fit), {}, 0.0, cycles_of(data, fit.row)};
+  Likely result{leftover_of(fit), {}, 0.0, cycles_of(data, fit.row), recording_numbers(data) != nullptr};
   const Explained rest = explained(result.leftover, Eigen::MatrixXd(result.leftover.residual_um.size(), 0), fit.noise);
   result.noise = rest.noise;
   result.log_likelihood = rest.log_likelihood;

@@ -17,6 +17,7 @@ struct Likely {
   Noise noise;
   double log_likelihood = 0.0;
   std::vector<std::size_t> cycle;  // of every row that was fitted
+  bool of_recordings = false;
 };
 
 // Model fitted to as many rows as are tested: by the fit's own noise, then in turn by the most likely one (fit() keeps

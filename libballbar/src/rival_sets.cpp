@@ -32,10 +32,11 @@ class Fitted {
  public:
   Fitted(const Hypotheses& now, const Ground& ground) : now_(now), ground_(ground) {}
 
-  // Those that are new.
-  void add(const std::vector<Set>& sets) {
+  // Those that are new, at most so many.
+  void add(const std::vector<Set>& sets, std::size_t most) {
     std::vector<Set> fresh;
     for (const Set& set : sets) {
+      if (fresh.size() == most) break;
       std::vector<std::string> key;
       for (const std::size_t index : set) key.push_back(label_of(now_.bound(index)));
       std::sort(key.begin(), key.end());
@@ -100,6 +101,7 @@ std::vector<Set> worth_a_look(Hypotheses& now, const Ground& ground) {
     if (sets.size() == kMost) break;
   }
   if (!ground.first.set.empty()) sets.push_back(ground.first.set);
+  if (sets.empty()) return sets;
   const auto by_likelihood = [&](const Set& a, const Set& b) {
     return penalised(now, ground, a) > penalised(now, ground, b);
   };
@@ -123,6 +125,7 @@ bool is_open_between(const Refitted& best, const Refitted& other) {
 
 std::vector<Refitted> rival_sets(Hypotheses& now, const Ground& ground) {
   const std::vector<Set> sets = worth_a_look(now, ground);
+  if (sets.empty()) return {};
   const double gained = 2.0 * (now.evaluated(sets.front(), ground.noise).log_likelihood - ground.log_likelihood);
   const double allowance = kWorthRefitting + kGridError * std::max(0.0, gained);
   const std::size_t most = kRefitted * (sets.front().size() + 1) / 2;
@@ -130,10 +133,10 @@ std::vector<Refitted> rival_sets(Hypotheses& now, const Ground& ground) {
   std::vector<Refitted>& refits = fitted.refits();
   std::vector<Set> tried;
   for (const Set& set : sets) {
-    if (tried.size() == most || penalised(now, ground, set) < penalised(now, ground, sets.front()) - allowance) break;
+    if (penalised(now, ground, set) < penalised(now, ground, sets.front()) - allowance) break;
     tried.push_back(set);
   }
-  fitted.add(tried);
+  fitted.add(tried, most);
   fitted.sort();
   if (refits.empty()) return {};
 
@@ -149,7 +152,7 @@ std::vector<Refitted> rival_sets(Hypotheses& now, const Ground& ground) {
         swapped.back()[out] = other;
       }
     }
-    fitted.add(swapped);
+    fitted.add(swapped, swapped.size());
     fitted.again_from(whole);
     fitted.sort();
     if (refits.front().set == whole.set) break;
@@ -163,7 +166,7 @@ std::vector<Refitted> rival_sets(Hypotheses& now, const Ground& ground) {
       fewer.push_back(whole);
       fewer.back().erase(fewer.back().begin() + static_cast<std::ptrdiff_t>(out));
     }
-    fitted.add(fewer);
+    fitted.add(fewer, fewer.size());
     fitted.sort();
   }
   for (std::size_t k = 1; k < refits.size(); ++k) {

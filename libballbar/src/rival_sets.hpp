@@ -19,8 +19,8 @@ struct Ground {
 
 // Every set worth a look by its likelihood on the grid, fitted with its shapes free; those that share effects with the
 // best one anew from where that has them, in the place of each of its effects the others, and it without each. What
-// draws the same curve as another with more shapes stands before it. Sorted by 2 ln L less the thresholds; empty where
-// none can be fitted.
+// draws the same curve as another with more shapes stands before it. The others sorted by 2 ln L less the thresholds;
+// empty where none can be fitted.
 std::vector<Refitted> rival_sets(Hypotheses& now, const Ground& ground);
 
 // Whether the data leave open which of the two it is: less than 6 of 2 ln L less thresholds apart, 12 for sets of

@@ -127,8 +127,9 @@ Tried tried_of(const Model& model, const Fit& all, const Tested& whole, std::siz
   const Eigen::MatrixXd gains = gain_columns(whole.fit, model, place);
   const std::vector<std::size_t> told = cycles_that_tell(whole.data, whole.fit.row, whole.likely.cycle, gains);
   tried.p_same_gain = p_same_gain(whole.likely.leftover, gains, whole.likely.noise, told);
-  tried.held_out_um = held_out(without.leftover, whole.likely.noise, told).rmse_um;
-  const double held_out_with_um = held_out(whole.likely.leftover, whole.likely.noise, told).rmse_um;
+  tried.held_out_um = held_out(without.leftover, whole.likely.noise, told, whole.likely.of_recordings).rmse_um;
+  const double held_out_with_um =
+      held_out(whole.likely.leftover, whole.likely.noise, told, whole.likely.of_recordings).rmse_um;
   tried.gain = chi2(without.leftover, whole.likely.noise) - chi2(whole.likely.leftover, whole.likely.noise);
   if (const std::optional<BestFake> fake = fake_of(model, place, whole, without)) {
     tried.best_fake_gain = fake->gain;

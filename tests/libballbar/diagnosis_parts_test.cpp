@@ -225,7 +225,7 @@ TEST(Confirmation, cycles_end_with_changes_of_speed) {
 // Mean of the other cycle predicts: errors 2 everywhere.
 TEST(Confirmation, held_out_is_predicted_from_the_rest) {
   const Leftover leftover = leftover_with({1, 1, 1, -1, -1, -1});
-  const HeldOut found = held_out(leftover, {0.5, 0.0, 0.0, 0.0}, {0, 0, 0, 1, 1, 1});
+  const HeldOut found = held_out(leftover, {0.5, 0.0, 0.0, 0.0}, {0, 0, 0, 1, 1, 1}, false);
   EXPECT_NEAR(found.rmse_um, 2.0, 1e-9);
   EXPECT_NEAR(found.chi2, 6.0 * 4.0 / 0.25, 1e-6);
 }

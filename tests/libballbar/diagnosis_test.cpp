@@ -161,6 +161,26 @@ TEST(Diagnosis, what_is_outside_the_catalogue_goes_with_its_input) {
   }
 }
 
+// Nothing moves, so there is nothing to explain: it once had no set of effects to begin with, and crashed.
+TEST(Diagnosis, a_constant_target) {
+  Series data = made(0.0, 6);
+  std::fill(data.columns[3].values.begin(), data.columns[3].values.end(), 5.0);
+  const Diagnosis found = diagnose(by_speed(), data);
+  EXPECT_TRUE(found.named.empty());
+  EXPECT_TRUE(found.equivalent.empty());
+}
+
+// The room moves once: what it does then is predicted by no other time.
+TEST(Diagnosis, an_input_that_moves_once_is_not_named) {
+  Series data = made(0.0, 7);
+  for (std::size_t i = 0; i < kRows; ++i) {
+    const double into_s = data.time_s[i] - 22000.0;
+    data.columns[1].values[i] = into_s > 0.0 && into_s < 4000.0 ? 22.0 + 2.0 * (1.0 - std::exp(-into_s / 900.0)) : 22.0;
+    if (into_s > 0.0 && into_s < 4000.0) data.columns[3].values[i] += 5.0 * (1.0 - std::exp(-into_s / 700.0));
+  }
+  EXPECT_TRUE(diagnose(by_speed(), data).named.empty());
+}
+
 TEST(Diagnosis, is_the_same_every_time) {
   const Series data = made(2.0, 3);
   const Diagnosis once = diagnose(by_speed(), data), again = diagnose(by_speed(), data);

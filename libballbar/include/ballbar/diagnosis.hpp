@@ -69,7 +69,7 @@ struct Diagnosis {
   Verdict verdict = Verdict::nothing;
   std::vector<BoundEffect> named;
   std::vector<std::vector<BoundEffect>> equivalent;  // each: effects of which one is it
-  std::vector<Candidate> candidates;                 // most evidence first, at most 8
+  std::vector<Candidate> candidates;                 // the best set first, then its rivals; at most 12
   // Unexplained: what it goes with, each alone beside the model; the lowest held-out RMSE first, at most 4.
   std::vector<Candidate> goes_with;
   double p_anything = 1.0;       // share of data sets without any effect with a best score as rare
