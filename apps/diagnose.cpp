@@ -125,7 +125,7 @@ Table candidate_table(const Diagnosis& found) {
     }
     if (more > 0) same.push_back(fmt::format("{} more", more));
     table.add(
-        {fmt::format("{}{} {}", i + 1, candidate.in_best_set ? "*" : " ", shortened(label_of(candidate.bound), 44)),
+        {fmt::format("{}{} {}", i + 1, candidate.in_best_set ? "*" : ".", shortened(label_of(candidate.bound), 44)),
          with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, decimals),
          fmt::format("{:.{}f}", candidate.rmse_after_um, decimals + 1),
          fmt::format("{:.{}f} -> {:.{}f}", candidate.held_out_before_um, decimals, candidate.held_out_after_um,

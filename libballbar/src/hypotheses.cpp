@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kWorthRefitting = 12.0;  // 2 ln L
 constexpr std::size_t kSearchRounds = 3;
-constexpr double kLeastShare = 0.05;    // of a signature that survives beside the model
 constexpr std::size_t kMostSwaps = 20;  // of one of the set
 
 }  // namespace
@@ -45,13 +44,8 @@ Eigen::MatrixXd Hypotheses::columns(const Set& set) const {
 }
 
 Projected Hypotheses::projected_by(const Noise& noise) const {
-  Projected seen =
-      projected(bank_, leftover_.residual_um, leftover_.model, Whitening(noise, leftover_.time_s, leftover_.sigma_um));
-  // What the model makes nearly all of is not searched.
-  for (std::size_t i = 0; i < bank_.signatures.size(); ++i) {
-    if (seen.share[i] < kLeastShare) seen.columns.middleCols(at(i).first, at(i).width).setZero();
-  }
-  return seen;
+  return projected(bank_, leftover_.residual_um, leftover_.model,
+                   Whitening(noise, leftover_.time_s, leftover_.sigma_um));
 }
 
 const Explained& Hypotheses::evaluated(const Set& set, const Noise& start) {
