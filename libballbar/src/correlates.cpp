@@ -16,6 +16,8 @@ constexpr double kLess = 0.7;  // of the held-out RMSE
 constexpr std::size_t kFitted = 8;
 constexpr std::size_t kOfAnEffect = 2;
 constexpr std::size_t kShown = 4;
+constexpr std::size_t kRounds = 4;
+constexpr double kWorthAnotherRound = 0.01;  // ln L
 
 // The shape of every family that lowers the sum of squares most, the largest fall first. Least squares: a residual of
 // which no noise is known is not whitened.
@@ -43,6 +45,17 @@ std::vector<std::size_t> by_fall(const Hypotheses& now) {
   return result;
 }
 
+// Fitted by the noise that is most likely beside it, as long as that makes it more likely.
+Refitted by_its_own_noise(const Hypotheses& now, std::size_t index, const Noise& noise) {
+  Refitted with = now.refitted({index}, noise);
+  for (std::size_t round = 0; round < kRounds; ++round) {
+    Refitted again = now.refitted_from(with, with.set);
+    if (!(again.log_likelihood > with.log_likelihood + kWorthAnotherRound)) break;
+    with = std::move(again);
+  }
+  return with;
+}
+
 }  // namespace
 
 std::vector<Candidate> correlates(const Hypotheses& now, const Noise& noise, const std::vector<std::size_t>& cycle) {
@@ -51,7 +64,7 @@ std::vector<Candidate> correlates(const Hypotheses& now, const Noise& noise, con
   std::vector<std::optional<Candidate>> found(tried.size());
   in_parallel(tried.size(), [&](std::size_t i) {
     try {
-      const Refitted with = now.refitted({tried[i]}, noise);
+      const Refitted with = by_its_own_noise(now, tried[i], noise);
       const double after = held_out(with.leftover, with.noise, cycle, false).rmse_um;
       if (!(after < kLess * before)) return;
       found[i] = candidate_of(now, with, 0);
