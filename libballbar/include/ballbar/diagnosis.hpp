@@ -11,8 +11,11 @@
 // Evidence: 2 ln of the likelihood ratio, the noise estimated anew under each hypothesis. Sets of effects are searched
 // together, not one after the other.
 //
+// On recordings a cycle is a recording, of one alone a quarter of its sweep; fakes are curves over the angle, and an
+// effect that is one wave a turn has none: it is not tested against fakes.
+//
 // Of more than 1500 values of the target every second, third ... is searched; figures of the effects are of that
-// search. O(n) in rows, linear in signatures; 5000 rows and 20 effects: about 1.5 s.
+// search. O(n) in rows, linear in signatures; 20 effects take about 2 s of processor time at 1500 rows, 6 s at 5000.
 #pragma once
 
 #include <cstddef>
