@@ -57,8 +57,8 @@ Case case_of(const Effect& effect) {
       value = parameter.grid.size() > 1 ? 0.6 * parameter.grid[middle - 1] + 0.4 * parameter.grid[middle]
                                         : parameter.start * 1.1;
     }
-    // A small offset of a clock shows in the product with its gain alone.
     if (parameter.name == "frequency_Hz") value = 3.3;  // below half the rate of its readings
+    // A small offset of a clock shows in the product with its gain alone.
     if (parameter.name == "offset_s") value = 0.8 * parameter.grid.back();
     if (parameter.name == "onset_s") value = 0.4 * (example.time_s.front() + example.time_s.back());
     made.truth.push_back(value);
