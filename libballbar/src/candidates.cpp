@@ -8,6 +8,9 @@
 
 #include "ballbar/trial.hpp"
 #include "confirmation.hpp"
+#include "cycles.hpp"
+#include "fakes.hpp"
+#include "held_out.hpp"
 #include "trace_fakes.hpp"
 #include "whitened.hpp"
 

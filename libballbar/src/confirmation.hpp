@@ -1,40 +1,12 @@
-// Whether what fits a residual is a cause: the same in every cycle, found again where it was not fitted, better than
-// fakes of the same smoothness.
+// Whether what fits a residual is a cause: whether it is the same in every cycle and not made by a few readings alone.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "bank.hpp"
+#include "ballbar/model.hpp"
 #include "evidence.hpp"
 
 namespace ballbar {
-
-// Of a trace the column that numbers its recordings; nullptr: a drift series.
-const Column* recording_numbers(const Series& data);
-
-// Cycle of every row: stretches between changes of speed, the short ones joined to their neighbour, at most 12; without
-// a speed that changes five parts of the time. Of a trace each recording is one; a single recording is left out by
-// quarters of its sweep.
-std::vector<std::size_t> cycles_of(const Series& data, const std::vector<std::size_t>& rows);
-
-// Cycles by which the gains of these columns can be tested: as `cycle`, but where a gain belongs to one recording (a
-// vibration has a phase of its own in each direction) that recording cannot be told from the others, and quarters of
-// all sweeps are left out.
-std::vector<std::size_t> cycles_that_tell(const Series& data, const std::vector<std::size_t>& rows,
-                                          const std::vector<std::size_t>& cycle, const Eigen::MatrixXd& columns);
-
-// Each cycle's rows predicted from the others'. The model is taken as linear about its fit, so that shapes move too;
-// the cycle left out counts as a gap in the noise's memory. What the model has for that cycle alone, such as the circle
-// of its recording, is fitted to it.
-struct HeldOut {
-  double rmse_um = 0.0;  // of all rows
-  double chi2 = 0.0;     // whitened by the noise within each cycle: what a slow noise adds to the RMSE counts little
-};
-// of_recordings: what moves in the cycle left out alone is that recording's own and fitted to it; in a drift series it
-// is predicted by nothing.
-HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector<std::size_t>& cycle,
-                 bool of_recordings);
 
 // Of the residual freed of the model's columns.
 double chi2(const Leftover& leftover, const Noise& noise);
@@ -58,13 +30,5 @@ double share_of_one_cycle(const Leftover& leftover, const Eigen::MatrixXd& colum
 
 // Fall of chi^2 by the columns beside the model where no whitened reading counts for more than 4 sigma.
 double gain_of_many(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise);
-
-// The best of `count` fakes: the family's signatures with their phases scrambled, the same spectrum and no cause.
-struct BestFake {
-  double gain = 0.0;  // largest fall of chi^2
-  double fall = 0.0;  // largest relative fall of the RMSE by least squares
-};
-BestFake best_fake(const Family& family, const Bank& bank, const Series& data, const std::vector<std::size_t>& rows,
-                   const Leftover& leftover, const Noise& noise, std::size_t count, std::uint64_t seed);
 
 }  // namespace ballbar

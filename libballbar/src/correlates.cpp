@@ -6,7 +6,7 @@
 
 #include "ballbar/error.hpp"
 #include "candidates.hpp"
-#include "confirmation.hpp"
+#include "held_out.hpp"
 #include "parallel.hpp"
 
 namespace ballbar {

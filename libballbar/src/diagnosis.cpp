@@ -12,6 +12,8 @@
 #include "candidates.hpp"
 #include "confirmation.hpp"
 #include "correlates.hpp"
+#include "cycles.hpp"
+#include "held_out.hpp"
 #include "prospects.hpp"
 #include "rival_sets.hpp"
 #include "search_null.hpp"

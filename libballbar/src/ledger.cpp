@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "confirmation.hpp"
+#include "held_out.hpp"
 #include "likely.hpp"
 #include "thinned.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "confirmation.hpp"
+#include "cycles.hpp"
 
 namespace ballbar {
 namespace {

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numeric>
-#include <unsupported/Eigen/FFT>
 
 #include "ballbar/units.hpp"
+#include "scrambled.hpp"
 #include "simulate_noise.hpp"
 #include "whitened.hpp"
 
@@ -103,35 +102,9 @@ double at_reading(const Sweep& sweep, const std::vector<double>& grid, double pl
   return grid[left] + (at - static_cast<double>(left)) * (grid[right] - grid[left]);
 }
 
-// One curve of one recording; the line through the ends of an arc taken off.
-struct Spectrum {
-  std::vector<std::complex<double>> bins;
-  double first = 0.0, rise = 0.0;
-};
-
-using Fft = Eigen::FFT<double>;
-
-Spectrum spectrum_of(const Sweep& sweep, std::vector<double> grid, Fft& fft) {
-  Spectrum spectrum;
-  if (!sweep.whole_turn) {
-    spectrum.first = grid.front();
-    spectrum.rise = grid.back() - grid.front();
-  }
-  for (std::size_t i = 0; i < kGrid; ++i) grid[i] -= spectrum.first + spectrum.rise * place_on_grid(sweep, i);
-  fft.fwd(spectrum.bins, grid);
-  return spectrum;
-}
-
-void add_scrambled(const Sweep& sweep, const Spectrum& spectrum, const std::vector<double>& phases, Fft& fft,
+void add_scrambled(const Sweep& sweep, const Spectrum& spectrum, const std::vector<double>& phases,
                    Eigen::VectorXd& column) {
-  std::vector<std::complex<double>> bins = spectrum.bins;
-  for (std::size_t k = 1; 2 * k < kGrid; ++k) {
-    bins[k] *= std::polar(1.0, phases[k]);
-    bins[kGrid - k] = std::conj(bins[k]);
-  }
-  std::vector<double> grid;
-  fft.inv(grid, bins);
-  for (std::size_t i = 0; i < kGrid; ++i) grid[i] += spectrum.first + spectrum.rise * place_on_grid(sweep, i);
+  const std::vector<double> grid = scrambled(spectrum, phases);
   for (std::size_t i = 0; i < sweep.row.size(); ++i) column[sweep.row[i]] = at_reading(sweep, grid, sweep.place[i]);
 }
 
@@ -175,13 +148,12 @@ void group(std::vector<Sweep>& sweeps, const Eigen::VectorXd& added_um) {
 }
 
 // Of each sweep and gain.
-std::vector<std::vector<Spectrum>> spectra_of(const std::vector<Sweep>& sweeps, const Eigen::MatrixXd& gains,
-                                              Fft& fft) {
+std::vector<std::vector<Spectrum>> spectra_of(const std::vector<Sweep>& sweeps, const Eigen::MatrixXd& gains) {
   std::vector<std::vector<Spectrum>> spectra;
   for (const Sweep& sweep : sweeps) {
     spectra.emplace_back();
     for (Eigen::Index g = 0; g < gains.cols(); ++g) {
-      spectra.back().push_back(spectrum_of(sweep, on_grid(sweep, gains.col(g)), fft));
+      spectra.back().push_back(spectrum_of(on_grid(sweep, gains.col(g)), sweep.whole_turn));
     }
   }
   return spectra;
@@ -213,11 +185,10 @@ std::optional<BestFake> best_trace_fake(const TracedEffect& traced, const Series
       std::all_of(sweeps.begin(), sweeps.end(), [](const Sweep& sweep) { return sweep.row.size() >= kFewestReadings; });
   if (!enough || traced.points.empty() || count == 0) return std::nullopt;
   group(sweeps, traced.added_um);
-  Fft fft;
   const BoundInputs inputs = inputs_of(*traced.effect, traced.columns, data);
   std::vector<std::vector<std::vector<Spectrum>>> spectra;  // of each point, sweep, gain
   for (const std::vector<double>& point : traced.points) {
-    spectra.push_back(spectra_of(sweeps, gains_at(*traced.effect, inputs.rows, point, rows), fft));
+    spectra.push_back(spectra_of(sweeps, gains_at(*traced.effect, inputs.rows, point, rows)));
   }
   const Whitening whitening(noise, leftover.time_s, leftover.sigma_um);
   const Eigen::MatrixXd basis = orthonormal(whitened(whitening, leftover.model));
@@ -232,17 +203,15 @@ std::optional<BestFake> best_trace_fake(const TracedEffect& traced, const Series
   std::size_t alike = 0;
   Eigen::MatrixXd fake;
   for (std::size_t number = 0; number < count; ++number) {
-    std::vector<std::vector<double>> phases(sweeps.size(), std::vector<double>(kGrid / 2));  // of each group
-    for (std::vector<double>& group : phases) {
-      for (double& phase : group) phase = 2.0 * kPi * simulation::uniform(random);
-    }
+    std::vector<std::vector<double>> phases;  // of each group
+    for (std::size_t s = 0; s < sweeps.size(); ++s) phases.push_back(random_phases(kGrid, random));
     bool is_itself = false;
     for (const std::vector<std::vector<Spectrum>>& point : spectra) {
       fake.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(point.front().size()));
       for (std::size_t s = 0; s < sweeps.size(); ++s) {
         for (std::size_t g = 0; g < point[s].size(); ++g) {
           Eigen::VectorXd column = fake.col(static_cast<Eigen::Index>(g));
-          add_scrambled(sweeps[s], point[s][g], phases[sweeps[s].group], fft, column);
+          add_scrambled(sweeps[s], point[s][g], phases[sweeps[s].group], column);
           fake.col(static_cast<Eigen::Index>(g)) = column;
         }
       }

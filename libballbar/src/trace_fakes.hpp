@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "confirmation.hpp"
+#include "fakes.hpp"
 
 namespace ballbar {
 

@@ -9,6 +9,9 @@
 
 #include "bank.hpp"
 #include "confirmation.hpp"
+#include "cycles.hpp"
+#include "fakes.hpp"
+#include "held_out.hpp"
 #include "likely.hpp"
 #include "thinned.hpp"
 #include "trace_fakes.hpp"

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <random>
 
-#include "confirmation.hpp"
+#include "cycles.hpp"
+#include "fakes.hpp"
+#include "held_out.hpp"
 #include "made_recordings.hpp"
 #include "thinned.hpp"
 #include "trace_fakes.hpp"

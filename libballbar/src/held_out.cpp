@@ -1,0 +1,59 @@
+#include "held_out.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "whitened.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kNowhere = 1e-12;  // share of a column's square that is none
+
+}  // namespace
+
+HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector<std::size_t>& cycle,
+                 bool of_recordings) {
+  const std::size_t cycles = *std::max_element(cycle.begin(), cycle.end()) + 1;
+  HeldOut result;
+  for (std::size_t out = 0; out < cycles; ++out) {
+    std::vector<Eigen::Index> kept, left;
+    Leftover rest, own;
+    for (std::size_t i = 0; i < cycle.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      if (cycle[i] == out) {
+        left.push_back(row);
+        own.time_s.push_back(leftover.time_s[i]);
+        if (!leftover.sigma_um.empty()) own.sigma_um.push_back(leftover.sigma_um[i]);
+        continue;
+      }
+      kept.push_back(row);
+      rest.time_s.push_back(leftover.time_s[i]);
+      if (!leftover.sigma_um.empty()) rest.sigma_um.push_back(leftover.sigma_um[i]);
+    }
+    std::vector<Eigen::Index> shared, of_its_own;
+    for (Eigen::Index j = 0; j < leftover.model.cols(); ++j) {
+      const bool elsewhere = leftover.model(kept, j).squaredNorm() > kNowhere * leftover.model.col(j).squaredNorm();
+      (elsewhere || !of_recordings ? shared : of_its_own).push_back(j);
+    }
+    Eigen::VectorXd error = leftover.residual_um(left);
+    const Whitening whitening(noise, rest.time_s, rest.sigma_um), own_whitening(noise, own.time_s, own.sigma_um);
+    const auto free_of = [&](const std::vector<Eigen::Index>& columns, const Eigen::MatrixXd& x,
+                             const Eigen::VectorXd& r) {
+      if (columns.empty() || x.rows() == 0) return;
+      Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+      solver.setThreshold(1e-6);
+      solver.compute(x);
+      error -= leftover.model(left, columns) * solver.solve(r);
+    };
+    free_of(shared, whitened(whitening, leftover.model(kept, shared)), whitened(whitening, leftover.residual_um(kept)));
+    free_of(of_its_own, whitened(own_whitening, leftover.model(left, of_its_own)), whitened(own_whitening, error));
+    result.rmse_um += error.squaredNorm();
+    result.chi2 += whitened(own_whitening, error).squaredNorm();
+  }
+  result.rmse_um = std::sqrt(result.rmse_um / static_cast<double>(cycle.size()));
+  return result;
+}
+
+}  // namespace ballbar
