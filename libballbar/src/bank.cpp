@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ballbar/measured_input.hpp"
 #include "bindings.hpp"
@@ -44,6 +45,12 @@ std::vector<Eigen::VectorXd> gains_of(const Effect& effect, const EffectRows& in
   return gains;
 }
 
+std::size_t gain_count(const Effect& effect) {
+  return static_cast<std::size_t>(
+      std::count_if(effect.parameters.begin(), effect.parameters.end(),
+                    [](const Parameter& parameter) { return parameter.kind == ParameterKind::gain; }));
+}
+
 // Play that never gives way holds the whole expansion back: it shows no loop and is expansion under another name.
 bool is_stuck(const Effect& effect, const EffectRows& inputs, const std::vector<std::size_t>& rows,
               const Eigen::VectorXd& gain) {
@@ -64,18 +71,33 @@ std::vector<double> onsets(const EffectRows& rows, std::size_t most) {
   return grid;
 }
 
+// The model was free in them.
+std::vector<Eigen::Index> used_parameters(const Fit& fit) {
+  std::vector<Eigen::Index> used;
+  for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
+    const auto index = static_cast<Eigen::Index>(k);
+    if (fit.parameters[k].state != ParameterState::held && fit.jacobian.col(index).norm() > 0.0) used.push_back(index);
+  }
+  return used;
+}
+
 }  // namespace
 
 BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& names, const Series& data) {
   BoundInputs bound;
   bound.rows.time_s = data.time_s;
+  std::size_t still = 0;
+  bool whole = true;
   for (const std::string& name : names) {
     const Column& column = *find_column(data, name);
     bound.values.push_back(effect.level == Level::series ? input_values(data, column) : column.values);
     const std::vector<double>& values = bound.values.back();
     bound.has_gaps = bound.has_gaps || !is_whole(values);
-    bound.usable = bound.usable && is_whole(values) && (effect.level == Level::recording || !is_constant(values));
+    whole = whole && is_whole(values);
+    if (effect.level == Level::series && is_constant(values)) still += column.role == Role::speed ? names.size() : 1;
   }
+  bound.usable = whole && still == 0;
+  bound.is_half = whole && still > 0 && still < names.size();
   for (const std::vector<double>& values : bound.values) bound.rows.inputs.emplace_back(values);
   return bound;
 }
@@ -122,12 +144,13 @@ Bank bank_of(const Model& model, const Series& data, const Fit& fit, BankOptions
       const bool again = effect->name == "step" || effect->name == "thermostat_cycle";
       if (has_term(model, *effect, names) && !again) continue;
       const BoundInputs bound = inputs_of(*effect, names, data);
-      if (!bound.usable) continue;
+      if (!bound.usable && !bound.is_half) continue;
       const EffectRows& inputs = bound.rows;
       Family family{effect, std::move(names), bank.signatures.size(), 0};
       for (std::vector<double>& point : shapes_of(*effect, inputs, options)) {
         std::vector<Eigen::VectorXd> gains = gains_of(*effect, inputs, point, fit.row);
         if (gains.empty() || is_stuck(*effect, inputs, fit.row, gains.front())) continue;
+        if (bound.is_half && gains.size() < gain_count(*effect)) continue;
         Signature signature{bank.families.size(), std::move(point), static_cast<Eigen::Index>(columns.size()),
                             static_cast<Eigen::Index>(gains.size()),
                             gains.front().maxCoeff() - gains.front().minCoeff()};
@@ -150,16 +173,23 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
 }
 
 Eigen::MatrixXd model_columns(const Fit& fit) {
-  std::vector<Eigen::Index> used;
-  for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
-    const auto index = static_cast<Eigen::Index>(k);
-    if (fit.parameters[k].state != ParameterState::held && fit.jacobian.col(index).norm() > 0.0) used.push_back(index);
-  }
+  const std::vector<Eigen::Index> used = used_parameters(fit);
   Eigen::MatrixXd columns(fit.jacobian.rows(), static_cast<Eigen::Index>(used.size()));
   for (std::size_t j = 0; j < used.size(); ++j) {
     columns.col(static_cast<Eigen::Index>(j)) = fit.jacobian.col(used[j]).normalized();
   }
   return columns;
+}
+
+std::vector<double> model_reach_um(const Fit& fit) {
+  std::vector<double> reach;
+  for (const Eigen::Index index : used_parameters(fit)) {
+    const FittedParameter& parameter = fit.parameters[static_cast<std::size_t>(index)];
+    const bool gain = parameter.kind == ParameterKind::gain;
+    reach.push_back(gain ? std::numeric_limits<double>::infinity()
+                         : std::abs(parameter.value) * fit.jacobian.col(index).norm());
+  }
+  return reach;
 }
 
 Projected projected(const Bank& bank, const Eigen::VectorXd& residual_um, const Eigen::MatrixXd& basis,

@@ -55,7 +55,8 @@ Bank bank_of(const Model& model, const Series& data, const Fit& fit, BankOptions
 struct BoundInputs {
   std::vector<std::vector<double>> values;
   EffectRows rows;
-  bool usable = true;  // whole, and on a series not constant
+  bool usable = true;    // whole, and on a series not constant
+  bool is_half = false;  // whole, but one of several temperatures stands still: a difference to it moves all the same
   bool has_gaps = false;
 };
 BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& names, const Series& data);
@@ -79,6 +80,9 @@ Eigen::VectorXd scores(const Bank& bank, const Projected& projected, const Eigen
 
 // Columns of the Jacobian that the fit was free in, scaled to unit length.
 Eigen::MatrixXd model_columns(const Fit& fit);
+
+// Of these columns: infinite for a gain; for a shape what it adds when it doubles.
+std::vector<double> model_reach_um(const Fit& fit);
 
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns);
 

@@ -133,9 +133,16 @@ Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& w
   return result;
 }
 
+bool becomes(const BoundEffect& rich, const BoundEffect& plain) {
+  return rich.effect->explanation.becomes == plain.effect->name &&
+         std::all_of(plain.columns.begin(), plain.columns.end(), [&](const std::string& name) {
+           return std::find(rich.columns.begin(), rich.columns.end(), name) != rich.columns.end();
+         });
+}
+
 bool draws_the_same(const Hypotheses& now, const Refitted& plain, std::size_t m, const Refitted& rich, std::size_t k) {
   const BoundEffect a = now.bound(plain.set[m]), b = now.bound(rich.set[k]);
-  if (b.effect->explanation.becomes != a.effect->name || b.columns != a.columns) return false;
+  if (!becomes(b, a)) return false;
   const Whitening whitening(plain.noise, plain.leftover.time_s, plain.leftover.sigma_um);
   const auto curve = [&](const Refitted& of, std::size_t place) -> Eigen::VectorXd {
     const std::vector<double>& um = of.fit.contribution_um[now.model().terms.size() + place];

@@ -26,6 +26,9 @@ struct Confirmed {
 Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& with, std::size_t place,
                     const SearchNull& null, const std::vector<std::size_t>& cycle, const DiagnosisOptions& options);
 
+// `rich` is at the edge of its shapes `plain`, on the same columns.
+bool becomes(const BoundEffect& rich, const BoundEffect& plain);
+
 // The effect at place k of `rich` is one that at the edge of its shapes becomes that at place m of `plain`, and as
 // fitted draws the same curve but for its factor.
 bool draws_the_same(const Hypotheses& now, const Refitted& plain, std::size_t m, const Refitted& rich, std::size_t k);

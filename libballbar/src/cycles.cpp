@@ -8,7 +8,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kMostCycles = 12;
-constexpr std::size_t kParts = 5;
+constexpr std::size_t kParts = 5;  // of a record: no cycle is longer
 constexpr std::size_t kPartsOfASweep = 4;
 constexpr double kNowhere = 1e-12;  // share of a column's square that is none
 
@@ -55,6 +55,44 @@ std::vector<std::size_t> parts_of_sweeps(const Column& recording, const std::vec
   return cycle;
 }
 
+// Between changes of speed: a stretch ends with a step once it holds its share of the rows.
+std::vector<std::size_t> stretches_of(const Series& data, const Column& speed, const std::vector<std::size_t>& rows) {
+  const std::vector<SpeedStep> steps = speed_steps(data.time_s, speed);
+  std::vector<std::size_t> step_of(data.time_s.size(), 0);
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    for (std::size_t row = steps[s].begin; row < steps[s].end; ++row) step_of[row] = s;
+  }
+  const std::size_t fewest = std::max<std::size_t>(2, rows.size() / kMostCycles);
+  std::vector<std::size_t> stretch;
+  std::size_t now = 0, held = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i > 0 && step_of[rows[i]] != step_of[rows[i - 1]] && held >= fewest && rows.size() - i >= fewest / 2) {
+      ++now;
+      held = 0;
+    }
+    stretch.push_back(now);
+    ++held;
+  }
+  return stretch;
+}
+
+// Stretches of more than their part of the rows cut into equal pieces: with the half of a record left out the other
+// half predicts nothing.
+std::vector<std::size_t> none_too_long(const std::vector<std::size_t>& stretch) {
+  const std::size_t most = (stretch.size() + kParts - 1) / kParts;
+  std::vector<std::size_t> cycle;
+  std::size_t now = 0;
+  for (std::size_t first = 0; first < stretch.size();) {
+    std::size_t last = first;
+    while (last < stretch.size() && stretch[last] == stretch[first]) ++last;
+    const std::size_t count = last - first, pieces = (count + most - 1) / most;
+    for (std::size_t i = 0; i < count; ++i) cycle.push_back(now + i * pieces / count);
+    now += pieces;
+    first = last;
+  }
+  return cycle;
+}
+
 }  // namespace
 
 const Column* recording_numbers(const Series& data) {
@@ -69,24 +107,7 @@ std::vector<std::size_t> cycles_of(const Series& data, const std::vector<std::si
   const auto speed = std::find_if(data.columns.begin(), data.columns.end(),
                                   [](const Column& column) { return column.role == Role::speed; });
   if (speed == data.columns.end()) return parts_of(data.time_s, rows, kParts);
-  const std::vector<SpeedStep> steps = speed_steps(data.time_s, *speed);
-  std::vector<std::size_t> step_of(data.time_s.size(), 0);
-  for (std::size_t s = 0; s < steps.size(); ++s) {
-    for (std::size_t row = steps[s].begin; row < steps[s].end; ++row) step_of[row] = s;
-  }
-  // A cycle ends with a step once it holds its share of the rows.
-  const std::size_t fewest = std::max<std::size_t>(2, rows.size() / kMostCycles);
-  std::vector<std::size_t> cycle;
-  std::size_t now = 0, held = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (i > 0 && step_of[rows[i]] != step_of[rows[i - 1]] && held >= fewest && rows.size() - i >= fewest / 2) {
-      ++now;
-      held = 0;
-    }
-    cycle.push_back(now);
-    ++held;
-  }
-  return now == 0 ? parts_of(data.time_s, rows, kParts) : cycle;
+  return none_too_long(stretches_of(data, *speed, rows));
 }
 
 std::vector<std::size_t> cycles_that_tell(const Series& data, const std::vector<std::size_t>& rows,

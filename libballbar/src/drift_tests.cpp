@@ -88,6 +88,21 @@ Learned learned_from(const Series& data) {
 
 bool is_held(const Column& column) { return column.role == Role::load || column.role == Role::event; }
 
+// Means at rest and turning; what the data have not is nothing.
+struct Load {
+  double at_rest = 0.0, turning = 0.0;
+};
+
+Load load_of(const std::vector<double>& values, const Series& data) {
+  const Column* speed = first_speed(data);
+  std::vector<double> at_rest, turning;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const bool turns = speed != nullptr && std::abs(speed->values[i]) > 0.0;
+    (turns ? turning : at_rest).push_back(values[i]);
+  }
+  return {mean_of(at_rest), mean_of(turning)};
+}
+
 PlannedTest planned(const Plan& plan, const Series& data, const std::string& target, const Learned& learned,
                     double reading_s) {
   PlannedTest result;
@@ -132,6 +147,13 @@ PlannedTest planned(const Plan& plan, const Series& data, const std::string& tar
       next.values = predicted(learned.forecasts[k], drives);
       result.forecast_columns.push_back(column.name);
       result.forecast.push_back(fmt::format("{} (R2 = {:.2f})", column.name, learned.forecasts[k].r2));
+    } else if (column.role == Role::load && !drives.speed.empty()) {
+      const Load load = load_of(learned.values[k], data);
+      for (std::size_t i = 0; i < drives.time_s.size(); ++i) {
+        const bool more = plan.load_step_h >= 0.0 && drives.time_s[i] > 3600.0 * plan.load_step_h;
+        next.values.push_back(std::abs(drives.speed[i]) > 0.0 ? (more ? kStepOfLoad : 1.0) * load.turning
+                                                              : load.at_rest);
+      }
     } else {
       next.values.assign(drives.time_s.size(), mean);
       const bool stepped = coolant && plan.coolant_step_h >= 0.0;
@@ -206,7 +228,9 @@ std::vector<PlannedTest> drift_tests(const Series& data, const std::string& targ
   const double reading_s = median(gaps_s);
   if (!(reading_s > 0.0)) return tests;
   const Learned learned = learned_from(data);
-  for (const Plan& plan : plans_of(speeds_of(data), !learned.room.empty(), !learned.coolant.empty())) {
+  const bool load = std::any_of(data.columns.begin(), data.columns.end(),
+                                [](const Column& column) { return column.role == Role::load; });
+  for (const Plan& plan : plans_of(speeds_of(data), {!learned.room.empty(), !learned.coolant.empty(), load})) {
     tests.push_back(planned(plan, data, target, learned, reading_s));
   }
   return tests;

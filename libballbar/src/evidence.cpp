@@ -55,7 +55,7 @@ Noise most_likely_noise(const Leftover& leftover, const Eigen::VectorXd& residua
 Leftover leftover_of(const Fit& fit) {
   return {fit.time_s, fit.sigma_um,
           Eigen::VectorXd::Map(fit.residual_um.data(), static_cast<Eigen::Index>(fit.residual_um.size())),
-          model_columns(fit)};
+          model_columns(fit), model_reach_um(fit)};
 }
 
 Explained explained(const Leftover& leftover, const Eigen::MatrixXd& added, const Noise& start, int rounds) {

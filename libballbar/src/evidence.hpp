@@ -15,6 +15,8 @@ struct Leftover {
   std::vector<double> time_s, sigma_um;  // sigma_um: stated, or empty
   Eigen::VectorXd residual_um;           // n
   Eigen::MatrixXd model;                 // n by p: columns that the model was free in
+  // p: how far a column's factor may go for the model to be linear: of a shape its own size. Empty: any
+  std::vector<double> reach_um = {};
 };
 Leftover leftover_of(const Fit& fit);
 

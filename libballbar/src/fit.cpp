@@ -70,11 +70,13 @@ std::vector<double> stated_sigma_um(const Series& data, const std::string& targe
 }
 
 std::vector<FittedParameter> parameters_of(const Model& model, const Eigen::VectorXd& values) {
-  std::vector<FittedParameter> parameters{{"constant", "constant_um", "um", values[0], kUnknown, {}}};
+  std::vector<FittedParameter> parameters{
+      {"constant", "constant_um", "um", values[0], kUnknown, {}, ParameterKind::gain}};
   Eigen::Index index = 1;
   for (const Term& term : model.terms) {
     for (const Parameter& parameter : term.effect->parameters) {
-      parameters.push_back({label_of(term), parameter.name, parameter.unit, values[index++], kUnknown, {}});
+      parameters.push_back(
+          {label_of(term), parameter.name, parameter.unit, values[index++], kUnknown, {}, parameter.kind});
     }
   }
   return parameters;

@@ -9,7 +9,22 @@
 namespace ballbar {
 namespace {
 
-constexpr double kNowhere = 1e-12;  // share of a column's square that is none
+constexpr double kNowhere = 1e-12;       // share of a column's square that is none
+constexpr double kLeastReach_um = 1e-3;  // of a shape that is 0
+
+// A row more for each column of limited reach: that its factor is nothing, give or take the reach. What the rows do not
+// tell of a shape stays as it is.
+Eigen::MatrixXd with_reach(const Eigen::MatrixXd& white, const std::vector<Eigen::Index>& columns,
+                           const std::vector<double>& reach_um) {
+  if (reach_um.empty()) return white;
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(white.rows() + white.cols(), white.cols());
+  all.topRows(white.rows()) = white;
+  for (Eigen::Index k = 0; k < white.cols(); ++k) {
+    const double reach = reach_um[static_cast<std::size_t>(columns[static_cast<std::size_t>(k)])];
+    all(white.rows() + k, k) = 1.0 / std::max(reach, kLeastReach_um);
+  }
+  return all;
+}
 
 }  // namespace
 
@@ -39,9 +54,12 @@ HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector
     }
     Eigen::VectorXd error = leftover.residual_um(left);
     const Whitening whitening(noise, rest.time_s, rest.sigma_um), own_whitening(noise, own.time_s, own.sigma_um);
-    const auto free_of = [&](const std::vector<Eigen::Index>& columns, const Eigen::MatrixXd& x,
-                             const Eigen::VectorXd& r) {
-      if (columns.empty() || x.rows() == 0) return;
+    const auto free_of = [&](const std::vector<Eigen::Index>& columns, const Eigen::MatrixXd& white,
+                             const Eigen::VectorXd& white_r) {
+      if (columns.empty() || white.rows() == 0) return;
+      const Eigen::MatrixXd x = with_reach(white, columns, leftover.reach_um);
+      Eigen::VectorXd r = Eigen::VectorXd::Zero(x.rows());
+      r.head(white_r.size()) = white_r;
       Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
       solver.setThreshold(1e-6);
       solver.compute(x);

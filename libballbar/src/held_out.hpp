@@ -7,9 +7,9 @@
 
 namespace ballbar {
 
-// Each cycle's rows predicted from the others'. The model is taken as linear about its fit, so that shapes move too;
-// the cycle left out counts as a gap in the noise's memory. What the model has for that cycle alone, such as the circle
-// of its recording, is fitted to it.
+// Each cycle's rows predicted from the others'. The model is taken as linear about its fit, so that shapes move too,
+// by not much more than their own size, as it is not linear further; the cycle left out counts as a gap in the noise's
+// memory. What the model has for that cycle alone, such as the circle of its recording, is fitted to it.
 struct HeldOut {
   double rmse_um = 0.0;  // of all rows
   double chi2 = 0.0;     // whitened by the noise within each cycle: what a slow noise adds to the RMSE counts little

@@ -39,13 +39,13 @@ Speeds speeds_of(const Series& data) {
   return speeds;
 }
 
-std::vector<Plan> plans_of(const Speeds& speeds, bool room, bool coolant) {
+std::vector<Plan> plans_of(const Speeds& speeds, const Logged& logged) {
   const double full = speeds.full_rpm;
   const std::string at_full = fmt::format("at {:.0f} rpm", full);
   std::vector<Plan> plans{{"at rest", "3 h at rest", {{3.0, 0.0}}}};
   const std::string warmer = fmt::format("the room made {:g} K warmer (door, air conditioning)", kStep_K);
-  if (room) plans.push_back({"room step at rest", "4 h at rest, after 1 h " + warmer, {{4.0, 0.0}}, 1.0});
-  if (coolant && full == 0.0) {
+  if (logged.room) plans.push_back({"room step at rest", "4 h at rest, after 1 h " + warmer, {{4.0, 0.0}}, 1.0});
+  if (logged.coolant && full == 0.0) {
     plans.push_back({"coolant step",
                      fmt::format("3 h at rest, after 1 h the coolant set {:g} K warmer", kStep_K),
                      {{3.0, 0.0}},
@@ -70,13 +70,21 @@ std::vector<Plan> plans_of(const Speeds& speeds, bool room, bool coolant) {
   for (int k = 0; k < 6; ++k) dwells.stretches.insert(dwells.stretches.end(), {{1.0 / 6.0, full}, {1.0 / 6.0, 0.0}});
   dwells.stretches.insert(dwells.stretches.end(), {{1.0, full}, {1.0, 0.0}});
   plans.push_back(std::move(dwells));
-  if (room) {
+  if (logged.room) {
     plans.push_back({"room step at speed", fmt::format("4 h {}, after 2 h {}", at_full, warmer), {{4.0, full}}, 2.0});
   }
-  if (coolant) {
+  if (logged.coolant) {
     plans.push_back({"coolant step",
                      fmt::format("4 h {}, after 2 h the coolant set {:g} K warmer", at_full, kStep_K),
                      {{4.0, full}},
+                     -1.0,
+                     2.0});
+  }
+  if (logged.load) {
+    plans.push_back({"load step",
+                     fmt::format("4 h {}, after 2 h {:g} times the load (cutting, brake)", at_full, kStepOfLoad),
+                     {{4.0, full}},
+                     -1.0,
                      -1.0,
                      2.0});
   }

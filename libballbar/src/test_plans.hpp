@@ -8,7 +8,8 @@
 
 namespace ballbar {
 
-constexpr double kStep_K = 3.0;  // of the room or the coolant
+constexpr double kStep_K = 3.0;      // of the room or the coolant
+constexpr double kStepOfLoad = 2.0;  // times what it was
 
 struct Stretch {
   double hours = 0.0;
@@ -20,6 +21,7 @@ struct Plan {
   std::vector<Stretch> stretches;
   double room_step_h = -1.0;  // when; < 0: never
   double coolant_step_h = -1.0;
+  double load_step_h = -1.0;
 };
 
 // The first column of speed that is not at rest all the time; nullptr: none.
@@ -32,7 +34,10 @@ struct Speeds {
 
 Speeds speeds_of(const Series& data);
 
-// room, coolant: whether the data have a column of it.
-std::vector<Plan> plans_of(const Speeds& speeds, bool room, bool coolant);
+// Whether the data have a column of it.
+struct Logged {
+  bool room = false, coolant = false, load = false;
+};
+std::vector<Plan> plans_of(const Speeds& speeds, const Logged& logged);
 
 }  // namespace ballbar

@@ -49,7 +49,7 @@ struct Explanation {
   std::string formula;                     // as evaluated, in the letters of the parameters
   std::string signature;                   // how it looks in a residual
   std::vector<std::string> confused_with;  // names of effects
-  std::string becomes = {};                // effect of the same inputs that it is at the edge of its shapes
+  std::string becomes = {};                // effect of its inputs, or of some, that it is at the edge of its shapes
   std::string separated_by;                // the test that tells them apart
   std::string remedy;                      // in the workshop
   std::string validity;

@@ -32,6 +32,7 @@ struct FittedParameter {
   double value = 0.0;
   double sigma = 0.0;  // NaN: held, on a bound, or too few values to tell it; infinite: undetermined
   ParameterState state = ParameterState::free;
+  ParameterKind kind = ParameterKind::gain;
 };
 
 struct FitOptions {

@@ -46,6 +46,7 @@ const Effect kCoolingAsymmetry{
                 "time_constant_at_rest while it stands",
      .signature = "An exponential after a start and a slower one after a stop.",
      .confused_with = {"speed_heating", "lagged_expansion", "viscosity_feedback"},
+     .becomes = "speed_heating",
      .separated_by = "One start and one stop, each followed until it settles: the two time constants are read apart.",
      .remedy = "Let coolant and air run on at rest; warm up before work; compensate with both time constants.",
      .validity = "Lumped body; the same end value for the same speed; two states, turning and at rest.",

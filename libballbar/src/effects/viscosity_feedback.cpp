@@ -34,6 +34,7 @@ const Effect kViscosityFeedback{
          "At constant speed the drift overshoots and comes back a little; a warm start drifts less than a cold "
          "one.",
      .confused_with = {"speed_heating", "cooling_asymmetry", "lagged_expansion"},
+     .becomes = "speed_heating",
      .separated_by = "The same speed once from cold and once from warm: without feedback both add the same.",
      .remedy = "Warm up before work; grease or oil with less change of viscosity; less grease.",
      .validity = "Friction proportional to speed and viscosity; viscosity exponential over about 20 K around T0.",

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "additions.hpp"
+#include "candidates.hpp"
 #include "whitened.hpp"
 
 namespace ballbar::study {
@@ -12,10 +13,8 @@ namespace {
 
 // A truth with a shape more: at its edge it is the truth, and no rival.
 bool becomes_true(const DataSet& set, const BoundEffect& rival) {
-  return std::any_of(set.hidden.begin(), set.hidden.end(), [&](const Hidden& hidden) {
-    return hidden.injection && rival.columns == hidden.injection->bound.columns &&
-           rival.effect->explanation.becomes == hidden.injection->bound.effect->name;
-  });
+  return std::any_of(set.hidden.begin(), set.hidden.end(),
+                     [&](const Hidden& hidden) { return hidden.injection && becomes(rival, hidden.injection->bound); });
 }
 
 }  // namespace
