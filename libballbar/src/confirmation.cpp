@@ -81,8 +81,12 @@ double gain_of_many(const Leftover& leftover, const Eigen::MatrixXd& columns, co
   const Eigen::MatrixXd basis = orthonormal(whitened(whitening, leftover.model));
   Eigen::MatrixXd added = whitened(whitening, columns);
   added -= basis * (basis.transpose() * added);
-  const Eigen::VectorXd r = whitened(whitening, leftover.residual_um);
-  return (orthonormal(added).transpose() * clipped(r - basis * (basis.transpose() * r))).squaredNorm();
+  added = orthonormal(added);
+  Eigen::VectorXd r = whitened(whitening, leftover.residual_um);
+  r -= basis * (basis.transpose() * r);
+  const Eigen::VectorXd gains = added.transpose() * r;
+  return has_heavy_tails(r - added * gains) ? (added.transpose() * clipped(std::move(r))).squaredNorm()
+                                            : gains.squaredNorm();
 }
 
 }  // namespace ballbar

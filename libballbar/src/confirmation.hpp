@@ -28,7 +28,8 @@ double p_same_gain(const Leftover& leftover, const Eigen::MatrixXd& columns, con
 double share_of_one_cycle(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise,
                           const std::vector<std::size_t>& cycle);
 
-// Fall of chi^2 by the columns beside the model where no whitened reading counts for more than 4 sigma.
+// Fall of chi^2 by the columns beside the model; where what they leave has heavy tails, no whitened reading counts for
+// more than 4 sigma.
 double gain_of_many(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise);
 
 }  // namespace ballbar

@@ -109,7 +109,10 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
                                       plausible_noises(now.leftover(), first_columns, noise, 64, options.seed),
                                       options.draws, options.seed);
   result.prospects = prospects_but(options, prospects_of(now.bank(), seen, model, rows, options.motion));
-  const Eigen::VectorXd score = scores(now.bank(), seen, clipped(seen.residual));
+  const Leftover& base = now.leftover();
+  const bool heavy = has_heavy_tails(
+      whitened(Whitening(noise, base.time_s, base.sigma_um), now.evaluated(first.set, first.noise).residual_um));
+  const Eigen::VectorXd score = scores(now.bank(), seen, heavy ? clipped(seen.residual) : seen.residual);
   result.smallest_um = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < now.bank().signatures.size(); ++i) {
     const Effect& effect = *now.family(i).effect;

@@ -1,16 +1,26 @@
 #include "shape_grid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace ballbar {
 namespace {
 
+// Places of a kink on the way up; half widths of a loop, of which half the range would be stuck.
+constexpr std::array kOfARise{0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45,
+                              0.5,  0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95};
+constexpr std::array kOfALoop{0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45};
+
 double range_of(std::span<const double> values) {
   if (values.empty()) return 0.0;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return *high - *low;
+}
+
+double range_above_first(std::span<const double> values) {
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end()) - values[0];
 }
 
 double range_of_input(const Effect& effect, const EffectRows& rows, std::string_view role) {
@@ -51,6 +61,14 @@ std::vector<double> shape_grid(const Effect& effect, std::size_t parameter, cons
   if (shape.name == "period_s") {
     grid = frequencies(1.0 / upper, 1.0 / lower, range_of(rows.time_s), most);
     for (double& value : grid) value = 1.0 / value;
+  } else if (shape.name == "threshold_unit") {
+    const double rise = range_above_first(rows.inputs[0]);
+    grid.clear();
+    for (const double share : kOfARise) grid.push_back(share * rise);
+  } else if (shape.name == "half_width_unit") {
+    const double range = range_of_input(effect, rows, "signal");
+    grid.clear();
+    for (const double share : kOfALoop) grid.push_back(share * range);
   } else if (shape.name == "pitch_mm") {
     const double finest = grid.empty() ? lower : std::max(lower, grid.front());
     grid = frequencies(1.0 / upper, 1.0 / finest, 2.0 * largest_input(effect, rows, "radius"), most);

@@ -1,7 +1,10 @@
 #include "whitened.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
+
+#include "ballbar/units.hpp"
 
 namespace ballbar {
 
@@ -27,6 +30,25 @@ Eigen::VectorXd clipped(Eigen::VectorXd white) {
   if (!(most > 0.0)) return white;  // half of them the same
   for (double& value : white) value = std::clamp(value, centre - most, centre + most);
   return white;
+}
+
+bool has_heavy_tails(const Eigen::VectorXd& white) {
+  constexpr double kDegrees = 4.0;
+  constexpr int kRounds = 20;
+  const auto n = static_cast<double>(white.size());
+  const Eigen::ArrayXd square = (white.array() - white.mean()).square();
+  const double variance = square.mean();
+  if (!(n > 1.0) || !(variance > 0.0)) return false;
+  double scale2 = 0.5 * variance;
+  for (int round = 0; round < kRounds; ++round) {
+    scale2 = ((kDegrees + 1.0) * square / (kDegrees + square / scale2)).mean();
+    if (!(scale2 > 0.0)) return true;  // most of them the same
+  }
+  const double normal = -0.5 * n * (std::log(2.0 * kPi * variance) + 1.0);
+  const double width =
+      std::lgamma(0.5 * (kDegrees + 1.0)) - std::lgamma(0.5 * kDegrees) - 0.5 * std::log(kDegrees * kPi * scale2);
+  const double student = n * width - 0.5 * (kDegrees + 1.0) * (1.0 + square / (kDegrees * scale2)).log().sum();
+  return student > normal;
 }
 
 }  // namespace ballbar

@@ -13,4 +13,7 @@ Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::MatrixXd& colu
 // what a few make alone does not.
 Eigen::VectorXd clipped(Eigen::VectorXd white);
 
+// Student's t with 4 degrees of freedom is more likely than the normal distribution, each of its own most likely width.
+bool has_heavy_tails(const Eigen::VectorXd& white);
+
 }  // namespace ballbar

@@ -52,7 +52,7 @@ const Effect kPlayHysteresis{
       1.0,
       0.0,
       1000.0,
-      {0.2, 0.5, 1.0, 2.0, 4.0, 8.0},
+      {},
       "half the width of the loop, in K or um of the signal"}},
     evaluated_by<2>(PlayHysteresis{}),
 };

@@ -48,7 +48,7 @@ const Effect kPreloadLoss{
       2.0,
       0.0,
       1000.0,
-      {0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 11.0, 16.0, 22.0, 32.0},
+      {},
       "rise of the signal since the first row, in K or um, at which the preload is gone"}},
     evaluated_by<2>(PreloadLoss{}),
 };
