@@ -14,6 +14,7 @@
 #include "correlates.hpp"
 #include "cycles.hpp"
 #include "held_out.hpp"
+#include "outliers.hpp"
 #include "prospects.hpp"
 #include "rival_sets.hpp"
 #include "search_null.hpp"
@@ -27,6 +28,7 @@ namespace {
 constexpr double kChance = 0.01;
 constexpr double kSmoothEvidence = 18.0;  // of a smooth curve that is more than noise
 constexpr double kWhite = 0.001;
+constexpr double kClustered = 0.001;  // chance of readings far from the others where they are
 constexpr std::size_t kShown = 8;
 constexpr std::size_t kShownInQuestion = 12;
 
@@ -130,10 +132,11 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   result.smooth_evidence = 2.0 * (smooth.log_likelihood - base_log_likelihood);
   // Thresholds hold for the noise that explains most by itself; where that is much, the likelihood with the noise
   // estimated anew has its own word.
-  const bool something = result.p_anything < kChance && !refits.empty() &&
-                         (refits.front().penalised > 2.0 * base_log_likelihood ||
-                          2.0 * (refits.front().log_likelihood - base_log_likelihood) >
-                              kFewestEvidence * static_cast<double>(refits.front().set.size()));
+  const auto is_much = [&](const Refitted& one) {
+    return one.penalised > 2.0 * base_log_likelihood ||
+           2.0 * (one.log_likelihood - base_log_likelihood) > kFewestEvidence * static_cast<double>(one.set.size());
+  };
+  const bool something = result.p_anything < kChance && std::any_of(refits.begin(), refits.end(), is_much);
   const std::vector<std::size_t> cycle = cycles_of(rows, result.base.row);
   const auto unexplained = [&] {
     result.verdict = Verdict::unexplained;
@@ -142,6 +145,14 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   if (!something && result.smooth_evidence > kSmoothEvidence) {
     unexplained();
     result.reasons.emplace_back("Something slow is left, and no effect of the catalogue has its shape.");
+  } else if (!something && heavy) {
+    const Outliers far = outliers(seen.residual, rows, result.base.row);
+    if (far.p < kClustered) {
+      unexplained();
+      result.reasons.push_back(
+          fmt::format("Of {} readings beyond 4 sigma {} lie within {:.0f} min after a change of speed.", far.count,
+                      far.after_changes, kAfterChange_s / 60.0));
+    }
   }
   if (refits.empty()) return result;
   const Refitted& best = refits.front();
