@@ -75,7 +75,7 @@ Candidate candidate_of(const Hypotheses& now, const Refitted& with, std::size_t 
 
 Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& with, std::size_t place,
                     const SearchNull& null, const std::vector<std::size_t>& cycle, const DiagnosisOptions& options) {
-  Confirmed result{candidate_of(now, with, place), 0.0, {}};
+  Confirmed result{candidate_of(now, with, place), 0.0, {}, false};
   Candidate& candidate = result.candidate;
   candidate.in_best_set = true;
   const Refitted without = now.without(with, place);
@@ -126,8 +126,9 @@ Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& w
   for (const FittedParameter& parameter : candidate.parameters) {
     const bool on_bound =
         parameter.state == ParameterState::on_lower_bound || parameter.state == ParameterState::on_upper_bound;
-    if (on_bound)
-      fails(fmt::format("its {} lies on its bound, {:g} {}.", parameter.name, parameter.value, parameter.unit));
+    if (!on_bound) continue;
+    result.at_the_edge = true;
+    fails(fmt::format("its {} lies on its bound, {:g} {}.", parameter.name, parameter.value, parameter.unit));
   }
   if (candidate.beats_fakes && !*candidate.beats_fakes) fails("a fake of the same smoothness does as well.");
   return result;

@@ -22,6 +22,7 @@ struct Confirmed {
   Candidate candidate;
   double best_fake_fall = 0.0;
   std::vector<std::string> why_not;
+  bool at_the_edge = false;  // a shape lies on its bound: something like it, but not it
 };
 Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& with, std::size_t place,
                     const SearchNull& null, const std::vector<std::size_t>& cycle, const DiagnosisOptions& options);

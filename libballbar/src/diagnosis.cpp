@@ -159,7 +159,7 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   result.rmse_after_um = rmse_after_um(now, best);
 
   // Every effect of the best set beside the rest of it.
-  std::vector<bool> sound;
+  std::vector<bool> sound, at_the_edge;
   for (std::size_t m = 0; m < best.set.size(); ++m) {
     Confirmed one = confirmed(now, rows, best, m, null, cycle, options);
     if (best.set.size() == 1) {  // whichever model without it is more likely
@@ -167,6 +167,7 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
     }
     one.candidate.minor = one.candidate.amplitude_um < std::max(0.05 * result.base.rmse_um, options.tolerance_um);
     sound.push_back(one.why_not.empty());
+    at_the_edge.push_back(one.at_the_edge);
     result.best_fake_fall = std::max(result.best_fake_fall, one.best_fake_fall);
     result.reasons.insert(result.reasons.end(), one.why_not.begin(), one.why_not.end());
     result.candidates.push_back(std::move(one.candidate));
@@ -250,7 +251,9 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   const bool varying =
       std::any_of(result.candidates.begin(), result.candidates.begin() + static_cast<std::ptrdiff_t>(best.set.size()),
                   [](const Candidate& candidate) { return candidate.p_same_gain < kSameGain; });
-  if (varying) {
+  bool like_it = false;  // nothing but something like it
+  for (std::size_t m = 0; m < groups.size(); ++m) like_it = like_it || (groups[m].size() == 1 && at_the_edge[m]);
+  if (varying || like_it) {
     unexplained();
     return result;
   }
