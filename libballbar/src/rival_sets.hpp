@@ -3,19 +3,10 @@
 
 #include <vector>
 
+#include "ground.hpp"
 #include "hypotheses.hpp"
-#include "search_null.hpp"
 
 namespace ballbar {
-
-// What the sets are held against.
-struct Ground {
-  Guess first;
-  Noise noise;
-  const Projected& seen;
-  const SearchNull& null;
-  double log_likelihood = 0.0;  // of the model alone
-};
 
 // Every set worth a look by its likelihood on the grid, fitted with its shapes free; those that share effects with the
 // best one anew from where that has them, in the place of each of its effects the others, and it without each. What
