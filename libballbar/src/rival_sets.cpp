@@ -141,7 +141,7 @@ std::vector<Refitted> rival_sets(Hypotheses& now, const Ground& ground) {
   if (refits.empty()) return {};
 
   // A grid point far from the truth ends in a hollow of its own.
-  for (std::size_t round = 0; round < kRounds && refits.front().set.size() > 1; ++round) {
+  for (std::size_t round = 0; round < kRounds; ++round) {
     const Refitted whole = refits.front();
     std::vector<std::vector<std::size_t>> others(whole.set.size());
     in_parallel(others.size(), [&](std::size_t out) { others[out] = in_place_of(now, whole, out, ground.null); });

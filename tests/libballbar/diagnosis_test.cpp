@@ -124,6 +124,23 @@ TEST(Diagnosis, a_duplicate_is_never_named) {
 }
 
 // A lag of no time and play that never gives way are expansion too: the one with fewer shapes is named.
+// A bearing that grows, or the difference between it and a room that stands still: no one can tell.
+TEST(Diagnosis, a_temperature_that_stands_still_may_be_half_of_a_difference) {
+  Series data = made(0.0, 3);
+  Column& room = data.columns[1];
+  std::fill(room.values.begin(), room.values.end(), 22.0);
+  for (std::size_t i = 0; i < kRows; ++i) data.columns[3].values[i] += 2.0 * (data.columns[2].values[i] - 23.0);
+  const Diagnosis found = diagnose(by_speed(), data);
+  EXPECT_EQ(found.verdict, Verdict::equivalent);
+  EXPECT_TRUE(found.named.empty());
+  bool bends = false;
+  for (const std::vector<BoundEffect>& group : found.equivalent) {
+    for (const BoundEffect& one : group)
+      bends = bends || label_of(one) == "gradient_bending(T_bearing_degC, T_room_degC)";
+  }
+  EXPECT_TRUE(bends);
+}
+
 TEST(Diagnosis, what_becomes_the_same_curve_is_no_rival) {
   std::set<std::string> also;
   int named = 0;

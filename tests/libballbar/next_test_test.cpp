@@ -379,6 +379,22 @@ TEST(next_test, a_coolant_step_where_there_is_a_coolant) {
   EXPECT_GT(tests.front().separation, 20.0);
 }
 
+// The load goes with the only speed: either may heat. Twice the load at the same speed tells them apart.
+TEST(next_test, a_load_step_where_there_is_a_load) {
+  Series data = machine(4 * 60, start_once, wandering_room);
+  Column load{"load_W", Role::load, {}};
+  for (const double rpm : find_column(data, "speed_rpm")->values) load.values.push_back(0.3 * rpm);
+  data.columns.push_back(load);
+  const Term heating = term_of("load_heating", {"load_W"});
+  add_target(data, values_of(heating, {8.0, 1800.0}, data), 0.3, 19);
+  const std::vector<Term> rivals{heating, term_of("speed_heating", {"speed_rpm"})};
+  const std::vector<NextTest> tests = next_tests(empty_model(), data, undecided(empty_model(), data, rivals));
+  ASSERT_FALSE(tests.empty());
+  EXPECT_EQ(tests.front().name, "load step");
+  EXPECT_GT(tests.front().separation, 10.0);
+  EXPECT_LT(named(tests, "stop and go").separation, 0.2 * tests.front().separation);
+}
+
 // One effect of a room, weak in the data: a step of the room would show it again.
 TEST(next_test, a_single_candidate_is_to_come_again) {
   Series data = machine(6 * 60, start_and_stop, wandering_room);
