@@ -95,8 +95,8 @@ Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& w
     const std::optional<BestFake> fake =
         of_recordings ? best_trace_fake(traced(now, with, place), data, with.fit.row, without.leftover, with.noise,
                                         options.fakes, options.seed)
-                      : best_fake(now.family(with.set[place]), now.bank(), data, with.fit.row, without.leftover,
-                                  with.noise, options.fakes, options.seed);
+                      : best_fake(now.family(with.set[place]), now.bank(), data, without.leftover, with.noise,
+                                  options.fakes, options.seed);
     if (fake) {
       candidate.best_fake_gain = fake->gain;
       candidate.beats_fakes = chi2(without.leftover, with.noise) - chi2(with.leftover, with.noise) > fake->gain;
