@@ -50,6 +50,8 @@ class Hypotheses {
   // On the grid, remembered. The noise from which an evaluation starts matters for few rows alone: then all that was
   // evaluated before has to be forgotten.
   const Explained& evaluated(const Set& set, const Noise& start);
+  // Many at a time, to be looked up.
+  void evaluate(const std::vector<Set>& sets, const Noise& start);
   void forget() { evaluated_.clear(); }
 
   // Terms of the set added to the model, shapes free from their grid point, held ones held there; fitted. Throws Error

@@ -102,11 +102,13 @@ std::vector<Set> worth_a_look(Hypotheses& now, const Ground& ground) {
   }
   if (!ground.first.set.empty()) sets.push_back(ground.first.set);
   if (sets.empty()) return sets;
+  now.evaluate(sets, ground.noise);
   const auto by_likelihood = [&](const Set& a, const Set& b) {
     return penalised(now, ground, a) > penalised(now, ground, b);
   };
   std::stable_sort(sets.begin(), sets.end(), by_likelihood);
   for (Set& swapped : swaps(now, ground.seen, sets.front())) sets.push_back(std::move(swapped));
+  now.evaluate(sets, ground.noise);
   std::stable_sort(sets.begin(), sets.end(), by_likelihood);
   return sets;
 }
