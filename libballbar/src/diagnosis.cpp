@@ -94,6 +94,7 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
     return result;
   }
 
+  now.tell(fmt::format("searching {} shapes of {} effects", now.bank().signatures.size(), searched.size()));
   const Noise base_noise = now.evaluated({}, result.base.noise).noise;
   double base_log_likelihood = now.evaluated({}, result.base.noise).log_likelihood;
   const Guess first = first_guess(now, base_noise, base_log_likelihood);
@@ -105,6 +106,7 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
     base_log_likelihood = now.evaluated({}, noise).log_likelihood;
   }
   const Projected seen = now.projected_by(noise);
+  now.tell(fmt::format("searching {} data sets without any effect", options.draws));
   const SearchNull null = search_null(now.bank(), seen, now.leftover(), noise,
                                       plausible_noises(now.leftover(), first_columns, noise, 64, options.seed),
                                       options.draws, options.seed);
@@ -123,6 +125,7 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
 
   const Ground ground{first, noise, seen, null, base_log_likelihood};
   const std::vector<Refitted> refits = rival_sets(now, ground);
+  now.tell("fitting smooth curves");
   const SmoothRival smooth = smooth_rival(now.leftover(), now.has_few_rows() ? noise : base_noise);
   result.smooth_evidence = 2.0 * (smooth.log_likelihood - base_log_likelihood);
   // Thresholds hold for the noise that explains most by itself; where that is much, the likelihood with the noise

@@ -19,7 +19,7 @@ constexpr std::size_t kMostSwaps = 20;  // of one of the set
 
 Hypotheses::Hypotheses(const Model& model, const Series& data, std::size_t target, const Fit& base,
                        const DiagnosisOptions& options)
-    : model_(model), data_(data), target_(target), leftover_(leftover_of(base)) {
+    : model_(model), data_(data), target_(target), progress_(options.progress), leftover_(leftover_of(base)) {
   BankOptions searched;
   searched.motion = options.motion;
   searched.without = options.without;

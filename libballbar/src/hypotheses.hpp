@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <functional>
 #include <map>
+#include <string_view>
 #include <vector>
 
 #include "ballbar/diagnosis.hpp"
@@ -41,6 +43,11 @@ class Hypotheses {
   const Model& model() const { return model_; }
   bool has_few_rows() const { return leftover_.residual_um.size() < kFewestForNoise; }
 
+  // Says what comes next.
+  void tell(std::string_view step) const {
+    if (progress_) progress_(step);
+  }
+
   // Most effects that may be added together: one for four values that are left, at most three.
   std::size_t largest_set() const;
 
@@ -75,6 +82,7 @@ class Hypotheses {
   const Model& model_;
   const Series& data_;
   std::size_t target_;
+  std::function<void(std::string_view)> progress_;
   Leftover leftover_;
   Bank bank_;
   std::map<Set, Explained> evaluated_;

@@ -1,5 +1,7 @@
 #include "rival_sets.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -44,6 +46,7 @@ class Fitted {
       done_.push_back(std::move(key));
       fresh.push_back(set);
     }
+    if (!fresh.empty()) now_.tell(fmt::format("fitting {} sets of effects", fresh.size()));
     std::vector<std::optional<Refitted>> fitted(fresh.size());
     in_parallel(fresh.size(), [&](std::size_t i) {
       try {

@@ -20,6 +20,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -94,6 +95,8 @@ struct DiagnosisOptions {
   std::uint64_t seed = 1;
   std::size_t most_rows = 1500;      // values of the target searched
   std::vector<std::string> without;  // names of effects that are not searched
+  // Told of every step before it begins, by the thread that asked: "testing 200 fakes of expansion(T_room_degC)".
+  std::function<void(std::string_view step)> progress;
 };
 
 // Throws Error as fit does.
