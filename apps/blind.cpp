@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -19,6 +18,7 @@
 #include "blind_files.hpp"
 #include "commands.hpp"
 #include "model_options.hpp"
+#include "progress.hpp"
 #include "text.hpp"
 
 namespace ballbar::commands {
@@ -43,11 +43,8 @@ struct ScoreOptions {
   bool json = false;
 };
 
-// On a line of its own, which the next one replaces.
-void show_progress(std::string_view what, std::size_t done, std::size_t of) {
-  if (isatty(STDERR_FILENO) == 0) return;
-  fmt::print(stderr, "\r{} {} of {}{}", what, done, of, done == of ? "\r\033[K" : "");
-  std::fflush(stderr);
+void show_progress_of(std::string_view what, std::size_t done, std::size_t of) {
+  show_progress(done == of ? "" : fmt::format("{} {} of {}", what, done, of));
 }
 
 fs::path answers_file(const std::string& folder, const std::string& answers) {
@@ -65,7 +62,7 @@ void make(const MakeOptions& options) {
   const auto count = static_cast<std::size_t>(options.count);
   const fs::path answers = answers_file(options.out, options.answers);
   const std::string digest = write_blind(options.out, answers, count, seed,
-                                         [&](std::size_t done) { show_progress("making set", done, count); });
+                                         [&](std::size_t done) { show_progress_of("making set", done, count); });
   if (options.json) {
     const nlohmann::ordered_json json = {
         {"folder", options.out}, {"sets", count}, {"answers", answers.string()}, {"sha256", digest}};
@@ -189,7 +186,7 @@ void score(const ScoreOptions& options) {
   } else {
     for (const SealedSet& set : sets) {
       verdicts.push_back(diagnosed(fs::path(options.folder) / set.name));
-      show_progress("diagnosed set", verdicts.size(), sets.size());
+      show_progress_of("diagnosed set", verdicts.size(), sets.size());
     }
   }
   std::vector<BlindAnswer> answers;

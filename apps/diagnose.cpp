@@ -14,6 +14,7 @@
 #include "checked.hpp"
 #include "commands.hpp"
 #include "model_options.hpp"
+#include "progress.hpp"
 #include "text.hpp"
 #include "untestable.hpp"
 
@@ -305,7 +306,12 @@ void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
   nlohmann::ordered_json targets = nlohmann::ordered_json::array();
+  const ProgressLine line;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
+    const auto tell = [&](std::string_view step) {
+      if (!options.json) show_progress(fmt::format("{}: {}", model.targets[target], step));
+    };
+    tell("fitting");
     Diagnosed diagnosed;
     diagnosed.checked = checked(options.model, model, data, target);
     DiagnosisOptions how;
@@ -313,12 +319,15 @@ void run(const Options& options) {
     how.tolerance_um = options.tolerance_um;
     how.seed = options.seed;
     how.most_rows = options.most_rows;
+    how.progress = tell;
     diagnosed.diagnosis = diagnose(model, data.series, target, how);
+    tell("predicting what the next tests would tell");
     diagnosed.next_tests = next_tests(model, data.series, diagnosed.diagnosis);
     if (options.json) {
       targets.push_back(json_of(diagnosed));
       continue;
     }
+    show_progress({});
     if (target > 0) fmt::print("\n");
     print_text(diagnosed, data.title);
   }

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <charconv>
@@ -21,6 +20,7 @@
 #include "effect_option.hpp"
 #include "model_options.hpp"
 #include "out_files.hpp"
+#include "progress.hpp"
 #include "text.hpp"
 
 namespace ballbar::commands {
@@ -202,11 +202,7 @@ Injection injection(const Options& options, const Model& model, const ModelData&
   return result;
 }
 
-void show_progress(std::size_t done) {
-  if (isatty(STDERR_FILENO) == 0) return;
-  fmt::print(stderr, "\rdiagnosis {}{}", done, done == 0 ? "\r\033[K" : "");
-  std::fflush(stderr);
-}
+void show_progress_of(std::size_t diagnosis) { show_progress(fmt::format("diagnosis {}", diagnosis)); }
 
 void run(const Options& options) {
   const ModelData data = open_data(options.model);
@@ -230,9 +226,10 @@ void run(const Options& options) {
   how.motion = data.motion;
   how.seed = options.seed;
   result.base = fit_of(options.model, model, data, 0);
-  show_progress(1);
+  const ProgressLine line;
+  show_progress_of(1);
   result.without = diagnose(model, data.series, 0, how);
-  show_progress(2);
+  show_progress_of(2);
   result.with = diagnose(model, changed, 0, how);
   const std::vector<double> signal = signal_of(result.injection, data.series);
   const double d_per_um = survival_of(signal, result.base, result.base.noise).d / range_of(signal);
@@ -242,9 +239,9 @@ void run(const Options& options) {
     const bool seen = is_seen(sight_of(result.with, result.injection.bound));
     (seen ? result.smallest.seen_um : result.smallest.not_seen_um) = options.amplitude_um;
     result.smallest =
-        smallest_seen(model, data.series, result.injection, d_per_um, result.smallest, how, show_progress);
+        smallest_seen(model, data.series, result.injection, d_per_um, result.smallest, how, show_progress_of);
   }
-  show_progress(0);
+  show_progress({});
   if (!options.out.empty()) {
     const std::string label = fmt::format("# # INJECTED by ballbar inject, not measured: {:g} um of {} in {}.\n",
                                           options.amplitude_um, label_of(result.injection.bound), target);

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "ballbar/measured_input.hpp"
 #include "bindings.hpp"
+#include "parallel.hpp"
 #include "shape_grid.hpp"
 #include "whitened.hpp"
 
@@ -128,14 +130,18 @@ std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRow
   return points;
 }
 
-Bank bank_of(const Model& model, const Series& data, const Fit& fit, BankOptions options) {
-  for (std::size_t i = 1; i < fit.time_s.size(); ++i) {
-    // The shortest step: one above half that rate would pass for a slow one.
-    options.highest_Hz = i == 1 ? 0.5 / (fit.time_s[1] - fit.time_s[0])
-                                : std::max(options.highest_Hz, 0.5 / (fit.time_s[i] - fit.time_s[i - 1]));
-  }
-  Bank bank;
-  std::vector<Eigen::VectorXd> columns;
+namespace {
+
+// An effect on columns, with the columns of each of its shapes.
+struct Shaped {
+  Family family;
+  BoundInputs bound;
+  std::vector<std::vector<double>> points;
+  std::vector<std::vector<Eigen::VectorXd>> gains;  // of each point
+};
+
+std::vector<Shaped> shaped_of(const Model& model, const Series& data, const BankOptions& options) {
+  std::vector<Shaped> result;
   for (const Effect* effect : effects()) {
     if (effect->level != model.level || effect->name == "circle") continue;
     if (options.motion && !applies_to(*effect, *options.motion)) continue;
@@ -143,23 +149,56 @@ Bank bank_of(const Model& model, const Series& data, const Fit& fit, BankOptions
     for (std::vector<std::string>& names : bindings_of(*effect, model, data)) {
       const bool again = effect->name == "step" || effect->name == "thermostat_cycle";
       if (has_term(model, *effect, names) && !again) continue;
-      const BoundInputs bound = inputs_of(*effect, names, data);
+      BoundInputs bound = inputs_of(*effect, names, data);
       if (!bound.usable && !bound.is_half) continue;
-      const EffectRows& inputs = bound.rows;
-      Family family{effect, std::move(names), bank.signatures.size(), 0};
-      for (std::vector<double>& point : shapes_of(*effect, inputs, options)) {
-        std::vector<Eigen::VectorXd> gains = gains_of(*effect, inputs, point, fit.row);
-        if (gains.empty() || is_stuck(*effect, inputs, fit.row, gains.front())) continue;
-        if (bound.is_half && gains.size() < gain_count(*effect)) continue;
-        Signature signature{bank.families.size(), std::move(point), static_cast<Eigen::Index>(columns.size()),
-                            static_cast<Eigen::Index>(gains.size()),
-                            gains.front().maxCoeff() - gains.front().minCoeff()};
-        for (Eigen::VectorXd& gain : gains) columns.push_back(std::move(gain));
-        bank.signatures.push_back(std::move(signature));
-        ++family.count;
-      }
-      if (family.count > 0) bank.families.push_back(std::move(family));
+      Shaped one{{effect, std::move(names), 0, 0}, std::move(bound), {}, {}};
+      one.points = shapes_of(*effect, one.bound.rows, options);
+      one.gains.resize(one.points.size());
+      result.push_back(std::move(one));
     }
+  }
+  return result;
+}
+
+void evaluate(std::vector<Shaped>& all, const std::vector<std::size_t>& rows) {
+  std::vector<std::pair<Shaped*, std::size_t>> parts;
+  for (Shaped& one : all) {
+    for (std::size_t i = 0; i < one.points.size(); ++i) parts.emplace_back(&one, i);
+  }
+  in_parallel(parts.size(), [&](std::size_t k) {
+    auto& [one, i] = parts[k];
+    const Effect& effect = *one->family.effect;
+    std::vector<Eigen::VectorXd> gains = gains_of(effect, one->bound.rows, one->points[i], rows);
+    if (gains.empty() || is_stuck(effect, one->bound.rows, rows, gains.front())) return;
+    if (one->bound.is_half && gains.size() < gain_count(effect)) return;
+    one->gains[i] = std::move(gains);
+  });
+}
+
+}  // namespace
+
+Bank bank_of(const Model& model, const Series& data, const Fit& fit, BankOptions options) {
+  for (std::size_t i = 1; i < fit.time_s.size(); ++i) {
+    // The shortest step: one above half that rate would pass for a slow one.
+    options.highest_Hz = i == 1 ? 0.5 / (fit.time_s[1] - fit.time_s[0])
+                                : std::max(options.highest_Hz, 0.5 / (fit.time_s[i] - fit.time_s[i - 1]));
+  }
+  std::vector<Shaped> all = shaped_of(model, data, options);
+  evaluate(all, fit.row);
+  Bank bank;
+  std::vector<Eigen::VectorXd> columns;
+  for (Shaped& one : all) {
+    one.family.first = bank.signatures.size();
+    for (std::size_t i = 0; i < one.points.size(); ++i) {
+      std::vector<Eigen::VectorXd>& gains = one.gains[i];
+      if (gains.empty()) continue;
+      Signature signature{bank.families.size(), std::move(one.points[i]), static_cast<Eigen::Index>(columns.size()),
+                          static_cast<Eigen::Index>(gains.size()), gains.front().maxCoeff() - gains.front().minCoeff()};
+      for (Eigen::VectorXd& gain : gains) columns.push_back(std::move(gain));
+      bank.signatures.push_back(std::move(signature));
+      ++one.family.count;
+    }
+    if (one.family.count > 0) bank.families.push_back(std::move(one.family));
   }
   bank.columns.resize(static_cast<Eigen::Index>(fit.row.size()), static_cast<Eigen::Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k) bank.columns.col(static_cast<Eigen::Index>(k)) = columns[k];
@@ -192,38 +231,54 @@ std::vector<double> model_reach_um(const Fit& fit) {
   return reach;
 }
 
+namespace {
+
+// Columns of one signature, freed of the model, made orthonormal; where nothing is left of one, 0.
+void orthonormalise(const Signature& signature, const Eigen::MatrixXd& all, Eigen::Ref<Eigen::MatrixXd> left,
+                    double& share, double& norm) {
+  share = 1.0;
+  for (Eigen::Index j = 0; j < signature.width; ++j) {
+    for (Eigen::Index i = 0; i < j; ++i) left.col(j) -= left.col(i) * left.col(i).dot(left.col(j));
+    const double square = left.col(j).squaredNorm(), before = all.col(j).squaredNorm();
+    const double part = before > 0.0 ? square / before : 0.0;
+    share = std::min(share, part);
+    if (j == 0) norm = std::sqrt(square);
+    if (part > kNothingLeft) {
+      left.col(j) /= std::sqrt(square);
+    } else {
+      left.col(j).setZero();
+    }
+  }
+}
+
+}  // namespace
+
 Projected projected(const Bank& bank, const Eigen::VectorXd& residual_um, const Eigen::MatrixXd& basis,
                     const Whitening& whitening) {
+  constexpr std::size_t kTogether = 64;  // signatures
   Projected result;
   result.model = orthonormal(whitened(whitening, basis));
-  const auto freed = [&](Eigen::VectorXd column) {
-    column -= result.model * (result.model.transpose() * column);
-    return column;
-  };
-  result.residual = freed(whitened(whitening, residual_um));
+  result.residual = whitened(whitening, residual_um);
+  result.residual -= result.model * (result.model.transpose() * result.residual);
   result.columns.resize(bank.columns.rows(), bank.columns.cols());
-  for (const Signature& signature : bank.signatures) {
-    double share = 1.0, norm = 0.0;
-    for (Eigen::Index j = 0; j < signature.width; ++j) {
-      const Eigen::VectorXd all = whitened(whitening, bank.columns.col(signature.first + j));
-      Eigen::VectorXd left = freed(all);
-      for (Eigen::Index i = 0; i < j; ++i) {
-        const auto before = result.columns.col(signature.first + i);
-        left -= before * before.dot(left);
-      }
-      const double square = left.squaredNorm();
-      const double part = all.squaredNorm() > 0.0 ? square / all.squaredNorm() : 0.0;
-      share = std::min(share, part);
-      if (j == 0) norm = std::sqrt(square);
-      if (part > kNothingLeft) {
-        result.columns.col(signature.first + j) = left / std::sqrt(square);
-      } else {
-        result.columns.col(signature.first + j).setZero();
-      }
+  const std::size_t count = bank.signatures.size();
+  result.share.resize(count);
+  result.norm.resize(count);
+  in_parallel((count + kTogether - 1) / kTogether, [&](std::size_t batch) {
+    const std::size_t begin = batch * kTogether, end = std::min(count, begin + kTogether);
+    const Signature &front = bank.signatures[begin], &back = bank.signatures[end - 1];
+    const Eigen::Index first = front.first, width = back.first + back.width - first;
+    const Eigen::MatrixXd all = whitened(whitening, bank.columns.middleCols(first, width));
+    auto left = result.columns.middleCols(first, width);
+    const Eigen::MatrixXd made = result.model.transpose() * all;
+    left = all;
+    left.noalias() -= result.model * made;
+    for (std::size_t k = begin; k < end; ++k) {
+      const Signature& signature = bank.signatures[k];
+      orthonormalise(signature, all.middleCols(signature.first - first, signature.width),
+                     result.columns.middleCols(signature.first, signature.width), result.share[k], result.norm[k]);
     }
-    result.share.push_back(share);
-    result.norm.push_back(norm);
-  }
+  });
   return result;
 }
 

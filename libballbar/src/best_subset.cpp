@@ -8,6 +8,8 @@
 #include <numeric>
 #include <string>
 
+#include "parallel.hpp"
+
 namespace ballbar {
 namespace {
 
@@ -166,7 +168,12 @@ std::vector<Subset> best_pairs(const Search& search, const std::vector<std::size
     at += search.at(index).width;
   }
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(width, width);
-  gram.selfadjointView<Eigen::Upper>().rankUpdate(columns.transpose());
+  constexpr Eigen::Index kTogether = 64;
+  in_parallel(static_cast<std::size_t>((width + kTogether - 1) / kTogether), [&](std::size_t batch) {
+    const Eigen::Index first = kTogether * static_cast<Eigen::Index>(batch), now = std::min(kTogether, width - first);
+    gram.block(0, first, first + now, now).noalias() =
+        columns.leftCols(first + now).transpose() * columns.middleCols(first, now);
+  });
   // The best pair of every two families.
   std::map<std::pair<std::size_t, std::size_t>, Subset> best;
   for (std::size_t i = 0; i < reduced.size(); ++i) {
@@ -185,12 +192,13 @@ std::vector<Subset> best_pairs(const Search& search, const std::vector<std::size
   for (auto& [families, subset] : best) pairs.push_back(std::move(subset));
   std::stable_sort(pairs.begin(), pairs.end(), better);
   pairs.resize(std::min(pairs.size(), kPairs));
-  for (Subset& pair : pairs) {
-    if (pair.signatures.size() < 2) continue;
+  in_parallel(pairs.size(), [&](std::size_t k) {
+    Subset& pair = pairs[k];
+    if (pair.signatures.size() < 2) return;
     const Subset finer = search.best_pair(search.bank().families[search.at(pair.signatures[0]).family],
                                           search.bank().families[search.at(pair.signatures[1]).family]);
     if (finer.net > pair.net) pair = finer;
-  }
+  });
   return pairs;
 }
 
@@ -233,12 +241,13 @@ std::vector<Subset> best_subsets(const Bank& bank, const Projected& projected, c
     const std::vector<std::size_t> reduced = search.reduced();
     std::vector<Subset> pairs = best_pairs(search, reduced);
     std::vector<Subset> triples;
-    for (const Subset& pair : pairs) {
-      if (largest < 3 || pair.signatures.size() < 2) continue;
-      std::vector<Subset> more = with_one_more(search, pair, reduced);
-      keep_best(search, more, 4);
-      std::move(more.begin(), more.end(), std::back_inserter(triples));
-    }
+    std::vector<std::vector<Subset>> more(largest < 3 ? 0 : pairs.size());
+    in_parallel(more.size(), [&](std::size_t k) {
+      if (pairs[k].signatures.size() < 2) return;
+      more[k] = with_one_more(search, pairs[k], reduced);
+      keep_best(search, more[k], 4);
+    });
+    for (std::vector<Subset>& some : more) std::move(some.begin(), some.end(), std::back_inserter(triples));
     std::move(pairs.begin(), pairs.end(), std::back_inserter(all));
     std::move(triples.begin(), triples.end(), std::back_inserter(all));
   }

@@ -92,11 +92,12 @@ Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& w
   candidate.held_out_after_um = after.rmse_um;
   candidate.p_same_gain = p_same_gain(with.leftover, gains, with.noise, told);
   if (!effect.time_only) {
+    now.tell(fmt::format("testing {} fakes of {}", options.fakes, label_of(candidate.bound)));
     const std::optional<BestFake> fake =
         of_recordings ? best_trace_fake(traced(now, with, place), data, with.fit.row, without.leftover, with.noise,
                                         options.fakes, options.seed)
-                      : best_fake(now.family(with.set[place]), now.bank(), data, with.fit.row, without.leftover,
-                                  with.noise, options.fakes, options.seed);
+                      : best_fake(now.family(with.set[place]), now.bank(), data, without.leftover, with.noise,
+                                  options.fakes, options.seed);
     if (fake) {
       candidate.best_fake_gain = fake->gain;
       candidate.beats_fakes = chi2(without.leftover, with.noise) - chi2(with.leftover, with.noise) > fake->gain;

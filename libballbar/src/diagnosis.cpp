@@ -66,6 +66,7 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
                                                             : "There are too few values to test anything more.");
     return result;
   }
+  now.tell(fmt::format("searching {} shapes of {} effects", now.bank().signatures.size(), searched.size()));
   const Ground ground = ground_of(now, result.base.noise, options);
   result.prospects = prospects_by(ground.seen);
   const Detected detection = detected(now, ground);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "bank.hpp"
+#include "kalman.hpp"
 #include "memory_limit.hpp"
 #include "simulate_noise.hpp"
 #include "whitened.hpp"
@@ -29,17 +30,38 @@ std::span<const double> span_of(const Eigen::VectorXd& values) {
   return {values.data(), static_cast<std::size_t>(values.size())};
 }
 
-// ln of the restricted likelihood, up to a constant: with the columns X, -1/2 (ln|C| + ln|X'C^-1 X| + r'P r).
-double restricted_log_likelihood(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise) {
-  const Whitening whitening(noise, leftover.time_s, leftover.sigma_um);
-  const Eigen::MatrixXd x = whitened(whitening, columns);
-  const Eigen::VectorXd r = whitened(whitening, leftover.residual_um);
-  const Eigen::LDLT<Eigen::MatrixXd> gram(Eigen::MatrixXd(x.transpose() * x));
-  const Eigen::VectorXd along = x.transpose() * r;
-  const double log_gram = gram.vectorD().cwiseAbs().cwiseMax(1e-300).array().log().sum();
-  return log_likelihood(noise, leftover.time_s, span_of(leftover.residual_um), leftover.sigma_um) +
-         0.5 * along.dot(gram.solve(along)) - 0.5 * log_gram;
-}
+// Of one residual and columns X, for one noise after the other.
+class Restricted {
+ public:
+  Restricted(const Leftover& leftover, const Eigen::MatrixXd& columns)
+      : kalman_(leftover.time_s, leftover.sigma_um), rows_(columns.rows(), columns.cols() + 1) {
+    rows_ << columns, leftover.residual_um;
+  }
+
+  // ln of the restricted likelihood, up to a constant: -1/2 (ln|C| + ln|X'C^-1 X| + r'P r).
+  double log_likelihood(const Noise& noise) {
+    kalman_.set({noise.white_um * noise.white_um, noise.correlated_um * noise.correlated_um, noise.correlation_time_s});
+    Rows white = rows_;
+    Eigen::RowVectorXd predicted = Eigen::RowVectorXd::Zero(white.cols());
+    for (Eigen::Index i = 0; i < white.rows(); ++i) {
+      predicted *= kalman_.decay()[i];
+      white.row(i) -= predicted;
+      predicted += kalman_.gain()[i] * white.row(i);
+      white.row(i) *= std::sqrt(kalman_.weight()[i]);
+    }
+    const Eigen::Index p = white.cols() - 1;
+    const Eigen::MatrixXd gram = white.transpose() * white;
+    const Eigen::LDLT<Eigen::MatrixXd> factor(gram.topLeftCorner(p, p));
+    const Eigen::VectorXd along = gram.topRightCorner(p, 1);
+    const double log_gram = factor.vectorD().cwiseAbs().cwiseMax(1e-300).array().log().sum();
+    return -0.5 * (kalman_.log_variances() + gram(p, p) - along.dot(factor.solve(along)) + log_gram);
+  }
+
+ private:
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Kalman kalman_;
+  Rows rows_;  // [X r]
+};
 
 // Too few rows to tell a memory: white, and what is stated counts as known.
 Noise most_likely_noise(const Leftover& leftover, const Eigen::VectorXd& residual_um, const Noise& before) {
@@ -126,7 +148,8 @@ std::vector<Noise> plausible_noises(const Leftover& leftover, const Eigen::Matri
   }
   // Random walk in the logarithms of q and theta (Metropolis); the white part is well known and moves with q.
   Noise now = best;
-  double level = restricted_log_likelihood(leftover, columns, now);
+  Restricted restricted(leftover, columns);
+  double level = restricted.log_likelihood(now);
   const std::size_t burn_in = 20, every = 3;
   for (std::size_t step = 0; result.size() < count && step < burn_in + every * count; ++step) {
     Noise next = now;
@@ -136,7 +159,7 @@ std::vector<Noise> plausible_noises(const Leftover& leftover, const Eigen::Matri
     next.correlated_um *= std::exp(0.5 * along + across);
     next.white_um *= std::exp(0.05 * simulation::normal(random));
     if (next.correlation_time_s < longest_memory_s(leftover)) {
-      const double there = restricted_log_likelihood(leftover, columns, next);
+      const double there = restricted.log_likelihood(next);
       if (std::log(simulation::uniform(random)) < there - level) {
         now = next;
         level = there;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parallel.hpp"
 #include "scrambled.hpp"
 #include "simulate_noise.hpp"
 #include "whitened.hpp"
@@ -34,49 +35,96 @@ std::vector<double> on_grid(const Effect& effect, const EffectRows& inputs, cons
   return grid;
 }
 
-}  // namespace
+// Places of the rows on the grid, for straight lines between its points.
+class Places {
+ public:
+  explicit Places(const std::vector<double>& time_s) {
+    const double span_s = time_s.back() - time_s.front();
+    for (const double t_s : time_s) {
+      const double place = (t_s - time_s.front()) / span_s * static_cast<double>(kFakeGrid - 1);
+      at_.push_back(std::min(kFakeGrid - 2, static_cast<std::size_t>(place)));
+      part_.push_back(place - static_cast<double>(at_.back()));
+    }
+  }
 
-BestFake best_fake(const Family& family, const Bank& bank, const Series& data, const std::vector<std::size_t>& rows,
-                   const Leftover& leftover, const Noise& noise, std::size_t count, std::uint64_t seed) {
+  void read(const std::vector<double>& grid, double* column) const {
+    for (std::size_t i = 0; i < at_.size(); ++i) {
+      column[i] = grid[at_[i]] + part_[i] * (grid[at_[i] + 1] - grid[at_[i]]);
+    }
+  }
+
+ private:
+  std::vector<std::size_t> at_;
+  std::vector<double> part_;
+};
+
+// What a model leaves of a residual and of columns.
+struct Freed {
+  Eigen::MatrixXd basis;
+  Eigen::VectorXd residual;
+
+  Freed(const Eigen::MatrixXd& model, const Eigen::VectorXd& from)
+      : basis(orthonormal(model)), residual(from - basis * (basis.transpose() * from)) {}
+
+  // Largest fall of the residual's square by one of the columns.
+  double most(Eigen::MatrixXd columns) const {
+    const Eigen::MatrixXd made = basis.transpose() * columns;
+    columns -= basis * made;
+    const Eigen::VectorXd along = columns.transpose() * residual;
+    double most = 0.0;
+    for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+      const double square = columns.col(k).squaredNorm();
+      if (square > 0.0) most = std::max(most, along[k] * along[k] / square);
+    }
+    return most;
+  }
+};
+
+std::vector<Spectrum> spectra_of(const Family& family, const Bank& bank, const Series& data, const Leftover& leftover) {
   const BoundInputs bound = inputs_of(*family.effect, family.columns, data);
-  const EffectRows& inputs = bound.rows;
   std::vector<Spectrum> spectra;
   const std::size_t stride = 1 + (family.count - 1) / kFakeShapes;
   for (std::size_t i = family.first; i < family.first + family.count; i += stride) {
-    spectra.push_back(spectrum_of(
-        on_grid(*family.effect, inputs, bank.signatures[i].point, leftover.time_s.front(), leftover.time_s.back())));
+    spectra.push_back(spectrum_of(on_grid(*family.effect, bound.rows, bank.signatures[i].point, leftover.time_s.front(),
+                                          leftover.time_s.back())));
   }
+  return spectra;
+}
+
+}  // namespace
+
+BestFake best_fake(const Family& family, const Bank& bank, const Series& data, const Leftover& leftover,
+                   const Noise& noise, std::size_t count, std::uint64_t seed) {
+  constexpr std::size_t kTogether = 8;
+  const std::vector<Spectrum> spectra = spectra_of(family, bank, data, leftover);
   const Whitening whitening(noise, leftover.time_s, leftover.sigma_um);
-  const Eigen::MatrixXd basis = orthonormal(whitened(whitening, leftover.model));
-  Eigen::VectorXd r = whitened(whitening, leftover.residual_um);
-  r -= basis * (basis.transpose() * r);
-  const Eigen::MatrixXd plain_basis = orthonormal(leftover.model);
-  const Eigen::VectorXd plain = leftover.residual_um - plain_basis * (plain_basis.transpose() * leftover.residual_um);
+  const Freed white(whitened(whitening, leftover.model), whitened(whitening, leftover.residual_um));
+  const Freed plain(leftover.model, leftover.residual_um);
+  const Places places(leftover.time_s);
   std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 3);
+  std::vector<std::vector<double>> phases;
+  for (std::size_t number = 0; number < count; ++number) phases.push_back(random_phases(kFakeGrid, random));
+  const std::size_t batches = (count + kTogether - 1) / kTogether;
+  std::vector<double> gain(batches, 0.0), fall(batches, 0.0);
+  in_parallel(batches, [&](std::size_t batch) {
+    const std::size_t first = batch * kTogether, last = std::min(count, first + kTogether);
+    Eigen::MatrixXd fakes(leftover.residual_um.size(), static_cast<Eigen::Index>((last - first) * spectra.size()));
+    Eigen::Index column = 0;
+    for (std::size_t number = first; number < last; ++number) {
+      for (const Spectrum& spectrum : spectra) {
+        places.read(scrambled(spectrum, phases[number]), fakes.col(column++).data());
+      }
+    }
+    gain[batch] = white.most(whitened(whitening, fakes));
+    fall[batch] = plain.most(std::move(fakes));
+  });
   BestFake best;
   double most = 0.0;
-  Eigen::VectorXd fake(static_cast<Eigen::Index>(rows.size())), white(fake.size());
-  const double span = leftover.time_s.back() - leftover.time_s.front();
-  for (std::size_t number = 0; number < count; ++number) {
-    const std::vector<double> phases = random_phases(kFakeGrid, random);
-    for (const Spectrum& spectrum : spectra) {
-      const std::vector<double> grid = scrambled(spectrum, phases);
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        const double place = (leftover.time_s[i] - leftover.time_s.front()) / span * static_cast<double>(kFakeGrid - 1);
-        const auto at = std::min(kFakeGrid - 2, static_cast<std::size_t>(place));
-        const double part = place - static_cast<double>(at);
-        fake[static_cast<Eigen::Index>(i)] = grid[at] + part * (grid[at + 1] - grid[at]);
-      }
-      whitening.apply(fake.data(), 1, white.data(), 1);
-      white -= basis * (basis.transpose() * white);
-      const double square = white.squaredNorm();
-      if (square > 0.0) best.gain = std::max(best.gain, std::pow(white.dot(r), 2) / square);
-      fake -= plain_basis * (plain_basis.transpose() * fake);
-      const double plain_square = fake.squaredNorm();
-      if (plain_square > 0.0) most = std::max(most, std::pow(fake.dot(plain), 2) / plain_square);
-    }
+  for (std::size_t batch = 0; batch < batches; ++batch) {
+    best.gain = std::max(best.gain, gain[batch]);
+    most = std::max(most, fall[batch]);
   }
-  best.fall = 1.0 - std::sqrt(std::max(0.0, 1.0 - most / std::max(plain.squaredNorm(), 1e-300)));
+  best.fall = 1.0 - std::sqrt(std::max(0.0, 1.0 - most / std::max(plain.residual.squaredNorm(), 1e-300)));
   return best;
 }
 

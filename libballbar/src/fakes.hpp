@@ -14,7 +14,7 @@ struct BestFake {
   double gain = 0.0;  // largest fall of chi^2
   double fall = 0.0;  // largest relative fall of the RMSE by least squares
 };
-BestFake best_fake(const Family& family, const Bank& bank, const Series& data, const std::vector<std::size_t>& rows,
-                   const Leftover& leftover, const Noise& noise, std::size_t count, std::uint64_t seed);
+BestFake best_fake(const Family& family, const Bank& bank, const Series& data, const Leftover& leftover,
+                   const Noise& noise, std::size_t count, std::uint64_t seed);
 
 }  // namespace ballbar

@@ -1,5 +1,7 @@
 #include "ground.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,6 +30,7 @@ Ground ground_of(Hypotheses& now, const Noise& start, const DiagnosisOptions& op
     log_likelihood = now.evaluated({}, noise).log_likelihood;
   }
   Projected seen = now.projected_by(noise);
+  now.tell(fmt::format("searching {} data sets without any effect", options.draws));
   SearchNull null = search_null(now.bank(), seen, leftover, noise,
                                 plausible_noises(leftover, columns, noise, kPlausibleNoises, options.seed),
                                 options.draws, options.seed);

@@ -6,6 +6,7 @@
 #include "ballbar/error.hpp"
 #include "best_subset.hpp"
 #include "likely.hpp"
+#include "parallel.hpp"
 
 namespace ballbar {
 namespace {
@@ -18,7 +19,7 @@ constexpr std::size_t kMostSwaps = 20;  // of one of the set
 
 Hypotheses::Hypotheses(const Model& model, const Series& data, std::size_t target, const Fit& base,
                        const DiagnosisOptions& options)
-    : model_(model), data_(data), target_(target), leftover_(leftover_of(base)) {
+    : model_(model), data_(data), target_(target), progress_(options.progress), leftover_(leftover_of(base)) {
   BankOptions searched;
   searched.motion = options.motion;
   searched.without = options.without;
@@ -54,6 +55,18 @@ const Explained& Hypotheses::evaluated(const Set& set, const Noise& start) {
   const auto known = evaluated_.find(key);
   if (known != evaluated_.end()) return known->second;
   return evaluated_.emplace(std::move(key), explained(leftover_, columns(set), start)).first->second;
+}
+
+void Hypotheses::evaluate(const std::vector<Set>& sets, const Noise& start) {
+  std::vector<Set> keys;
+  for (Set key : sets) {
+    std::sort(key.begin(), key.end());
+    const bool known = evaluated_.count(key) > 0 || std::find(keys.begin(), keys.end(), key) != keys.end();
+    if (!known) keys.push_back(std::move(key));
+  }
+  std::vector<Explained> found(keys.size());
+  in_parallel(keys.size(), [&](std::size_t i) { found[i] = explained(leftover_, columns(keys[i]), start); });
+  for (std::size_t i = 0; i < keys.size(); ++i) evaluated_.emplace(std::move(keys[i]), std::move(found[i]));
 }
 
 void Hypotheses::fit_by(const Noise& noise, Refitted& refitted) const {
@@ -128,16 +141,19 @@ Guess first_guess(Hypotheses& now, const Noise& base_noise, double base_log_like
     bool better = false;
     for (const Noise& start : from) {
       const Projected seen = now.projected_by(start);
-      std::vector<Subset> subsets = best_subsets(now.bank(), seen, nullptr, now.largest_set());
       // The best few of every size.
       std::map<std::size_t, std::size_t> taken;
-      for (const Subset& subset : subsets) {
-        if (++taken[subset.signatures.size()] > 5) continue;
-        const Explained& found = now.evaluated(subset.signatures, start);
-        const double value = 2.0 * found.log_likelihood - kPrice * static_cast<double>(subset.signatures.size());
+      std::vector<Set> sets;
+      for (const Subset& subset : best_subsets(now.bank(), seen, nullptr, now.largest_set())) {
+        if (++taken[subset.signatures.size()] <= 5) sets.push_back(subset.signatures);
+      }
+      now.evaluate(sets, start);
+      for (const Set& set : sets) {
+        const Explained& found = now.evaluated(set, start);
+        const double value = 2.0 * found.log_likelihood - kPrice * static_cast<double>(set.size());
         if (value <= most + 0.5) continue;
         most = value;
-        guess = {subset.signatures, found.noise};
+        guess = {set, found.noise};
         better = true;
       }
     }

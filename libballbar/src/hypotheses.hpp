@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <functional>
 #include <map>
+#include <string_view>
 #include <vector>
 
 #include "ballbar/diagnosis.hpp"
@@ -41,6 +43,11 @@ class Hypotheses {
   const Model& model() const { return model_; }
   bool has_few_rows() const { return leftover_.residual_um.size() < kFewestForNoise; }
 
+  // Says what comes next.
+  void tell(std::string_view step) const {
+    if (progress_) progress_(step);
+  }
+
   // Most effects that may be added together: one for four values that are left, at most three.
   std::size_t largest_set() const;
 
@@ -50,6 +57,8 @@ class Hypotheses {
   // On the grid, remembered. The noise from which an evaluation starts matters for few rows alone: then all that was
   // evaluated before has to be forgotten.
   const Explained& evaluated(const Set& set, const Noise& start);
+  // Many at a time, to be looked up.
+  void evaluate(const std::vector<Set>& sets, const Noise& start);
   void forget() { evaluated_.clear(); }
 
   // Terms of the set added to the model, shapes free from their grid point, held ones held there; fitted. Throws Error
@@ -73,6 +82,7 @@ class Hypotheses {
   const Model& model_;
   const Series& data_;
   std::size_t target_;
+  std::function<void(std::string_view)> progress_;
   Leftover leftover_;
   Bank bank_;
   std::map<Set, Explained> evaluated_;

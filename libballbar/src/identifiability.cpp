@@ -10,6 +10,7 @@
 
 #include "bank.hpp"
 #include "bindings.hpp"
+#include "parallel.hpp"
 #include "prospects.hpp"
 #include "thinned.hpp"
 
@@ -27,8 +28,7 @@ auto block(const Projected& seen, const Signature& signature) {
 }
 
 // Smallest canonical correlation: 1 where one space holds the other.
-double coherence(const Bank& bank, const Projected& seen, std::size_t a, std::size_t b) {
-  const Eigen::MatrixXd between = block(seen, bank.signatures[a]).transpose() * block(seen, bank.signatures[b]);
+double coherence(const Eigen::MatrixXd& between) {
   if (between.size() == 1) return std::abs(between(0, 0));
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(between);
   return svd.singularValues()[svd.singularValues().size() - 1];
@@ -49,7 +49,9 @@ bool imitated(const Bank& bank, const Projected& seen, const Family& a, const Fa
     if (seen.share[mine] < kAbsorbed) continue;
     ++counted;
     if (std::any_of(others.begin(), others.end(), [&](std::size_t other) {
-          return seen.share[other] >= kAbsorbed && coherence(bank, seen, mine, other) > kInseparable;
+          const Signature &one = bank.signatures[mine], &two = bank.signatures[other];
+          return seen.share[other] >= kAbsorbed &&
+                 coherence(block(seen, one).transpose().lazyProduct(block(seen, two))) > kInseparable;
         })) {
       ++alike;
     }
@@ -149,12 +151,12 @@ std::vector<Prospect> prospects_of(const Bank& bank, const Projected& seen, cons
     best.push_back(prospect.testability == Testability::testable ? chosen : nullptr);
     prospects.push_back(std::move(prospect));
   }
-  for (std::size_t i = 0; i < best.size(); ++i) {
+  in_parallel(best.size(), [&](std::size_t i) {
     for (std::size_t j = 0; j < best.size(); ++j) {
       if (i == j || best[i] == nullptr || best[j] == nullptr) continue;
       if (imitated(bank, seen, *best[i], *best[j])) prospects[i].inseparable_from.push_back(prospects[j].effect->name);
     }
-  }
+  });
   return prospects;
 }
 

@@ -212,6 +212,7 @@ void decide(const Case& c, const std::vector<Confirmed>& confirmations, const Gr
 void judge(const Hypotheses& now, const Series& rows, const Ground& ground, const std::vector<Refitted>& refits,
            const DiagnosisOptions& options, Diagnosis& result) {
   const Case c{now, rows, ground, refits, options, cycles_of(rows, result.base.row)};
+  now.tell("fitting smooth curves");
   const SmoothRival smooth = smooth_rival(now.leftover(), now.has_few_rows() ? ground.noise : ground.base_noise);
   result.smooth_evidence = 2.0 * (smooth.log_likelihood - ground.log_likelihood);
   const bool something = is_something(c, result.p_anything);

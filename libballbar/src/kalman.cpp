@@ -58,24 +58,29 @@ void Kalman::set(const NoiseVariances& noise) {
   bool converged = false;
   for (Eigen::Index i = 0; i < n; ++i) {
     const bool as_before = as_before_[static_cast<std::size_t>(i)] != 0;
-    if (mostly_even_ && memory) decay_[i] = as_before ? decay_[i - 1] : std::exp(-step_s_[i] / noise.time_s);
     if (as_before && converged) {
-      gain_[i] = gain_[i - 1];
-      weight_[i] = weight_[i - 1];
-    } else {
-      const double a2 = decay_[i] * decay_[i];
-      const double before = a2 * p + noise.correlated * (1.0 - a2);
-      const double r = std::max(noise.white + stated_um2_[i], kLeastVariance_um2);
-      weight_[i] = 1.0 / (before + r);
-      gain_[i] = before * weight_[i];
-      p = gain_[i] * r;
-      if (left_out_[static_cast<std::size_t>(i)] != 0) {
-        gain_[i] = 0.0;
-        p = before;
-      }
-      converged = as_before && std::abs(before - last) <= 1e-14 * before;
-      last = before;
+      const auto from = as_before_.begin() + i;
+      const Eigen::Index rows = std::find(from, as_before_.end(), char{0}) - from;
+      decay_.segment(i, rows).setConstant(decay_[i - 1]);
+      gain_.segment(i, rows).setConstant(gain_[i - 1]);
+      weight_.segment(i, rows).setConstant(weight_[i - 1]);
+      log_variances_ -= static_cast<double>(rows) * std::log(weight_[i - 1]);
+      i += rows - 1;
+      continue;
     }
+    if (mostly_even_ && memory) decay_[i] = as_before ? decay_[i - 1] : std::exp(-step_s_[i] / noise.time_s);
+    const double a2 = decay_[i] * decay_[i];
+    const double before = a2 * p + noise.correlated * (1.0 - a2);
+    const double r = std::max(noise.white + stated_um2_[i], kLeastVariance_um2);
+    weight_[i] = 1.0 / (before + r);
+    gain_[i] = before * weight_[i];
+    p = gain_[i] * r;
+    if (left_out_[static_cast<std::size_t>(i)] != 0) {
+      gain_[i] = 0.0;
+      p = before;
+    }
+    converged = as_before && std::abs(before - last) <= 1e-14 * before;
+    last = before;
     product *= weight_[i];
     if (++factors < kFactors) continue;
     log_variances_ -= std::log(product);

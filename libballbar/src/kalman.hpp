@@ -31,6 +31,7 @@ class Kalman {
   };
   Sums sums(std::span<const double> residual_um) const;
 
+  double log_variances() const { return log_variances_; }
   const Eigen::ArrayXd& decay() const { return decay_; }
   const Eigen::ArrayXd& gain() const { return gain_; }
   const Eigen::ArrayXd& weight() const { return weight_; }  // 1 / S_i

@@ -1,5 +1,7 @@
 #include "rival_sets.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -44,6 +46,7 @@ class Fitted {
       done_.push_back(std::move(key));
       fresh.push_back(set);
     }
+    if (!fresh.empty()) now_.tell(fmt::format("fitting {} sets of effects", fresh.size()));
     std::vector<std::optional<Refitted>> fitted(fresh.size());
     in_parallel(fresh.size(), [&](std::size_t i) {
       try {
@@ -102,11 +105,13 @@ std::vector<Set> worth_a_look(Hypotheses& now, const Ground& ground) {
   }
   if (!ground.first.set.empty()) sets.push_back(ground.first.set);
   if (sets.empty()) return sets;
+  now.evaluate(sets, ground.noise);
   const auto by_likelihood = [&](const Set& a, const Set& b) {
     return penalised(now, ground, a) > penalised(now, ground, b);
   };
   std::stable_sort(sets.begin(), sets.end(), by_likelihood);
   for (Set& swapped : swaps(now, ground.seen, sets.front())) sets.push_back(std::move(swapped));
+  now.evaluate(sets, ground.noise);
   std::stable_sort(sets.begin(), sets.end(), by_likelihood);
   return sets;
 }

@@ -1,10 +1,11 @@
 #include "search_null.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
+#include <optional>
 
+#include "kalman.hpp"
+#include "parallel.hpp"
 #include "simulate_noise.hpp"
 
 namespace ballbar {
@@ -12,23 +13,73 @@ namespace {
 
 constexpr double kTail = 0.1;  // share of the draws from which a tail is told
 
-// Path of the noise of these rows, whitened.
-void draw(const Leftover& leftover, const Noise& noise, const Whitening& whitening, std::mt19937_64& random,
-          Eigen::VectorXd& path) {
-  double slow = 0.0;
-  for (Eigen::Index i = 0; i < path.size(); ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    double white2 = noise.white_um * noise.white_um;
-    if (!leftover.sigma_um.empty()) white2 += leftover.sigma_um[row] * leftover.sigma_um[row];
-    if (noise.correlated_um > 0.0) {
-      const double dt = i == 0 ? -1.0 : leftover.time_s[row] - leftover.time_s[row - 1];
-      const double decay = dt < 0.0 ? 0.0 : std::exp(-dt / noise.correlation_time_s);
-      slow = decay * slow + noise.correlated_um * std::sqrt(1.0 - decay * decay) * simulation::normal(random);
-    }
-    path[i] = slow + (white2 > 0.0 ? std::sqrt(white2) * simulation::normal(random) : 0.0);
+// Paths of one noise from white numbers, one a row: the filter of noise.hpp run the other way.
+class Colouring {
+ public:
+  Colouring(const Noise& noise, const Leftover& leftover) : kalman_(leftover.time_s, leftover.sigma_um) {
+    kalman_.set({noise.white_um * noise.white_um, noise.correlated_um * noise.correlated_um, noise.correlation_time_s});
+    sigma_um_ = kalman_.weight().rsqrt();
   }
-  whitening.apply(path.data(), 1, path.data(), 1);
-}
+
+  void apply(Eigen::VectorXd& white) const {
+    double s = 0.0;
+    for (Eigen::Index i = 0; i < white.size(); ++i) {
+      const double innovation = sigma_um_[i] * white[i];
+      s *= kalman_.decay()[i];
+      white[i] = s + innovation;
+      s += kalman_.gain()[i] * innovation;
+    }
+  }
+
+ private:
+  Kalman kalman_;
+  Eigen::ArrayXd sigma_um_;  // of the innovations
+};
+
+// Draws first, first + 1 ... of `draws`, whitened by one noise; each of them is of one of `plausible`, which follow one
+// another in equal shares.
+class Paths {
+ public:
+  Paths(const Leftover& leftover, const Noise& noise, const std::vector<Noise>& plausible, Eigen::Index draws,
+        std::uint64_t seed)
+      : leftover_(leftover),
+        whitening_(noise, leftover.time_s, leftover.sigma_um),
+        plausible_(plausible),
+        draws_(draws),
+        seed_(seed) {}
+
+  // Rows by draws. Random numbers by the first draw.
+  Eigen::MatrixXf drawn(Eigen::Index first, Eigen::Index count) const {
+    std::mt19937_64 random =
+        simulation::stream_of(seed_, simulation::Stream::signal, kKey | static_cast<std::uint64_t>(first));
+    Eigen::VectorXd path(leftover_.residual_um.size());
+    Eigen::MatrixXf paths(path.size(), count);
+    std::optional<Colouring> colouring;
+    std::size_t coloured = plausible_.size();
+    for (Eigen::Index b = 0; b < count; ++b) {
+      const std::size_t which = noise_of_draw(first + b);
+      if (which != coloured) colouring.emplace(plausible_[coloured = which], leftover_);
+      simulation::fill_normal({path.data(), static_cast<std::size_t>(path.size())}, random);
+      colouring->apply(path);
+      whitening_.apply(path.data(), 1, path.data(), 1);
+      paths.col(b) = path.cast<float>();
+    }
+    return paths;
+  }
+
+ private:
+  static constexpr std::uint64_t kKey = std::uint64_t{2} << 32;
+
+  std::size_t noise_of_draw(Eigen::Index draw) const {
+    return static_cast<std::size_t>(draw) * plausible_.size() / static_cast<std::size_t>(draws_);
+  }
+
+  const Leftover& leftover_;
+  Whitening whitening_;
+  const std::vector<Noise>& plausible_;
+  Eigen::Index draws_;
+  std::uint64_t seed_;
+};
 
 }  // namespace
 
@@ -89,9 +140,8 @@ double SearchNull::threshold(const Effect& effect) const {
 
 SearchNull search_null(const Bank& bank, const Projected& projected, const Leftover& leftover, const Noise& noise,
                        const std::vector<Noise>& plausible, std::size_t draws, std::uint64_t seed) {
-  constexpr Eigen::Index kBatch = 64, kChunk = 512;
-  constexpr unsigned kMostThreads = 4;
-  draws = std::max<std::size_t>(draws, 100);  // fewer have no tail
+  constexpr Eigen::Index kBatch = 250;
+  const auto count = static_cast<Eigen::Index>(std::max<std::size_t>(draws, 100));  // fewer have no tail
   std::vector<const Effect*> effects;
   std::vector<Eigen::Index> effect_of_family;
   for (const Family& family : bank.families) {
@@ -99,50 +149,19 @@ SearchNull search_null(const Bank& bank, const Projected& projected, const Lefto
     if (at == effects.end()) at = effects.insert(effects.end(), family.effect);
     effect_of_family.push_back(at - effects.begin());
   }
-  const Eigen::MatrixXf transposed = projected.columns.transpose().cast<float>();
-  const Whitening whitening(noise, leftover.time_s, leftover.sigma_um);
-  std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 2);
-  Eigen::MatrixXf maxima =
-      Eigen::MatrixXf::Zero(static_cast<Eigen::Index>(draws), static_cast<Eigen::Index>(effects.size()));
-  const auto drawn = [&](Eigen::Index first) {
-    Eigen::VectorXd path(leftover.residual_um.size());
-    Eigen::MatrixXf paths(path.size(), std::min(kChunk, maxima.rows() - first));
-    for (Eigen::Index b = 0; b < paths.cols(); ++b) {
-      draw(leftover, plausible[static_cast<std::size_t>(first + b) % plausible.size()], whitening, random, path);
-      paths.col(b) = path.cast<float>();
-    }
-    return paths;
-  };
-  const auto search = [&](Eigen::Index first, const auto& paths) {
-    const Eigen::MatrixXf along = transposed * paths;
+  const Eigen::MatrixXf columns = projected.columns.cast<float>();
+  const Paths paths(leftover, noise, plausible, count, seed);
+  Eigen::MatrixXf maxima = Eigen::MatrixXf::Zero(count, static_cast<Eigen::Index>(effects.size()));
+  in_parallel(static_cast<std::size_t>((count + kBatch - 1) / kBatch), [&](std::size_t batch) {
+    const Eigen::Index first = kBatch * static_cast<Eigen::Index>(batch), now = std::min(kBatch, count - first);
+    const Eigen::MatrixXf along = paths.drawn(first, now).transpose() * columns;
     for (const Signature& signature : bank.signatures) {
-      const Eigen::Index effect = effect_of_family[signature.family];
-      for (Eigen::Index b = 0; b < paths.cols(); ++b) {
-        const float score = along.col(b).segment(signature.first, signature.width).squaredNorm();
-        maxima(first + b, effect) = std::max(maxima(first + b, effect), score);
-      }
+      Eigen::ArrayXf score = along.col(signature.first).array().square();
+      for (Eigen::Index j = 1; j < signature.width; ++j) score += along.col(signature.first + j).array().square();
+      auto most = maxima.col(effect_of_family[signature.family]).segment(first, now);
+      most = most.cwiseMax(score.matrix());
     }
-  };
-  // Drawn in order, by one thread; batches of them are searched by all, so that nothing depends on their number.
-  Eigen::MatrixXf paths = drawn(0);
-  for (Eigen::Index first = 0; first < maxima.rows(); first += kChunk) {
-    std::atomic<Eigen::Index> next{0};
-    const auto search_batches = [&] {
-      for (Eigen::Index begin = kBatch * next++; begin < paths.cols(); begin = kBatch * next++) {
-        search(first + begin, paths.middleCols(begin, std::min(kBatch, paths.cols() - begin)));
-      }
-    };
-    Eigen::MatrixXf after;
-    {
-      std::vector<std::jthread> helpers;
-      for (unsigned k = 1; k < std::min(std::thread::hardware_concurrency(), kMostThreads); ++k) {
-        helpers.emplace_back(search_batches);
-      }
-      if (first + kChunk < maxima.rows()) after = drawn(first + kChunk);
-      search_batches();
-    }
-    paths = std::move(after);
-  }
+  });
   return {std::move(effects), std::move(maxima)};
 }
 

@@ -3,15 +3,19 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ballbar/units.hpp"
 #include "nelder_mead.hpp"
+#include "parallel.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr double kLeastVariance_um2 = 1e-18;
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // States: s, f, f'.
 struct Step {
@@ -36,18 +40,51 @@ Step step_of(double dt_s, const Noise& noise, double amplitude_um, double length
   return step;
 }
 
+// States of every column side by side.
+class States {
+ public:
+  explicit States(Eigen::Index columns) : s_(columns), f_(columns), slope_(columns) {
+    s_.setZero();
+    f_.setZero();
+    slope_.setZero();
+  }
+
+  void predict(const Step& step) {
+    for (Eigen::Index j = 0; j < s_.size(); ++j) {
+      const double f = f_[j];
+      s_[j] *= step.a(0, 0);
+      f_[j] = step.a(1, 1) * f + step.a(1, 2) * slope_[j];
+      slope_[j] = step.a(2, 1) * f + step.a(2, 2) * slope_[j];
+    }
+  }
+
+  // Readings become innovations times `scale`.
+  template <class Row>
+  void see(const Eigen::Vector3d& gain, double scale, Row row) {
+    for (Eigen::Index j = 0; j < s_.size(); ++j) {
+      const double innovation = row[j] - s_[j] - f_[j];
+      s_[j] += gain[0] * innovation;
+      f_[j] += gain[1] * innovation;
+      slope_[j] += gain[2] * innovation;
+      row[j] = scale * innovation;
+    }
+  }
+
+ private:
+  Eigen::RowVectorXd s_, f_, slope_;
+};
+
 }  // namespace
 
 double log_likelihood(const Leftover& leftover, const Noise& noise, double amplitude_um, double length_s) {
   const Eigen::Index n = leftover.residual_um.size(), p = leftover.model.cols();
-  Eigen::MatrixXd columns(n, p + 1);
+  RowMajor columns(n, p + 1);
   columns << leftover.model, leftover.residual_um;
-  Eigen::MatrixXd out(n, p + 1);
-  Eigen::Matrix<double, 3, Eigen::Dynamic> state = Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, p + 1);
+  States states(p + 1);
   Eigen::Matrix3d variance = Eigen::Matrix3d::Zero(), last = Eigen::Matrix3d::Constant(-1.0);
   Eigen::Vector3d gain = Eigen::Vector3d::Zero();
   Step step;
-  double before_s = -1.0, log_variances = 0.0, innovation_variance = 1.0;
+  double before_s = -1.0, log_variances = 0.0, log_variance = 0.0, scale = 1.0;
   bool steady = false;
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto row = static_cast<std::size_t>(i);
@@ -63,14 +100,16 @@ double log_likelihood(const Leftover& leftover, const Noise& noise, double ampli
         before_s = dt_s;
         steady = false;
       }
-      state = step.a * state;
+      states.predict(step);
       if (!steady) variance = step.a * variance * step.a.transpose() + step.q;
     }
     if (!steady || !leftover.sigma_um.empty()) {
       double white = noise.white_um * noise.white_um;
       if (!leftover.sigma_um.empty()) white += leftover.sigma_um[row] * leftover.sigma_um[row];
       const Eigen::Vector3d seen = variance.col(0) + variance.col(1);
-      innovation_variance = seen[0] + seen[1] + std::max(white, kLeastVariance_um2);
+      const double innovation_variance = seen[0] + seen[1] + std::max(white, kLeastVariance_um2);
+      scale = 1.0 / std::sqrt(innovation_variance);
+      log_variance = std::log(innovation_variance);
       gain = seen / innovation_variance;
       steady = leftover.sigma_um.empty() &&
                (variance - last).cwiseAbs().maxCoeff() <= 1e-13 * variance.cwiseAbs().maxCoeff();
@@ -78,12 +117,10 @@ double log_likelihood(const Leftover& leftover, const Noise& noise, double ampli
       variance -= gain * seen.transpose();
       if (steady) variance = last;  // the next prediction is this one
     }
-    const Eigen::RowVectorXd innovation = columns.row(i) - state.row(0) - state.row(1);
-    state += gain * innovation;
-    out.row(i) = innovation / std::sqrt(innovation_variance);
-    log_variances += std::log(innovation_variance);
+    states.see(gain, scale, columns.row(i));
+    log_variances += log_variance;
   }
-  const Eigen::MatrixXd gram = out.transpose() * out;
+  const Eigen::MatrixXd gram = columns.transpose() * columns;
   double squares = gram(p, p);
   if (p > 0) {
     const Eigen::VectorXd along = gram.topRightCorner(p, 1);
@@ -114,22 +151,22 @@ SmoothRival smooth_rival(const Leftover& leftover, const Noise& start) {
   };
   const bool memory = start.correlated_um > 0.0;
   const double correlated = memory ? start.correlated_um : 0.1 * rms_um;
-  SmoothRival best;
-  best.log_likelihood = -1e30;
-  for (const double part : {0.02, 0.1}) {
-    // Noise with the memory found, and noise of which the smooth curve took the slow part.
-    for (const double shorter : {1.0, 0.2}) {
-      const double time_s =
-          std::clamp((memory ? start.correlation_time_s : span_s / n) * shorter, 0.3 * span_s / n, 0.15 * span_s);
-      const std::array<double, 4> from{std::log(0.7 * rms_um), std::log(std::max(shortest_s * 1.5, part * span_s)),
-                                       std::log(std::max(correlated * std::sqrt(shorter), 1e-6 * rms_um)),
-                                       std::log(time_s)};
-      const auto found = nelder_mead<4>(cost, from, {0.5, 0.5, -0.3, -0.3}, 0.02, 160);
-      if (-found.value <= best.log_likelihood) continue;
-      best = {std::exp(found.x[0]), std::exp(found.x[1]), noise_at(found.x), -found.value};
-    }
-  }
-  return best;
+  // Noise with the memory found, and noise of which the smooth curve took the slow part.
+  constexpr std::array<double, 2> kParts{0.02, 0.1}, kShorter{1.0, 0.2};
+  std::array<Minimum<4>, kParts.size() * kShorter.size()> found;
+  in_parallel(found.size(), [&](std::size_t i) {
+    const double part = kParts[i / kShorter.size()], shorter = kShorter[i % kShorter.size()];
+    const double time_s =
+        std::clamp((memory ? start.correlation_time_s : span_s / n) * shorter, 0.3 * span_s / n, 0.15 * span_s);
+    const std::array<double, 4> from{std::log(0.7 * rms_um), std::log(std::max(shortest_s * 1.5, part * span_s)),
+                                     std::log(std::max(correlated * std::sqrt(shorter), 1e-6 * rms_um)),
+                                     std::log(time_s)};
+    found[i] = nelder_mead<4>(cost, from, {0.5, 0.5, -0.3, -0.3}, 0.02, 160);
+  });
+  const Minimum<4>& best = *std::min_element(
+      found.begin(), found.end(), [](const Minimum<4>& a, const Minimum<4>& b) { return a.value < b.value; });
+  if (!(best.value < 1e30)) return {0.0, 0.0, {}, -1e30};
+  return {std::exp(best.x[0]), std::exp(best.x[1]), noise_at(best.x), -best.value};
 }
 
 }  // namespace ballbar

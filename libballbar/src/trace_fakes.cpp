@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "ballbar/units.hpp"
+#include "parallel.hpp"
 #include "scrambled.hpp"
 #include "simulate_noise.hpp"
 #include "whitened.hpp"
@@ -103,7 +104,7 @@ double at_reading(const Sweep& sweep, const std::vector<double>& grid, double pl
 }
 
 void add_scrambled(const Sweep& sweep, const Spectrum& spectrum, const std::vector<double>& phases,
-                   Eigen::VectorXd& column) {
+                   Eigen::Ref<Eigen::VectorXd> column) {
   const std::vector<double> grid = scrambled(spectrum, phases);
   for (std::size_t i = 0; i < sweep.row.size(); ++i) column[sweep.row[i]] = at_reading(sweep, grid, sweep.place[i]);
 }
@@ -159,14 +160,18 @@ std::vector<std::vector<Spectrum>> spectra_of(const std::vector<Sweep>& sweeps, 
   return spectra;
 }
 
-// Columns freed of a basis and made orthonormal; those of which nothing is left become 0.
 Eigen::MatrixXd freed(Eigen::MatrixXd columns, const Eigen::MatrixXd& basis) {
+  const Eigen::MatrixXd made = basis.transpose() * columns;
+  columns -= basis * made;
+  return columns;
+}
+
+// Made orthonormal, as far as more than rounding is left of what each column was.
+Eigen::MatrixXd orthonormal_of(Eigen::MatrixXd columns, const Eigen::RowVectorXd& square_before) {
   for (Eigen::Index j = 0; j < columns.cols(); ++j) {
-    const double all = columns.col(j).squaredNorm();
-    columns.col(j) -= basis * (basis.transpose() * columns.col(j));
     for (Eigen::Index i = 0; i < j; ++i) columns.col(j) -= columns.col(i) * columns.col(i).dot(columns.col(j));
     const double left = columns.col(j).squaredNorm();
-    if (left > kNothingLeft * all) {
+    if (left > kNothingLeft * square_before[j]) {
       columns.col(j) /= std::sqrt(left);
     } else {
       columns.col(j).setZero();
@@ -174,6 +179,61 @@ Eigen::MatrixXd freed(Eigen::MatrixXd columns, const Eigen::MatrixXd& basis) {
   }
   return columns;
 }
+
+// Fakes of one effect on some recordings, with the phases of each group of them drawn.
+class Fakes {
+ public:
+  Fakes(std::vector<Sweep> sweeps, const TracedEffect& traced, const EffectRows& inputs,
+        const std::vector<std::size_t>& rows)
+      : sweeps_(std::move(sweeps)), n_(static_cast<Eigen::Index>(rows.size())) {
+    for (const std::vector<double>& point : traced.points) {
+      spectra_.push_back(spectra_of(sweeps_, gains_at(*traced.effect, inputs, point, rows)));
+    }
+  }
+
+  std::vector<std::vector<double>> phases(std::mt19937_64& random) const {
+    std::vector<std::vector<double>> result;
+    for (std::size_t s = 0; s < sweeps_.size(); ++s) result.push_back(random_phases(kGrid, random));
+    return result;
+  }
+
+  Eigen::Index width() const { return static_cast<Eigen::Index>(spectra_.front().front().size()); }  // gains
+
+  // The columns of one point after those of the other.
+  Eigen::MatrixXd at(const std::vector<std::vector<double>>& phases) const {
+    Eigen::MatrixXd columns(n_, width() * static_cast<Eigen::Index>(spectra_.size()));
+    Eigen::Index first = 0;
+    for (const std::vector<std::vector<Spectrum>>& point : spectra_) {
+      for (std::size_t s = 0; s < sweeps_.size(); ++s) {
+        for (std::size_t g = 0; g < point[s].size(); ++g) {
+          add_scrambled(sweeps_[s], point[s][g], phases[sweeps_[s].group],
+                        columns.col(first + static_cast<Eigen::Index>(g)));
+        }
+      }
+      first += width();
+    }
+    return columns;
+  }
+
+ private:
+  std::vector<Sweep> sweeps_;
+  Eigen::Index n_;
+  std::vector<std::vector<std::vector<Spectrum>>> spectra_;  // of each point, sweep, gain
+};
+
+// What the model leaves, whitened or plain, against which fakes are held.
+struct Remains {
+  Eigen::MatrixXd basis;
+  Eigen::VectorXd residual;
+
+  Remains(const Eigen::MatrixXd& model, const Eigen::VectorXd& from)
+      : basis(orthonormal(model)), residual(from - basis * (basis.transpose() * from)) {}
+};
+
+struct OneFake {
+  double gain = 0.0, fall = 0.0;  // of chi^2, of the square
+  bool is_itself = false;
+};
 
 }  // namespace
 
@@ -186,47 +246,44 @@ std::optional<BestFake> best_trace_fake(const TracedEffect& traced, const Series
   if (!enough || traced.points.empty() || count == 0) return std::nullopt;
   group(sweeps, traced.added_um);
   const BoundInputs inputs = inputs_of(*traced.effect, traced.columns, data);
-  std::vector<std::vector<std::vector<Spectrum>>> spectra;  // of each point, sweep, gain
-  for (const std::vector<double>& point : traced.points) {
-    spectra.push_back(spectra_of(sweeps, gains_at(*traced.effect, inputs.rows, point, rows)));
-  }
+  const Fakes fakes(std::move(sweeps), traced, inputs.rows, rows);
   const Whitening whitening(noise, leftover.time_s, leftover.sigma_um);
-  const Eigen::MatrixXd basis = orthonormal(whitened(whitening, leftover.model));
-  Eigen::VectorXd r = whitened(whitening, leftover.residual_um);
-  r -= basis * (basis.transpose() * r);
-  const Eigen::MatrixXd plain_basis = orthonormal(leftover.model);
-  const Eigen::VectorXd plain = leftover.residual_um - plain_basis * (plain_basis.transpose() * leftover.residual_um);
-  const Eigen::VectorXd own = freed(whitened(whitening, traced.added_um), basis);
+  const Remains white(whitened(whitening, leftover.model), whitened(whitening, leftover.residual_um));
+  const Remains plain(leftover.model, leftover.residual_um);
+  const Eigen::VectorXd added = whitened(whitening, traced.added_um);
+  const Eigen::VectorXd own = orthonormal_of(freed(added, white.basis), added.colwise().squaredNorm());
   std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 4);
+  std::vector<std::vector<std::vector<double>>> phases;
+  for (std::size_t number = 0; number < count; ++number) phases.push_back(fakes.phases(random));
+  std::vector<OneFake> found(count);
+  in_parallel(count, [&](std::size_t number) {
+    const Eigen::MatrixXd fake = fakes.at(phases[number]), filtered = whitened(whitening, fake);
+    const Eigen::RowVectorXd square = filtered.colwise().squaredNorm(), plain_square = fake.colwise().squaredNorm();
+    const Eigen::MatrixXd left = freed(filtered, white.basis), plain_left = freed(fake, plain.basis);
+    OneFake& one = found[number];
+    for (Eigen::Index first = 0; first < fake.cols(); first += fakes.width()) {
+      const Eigen::MatrixXd u =
+          orthonormal_of(left.middleCols(first, fakes.width()), square.segment(first, fakes.width()));
+      if ((u.transpose() * own).norm() > kItself) {
+        one.is_itself = true;
+        continue;
+      }
+      const Eigen::MatrixXd v =
+          orthonormal_of(plain_left.middleCols(first, fakes.width()), plain_square.segment(first, fakes.width()));
+      one.gain = std::max(one.gain, (u.transpose() * white.residual).squaredNorm());
+      one.fall = std::max(one.fall, (v.transpose() * plain.residual).squaredNorm());
+    }
+  });
   BestFake best;
   double most = 0.0;
   std::size_t alike = 0;
-  Eigen::MatrixXd fake;
-  for (std::size_t number = 0; number < count; ++number) {
-    std::vector<std::vector<double>> phases;  // of each group
-    for (std::size_t s = 0; s < sweeps.size(); ++s) phases.push_back(random_phases(kGrid, random));
-    bool is_itself = false;
-    for (const std::vector<std::vector<Spectrum>>& point : spectra) {
-      fake.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(point.front().size()));
-      for (std::size_t s = 0; s < sweeps.size(); ++s) {
-        for (std::size_t g = 0; g < point[s].size(); ++g) {
-          Eigen::VectorXd column = fake.col(static_cast<Eigen::Index>(g));
-          add_scrambled(sweeps[s], point[s][g], phases[sweeps[s].group], column);
-          fake.col(static_cast<Eigen::Index>(g)) = column;
-        }
-      }
-      const Eigen::MatrixXd white = freed(whitened(whitening, fake), basis);
-      if ((white.transpose() * own).norm() > kItself) {
-        is_itself = true;
-        continue;
-      }
-      best.gain = std::max(best.gain, (white.transpose() * r).squaredNorm());
-      most = std::max(most, (freed(fake, plain_basis).transpose() * plain).squaredNorm());
-    }
-    if (is_itself) ++alike;
+  for (const OneFake& one : found) {
+    best.gain = std::max(best.gain, one.gain);
+    most = std::max(most, one.fall);
+    alike += one.is_itself ? 1 : 0;
   }
   if (static_cast<double>(alike) > kMostAlike * static_cast<double>(count)) return std::nullopt;
-  best.fall = 1.0 - std::sqrt(std::max(0.0, 1.0 - most / std::max(plain.squaredNorm(), 1e-300)));
+  best.fall = 1.0 - std::sqrt(std::max(0.0, 1.0 - most / std::max(plain.residual.squaredNorm(), 1e-300)));
   return best;
 }
 

@@ -106,7 +106,7 @@ std::optional<BestFake> fake_of(const Model& model, std::size_t place, const Tes
   }
   if (bank.signatures.empty()) return std::nullopt;
   const Family family{&effect, term.columns, 0, bank.signatures.size()};
-  return best_fake(family, bank, whole.data, whole.fit.row, without.leftover, whole.likely.noise, kFakes, kSeed);
+  return best_fake(family, bank, whole.data, without.leftover, whole.likely.noise, kFakes, kSeed);
 }
 
 Tried tried_of(const Model& model, const Fit& all, const Tested& whole, std::size_t place) {

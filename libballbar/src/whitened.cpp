@@ -8,9 +8,23 @@
 
 namespace ballbar {
 
-Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::MatrixXd& columns) {
-  Eigen::MatrixXd out(columns.rows(), columns.cols());
-  for (Eigen::Index k = 0; k < columns.cols(); ++k) whitening.apply(columns.col(k).data(), 1, out.col(k).data(), 1);
+Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::Ref<const Eigen::MatrixXd>& columns) {
+  // The filter goes from row to row; columns beside one another fill the time that each step has to wait.
+  constexpr Eigen::Index kTogether = 8, kBlockRows = 256;
+  const Eigen::Index n = columns.rows();
+  Eigen::MatrixXd out(n, columns.cols());
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> block(std::min(kBlockRows, n), kTogether);
+  Eigen::Index k = 0;
+  for (; k + kTogether <= columns.cols(); k += kTogether) {
+    Eigen::RowVectorXd state = Eigen::RowVectorXd::Zero(kTogether);
+    for (Eigen::Index first = 0; first < n; first += kBlockRows) {
+      auto part = block.topRows(std::min(kBlockRows, n - first));
+      part = columns.block(first, k, part.rows(), kTogether);
+      whitening.apply(static_cast<std::size_t>(first), part, state);
+      out.block(first, k, part.rows(), kTogether) = part;
+    }
+  }
+  for (; k < columns.cols(); ++k) whitening.apply(columns.col(k).data(), 1, out.col(k).data(), 1);
   return out;
 }
 

@@ -7,7 +7,7 @@
 
 namespace ballbar {
 
-Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::MatrixXd& columns);
+Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::Ref<const Eigen::MatrixXd>& columns);
 
 // White noise with no reading beyond 4 sigma (by the median absolute deviation): what counts on many readings stays,
 // what a few make alone does not.

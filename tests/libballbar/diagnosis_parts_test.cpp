@@ -1,4 +1,5 @@
 // The steps of a diagnosis, each by hand or against dense matrices.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -6,15 +7,18 @@
 #include <cmath>
 #include <random>
 
+#include "ballbar/error.hpp"
 #include "bank.hpp"
 #include "best_subset.hpp"
 #include "confirmation.hpp"
 #include "cycles.hpp"
 #include "evidence.hpp"
 #include "held_out.hpp"
+#include "parallel.hpp"
 #include "search_null.hpp"
 #include "smooth_rival.hpp"
 #include "thinned.hpp"
+#include "whitened.hpp"
 
 namespace ballbar {
 namespace {
@@ -95,6 +99,65 @@ TEST(SearchNull, one_signature_is_chi2) {
   EXPECT_NEAR(null.p_search(effect, 6.635), 0.01, 0.004);
   EXPECT_GT(null.threshold(effect), 5.5);
   EXPECT_LT(null.threshold(effect), 8.0);
+}
+
+// Noise with a memory, uneven steps and stated sigma: whitened by itself it is white, whatever the filter's way.
+TEST(SearchNull, noise_with_a_memory_is_drawn_as_it_is) {
+  const std::size_t n = 40;
+  Eigen::MatrixXd columns(n, 1);
+  for (Eigen::Index i = 0; i < columns.rows(); ++i) columns(i, 0) = std::sin(0.2 * static_cast<double>(i));
+  const Bank bank = bank_with(columns);
+  Leftover leftover = leftover_with(std::vector<double>(n, 0.0));
+  for (std::size_t i = 0; i < n; ++i) {
+    leftover.time_s[i] += i % 3 == 0 ? 10.0 : 0.0;
+    leftover.sigma_um.push_back(i % 2 == 0 ? 0.1 : 0.3);
+  }
+  const Noise noise{0.3, 0.5, 200.0, 0.0};
+  const Whitening whitening(noise, leftover.time_s, leftover.sigma_um);
+  const Projected seen = projected(bank, leftover.residual_um, leftover.model, whitening);
+  const SearchNull null = search_null(bank, seen, leftover, noise, {noise}, 20000, 1);
+  const Effect& effect = *bank.families[0].effect;
+  EXPECT_NEAR(null.p_of_effect(effect, 2.706), 0.1, 0.01);
+  EXPECT_NEAR(null.p_of_effect(effect, 6.635), 0.01, 0.004);
+  // Noise of twice the size: scores are four times as large.
+  const Noise larger{0.6, 1.0, 200.0, 0.0};
+  leftover.sigma_um.clear();
+  const Whitening plain(noise, leftover.time_s, {});
+  const Projected without = projected(bank, leftover.residual_um, leftover.model, plain);
+  const SearchNull twice = search_null(bank, without, leftover, noise, {larger}, 20000, 1);
+  EXPECT_NEAR(twice.p_of_effect(effect, 4.0 * 2.706), 0.1, 0.01);
+}
+
+// 19 columns, 300 rows: two groups of eight, blocks of rows, and what is left over.
+TEST(Whitened, many_columns_are_each_as_alone) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  std::vector<double> time_s;
+  for (int i = 0; i < 300; ++i) time_s.push_back(60.0 * i + (i % 7 == 0 ? 5.0 : 0.0));
+  const Whitening whitening({0.3, 0.5, 400.0, 0.0}, time_s, {});
+  const Eigen::MatrixXd columns = Eigen::MatrixXd::NullaryExpr(300, 19, [&] { return normal(random); });
+  const Eigen::MatrixXd together = whitened(whitening, columns);
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+    const Eigen::MatrixXd alone = whitened(whitening, columns.col(k));
+    EXPECT_LT((together.col(k) - alone).cwiseAbs().maxCoeff(), 1e-12) << k;
+  }
+}
+
+TEST(InParallel, parts_inside_parts_are_all_done) {
+  std::vector<std::vector<int>> done(20, std::vector<int>(30, 0));
+  in_parallel(done.size(), [&](std::size_t i) { in_parallel(done[i].size(), [&](std::size_t j) { ++done[i][j]; }); });
+  for (const std::vector<int>& inner : done) EXPECT_EQ(inner, std::vector<int>(30, 1));
+  const auto throws = [&](std::size_t i) {
+    in_parallel(3, [&](std::size_t j) {
+      if (j > 0) throw Error(fmt::format("{} {}", i, j));
+    });
+  };
+  try {
+    in_parallel(4, throws);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "0 1");
+  }
 }
 
 // u1 and u2 nearly the same, r along their difference: each alone explains little, together all.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -105,6 +106,23 @@ TEST(Diagnosis, says_nothing_of_an_effect_that_is_not_searched) {
   EXPECT_TRUE(std::none_of(found.prospects.begin(), found.prospects.end(), is_it));
   EXPECT_FALSE(found.candidates.empty());
   for (const Candidate& candidate : found.candidates) EXPECT_FALSE(is_it(candidate.bound));
+}
+
+TEST(Diagnosis, tells_what_it_does) {
+  std::vector<std::string> steps;
+  DiagnosisOptions options;
+  options.draws = 500;
+  options.fakes = 20;
+  options.progress = [&](std::string_view step) { steps.emplace_back(step); };
+  const Diagnosis found = diagnose(by_speed(), made(3.0, 1), 0, options);
+  ASSERT_GE(steps.size(), 5U);
+  EXPECT_TRUE(std::regex_match(steps[0], std::regex("searching [0-9]+ shapes of [0-9]+ effects"))) << steps[0];
+  EXPECT_EQ(steps[1], "searching 500 data sets without any effect");
+  EXPECT_TRUE(std::regex_match(steps[2], std::regex("fitting [0-9]+ sets of effects"))) << steps[2];
+  EXPECT_EQ(steps.back(), "testing 20 fakes of " + label_of(found.candidates.front().bound));
+  // Telling changes nothing.
+  options.progress = {};
+  EXPECT_EQ(diagnose(by_speed(), made(3.0, 1), 0, options).p_anything, found.p_anything);
 }
 
 // The same column twice under two names: no data tell them apart.

@@ -1,15 +1,37 @@
 // Noise of the virtual machine, and that each stream of it is independent and fixed.
+#include "simulate_noise.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <random>
 
 #include "ballbar/simulate.hpp"
 #include "ballbar/units.hpp"
 
 namespace ballbar {
 namespace {
+
+TEST(SimulateNoise, many_normal_numbers_are_independent) {
+  std::mt19937_64 random = simulation::stream_of(1, simulation::Stream::signal, 9);
+  std::vector<double> values(100'001);
+  simulation::fill_normal(values, random);
+  const double n = static_cast<double>(values.size());
+  double mean = 0.0, square = 0.0, fourth = 0.0, neighbours = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    mean += values[i] / n;
+    square += std::pow(values[i], 2) / n;
+    fourth += std::pow(values[i], 4) / n;
+    if (i > 0) neighbours += values[i] * values[i - 1] / n;
+  }
+  // Four standard errors: 1, sqrt 2, sqrt 96 and 1 over sqrt n.
+  EXPECT_NEAR(mean, 0.0, 4.0 / std::sqrt(n));
+  EXPECT_NEAR(square, 1.0, 4.0 * std::sqrt(2.0 / n));
+  EXPECT_NEAR(fourth, 3.0, 4.0 * std::sqrt(96.0 / n));
+  EXPECT_NEAR(neighbours, 0.0, 4.0 / std::sqrt(n));
+}
 
 VirtualMachine noisy(std::uint64_t seed) {
   VirtualMachine machine;
