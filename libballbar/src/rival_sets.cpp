@@ -116,6 +116,43 @@ std::vector<Set> worth_a_look(Hypotheses& now, const Ground& ground) {
   return sets;
 }
 
+// In the place of each effect of the best set others: a grid point far from the truth ends in a hollow of its own.
+void add_in_place(const Hypotheses& now, const Ground& ground, Fitted& fitted) {
+  for (std::size_t round = 0; round < kRounds; ++round) {
+    const Refitted whole = fitted.refits().front();
+    std::vector<std::vector<std::size_t>> others(whole.set.size());
+    in_parallel(others.size(), [&](std::size_t out) { others[out] = in_place_of(now, whole, out, ground.null); });
+    std::vector<Set> swapped;
+    for (std::size_t out = 0; out < others.size(); ++out) {
+      for (const std::size_t other : others[out]) {
+        swapped.push_back(whole.set);
+        swapped.back()[out] = other;
+      }
+    }
+    fitted.add(swapped, swapped.size());
+    fitted.again_from(whole);
+    fitted.sort();
+    if (fitted.refits().front().set == whole.set) return;
+  }
+}
+
+// The best set without each of its effects: what a point of the grid lacked another effect may have filled in, which
+// with free shapes is not needed.
+void add_with_fewer(Fitted& fitted) {
+  const std::vector<Refitted>& refits = fitted.refits();
+  for (std::size_t before = 0; before != refits.size() && refits.front().set.size() > 1;) {
+    before = refits.size();
+    const Set whole = refits.front().set;
+    std::vector<Set> fewer;
+    for (std::size_t out = 0; out < whole.size(); ++out) {
+      fewer.push_back(whole);
+      fewer.back().erase(fewer.back().begin() + static_cast<std::ptrdiff_t>(out));
+    }
+    fitted.add(fewer, fewer.size());
+    fitted.sort();
+  }
+}
+
 }  // namespace
 
 double penalised(Hypotheses& now, const Ground& ground, const Set& set) {
@@ -145,34 +182,10 @@ std::vector<Refitted> rival_sets(Hypotheses& now, const Ground& ground) {
   fitted.sort();
   if (refits.empty()) return {};
 
-  // A grid point far from the truth ends in a hollow of its own.
-  for (std::size_t round = 0; round < kRounds; ++round) {
-    const Refitted whole = refits.front();
-    std::vector<std::vector<std::size_t>> others(whole.set.size());
-    in_parallel(others.size(), [&](std::size_t out) { others[out] = in_place_of(now, whole, out, ground.null); });
-    std::vector<Set> swapped;
-    for (std::size_t out = 0; out < others.size(); ++out) {
-      for (const std::size_t other : others[out]) {
-        swapped.push_back(whole.set);
-        swapped.back()[out] = other;
-      }
-    }
-    fitted.add(swapped, swapped.size());
-    fitted.again_from(whole);
-    fitted.sort();
-    if (refits.front().set == whole.set) break;
-  }
-  // What a point of the grid lacked another effect may have filled in: with free shapes it may not be needed.
-  for (std::size_t before = 0; before != refits.size() && refits.front().set.size() > 1;) {
-    before = refits.size();
-    const Set whole = refits.front().set;
-    std::vector<Set> fewer;
-    for (std::size_t out = 0; out < whole.size(); ++out) {
-      fewer.push_back(whole);
-      fewer.back().erase(fewer.back().begin() + static_cast<std::ptrdiff_t>(out));
-    }
-    fitted.add(fewer, fewer.size());
-    fitted.sort();
+  for (std::size_t size = 0; size != refits.front().set.size();) {
+    size = refits.front().set.size();
+    add_in_place(now, ground, fitted);
+    add_with_fewer(fitted);
   }
   for (std::size_t k = 1; k < refits.size(); ++k) {
     if (!is_open_between(refits.front(), refits[k]) || !redrawn(now, refits[k], refits.front())) continue;
