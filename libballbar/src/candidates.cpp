@@ -170,6 +170,24 @@ bool redrawn(const Hypotheses& now, const Refitted& plain, const Refitted& rich)
   return own.size() == 1 && others.size() == 1 && draws_the_same(now, plain, others.front(), rich, own.front());
 }
 
+namespace {
+
+// The rest of the set is open as well: it does without.
+bool is_spare(const Hypotheses& now, const Refitted& rival, std::size_t place, const Refitted& best,
+              const std::vector<const Refitted*>& rivals) {
+  const auto is_rest = [&](const Refitted& other) {
+    if (other.set.size() + 1 != rival.set.size()) return false;
+    for (std::size_t k = 0; k < rival.set.size(); ++k) {
+      if (k != place && !has(now, other.set, now.bound(rival.set[k]))) return false;
+    }
+    return true;
+  };
+  return is_rest(best) ||
+         std::any_of(rivals.begin(), rivals.end(), [&](const Refitted* other) { return is_rest(*other); });
+}
+
+}  // namespace
+
 std::vector<std::vector<BoundEffect>> groups_of(const Hypotheses& now, const Projected& seen, const Refitted& best,
                                                 const std::vector<const Refitted*>& rivals) {
   std::vector<std::vector<BoundEffect>> groups;
@@ -180,7 +198,7 @@ std::vector<std::vector<BoundEffect>> groups_of(const Hypotheses& now, const Pro
       if (has(now, best.set, now.bound(extra))) continue;
       bool same = false;
       for (std::size_t m = 0; m < best.set.size(); ++m) same = same || draws_the_same(now, best, m, *rival, k);
-      if (same) continue;
+      if (same || is_spare(now, *rival, k, best, rivals)) continue;
       // In the place of the one it is most like.
       double most = -1.0;
       std::size_t place = groups.size();

@@ -37,7 +37,8 @@ bool draws_the_same(const Hypotheses& now, const Refitted& plain, std::size_t m,
 // `rich` is `plain` but for one effect, and that draws the same.
 bool redrawn(const Hypotheses& now, const Refitted& plain, const Refitted& rich);
 
-// Effects that stand in the place of one of the best set in a rival set, one group for each; not what draws the same.
+// Effects that stand in the place of one of the best set in a rival set, one group for each; not what draws the same,
+// nor what the rival could do without.
 std::vector<std::vector<BoundEffect>> groups_of(const Hypotheses& now, const Projected& seen, const Refitted& best,
                                                 const std::vector<const Refitted*>& rivals);
 
