@@ -1,4 +1,4 @@
-#include "effect_option.hpp"
+#include "bound_to.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,16 +12,6 @@
 namespace ballbar {
 namespace {
 
-const Effect& effect_called(std::string_view name, Level level) {
-  if (const Effect* effect = find_effect(name, level)) return *effect;
-  std::vector<std::string_view> known;
-  for (const Effect* effect : effects()) {
-    if (effect->level == level) known.emplace_back(effect->name);
-  }
-  throw Error(fmt::format("expected an effect of the catalogue, found {}; the nearest is {}.", in_quotes(name),
-                          nearest_name(name, known)));
-}
-
 std::vector<std::string> choices_of(const Input& input, const Series& data, std::string_view target) {
   std::vector<std::string> choices;
   for (const Column& column : data.columns) {
@@ -32,7 +22,7 @@ std::vector<std::string> choices_of(const Input& input, const Series& data, std:
   return choices;
 }
 
-std::string column_of(const EffectOption& option, const Input& input, const Series& data, std::string_view target) {
+std::string column_of(const EffectText& option, const Input& input, const Series& data, std::string_view target) {
   const auto stated = std::find_if(option.columns.begin(), option.columns.end(),
                                    [&](const auto& one) { return one.first == input.role; });
   const Effect& effect = *option.effect;
@@ -68,38 +58,7 @@ std::string column_of(const EffectOption& option, const Input& input, const Seri
 
 }  // namespace
 
-EffectOption effect_option(std::string_view text, Level level) {
-  const std::size_t colon = text.find(':');
-  EffectOption option{&effect_called(text.substr(0, colon), level), {}};
-  if (colon == std::string_view::npos) return option;
-  const Effect& effect = *option.effect;
-  std::string_view rest = text.substr(colon + 1);
-  for (bool more = true; more;) {
-    const std::size_t comma = rest.find(',');
-    more = comma != std::string_view::npos;
-    const std::string_view one = rest.substr(0, comma);
-    rest.remove_prefix(more ? comma + 1 : rest.size());
-    const std::size_t equals = one.find('=');
-    if (equals == std::string_view::npos || equals + 1 == one.size()) {
-      throw Error(fmt::format("expected ROLE=COLUMN after {}:, found {}.", effect.name, in_quotes(one)));
-    }
-    const std::string role(one.substr(0, equals));
-    std::vector<std::string_view> roles;
-    for (const Input& input : effect.inputs) roles.emplace_back(input.role);
-    if (std::find(roles.begin(), roles.end(), role) == roles.end()) {
-      throw Error(roles.empty() ? fmt::format("expected no column for {}, found {}.", effect.name, in_quotes(one))
-                                : fmt::format("expected a role of {}, {}, found {}.", effect.name,
-                                              fmt::join(roles, ", "), in_quotes(role)));
-    }
-    if (std::any_of(option.columns.begin(), option.columns.end(), [&](const auto& it) { return it.first == role; })) {
-      throw Error(fmt::format("expected each role of {} once, found {} again.", effect.name, in_quotes(role)));
-    }
-    option.columns.emplace_back(role, std::string(one.substr(equals + 1)));
-  }
-  return option;
-}
-
-BoundEffect bound_to(const EffectOption& option, const Series& data, std::string_view target) {
+BoundEffect bound_to(const EffectText& option, const Series& data, std::string_view target) {
   BoundEffect bound{option.effect, {}};
   for (const Input& input : option.effect->inputs) bound.columns.push_back(column_of(option, input, data, target));
   return bound;
