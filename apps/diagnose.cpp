@@ -311,9 +311,8 @@ nlohmann::ordered_json json_of(const Diagnosed& diagnosed) {
   json["not_searched"] = nlohmann::ordered_json::array();
   for (const Prospect& prospect : found.prospects) {
     if (prospect.bindings <= kMostBindings) continue;
-    json["not_searched"].push_back({{"effect", prospect.effect->name},
-                                    {"choices_of_columns", prospect.bindings},
-                                    {"searched", kMostBindings}});
+    json["not_searched"].push_back(
+        {{"effect", prospect.effect->name}, {"choices_of_columns", prospect.bindings}, {"searched", kMostBindings}});
   }
   json["reasons"] = found.reasons;
   json["next_test"] = nullptr;

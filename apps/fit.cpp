@@ -28,7 +28,6 @@ struct Options {
   bool json = false;
 };
 
-
 Json stored_of(const std::vector<Compared>& results) {
   Json stored = Json::object();
   for (const Compared& result : results) {

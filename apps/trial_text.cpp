@@ -37,7 +37,8 @@ Table figures(const Trial& trial) {
   };
   row("RMSE um", before.rmse_um, after.rmse_um, decimals);
   row("times the floor", before.times_floor, after.times_floor, 2);
-  row(before.level == Level::recording ? "left-out recordings um" : "left-out cycles um", before.held_out_um, after.held_out_um, decimals);
+  row(before.level == Level::recording ? "left-out recordings um" : "left-out cycles um", before.held_out_um,
+      after.held_out_um, decimals);
   row("free parameters", static_cast<double>(before.parameters), static_cast<double>(after.parameters), 0);
   return table;
 }

@@ -58,9 +58,10 @@ void expect_once(const std::vector<std::filesystem::path>& paths) {
 void expect_one_plane(const std::vector<Recording>& recordings, const std::filesystem::path& last) {
   for (const Recording& recording : recordings) {
     if (recording.plane == recordings.front().plane) continue;
-    throw Error(fmt::format("{}: expected recordings of one plane, whose axes the effects are of, found {} after {}; "
-                            "each plane is diagnosed alone.",
-                            last.string(), name_of(recording.plane), name_of(recordings.front().plane)));
+    throw Error(
+        fmt::format("{}: expected recordings of one plane, whose axes the effects are of, found {} after {}; "
+                    "each plane is diagnosed alone.",
+                    last.string(), name_of(recording.plane), name_of(recordings.front().plane)));
   }
 }
 

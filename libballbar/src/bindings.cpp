@@ -58,8 +58,8 @@ bool visit(const std::vector<std::vector<const Column*>>& choices, const std::ma
     const std::string& name = column->name;
     if (std::find(later, bound.end(), name) != bound.end()) continue;
     const bool colder = free == 1 && !means.empty() && std::any_of(later, bound.end(), [&](const std::string& other) {
-      return means.at(name) < means.at(other);
-    });
+                          return means.at(name) < means.at(other);
+                        });
     if (colder) continue;
     bound[free - 1] = name;
     if (!visit(choices, means, free - 1, bound, take)) return false;
