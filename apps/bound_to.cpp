@@ -22,11 +22,11 @@ std::vector<std::string> choices_of(const Input& input, const Series& data, std:
   return choices;
 }
 
-std::string column_of(const EffectText& option, const Input& input, const Series& data, std::string_view target) {
-  const auto stated = std::find_if(option.columns.begin(), option.columns.end(),
+std::string column_of(const EffectText& text, const Input& input, const Series& data, std::string_view target) {
+  const auto stated = std::find_if(text.columns.begin(), text.columns.end(),
                                    [&](const auto& one) { return one.first == input.role; });
-  const Effect& effect = *option.effect;
-  if (stated == option.columns.end()) {
+  const Effect& effect = *text.effect;
+  if (stated == text.columns.end()) {
     if (effect.level == Level::recording) return std::string(trace_column(input.role));
     const std::vector<std::string> choices = choices_of(input, data, target);
     if (choices.size() == 1) return choices.front();
@@ -58,9 +58,9 @@ std::string column_of(const EffectText& option, const Input& input, const Series
 
 }  // namespace
 
-BoundEffect bound_to(const EffectText& option, const Series& data, std::string_view target) {
-  BoundEffect bound{option.effect, {}};
-  for (const Input& input : option.effect->inputs) bound.columns.push_back(column_of(option, input, data, target));
+BoundEffect bound_to(const EffectText& text, const Series& data, std::string_view target) {
+  BoundEffect bound{text.effect, {}};
+  for (const Input& input : text.effect->inputs) bound.columns.push_back(column_of(text, input, data, target));
   return bound;
 }
 
