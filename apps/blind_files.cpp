@@ -14,7 +14,7 @@
 #include "ballbar/formats/model_toml.hpp"
 #include "ballbar/formats/series_csv.hpp"
 #include "ballbar/nearest_name.hpp"
-#include "effect_option.hpp"
+#include "ballbar/term_text.hpp"
 #include "seal.hpp"
 
 namespace ballbar {
@@ -170,7 +170,7 @@ std::string_view trimmed(std::string_view text) {
 
 // All columns or none: a set's own data are not asked which is meant.
 BoundEffect bound_by_hand(std::string_view text) {
-  const EffectOption option = effect_option(text, Level::series);
+  const EffectText option = effect_text(text, Level::series);
   BoundEffect bound{option.effect, {}};
   for (const Input& input : option.effect->inputs) {
     for (const auto& [role, column] : option.columns) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ballbar/measured_input.hpp"
+#include "json_number.hpp"
 #include "text.hpp"
 
 namespace ballbar {
@@ -74,11 +75,6 @@ std::string floor_text(const Fit& fit) {
   const std::string rmse = fit.rmse_um < 1e-6 ? "below 0.000001" : fixed(fit.rmse_um, decimals);
   return fmt::format("RMSE {} um{}. {} values, as good as {} independent ones.", rmse, of_floor, fit.residual_um.size(),
                      independent_text(fit.n_effective));
-}
-
-nlohmann::ordered_json number(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  return value;
 }
 
 nlohmann::ordered_json json_of(const Checked& checked) {

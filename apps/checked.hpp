@@ -32,9 +32,6 @@ int decimals_of(double rmse_um);
 
 bool has_floor(const Fit& fit);
 
-// null where it is not finite.
-nlohmann::ordered_json number(double value);
-
 // The keys of `check --json`.
 nlohmann::ordered_json json_of(const Checked& checked);
 

@@ -18,6 +18,7 @@
 #include "commands.hpp"
 #include "comparison_plot.hpp"
 #include "five_probe_options.hpp"
+#include "json_number.hpp"
 #include "out_files.hpp"
 #include "text.hpp"
 
@@ -212,11 +213,6 @@ void print_text(const Operands& operands, const Comparison& comparison) {
     fmt::print("{} times fall into a gap and were left out (--max-gap).\n", comparison.left_out);
   }
   for (const std::string& remark : comparison.remarks) fmt::print("{}", wrapped(remark));
-}
-
-nlohmann::ordered_json number(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  return value;
 }
 
 nlohmann::ordered_json json_of(const AxisComparison& axis) {

@@ -10,9 +10,11 @@
 #include <nlohmann/json.hpp>
 
 #include "ballbar/diagnosis.hpp"
+#include "ballbar/error.hpp"
 #include "ballbar/next_test.hpp"
 #include "checked.hpp"
 #include "commands.hpp"
+#include "json_number.hpp"
 #include "model_options.hpp"
 #include "progress.hpp"
 #include "text.hpp"
@@ -35,6 +37,7 @@ struct Diagnosed {
   Checked checked;
   Diagnosis diagnosis;
   std::vector<NextTest> next_tests;
+  std::size_t fakes = 0;  // tried of each effect
 };
 
 constexpr std::size_t kInASentence = 4;
@@ -164,6 +167,17 @@ std::string untestable_text(const Diagnosis& found) {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
+// "gradient_bending (512 of 780 choices of columns)"; empty where all were searched.
+std::string not_searched_text(const Diagnosis& found) {
+  std::vector<std::string> texts;
+  for (const Prospect& prospect : found.prospects) {
+    if (prospect.bindings <= kMostBindings) continue;
+    texts.push_back(fmt::format("{} on {} of {} choices of columns", prospect.effect->name,
+                                prospect.bindings - kMostBindings, prospect.bindings));
+  }
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
 std::string next_text(const Diagnosed& diagnosed) {
   const Diagnosis& found = diagnosed.diagnosis;
   if (found.verdict == Verdict::named && found.equivalent.empty()) return "";  // nothing is left to tell
@@ -202,7 +216,7 @@ void print_text(const Diagnosed& diagnosed, const std::string& title) {
   }
   std::string falls;
   if (found.best_fake_fall > 0.0) {
-    falls = fmt::format("The best fake of 200 with the same smoothness lowers the RMSE by {:.0f} %",
+    falls = fmt::format("The best fake of {} with the same smoothness lowers the RMSE by {:.0f} %", diagnosed.fakes,
                         100.0 * found.best_fake_fall);
     falls += fmt::format("; the best set by {:.0f} %. ", 100.0 * (1.0 - found.rmse_after_um / found.base.rmse_um));
   }
@@ -225,6 +239,8 @@ void print_text(const Diagnosed& diagnosed, const std::string& title) {
   }
   const std::string untestable = untestable_text(found);
   if (!untestable.empty()) fmt::print("\n{}", wrapped("Not testable here: " + untestable + "."));
+  const std::string not_searched = not_searched_text(found);
+  if (!not_searched.empty()) fmt::print("\n{}", wrapped("Not searched: " + not_searched + "."));
   const std::string next = next_text(diagnosed);
   if (!next.empty()) fmt::print("\n{}", wrapped(next));
 }
@@ -293,6 +309,12 @@ nlohmann::ordered_json json_of(const Diagnosed& diagnosed) {
     if (prospect.testability == Testability::testable || prospect.testability == Testability::in_the_model) continue;
     json["untestable"].push_back({{"effect", prospect.effect->name}, {"why", prospect.why}});
   }
+  json["not_searched"] = nlohmann::ordered_json::array();
+  for (const Prospect& prospect : found.prospects) {
+    if (prospect.bindings <= kMostBindings) continue;
+    json["not_searched"].push_back(
+        {{"effect", prospect.effect->name}, {"choices_of_columns", prospect.bindings}, {"searched", kMostBindings}});
+  }
   json["reasons"] = found.reasons;
   json["next_test"] = nullptr;
   if (!diagnosed.next_tests.empty()) {
@@ -302,38 +324,61 @@ nlohmann::ordered_json json_of(const Diagnosed& diagnosed) {
   return json;
 }
 
+Diagnosed diagnosed_of(const Options& options, const Model& model, const ModelData& data, std::size_t target) {
+  const ProgressLine line;
+  const auto tell = [&](std::string_view step) {
+    if (!options.json) show_progress(fmt::format("{}: {}", model.targets[target], step));
+  };
+  tell("fitting");
+  Diagnosed diagnosed;
+  diagnosed.checked = checked(options.model, model, data, target);
+  DiagnosisOptions how;
+  how.motion = data.motion;
+  how.tolerance_um = options.tolerance_um;
+  how.seed = options.seed;
+  how.most_rows = options.most_rows;
+  how.progress = tell;
+  diagnosed.fakes = how.fakes;
+  diagnosed.diagnosis = diagnose(model, data.series, target, how);
+  tell("predicting what the next tests would tell");
+  diagnosed.next_tests = next_tests(model, data.series, diagnosed.diagnosis);
+  return diagnosed;
+}
+
+// The text or JSON of one of several targets; why there is none where it cannot be fitted, as without values.
+void show_one_of_several(const Options& options, const Model& model, const ModelData& data, std::size_t target,
+                         nlohmann::ordered_json& targets) {
+  if (target > 0 && !options.json) fmt::print("\n");
+  try {
+    const Diagnosed diagnosed = diagnosed_of(options, model, data, target);
+    if (options.json) {
+      targets.push_back(json_of(diagnosed));
+    } else {
+      print_text(diagnosed, data.title);
+    }
+  } catch (const Error& error) {
+    if (options.json) {
+      targets.push_back({{"target", model.targets[target]}, {"not_diagnosed", error.what()}});
+    } else {
+      fmt::print("{}\n{}\n\n{}", data.title, model.targets[target],
+                 wrapped(fmt::format("Not diagnosed: {}", error.what())));
+    }
+  }
+}
+
 void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
-  nlohmann::ordered_json targets = nlohmann::ordered_json::array();
-  const ProgressLine line;
-  for (std::size_t target = 0; target < model.targets.size(); ++target) {
-    const auto tell = [&](std::string_view step) {
-      if (!options.json) show_progress(fmt::format("{}: {}", model.targets[target], step));
-    };
-    tell("fitting");
-    Diagnosed diagnosed;
-    diagnosed.checked = checked(options.model, model, data, target);
-    DiagnosisOptions how;
-    how.motion = data.motion;
-    how.tolerance_um = options.tolerance_um;
-    how.seed = options.seed;
-    how.most_rows = options.most_rows;
-    how.progress = tell;
-    diagnosed.diagnosis = diagnose(model, data.series, target, how);
-    tell("predicting what the next tests would tell");
-    diagnosed.next_tests = next_tests(model, data.series, diagnosed.diagnosis);
-    if (options.json) {
-      targets.push_back(json_of(diagnosed));
-      continue;
-    }
-    show_progress({});
-    if (target > 0) fmt::print("\n");
-    print_text(diagnosed, data.title);
+  if (model.targets.size() == 1) {
+    const Diagnosed diagnosed = diagnosed_of(options, model, data, 0);
+    options.json ? fmt::print("{}\n", json_of(diagnosed).dump(2)) : print_text(diagnosed, data.title);
+    return;
   }
-  if (!options.json) return;
-  const nlohmann::ordered_json several{{"targets", targets}};
-  fmt::print("{}\n", (targets.size() == 1 ? targets.front() : several).dump(2));
+  nlohmann::ordered_json targets = nlohmann::ordered_json::array();
+  for (std::size_t target = 0; target < model.targets.size(); ++target) {
+    show_one_of_several(options, model, data, target, targets);
+  }
+  if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"targets", targets}}.dump(2));
 }
 
 }  // namespace

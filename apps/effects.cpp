@@ -13,6 +13,7 @@
 #include "ballbar/expression.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "commands.hpp"
+#include "json_number.hpp"
 #include "text.hpp"
 
 namespace ballbar::commands {
@@ -122,15 +123,12 @@ nlohmann::ordered_json json_of(const Effect& effect) {
   }
   json["parameters"] = nlohmann::ordered_json::array();
   for (const Parameter& parameter : effect.parameters) {
-    const auto finite = [](double value) {
-      return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-    };
     json["parameters"].push_back({{"name", parameter.name},
                                   {"unit", parameter.unit},
                                   {"kind", parameter.kind == ParameterKind::gain ? "gain" : "shape"},
                                   {"start", parameter.start},
-                                  {"lower", finite(parameter.lower)},
-                                  {"upper", finite(parameter.upper)},
+                                  {"lower", number(parameter.lower)},
+                                  {"upper", number(parameter.upper)},
                                   {"held", parameter.held},
                                   {"meaning", parameter.meaning}});
   }

@@ -11,6 +11,7 @@
 #include "ballbar/units.hpp"
 #include "commands.hpp"
 #include "fitted.hpp"
+#include "json_number.hpp"
 #include "out_files.hpp"
 #include "text.hpp"
 
@@ -26,8 +27,6 @@ struct Options {
   bool robust = false;
   bool json = false;
 };
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json stored_of(const std::vector<Compared>& results) {
   Json stored = Json::object();

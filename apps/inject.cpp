@@ -15,9 +15,10 @@
 #include "ballbar/formats/bytes.hpp"
 #include "ballbar/formats/series_csv.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "bound_to.hpp"
 #include "checked.hpp"
 #include "commands.hpp"
-#include "effect_option.hpp"
+#include "json_number.hpp"
 #include "model_options.hpp"
 #include "out_files.hpp"
 #include "progress.hpp"
@@ -189,7 +190,7 @@ void print_json(const Injected& result) {
 Injection injection(const Options& options, const Model& model, const ModelData& data) {
   BoundEffect bound;
   try {
-    bound = bound_to(effect_option(options.effect, data.level), data.series, model.targets.front());
+    bound = bound_to(effect_text(options.effect, data.level), data.series, model.targets.front());
   } catch (const Error& error) {
     throw Error(fmt::format("EFFECT: {}", error.what()));
   }

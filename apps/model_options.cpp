@@ -32,7 +32,7 @@ void expect_model_suits(Model model, const ModelOptions& options, const ModelDat
     expect_suits(bare, data.series);
   };
   if (options.target.empty()) {
-    with_source(options.model, expect_targets);
+    with_source(options.model.empty() ? options.data.front() : options.model, expect_targets);
   } else {
     try {
       expect_targets();

@@ -12,6 +12,7 @@
 #include "ballbar/formats/bytes.hpp"
 #include "ballbar/formats/series_csv.hpp"
 #include "commands.hpp"
+#include "json_number.hpp"
 #include "model_options.hpp"
 #include "out_files.hpp"
 #include "text.hpp"
@@ -129,8 +130,7 @@ void run(const Options& options) {
     json["time_s"] = series.time_s;
     for (const Column& column : series.columns) {
       nlohmann::ordered_json values = nlohmann::ordered_json::array();
-      for (const double value : column.values)
-        values.push_back(std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr);
+      for (const double value : column.values) values.push_back(number(value));
       json[column.name] = std::move(values);
     }
     fmt::print("{}\n", json.dump());

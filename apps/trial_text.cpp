@@ -8,6 +8,7 @@
 
 #include "ballbar/residual.hpp"
 #include "checked.hpp"
+#include "json_number.hpp"
 #include "model_options.hpp"
 #include "text.hpp"
 
@@ -36,7 +37,8 @@ Table figures(const Trial& trial) {
   };
   row("RMSE um", before.rmse_um, after.rmse_um, decimals);
   row("times the floor", before.times_floor, after.times_floor, 2);
-  row("left-out cycles um", before.held_out_um, after.held_out_um, decimals);
+  row(before.level == Level::recording ? "left-out recordings um" : "left-out cycles um", before.held_out_um,
+      after.held_out_um, decimals);
   row("free parameters", static_cast<double>(before.parameters), static_cast<double>(after.parameters), 0);
   return table;
 }
@@ -138,9 +140,9 @@ std::string tables(const Trial& trial) {
          wrapped(fmt::format(
              "Evidence: 2 ln of the likelihood ratio, the noise estimated anew on both sides; {:.0f} is d = 5. It "
              "holds "
-             "for an effect chosen before looking at these data. best fake's %: by which the best of 200 fakes, the "
+             "for an effect chosen before looking at these data. best fake's %: by which the best of {} fakes, the "
              "same smoothness and no cause, lowers the RMSE. p to stay: an earlier effect is needed below {}.",
-             kFewestEvidence, kStays));
+             kFewestEvidence, kFakes, kStays));
 }
 
 nlohmann::ordered_json json_of(const Trial& trial) {

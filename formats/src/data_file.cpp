@@ -41,9 +41,34 @@ std::vector<std::string> measured_names(const Series& series) {
   return names;
 }
 
+// A file given twice, under whatever name, would count as two measurements.
+void expect_once(const std::vector<std::filesystem::path>& paths) {
+  for (auto path = paths.begin(); path != paths.end(); ++path) {
+    const auto before = std::find_if(paths.begin(), path, [&](const std::filesystem::path& other) {
+      std::error_code absent;  // told where it is opened
+      return std::filesystem::equivalent(*path, other, absent);
+    });
+    if (before == path) continue;
+    throw Error(fmt::format("{}: expected each file once, found it again{}.", path->string(),
+                            *before == *path ? "" : fmt::format(", the same as {}", before->string())));
+  }
+}
+
+// The axes of an effect on recordings are those of the plane.
+void expect_one_plane(const std::vector<Recording>& recordings, const std::filesystem::path& last) {
+  for (const Recording& recording : recordings) {
+    if (recording.plane == recordings.front().plane) continue;
+    throw Error(
+        fmt::format("{}: expected recordings of one plane, whose axes the effects are of, found {} after {}; "
+                    "each plane is diagnosed alone.",
+                    last.string(), name_of(recording.plane), name_of(recordings.front().plane)));
+  }
+}
+
 ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths) {
   ModelData data;
   data.level = Level::recording;
+  expect_once(paths);
   std::vector<Recording> recordings;
   for (const std::filesystem::path& path : paths) {
     if (!is_recording(path)) {
@@ -52,6 +77,7 @@ ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths) {
     }
     RecordingFile file = open_recording(path);
     std::move(file.recordings.begin(), file.recordings.end(), std::back_inserter(recordings));
+    expect_one_plane(recordings, path);
   }
   data.title = paths.size() == 1 ? paths.front().string()
                                  : fmt::format("{} recordings of {} files, {} to {}", recordings.size(), paths.size(),

@@ -98,7 +98,11 @@ LedgerRow row_at(const TomlTable& table, std::size_t place) {
 
 std::vector<LedgerRow> ledger_of(const TomlTable& root) {
   std::vector<LedgerRow> rows;
-  for (const TomlTable& table : subtables(root, "history")) rows.push_back(row_at(table, rows.size()));
+  const bool of_recordings = string(root, "level").value_or("series") == "recording";
+  for (const TomlTable& table : subtables(root, "history")) {
+    rows.push_back(row_at(table, rows.size()));
+    if (of_recordings) rows.back().level = Level::recording;
+  }
   return rows;
 }
 

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
+#include "ballbar/identifiability.hpp"
 #include "ballbar/trace.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr std::size_t kMostBindings = 512;  // of one effect
 
 bool is_axial(const Series& data, const std::string& name) {
   return name == "z_um" || name == "axial_um" || (data.five_probe && data.five_probe->columns[4] == name);
@@ -46,30 +46,55 @@ bool suits(const Effect& effect, const Input& input, const Column& column, const
   return true;
 }
 
+using Take = std::function<bool(const std::vector<std::string>&)>;
+
+// Binds the first `free` inputs in every way, the last of them slowest; false where `take` wants no more. With means,
+// the column of the first input is no colder than the others.
+bool visit(const std::vector<std::vector<const Column*>>& choices, const std::map<std::string, double>& means,
+           std::size_t free, std::vector<std::string>& bound, const Take& take) {
+  if (free == 0) return take(bound);
+  const auto later = bound.begin() + static_cast<std::ptrdiff_t>(free);
+  for (const Column* column : choices[free - 1]) {
+    const std::string& name = column->name;
+    if (std::find(later, bound.end(), name) != bound.end()) continue;
+    const bool colder = free == 1 && !means.empty() && std::any_of(later, bound.end(), [&](const std::string& other) {
+                          return means.at(name) < means.at(other);
+                        });
+    if (colder) continue;
+    bound[free - 1] = name;
+    if (!visit(choices, means, free - 1, bound, take)) return false;
+  }
+  return true;
+}
+
+void visit_bindings(const Effect& effect, const Model& model, const Series& data, const Take& take) {
+  std::map<std::string, double> means;
+  std::vector<std::vector<const Column*>> choices(effect.inputs.size());
+  for (const Column& column : data.columns) {
+    if (effect.name == "gradient_bending") means[column.name] = mean_of(column);
+    for (std::size_t k = 0; k < choices.size(); ++k) {
+      if (suits(effect, effect.inputs[k], column, model, data)) choices[k].push_back(&column);
+    }
+  }
+  std::vector<std::string> bound(effect.inputs.size());
+  visit(choices, means, bound.size(), bound, take);
+}
+
 }  // namespace
 
 std::vector<std::vector<std::string>> bindings_of(const Effect& effect, const Model& model, const Series& data) {
-  const bool by_warmth = effect.name == "gradient_bending";
-  std::map<std::string, double> mean;
-  for (const Column& column : data.columns) {
-    if (by_warmth) mean[column.name] = mean_of(column);
-  }
-  std::vector<std::vector<std::string>> bindings{{}};
-  for (const Input& input : effect.inputs) {
-    std::vector<std::vector<std::string>> more;
-    for (const Column& column : data.columns) {
-      if (!suits(effect, input, column, model, data)) continue;
-      for (const std::vector<std::string>& binding : bindings) {
-        if (std::find(binding.begin(), binding.end(), column.name) != binding.end()) continue;
-        if (by_warmth && !binding.empty() && mean[binding.front()] < mean[column.name]) continue;
-        if (more.size() == kMostBindings) break;
-        more.push_back(binding);
-        more.back().push_back(column.name);
-      }
-    }
-    bindings = std::move(more);
-  }
+  std::vector<std::vector<std::string>> bindings;
+  visit_bindings(effect, model, data, [&](const std::vector<std::string>& binding) {
+    bindings.push_back(binding);
+    return bindings.size() < kMostBindings;
+  });
   return bindings;
+}
+
+std::size_t count_of_bindings(const Effect& effect, const Model& model, const Series& data) {
+  std::size_t count = 0;
+  visit_bindings(effect, model, data, [&](const std::vector<std::string>&) { return ++count > 0; });
+  return count;
 }
 
 bool has_term(const Model& model, const Effect& effect, const std::vector<std::string>& columns) {

@@ -122,7 +122,7 @@ std::vector<Prospect> prospects_of(const Bank& bank, const Projected& seen, cons
     const Family* chosen = nullptr;
     double least = std::numeric_limits<double>::infinity();
     const std::vector<std::vector<std::string>> bindings = bindings_of(*effect, model, data);
-    prospect.bindings = bindings.size();
+    prospect.bindings = count_of_bindings(*effect, model, data);
     for (const Family& family : bank.families) {
       if (family.effect != effect) continue;
       const double um = um_for_unit_d(bank, seen, family);

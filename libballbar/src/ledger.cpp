@@ -55,6 +55,7 @@ std::string done_text(const std::string& change) {
 
 LedgerRow row_of(const Fit& fit, const Likely& seen) {
   LedgerRow row;
+  row.level = seen.of_recordings ? Level::recording : Level::series;
   row.target = fit.target;
   row.parameters = static_cast<std::size_t>(
       std::count_if(fit.parameters.begin(), fit.parameters.end(),
@@ -88,7 +89,8 @@ std::string sentence(const LedgerRow& row, const LedgerRow* before) {
     text += fmt::format(" ({} times the floor)", change_text(from.times_floor, row.times_floor, times_text));
   }
   if (std::isfinite(row.held_out_um)) {
-    text += fmt::format(", left-out cycles {} um", change_text(from.held_out_um, row.held_out_um, um_text));
+    text += fmt::format(", left-out {} {} um", row.level == Level::recording ? "recordings" : "cycles",
+                        change_text(from.held_out_um, row.held_out_um, um_text));
   }
   if (std::isfinite(row.evidence)) {
     text += fmt::format("; evidence {:.1f}", row.evidence);

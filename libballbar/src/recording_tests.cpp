@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "planned_test.hpp"
@@ -10,6 +11,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kBetweenSweeps_s = 1.0;
+constexpr double kBars_mm[] = {50.0, 100.0, 150.0, 300.0};  // lengths that a ballbar's extensions make
 
 using Rows = std::vector<std::size_t>;
 
@@ -35,6 +37,20 @@ std::vector<double> known_values(const Series& trace, std::string_view name, con
     }
   }
   return {values.begin(), values.end()};
+}
+
+// The one whose ratio to that of the recordings is nearest to half, or to twice where there is none shorter.
+double other_bar_mm(double bar_mm) {
+  const double wanted_mm = bar_mm > kBars_mm[0] ? bar_mm / 2.0 : bar_mm * 2.0;
+  const auto off = [&](double length_mm) { return std::abs(std::log(length_mm / wanted_mm)); };
+  double best_mm = wanted_mm;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double length_mm : kBars_mm) {
+    if (std::abs(length_mm - bar_mm) < 1.0 || off(length_mm) >= least) continue;
+    best_mm = length_mm;
+    least = off(length_mm);
+  }
+  return best_mm;
 }
 
 // How the recordings are driven again.
@@ -111,7 +127,9 @@ std::vector<PlannedTest> recording_tests(const Series& trace, const std::string&
   }
   const std::vector<double> radii = known_values(trace, "radius_mm", whole);
   if (radii.size() == 1 && radii[0] > 0.0) {
-    add("half the radius", fmt::format("the same circles with a bar of {:g} mm", radii[0] / 2.0), {false, 0.0, 0.5});
+    const double other_mm = other_bar_mm(radii[0]);
+    add("another radius", fmt::format("the same circles with a bar of {:g} mm", other_mm),
+        {false, 0.0, other_mm / radii[0]});
     tests.back().new_set_up = true;
   }
   return tests;

@@ -102,16 +102,23 @@ void expect_in_data(const Effect& effect, const std::vector<Choice>& choices, co
 
 }  // namespace
 
-Term term_from_text(std::string_view text, const Model& model, const Series& data) {
+EffectText effect_text(std::string_view text, Level level) {
   const std::size_t colon = text.find(':');
-  Term term = term_of(text.substr(0, colon), {}, model.level);
-  const Effect& effect = *term.effect;
-  if (colon != std::string_view::npos && model.level == Level::recording) {
+  EffectText result{term_of(text.substr(0, colon), {}, level).effect.get(), {}};
+  if (colon == std::string_view::npos) return result;
+  const std::string_view rest = text.substr(colon + 1);
+  if (level == Level::recording) {
     throw Error(fmt::format("{}: expected no columns on recordings, where they bind by themselves, found {}.",
-                            effect.name, in_quotes(text.substr(colon + 1))));
+                            result.effect->name, in_quotes(rest)));
   }
-  std::vector<Choice> choices;
-  if (colon != std::string_view::npos) choices = choices_of(text.substr(colon + 1), effect);
+  result.columns = choices_of(rest, *result.effect);
+  return result;
+}
+
+Term term_from_text(std::string_view text, const Model& model, const Series& data) {
+  const auto [named, choices] = effect_text(text, model.level);
+  Term term = term_of(named->name, {}, model.level);
+  const Effect& effect = *term.effect;
   if (effect.inputs.empty() || model.level == Level::recording) return term;
   expect_in_data(effect, choices, data);
   term.columns.clear();

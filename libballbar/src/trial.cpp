@@ -19,7 +19,6 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kFakes = 200;
 constexpr std::uint64_t kSeed = 1;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 

@@ -44,12 +44,13 @@ TEST(BlindFiles, BadVerdictsAreNamed) {
        "v.csv:2: expected named, equivalent, unexplained, untestable or nothing, found \"maybe\"."},
       {head + "01,named,\n", "v.csv:2: expected effects behind named, found none."},
       {head + "01,nothing,step\n", "v.csv:2: expected no effects behind nothing, found \"step\"."},
-      {head + "01,named,stepp\n",
-       "v.csv:2: expected an effect of the catalogue, found \"stepp\"; the nearest is step."},
       {head + "01,named,gradient_bending:hot=T_a_degC\n",
        "v.csv:2: expected all columns of gradient_bending or none, found 1 of 2."},
   };
   for (const auto& [text, message] : table) EXPECT_EQ(complaint_about(text), message) << text;
+  const std::string unknown = complaint_about(head + "01,named,stepp\n");
+  EXPECT_TRUE(unknown.starts_with("v.csv:2: expected an effect on a drift series, one of expansion, ")) << unknown;
+  EXPECT_TRUE(unknown.ends_with(", found \"stepp\"; the nearest is step.")) << unknown;
 }
 
 }  // namespace

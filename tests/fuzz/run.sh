@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds the fuzz targets with clang and runs each for SECONDS (default 60); stops at the first fault.
+# Builds the fuzz targets with clang and runs each for SECONDS (default 60); stops after a fault.
 set -eu
 seconds=${1:-60}
 here=$(cd "$(dirname "$0")" && pwd)
@@ -14,11 +14,28 @@ for target in $targets; do
 done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-for target in $targets; do
-  corpus=$work/$target
+# As many at once as there are processors, each with its output in one piece.
+fuzz() {
+  corpus=$work/$1
   mkdir "$corpus"
-  cp "$here/seeds/$target"/* "$corpus"
-  echo "== fuzz_$target"
-  "$build/tests/fuzz/fuzz_$target" -max_total_time="$seconds" -rss_limit_mb=2048 -timeout=10 -print_final_stats=1 \
-    -artifact_prefix="$build/fuzz_$target-" "$corpus"
+  cp "$here/seeds/$1"/* "$corpus"
+  "$build/tests/fuzz/fuzz_$1" -max_total_time="$seconds" -rss_limit_mb=2048 -timeout=10 -print_final_stats=1 \
+    -artifact_prefix="$build/fuzz_$1-" "$corpus" >"$work/$1.log" 2>&1
+}
+set -- $targets
+while [ $# -gt 0 ]; do
+  running=
+  for _ in $(seq "$(nproc)"); do
+    [ $# -gt 0 ] || break
+    fuzz "$1" &
+    running="$running $1=$!"
+    shift
+  done
+  fault=0
+  for one in $running; do
+    wait "${one#*=}" || fault=$?
+    echo "== fuzz_${one%=*}"
+    cat "$work/${one%=*}.log"
+  done
+  [ "$fault" = 0 ] || exit "$fault"
 done

@@ -54,6 +54,13 @@ TEST(Ledger, sentence_of_the_start) {
             "The model started with RMSE 12.3 um (4.00 times the floor), left-out cycles 140 um.");
 }
 
+TEST(Ledger, sentence_of_recordings) {
+  LedgerRow of_recordings = row(0, "start", 12.34, 4.0, 140.4);
+  of_recordings.level = Level::recording;
+  EXPECT_EQ(sentence(of_recordings, nullptr),
+            "The model started with RMSE 12.3 um (4.00 times the floor), left-out recordings 140 um.");
+}
+
 TEST(Ledger, sentence_of_an_addition) {
   const LedgerRow before = row(1, "+ expansion(T2_degC)", 12.34, 14.0, 14.04);
   LedgerRow after = row(2, "+ lagged_expansion(T16_degC)", 3.1, 1.0, 3.9);

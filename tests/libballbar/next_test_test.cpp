@@ -359,9 +359,24 @@ TEST(next_test, a_squareness_is_told_from_an_oval_form_by_the_radius) {
                                  term_of("oval", {"angle_rad"}, Level::recording)};
   const std::vector<NextTest> tests = next_tests(circle_model(), trace, undecided(circle_model(), trace, rivals));
   ASSERT_FALSE(tests.empty());
-  EXPECT_EQ(tests.front().name, "half the radius");
+  EXPECT_EQ(tests.front().name, "another radius");
+  EXPECT_NE(tests.front().text.find("with a bar of 50 mm"), std::string::npos) << tests.front().text;
   // (1, 1) against (1, 1 / 2): sine sqrt(1 / 10); of the shorter, sqrt(5 / 4) 44.7, is left 15.8.
   EXPECT_NEAR(tests.front().separation, 15.0, 3.0);
+}
+
+// Half of 150 mm is no bar.
+TEST(next_test, another_radius_is_that_of_a_bar_there_is) {
+  for (const auto& [bar_mm, other] : {std::pair{150.0, "100 mm"}, {300.0, "150 mm"}, {50.0, "100 mm"}}) {
+    Series trace = circles(false, 20.0, 17);
+    for (Column& column : trace.columns) {
+      if (column.name == "radius_mm") std::fill(column.values.begin(), column.values.end(), bar_mm);
+    }
+    const std::vector<Term> rivals{term_of("squareness", {"angle_rad", "radius_mm"}, Level::recording),
+                                   term_of("oval", {"angle_rad"}, Level::recording)};
+    const std::vector<NextTest> tests = next_tests(circle_model(), trace, undecided(circle_model(), trace, rivals));
+    EXPECT_NE(named(tests, "another radius").text.find(fmt::format("a bar of {}", other)), std::string::npos) << bar_mm;
+  }
 }
 
 // A chiller that follows the load a little: the housing behind it or a drift.

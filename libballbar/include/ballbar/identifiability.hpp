@@ -25,12 +25,14 @@
 
 namespace ballbar {
 
+constexpr std::size_t kMostBindings = 512;  // choices of columns of one effect that are searched
+
 enum class Testability { testable, input_missing, input_constant, absorbed, in_the_model, other_motion };
 
 struct Prospect {
   const Effect* effect = nullptr;
   std::vector<std::string> columns;  // of the best binding; empty where there is none
-  std::size_t bindings = 0;          // how many choices of columns the data offer
+  std::size_t bindings = 0;          // choices of columns that the data offer, searched or not
   Testability testability = Testability::testable;
   std::string why;  // a phrase where it is not testable
   double surviving_share = 0.0;

@@ -2,7 +2,7 @@
 //
 // A menu of tests a shop can do (standstill, stop and go, another speed, two dwell lengths, several cycles, a step of
 // the room or of the coolant, the same again with the set-up untouched or new; on recordings the other direction, other
-// feeds, half the radius) is predicted: temperatures follow speed and room as they did in the data, every candidate
+// feeds, another radius) is predicted: temperatures follow speed and room as they did in the data, every candidate
 // adds what it was fitted to. What depends on time alone goes on where the set-up is untouched - a settling is over, a
 // drift drifts on; a test begins 12 h after the data - and starts again where it is new. Old and new data are whitened
 // by the noise (that of the fit with the best set) and freed of the model, of a new constant and of the other candidate

@@ -146,9 +146,10 @@ struct SimulatedSession {
 };
 
 // Every recording, signal and probe draws from its own random stream, keyed by seed, kind and test time or
-// column name: adding a test or a signal changes no other. Independent of the standard library's
-// distributions. Throws Error, naming the machine, where it is contradictory: no truth, times that do not
-// rise, a test outside the truth, an arc of 0, negative noise, an input its method does not have.
+// column name: adding a test or a signal changes no other, and machines alike in these have the same noise whatever
+// else they differ in, such as the feed: measurements to be taken together need seeds of their own. Independent of the
+// standard library's distributions. Throws Error, naming the machine, where it is contradictory: no truth, times that
+// do not rise, a test outside the truth, an arc of 0, negative noise, an input its method does not have.
 SimulatedSession simulate(const VirtualMachine& machine);
 
 }  // namespace ballbar

@@ -5,12 +5,23 @@
 //   gradient_bending:hot=T3_degC,cold=T16_degC         several roles
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "ballbar/model.hpp"
 #include "ballbar/series.hpp"
 
 namespace ballbar {
+
+struct EffectText {
+  const Effect* effect = nullptr;
+  std::vector<std::pair<std::string, std::string>> columns;  // role and column; those that are named
+};
+
+// Throws Error: an unknown effect or role (with the nearest name), a role twice, columns on recordings.
+EffectText effect_text(std::string_view text, Level level);
 
 // The effect with the catalogue's settings. Columns that are not named are found where only one choice that is not in
 // the model yet goes with those that are. Throws Error: an unknown effect, role or column (with the nearest name), a

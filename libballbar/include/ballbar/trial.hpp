@@ -25,6 +25,7 @@ namespace ballbar {
 
 constexpr double kFewestEvidence = 25.0;
 constexpr double kStays = 0.001;
+constexpr std::size_t kFakes = 200;
 
 // One added effect beside the model and all else that is added. NaN: not known.
 struct Tried {

@@ -22,7 +22,8 @@ struct ModelData {
 };
 
 // A session: its drift (drift_of with the options) joined with its signals; a series: its gaps closed as `joined` does;
-// one or more recordings (.b5r, logs): their trace. Throws Error for anything else, or a mixture.
+// one or more recordings (.b5r, logs) of one plane: their trace. Throws Error for anything else, a mixture, or the same
+// file twice.
 ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,
                           double max_gap_s);
 

@@ -1,4 +1,4 @@
-#include "effect_option.hpp"
+#include "bound_to.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,13 +19,13 @@ Series data() {
 
 std::string bound(const std::string& text) {
   try {
-    return label_of(bound_to(effect_option(text, Level::series), data(), "z_um"));
+    return label_of(bound_to(effect_text(text, Level::series), data(), "z_um"));
   } catch (const Error& error) {
     return error.what();
   }
 }
 
-TEST(EffectOption, ColumnsAreStatedOrTheOnlyChoice) {
+TEST(BoundTo, ColumnsAreStatedOrTheOnlyChoice) {
   EXPECT_EQ(bound("lagged_expansion:temperature=T_air_degC"), "lagged_expansion(T_air_degC)");
   EXPECT_EQ(bound("speed_heating"), "speed_heating(speed_rpm)");
   EXPECT_EQ(bound("gradient_bending:cold=T_air_degC,hot=T_oil_degC"), "gradient_bending(T_oil_degC, T_air_degC)");
@@ -33,18 +33,8 @@ TEST(EffectOption, ColumnsAreStatedOrTheOnlyChoice) {
   EXPECT_EQ(bound("linear_drift"), "linear_drift");
 }
 
-TEST(EffectOption, BadTextIsNamed) {
+TEST(BoundTo, ColumnsThatDoNotSuitAreNamed) {
   const std::pair<std::string, std::string> table[] = {
-      {"", "expected an effect of the catalogue, found \"\"; the nearest is step."},
-      {"speed_heatin", "expected an effect of the catalogue, found \"speed_heatin\"; the nearest is speed_heating."},
-      {"squareness", "expected an effect of the catalogue, found \"squareness\"; the nearest is settling."},
-      {"expansion:", "expected ROLE=COLUMN after expansion:, found \"\"."},
-      {"expansion:temperature", "expected ROLE=COLUMN after expansion:, found \"temperature\"."},
-      {"expansion:temperature=", "expected ROLE=COLUMN after expansion:, found \"temperature=\"."},
-      {"expansion:speed=speed_rpm", "expected a role of expansion, temperature, found \"speed\"."},
-      {"step:time=time_s", "expected no column for step, found \"time=time_s\"."},
-      {"expansion:temperature=T_air_degC,temperature=T_oil_degC",
-       "expected each role of expansion once, found \"temperature\" again."},
       {"expansion:temperature=T_iar_degC",
        "expected a column of the data for temperature of expansion, found \"T_iar_degC\"; the nearest is T_air_degC."},
       {"expansion:temperature=speed_rpm",
