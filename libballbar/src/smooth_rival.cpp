@@ -7,13 +7,13 @@
 #include <cmath>
 
 #include "ballbar/units.hpp"
+#include "kalman.hpp"
 #include "nelder_mead.hpp"
 #include "parallel.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kLeastVariance_um2 = 1e-18;
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
