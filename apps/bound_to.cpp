@@ -23,8 +23,8 @@ std::vector<std::string> choices_of(const Input& input, const Series& data, std:
 }
 
 std::string column_of(const EffectText& text, const Input& input, const Series& data, std::string_view target) {
-  const auto stated = std::find_if(text.columns.begin(), text.columns.end(),
-                                   [&](const auto& one) { return one.first == input.role; });
+  const auto stated =
+      std::find_if(text.columns.begin(), text.columns.end(), [&](const auto& one) { return one.first == input.role; });
   const Effect& effect = *text.effect;
   if (stated == text.columns.end()) {
     if (effect.level == Level::recording) return std::string(trace_column(input.role));

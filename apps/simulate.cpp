@@ -99,7 +99,9 @@ void add_simulate(CLI::App& app) {
       ->required();
   command->add_option("--truth", options->truth, "file for the truth; without it DIR-truth.csv, beside DIR")
       ->type_name("FILE");
-  command->add_option("--seed", options->seed, "of the noise, 0 or above, another for each machine; without it the machine's own")
+  command
+      ->add_option("--seed", options->seed,
+                   "of the noise, 0 or above, another for each machine; without it the machine's own")
       ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()))
       ->type_name("N");
   command->add_flag("--b5r", options->b5r, "method circles: .b5r files alone, without session.toml and signals");
