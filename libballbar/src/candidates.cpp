@@ -21,6 +21,7 @@ constexpr double kChance = 0.01;
 constexpr double kHeldOutWorse = 1.05;  // of the RMSE, which a slow noise makes up by itself: not clearly more
 constexpr double kInOneCycle = 0.9;     // share of what it shows
 constexpr double kSameCurve = 2.0;      // chi^2 of the difference of two curves
+constexpr double kSameShare = 0.01;     // of a curve's chi^2
 constexpr std::size_t kFakedShapes = 8;
 
 // The shape as fitted, and some of the grid.
@@ -142,6 +143,21 @@ bool becomes(const BoundEffect& rich, const BoundEffect& plain) {
          });
 }
 
+namespace {
+
+// A shape lies on its lower bound: a lag of 10 s where the plain effect has none.
+bool is_at_its_least(const Hypotheses& now, const Refitted& with, std::size_t place) {
+  const std::size_t term = now.model().terms.size() + place;
+  const std::size_t first = first_parameter(with.model, term), count = with.model.terms[term].settings.size();
+  return std::any_of(with.fit.parameters.begin() + static_cast<std::ptrdiff_t>(first),
+                     with.fit.parameters.begin() + static_cast<std::ptrdiff_t>(first + count),
+                     [](const FittedParameter& one) {
+                       return one.kind == ParameterKind::shape && one.state == ParameterState::on_lower_bound;
+                     });
+}
+
+}  // namespace
+
 bool draws_the_same(const Hypotheses& now, const Refitted& plain, std::size_t m, const Refitted& rich, std::size_t k) {
   const BoundEffect a = now.bound(plain.set[m]), b = now.bound(rich.set[k]);
   if (!becomes(b, a)) return false;
@@ -157,7 +173,8 @@ bool draws_the_same(const Hypotheses& now, const Refitted& plain, std::size_t m,
   const Eigen::VectorXd one = freed(curve(plain, m)), other = freed(curve(rich, k));
   const double square = other.squaredNorm();
   if (!(square > 0.0)) return false;
-  return (one - one.dot(other) / square * other).squaredNorm() < kSameCurve;
+  const double apart = (one - one.dot(other) / square * other).squaredNorm();
+  return apart < kSameCurve || (is_at_its_least(now, rich, k) && apart < kSameShare * one.squaredNorm());
 }
 
 bool redrawn(const Hypotheses& now, const Refitted& plain, const Refitted& rich) {
