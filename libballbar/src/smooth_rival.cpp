@@ -14,7 +14,6 @@
 namespace ballbar {
 namespace {
 
-
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // States: s, f, f'.

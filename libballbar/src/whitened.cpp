@@ -49,10 +49,11 @@ Eigen::VectorXd clipped(Eigen::VectorXd white) {
 bool has_heavy_tails(const Eigen::VectorXd& white) {
   constexpr double kDegrees = 4.0;
   constexpr int kRounds = 20;
+  if (white.size() < 2) return false;
   const auto n = static_cast<double>(white.size());
   const Eigen::ArrayXd square = (white.array() - white.mean()).square();
   const double variance = square.mean();
-  if (!(n > 1.0) || !(variance > 0.0)) return false;
+  if (!(variance > 0.0)) return false;
   double scale2 = 0.5 * variance;
   for (int round = 0; round < kRounds; ++round) {
     scale2 = ((kDegrees + 1.0) * square / (kDegrees + square / scale2)).mean();
