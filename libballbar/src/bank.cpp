@@ -73,16 +73,6 @@ std::vector<double> onsets(const EffectRows& rows, std::size_t most) {
   return grid;
 }
 
-// The model was free in them.
-std::vector<Eigen::Index> used_parameters(const Fit& fit) {
-  std::vector<Eigen::Index> used;
-  for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
-    const auto index = static_cast<Eigen::Index>(k);
-    if (fit.parameters[k].state != ParameterState::held && fit.jacobian.col(index).norm() > 0.0) used.push_back(index);
-  }
-  return used;
-}
-
 }  // namespace
 
 BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& names, const Series& data) {
@@ -209,6 +199,15 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   if (columns.cols() == 0) return columns;
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
   return Eigen::MatrixXd(qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank()));
+}
+
+std::vector<Eigen::Index> used_parameters(const Fit& fit) {
+  std::vector<Eigen::Index> used;
+  for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
+    const auto index = static_cast<Eigen::Index>(k);
+    if (fit.parameters[k].state != ParameterState::held && fit.jacobian.col(index).norm() > 0.0) used.push_back(index);
+  }
+  return used;
 }
 
 Eigen::MatrixXd model_columns(const Fit& fit) {

@@ -78,7 +78,10 @@ Projected projected(const Bank& bank, const Eigen::VectorXd& residual_um, const 
 
 Eigen::VectorXd scores(const Bank& bank, const Projected& projected, const Eigen::VectorXd& residual);
 
-// Columns of the Jacobian that the fit was free in, scaled to unit length.
+// Parameters that the fit was free in, by their place.
+std::vector<Eigen::Index> used_parameters(const Fit& fit);
+
+// Their columns of the Jacobian, scaled to unit length.
 Eigen::MatrixXd model_columns(const Fit& fit);
 
 // Of these columns: infinite for a gain; for a shape what it adds when it doubles.

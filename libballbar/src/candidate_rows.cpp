@@ -55,17 +55,6 @@ std::optional<Evaluated> in_test(const Effect& effect, const std::vector<std::st
   return evaluated(effect, inputs, parameters, test.rows);
 }
 
-// Parameters of the base fit that its model was free in, as model_columns of bank.hpp.
-std::vector<Eigen::Index> used_of(const Fit& base) {
-  std::vector<Eigen::Index> used;
-  for (std::size_t k = 0; k < base.parameters.size(); ++k) {
-    const auto index = static_cast<Eigen::Index>(k);
-    if (base.parameters[k].state != ParameterState::held && base.jacobian.col(index).norm() > 0.0)
-      used.push_back(index);
-  }
-  return used;
-}
-
 bool is_circle(const Term& term) { return term.effect->name == "circle"; }
 
 }  // namespace
@@ -115,7 +104,7 @@ std::optional<Rival> rival_of(const Candidate& candidate, const Series& data, st
 Places places_of(const CandidateRows& candidates, Eigen::Index own) {
   Places places;
   Eigen::Index next = 0;
-  const auto shared = static_cast<Eigen::Index>(used_of(*candidates.base).size()) + own;
+  const auto shared = static_cast<Eigen::Index>(used_parameters(*candidates.base).size()) + own;
   while (next < shared) places.shared.push_back(next++);
   for (const Rival& rival : candidates.rivals) {
     places.signal.push_back(next++);
@@ -133,7 +122,7 @@ Places places_of(const CandidateRows& candidates, Eigen::Index own) {
 namespace {
 
 Eigen::Index width_of(const CandidateRows& candidates, Eigen::Index own) {
-  auto width = static_cast<Eigen::Index>(used_of(*candidates.base).size()) + own;
+  auto width = static_cast<Eigen::Index>(used_parameters(*candidates.base).size()) + own;
   for (const Rival& rival : candidates.rivals) {
     width += 1 + static_cast<Eigen::Index>(rival.free.size() + rival.gains.size() * rival.points.size());
   }
@@ -158,7 +147,7 @@ bool put(const Rival& rival, const At& at, Eigen::Index& column, Eigen::MatrixXd
 
 std::optional<Eigen::MatrixXd> columns_in_data(const CandidateRows& candidates, Eigen::Index own) {
   const Fit& base = *candidates.base;
-  const std::vector<Eigen::Index> used = used_of(base);
+  const std::vector<Eigen::Index> used = used_parameters(base);
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(base.row.size()), width_of(candidates, own));
   Eigen::Index column = 0;
   for (const Eigen::Index k : used) result.col(column++) = base.jacobian.col(k);
@@ -228,7 +217,7 @@ std::optional<Eigen::MatrixXd> columns_in_test(const CandidateRows& candidates, 
   }
   Eigen::MatrixXd result(n, width_of(candidates, own.cols()));
   Eigen::Index column = 0;
-  for (const Eigen::Index k : used_of(base)) result.col(column++) = all.col(k);
+  for (const Eigen::Index k : used_parameters(base)) result.col(column++) = all.col(k);
   for (Eigen::Index k = 0; k < own.cols(); ++k) result.col(column++) = own.col(k);
   for (const Rival& rival : candidates.rivals) {
     const auto at = [&](const std::vector<double>& parameters) {

@@ -192,13 +192,7 @@ namespace {
 // The rest of the set is open as well: it does without.
 bool is_spare(const Hypotheses& now, const Refitted& rival, std::size_t place, const Refitted& best,
               const std::vector<const Refitted*>& rivals) {
-  const auto is_rest = [&](const Refitted& other) {
-    if (other.set.size() + 1 != rival.set.size()) return false;
-    for (std::size_t k = 0; k < rival.set.size(); ++k) {
-      if (k != place && !has(now, other.set, now.bound(rival.set[k]))) return false;
-    }
-    return true;
-  };
+  const auto is_rest = [&](const Refitted& other) { return is_without(now, other.set, rival.set, place); };
   return is_rest(best) ||
          std::any_of(rivals.begin(), rivals.end(), [&](const Refitted* other) { return is_rest(*other); });
 }

@@ -246,4 +246,12 @@ bool has(const Hypotheses& now, const Set& set, const BoundEffect& bound) {
   return std::any_of(set.begin(), set.end(), [&](std::size_t index) { return now.bound(index) == bound; });
 }
 
+bool is_without(const Hypotheses& now, const Set& set, const Set& whole, std::size_t place) {
+  if (set.size() + 1 != whole.size()) return false;
+  for (std::size_t k = 0; k < whole.size(); ++k) {
+    if (k != place && !has(now, set, now.bound(whole[k]))) return false;
+  }
+  return true;
+}
+
 }  // namespace ballbar

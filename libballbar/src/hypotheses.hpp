@@ -106,4 +106,7 @@ std::vector<std::size_t> in_place_of(const Hypotheses& now, const Refitted& whol
 
 bool has(const Hypotheses& now, const Set& set, const BoundEffect& bound);
 
+// `set` has the effects of `whole` but that at `place`.
+bool is_without(const Hypotheses& now, const Set& set, const Set& whole, std::size_t place);
+
 }  // namespace ballbar

@@ -119,13 +119,8 @@ std::vector<const Refitted*> open_rivals(const Case& c, Diagnosis& result) {
 
 // The fitted set without one of its effects: one of those that were fitted, or anew.
 Refitted others_of(const Case& c, const Refitted& whole, std::size_t place) {
-  const auto same = std::find_if(c.refits.begin(), c.refits.end(), [&](const Refitted& other) {
-    if (other.set.size() + 1 != whole.set.size()) return false;
-    for (std::size_t m = 0; m < whole.set.size(); ++m) {
-      if (m != place && !has(c.now, other.set, c.now.bound(whole.set[m]))) return false;
-    }
-    return true;
-  });
+  const auto same = std::find_if(c.refits.begin(), c.refits.end(),
+                                 [&](const Refitted& other) { return is_without(c.now, other.set, whole.set, place); });
   return same != c.refits.end() ? *same : c.now.without(whole, place);
 }
 
