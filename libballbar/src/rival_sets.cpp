@@ -14,9 +14,8 @@
 namespace ballbar {
 namespace {
 
-constexpr double kNearlyAsGood = 6.0;        // 2 ln L less thresholds
-constexpr double kThreeNearlyAsGood = 12.0;  // the same of sets of three
-constexpr double kAsGood = 3.0;              // 2 ln L
+constexpr double kNearlyAsGood = 6.0;        // 2 ln L, less thresholds or of sets of one size
+constexpr double kThreeNearlyAsGood = 12.0;  // 2 ln L less thresholds of sets of three
 constexpr double kFarFromGood = 40.0;        // 2 ln L less thresholds: not worth another fit
 constexpr double kWorthRefitting = 12.0;     // 2 ln L
 constexpr double kGridError = 0.1;           // share of the evidence that a point of a grid may lack
@@ -162,7 +161,7 @@ double penalised(Hypotheses& now, const Ground& ground, const Set& set) {
 bool is_open_between(const Refitted& best, const Refitted& other) {
   const double nearly = best.set.size() < 3 ? kNearlyAsGood : kThreeNearlyAsGood;
   return other.penalised > best.penalised - nearly ||
-         (other.set.size() == best.set.size() && 2.0 * (best.log_likelihood - other.log_likelihood) < kAsGood);
+         (other.set.size() == best.set.size() && 2.0 * (best.log_likelihood - other.log_likelihood) < kNearlyAsGood);
 }
 
 std::vector<Refitted> rival_sets(Hypotheses& now, const Ground& ground) {
