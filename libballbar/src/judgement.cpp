@@ -22,6 +22,7 @@ constexpr double kChance = 0.01;
 constexpr double kSmoothEvidence = 18.0;  // of a smooth curve that is more than noise
 constexpr double kWhite = 0.001;
 constexpr double kClustered = 0.001;  // chance of readings far from the others where they are
+constexpr double kCancels = 1.5;      // times the range of all effects of a set together
 constexpr std::size_t kShown = 8;
 constexpr std::size_t kShownInQuestion = 12;
 
@@ -185,6 +186,26 @@ bool is_contradicted(const std::vector<Confirmed>& confirmations, const Groups& 
   return false;
 }
 
+// How far a curve goes.
+double range_um(const std::vector<double>& curve_um) {
+  const auto [low, high] = std::minmax_element(curve_um.begin(), curve_um.end());
+  return *high - *low;
+}
+
+// Effects that go much farther than all of them together: what they draw is a small difference of large curves, which
+// imitates what none of them is.
+bool nearly_cancel(const Case& c) {
+  const Refitted& best = c.best();
+  std::vector<double> together(best.fit.row.size(), 0.0);
+  double farthest = 0.0;
+  for (std::size_t m = 0; m < best.set.size(); ++m) {
+    const std::vector<double>& one = best.fit.contribution_um[c.now.model().terms.size() + m];
+    for (std::size_t i = 0; i < one.size(); ++i) together[i] += one[i];
+    farthest = std::max(farthest, range_um(one));
+  }
+  return farthest > kCancels * range_um(together);
+}
+
 void decide(const Case& c, const std::vector<Confirmed>& confirmations, const Groups& groups, bool beats_smooth,
             Diagnosis& result) {
   if (!is_adequate(c.best())) return unexplained(c, result, "What the best effects leave is not noise.");
@@ -192,8 +213,13 @@ void decide(const Case& c, const std::vector<Confirmed>& confirmations, const Gr
     return unexplained(c, result, "A smooth curve without any cause explains the data better.");
   }
   if (is_contradicted(confirmations, groups)) return unexplained(c, result, {});
+  const bool cancel = nearly_cancel(c);
+  if (cancel) {
+    result.reasons.emplace_back(
+        "The best effects nearly cancel: a difference of large curves imitates much, so that none of them is named.");
+  }
   for (std::size_t m = 0; m < groups.size(); ++m) {
-    if (groups[m].size() == 1 && confirmations[m].why_not.empty()) {
+    if (!cancel && groups[m].size() == 1 && confirmations[m].why_not.empty()) {
       result.named.push_back(groups[m].front());
     } else {
       result.equivalent.push_back(groups[m]);

@@ -80,6 +80,21 @@ TEST(Diagnosis, names_the_room_and_its_gain) {
   EXPECT_LT(found.rmse_after_um, 0.5 * found.base.rmse_um);
 }
 
+// 20 um/K at once, less 20 um/K with a lag: 3 um are left of two curves of 40 um.
+TEST(Diagnosis, names_nothing_whose_curves_nearly_cancel) {
+  Series data = made(-20.0, 1);
+  const std::vector<double>& room = find_column(data, "T_room_degC")->values;
+  for (std::size_t i = 0; i < kRows; ++i) data.columns.back().values[i] += 20.0 * (room[i] - 22.0);
+  DiagnosisOptions options;
+  options.draws = 500;
+  options.fakes = 20;
+  const Diagnosis found = diagnose(by_speed(), data, 0, options);
+  EXPECT_TRUE(found.named.empty());
+  EXPECT_TRUE(std::any_of(found.reasons.begin(), found.reasons.end(), [](const std::string& why) {
+    return why.starts_with("The best effects nearly cancel");
+  }));
+}
+
 TEST(Diagnosis, nothing_hidden_is_nothing) {
   int called = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
