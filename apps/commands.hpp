@@ -23,5 +23,7 @@ void add_undo(CLI::App& app);
 void add_ledger(CLI::App& app);
 void add_blind(CLI::App& app);
 void add_inject(CLI::App& app);
+void add_train(CLI::App& app);
+void add_select(CLI::App& app);
 
 }  // namespace ballbar::commands

@@ -56,6 +56,8 @@ int main(int argc, char** argv) {
   ballbar::commands::add_ledger(app);
   ballbar::commands::add_blind(app);
   ballbar::commands::add_inject(app);
+  ballbar::commands::add_train(app);
+  ballbar::commands::add_select(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

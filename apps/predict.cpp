@@ -15,6 +15,7 @@
 #include "json_number.hpp"
 #include "model_options.hpp"
 #include "out_files.hpp"
+#include "predict_batch.hpp"
 #include "text.hpp"
 
 namespace ballbar::commands {
@@ -26,6 +27,7 @@ struct Options {
   ModelOptions model;
   std::vector<std::string> on;
   std::vector<std::string> out;
+  bool anyway = false;
   bool json = false;
 };
 
@@ -100,7 +102,27 @@ Table summary(const std::vector<Column>& columns) {
   return table;
 }
 
+void expect_csv(const std::vector<std::string>& out) {
+  for (const std::string& path : out) {
+    if (std::filesystem::path(path).extension() == ".csv") continue;
+    throw Error(fmt::format("--out {}: expected a name that ends in .csv.", path));
+  }
+}
+
+// A regression over batches has its own parameters, and is fitted to nothing here.
+void run_batch_model(const Options& options) {
+  if (options.model.data.size() != 1) {
+    throw Error(
+        fmt::format("expected one file of DATA for {}, found {}.", options.model.model, options.model.data.size()));
+  }
+  if (!options.on.empty()) throw Error("--on: expected a model of effects with it; a regression predicts DATA itself.");
+  expect_csv(options.out);
+  expect_no_input(options.out, {options.model.data.front(), options.model.model});
+  predict_batch({options.model.data.front(), options.model.model, options.out, options.anyway, options.json});
+}
+
 void run(const Options& options) {
+  if (is_batch_model(options.model.model)) return run_batch_model(options);
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
   ModelOptions elsewhere = options.model;
@@ -110,10 +132,7 @@ void run(const Options& options) {
   inputs.insert(inputs.end(), other.files.begin(), other.files.end());
   inputs.emplace_back(options.model.model);
   expect_no_input(options.out, inputs);
-  for (const std::string& path : options.out) {
-    if (std::filesystem::path(path).extension() == ".csv") continue;
-    throw Error(fmt::format("--out {}: expected a name that ends in .csv.", path));
-  }
+  expect_csv(options.out);
   Series series;
   series.time_s = other.series.time_s;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
@@ -153,6 +172,7 @@ void add_predict(CLI::App& app) {
   command->add_option("--on", options->on, "other data to predict, with the parameters fitted to DATA")
       ->type_name("DATA");
   command->add_option("--out", options->out, "write the series, .csv")->type_name("FILE")->allow_extra_args(false);
+  command->add_flag("--anyway", options->anyway, "model of `train`: predict though a sensor looks broken");
   command->add_flag("--json", options->json, "the series for a program");
   command->footer(
       "Example:\n"

@@ -9,24 +9,14 @@
 #include "ballbar/formats/recording_file.hpp"
 #include "ballbar/formats/session_toml.hpp"
 #include "content.hpp"
+#include "path_inside.hpp"
 
 namespace ballbar {
 namespace {
 
 namespace fs = std::filesystem;
 
-// `file` of the session, which may not lie outside its folder, not through a link either.
-fs::path path_inside(const fs::path& folder, const std::string& file) {
-  std::error_code error;
-  const fs::path root = fs::weakly_canonical(folder, error);
-  const fs::path target = error ? fs::path() : fs::weakly_canonical(folder / file, error);
-  const auto [end, rest] = std::mismatch(root.begin(), root.end(), target.begin(), target.end());
-  if (error || end != root.end()) {
-    throw Error(fmt::format("{}: expected a file inside the session's folder, found a link or path that leaves it.",
-                            (folder / file).string()));
-  }
-  return folder / file;
-}
+constexpr std::string_view kOwner = "the session";
 
 void expect_nominal_length(const Recording& recording, const fs::path& path, double nominal_length_mm) {
   if (recording.nominal_length_mm == nominal_length_mm) return;
@@ -72,22 +62,22 @@ SessionTest test_of(const SessionPlan& plan, const SessionPlan::Test& planned, c
     test.name = planned.c_arc;
     Recording expected;
     expected.motion = Motion::rotary_axis;
-    test.c_arc = recording_like(plan, path_inside(folder, planned.c_arc), "c_arc", expected);
+    test.c_arc = recording_like(plan, path_inside(folder, planned.c_arc, kOwner), "c_arc", expected);
     expected.plane = Plane::YZ;
-    test.a_arc = recording_like(plan, path_inside(folder, planned.a_arc), "a_arc", expected);
+    test.a_arc = recording_like(plan, path_inside(folder, planned.a_arc, kOwner), "a_arc", expected);
   } else if (plan.method == Method::spindle_rotation) {
     test.name = planned.rotation;
     Recording expected;
     expected.motion = Motion::spindle;
-    test.rotation = recording_like(plan, path_inside(folder, planned.rotation), "rotation", expected);
+    test.rotation = recording_like(plan, path_inside(folder, planned.rotation, kOwner), "rotation", expected);
     expected.kind = Kind::axial;
     if (!planned.axial.empty()) {
-      test.axial = recording_like(plan, path_inside(folder, planned.axial), "axial", expected);
+      test.axial = recording_like(plan, path_inside(folder, planned.axial, kOwner), "axial", expected);
     }
     test.axial_length_mm = planned.axial_length_mm;
   } else {
     test.name = planned.circle;
-    const fs::path path = path_inside(folder, planned.circle);
+    const fs::path path = path_inside(folder, planned.circle, kOwner);
     test.circles = recordings_in(plan, path);
     for (const Recording& circle : test.circles) {
       if (circle.kind != Kind::circle)
@@ -114,8 +104,8 @@ SessionFiles planned_session(const fs::path& path) {
   files.session.bar_expansion_ppm_per_K = plan.bar_expansion_ppm_per_K;
   files.session.spindle_above = plan.spindle_above;
   for (const SessionPlan::Test& test : plan.tests) files.session.tests.push_back(test_of(plan, test, folder));
-  for (const std::string& file : plan.signal_files) files.signals.push_back(path_inside(folder, file));
-  if (!plan.five_probe_file.empty()) files.five_probe = path_inside(folder, plan.five_probe_file);
+  for (const std::string& file : plan.signal_files) files.signals.push_back(path_inside(folder, file, kOwner));
+  if (!plan.five_probe_file.empty()) files.five_probe = path_inside(folder, plan.five_probe_file, kOwner);
   files.ball = plan.ball;
   files.files = files.signals;
   files.files.push_back(path);

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <filesystem>
-
 #include "ballbar/error.hpp"
+#include "path_inside.hpp"
 #include "source_text.hpp"
 #include "toml_source.hpp"
 
@@ -17,10 +16,7 @@ constexpr std::string_view kFormat = "ballbar-session 1";
 // Lexically; open_session looks at links too.
 void expect_inside(const TomlTable& table, std::string_view key, const std::string& path,
                    std::optional<std::size_t> element = std::nullopt) {
-  const std::filesystem::path normal = std::filesystem::path(path).lexically_normal();
-  const bool inside = !path.empty() && path.find('\0') == std::string::npos && !normal.is_absolute() && normal != "." &&
-                      *normal.begin() != "..";
-  if (inside) return;
+  if (stays_inside(path)) return;
   const std::string sentence =
       fmt::format("expected a path to a file inside the session's folder for {}, found {}.", key, in_quotes(path));
   element ? fail_at_element(table, key, *element, sentence) : fail_at_key(table, key, sentence);

@@ -1,0 +1,151 @@
+#include "batches.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/bytes.hpp"
+#include "ballbar/formats/runs_csv.hpp"
+#include "ballbar/formats/series_csv.hpp"
+#include "ballbar/nearest_name.hpp"
+#include "model_options.hpp"
+#include "progress.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kStepsTold = 5;
+
+// Throws Error where a batch has a temperature that the first has not: it would be forgotten silently.
+void expect_no_more(const Series& series, const BatchColumns& columns, const std::vector<std::string>& left_out,
+                    const std::string& first) {
+  for (const Column& column : series.columns) {
+    if (!is_sensor(column)) continue;
+    const auto is_it = [&](const std::string& name) { return name == column.name; };
+    if (std::any_of(columns.sensors.begin(), columns.sensors.end(), is_it)) continue;
+    if (std::any_of(left_out.begin(), left_out.end(), is_it)) continue;
+    throw Error(fmt::format("expected the temperatures of {} alone, found {} too.", first, column.name));
+  }
+}
+
+void take_out(std::vector<ListedRun>& runs, const std::vector<std::string>& without) {
+  for (const std::string& name : without) {
+    const auto same = [&](const ListedRun& run) { return run.name == name; };
+    if (std::none_of(runs.begin(), runs.end(), same)) {
+      std::vector<std::string_view> known;
+      for (const ListedRun& run : runs) known.emplace_back(run.name);
+      throw Error(fmt::format("--without {}: expected a batch of the list, found none of that name{}.", name,
+                              known.empty() ? "" : fmt::format("; the nearest is {}", nearest_name(name, known))));
+    }
+    std::erase_if(runs, same);
+  }
+}
+
+std::string some_of(const std::vector<std::string>& names) {
+  constexpr std::size_t kSome = 4;
+  if (names.size() <= kSome) return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + kSome, ", "), names.size() - kSome);
+}
+
+void tell_steps(const std::vector<Batch>& batches, const std::string& target, std::vector<std::string>& remarks) {
+  std::size_t more = 0;
+  for (const Batch& batch : batches) {
+    if (batch.step_um.empty()) continue;
+    if (remarks.size() >= kStepsTold) {
+      ++more;
+      continue;
+    }
+    const auto& [time_s, um] = batch.step_um.front();
+    remarks.push_back(
+        fmt::format("{}: {} steps by {:.1f} um at {:.0f} s{}: no heat does that. --without {} leaves it out.",
+                    batch.name, target, um, time_s, batch.step_um.size() > 1 ? " and elsewhere" : "", batch.name));
+  }
+  if (more > 0) remarks.push_back(fmt::format("{} more batches with such steps.", more));
+}
+
+}  // namespace
+
+void add_batch_options(CLI::App& command, BatchOptions& options) {
+  command.add_option("RUNS", options.list, "list of the recorded batches: runs.csv")->required();
+  command.add_option("--target", options.target, "what to predict: a column in um")->required()->type_name("COLUMN");
+  command.add_option("--room", options.room, "column of the room's temperature, where its name does not say so")
+      ->type_name("COLUMN");
+  const std::map<std::string, std::size_t> kinds{{"temperature", 0}, {"rise", 1}, {"both", 2}};
+  command
+      .add_option("--inputs", options.inputs,
+                  "what of a temperature is used: temperature itself, its rise since the batch began, or both")
+      ->transform(CLI::CheckedTransformer(kinds, CLI::ignore_case).description(""))
+      ->type_name("temperature|rise|both")
+      ->default_str("temperature");
+  command.add_option("--without", options.without, "leave this batch out")->type_name("BATCH")->allow_extra_args(false);
+  command.add_option("--without-sensor", options.without_sensor, "leave this temperature out")
+      ->type_name("COLUMN")
+      ->allow_extra_args(false);
+  command.add_flag("--keep-broken", options.keep_broken, "use sensors that look broken all the same");
+}
+
+void add_method_option(CLI::App& command, std::optional<std::size_t>& method, const std::string& otherwise) {
+  const std::map<std::string, std::size_t> methods{{"pcr", 0}, {"ridge", 1}, {"pls", 2}, {"ols", 3}};
+  command
+      .add_option("--method", method, "principal components, ridge, partial least squares, or ordinary least squares")
+      ->transform(CLI::CheckedTransformer(methods, CLI::ignore_case).description(""))
+      ->type_name("pcr|ridge|pls|ols")
+      ->default_str(otherwise);
+}
+
+Series read_batch(const std::filesystem::path& path) {
+  return read_series(read_bytes(path, kLargestTable), path.string());
+}
+
+OpenedBatches open_batches(const BatchOptions& options) {
+  RunList list = open_runs(options.list);
+  take_out(list.runs, options.without);
+  if (list.runs.size() < 2) {
+    throw Error(fmt::format("{}: expected at least 2 batches, found {}.", options.list, list.runs.size()));
+  }
+  const ProgressLine progress;
+  OpenedBatches opened;
+  for (const ListedRun& run : list.runs) {
+    const std::string file = run.file.string();
+    if (opened.batches.size() % 20 == 0) {
+      show_progress(fmt::format("reading batch {} of {}", opened.batches.size() + 1, list.runs.size()));
+    }
+    const Series series = read_batch(run.file);
+    with_source(file, [&] {
+      if (opened.batches.empty()) {
+        opened.columns = batch_columns(series, static_cast<InputKind>(options.inputs), options.target, options.room);
+        for (const std::string& sensor : options.without_sensor) {
+          if (std::erase(opened.columns.sensors, sensor) > 0) continue;
+          throw Error(fmt::format("expected a temperature {} to leave out, found none.", sensor));
+        }
+      }
+      expect_no_more(series, opened.columns, options.without_sensor, list.runs.front().name);
+      opened.batches.push_back(batch_of(run.name, series, opened.columns));
+    });
+    opened.files.push_back(run.file);
+  }
+  opened.files.emplace_back(options.list);
+
+  tell_steps(opened.batches, opened.columns.target, opened.remarks);
+  std::vector<std::string> leave;
+  for (const std::string& sensor : constant_sensors(opened.batches, opened.columns)) {
+    opened.remarks.push_back(fmt::format("{} reads the same in all rows of all batches: left out.", sensor));
+    leave.push_back(sensor);
+  }
+  for (const BrokenSensor& broken : broken_sensors(opened.batches, opened.columns)) {
+    opened.remarks.push_back(fmt::format("{} is off by {:+.1f} K in {} of {} batches ({}): it looks broken, {}.",
+                                         broken.sensor, broken.off_K, broken.batches.size(), opened.batches.size(),
+                                         some_of(broken.batches), options.keep_broken ? "kept" : "left out"));
+    if (!options.keep_broken) leave.push_back(broken.sensor);
+  }
+  FewerSensors fewer = without_sensors(std::move(opened.batches), opened.columns, leave);
+  opened.columns = std::move(fewer.columns);
+  opened.batches = std::move(fewer.batches);
+  return opened;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,46 @@
+// The recorded batches that `train` and `select` work on.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballbar/batch_selection.hpp"
+#include "ballbar/series.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace ballbar {
+
+struct BatchOptions {
+  std::string list;  // runs.csv
+  std::string target;
+  std::optional<std::string> room;
+  std::size_t inputs = 0;  // of InputKind
+  std::vector<std::string> without, without_sensor;
+  bool keep_broken = false;
+};
+
+// RUNS and what is said of its columns.
+void add_batch_options(CLI::App& command, BatchOptions& options);
+
+// --method; nothing: none was asked for.
+void add_method_option(CLI::App& command, std::optional<std::size_t>& method, const std::string& otherwise);
+
+struct OpenedBatches {
+  BatchColumns columns;
+  std::vector<Batch> batches;
+  std::vector<std::filesystem::path> files;  // of the batches, same order; then the list
+  std::vector<std::string> remarks;          // whole sentences: sensors left out, steps of the target
+};
+
+// Every batch is read, condensed and let go. Throws Error with the file: columns that differ from the first batch's, a
+// batch to leave out that is not listed, as batch_columns and batch_of.
+OpenedBatches open_batches(const BatchOptions& options);
+
+Series read_batch(const std::filesystem::path& path);
+
+}  // namespace ballbar

@@ -1,0 +1,146 @@
+#include "predict_batch.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/batch_regression.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/formats/batch_model_json.hpp"
+#include "ballbar/formats/bytes.hpp"
+#include "ballbar/formats/series_csv.hpp"
+#include "batches.hpp"
+#include "json_number.hpp"
+#include "model_options.hpp"
+#include "text.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kWarned = 6;
+
+Series read_data(const std::string& data) {
+  if (data != "-") return read_batch(data);
+  std::string bytes;
+  char block[1 << 16];
+  while (std::cin.read(block, sizeof block) || std::cin.gcount() > 0) {
+    bytes.append(block, static_cast<std::size_t>(std::cin.gcount()));
+    if (bytes.size() > kLargestTable) throw Error("standard input: expected at most 1 GiB, found more.");
+  }
+  return read_series(bytes, "standard input");
+}
+
+// "z_um" -> "z"
+std::string stem_of(const std::string& column) { return column.substr(0, column.rfind('_')); }
+
+Series series_of(const BatchModel& model, const BatchPrediction& prediction, const Series& data) {
+  const std::string stem = stem_of(model.columns.target);
+  Series series;
+  series.time_s = data.time_s;
+  series.columns.push_back({stem + "_model_um", Role::measured, prediction.predicted_um});
+  series.columns.push_back({stem + "_half_width_um", Role::measured, prediction.half_width_um});
+  if (const Column* measured = find_column(data, model.columns.target)) {
+    Column residual{stem + "_residual_um", Role::measured, measured->values};
+    for (std::size_t i = 0; i < residual.values.size(); ++i) residual.values[i] -= prediction.predicted_um[i];
+    series.columns.push_back(*measured);
+    series.columns.push_back(std::move(residual));
+  }
+  series.columns.push_back({"T2_of_largest", Role::event, prediction.T2_of_largest});
+  series.columns.push_back({"Q_of_largest", Role::event, prediction.Q_of_largest});
+  return series;
+}
+
+std::vector<std::string> warnings_of(const BatchPrediction& prediction, std::size_t rows) {
+  std::vector<std::string> warnings;
+  for (const std::string& sensor : prediction.broken) {
+    warnings.push_back(fmt::format(
+        "{} looks broken: with the reading that the other sensors suggest, the row is like those trained on.", sensor));
+  }
+  const std::vector<BatchPrediction::Outside>& outside = prediction.outside;
+  for (std::size_t i = 0; i < std::min(outside.size(), kWarned); ++i) {
+    const BatchPrediction::Outside& one = outside[i];
+    warnings.push_back(
+        fmt::format("{} leaves what was trained on, {:.1f} to {:.1f} K or degC, in {} of {} rows from "
+                    "{:.0f} s on: as far as {:.1f}.",
+                    one.what, one.low, one.high, one.rows, rows, one.time_s, one.value));
+  }
+  if (outside.size() > kWarned) warnings.push_back(fmt::format("So do {} more.", outside.size() - kWarned));
+  const auto beyond = [](const std::vector<double>& share) {
+    return std::count_if(share.begin(), share.end(), [](double one) { return one > 1.0; });
+  };
+  const auto far = beyond(prediction.T2_of_largest), odd = beyond(prediction.Q_of_largest);
+  if (far > 0 || odd > 0) {
+    warnings.push_back(
+        fmt::format("{} of {} rows are farther out than any in training (Hotelling T2), {} unlike all of "
+                    "them (Q): the model extrapolates there.",
+                    far, rows, odd));
+  }
+  return warnings;
+}
+
+}  // namespace
+
+bool is_batch_model(const std::string& model) {
+  const std::string bytes = read_bytes(model, kLargestText);
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && bytes[first] == '{';
+}
+
+void predict_batch(const BatchPredictOptions& options) {
+  const BatchModel model = read_batch_model(read_bytes(options.model, kLargestText), options.model);
+  const Series data = read_data(options.data);
+  const std::string source = options.data == "-" ? "standard input" : options.data;
+  const BatchPrediction prediction = with_source(source, [&] { return predict(model, data); });
+  if (!prediction.broken.empty() && !options.anyway) {
+    throw Error(
+        fmt::format("{}: expected sensors as in training, found that {} looks broken; put it right, train "
+                    "without it (--without-sensor), or predict all the same by --anyway.",
+                    source, fmt::join(prediction.broken, " and ")));
+  }
+  const Series series = series_of(model, prediction, data);
+  for (const std::string& path : options.out) write_bytes(path, write_series(series));
+  const std::vector<std::string> warnings = warnings_of(prediction, data.time_s.size());
+  if (options.json) {
+    nlohmann::ordered_json json;
+    json["time_s"] = series.time_s;
+    for (const Column& column : series.columns) {
+      for (const double value : column.values) json[column.name].push_back(number(value));
+    }
+    json["broken"] = prediction.broken;
+    json["warnings"] = warnings;
+    fmt::print("{}\n", json.dump());
+  } else {
+    const auto [low, high] = std::minmax_element(prediction.predicted_um.begin(), prediction.predicted_um.end());
+    fmt::print(
+        "{}\n{}: {} by {}, {} batches\n\n{} rows over {}: {} from {:.2f} to {:.2f} um, at the end {:.2f} um "
+        "±{:.2f} um (95 %)\n",
+        source, options.model, model.columns.target, label_of(model.settings), model.batches.size(), data.time_s.size(),
+        duration_text(data.time_s.back() - data.time_s.front()), model.columns.target, *low, *high,
+        prediction.predicted_um.back(), prediction.half_width_um.back());
+    if (const Column* residual = find_column(series, stem_of(model.columns.target) + "_residual_um")) {
+      double square = 0.0;
+      std::size_t n = 0, within = 0;
+      for (std::size_t i = 0; i < residual->values.size(); ++i) {
+        if (!std::isfinite(residual->values[i])) continue;
+        square += residual->values[i] * residual->values[i];
+        within += std::abs(residual->values[i]) <= prediction.half_width_um[i] ? 1 : 0;
+        ++n;
+      }
+      if (n > 0) {
+        fmt::print("measured less predicted: RMSE {:.2f} um, {:.0f} % within the 95 % interval\n",
+                   std::sqrt(square / static_cast<double>(n)),
+                   100.0 * static_cast<double>(within) / static_cast<double>(n));
+      }
+    }
+    if (!warnings.empty()) fmt::print("\n");
+    for (const std::string& warning : warnings) fmt::print("{}", wrapped(warning));
+  }
+  for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
+}
+
+}  // namespace ballbar

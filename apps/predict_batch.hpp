@@ -1,0 +1,23 @@
+// `ballbar predict DATA --model model.json`: a regression over batches, on a file or on what comes by standard input.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ballbar {
+
+struct BatchPredictOptions {
+  std::string data;  // "-": standard input
+  std::string model;
+  std::vector<std::string> out;
+  bool anyway = false;  // with sensors that look broken
+  bool json = false;
+};
+
+// What starts with a brace: a regression over batches rather than a model of effects.
+bool is_batch_model(const std::string& model);
+
+// Prints and writes as `predict`. Throws Error where a sensor looks broken.
+void predict_batch(const BatchPredictOptions& options);
+
+}  // namespace ballbar
