@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <map>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/bytes.hpp"
@@ -74,13 +73,9 @@ void add_batch_options(CLI::App& command, BatchOptions& options) {
   command.add_option("--target", options.target, "what to predict: a column in um")->required()->type_name("COLUMN");
   command.add_option("--room", options.room, "column of the room's temperature, where its name does not say so")
       ->type_name("COLUMN");
-  const std::map<std::string, std::size_t> kinds{{"temperature", 0}, {"rise", 1}, {"both", 2}};
-  command
-      .add_option("--inputs", options.inputs,
-                  "what of a temperature is used: temperature itself, its rise since the batch began, or both")
-      ->transform(CLI::CheckedTransformer(kinds, CLI::ignore_case).description(""))
-      ->type_name("temperature|rise|both")
-      ->default_str("temperature");
+  add_choice(command, "--inputs", {"temperature", "rise", "both"}, "temperature",
+             "what of a temperature is used: temperature itself, its rise since the batch began, or both",
+             [&](std::size_t at) { options.inputs = at; });
   command.add_option("--without", options.without, "leave this batch out")->type_name("BATCH")->allow_extra_args(false);
   command.add_option("--without-sensor", options.without_sensor, "leave this temperature out")
       ->type_name("COLUMN")
@@ -88,13 +83,29 @@ void add_batch_options(CLI::App& command, BatchOptions& options) {
   command.add_flag("--keep-broken", options.keep_broken, "use sensors that look broken all the same");
 }
 
-void add_method_option(CLI::App& command, std::optional<std::size_t>& method, const std::string& otherwise) {
-  const std::map<std::string, std::size_t> methods{{"pcr", 0}, {"ridge", 1}, {"pls", 2}, {"ols", 3}};
+void add_choice(CLI::App& command, const std::string& name, std::vector<std::string> words,
+                const std::string& otherwise, const std::string& help, const std::function<void(std::size_t)>& at) {
+  const std::string all = fmt::format("{}", fmt::join(words, "|"));
   command
-      .add_option("--method", method, "principal components, ridge, partial least squares, or ordinary least squares")
-      ->transform(CLI::CheckedTransformer(methods, CLI::ignore_case).description(""))
-      ->type_name("pcr|ridge|pls|ols")
+      .add_option_function<std::string>(
+          name,
+          [name, words, at](const std::string& found) {
+            const auto place = std::find(words.begin(), words.end(), found);
+            if (place == words.end()) {
+              throw CLI::ValidationError(
+                  name, fmt::format("expected one of {}, found {}", fmt::join(words, ", "), in_quotes(found)));
+            }
+            at(static_cast<std::size_t>(place - words.begin()));
+          },
+          help)
+      ->type_name(all)
       ->default_str(otherwise);
+}
+
+void add_method_option(CLI::App& command, std::optional<std::size_t>& method, const std::string& otherwise) {
+  add_choice(command, "--method", {"pcr", "ridge", "pls", "ols"}, otherwise,
+             "principal components, ridge, partial least squares, or ordinary least squares",
+             [&](std::size_t at) { method = at; });
 }
 
 Series read_batch(const std::filesystem::path& path) {

@@ -61,15 +61,6 @@ std::vector<std::string> warnings_of(const BatchPrediction& prediction, std::siz
     warnings.push_back(fmt::format(
         "{} looks broken: with the reading that the other sensors suggest, the row is like those trained on.", sensor));
   }
-  const std::vector<BatchPrediction::Outside>& outside = prediction.outside;
-  for (std::size_t i = 0; i < std::min(outside.size(), kWarned); ++i) {
-    const BatchPrediction::Outside& one = outside[i];
-    warnings.push_back(
-        fmt::format("{} leaves what was trained on, {:.1f} to {:.1f} K or degC, in {} of {} rows from "
-                    "{:.0f} s on: as far as {:.1f}.",
-                    one.what, one.low, one.high, one.rows, rows, one.time_s, one.value));
-  }
-  if (outside.size() > kWarned) warnings.push_back(fmt::format("So do {} more.", outside.size() - kWarned));
   const auto beyond = [](const std::vector<double>& share) {
     return std::count_if(share.begin(), share.end(), [](double one) { return one > 1.0; });
   };
@@ -77,9 +68,18 @@ std::vector<std::string> warnings_of(const BatchPrediction& prediction, std::siz
   if (far > 0 || odd > 0) {
     warnings.push_back(
         fmt::format("{} of {} rows are farther out than any in training (Hotelling T2), {} unlike all of "
-                    "them (Q): the model extrapolates there.",
+                    "them (Q). There the model extrapolates, and its interval does not hold.",
                     far, rows, odd));
   }
+  const std::vector<BatchPrediction::Outside>& outside = prediction.outside;
+  for (std::size_t i = 0; i < std::min(outside.size(), kWarned); ++i) {
+    const BatchPrediction::Outside& one = outside[i];
+    const std::string_view unit = unit_of(one.what) == "degC" ? "degC" : "K";
+    warnings.push_back(
+        fmt::format("{} is as far as {:.1f} {} in {} rows from {:.0f} s on; in training {:.1f} to {:.1f}.", one.what,
+                    one.value, unit, one.rows, one.time_s, one.low, one.high));
+  }
+  if (outside.size() > kWarned) warnings.push_back(fmt::format("{} more leave their range.", outside.size() - kWarned));
   return warnings;
 }
 

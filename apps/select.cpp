@@ -100,8 +100,9 @@ std::string conclusion(const Options& options, const OpenedBatches& opened, cons
   const Choice& taken = choices[options.take];
   std::string text;
   if (take == Take::weights) {
-    text = fmt::format("All {} batches, each weighed by its likeness to the job ({:.1f} count)", opened.batches.size(),
-                       effective(taken.weights));
+    const auto used = std::count_if(taken.weights.begin(), taken.weights.end(), [](double w) { return w > 0.0; });
+    text = fmt::format("{} of {} batches, weighed by their likeness to the job (as many as {:.1f} alike)", used,
+                       opened.batches.size(), effective(taken.weights));
   } else {
     const std::size_t number = take == Take::paper      ? selection.by_paper
                                : take == Take::held_out ? selection.by_held_out
@@ -288,11 +289,8 @@ void add_select(CLI::App& app) {
       ->type_name("N")
       ->capture_default_str();
   command->add_option("--seed", options->random.seed, "of the random choices")->capture_default_str();
-  const std::map<std::string, std::size_t> takes{{"paper", 0}, {"held-out", 1}, {"weights", 2}, {"all", 3}};
-  command->add_option("--take", options->take, "whose model is written and told first")
-      ->transform(CLI::CheckedTransformer(takes, CLI::ignore_case).description(""))
-      ->type_name("paper|held-out|weights|all")
-      ->default_str("weights");
+  add_choice(*command, "--take", {"paper", "held-out", "weights", "all"}, "weights",
+             "whose model is written and told first", [options](std::size_t at) { options->take = at; });
   command->add_option("--out", options->out, "write the model, .json")->type_name("FILE");
   command->add_flag("--every", options->every, "list every batch");
   command->add_flag("--json", options->json, "for a program");

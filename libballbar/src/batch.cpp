@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <random>
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
@@ -15,12 +18,14 @@
 namespace ballbar {
 namespace {
 
-constexpr double kFarOffset = 8.0;  // times the robust spread of the sensors' offsets
+constexpr std::size_t kFewestBatches = 8, kFewestSensors = 6;  // to tell a broken one
+constexpr double kFarOffset = 8.0;                             // times the robust spread of what is unlike the others
 constexpr double kLeastOffset_K = 5.0;
 constexpr double kFarStep = 10.0;   // times the robust spread of the changes from row to row
 constexpr double kLargeStep = 0.3;  // of the batch's range
 constexpr double kRobust = 1.4826;  // a normal distribution's sigma over its median absolute deviation
 constexpr std::size_t kStepsTold = 5;
+constexpr double kLastBits = 1e-12;
 
 bool says_room(const std::string& name) {
   std::string lower = name;
@@ -44,7 +49,7 @@ const std::vector<double>& without_gaps(const Series& series, const std::string&
   const std::vector<double>& values = column_of(series, name).values;
   const auto gap = std::find_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
   if (gap == values.end()) return values;
-  throw Error(fmt::format("expected a value in every row of {}, found a gap at {:g} s.", name,
+  throw Error(fmt::format("expected a value in every row of {}, found a gap at {} s.", name,
                           series.time_s[static_cast<std::size_t>(gap - values.begin())]));
 }
 
@@ -68,15 +73,52 @@ std::string room_of(const Series& first, const std::vector<std::string>& sensors
                   rooms.empty() ? "none" : fmt::format("{}", fmt::join(rooms, " and ")), fmt::join(sensors, ", ")));
 }
 
-// Each sensor's mean, less that of the median sensor.
-Eigen::VectorXd offsets(const Eigen::MatrixXd& temperatures) {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(temperatures.cols());
-  std::vector<double> row(static_cast<std::size_t>(temperatures.cols()));
-  for (Eigen::Index i = 0; i < temperatures.rows(); ++i) {
-    Eigen::VectorXd::Map(row.data(), temperatures.cols()) = temperatures.row(i).transpose();
-    sum += (temperatures.row(i).array() - median(row)).matrix().transpose();
+// Residuals of y by the columns of a (n by p), though nearly half of y may be wrong: of many fits through p rows the
+// one with the least median of absolute residuals (Rousseeuw 1984), then least squares by the rows that are near it.
+Eigen::VectorXd robust_residual(const Eigen::MatrixXd& a, const Eigen::VectorXd& y) {
+  constexpr int kFits = 500;
+  constexpr double kNear = 3.0;  // robust standard deviations
+  const Eigen::Index n = a.rows(), p = a.cols();
+  std::mt19937_64 random(1);
+  std::vector<Eigen::Index> rows(static_cast<std::size_t>(n));
+  std::iota(rows.begin(), rows.end(), Eigen::Index{0});
+  Eigen::VectorXd best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kFits; ++i) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(p); ++k) {
+      std::swap(rows[k], rows[k + random() % (rows.size() - k)]);
+    }
+    const std::vector<Eigen::Index> few(rows.begin(), rows.begin() + p);
+    const Eigen::VectorXd residual = y - a * a(few, Eigen::all).colPivHouseholderQr().solve(y(few)).eval();
+    const Eigen::VectorXd away = residual.cwiseAbs();
+    const double middle = median({away.begin(), away.end()});
+    if (!(middle < least)) continue;
+    least = middle;
+    best = residual;
   }
-  return sum / static_cast<double>(temperatures.rows());
+  std::vector<Eigen::Index> near;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    if (std::abs(best[k]) <= kNear * kRobust * least) near.push_back(k);
+  }
+  return y - a * a(near, Eigen::all).colPivHouseholderQr().solve(y(near)).eval();
+}
+
+// Mean of each sensor in each batch (rows) beyond what the batch and its heat suggest.
+struct Unlike {
+  Eigen::MatrixXd off_K;
+  Eigen::VectorXd heat_K;  // of each batch: how far its sensors are apart
+};
+Unlike unlike_the_others(const Eigen::MatrixXd& means_degC) {
+  Eigen::MatrixXd offset(means_degC.rows(), means_degC.cols());
+  Eigen::MatrixXd a = Eigen::MatrixXd::Ones(means_degC.rows(), 2);  // and the heat
+  for (Eigen::Index k = 0; k < means_degC.rows(); ++k) {
+    const Eigen::VectorXd row = means_degC.row(k).transpose();
+    offset.row(k) = (row.array() - median({row.begin(), row.end()})).matrix().transpose();
+    const Eigen::VectorXd apart = offset.row(k).transpose().cwiseAbs();
+    a(k, 1) = median({apart.begin(), apart.end()});
+  }
+  for (Eigen::Index j = 0; j < offset.cols(); ++j) offset.col(j) = robust_residual(a, offset.col(j)).eval();
+  return {std::move(offset), a.col(1)};
 }
 
 std::vector<std::pair<double, double>> steps_of(const Series& series, const std::vector<double>& target) {
@@ -113,19 +155,24 @@ Eigen::MatrixXd inputs_from(const Eigen::MatrixXd& temperatures, InputKind kind)
   return both;
 }
 
+// Mean and spread of the sensors as a test begins.
+BatchStart with_sensors(BatchStart start, const Eigen::VectorXd& first_degC) {
+  start.sensors_mean_degC = first_degC.mean();
+  start.sensors_spread_K = std::sqrt((first_degC.array() - start.sensors_mean_degC).square().mean());
+  return start;
+}
+
 BatchStart start_from(const Series& series, const BatchColumns& columns, const Eigen::MatrixXd& temperatures) {
   BatchStart start;
   const std::vector<double>& room = without_gaps(series, columns.room);
   start.room_first_degC = room.front();
   start.room_mean_degC = Eigen::VectorXd::Map(room.data(), static_cast<Eigen::Index>(room.size())).mean();
-  start.sensors_mean_degC = temperatures.row(0).mean();
-  start.sensors_spread_K = std::sqrt((temperatures.row(0).array() - start.sensors_mean_degC).square().mean());
   start.speed_mean_rpm = std::numeric_limits<double>::quiet_NaN();
   if (columns.speed) {
     const std::vector<double>& speed = without_gaps(series, *columns.speed);
     start.speed_mean_rpm = Eigen::VectorXd::Map(speed.data(), static_cast<Eigen::Index>(speed.size())).mean();
   }
-  return start;
+  return with_sensors(start, temperatures.row(0).transpose());
 }
 
 // Places of what stays of a list when `left_out` goes; of inputs in kind `both` each twice.
@@ -169,7 +216,9 @@ BatchColumns batch_columns(const Series& first, InputKind kind, const std::strin
     throw Error(fmt::format("expected a target in um, found {}.", target));
   }
   if (columns.sensors.empty()) throw Error("expected columns of temperatures (_degC or _K), found none.");
-  if (room) column_of(first, *room);
+  if (room && !is_sensor(column_of(first, *room))) {
+    throw Error(fmt::format("expected a temperature of the room, found {}.", *room));
+  }
   columns.room = room ? *room : room_of(first, columns.sensors);
   return columns;
 }
@@ -212,7 +261,8 @@ Batch batch_of(const std::string& name, const Series& series, const BatchColumns
   const std::vector<double>& target = without_gaps(series, columns.target);
   const Eigen::MatrixXd temperatures = temperatures_of(series, columns);
   batch.start = start_from(series, columns, temperatures);
-  batch.sensor_offset_K = offsets(temperatures);
+  batch.sensor_first_degC = temperatures.row(0).transpose();
+  batch.sensor_mean_degC = temperatures.colwise().mean().transpose();
   batch.step_um = steps_of(series, target);
   Eigen::MatrixXd rows(temperatures.rows(), 0);
   const Eigen::MatrixXd inputs = inputs_from(temperatures, columns.kind);
@@ -239,28 +289,28 @@ Moments merged(std::span<const Batch> batches, std::span<const double> weights) 
 }
 
 std::vector<BrokenSensor> broken_sensors(std::span<const Batch> batches, const BatchColumns& columns) {
-  std::vector<double> away;  // of every sensor in every batch
-  std::vector<double> usual;
-  for (std::size_t j = 0; j < columns.sensors.size(); ++j) {
-    std::vector<double> offset;
-    for (const Batch& batch : batches) offset.push_back(batch.sensor_offset_K[static_cast<Eigen::Index>(j)]);
-    usual.push_back(median(offset));
-    for (const double one : offset) away.push_back(std::abs(one - usual.back()));
+  if (batches.size() < kFewestBatches || columns.sensors.size() < kFewestSensors) return {};
+  const auto count = static_cast<Eigen::Index>(batches.size());
+  const auto sensors = static_cast<Eigen::Index>(columns.sensors.size());
+  Eigen::MatrixXd means(count, sensors);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    means.row(k) = batches[static_cast<std::size_t>(k)].sensor_mean_degC.transpose();
   }
-  if (away.empty()) return {};
-  const double far_K = std::max(kLeastOffset_K, kFarOffset * kRobust * median(away));
+  const auto [off, heat] = unlike_the_others(means);
+  const Eigen::VectorXd away = off.reshaped().cwiseAbs();
+  const double usual_heat_K = median({heat.begin(), heat.end()});
+  const double far_K = std::max(kLeastOffset_K, kFarOffset * kRobust * median({away.begin(), away.end()}));
   std::vector<BrokenSensor> broken;
-  for (std::size_t j = 0; j < columns.sensors.size(); ++j) {
-    BrokenSensor one{columns.sensors[j], {}, 0.0};
-    std::vector<double> off;
-    for (const Batch& batch : batches) {
-      const double apart = batch.sensor_offset_K[static_cast<Eigen::Index>(j)] - usual[j];
-      if (std::abs(apart) <= far_K) continue;
-      one.batches.push_back(batch.name);
-      off.push_back(apart);
+  for (Eigen::Index j = 0; j < sensors; ++j) {
+    BrokenSensor one{columns.sensors[static_cast<std::size_t>(j)], {}, 0.0};
+    std::vector<double> by;
+    for (Eigen::Index k = 0; k < count; ++k) {
+      if (std::abs(off(k, j)) <= far_K * std::max(1.0, heat[k] / usual_heat_K)) continue;
+      one.batches.push_back(batches[static_cast<std::size_t>(k)].name);
+      by.push_back(off(k, j));
     }
-    if (off.empty()) continue;
-    one.off_K = median(off);
+    if (by.empty()) continue;
+    one.off_K = median(by);
     broken.push_back(std::move(one));
   }
   return broken;
@@ -271,7 +321,9 @@ std::vector<std::string> constant_sensors(std::span<const Batch> batches, const 
   for (std::size_t j = 0; j < columns.sensors.size(); ++j) {
     const auto at = static_cast<Eigen::Index>(j);
     const auto stands = [&](const Batch& batch) {
-      return batch.moments.scatter(at, at) == 0.0 && batch.moments.mean[at] == batches.front().moments.mean[at];
+      const double size = std::abs(batch.moments.mean[at]);  // whose last bits are rounding
+      return batch.moments.scatter(at, at) <= batch.moments.weight * std::pow(kLastBits * size, 2) &&
+             std::abs(batch.moments.mean[at] - batches.front().moments.mean[at]) <= kLastBits * size;
     };
     if (std::all_of(batches.begin(), batches.end(), stands)) constant.push_back(columns.sensors[j]);
   }
@@ -295,7 +347,9 @@ FewerSensors without_sensors(std::vector<Batch> batches, const BatchColumns& col
     places.push_back(batch.moments.mean.size() - 1);
     batch.moments.mean = batch.moments.mean(places).eval();
     batch.moments.scatter = batch.moments.scatter(places, places).eval();
-    batch.sensor_offset_K = batch.sensor_offset_K(kept_sensors).eval();
+    batch.sensor_first_degC = batch.sensor_first_degC(kept_sensors).eval();
+    batch.sensor_mean_degC = batch.sensor_mean_degC(kept_sensors).eval();
+    batch.start = with_sensors(batch.start, batch.sensor_first_degC);
   }
   return result;
 }

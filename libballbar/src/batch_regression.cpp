@@ -50,7 +50,7 @@ Eigen::VectorXd of_components(const Principal& p, Eigen::Index components) {
 }
 
 Eigen::VectorXd of_ridge(const Principal& p, double penalty) {
-  const Eigen::Index used = penalty > 0.0 ? p.value.size() : p.determined;
+  const Eigen::Index used = p.determined;  // what else there is, is rounding
   return p.vector.leftCols(used) * (p.along.head(used).array() / (p.value.head(used).array() + penalty)).matrix();
 }
 
@@ -84,11 +84,18 @@ std::vector<Eigen::VectorXd> of_least_squares_parts(const Moments& moments, Eige
 
 void expect_possible(const Moments& moments, const RegressionSettings& settings) {
   const auto m = static_cast<std::size_t>(moments.mean.size() - 1);
+  if (!(settings.penalty_K2 >= 0.0)) {
+    throw Error(fmt::format("expected a penalty not below 0, found {}.", settings.penalty_K2));
+  }
   if (settings.method != RegressionMethod::pcr && settings.method != RegressionMethod::pls) return;
   if (settings.components < 1 || settings.components > m) {
     throw Error(
         fmt::format("expected 1 to {} components, as many as there are inputs, found {}.", m, settings.components));
   }
+}
+
+void expect_two(std::size_t batches) {
+  if (batches < 2) throw Error(fmt::format("expected at least 2 batches, to leave one out, found {}.", batches));
 }
 
 // Row by row: T2 and Q.
@@ -103,9 +110,8 @@ Apart apart(const TrainedRange& range, const Eigen::MatrixXd& inputs) {
   Apart result;
   result.scores = centred * range.loadings;
   result.residual = centred - result.scores * range.loadings.transpose();
-  const Eigen::ArrayXd square = result.scores.array().square().matrix() *
-                                range.variance_K2.unaryExpr([](double d) { return d > 0.0 ? 1.0 / d : 0.0; });
-  result.T2 = square.matrix();
+  const Eigen::VectorXd inverse = range.variance_K2.unaryExpr([](double d) { return d > 0.0 ? 1.0 / d : 0.0; });
+  result.T2 = result.scores.cwiseAbs2() * inverse;
   result.Q_K2 = result.residual.rowwise().squaredNorm();
   return result;
 }
@@ -199,7 +205,7 @@ std::vector<RegressionSettings> settings_of(RegressionMethod method, std::size_t
 Eigen::MatrixXd held_out_um(std::span<const Batch> batches, std::span<const RegressionSettings> settings,
                             std::span<const double> weights) {
   const std::size_t count = batches.size();
-  if (count < 2) throw Error(fmt::format("expected at least 2 batches, to leave one out, found {}.", count));
+  expect_two(count);
   // All before and all after each: nothing is taken away from a sum.
   std::vector<Moments> before(count), after(count);
   const auto weighed = [&](std::size_t k) {
@@ -218,6 +224,7 @@ Eigen::MatrixXd held_out_um(std::span<const Batch> batches, std::span<const Regr
 }
 
 HeldOutChoice choose_by_held_out(std::span<const Batch> batches, RegressionMethod method) {
+  expect_two(batches.size());
   const auto m = static_cast<std::size_t>(batches.front().moments.mean.size() - 1);
   const std::vector<RegressionSettings> settings = settings_of(method, m);
   const Eigen::MatrixXd held_out = held_out_um(batches, settings);
@@ -290,6 +297,7 @@ BatchModel trained(std::span<const Batch> batches, std::span<const double> weigh
     weight.push_back(one);
     place.push_back(k);
   }
+  expect_two(used.size());
   const Moments moments = merged(used, weight);
   BatchModel model;
   model.columns = columns;
@@ -313,6 +321,7 @@ namespace {
 
 constexpr double kBeyond = 0.1;        // of the trained range
 constexpr double kFarFromPlane = 4.0;  // times the largest Q in training
+constexpr double kOneSensor = 0.9;     // of the odd rows: otherwise it is the job that is unlike the training
 constexpr double kRounding = 1e-9;
 constexpr std::size_t kFewRows = 3;  // that a sensor must spoil
 
@@ -344,9 +353,11 @@ std::vector<std::string> broken_of(const BatchModel& model, const Apart& rows) {
   const Eigen::Index m = model.range.mean_degC.size();
   const Eigen::MatrixXd c = Eigen::MatrixXd::Identity(m, m) - model.range.loadings * model.range.loadings.transpose();
   const double ordinary = ordinary_Q_K2(model.range);
+  std::size_t odd = 0;  // rows
   std::vector<std::size_t> spoiled(model.columns.sensors.size(), 0);
   for (Eigen::Index i = 0; i < rows.Q_K2.size(); ++i) {
     if (!(rows.Q_K2[i] > kFarFromPlane * ordinary)) continue;
+    ++odd;
     double most = 0.0;
     Eigen::Index which = -1;
     for (Eigen::Index j = 0; j < sensors; ++j) {
@@ -361,11 +372,12 @@ std::vector<std::string> broken_of(const BatchModel& model, const Apart& rows) {
         which = j;
       }
     }
-    if (which >= 0 && rows.Q_K2[i] - most <= ordinary) ++spoiled[static_cast<std::size_t>(which)];
+    if (which >= 0 && rows.Q_K2[i] - most <= kFarFromPlane * ordinary) ++spoiled[static_cast<std::size_t>(which)];
   }
   std::vector<std::string> broken;
   for (std::size_t j = 0; j < spoiled.size(); ++j) {
-    if (spoiled[j] >= std::min(kFewRows, static_cast<std::size_t>(rows.Q_K2.size()))) {
+    const bool many = spoiled[j] >= std::min(kFewRows, static_cast<std::size_t>(rows.Q_K2.size()));
+    if (many && static_cast<double>(spoiled[j]) >= kOneSensor * static_cast<double>(odd)) {
       broken.push_back(model.columns.sensors[j]);
     }
   }

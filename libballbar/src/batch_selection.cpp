@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -18,6 +19,8 @@ namespace {
 constexpr std::size_t kLike = 30;   // batches that stand for the job
 constexpr std::size_t kEvery = 40;  // numbers of batches up to here are all tried, then each by a tenth more
 constexpr std::array kBandwidths{0.5, 0.75, 1.0, 1.5, 2.0, 3.0, std::numeric_limits<double>::infinity()};
+constexpr double kLeastWeight = 0.05;      // of the largest
+constexpr std::size_t kFewestWeighed = 3;  // batches
 constexpr Eigen::Index kFeatures = 4;
 
 // Features by which batches are near each other; a speed that is not logged is alike in all.
@@ -58,7 +61,7 @@ std::vector<std::size_t> ranking(std::span<const Batch> batches, const BatchStar
   return order;
 }
 
-// w_k over the largest of them; 0 for `left_out`.
+// w_k over the largest of them; 0 for `left_out`, and where it is next to nothing but for the nearest few.
 std::vector<double> weights_at(std::span<const Batch> batches, const BatchStart& job, double bandwidth,
                                const Eigen::Vector4d& scales, std::optional<std::size_t> left_out) {
   std::vector<double> square(batches.size(), std::numeric_limits<double>::infinity());
@@ -68,12 +71,17 @@ std::vector<double> weights_at(std::span<const Batch> batches, const BatchStart&
     square[k] = d * d;
   }
   const double least = *std::min_element(square.begin(), square.end());
+  std::vector<double> sorted = square;
+  const std::size_t few = std::min(kFewestWeighed, sorted.size());
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(few - 1), sorted.end());
+  const double near = sorted[few - 1];
   std::vector<double> weights;
   for (const double one : square) {
-    const bool counts = std::isfinite(one);
-    weights.push_back(!counts                    ? 0.0
-                      : std::isfinite(bandwidth) ? std::exp(-(one - least) / (2.0 * bandwidth * bandwidth))
-                                                 : 1.0);
+    double weight = std::isfinite(one) ? 1.0 : 0.0;
+    if (std::isfinite(one) && std::isfinite(bandwidth)) {
+      weight = std::exp(-(one - least) / (2.0 * bandwidth * bandwidth));
+    }
+    weights.push_back(weight < kLeastWeight && one > near ? 0.0 : weight);
   }
   return weights;
 }
@@ -215,6 +223,7 @@ Selection select_batches(std::span<const Batch> batches, const BatchStart& job, 
 RandomChoices random_choices(std::span<const Batch> batches, const Moments& measured,
                              const RegressionSettings& settings, const std::optional<double>& share, double than_um,
                              const RandomOptions& options) {
+  assert(options.choices > 0 && options.batches <= batches.size());
   std::mt19937_64 random(options.seed);
   RandomChoices result;
   std::vector<std::size_t> order(batches.size());

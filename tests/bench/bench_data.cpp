@@ -71,6 +71,35 @@ Series five_probe_series(std::size_t rows) {
   return series;
 }
 
+std::vector<Series> warm_ups(std::size_t count) {
+  constexpr std::size_t kRows = 600, kSensors = 24;
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform;
+  std::normal_distribution<double> noise;
+  std::vector<Series> all(count);
+  for (Series& series : all) {
+    const double room = 10.0 + 20.0 * uniform(random), heat_K = 15.0 + 20.0 * uniform(random);
+    for (std::size_t j = 0; j + 1 < kSensors; ++j) series.columns.push_back({"T" + std::to_string(j + 1) + "_degC"});
+    series.columns.push_back({"T_room_degC"});
+    series.columns.push_back({"z_um", Role::measured});
+    for (std::size_t i = 0; i < kRows; ++i) {
+      const double time_s = 30.0 * static_cast<double>(i);
+      const double fast = heat_K * (1.0 - std::exp(-time_s / 1800.0)),
+                   slow = heat_K * (1.0 - std::exp(-time_s / 7200.0));
+      series.time_s.push_back(time_s);
+      for (std::size_t j = 0; j < kSensors; ++j) {
+        const bool is_room = j + 1 == kSensors;
+        const double a = is_room ? 0.0 : 0.1 + 0.9 * static_cast<double>(j * 7 % 23) / 22.0;
+        const double b = is_room ? 0.0 : 0.3 * static_cast<double>(j * 5 % 23) / 22.0;
+        const double degC = room + a * fast + b * slow + 0.05 * noise(random);
+        series.columns[j].values.push_back(std::round(10.0 * degC) / 10.0);
+      }
+      series.columns.back().values.push_back(0.04 * room * fast + 0.3 * slow + 0.5 * noise(random));
+    }
+  }
+  return all;
+}
+
 SimulatedSession two_arc_session() {
   VirtualMachine machine;
   machine.method = Method::two_arcs;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "ballbar/formats/b5r.hpp"
 #include "ballbar/recording.hpp"
@@ -22,6 +23,10 @@ std::string log_bytes(std::size_t size);
 
 // Five probes every 15 s over a warm-up, 0.1 um of noise, printed to 0.01 um; spacing and resolution stated.
 Series five_probe_series(std::size_t rows);
+
+// Warm-ups by 15 to 35 K in rooms of 10 to 30 degC: 600 rows of 24 temperatures, to 0.1 K, the last the room's, and
+// z_um, whose slope on them changes with the room.
+std::vector<Series> warm_ups(std::size_t count);
 
 // 15 tests of two arcs, 1500 and 800 readings, over four hours.
 SimulatedSession two_arc_session();

@@ -1,13 +1,16 @@
-"""The same work as the benchmarks with numpy, scipy and ElementTree, and one table of both.
+"""The same work as the benchmarks with numpy, scipy, sklearn and ElementTree, and one table of both.
 
     python3 peer.py FILES_FOLDER REPETITIONS GOOGLE_BENCHMARK_JSON...
 
 FILES_FOLDER is what bench_files wrote. Each figure is processor time, the median of the repetitions. A `.b5r` is read from disk and
 both its circles fitted, by the peer in two ways: as usually written, and with the exact Jacobian and MINPACK. The peer has no
 autocorrelation in its covariance, the second way no covariance; ours has both. Five probes: read, drift and tilt, written; the peer
-without sigma, ours with a column of it for each.
+without sigma, ours with a column of it for each. Batches of thermal tests: the peer stacks the rows of the first 1, 2 ... and fits each
+stack by PCA and linear regression, once and not by the median, with one number of components; ours chooses that number by leaving out
+one batch at a time, fits the first 1, 2 ... all, and predicts 30 batches from their neighbours by number and by weight.
 """
 import json
+import os
 import pathlib
 import statistics
 import sys
@@ -16,14 +19,17 @@ import xml.etree.ElementTree as xml
 
 import numpy as np
 from scipy.optimize import least_squares
+from sklearn.decomposition import PCA
+from sklearn.linear_model import LinearRegression
+from sklearn.pipeline import make_pipeline
 
 folder = pathlib.Path(sys.argv[1])
 repetitions = int(sys.argv[2])
 
 
-def median_ms(work):
+def median_ms(work, times_done=repetitions):
     times = []
-    for _ in range(repetitions):
+    for _ in range(times_done):
         start = time.process_time()
         work()
         times.append((time.process_time() - start) * 1e3)
@@ -88,9 +94,47 @@ def five_probes(path, out, spacing_mm=80.0, from_plane_1_mm=25.0):
                header="time_s,x_um,y_um,z_um,tilt_a_urad,tilt_b_urad")
 
 
+def warm_ups(count):
+    """As warm_ups in bench_data.cpp: temperatures and error of each batch."""
+    random = np.random.default_rng(5)
+    time_s, sensor = 30.0 * np.arange(600), np.arange(23)
+    batches = []
+    for _ in range(count):
+        room, heat_K = random.uniform(10.0, 30.0), random.uniform(15.0, 35.0)
+        fast, slow = heat_K * (1.0 - np.exp(-time_s / 1800.0)), heat_K * (1.0 - np.exp(-time_s / 7200.0))
+        degC = np.full((600, 24), room)
+        degC[:, :23] += np.outer(fast, 0.1 + 0.9 * (sensor * 7 % 23) / 22.0) + np.outer(slow, 0.3 * (sensor * 5 % 23) / 22.0)
+        um = 0.04 * room * fast + 0.3 * slow + random.normal(0.0, 0.5, 600)
+        batches.append((np.round(degC + random.normal(0.0, 0.05, degC.shape), 1), um))
+    return batches
+
+
+def first_numbers(most):
+    """As numbers_to_try in batch_selection.cpp: each to 40, then by a tenth more."""
+    numbers, i = [], 1
+    while i < most:
+        numbers.append(i)
+        i += 1 if i < 40 else i // 10
+    return numbers + [most]
+
+
+def of_first_batches(batches):
+    """Error of the last batch by a regression to the first 1, 2 ... of those nearest to its room."""
+    job_degC, job_um = batches[-1]
+    ranked = sorted(batches[:-1], key=lambda batch: abs(batch[0][:, -1].mean() - job_degC[0, -1]))
+    errors = []
+    for number in first_numbers(len(ranked)):
+        degC = np.vstack([batch[0] for batch in ranked[:number]])
+        um = np.concatenate([batch[1] for batch in ranked[:number]])
+        model = make_pipeline(PCA(n_components=3), LinearRegression()).fit(degC, um)
+        errors.append(np.sqrt(np.mean((model.predict(job_degC) - job_um) ** 2)))
+    return errors
+
+
 circle = read_log(folder / "circle.csv")
 with open(folder / "probes.csv", encoding="utf-8") as probes:
     probe_rows = sum(1 for line in probes if line[0].isdigit())
+batches = warm_ups(int(os.environ.get("BALLBAR_BENCH_BATCHES", "1000")))
 log_MB = (folder / "log.csv").stat().st_size / 1e6
 
 ours = {}
@@ -112,6 +156,9 @@ rows = [
     (f"five probes, {probe_rows} rows: read, drift, .csv", "five_probe_file",
      median_ms(lambda: five_probes(folder / "probes.csv", folder / "probes-drift.csv"))),
     ("  of it the drift and its uncertainty", "five_probe_reduced", None),
+    (f"{len(batches)} batches of 600 rows, their moments", "batches_moments/process_time", None),
+    (f"  of them the first {len(first_numbers(len(batches) - 1))} numbers, fitted", "batches_selected/process_time",
+     median_ms(lambda: of_first_batches(batches), 1)),
     ("46 h of the finite-volume spindle", "spindle_46h", None),
 ]
 print(f"{'':46} {'ours ms':>10} {'peer ms':>10} {'peer/ours':>10}")

@@ -1,15 +1,15 @@
 #!/bin/sh
 # Builds the benchmarks in build-bench/, runs them and the peer on the same data, and prints one table.
 #
-#   sh tests/bench/run.sh             about three minutes
+#   sh tests/bench/run.sh             about four minutes
 #   sh tests/bench/run.sh --reduced   small data, once: only shows that everything runs
 #
 # BALLBAR_BUILD   folder of a Release build to use instead
 set -eu
 cd "$(dirname "$0")/../.."
-size_MB=50 readings=1000000 rows=1000000 repetitions=5 min_time=0.2
+size_MB=50 readings=1000000 rows=1000000 batches=1000 repetitions=5 min_time=0.2
 if [ "${1:-}" = --reduced ]; then
-  size_MB=2 readings=20000 rows=20000 repetitions=1 min_time=0.01
+  size_MB=2 readings=20000 rows=20000 batches=20 repetitions=1 min_time=0.01
 fi
 
 sh apps/install-packages.sh build bench
@@ -22,12 +22,13 @@ results=$build/results
 mkdir -p "$results"
 "$programs/bench_files" "$results" "$size_MB" "$readings" "$rows"
 export BALLBAR_BENCH_LOG_MB="$size_MB" BALLBAR_BENCH_READINGS="$readings" BALLBAR_BENCH_ROWS="$rows"
-for name in b5r log circle session five_probe spindle; do
+export BALLBAR_BENCH_BATCHES="$batches"
+for name in b5r batches log circle session five_probe spindle; do
   "$programs/bench_$name" --benchmark_min_time="$min_time" --benchmark_repetitions="$repetitions" \
     --benchmark_out="$results/$name.json" --benchmark_out_format=json
 done
 echo
-# Debian's own python3: numpy and scipy are installed for that one.
+# Debian's own python3: numpy, scipy and sklearn are installed for that one.
 /usr/bin/python3 tests/bench/peer.py "$results" "$repetitions" \
   "$results/b5r.json" "$results/log.json" "$results/circle.json" "$results/session.json" \
-  "$results/five_probe.json" "$results/spindle.json"
+  "$results/five_probe.json" "$results/spindle.json" "$results/batches.json"

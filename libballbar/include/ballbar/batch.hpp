@@ -71,7 +71,7 @@ struct Batch {
   std::size_t rows = 0;
   BatchStart start;
   Moments moments;
-  Eigen::VectorXd sensor_offset_K;  // mean of each sensor less that of the median sensor in each row
+  Eigen::VectorXd sensor_first_degC, sensor_mean_degC;  // of each sensor: in the first row, over all
   std::vector<std::pair<double, double>>
       step_um;  // time in s and size of what the target does from row to row and no heat does
 };
@@ -82,8 +82,10 @@ Batch batch_of(const std::string& name, const Series& series, const BatchColumns
 // Sums of all batches, each row counted by its batch's weight (nothing: once). At least one batch.
 Moments merged(std::span<const Batch> batches, std::span<const double> weights = {});
 
-// A sensor that in some batches is far from what it is among the others in the rest: by more than 8 times the robust
-// spread of all such offsets, and 5 K.
+// A sensor that in some batches is far from what the others suggest. Its mean in a batch, less that of the median sensor,
+// is a straight line over how far the sensors are apart there (median of the absolute differences: the heat), fitted so
+// that nearly half of the batches may be wrong (least median of residuals). Far is more than 8 times the robust spread of
+// all such residuals, and 5 K; more in a batch of more heat than the median one, in proportion. None is told with fewer than 8 batches or 6 sensors.
 struct BrokenSensor {
   std::string sensor;
   std::vector<std::string> batches;  // where it is off

@@ -122,8 +122,9 @@ struct BatchPrediction {
     double time_s = 0.0;                        // first time outside
     std::size_t rows = 0;
   };
-  std::vector<Outside> outside;     // inputs and components that leave the trained range by more than a tenth of it
-  std::vector<std::string> broken;  // sensors that look broken: with the reading that the others suggest Q is ordinary
+  std::vector<Outside> outside;  // inputs and components that leave the trained range by more than a tenth of it
+  // At most one, which looks broken: with the reading that the others suggest for it nearly every odd row is ordinary.
+  std::vector<std::string> broken;
 };
 
 // Throws Error as inputs_of.

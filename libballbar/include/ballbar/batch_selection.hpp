@@ -12,7 +12,8 @@
 //   w_k = exp(-d_k^2 / (2 h^2)),  d_k^2 = sum_f ((f_job - f_k) / s_f)^2
 //
 // over the features f: room and mean of the sensors as the test begins, spread of the sensors then, mean speed where it
-// is logged; s_f is their standard deviation over the batches; h is chosen by the same batches left out.
+// is logged; s_f is their standard deviation over the batches; h is chosen by the same batches left out. Weights are
+// over the largest; below 0.05 they are 0, but for the nearest three.
 #pragma once
 
 #include <cstddef>
