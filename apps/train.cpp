@@ -146,9 +146,9 @@ void print_text(const Options& options, const OpenedBatches& opened, const std::
   const Moments all = merged(opened.batches);
   const Regression none{Eigen::VectorXd::Zero(all.mean.size() - 1), 0.0};
   fmt::print("{}", wrapped(fmt::format("A batch that the model has not seen is predicted to {:.2f} um RMSE by {}, of "
-                                         "{:.2f} um without any model. 95 % of such errors are within ±{:.2f} um.",
-                                         model.held_out_rmse_um, label_of(model.settings), rmse_um(all, none),
-                                         model.half_width_um)));
+                                       "{:.2f} um without any model. 95 % of such errors are within ±{:.2f} um.",
+                                       model.held_out_rmse_um, label_of(model.settings), rmse_um(all, none),
+                                       model.half_width_um)));
   Table table({"method", "left out um", "worst um", "worst batch", "trained um"});
   for (const Contender& one : contenders) {
     table.add({label_of(one.settings) + (one.settings == model.settings ? " *" : ""), fixed(one.held_out_um, 2),
