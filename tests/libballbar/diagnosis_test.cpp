@@ -90,9 +90,8 @@ TEST(Diagnosis, names_nothing_whose_curves_nearly_cancel) {
   options.fakes = 20;
   const Diagnosis found = diagnose(by_speed(), data, 0, options);
   EXPECT_TRUE(found.named.empty());
-  EXPECT_TRUE(std::any_of(found.reasons.begin(), found.reasons.end(), [](const std::string& why) {
-    return why.starts_with("The best effects nearly cancel");
-  }));
+  EXPECT_TRUE(std::any_of(found.reasons.begin(), found.reasons.end(),
+                          [](const std::string& why) { return why.starts_with("The best effects nearly cancel"); }));
 }
 
 TEST(Diagnosis, nothing_hidden_is_nothing) {

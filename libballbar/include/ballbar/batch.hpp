@@ -82,10 +82,11 @@ Batch batch_of(const std::string& name, const Series& series, const BatchColumns
 // Sums of all batches, each row counted by its batch's weight (nothing: once). At least one batch.
 Moments merged(std::span<const Batch> batches, std::span<const double> weights = {});
 
-// A sensor that in some batches is far from what the others suggest. Its mean in a batch, less that of the median sensor,
-// is a straight line over how far the sensors are apart there (median of the absolute differences: the heat), fitted so
-// that nearly half of the batches may be wrong (least median of residuals). Far is more than 8 times the robust spread of
-// all such residuals, and 5 K; more in a batch of more heat than the median one, in proportion. None is told with fewer than 8 batches or 6 sensors.
+// A sensor that in some batches is far from what the others suggest. Its mean in a batch, less that of the median
+// sensor, is a straight line over how far the sensors are apart there (median of the absolute differences: the heat),
+// fitted so that nearly half of the batches may be wrong (least median of residuals). Far is more than 8 times the
+// robust spread of all such residuals, and 5 K; more in a batch of more heat than the median one, in proportion. None
+// is told with fewer than 8 batches or 6 sensors.
 struct BrokenSensor {
   std::string sensor;
   std::vector<std::string> batches;  // where it is off
