@@ -17,7 +17,7 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kStepsTold = 5;
+constexpr std::size_t kTold = 5;  // batches with steps
 
 // Throws Error where a batch has a temperature that the first has not: it would be forgotten silently.
 void expect_no_more(const Series& series, const BatchColumns& columns, const std::vector<std::string>& left_out,
@@ -27,16 +27,17 @@ void expect_no_more(const Series& series, const BatchColumns& columns, const std
     const auto is_it = [&](const std::string& name) { return name == column.name; };
     if (std::any_of(columns.sensors.begin(), columns.sensors.end(), is_it)) continue;
     if (std::any_of(left_out.begin(), left_out.end(), is_it)) continue;
-    throw Error(fmt::format("expected the temperatures of {} alone, found {} too.", first, column.name));
+    throw Error(fmt::format("expected the temperatures of {}, found {} beside them.", first, column.name));
   }
 }
 
 void take_out(std::vector<ListedRun>& runs, const std::vector<std::string>& without) {
+  const std::vector<ListedRun> all = runs;
   for (const std::string& name : without) {
     const auto same = [&](const ListedRun& run) { return run.name == name; };
-    if (std::none_of(runs.begin(), runs.end(), same)) {
+    if (std::none_of(all.begin(), all.end(), same)) {
       std::vector<std::string_view> known;
-      for (const ListedRun& run : runs) known.emplace_back(run.name);
+      for (const ListedRun& run : all) known.emplace_back(run.name);
       throw Error(fmt::format("--without {}: expected a batch of the list, found none of that name{}.", name,
                               known.empty() ? "" : fmt::format("; the nearest is {}", nearest_name(name, known))));
     }
@@ -53,15 +54,15 @@ std::string some_of(const std::vector<std::string>& names) {
 void tell_steps(const std::vector<Batch>& batches, const std::string& target, std::vector<std::string>& remarks) {
   std::size_t more = 0;
   for (const Batch& batch : batches) {
-    if (batch.step_um.empty()) continue;
-    if (remarks.size() >= kStepsTold) {
+    if (batch.steps.empty()) continue;
+    if (remarks.size() >= kTold) {
       ++more;
       continue;
     }
-    const auto& [time_s, um] = batch.step_um.front();
+    const auto& [time_s, um] = batch.steps.front();
     remarks.push_back(
-        fmt::format("{}: {} steps by {:.1f} um at {:.0f} s{}: no heat does that. --without {} leaves it out.",
-                    batch.name, target, um, time_s, batch.step_um.size() > 1 ? " and elsewhere" : "", batch.name));
+        fmt::format("{}: {} steps by {:.1f} um at {:.0f} s{}, as if a probe was touched. --without {} leaves it out.",
+                    batch.name, target, um, time_s, batch.steps.size() > 1 ? " and elsewhere" : "", batch.name));
   }
   if (more > 0) remarks.push_back(fmt::format("{} more batches with such steps.", more));
 }
@@ -115,11 +116,19 @@ Series read_batch(const std::filesystem::path& path) {
 OpenedBatches open_batches(const BatchOptions& options) {
   RunList list = open_runs(options.list);
   take_out(list.runs, options.without);
+  std::vector<std::string> remarks;
+  std::erase_if(list.runs, [&](const ListedRun& run) {
+    std::error_code absent;  // then it is not the same file
+    if (options.job.empty() || !std::filesystem::equivalent(run.file, options.job, absent)) return false;
+    remarks.push_back(fmt::format("{} is the job itself: left out of the batches.", run.name));
+    return true;
+  });
   if (list.runs.size() < 2) {
     throw Error(fmt::format("{}: expected at least 2 batches, found {}.", options.list, list.runs.size()));
   }
   const ProgressLine progress;
   OpenedBatches opened;
+  opened.remarks = std::move(remarks);
   for (const ListedRun& run : list.runs) {
     const std::string file = run.file.string();
     if (opened.batches.size() % 20 == 0) {
@@ -129,9 +138,14 @@ OpenedBatches open_batches(const BatchOptions& options) {
     with_source(file, [&] {
       if (opened.batches.empty()) {
         opened.columns = batch_columns(series, static_cast<InputKind>(options.inputs), options.target, options.room);
+        const std::vector<std::string> all = opened.columns.sensors;
         for (const std::string& sensor : options.without_sensor) {
-          if (std::erase(opened.columns.sensors, sensor) > 0) continue;
-          throw Error(fmt::format("expected a temperature {} to leave out, found none.", sensor));
+          std::erase(opened.columns.sensors, sensor);
+          if (std::find(all.begin(), all.end(), sensor) != all.end()) continue;
+          throw Error(fmt::format("--without-sensor {}: expected a temperature, found none of that name.", sensor));
+        }
+        if (opened.columns.sensors.empty()) {
+          throw Error("--without-sensor: expected a temperature to be left, found all left out.");
         }
       }
       expect_no_more(series, opened.columns, options.without_sensor, list.runs.front().name);
@@ -153,7 +167,14 @@ OpenedBatches open_batches(const BatchOptions& options) {
                                          some_of(broken.batches), options.keep_broken ? "kept" : "left out"));
     if (!options.keep_broken) leave.push_back(broken.sensor);
   }
-  FewerSensors fewer = without_sensors(std::move(opened.batches), opened.columns, leave);
+  if (std::find(leave.begin(), leave.end(), opened.columns.room) != leave.end()) {
+    opened.remarks.push_back(
+        fmt::format("{} is the room by which batches are ranked: do not trust the ranking; name "
+                    "another by --room.",
+                    opened.columns.room));
+  }
+  FewerSensors fewer =
+      with_source(options.list, [&] { return without_sensors(std::move(opened.batches), opened.columns, leave); });
   opened.columns = std::move(fewer.columns);
   opened.batches = std::move(fewer.batches);
   return opened;

@@ -22,6 +22,7 @@ struct BatchOptions {
   std::optional<std::string> room;
   std::size_t inputs = 0;  // of InputKind
   std::vector<std::string> without, without_sensor;
+  std::string job;  // file of the job at hand: left out where it is listed too
   bool keep_broken = false;
 };
 

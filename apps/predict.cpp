@@ -116,6 +116,12 @@ void run_batch_model(const Options& options) {
         fmt::format("expected one file of DATA for {}, found {}.", options.model.model, options.model.data.size()));
   }
   if (!options.on.empty()) throw Error("--on: expected a model of effects with it; a regression predicts DATA itself.");
+  if (!options.model.target.empty() || options.model.max_gap_s || options.model.robust || options.model.white) {
+    throw Error(
+        fmt::format("{}: expected neither --target, --max-gap, --robust nor --white: a regression has its target "
+                    "and is fitted to nothing here.",
+                    options.model.model));
+  }
   expect_csv(options.out);
   expect_no_input(options.out, {options.model.data.front(), options.model.model});
   predict_batch({options.model.data.front(), options.model.model, options.out, options.anyway, options.json});
@@ -123,6 +129,7 @@ void run_batch_model(const Options& options) {
 
 void run(const Options& options) {
   if (is_batch_model(options.model.model)) return run_batch_model(options);
+  if (options.anyway) throw Error("--anyway: expected a model of train with it, a model of effects was given.");
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
   ModelOptions elsewhere = options.model;

@@ -57,18 +57,24 @@ Series series_of(const BatchModel& model, const BatchPrediction& prediction, con
 
 std::vector<std::string> warnings_of(const BatchPrediction& prediction, std::size_t rows) {
   std::vector<std::string> warnings;
-  for (const std::string& sensor : prediction.broken) {
-    warnings.push_back(fmt::format(
-        "{} looks broken: with the reading that the other sensors suggest, the row is like those trained on.", sensor));
+  if (prediction.broken.size() == 1) {
+    warnings.push_back(
+        fmt::format("{} looks broken: with the reading that the other sensors suggest, rows are like those trained on.",
+                    prediction.broken.front()));
+  } else if (!prediction.broken.empty()) {
+    warnings.push_back(fmt::format("{} does not go with the other sensors, or the job is unlike those trained on.",
+                                   fmt::join(prediction.broken, " or ")));
   }
   const auto beyond = [](const std::vector<double>& share) {
     return std::count_if(share.begin(), share.end(), [](double one) { return one > 1.0; });
   };
   const auto far = beyond(prediction.T2_of_largest), odd = beyond(prediction.Q_of_largest);
-  if (far > 0 || odd > 0) {
+  const auto few =
+      static_cast<std::ptrdiff_t>(std::max<std::size_t>(2, rows / 50));  // chance: the limits are single rows
+  if (far > few || odd > few) {
     warnings.push_back(
         fmt::format("{} of {} rows are farther out than any in training (Hotelling T2), {} unlike all of "
-                    "them (Q). There the model extrapolates, and its interval does not hold.",
+                    "them (Q). There the model extrapolates: its interval is wider, and less to be trusted.",
                     far, rows, odd));
   }
   const std::vector<BatchPrediction::Outside>& outside = prediction.outside;
@@ -96,11 +102,11 @@ void predict_batch(const BatchPredictOptions& options) {
   const Series data = read_data(options.data);
   const std::string source = options.data == "-" ? "standard input" : options.data;
   const BatchPrediction prediction = with_source(source, [&] { return predict(model, data); });
-  if (!prediction.broken.empty() && !options.anyway) {
+  if (prediction.broken.size() == 1 && !options.anyway) {
     throw Error(
         fmt::format("{}: expected sensors as in training, found that {} looks broken; put it right, train "
                     "without it (--without-sensor), or predict all the same by --anyway.",
-                    source, fmt::join(prediction.broken, " and ")));
+                    source, prediction.broken.front()));
   }
   const Series series = series_of(model, prediction, data);
   for (const std::string& path : options.out) write_bytes(path, write_series(series));

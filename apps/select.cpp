@@ -115,7 +115,7 @@ std::string conclusion(const Options& options, const OpenedBatches& opened, cons
   if (taken.rmse_um) {
     text += fmt::format(" They predict the job to {:.2f} um RMSE, all batches to {:.2f} um", *taken.rmse_um,
                         *selection.all_um);
-    if (take != Take::all) {
+    if (take != Take::all && *selection.all_um > 0.0) {
       const double less = 100.0 * (1.0 - *taken.rmse_um / *selection.all_um);
       text += fmt::format(": {:.0f} % {}", std::abs(less), less >= 0.0 ? "less" : "more");
     }
@@ -135,7 +135,9 @@ void print_choices(const std::vector<Choice>& choices, const Selection& selectio
   std::vector<std::string> heading{"choice", "batches", "regression"};
   if (measured) heading.insert(heading.end(), {"RMSE_p um", "less than all"});
   Table table(heading);
-  const auto less = [&](double um) { return fmt::format("{} %", fixed(100.0 * (1.0 - um / *selection.all_um), 0)); };
+  const auto less = [&](double um) {
+    return *selection.all_um > 0.0 ? fmt::format("{} %", fixed(100.0 * (1.0 - um / *selection.all_um), 0)) : "-";
+  };
   for (const Choice& choice : choices) {
     const double count = effective(choice.weights);
     std::vector<std::string> row{choice.label, fixed(count, choice.key == "weights" ? 1 : 0),
@@ -216,8 +218,43 @@ nlohmann::ordered_json json_of(const Options& options, const OpenedBatches& open
   return json;
 }
 
-void run(const Options& options) {
-  const OpenedBatches opened = open_batches(options.batches);
+// What is odd about the job: a sensor that does not go with the others, a room out of all batches' range.
+void add_remarks(const Options& options, const OpenedBatches& opened, const Batch& job,
+                 std::vector<std::string>& remarks) {
+  std::vector<Batch> with_job = opened.batches;
+  with_job.push_back(job);
+  for (const BrokenSensor& broken : broken_sensors(with_job, opened.columns)) {
+    if (broken.batches.back() != job.name) continue;
+    remarks.push_back(
+        fmt::format("{} is off by {:+.1f} K in {}: it looks broken.", broken.sensor, broken.off_K, options.job));
+  }
+  const auto [coldest, warmest] = std::minmax_element(
+      opened.batches.begin(), opened.batches.end(),
+      [](const Batch& a, const Batch& b) { return a.start.room_mean_degC < b.start.room_mean_degC; });
+  const double low = coldest->start.room_mean_degC, high = warmest->start.room_mean_degC;
+  if (job.start.room_first_degC < low || job.start.room_first_degC > high) {
+    remarks.push_back(
+        fmt::format("The room of the job is outside that of all batches, {:.1f} to {:.1f} degC.", low, high));
+  }
+}
+
+// The job as a batch; without values of the target, where it was not measured throughout, with zeros for them.
+Batch job_of(const Options& options, const BatchColumns& columns, Series job, bool measured) {
+  if (!measured) {
+    std::erase_if(job.columns, [&](const Column& column) { return column.name == columns.target; });
+    job.columns.push_back({columns.target, Role::measured, std::vector<double>(job.time_s.size(), 0.0)});
+  }
+  BatchColumns own = columns;
+  if (own.speed && find_column(job, *own.speed) == nullptr) own.speed.reset();
+  return with_source(options.job, [&] { return batch_of(options.job, job, own); });
+}
+
+void run(const Options& given) {
+  Options options = given;
+  options.batches.job = options.job;
+  if (!std::isfinite(options.selection.fall)) throw Error("--fall: expected a number from 0 to 1.");
+  if (!std::isfinite(options.selection.share.value_or(0.0))) throw Error("--share: expected a number from 0 to 1.");
+  OpenedBatches opened = open_batches(options.batches);
   std::vector<std::filesystem::path> inputs = opened.files;
   inputs.emplace_back(options.job);
   if (!options.out.empty()) expect_no_input({options.out}, inputs);
@@ -225,9 +262,14 @@ void run(const Options& options) {
   const Column* target = find_column(job, opened.columns.target);
   const bool measured = target != nullptr && std::all_of(target->values.begin(), target->values.end(),
                                                          [](double um) { return std::isfinite(um); });
-  const BatchStart start = with_source(options.job, [&] { return start_of(job, opened.columns); });
-  std::optional<Moments> moments;
-  if (measured) moments = with_source(options.job, [&] { return batch_of("job", job, opened.columns).moments; });
+  const Batch as_batch = job_of(options, opened.columns, job, measured);
+  const BatchStart& start = as_batch.start;
+  const std::optional<Moments> moments = measured ? std::optional(as_batch.moments) : std::nullopt;
+  add_remarks(options, opened, as_batch, opened.remarks);
+  if (target != nullptr && !measured) {
+    opened.remarks.push_back(
+        fmt::format("{} has gaps in {}: what is predicted for it is not checked.", opened.columns.target, options.job));
+  }
   SelectionOptions how = options.selection;
   how.method = static_cast<RegressionMethod>(options.method.value_or(0));
   if (how.share && how.method != RegressionMethod::pcr) throw Error("--share: expected --method pcr with it.");

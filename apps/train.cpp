@@ -58,12 +58,13 @@ Contender contender(const OpenedBatches& opened, const RegressionSettings& setti
 
 void expect_fitting(const Options& options) {
   const auto is = [&](RegressionMethod method) {
-    return options.method.value_or(0) == static_cast<std::size_t>(method);
+    return !options.method || *options.method == static_cast<std::size_t>(method);
   };
   if (options.components && !is(RegressionMethod::pcr) && !is(RegressionMethod::pls)) {
     throw Error("--components: expected --method pcr or pls with it.");
   }
   if (options.share && !is(RegressionMethod::pcr)) throw Error("--share: expected --method pcr with it.");
+  if (options.share && !std::isfinite(*options.share)) throw Error("--share: expected a number from 0 to 1.");
   if (options.components && options.share) throw Error("expected --components or --share, found both.");
   if (options.penalty_K2 && !is(RegressionMethod::ridge)) {
     throw Error("--penalty: expected --method ridge with it.");
@@ -72,7 +73,7 @@ void expect_fitting(const Options& options) {
 
 // As the command line says, by batches left out where it does not.
 RegressionSettings chosen_settings(const Options& options, RegressionMethod method, const OpenedBatches& opened) {
-  const bool asked = options.method.value_or(0) == static_cast<std::size_t>(method);
+  const bool asked = options.method == static_cast<std::size_t>(method);
   if (asked && options.components) return {method, *options.components, 0.0};
   if (asked && options.share) return {method, components_for(merged(opened.batches), *options.share), 0.0};
   if (asked && options.penalty_K2) return {method, 0, *options.penalty_K2};
@@ -143,12 +144,16 @@ void print_text(const Options& options, const OpenedBatches& opened, const std::
              : model.columns.kind == InputKind::rise      ? "their rise since each batch began"
                                                           : "as they are, and their rise since each batch began",
              opened.batches.size(), rows);
-  const Moments all = merged(opened.batches);
-  const Regression none{Eigen::VectorXd::Zero(all.mean.size() - 1), 0.0};
-  fmt::print("{}", wrapped(fmt::format("A batch that the model has not seen is predicted to {:.2f} um RMSE by {}, of "
-                                       "{:.2f} um without any model. 95 % of such errors are within ±{:.2f} um.",
-                                       model.held_out_rmse_um, label_of(model.settings), rmse_um(all, none),
-                                       model.half_width_um)));
+  const Regression none{Eigen::VectorXd::Zero(opened.batches.front().moments.mean.size() - 1), 0.0};
+  double squares = 0.0;
+  for (const Batch& batch : opened.batches) squares += std::pow(rmse_um(batch.moments, none), 2);
+  fmt::print(
+      "{}",
+      wrapped(fmt::format(
+          "A batch that the model has not seen is predicted to {:.2f} um RMSE by {}, of "
+          "{:.2f} um without any model. 95 % of its errors are within ±{:.2f} um, if those of each batch are normal.",
+          model.held_out_rmse_um, label_of(model.settings),
+          std::sqrt(squares / static_cast<double>(opened.batches.size())), model.half_width_um)));
   Table table({"method", "left out um", "worst um", "worst batch", "trained um"});
   for (const Contender& one : contenders) {
     table.add({label_of(one.settings) + (one.settings == model.settings ? " *" : ""), fixed(one.held_out_um, 2),
@@ -158,22 +163,36 @@ void print_text(const Options& options, const OpenedBatches& opened, const std::
     table.add({options.model, fixed(effects->held_out_um, 2), fixed(effects->worst_um, 2), effects->worst,
                fixed(effects->rmse_um, 2)});
   }
-  fmt::print("\n{}* is written. left out: RMSE where each batch in turn is predicted by all the others.\n",
-             table.text(kWidest));
+  fmt::print(
+      "\n{}{}", table.text(kWidest),
+      wrapped("* is written. left out: RMSE where each batch in turn is predicted by all the others; the settings "
+              "are chosen by it, so that it is a little too good."));
   if (!opened.remarks.empty()) fmt::print("\n");
   for (const std::string& remark : opened.remarks) fmt::print("{}", wrapped(remark));
 }
 
-void run(const Options& options) {
-  expect_fitting(options);
+// What is said of one method asks for it.
+std::optional<std::size_t> method_of(const Options& options) {
+  if (options.method) return options.method;
+  if (options.components || options.share) return static_cast<std::size_t>(RegressionMethod::pcr);
+  if (options.penalty_K2) return static_cast<std::size_t>(RegressionMethod::ridge);
+  return std::nullopt;
+}
+
+void run(const Options& given) {
+  expect_fitting(given);
+  Options options = given;
+  options.method = method_of(given);
   const OpenedBatches opened = open_batches(options.batches);
-  expect_no_input({options.out}, opened.files);
+  std::vector<std::filesystem::path> inputs = opened.files;
+  if (!options.model.empty()) inputs.emplace_back(options.model);
+  expect_no_input({options.out}, inputs);
   std::vector<Contender> contenders;
   for (const RegressionMethod method :
        {RegressionMethod::pcr, RegressionMethod::ridge, RegressionMethod::pls, RegressionMethod::ols}) {
     const RegressionSettings settings = chosen_settings(options, method, opened);
     expect_rows(opened, settings);
-    contenders.push_back(contender(opened, settings));
+    contenders.push_back(with_source(options.batches.list, [&] { return contender(opened, settings); }));
   }
   const Contender& best =
       options.method ? contenders[*options.method]

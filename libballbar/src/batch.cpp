@@ -14,6 +14,8 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "interpolation.hpp"
+#include "median.hpp"
 
 namespace ballbar {
 namespace {
@@ -21,9 +23,11 @@ namespace {
 constexpr std::size_t kFewestBatches = 8, kFewestSensors = 6;  // to tell a broken one
 constexpr double kFarOffset = 8.0;                             // times the robust spread of what is unlike the others
 constexpr double kLeastOffset_K = 5.0;
-constexpr double kFarStep = 10.0;   // times the robust spread of the changes from row to row
-constexpr double kLargeStep = 0.3;  // of the batch's range
-constexpr double kRobust = 1.4826;  // a normal distribution's sigma over its median absolute deviation
+constexpr double kFarStep = 10.0;  // times the robust spread of the changes from row to row
+constexpr double kLeastStep_um = 1.0;
+constexpr double kUsualSteps = 3.0;  // between two rows
+constexpr double kLargest = 1e6;     // degC or um: beyond it no machine is
+constexpr double kLargeStep = 0.3;   // of the batch's range
 constexpr std::size_t kStepsTold = 5;
 constexpr double kLastBits = 1e-12;
 
@@ -36,27 +40,17 @@ bool says_room(const std::string& name) {
                      [&](const char* word) { return lower.find(word) != std::string::npos; });
 }
 
-const Column& column_of(const Series& series, const std::string& name) {
-  const Column* column = find_column(series, name);
-  if (column != nullptr) return *column;
-  std::vector<std::string_view> known;
-  for (const Column& one : series.columns) known.emplace_back(one.name);
-  throw Error(fmt::format("expected a column {}, found none{}.", name,
-                          known.empty() ? "" : fmt::format("; the nearest is {}", nearest_name(name, known))));
-}
-
 const std::vector<double>& without_gaps(const Series& series, const std::string& name) {
   const std::vector<double>& values = column_of(series, name).values;
-  const auto gap = std::find_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
+  const auto gap =
+      std::find_if(values.begin(), values.end(), [](double value) { return !(std::abs(value) <= kLargest); });
   if (gap == values.end()) return values;
+  if (std::isfinite(*gap)) {
+    throw Error(fmt::format("expected values below 1e6 in {}, found {} at {} s.", name, *gap,
+                            series.time_s[static_cast<std::size_t>(gap - values.begin())]));
+  }
   throw Error(fmt::format("expected a value in every row of {}, found a gap at {} s.", name,
                           series.time_s[static_cast<std::size_t>(gap - values.begin())]));
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 std::string room_of(const Series& first, const std::vector<std::string>& sensors) {
@@ -96,9 +90,10 @@ Eigen::VectorXd robust_residual(const Eigen::MatrixXd& a, const Eigen::VectorXd&
     least = middle;
     best = residual;
   }
+  if (best.size() == 0) return Eigen::VectorXd::Zero(n);  // numbers too large to be told apart
   std::vector<Eigen::Index> near;
   for (Eigen::Index k = 0; k < n; ++k) {
-    if (std::abs(best[k]) <= kNear * kRobust * least) near.push_back(k);
+    if (std::abs(best[k]) <= kNear * kSigmaOfDeviation * least) near.push_back(k);
   }
   return y - a * a(near, Eigen::all).colPivHouseholderQr().solve(y(near)).eval();
 }
@@ -121,17 +116,21 @@ Unlike unlike_the_others(const Eigen::MatrixXd& means_degC) {
   return {std::move(offset), a.col(1)};
 }
 
-std::vector<std::pair<double, double>> steps_of(const Series& series, const std::vector<double>& target) {
+std::vector<TargetStep> steps_of(const Series& series, const std::vector<double>& target) {
   std::vector<double> change, size;
   for (std::size_t i = 1; i < target.size(); ++i) change.push_back(target[i] - target[i - 1]);
   const double usual = median(change);
   size.reserve(change.size());
   for (const double one : change) size.push_back(std::abs(one - usual));
   const auto [low, high] = std::minmax_element(target.begin(), target.end());
-  const double least = std::max(kFarStep * kRobust * median(size), kLargeStep * (*high - *low));
-  std::vector<std::pair<double, double>> steps;
+  const double least =
+      std::max({kFarStep * kSigmaOfDeviation * median(size), kLargeStep * (*high - *low), kLeastStep_um});
+  const double longest_s = kUsualSteps * median_step_s(series.time_s);
+  std::vector<TargetStep> steps;
   for (std::size_t i = 0; i < change.size() && steps.size() < kStepsTold; ++i) {
-    if (size[i] > least) steps.emplace_back(series.time_s[i + 1], change[i]);
+    if (size[i] > least && series.time_s[i + 1] - series.time_s[i] <= longest_s) {
+      steps.push_back({series.time_s[i + 1], change[i]});
+    }
   }
   return steps;
 }
@@ -168,7 +167,7 @@ BatchStart start_from(const Series& series, const BatchColumns& columns, const E
   start.room_first_degC = room.front();
   start.room_mean_degC = Eigen::VectorXd::Map(room.data(), static_cast<Eigen::Index>(room.size())).mean();
   start.speed_mean_rpm = std::numeric_limits<double>::quiet_NaN();
-  if (columns.speed) {
+  if (columns.speed && find_column(series, *columns.speed) != nullptr) {
     const std::vector<double>& speed = without_gaps(series, *columns.speed);
     start.speed_mean_rpm = Eigen::VectorXd::Map(speed.data(), static_cast<Eigen::Index>(speed.size())).mean();
   }
@@ -193,6 +192,15 @@ std::vector<Eigen::Index> kept_inputs(const BatchColumns& columns, const std::ve
 std::string_view name_of(InputKind kind) {
   constexpr std::array<std::string_view, 3> kNames{"temperature", "rise", "both"};
   return kNames.at(static_cast<std::size_t>(kind));
+}
+
+const Column& column_of(const Series& series, const std::string& name) {
+  const Column* column = find_column(series, name);
+  if (column != nullptr) return *column;
+  std::vector<std::string_view> known;
+  for (const Column& one : series.columns) known.emplace_back(one.name);
+  throw Error(fmt::format("expected a column {}, found none{}.", name,
+                          known.empty() ? "" : fmt::format("; the nearest is {}", nearest_name(name, known))));
 }
 
 bool is_sensor(const Column& column) {
@@ -263,7 +271,7 @@ Batch batch_of(const std::string& name, const Series& series, const BatchColumns
   batch.start = start_from(series, columns, temperatures);
   batch.sensor_first_degC = temperatures.row(0).transpose();
   batch.sensor_mean_degC = temperatures.colwise().mean().transpose();
-  batch.step_um = steps_of(series, target);
+  batch.steps = steps_of(series, target);
   Eigen::MatrixXd rows(temperatures.rows(), 0);
   const Eigen::MatrixXd inputs = inputs_from(temperatures, columns.kind);
   rows.resize(inputs.rows(), inputs.cols() + 1);
@@ -289,29 +297,36 @@ Moments merged(std::span<const Batch> batches, std::span<const double> weights) 
 }
 
 std::vector<BrokenSensor> broken_sensors(std::span<const Batch> batches, const BatchColumns& columns) {
-  if (batches.size() < kFewestBatches || columns.sensors.size() < kFewestSensors) return {};
   const auto count = static_cast<Eigen::Index>(batches.size());
-  const auto sensors = static_cast<Eigen::Index>(columns.sensors.size());
-  Eigen::MatrixXd means(count, sensors);
+  Eigen::MatrixXd means(count, static_cast<Eigen::Index>(columns.sensors.size()));
   for (Eigen::Index k = 0; k < count; ++k) {
     means.row(k) = batches[static_cast<std::size_t>(k)].sensor_mean_degC.transpose();
   }
-  const auto [off, heat] = unlike_the_others(means);
-  const Eigen::VectorXd away = off.reshaped().cwiseAbs();
-  const double usual_heat_K = median({heat.begin(), heat.end()});
-  const double far_K = std::max(kLeastOffset_K, kFarOffset * kRobust * median({away.begin(), away.end()}));
+  std::vector<std::string> sensors = columns.sensors;
   std::vector<BrokenSensor> broken;
-  for (Eigen::Index j = 0; j < sensors; ++j) {
-    BrokenSensor one{columns.sensors[static_cast<std::size_t>(j)], {}, 0.0};
+  // The worst alone: it moves what the others are compared with.
+  while (batches.size() >= kFewestBatches && sensors.size() >= kFewestSensors) {
+    const auto [off, heat] = unlike_the_others(means);
+    const Eigen::VectorXd away = off.reshaped().cwiseAbs();
+    const double far_K = std::max(kLeastOffset_K, kFarOffset * kSigmaOfDeviation * median({away.begin(), away.end()}));
+    const double usual_heat_K = median({heat.begin(), heat.end()});
+    const Eigen::ArrayXd limit_K =
+        far_K * heat.unaryExpr([&](double one) { return std::max(1.0, one / usual_heat_K); }).array();
+    Eigen::Index batch = 0, worst = 0;
+    if (!((off.cwiseAbs().array().colwise() / limit_K).maxCoeff(&batch, &worst) > 1.0)) break;
+    BrokenSensor one{sensors[static_cast<std::size_t>(worst)], {}, 0.0};
     std::vector<double> by;
     for (Eigen::Index k = 0; k < count; ++k) {
-      if (std::abs(off(k, j)) <= far_K * std::max(1.0, heat[k] / usual_heat_K)) continue;
+      if (!(std::abs(off(k, worst)) > limit_K[k])) continue;
       one.batches.push_back(batches[static_cast<std::size_t>(k)].name);
-      by.push_back(off(k, j));
+      by.push_back(off(k, worst));
     }
-    if (by.empty()) continue;
     one.off_K = median(by);
     broken.push_back(std::move(one));
+    sensors.erase(sensors.begin() + worst);
+    const Eigen::MatrixXd rest = means.rightCols(means.cols() - worst - 1);
+    means.middleCols(worst, rest.cols()) = rest;
+    means.conservativeResize(Eigen::NoChange, means.cols() - 1);
   }
   return broken;
 }
@@ -321,9 +336,9 @@ std::vector<std::string> constant_sensors(std::span<const Batch> batches, const 
   for (std::size_t j = 0; j < columns.sensors.size(); ++j) {
     const auto at = static_cast<Eigen::Index>(j);
     const auto stands = [&](const Batch& batch) {
-      const double size = std::abs(batch.moments.mean[at]);  // whose last bits are rounding
+      const double size = std::abs(batch.sensor_mean_degC[at]);  // whose last bits are rounding
       return batch.moments.scatter(at, at) <= batch.moments.weight * std::pow(kLastBits * size, 2) &&
-             std::abs(batch.moments.mean[at] - batches.front().moments.mean[at]) <= kLastBits * size;
+             std::abs(batch.sensor_mean_degC[at] - batches.front().sensor_mean_degC[at]) <= kLastBits * size;
     };
     if (std::all_of(batches.begin(), batches.end(), stands)) constant.push_back(columns.sensors[j]);
   }
@@ -341,7 +356,7 @@ FewerSensors without_sensors(std::vector<Batch> batches, const BatchColumns& col
   std::erase_if(result.columns.sensors, [&](const std::string& name) {
     return std::find(sensors.begin(), sensors.end(), name) != sensors.end();
   });
-  if (result.columns.sensors.empty()) throw Error("expected sensors to be left, found none.");
+  if (result.columns.sensors.empty()) throw Error("expected sensors that are sound and not constant, found none.");
   for (Batch& batch : result.batches) {
     std::vector<Eigen::Index> places = kept;
     places.push_back(batch.moments.mean.size() - 1);

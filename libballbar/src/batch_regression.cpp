@@ -352,32 +352,25 @@ std::vector<std::string> broken_of(const BatchModel& model, const Apart& rows) {
   const auto sensors = static_cast<Eigen::Index>(model.columns.sensors.size());
   const Eigen::Index m = model.range.mean_degC.size();
   const Eigen::MatrixXd c = Eigen::MatrixXd::Identity(m, m) - model.range.loadings * model.range.loadings.transpose();
-  const double ordinary = ordinary_Q_K2(model.range);
+  const double limit = kFarFromPlane * ordinary_Q_K2(model.range);
   std::size_t odd = 0;  // rows
-  std::vector<std::size_t> spoiled(model.columns.sensors.size(), 0);
+  std::vector<std::size_t> mended(model.columns.sensors.size(), 0);
   for (Eigen::Index i = 0; i < rows.Q_K2.size(); ++i) {
-    if (!(rows.Q_K2[i] > kFarFromPlane * ordinary)) continue;
+    if (!(rows.Q_K2[i] > limit)) continue;
     ++odd;
-    double most = 0.0;
-    Eigen::Index which = -1;
     for (Eigen::Index j = 0; j < sensors; ++j) {
       std::vector<Eigen::Index> places{j};
       if (m > sensors) places.push_back(j + sensors);
       const Eigen::MatrixXd own = c(places, places);
       if (!(own.diagonal().minCoeff() > 1e-6)) continue;
       const Eigen::VectorXd e = rows.residual.row(i).transpose()(places);
-      const double fall = e.dot(own.ldlt().solve(e));
-      if (fall > most) {
-        most = fall;
-        which = j;
-      }
+      if (rows.Q_K2[i] - e.dot(own.ldlt().solve(e)) <= limit) ++mended[static_cast<std::size_t>(j)];
     }
-    if (which >= 0 && rows.Q_K2[i] - most <= kFarFromPlane * ordinary) ++spoiled[static_cast<std::size_t>(which)];
   }
   std::vector<std::string> broken;
-  for (std::size_t j = 0; j < spoiled.size(); ++j) {
-    const bool many = spoiled[j] >= std::min(kFewRows, static_cast<std::size_t>(rows.Q_K2.size()));
-    if (many && static_cast<double>(spoiled[j]) >= kOneSensor * static_cast<double>(odd)) {
+  if (odd < std::min(kFewRows, static_cast<std::size_t>(rows.Q_K2.size()))) return broken;
+  for (std::size_t j = 0; j < mended.size(); ++j) {
+    if (static_cast<double>(mended[j]) >= kOneSensor * static_cast<double>(odd)) {
       broken.push_back(model.columns.sensors[j]);
     }
   }
@@ -399,7 +392,11 @@ BatchPrediction predict(const BatchModel& model, const Series& series) {
   const Eigen::MatrixXd inputs = inputs_of(series, model.columns);
   const Apart rows = apart(model.range, inputs);
   const Eigen::VectorXd um = (inputs * model.regression.slope_um_per_K).array() + model.regression.intercept_um;
-  const Eigen::VectorXd width = model.half_width_um * (1.0 + rows.T2.array() / effective_batches(model.batches)).sqrt();
+  Eigen::VectorXd width = model.half_width_um * (1.0 + rows.T2.array() / effective_batches(model.batches)).sqrt();
+  const Eigen::VectorXd unseen = (rows.residual * model.regression.slope_um_per_K).cwiseAbs();
+  for (Eigen::Index i = 0; i < width.size(); ++i) {
+    if (rows.Q_K2[i] > ordinary_Q_K2(model.range)) width[i] += unseen[i];
+  }
   const Eigen::VectorXd t2 = rows.T2 / std::max(model.range.largest_T2, kRounding);
   const Eigen::VectorXd q = rows.Q_K2 / ordinary_Q_K2(model.range);
   BatchPrediction result;

@@ -23,10 +23,9 @@ constexpr double kLeastWeight = 0.05;      // of the largest
 constexpr std::size_t kFewestWeighed = 3;  // batches
 constexpr Eigen::Index kFeatures = 4;
 
-// Features by which batches are near each other; a speed that is not logged is alike in all.
+// Features by which batches are near each other; NaN: a speed that is not logged.
 Eigen::Vector4d features_of(const BatchStart& start) {
-  return {start.room_first_degC, start.sensors_mean_degC, start.sensors_spread_K,
-          std::isfinite(start.speed_mean_rpm) ? start.speed_mean_rpm : 0.0};
+  return {start.room_first_degC, start.sensors_mean_degC, start.sensors_spread_K, start.speed_mean_rpm};
 }
 
 // 1 / s of each feature; 0 where all batches are alike.
@@ -41,7 +40,8 @@ Eigen::Vector4d scales_of(std::span<const Batch> batches) {
 }
 
 double distance(const BatchStart& a, const BatchStart& b, const Eigen::Vector4d& scales) {
-  return (features_of(a) - features_of(b)).cwiseProduct(scales).norm();
+  const Eigen::Vector4d apart = (features_of(a) - features_of(b)).cwiseProduct(scales);
+  return apart.unaryExpr([](double one) { return std::isfinite(one) ? one : 0.0; }).norm();
 }
 
 double room_apart(const BatchStart& job, const BatchStart& batch) {
@@ -100,7 +100,7 @@ std::vector<std::size_t> like_the_job(std::span<const Batch> batches, const Batc
 
 std::vector<std::size_t> numbers_to_try(std::size_t most) {
   std::vector<std::size_t> numbers;
-  for (std::size_t i = 1; i < most; i = i < kEvery ? i + 1 : i + i / 10) numbers.push_back(i);
+  for (std::size_t i = 2; i < most; i = i < kEvery ? i + 1 : i + i / 10) numbers.push_back(i);
   numbers.push_back(most);
   return numbers;
 }

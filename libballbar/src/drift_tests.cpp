@@ -7,6 +7,7 @@
 #include "ballbar/measured_input.hpp"
 #include "input_forecast.hpp"
 #include "planned_test.hpp"
+#include "median.hpp"
 #include "test_plans.hpp"
 
 namespace ballbar {
@@ -16,13 +17,6 @@ constexpr double kBelieved = 0.5;  // R2 of a prediction
 constexpr double kSignals_s = 60.0;
 constexpr double kMostReadings = 1500.0;
 constexpr double kRepeated_s = 4.0 * 3600.0;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double mean_of(const std::vector<double>& values) {
   double sum = 0.0, count = 0.0;
@@ -225,7 +219,7 @@ std::vector<PlannedTest> drift_tests(const Series& data, const std::string& targ
 
   std::vector<double> gaps_s;
   for (std::size_t i = 1; i < rows.size(); ++i) gaps_s.push_back(data.time_s[rows[i]] - data.time_s[rows[i - 1]]);
-  const double reading_s = median(gaps_s);
+  const double reading_s = gaps_s.empty() ? 0.0 : median(gaps_s);
   if (!(reading_s > 0.0)) return tests;
   const Learned learned = learned_from(data);
   const bool load = std::any_of(data.columns.begin(), data.columns.end(),

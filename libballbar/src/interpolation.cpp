@@ -1,7 +1,10 @@
 #include "interpolation.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
+
+#include "median.hpp"
 
 namespace ballbar {
 
@@ -21,10 +24,7 @@ double value_at(std::span<const double> column, const Place& place) {
 double median_step_s(std::span<const double> time_s) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < time_s.size(); ++i) steps.push_back(time_s[i] - time_s[i - 1]);
-  if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return steps.empty() ? 0.0 : median(std::move(steps));
 }
 
 }  // namespace ballbar

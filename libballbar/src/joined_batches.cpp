@@ -1,25 +1,16 @@
 #include "ballbar/joined_batches.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "ballbar/batch.hpp"
-#include "ballbar/error.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr double kBetween_s = 864000.0;  // 10 days
 constexpr double kRow_s = 1.0;           // after and before which the machine stands
-
-const Column& column_of(const Series& batch, const std::string& name) {
-  const Column* column = find_column(batch, name);
-  if (column == nullptr) throw Error(fmt::format("expected a column {}, found none.", name));
-  return *column;
-}
 
 std::vector<std::string> columns_of(const Model& model) {
   std::vector<std::string> names = model.targets;

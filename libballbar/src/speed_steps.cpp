@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "median.hpp"
 
 namespace ballbar {
 namespace {
@@ -15,10 +18,7 @@ double median_of_known(const std::vector<double>& values, std::size_t begin, std
   for (std::size_t row = begin; row < end; ++row) {
     if (!std::isnan(values[row])) known.push_back(values[row]);
   }
-  if (known.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
-  std::nth_element(known.begin(), middle, known.end());
-  return *middle;
+  return known.empty() ? std::numeric_limits<double>::quiet_NaN() : median(std::move(known));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ballbar/units.hpp"
+#include "median.hpp"
 
 namespace ballbar {
 
@@ -29,13 +30,8 @@ Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::Ref<const Eige
 }
 
 Eigen::VectorXd clipped(Eigen::VectorXd white) {
-  constexpr double kMost = 4.0, kSigmaOfDeviation = 1.4826;
+  constexpr double kMost = 4.0;
   if (white.size() == 0) return white;
-  const auto median = [](std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  };
   const double centre = median({white.begin(), white.end()});
   std::vector<double> deviation;
   deviation.reserve(static_cast<std::size_t>(white.size()));

@@ -38,7 +38,7 @@ TEST(LatheChamber, finds_the_sensor_that_broke_and_the_steps) {
   EXPECT_EQ(broken.front().batches.front(), "20200821");
   std::vector<std::string> stepped;
   for (const Batch& batch : found.batches) {
-    if (!batch.step_um.empty()) stepped.push_back(batch.name);
+    if (!batch.steps.empty()) stepped.push_back(batch.name);
   }
   EXPECT_EQ(stepped,
             (std::vector<std::string>{"20200723", "20200810", "20200923", "20200928", "20200929", "20201006"}));

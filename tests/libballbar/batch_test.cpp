@@ -222,7 +222,7 @@ TEST(batch, messages) {
   EXPECT_EQ(inputs_of(series, columns).rows(), 3);  // a job need not be measured
   series = {{0.0, 10.0}, {{"T_room_degC", Role::structure, {1.0, 2.0}}, {"z_um", Role::measured, {0.0, 3.0}}}, {}};
   expect_error("expected a batch of at least 3 rows, found 2.", batch_with(series));
-  expect_error("expected sensors to be left, found none.",
+  expect_error("expected sensors that are sound and not constant, found none.",
                [&] { (void)without_sensors({batch_of("a", good, columns)}, columns, {"T_room_degC"}); });
 }
 
@@ -312,16 +312,16 @@ TEST(batch, without_sensors_the_start_is_that_of_the_rest) {
 TEST(batch, steps) {
   std::vector<Series> all = made::warm_ups(1, {}, "steps");
   const BatchColumns columns = made::columns_of(all);
-  EXPECT_TRUE(batch_of("a", all[0], columns).step_um.empty());  // a smooth warm-up
+  EXPECT_TRUE(batch_of("a", all[0], columns).steps.empty());  // a smooth warm-up
   std::vector<double>& z_um = made::values_of(all[0], "z_um");
   const double before = z_um[60] - z_um[59];
   for (std::size_t i = 60; i < z_um.size(); ++i) z_um[i] += 20.0;
   const Batch batch = batch_of("a", all[0], columns);
-  ASSERT_EQ(batch.step_um.size(), 1U);
-  EXPECT_EQ(batch.step_um[0].first, 1800.0);  // row 60 of 30 s
-  EXPECT_DOUBLE_EQ(batch.step_um[0].second, before + 20.0);
+  ASSERT_EQ(batch.steps.size(), 1U);
+  EXPECT_EQ(batch.steps[0].time_s, 1800.0);  // row 60 of 30 s
+  EXPECT_DOUBLE_EQ(batch.steps[0].um, before + 20.0);
   z_um.assign(z_um.size(), 1.0);
-  EXPECT_TRUE(batch_of("a", all[0], columns).step_um.empty());
+  EXPECT_TRUE(batch_of("a", all[0], columns).steps.empty());
 }
 
 // A row every 5 min, a time constant of 20 min: the first change is the largest, 22 % of all, and the next is like it.
@@ -334,7 +334,7 @@ TEST(batch, a_warm_up_of_few_rows_has_no_step) {
       const double warm_s = i < rest ? 0.0 : 300.0 * static_cast<double>(i - rest);
       series.columns[1].values.push_back(50.0 * (1.0 - std::exp(-warm_s / 1200.0)));
     }
-    EXPECT_TRUE(batch_of("a", series, made::columns_of({series})).step_um.empty()) << rest << " rows of rest";
+    EXPECT_TRUE(batch_of("a", series, made::columns_of({series})).steps.empty()) << rest << " rows of rest";
   }
 }
 

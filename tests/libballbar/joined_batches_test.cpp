@@ -57,7 +57,7 @@ TEST(JoinedBatches, a_batch_without_the_column_is_told) {
     joined_batches(both, model());
     FAIL() << "taken";
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "expected a column T_degC, found none.");
+    EXPECT_STREQ(error.what(), "expected a column T_degC, found none; the nearest is z_um.");
   }
 }
 

@@ -24,6 +24,9 @@ namespace ballbar {
 enum class InputKind { temperature, rise, both };
 std::string_view name_of(InputKind kind);
 
+// The column of that name. Throws Error, with the nearest name.
+const Column& column_of(const Series& series, const std::string& name);
+
 // A column in degC or K that was not computed from the measurement.
 bool is_sensor(const Column& column);
 
@@ -66,14 +69,20 @@ struct Moments {
 };
 Moments merged(const Moments& a, const Moments& b);
 
+struct TargetStep {
+  double time_s = 0.0;
+  double um = 0.0;
+};
+
 struct Batch {
   std::string name;
   std::size_t rows = 0;
   BatchStart start;
   Moments moments;
   Eigen::VectorXd sensor_first_degC, sensor_mean_degC;  // of each sensor: in the first row, over all
-  std::vector<std::pair<double, double>>
-      step_um;  // time in s and size of what the target does from row to row and no heat does
+  // What the target does from one row to the next and a machine does not: more than 10 times the robust spread of such
+  // changes, 0.3 of its range and 1 um, rows no farther apart than three usual steps. At most 5.
+  std::vector<TargetStep> steps;
 };
 
 // Throws Error as inputs_of; a batch of fewer than 3 rows; a target with gaps.

@@ -114,7 +114,8 @@ double half_width_95_um(std::span<const double> sigma_um, std::span<const double
 
 struct BatchPrediction {
   std::vector<double> predicted_um;
-  std::vector<double> half_width_um;  // of a 95 % interval: grows with T2 as the mean of a regression does
+  std::vector<double> half_width_um;  // of a 95 % interval: grows with T2 as the mean of a regression
+                                      // does, and where Q is beyond training by all that the model makes of the rest
   std::vector<double> T2_of_largest, Q_of_largest;  // each over the largest in training: above 1 is outside
   struct Outside {
     std::string what;                           // "T_front_degC" or "component 2"
@@ -123,7 +124,8 @@ struct BatchPrediction {
     std::size_t rows = 0;
   };
   std::vector<Outside> outside;  // inputs and components that leave the trained range by more than a tenth of it
-  // At most one, which looks broken: with the reading that the others suggest for it nearly every odd row is ordinary.
+  // Sensors of which one looks broken: with the reading that the others suggest for it nearly every odd row is
+  // ordinary. More than one where the others do not tell which.
   std::vector<std::string> broken;
 };
 

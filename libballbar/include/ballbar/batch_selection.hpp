@@ -6,8 +6,9 @@
 //
 //   RMSE_m(i) < (1 - fall) min(RMSE_m(1) .. RMSE_m(i-1)),  fall = 0.1; all batches where there is none.
 //
-// Beside it: the number of batches for which batches like this job, each left out and ranked and predicted in the same
-// way, come out best; and weights instead of a cut:
+// Beside it: the number of batches, at least 2, for which batches like this job (the 30 nearest by d_k below), each
+// left out and ranked and predicted in the same way, come out best; all batches where that is all the others; and
+// weights instead of a cut:
 //
 //   w_k = exp(-d_k^2 / (2 h^2)),  d_k^2 = sum_f ((f_job - f_k) / s_f)^2
 //
