@@ -6,8 +6,8 @@
 
 #include "ballbar/measured_input.hpp"
 #include "input_forecast.hpp"
-#include "planned_test.hpp"
 #include "median.hpp"
+#include "planned_test.hpp"
 #include "test_plans.hpp"
 
 namespace ballbar {
