@@ -37,6 +37,7 @@ void take_out(std::vector<ListedRun>& runs, const std::vector<std::string>& with
     const auto same = [&](const ListedRun& run) { return run.name == name; };
     if (std::none_of(all.begin(), all.end(), same)) {
       std::vector<std::string_view> known;
+      known.reserve(all.size());
       for (const ListedRun& run : all) known.emplace_back(run.name);
       throw Error(fmt::format("--without {}: expected a batch of the list, found none of that name{}.", name,
                               known.empty() ? "" : fmt::format("; the nearest is {}", nearest_name(name, known))));

@@ -52,9 +52,6 @@ std::vector<FittedParameter> held_parameters(const Model& model) {
   return parameters;
 }
 
-// "z_um" -> "z"
-std::string stem_of(const std::string& column) { return column.substr(0, column.rfind('_')); }
-
 std::vector<Column> columns_of(const Model& model, const std::string& target, const Prediction& prediction,
                                const Series& data) {
   const std::string stem = stem_of(target);

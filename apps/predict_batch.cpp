@@ -35,9 +35,6 @@ Series read_data(const std::string& data) {
   return read_series(bytes, "standard input");
 }
 
-// "z_um" -> "z"
-std::string stem_of(const std::string& column) { return column.substr(0, column.rfind('_')); }
-
 Series series_of(const BatchModel& model, const BatchPrediction& prediction, const Series& data) {
   const std::string stem = stem_of(model.columns.target);
   Series series;
@@ -90,6 +87,8 @@ std::vector<std::string> warnings_of(const BatchPrediction& prediction, std::siz
 }
 
 }  // namespace
+
+std::string stem_of(const std::string& column) { return column.substr(0, column.rfind('_')); }
 
 bool is_batch_model(const std::string& model) {
   const std::string bytes = read_bytes(model, kLargestText);

@@ -14,6 +14,9 @@ struct BatchPredictOptions {
   bool json = false;
 };
 
+// "z_um" -> "z"
+std::string stem_of(const std::string& column);
+
 // What starts with a brace: a regression over batches rather than a model of effects.
 bool is_batch_model(const std::string& model);
 

@@ -53,15 +53,6 @@ struct Compared {
   RandomChoices found;
 };
 
-double effective(const std::vector<double>& weights) {
-  double sum = 0.0, squares = 0.0;
-  for (const double weight : weights) {
-    sum += weight;
-    squares += weight * weight;
-  }
-  return sum * sum / squares;
-}
-
 std::vector<double> first(const Selection& selection, std::size_t number) {
   std::vector<double> weights(selection.ranked.size(), 0.0);
   for (std::size_t i = 0; i < number; ++i) weights[selection.ranked[i].batch] = 1.0;
@@ -102,7 +93,7 @@ std::string conclusion(const Options& options, const OpenedBatches& opened, cons
   if (take == Take::weights) {
     const auto used = std::count_if(taken.weights.begin(), taken.weights.end(), [](double w) { return w > 0.0; });
     text = fmt::format("{} of {} batches, weighed by their likeness to the job (as many as {:.1f} alike)", used,
-                       opened.batches.size(), effective(taken.weights));
+                       opened.batches.size(), effective_batches(taken.weights));
   } else {
     const std::size_t number = take == Take::paper      ? selection.by_paper
                                : take == Take::held_out ? selection.by_held_out
@@ -139,7 +130,7 @@ void print_choices(const std::vector<Choice>& choices, const Selection& selectio
     return *selection.all_um > 0.0 ? fmt::format("{} %", fixed(100.0 * (1.0 - um / *selection.all_um), 0)) : "-";
   };
   for (const Choice& choice : choices) {
-    const double count = effective(choice.weights);
+    const double count = effective_batches(choice.weights);
     std::vector<std::string> row{choice.label, fixed(count, choice.key == "weights" ? 1 : 0),
                                  label_of(choice.settings)};
     if (measured) row.insert(row.end(), {fixed(*choice.rmse_um, 2), less(*choice.rmse_um)});
@@ -199,7 +190,7 @@ nlohmann::ordered_json json_of(const Options& options, const OpenedBatches& open
   }
   for (const Choice& choice : choices) {
     json["choices"].push_back({{"choice", choice.key},
-                               {"batches", number(effective(choice.weights))},
+                               {"batches", number(effective_batches(choice.weights))},
                                {"method", name_of(choice.settings.method)},
                                {"components", choice.settings.components},
                                {"penalty_K2", number(choice.settings.penalty_K2)},
@@ -278,7 +269,7 @@ void run(const Options& given) {
   const std::vector<Choice> choices = choices_of(selection, how);
   const Choice& taken = choices[options.take];
   std::optional<Compared> random;
-  const auto count = static_cast<std::size_t>(std::lround(effective(taken.weights)));
+  const auto count = static_cast<std::size_t>(std::lround(effective_batches(taken.weights)));
   if (measured && options.random.choices > 0 && count < opened.batches.size()) {
     RandomOptions chance = options.random;
     chance.batches = count;
@@ -338,7 +329,7 @@ void add_select(CLI::App& app) {
   command->add_flag("--json", options->json, "for a program");
   command->footer(
       "Example:\n"
-      "  ballbar select sample-runs/batches-tan2024/runs.csv --target z_um --for "
+      "  ballbar select sample-runs/batches-tan2024/runs.csv --target y_um --for "
       "sample-runs/batches-tan2024/test1.csv");
   command->callback([options] { run(*options); });
 }

@@ -250,7 +250,7 @@ void add_train(CLI::App& app) {
   command->add_flag("--json", options->json, "the comparison for a program");
   command->footer(
       "Example:\n"
-      "  ballbar train sample-runs/batches-tan2024/runs.csv --target z_um --out model.json");
+      "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --out model.json");
   command->callback([options] { run(*options); });
 }
 

@@ -377,22 +377,25 @@ std::vector<std::string> broken_of(const BatchModel& model, const Apart& rows) {
   return broken;
 }
 
-double effective_batches(const std::vector<TrainedBatch>& batches) {
+}  // namespace
+
+double effective_batches(std::span<const double> weights) {
   double sum = 0.0, squares = 0.0;
-  for (const TrainedBatch& batch : batches) {
-    sum += batch.weight;
-    squares += batch.weight * batch.weight;
+  for (const double weight : weights) {
+    sum += weight;
+    squares += weight * weight;
   }
   return sum * sum / squares;
 }
-
-}  // namespace
 
 BatchPrediction predict(const BatchModel& model, const Series& series) {
   const Eigen::MatrixXd inputs = inputs_of(series, model.columns);
   const Apart rows = apart(model.range, inputs);
   const Eigen::VectorXd um = (inputs * model.regression.slope_um_per_K).array() + model.regression.intercept_um;
-  Eigen::VectorXd width = model.half_width_um * (1.0 + rows.T2.array() / effective_batches(model.batches)).sqrt();
+  std::vector<double> weights;
+  weights.reserve(model.batches.size());
+  for (const TrainedBatch& batch : model.batches) weights.push_back(batch.weight);
+  Eigen::VectorXd width = model.half_width_um * (1.0 + rows.T2.array() / effective_batches(weights)).sqrt();
   const Eigen::VectorXd unseen = (rows.residual * model.regression.slope_um_per_K).cwiseAbs();
   for (Eigen::Index i = 0; i < width.size(); ++i) {
     if (rows.Q_K2[i] > ordinary_Q_K2(model.range)) width[i] += unseen[i];

@@ -112,6 +112,9 @@ BatchModel trained(std::span<const Batch> batches, std::span<const double> weigh
 // Within it lie 95 % of a mixture of normal distributions about 0, one for each sigma, in the shares of the weights.
 double half_width_95_um(std::span<const double> sigma_um, std::span<const double> weights = {});
 
+// As many batches of one weight: (sum w)^2 / sum w^2 (Kish).
+double effective_batches(std::span<const double> weights);
+
 struct BatchPrediction {
   std::vector<double> predicted_um;
   std::vector<double> half_width_um;  // of a 95 % interval: grows with T2 as the mean of a regression
