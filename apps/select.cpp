@@ -235,9 +235,7 @@ Batch job_of(const Options& options, const BatchColumns& columns, Series job, bo
     std::erase_if(job.columns, [&](const Column& column) { return column.name == columns.target; });
     job.columns.push_back({columns.target, Role::measured, std::vector<double>(job.time_s.size(), 0.0)});
   }
-  BatchColumns own = columns;
-  if (own.speed && find_column(job, *own.speed) == nullptr) own.speed.reset();
-  return with_source(options.job, [&] { return batch_of(options.job, job, own); });
+  return with_source(options.job, [&] { return batch_of(options.job, job, columns); });
 }
 
 void run(const Options& given) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "ballbar/inject.hpp"
 #include "ballbar/trial.hpp"
 #include "candidates.hpp"
 #include "confirmation.hpp"
@@ -186,12 +187,6 @@ bool is_contradicted(const std::vector<Confirmed>& confirmations, const Groups& 
   return false;
 }
 
-// How far a curve goes.
-double range_um(const std::vector<double>& curve_um) {
-  const auto [low, high] = std::minmax_element(curve_um.begin(), curve_um.end());
-  return *high - *low;
-}
-
 // Effects that go much farther than all of them together: what they draw is a small difference of large curves, which
 // imitates what none of them is.
 bool nearly_cancel(const Case& c) {
@@ -201,9 +196,9 @@ bool nearly_cancel(const Case& c) {
   for (std::size_t m = 0; m < best.set.size(); ++m) {
     const std::vector<double>& one = best.fit.contribution_um[c.now.model().terms.size() + m];
     for (std::size_t i = 0; i < one.size(); ++i) together[i] += one[i];
-    farthest = std::max(farthest, range_um(one));
+    farthest = std::max(farthest, range_of(one));
   }
-  return farthest > kCancels * range_um(together);
+  return farthest > kCancels * range_of(together);
 }
 
 void decide(const Case& c, const std::vector<Confirmed>& confirmations, const Groups& groups, bool beats_smooth,

@@ -17,17 +17,10 @@
 namespace ballbar {
 namespace {
 
+using made::expect_error;
+
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-void expect_error(const std::string& message, const std::function<void()>& what) {
-  try {
-    what();
-    ADD_FAILURE() << "no Error: " << message;
-  } catch (const Error& error) {
-    EXPECT_EQ(error.what(), message);
-  }
-}
 
 struct Rows {
   MatrixXd inputs;

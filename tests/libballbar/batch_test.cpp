@@ -13,16 +13,9 @@
 namespace ballbar {
 namespace {
 
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+using made::expect_error;
 
-void expect_error(const std::string& message, const std::function<void()>& what) {
-  try {
-    what();
-    ADD_FAILURE() << "no Error: " << message;
-  } catch (const Error& error) {
-    EXPECT_EQ(error.what(), message);
-  }
-}
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
 // One sensor, 1, 2 and 6 degC; the target 0, 3 and 3 um.
 Series three_rows() {

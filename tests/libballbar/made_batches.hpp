@@ -2,9 +2,11 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <string>
 #include <string_view>
@@ -12,8 +14,18 @@
 #include <vector>
 
 #include "ballbar/batch.hpp"
+#include "ballbar/error.hpp"
 
 namespace ballbar::made {
+
+inline void expect_error(const std::string& message, const std::function<void()>& what) {
+  try {
+    what();
+    ADD_FAILURE() << "no Error: " << message;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(), message);
+  }
+}
 
 // FNV-1a, the same everywhere: seeds keyed by a test's name.
 inline std::uint64_t seed_of(std::string_view name) {
