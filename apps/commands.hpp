@@ -25,5 +25,6 @@ void add_blind(CLI::App& app);
 void add_inject(CLI::App& app);
 void add_train(CLI::App& app);
 void add_select(CLI::App& app);
+void add_report(CLI::App& app);
 
 }  // namespace ballbar::commands

@@ -16,9 +16,9 @@
 #include "ballbar/formats/series_csv.hpp"
 #include "ballbar/units.hpp"
 #include "commands.hpp"
+#include "comparison_json.hpp"
 #include "comparison_plot.hpp"
-#include "five_probe_options.hpp"
-#include "json_number.hpp"
+#include "operands.hpp"
 #include "out_files.hpp"
 #include "text.hpp"
 
@@ -26,65 +26,13 @@ namespace ballbar::commands {
 namespace {
 
 struct Options {
-  std::string a, b;
+  OperandOptions operands;
   std::vector<std::string> match;
   std::vector<std::string> out;
   std::string plot;
-  std::optional<double> reference_s, max_gap_s;
-  FiveProbeOptions probes;
+  std::optional<double> max_gap_s;
   bool json = false;
 };
-
-MeasuredDrift drift_of_series(const Series& series, const std::string& path, const Options& options,
-                              const BallPlace& ball) {
-  const Series with = is_five_probe(series) || !options.probes.probes.empty() ? stated(series, options.probes) : series;
-  if (!is_five_probe(with)) return measured(with, path);
-  FivePointOptions how = place_of(with, options.probes, ball);
-  how.reference_s = options.reference_s;
-  return five_point_of(with, how, path);
-}
-
-MeasuredDrift drift_of_session(const SessionFiles& files, const Options& options) {
-  DriftOptions how;
-  how.reference_s = options.reference_s;
-  return measured(drift_of(files.session, how), files.session);
-}
-
-struct Operands {
-  MeasuredDrift a, b;
-  std::vector<std::filesystem::path> files;
-  std::string title;  // of a session with its own five probes; two files are named by what they are
-};
-
-Operands operands_of(const Options& options) {
-  Operands operands;
-  const DriftData first = open_drift_data(options.a);
-  operands.files = first.files;
-  if (options.b.empty()) {
-    if (!first.session || !first.session->five_probe) {
-      throw Error(fmt::format("{}: expected a second file to compare with, or a session with [five_probe], found {}.",
-                              options.a, first.session ? "a session without it" : "a series"));
-    }
-    const Session& session = first.session->session;
-    operands.title = session.title.empty() ? options.a : session.title;
-    operands.a = drift_of_session(*first.session, options);
-    operands.b = drift_of_series(open_series(*first.session->five_probe), first.session->five_probe->string(), options,
-                                 first.session->ball);
-    return operands;
-  }
-  const DriftData second = open_drift_data(options.b);
-  operands.files.insert(operands.files.end(), second.files.begin(), second.files.end());
-  const BallPlace ball = first.session ? first.session->ball : second.session ? second.session->ball : BallPlace{};
-  const auto drift = [&](const DriftData& data, const std::string& path) {
-    MeasuredDrift result =
-        data.session ? drift_of_session(*data.session, options) : drift_of_series(*data.series, path, options, ball);
-    if (result.what != path) result.what += fmt::format(" ({})", path);
-    return result;
-  };
-  operands.a = drift(first, options.a);
-  operands.b = drift(second, options.b);
-  return operands;
-}
 
 std::string names_of(const MeasuredDrift& drift) {
   std::vector<std::string> names;
@@ -215,67 +163,6 @@ void print_text(const Operands& operands, const Comparison& comparison) {
   for (const std::string& remark : comparison.remarks) fmt::print("{}", wrapped(remark));
 }
 
-nlohmann::ordered_json json_of(const AxisComparison& axis) {
-  nlohmann::ordered_json json;
-  const auto put = [&](const std::string& key, const std::optional<double>& value) {
-    json[key] = value ? number(*value) : nlohmann::ordered_json(nullptr);
-  };
-  const auto with_unit = [&](const char* name) { return fmt::format("{}_{}", name, axis.unit); };
-  json["agreement"] = axis.agreement == Agreement::agrees      ? "agrees"
-                      : axis.agreement == Agreement::disagrees ? "disagrees"
-                                                               : "cannot tell";
-  put("mean_relative_deviation", axis.mean_relative_deviation);
-  put("expected_relative_deviation", axis.expected_relative_deviation);
-  put("explained_share", axis.explained_share);
-  put("range_normalised_mean_deviation", axis.range_deviation);
-  put(with_unit("rmse"), axis.rmse);
-  put(with_unit("max"), axis.largest);
-  put("max_at_s", axis.largest_s);
-  put(with_unit("bias"), axis.bias);
-  put(with_unit("loa_low"), axis.limit_low);
-  put(with_unit("loa_high"), axis.limit_high);
-  json["within_2_sigma"] = axis.within;
-  json["samples"] = axis.counted;
-  put("correlation", axis.correlation);
-  put("lag_s", axis.lag_s);
-  put("lag_sigma_s", axis.lag_sigma_s);
-  if (axis.deviation) {
-    json["deviation"] = {{"from_s", axis.deviation->from_s},
-                         {"to_s", axis.deviation->to_s},
-                         {"to_the_end", axis.deviation->to_the_end},
-                         {with_unit("largest"), axis.deviation->largest},
-                         {with_unit("sigma"), number(axis.deviation->sigma)},
-                         {"at_s", axis.deviation->at_s}};
-  }
-  json["budget"] = nlohmann::ordered_json::array();
-  for (const UncertaintyShare& share : axis.budget) {
-    json["budget"].push_back(
-        {{"source", share.source}, {with_unit("sigma"), number(share.sigma)}, {"share", share.variance}});
-  }
-  json["points"] = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < axis.time_s.size(); ++i) {
-    json["points"].push_back({{"time_s", axis.time_s[i]},
-                              {with_unit("a"), axis.a[i]},
-                              {with_unit("b"), axis.b[i]},
-                              {with_unit("difference"), axis.difference[i]},
-                              {with_unit("sigma"), number(axis.sigma[i])}});
-  }
-  return json;
-}
-
-void print_json(const Comparison& comparison) {
-  nlohmann::ordered_json json;
-  json["conclusion"] = conclusion(comparison);
-  json["a"] = comparison.a;
-  json["b"] = comparison.b;
-  json["reference_s"] = comparison.reference_s;
-  json["samples"] = comparison.samples;
-  json["left_out"] = comparison.left_out;
-  for (const AxisComparison& axis : comparison.axes) json["axes"][axis.name] = json_of(axis);
-  json["remarks"] = comparison.remarks;
-  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-}
-
 // NAME_a, NAME_b, NAME_difference and its sigma over the common times; an axis without a value there has a gap.
 Series differences(const Comparison& comparison) {
   constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
@@ -316,16 +203,16 @@ void run(const Options& options) {
     throw Error(
         fmt::format("{}: expected a name that ends in .csv, found {}.", path, ending.empty() ? "no ending" : ending));
   }
-  Operands operands = operands_of(options);
+  Operands operands = operands_of(options.operands);
   std::vector<std::string> outputs = options.out;
   if (!options.plot.empty()) outputs.push_back(options.plot);
   expect_no_input(outputs, operands.files);
   match(operands, options.match);
-  const Comparison comparison = compare(operands.a, operands.b, {options.reference_s, options.max_gap_s});
+  const Comparison comparison = compare(operands.a, operands.b, {options.operands.reference_s, options.max_gap_s});
   for (const std::string& path : options.out) write_bytes(path, write_series(differences(comparison)));
   if (!options.plot.empty()) plot_comparison(comparison, conclusion(comparison), options.plot);
   if (options.json) {
-    print_json(comparison);
+    fmt::print("{}\n", json_of(comparison).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   } else {
     print_text(operands, comparison);
   }
@@ -337,14 +224,16 @@ void run(const Options& options) {
 void add_compare(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("compare", "How well two drift series agree, and within their uncertainty");
-  command->add_option("A", options->a, "session, folder, drift .csv or five probes' .csv")->required();
-  command->add_option("B", options->b, "what to compare it with; without it the session's own five probes");
+  command->add_option("A", options->operands.a, "session, folder, drift .csv or five probes' .csv")->required();
+  command->add_option("B", options->operands.b, "what to compare it with; without it the session's own five probes");
   command->add_option("--plot", options->plot, "picture of both and their difference, .svg")->type_name("FILE");
   command->add_option("--out", options->out, "write both and their difference at the common times, .csv")
       ->type_name("FILE");
   const CLI::AsNumberWithUnit time(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
                                    CLI::AsNumberWithUnit::CASE_SENSITIVE);
-  command->add_option("--reference", options->reference_s, "time since which changes are taken; default: the first")
+  command
+      ->add_option("--reference", options->operands.reference_s,
+                   "time since which changes are taken; default: the first")
       ->type_name("TIME")
       ->transform(time);
   command
@@ -354,7 +243,7 @@ void add_compare(CLI::App& app) {
       ->transform(time);
   command->add_option("--match", options->match, "axis of A and the axis of B it stands for, such as axial=-z")
       ->type_name("A=B");
-  add_five_probe_options(*command, options->probes);
+  add_five_probe_options(*command, options->operands.probes);
   command->add_flag("--json", options->json, "the comparison for a program");
   command->footer(
       "Examples:\n"

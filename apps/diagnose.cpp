@@ -11,12 +11,10 @@
 
 #include "ballbar/diagnosis.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/next_test.hpp"
 #include "checked.hpp"
 #include "commands.hpp"
-#include "json_number.hpp"
+#include "diagnosed.hpp"
 #include "model_options.hpp"
-#include "progress.hpp"
 #include "text.hpp"
 #include "untestable.hpp"
 
@@ -27,80 +25,9 @@ constexpr std::size_t kWidest = 120;
 
 struct Options {
   ModelOptions model;
-  double tolerance_um = 0.0;
-  std::uint64_t seed = 1;
-  std::size_t most_rows = 1500;
+  DiagnoseOptions how;
   bool json = false;
 };
-
-struct Diagnosed {
-  Checked checked;
-  Diagnosis diagnosis;
-  std::vector<NextTest> next_tests;
-  std::size_t fakes = 0;  // tried of each effect
-};
-
-constexpr std::size_t kInASentence = 4;
-
-std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {
-  std::vector<std::string> texts;
-  const std::size_t said = bounds.size() > kInASentence + 1 ? kInASentence : bounds.size();
-  for (std::size_t i = 0; i < said; ++i) texts.push_back(label_of(bounds[i]));
-  if (said < bounds.size()) texts.push_back(fmt::format("one of {} more", bounds.size() - said));
-  return fmt::format("{}", fmt::join(texts, between));
-}
-
-std::string p_text(double p) { return p < 0.0005 ? "< 0.1 %" : fmt::format("{:.1f} %", 100.0 * p); }
-
-const Candidate* candidate_of(const Diagnosis& diagnosis, const BoundEffect& bound) {
-  const auto at = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
-                               [&](const Candidate& candidate) { return candidate.bound == bound; });
-  return at == diagnosis.candidates.end() ? nullptr : &*at;
-}
-
-// The verdict in words, whole sentences.
-std::string verdict_text(const Diagnosis& found) {
-  std::string text = fmt::format("Verdict: {}. ", name_of(found.verdict));
-  const std::string searched = fmt::format("after searching {} effects", found.searched_effects);
-  const std::string chance = fmt::format("A data set without any effect shows one as clear in {} of cases, {}.",
-                                         p_text(found.p_anything), searched);
-  switch (found.verdict) {
-    case Verdict::named:
-      text += fmt::format("What is missing is {}.", labels(found.named, " and "));
-      for (const BoundEffect& bound : found.named) {
-        const Candidate* candidate = candidate_of(found, bound);
-        if (candidate != nullptr && candidate->minor) text += fmt::format(" {} is minor.", label_of(bound));
-      }
-      for (const std::vector<BoundEffect>& group : found.equivalent) {
-        text += fmt::format(" Beside it something that the data cannot tell apart: {}.", labels(group, " or "));
-      }
-      text += " " + chance;
-      break;
-    case Verdict::equivalent:
-      text += "Something is missing, and the data cannot tell what. They are consistent with ";
-      for (std::size_t i = 0; i < found.equivalent.size(); ++i) {
-        text += fmt::format("{}{}", i == 0 ? "" : "; and with ", labels(found.equivalent[i], " or "));
-      }
-      text += ". " + chance;
-      break;
-    case Verdict::unexplained:
-      text += "Something is missing that is no effect of the catalogue, or none that these data allow to test.";
-      if (found.p_anything < 0.01) text += " " + chance;
-      break;
-    case Verdict::untestable:
-      text += "These data could not have shown a missing effect.";
-      break;
-    case Verdict::nothing:
-      text += found.p_anything < 0.01 ? "No effect was found that is clear: a noise with a longer memory does as well. "
-                                      : fmt::format("No effect was found. {} ", chance);
-      if (std::isfinite(found.smallest_um) && found.smallest.effect != nullptr) {
-        text += fmt::format("The smallest that would have been: {:.2g} um of {}.", found.smallest_um,
-                            label_of(found.smallest));
-      }
-      break;
-  }
-  return text;
-}
 
 Table candidate_table(const Diagnosis& found) {
   Table table(
@@ -135,7 +62,7 @@ Table candidate_table(const Diagnosis& found) {
          fmt::format("{:.{}f} -> {:.{}f}", candidate.held_out_before_um, decimals, candidate.held_out_after_um,
                      decimals),
          fmt::format("{:.0f}", candidate.evidence), fmt::format("{:.0f}", candidate.threshold),
-         p_text(candidate.p_search), same.empty() ? "-" : fmt::format("{}", fmt::join(same, ", "))});
+         chance_text(candidate.p_search), same.empty() ? "-" : fmt::format("{}", fmt::join(same, ", "))});
   }
   return table;
 }
@@ -176,13 +103,6 @@ std::string not_searched_text(const Diagnosis& found) {
                                 prospect.bindings - kMostBindings, prospect.bindings));
   }
   return fmt::format("{}", fmt::join(texts, "; "));
-}
-
-std::string next_text(const Diagnosed& diagnosed) {
-  const Diagnosis& found = diagnosed.diagnosis;
-  if (found.verdict == Verdict::named && found.equivalent.empty()) return "";  // nothing is left to tell
-  if (diagnosed.next_tests.empty() || diagnosed.next_tests.front().text.empty()) return "";
-  return fmt::format("Next test: {}", diagnosed.next_tests.front().text);
 }
 
 // Of the best set on recordings.
@@ -245,112 +165,12 @@ void print_text(const Diagnosed& diagnosed, const std::string& title) {
   if (!next.empty()) fmt::print("\n{}", wrapped(next));
 }
 
-nlohmann::ordered_json json_of(const BoundEffect& bound) {
-  nlohmann::ordered_json columns = nlohmann::ordered_json::object();
-  for (std::size_t k = 0; k < bound.columns.size(); ++k) columns[bound.effect->inputs[k].role] = bound.columns[k];
-  return {{"effect", bound.effect->name}, {"columns", columns}};
-}
-
-nlohmann::ordered_json json_of(const Candidate& candidate) {
-  nlohmann::ordered_json json = json_of(candidate.bound);
-  json["amplitude_um"] = number(candidate.amplitude_um);
-  json["amplitude_sigma_um"] = number(candidate.amplitude_sigma_um);
-  json["rmse_after_um"] = number(candidate.rmse_after_um);
-  json["held_out_before_um"] = number(candidate.held_out_before_um);
-  json["held_out_after_um"] = number(candidate.held_out_after_um);
-  json["evidence"] = number(candidate.evidence);
-  json["evidence_needed"] = number(candidate.threshold);
-  json["p_search"] = number(candidate.p_search);
-  json["p_same_gain"] = number(candidate.p_same_gain);
-  json["beats_fakes"] = nullptr;  // not tested
-  if (candidate.beats_fakes) json["beats_fakes"] = *candidate.beats_fakes;
-  json["in_best_set"] = candidate.in_best_set;
-  json["minor"] = candidate.minor;
-  json["inseparable_from"] = candidate.inseparable_from;
-  json["also_drawn_by"] = candidate.also_drawn_by;
-  json["parameters"] = nlohmann::ordered_json::array();
-  for (const FittedParameter& parameter : candidate.parameters) {
-    json["parameters"].push_back({{"name", parameter.name},
-                                  {"value", number(parameter.value)},
-                                  {"sigma", number(parameter.sigma)},
-                                  {"unit", parameter.unit}});
-  }
-  return json;
-}
-
-nlohmann::ordered_json json_of(const Diagnosed& diagnosed) {
-  const Diagnosis& found = diagnosed.diagnosis;
-  nlohmann::ordered_json json = ballbar::json_of(diagnosed.checked);
-  json["verdict"] = name_of(found.verdict);
-  json["verdict_text"] = verdict_text(found);
-  json["named"] = nlohmann::ordered_json::array();
-  for (const BoundEffect& bound : found.named) json["named"].push_back(json_of(bound));
-  json["equivalent"] = nlohmann::ordered_json::array();
-  for (const std::vector<BoundEffect>& group : found.equivalent) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const BoundEffect& bound : group) list.push_back(json_of(bound));
-    json["equivalent"].push_back(std::move(list));
-  }
-  if (!found.goes_with.empty()) {  // of an unexplained one: what is nearest to it
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Candidate& candidate : found.goes_with) list.push_back(json_of(candidate.bound));
-    json["equivalent"].push_back(std::move(list));
-  }
-  json["candidates"] = nlohmann::ordered_json::array();
-  for (const Candidate& candidate : found.candidates) json["candidates"].push_back(json_of(candidate));
-  json["goes_with"] = nlohmann::ordered_json::array();
-  for (const Candidate& candidate : found.goes_with) json["goes_with"].push_back(json_of(candidate));
-  json["p_anything"] = number(found.p_anything);
-  json["smooth_evidence"] = number(found.smooth_evidence);
-  json["best_fake_fall"] = number(found.best_fake_fall);
-  json["smallest_um"] = number(found.smallest_um);
-  json["untestable"] = nlohmann::ordered_json::array();
-  for (const Prospect& prospect : found.prospects) {
-    if (prospect.testability == Testability::testable || prospect.testability == Testability::in_the_model) continue;
-    json["untestable"].push_back({{"effect", prospect.effect->name}, {"why", prospect.why}});
-  }
-  json["not_searched"] = nlohmann::ordered_json::array();
-  for (const Prospect& prospect : found.prospects) {
-    if (prospect.bindings <= kMostBindings) continue;
-    json["not_searched"].push_back(
-        {{"effect", prospect.effect->name}, {"choices_of_columns", prospect.bindings}, {"searched", kMostBindings}});
-  }
-  json["reasons"] = found.reasons;
-  json["next_test"] = nullptr;
-  if (!diagnosed.next_tests.empty()) {
-    json["next_test"] = {{"text", diagnosed.next_tests.front().text},
-                         {"separation", number(diagnosed.next_tests.front().separation)}};
-  }
-  return json;
-}
-
-Diagnosed diagnosed_of(const Options& options, const Model& model, const ModelData& data, std::size_t target) {
-  const ProgressLine line;
-  const auto tell = [&](std::string_view step) {
-    if (!options.json) show_progress(fmt::format("{}: {}", model.targets[target], step));
-  };
-  tell("fitting");
-  Diagnosed diagnosed;
-  diagnosed.checked = checked(options.model, model, data, target);
-  DiagnosisOptions how;
-  how.motion = data.motion;
-  how.tolerance_um = options.tolerance_um;
-  how.seed = options.seed;
-  how.most_rows = options.most_rows;
-  how.progress = tell;
-  diagnosed.fakes = how.fakes;
-  diagnosed.diagnosis = diagnose(model, data.series, target, how);
-  tell("predicting what the next tests would tell");
-  diagnosed.next_tests = next_tests(model, data.series, diagnosed.diagnosis);
-  return diagnosed;
-}
-
 // The text or JSON of one of several targets; why there is none where it cannot be fitted, as without values.
 void show_one_of_several(const Options& options, const Model& model, const ModelData& data, std::size_t target,
                          nlohmann::ordered_json& targets) {
   if (target > 0 && !options.json) fmt::print("\n");
   try {
-    const Diagnosed diagnosed = diagnosed_of(options, model, data, target);
+    const Diagnosed diagnosed = diagnosed_of(options.model, options.how, model, data, target);
     if (options.json) {
       targets.push_back(json_of(diagnosed));
     } else {
@@ -370,7 +190,7 @@ void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
   if (model.targets.size() == 1) {
-    const Diagnosed diagnosed = diagnosed_of(options, model, data, 0);
+    const Diagnosed diagnosed = diagnosed_of(options.model, options.how, model, data, 0);
     options.json ? fmt::print("{}\n", json_of(diagnosed).dump(2)) : print_text(diagnosed, data.title);
     return;
   }
@@ -387,11 +207,11 @@ void add_diagnose(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("diagnose", "Which physical effect a model lacks");
   add_model_options(*command, options->model, false);
-  command->add_option("--tolerance-um", options->tolerance_um, "smaller effects are called minor")
+  command->add_option("--tolerance-um", options->how.tolerance_um, "smaller effects are called minor")
       ->check(CLI::Range(0.0, 1e6));
-  command->add_option("--seed", options->seed, "of the random draws; the same seed gives the same result");
+  command->add_option("--seed", options->how.seed, "of the random draws; the same seed gives the same result");
   command
-      ->add_option("--most-rows", options->most_rows,
+      ->add_option("--most-rows", options->how.most_rows,
                    "values of the target that are searched, of longer series every k-th")
       ->check(CLI::Range(30, 5000));
   command->add_flag("--json", options->json, "the result for a program");
@@ -399,7 +219,10 @@ void add_diagnose(CLI::App& app) {
       "Example:\n"
       "  ballbar diagnose sample-runs/spindle-46h/measured.csv --model sample-runs/spindle-46h/speed.toml "
       "--target ch3_um");
-  command->callback([options] { run(*options); });
+  command->callback([options] {
+    options->how.progress = !options->json;
+    run(*options);
+  });
 }
 
 }  // namespace ballbar::commands

@@ -8,13 +8,13 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <span>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/drift_data.hpp"
 #include "ballbar/formats/drift_files.hpp"
 #include "ballbar/units.hpp"
 #include "commands.hpp"
+#include "drift_text.hpp"
 #include "five_probe_drift.hpp"
 #include "five_probe_options.hpp"
 #include "out_files.hpp"
@@ -37,36 +37,6 @@ struct Options {
   FiveProbeOptions probes;
 };
 
-using Member = std::optional<Estimate> DriftPoint::*;
-struct Quantity {
-  const char* name;
-  Member member;
-};
-constexpr Quantity kDrift[] = {{"x", &DriftPoint::x},
-                               {"y", &DriftPoint::y},
-                               {"z", &DriftPoint::z},
-                               {"radial", &DriftPoint::radial},
-                               {"axial", &DriftPoint::axial}};
-constexpr Quantity kRadii[] = {{"radius change", &DriftPoint::radius_change},
-                               {"radius change A", &DriftPoint::radius_change_a}};
-
-bool any_has(const DriftSeries& series, Member member) {
-  return std::any_of(series.points.begin(), series.points.end(),
-                     [&](const DriftPoint& point) { return (point.*member).has_value(); });
-}
-
-// "y 30.1 ± 0.0 um at 64 min", the largest of each quantity.
-std::string largest(const DriftSeries& series, const Quantity& quantity) {
-  const DriftPoint* best = nullptr;
-  for (const DriftPoint& point : series.points) {
-    const auto& now = point.*quantity.member;
-    if (!now) continue;
-    if (best == nullptr || std::abs(now->value_um) > std::abs((best->*quantity.member)->value_um)) best = &point;
-  }
-  return fmt::format("{} {} um at {:g} min", quantity.name, with_sigma(*(best->*quantity.member)),
-                     min_from_s(best->time_s));
-}
-
 // Where one test found the spindle's ball, set-up errors included.
 std::string position_text(const Position& position) {
   std::string text;
@@ -85,9 +55,9 @@ std::string position_text(const Position& position) {
 
 Table table_of(const DriftSeries& series) {
   std::vector<std::string> heading{"time min"};
-  std::vector<Member> columns;
-  for (const auto& quantities : {std::span<const Quantity>(kDrift), std::span<const Quantity>(kRadii)}) {
-    for (const Quantity& quantity : quantities) {
+  std::vector<DriftMember> columns;
+  for (const auto& quantities : {drift_quantities(), radius_quantities()}) {
+    for (const DriftQuantity& quantity : quantities) {
       if (!any_has(series, quantity.member)) continue;
       heading.push_back(fmt::format("{} um", quantity.name));
       columns.push_back(quantity.member);
@@ -98,7 +68,7 @@ Table table_of(const DriftSeries& series) {
   Table table(heading);
   for (const DriftPoint& point : series.points) {
     std::vector<std::string> row{fmt::format("{:8.1f}", min_from_s(point.time_s))};
-    for (const Member member : columns) row.push_back(point.*member ? with_sigma(*(point.*member)) : "-");
+    for (const DriftMember member : columns) row.push_back(point.*member ? with_sigma(*(point.*member)) : "-");
     if (corrected) row.push_back(fmt::format("{:.4f}", point.elongation_correction_um.value_or(0.0)));
     table.add(row);
   }
@@ -128,9 +98,7 @@ void print_text(const Session& session, const DriftSeries& series, const Options
     return;
   }
   fmt::print("Largest drift of the spindle relative to the table:\n");
-  for (const Quantity& quantity : kDrift) {
-    if (any_has(series, quantity.member)) fmt::print("  {}\n", largest(series, quantity));
-  }
+  for (const std::string& largest : largest_drifts(series)) fmt::print("  {}\n", largest);
   fmt::print("\n{}\n", table_of(series).text());
   for (const Position& position : series.positions) {
     if (position.time_s == series.reference_s) fmt::print("Reference: {}\n", position_text(position));

@@ -1,6 +1,7 @@
 // What `ballbar fit` found in the files it was given: one entry a recording, one a CCW/CW pair.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,5 +46,10 @@ struct Fitted {
 // Opens and fits every file. A pair is the two directions of one `.b5r`, or two logs that stand one after the
 // other and differ only in direction. Throws Error with the file's name.
 Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options);
+
+// The keys of `fit --json`, of one recording, of a pair, of all.
+nlohmann::ordered_json json_of(const FittedRecording& fitted);
+nlohmann::ordered_json json_of(const FittedPair& pair);
+nlohmann::ordered_json json_of(const Fitted& fitted);
 
 }  // namespace ballbar

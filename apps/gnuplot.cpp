@@ -1,70 +1,12 @@
 #include "gnuplot.hpp"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <memory>
-#include <system_error>
-#include <vector>
 
 #include "ballbar/error.hpp"
+#include "finished.hpp"
 
 namespace ballbar {
 namespace {
-
-std::string reason(int number) { return std::generic_category().message(number); }
-
-// Temporary files without a name instead of pipes: no side waits for the other, whatever the sizes, and there is no
-// SIGPIPE to keep off.
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-File temporary_file() {
-  File file(std::tmpfile(), &std::fclose);
-  if (!file) throw Error(fmt::format("--plot: expected room for a temporary file, found: {}.", reason(errno)));
-  return file;
-}
-
-std::string whole(std::FILE* file) {
-  std::string bytes;
-  char part[1 << 16];
-  std::rewind(file);
-  while (const std::size_t count = std::fread(part, 1, sizeof part, file)) bytes.append(part, count);
-  return bytes;
-}
-
-// The caller's, but for the terminal it names: gnuplot 5.4 crashes where it does not know that one.
-std::vector<char*> environment() {
-  std::vector<char*> kept;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    if (!std::string_view(*entry).starts_with("GNUTERM=")) kept.push_back(*entry);
-  }
-  kept.push_back(nullptr);
-  return kept;
-}
-
-// 0 or the reason why it could not be started; `status` as waitpid gives it.
-int run_gnuplot(int in, int out, int err, int& status) {
-  posix_spawn_file_actions_t actions;
-  if (const int failed = posix_spawn_file_actions_init(&actions)) return failed;
-  posix_spawn_file_actions_adddup2(&actions, in, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, err, STDERR_FILENO);
-  char name[] = "gnuplot";
-  char no_settings[] = "-d";
-  char* const arguments[] = {name, no_settings, nullptr};
-  pid_t child = 0;
-  const int failed = posix_spawnp(&child, name, &actions, nullptr, arguments, environment().data());
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) return failed;
-  // A caller that ignores SIGCHLD leaves no status (ECHILD); the end of the output then tells.
-  while (waitpid(child, &status, 0) == -1 && errno == EINTR) {
-  }
-  return 0;
-}
 
 // The last line says what is wrong; those before it repeat the script.
 std::string last_line(std::string text) {
@@ -104,35 +46,25 @@ bool is_control(std::string_view character) {
 }  // namespace
 
 std::string svg_by_gnuplot(const std::string& script) {
-  const File in = temporary_file();
-  const File out = temporary_file();
-  const File err = temporary_file();
-  const bool written = std::fwrite(script.data(), 1, script.size(), in.get()) == script.size();
-  if (!written || std::fflush(in.get()) != 0) {
-    throw Error(fmt::format("--plot: expected room for a temporary file, found: {}.", reason(errno)));
-  }
-  std::rewind(in.get());
-  int status = 0;
-  const int failed = run_gnuplot(fileno(in.get()), fileno(out.get()), fileno(err.get()), status);
-  if (failed == ENOENT || failed == ENOTDIR || failed == EACCES) {
+  // GNUTERM: gnuplot 5.4 crashes where it does not know the terminal that the caller's environment names.
+  const Finished drawn = finished("--plot", {"gnuplot", "-d"}, script, "GNUTERM=");
+  if (drawn.not_found) {
     throw Error(
         "--plot: expected the program gnuplot to draw with, found none; on Debian it is in the package gnuplot-nox.");
   }
-  if (failed != 0) throw Error(fmt::format("--plot: expected gnuplot to start, found: {}.", reason(failed)));
-  if (WIFSIGNALED(status)) {
-    throw Error(fmt::format("--plot: expected gnuplot to draw, found it ended by signal {}.", WTERMSIG(status)));
+  if (drawn.signal != 0) {
+    throw Error(fmt::format("--plot: expected gnuplot to draw, found it ended by signal {}.", drawn.signal));
   }
-  if (WEXITSTATUS(status) != 0) {
-    const std::string said = last_line(whole(err.get()));
-    throw Error(fmt::format("--plot: expected gnuplot to draw, found it ended with status {}{}.", WEXITSTATUS(status),
+  if (drawn.status != 0) {
+    const std::string said = last_line(drawn.err);
+    throw Error(fmt::format("--plot: expected gnuplot to draw, found it ended with status {}{}.", drawn.status,
                             said.empty() ? "" : ": " + said));
   }
-  std::string svg = whole(out.get());
   // gnuplot does not look whether its writes succeed.
-  if (last_line(svg) != "</svg>") {
+  if (last_line(drawn.out) != "</svg>") {
     throw Error("--plot: expected a whole SVG from gnuplot, found an output without its end.");
   }
-  return svg;
+  return drawn.out;
 }
 
 std::string gnuplot_quoted(std::string_view text) {

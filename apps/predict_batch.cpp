@@ -95,20 +95,27 @@ bool is_batch_model(const std::string& model) {
   return first != std::string::npos && bytes[first] == '{';
 }
 
-void predict_batch(const BatchPredictOptions& options) {
-  const BatchModel model = read_batch_model(read_bytes(options.model, kLargestText), options.model);
-  const Series data = read_data(options.data);
-  const std::string source = options.data == "-" ? "standard input" : options.data;
-  const BatchPrediction prediction = with_source(source, [&] { return predict(model, data); });
-  if (prediction.broken.size() == 1 && !options.anyway) {
+BatchJob batch_job(const std::string& data, const std::string& model_file, bool anyway) {
+  BatchJob job;
+  job.source = data == "-" ? "standard input" : data;
+  job.model = read_batch_model(read_bytes(model_file, kLargestText), model_file);
+  job.data = read_data(data);
+  job.prediction = with_source(job.source, [&] { return predict(job.model, job.data); });
+  if (job.prediction.broken.size() == 1 && !anyway) {
     throw Error(
         fmt::format("{}: expected sensors as in training, found that {} looks broken; put it right, train "
                     "without it (--without-sensor), or predict all the same by --anyway.",
-                    source, prediction.broken.front()));
+                    job.source, job.prediction.broken.front()));
   }
+  job.warnings = warnings_of(job.prediction, job.data.time_s.size());
+  return job;
+}
+
+void predict_batch(const BatchPredictOptions& options) {
+  const BatchJob job = batch_job(options.data, options.model, options.anyway);
+  const auto& [source, model, data, prediction, warnings] = job;
   const Series series = series_of(model, prediction, data);
   for (const std::string& path : options.out) write_bytes(path, write_series(series));
-  const std::vector<std::string> warnings = warnings_of(prediction, data.time_s.size());
   if (options.json) {
     nlohmann::ordered_json json;
     json["time_s"] = series.time_s;

@@ -4,6 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/batch_regression.hpp"
+#include "ballbar/series.hpp"
+
 namespace ballbar {
 
 struct BatchPredictOptions {
@@ -19,6 +22,17 @@ std::string stem_of(const std::string& column);
 
 // What starts with a brace: a regression over batches rather than a model of effects.
 bool is_batch_model(const std::string& model);
+
+struct BatchJob {
+  std::string source;
+  BatchModel model;
+  Series data;
+  BatchPrediction prediction;
+  std::vector<std::string> warnings;  // whole sentences
+};
+
+// `data` "-": standard input. Throws Error where a sensor looks broken, unless `anyway`.
+BatchJob batch_job(const std::string& data, const std::string& model_file, bool anyway);
 
 // Prints and writes as `predict`. Throws Error where a sensor looks broken.
 void predict_batch(const BatchPredictOptions& options);

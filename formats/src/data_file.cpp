@@ -26,13 +26,6 @@ void expect_data(const std::filesystem::path& path) {
                           path.string(), description(content)));
 }
 
-bool is_recording(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return false;
-  const Content content = content_of(read_bytes(path, kLargestTable));
-  return content == Content::xml || content == Content::ballbar_log || content == Content::table;
-}
-
 std::vector<std::string> measured_names(const Series& series) {
   std::vector<std::string> names;
   for (const Column& column : series.columns) {
@@ -71,7 +64,7 @@ ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths) {
   expect_once(paths);
   std::vector<Recording> recordings;
   for (const std::filesystem::path& path : paths) {
-    if (!is_recording(path)) {
+    if (!is_recording_file(path)) {
       throw Error(fmt::format("{}: expected a recording as the other files are, a .b5r or a log, found something else.",
                               path.string()));
     }
@@ -93,9 +86,16 @@ ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths) {
 
 }  // namespace
 
+bool is_recording_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  const Content content = content_of(read_bytes(path, kLargestTable));
+  return content == Content::xml || content == Content::ballbar_log || content == Content::table;
+}
+
 ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,
                           double max_gap_s) {
-  if (is_recording(paths.front())) return data_of_recordings(paths);
+  if (is_recording_file(paths.front())) return data_of_recordings(paths);
   if (paths.size() > 1) {
     throw Error(fmt::format("{}: expected one series or session, or recordings alone, found {} files.",
                             paths.front().string(), paths.size()));

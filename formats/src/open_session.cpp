@@ -110,9 +110,12 @@ SessionFiles planned_session(const fs::path& path) {
   files.files = files.signals;
   files.files.push_back(path);
   if (files.five_probe) files.files.push_back(*files.five_probe);
-  for (const SessionPlan::Test& test : plan.tests) {
+  for (std::size_t i = 0; i < plan.tests.size(); ++i) {
+    const SessionPlan::Test& test = plan.tests[i];
     for (const std::string& file : {test.c_arc, test.a_arc, test.rotation, test.axial, test.circle}) {
-      if (!file.empty()) files.files.push_back(folder / file);
+      if (file.empty()) continue;
+      files.recordings.push_back({folder / file, i});
+      files.files.push_back(folder / file);
     }
   }
   return files;
@@ -171,6 +174,7 @@ SessionFiles session_of_folder(const fs::path& folder) {
       expect_nominal_length(circle, folder / started.test.name, files.session.nominal_length_mm);
     }
     started.test.elapsed_s = static_cast<double>(started.started_s - tests.front().started_s);
+    files.recordings.push_back({folder / started.test.name, i});
     files.session.tests.push_back(std::move(started.test));
   }
   return files;

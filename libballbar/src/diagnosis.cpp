@@ -17,9 +17,13 @@ namespace {
 
 // Nothing is said of effects that are not searched.
 std::vector<Prospect> prospects_but(const DiagnosisOptions& options, std::vector<Prospect> prospects) {
-  std::erase_if(prospects, [&](const Prospect& one) {
-    return std::find(options.without.begin(), options.without.end(), one.effect->name) != options.without.end();
-  });
+  const auto left_out = [&](const std::string& name) {
+    return std::find(options.without.begin(), options.without.end(), name) != options.without.end();
+  };
+  std::erase_if(prospects, [&](const Prospect& one) { return left_out(one.effect->name); });
+  for (Prospect& prospect : prospects) {
+    std::erase_if(prospect.imitated_by, [&](const Likeness& likeness) { return left_out(likeness.with); });
+  }
   return prospects;
 }
 

@@ -41,22 +41,24 @@ std::vector<std::size_t> some_shapes(const Family& family) {
   return shapes;
 }
 
-// Whether most of the shapes of `a` can be imitated by some shape of `b`.
-bool imitated(const Bank& bank, const Projected& seen, const Family& a, const Family& b) {
-  std::size_t alike = 0, counted = 0;
+// Coherence that most of the shapes of `a` have with some shape of `b`: the lower median of the largest.
+double imitated(const Bank& bank, const Projected& seen, const Family& a, const Family& b) {
+  std::vector<double> largest;
   const std::vector<std::size_t> others = some_shapes(b);
   for (const std::size_t mine : some_shapes(a)) {
     if (seen.share[mine] < kAbsorbed) continue;
-    ++counted;
-    if (std::any_of(others.begin(), others.end(), [&](std::size_t other) {
-          const Signature &one = bank.signatures[mine], &two = bank.signatures[other];
-          return seen.share[other] >= kAbsorbed &&
-                 coherence(block(seen, one).transpose().lazyProduct(block(seen, two))) > kInseparable;
-        })) {
-      ++alike;
+    double most = 0.0;
+    for (const std::size_t other : others) {
+      if (seen.share[other] < kAbsorbed) continue;
+      const Signature &one = bank.signatures[mine], &two = bank.signatures[other];
+      most = std::max(most, coherence(block(seen, one).transpose().lazyProduct(block(seen, two))));
     }
+    largest.push_back(most);
   }
-  return counted > 0 && 2 * alike > counted;
+  if (largest.empty()) return 0.0;
+  const auto median = largest.begin() + static_cast<std::ptrdiff_t>((largest.size() - 1) / 2);
+  std::nth_element(largest.begin(), median, largest.end());
+  return std::min(1.0, *median);
 }
 
 // Range of the effect with d = 1, of the shape that shows best.
@@ -154,7 +156,9 @@ std::vector<Prospect> prospects_of(const Bank& bank, const Projected& seen, cons
   in_parallel(best.size(), [&](std::size_t i) {
     for (std::size_t j = 0; j < best.size(); ++j) {
       if (i == j || best[i] == nullptr || best[j] == nullptr) continue;
-      if (imitated(bank, seen, *best[i], *best[j])) prospects[i].inseparable_from.push_back(prospects[j].effect->name);
+      const std::string& name = prospects[j].effect->name;
+      prospects[i].imitated_by.push_back({name, imitated(bank, seen, *best[i], *best[j])});
+      if (prospects[i].imitated_by.back().coherence > kInseparable) prospects[i].inseparable_from.push_back(name);
     }
   });
   return prospects;

@@ -29,6 +29,13 @@ constexpr std::size_t kMostBindings = 512;  // choices of columns of one effect 
 
 enum class Testability { testable, input_missing, input_constant, absorbed, in_the_model, other_motion };
 
+// How well one effect imitates another: the coherence that half of the other's shapes reach at least, each with that
+// shape of this effect which is most like it.
+struct Likeness {
+  std::string with;
+  double coherence = 0.0;
+};
+
 struct Prospect {
   const Effect* effect = nullptr;
   std::vector<std::string> columns;  // of the best binding; empty where there is none
@@ -39,6 +46,7 @@ struct Prospect {
   double detectable_um = 0.0;
   double identifiable_um = 0.0;
   std::vector<std::string> inseparable_from;  // names of effects that are not in the model
+  std::vector<Likeness> imitated_by;          // every other testable effect
 };
 
 struct Preflight {

@@ -1,6 +1,7 @@
 // Session `session.toml`: which files belong to which test of a warm-up series; or a folder of `.b5r`.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -41,12 +42,18 @@ SessionPlan read_session_plan(std::string_view bytes, std::string_view name);
 
 std::string write_session_plan(const SessionPlan& plan);
 
+struct TestFile {
+  std::filesystem::path file;
+  std::size_t test = 0;  // of Session::tests
+};
+
 // Everything the plan names, read. A path may not leave the folder, not through a link either.
 struct SessionFiles {
   Session session;
   std::vector<std::filesystem::path> signals;
   std::optional<std::filesystem::path> five_probe;
   BallPlace ball;
+  std::vector<TestFile> recordings;          // in the order of the tests
   std::vector<std::filesystem::path> files;  // all that make up the session, itself included
 };
 

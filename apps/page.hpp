@@ -1,0 +1,26 @@
+// The report as something to look at: one HTML file with all in it, or single pictures.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace ballbar {
+
+// Throws Error where the program was built without the page; to be called before the work is done.
+void expect_page();
+
+// Nothing of the data becomes markup, and the page's content security policy lets nothing run or load but its own
+// script.
+std::string page_of(const nlohmann::ordered_json& report);
+
+struct NamedPicture {
+  std::string name, title, svg;
+};
+
+// The pictures of the page by node, run as a process. `names`: only these; empty: all. Throws Error: no node, a name
+// that is no picture of this report, with those that are.
+std::vector<NamedPicture> pictures_of(const nlohmann::ordered_json& report, const std::vector<std::string>& names);
+
+}  // namespace ballbar

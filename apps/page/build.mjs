@@ -1,0 +1,18 @@
+// Bundles the page: node build.mjs OUT_DIR writes page.js, pictures.js and page.css there.
+import { build } from "esbuild";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const out = process.argv[2];
+if (!out) {
+  console.error("usage: node build.mjs OUT_DIR");
+  process.exit(2);
+}
+
+// ASCII only: the program may write the bytes wherever it likes.
+const common = { bundle: true, minify: true, target: "es2020", legalComments: "eof", charset: "ascii", logLevel: "warning" };
+const script = { ...common, format: "iife", define: { "process.env.NODE_ENV": '"production"' } };
+await build({ ...script, entryPoints: [join(here, "src/main.ts")], outfile: join(out, "page.js") });
+await build({ ...script, entryPoints: [join(here, "src/pictures.ts")], outfile: join(out, "pictures.js") });
+await build({ ...common, entryPoints: [join(here, "src/page.css")], outfile: join(out, "page.css") });

@@ -1,0 +1,74 @@
+// A picture: data in, drawing out, nothing kept. What can change while it is looked at is in the State; figure.ts holds
+// that, and draws anew when it changes. The same drawing is shown on the page, saved as a file and printed.
+import type { EChartsCoreOption } from "echarts/core";
+import type { Num } from "./report";
+
+// How it is drawn. still: for a file or paper, without controls, with a legend of its own.
+export interface Look {
+  dark: boolean;
+  width_px: number;
+  height_px: number;
+  still: boolean;
+}
+
+export interface State {
+  look: Look;
+  chosen: Readonly<Record<string, string>>; // of the choices, by key
+  hidden: ReadonlySet<string>; // toggles that are off, by key
+  window: readonly [number, number] | null; // of the x axis, in the unit of the table's first column; null: all
+  stretch: readonly [number, number] | null; // selected, same unit; stretch.ts adds its band
+}
+
+// One of several: a recording, an axis to plot against.
+export interface Choice {
+  key: string;
+  label: string;
+  values: readonly { value: string; label: string }[];
+  initial: string;
+}
+
+// A curve that can be switched off; the legend.
+export interface Toggle {
+  key: string;
+  label: string;
+  colour: (dark: boolean) => string;
+  mark: "line" | "dashed" | "dotted" | "dot" | "band" | "bar";
+  on: boolean; // at first
+}
+
+// The numbers behind a picture: what is saved as CSV, read out, and taken for the statistics of a stretch. The first
+// column is the x axis; names end in their units, as in all files of ballbar.
+export interface Numbers {
+  columns: { name: string; values: readonly (Num | string)[] }[];
+}
+
+export interface Picture {
+  name: string; // of its file: "drift", "recording-1"
+  title: string;
+  about: string; // what is seen, a sentence or two; also what a reader hears who does not see
+  height_px: number;
+  // "time": x is time in minutes, and the window is shared by all such pictures; "own": zooms by itself.
+  zoom: "time" | "own" | "none";
+  choices: readonly Choice[];
+  toggles: (state: Pick<State, "chosen">) => readonly Toggle[];
+  draw: (state: State) => EChartsCoreOption;
+  numbers: (state: State) => Numbers;
+}
+
+// A table of text, shown below the sentences.
+export interface TextTable {
+  title: string;
+  heading: readonly string[];
+  rows: readonly (readonly string[])[];
+  // Rows that, hovered or focused, choose something in a picture of the same section.
+  choose?: { picture: string; key: string; values: readonly string[] };
+}
+
+export interface Section {
+  id: string;
+  heading: string;
+  sentences: readonly string[];
+  tables: readonly TextTable[];
+  pictures: readonly Picture[];
+  lists?: readonly { title: string; items: readonly string[] }[];
+}

@@ -1,0 +1,250 @@
+// The data of a page: one JSON object, written by `ballbar report`. Keys that commands have too mean what they mean
+// there (`ballbar fit --json`, drift, compare, check, diagnose, ledger); the keys added for the page are the curves.
+// A number that is not known is null. Long columns are arrays of numbers, rounded to seven digits.
+
+export type Num = number | null;
+
+// Columns on one clock. Role as in a series file: "structure", "ambient", "speed", "measured" ...
+export interface Column {
+  name: string;
+  role: string;
+  unit: string;
+  values: Num[];
+}
+export interface SeriesBlock {
+  source: string; // the file, or "drift"
+  time_s: number[];
+  columns: Column[];
+}
+
+export interface Recording {
+  file: string;
+  index: number;
+  kind: "circle" | "axial";
+  readings: number;
+  nominal_length_mm: number;
+  // of a circle
+  plane?: string;
+  direction?: "CCW" | "CW";
+  arc_deg?: number;
+  centre_a_um?: Num;
+  centre_b_um?: Num;
+  radius_mm?: Num;
+  circularity_um?: Num;
+  rms_um?: Num;
+  sigma_centre_a_um?: Num;
+  sigma_centre_b_um?: Num;
+  sigma_radius_um?: Num;
+  sigma_circularity_um?: Num;
+  max_circular_um?: Num;
+  max_at_deg?: Num;
+  min_circular_um?: Num;
+  min_at_deg?: Num;
+  discounted?: number[];
+  stored?: Record<string, number>;
+  // of an axial one
+  length_mm?: Num;
+  sigma_length_um?: Num;
+  // for the page
+  test: string; // "at 64 min", or the file
+  time_s: Num; // of the test in its session
+  label: string; // short, one of the page: "64 min, C arc, CCW"
+  trace?: {
+    angle_deg: number[]; // circle
+    time_s?: number[]; // axial
+    deviation_um: number[]; // measured length less nominal
+    residual_um: number[]; // reading less the fitted circle
+    fitted_um: number[]; // deviation_um of the fitted circle at these angles
+    effects: { effect: string; values_um: Num[] }[]; // what each effect of the model adds
+  };
+}
+export interface Pair {
+  file?: string;
+  [key: string]: unknown;
+}
+export interface Result {
+  // a row of the table of results, ours beside what the file stores
+  label: string;
+  decimals: number;
+  ours: Num;
+  stored: Num;
+}
+export interface FitPart {
+  recordings: Recording[];
+  iso230_4?: Pair;
+  iso230_4_pairs?: Pair[];
+  results: { of: string; rows: Result[] }[]; // tables, one a recording and one a pair
+  remarks: string[];
+}
+
+export interface DriftPoint {
+  time_s: number;
+  [key: string]: Num; // x_um, x_sigma_um, ... elongation_correction_um
+}
+export interface DriftPart {
+  method: string;
+  reference_s: number;
+  points: DriftPoint[];
+  not_cancelled?: string;
+}
+
+// Five probes: axes as columns, because there may be a million rows.
+export interface ProbesPart {
+  what: string;
+  reference_s: number;
+  time_s: number[];
+  axes: { name: string; unit: string; values: Num[]; sigma: Num[] }[];
+  remarks: string[];
+}
+
+export interface ComparedAxis {
+  agreement: "agrees" | "disagrees" | "cannot tell";
+  points: { time_s: number; [key: string]: Num }[]; // a_um, b_um, difference_um, sigma_um (or another unit)
+  deviation?: { from_s: number; to_s: number; [key: string]: unknown };
+  [key: string]: unknown;
+}
+export interface ComparePart {
+  conclusion: string;
+  a: string;
+  b: string;
+  axes: Record<string, ComparedAxis>;
+  remarks: string[];
+}
+
+export interface Parameter {
+  effect?: string;
+  name: string;
+  value: Num;
+  sigma: Num;
+  unit: string;
+  state?: string;
+}
+export interface Checked {
+  target: string;
+  rmse_um: Num;
+  floor_um: Num;
+  floor_source: string;
+  n: number;
+  n_effective: Num;
+  adequate: boolean;
+  where: { what: string; from: string; to: string; n: number; bias_um: Num; bias_sigma_um: Num; rmse_um: Num; share: Num }[];
+  parameters: Parameter[];
+  sentences: string[];
+  remarks: string[];
+  // for the page
+  level: "series" | "recording";
+  floor_text: string;
+  series: {
+    time_s: number[];
+    measured_um: Num[];
+    predicted_um: Num[];
+    residual_um: Num[];
+    sigma_um?: Num[];
+    contributions: { effect: string; values_um: Num[] }[];
+    inputs: Column[]; // at the same rows: signals, or angle_deg, direction, recording; and "cycle"
+    regimes: { regime: string; from_s: number; to_s: number }[]; // of the speed, where it is known
+  };
+  curve?: { time_s: number[]; predicted_um: Num[] }; // the model between the rows too, where signals go on there
+  // What each effect answers to a step of its input from the least to the largest value in the data; of a
+  // drift series only.
+  steps: { effect: string; input: string; from: number; to: number; unit: string; time_s: number[]; response_um: Num[] }[];
+}
+
+export interface Bound {
+  effect: string;
+  columns: Record<string, string>;
+}
+export interface Candidate extends Bound {
+  label: string; // for the page: "lagged_expansion(T_room_degC)"
+  amplitude_um: Num;
+  amplitude_sigma_um: Num;
+  rmse_after_um: Num;
+  held_out_before_um: Num;
+  held_out_after_um: Num;
+  evidence: Num;
+  evidence_needed?: Num;
+  p_search: Num;
+  beats_fakes: boolean | null;
+  in_best_set: boolean;
+  minor: boolean;
+  inseparable_from: string[];
+  also_drawn_by: string[];
+  parameters: Parameter[];
+  curve_um: Num[]; // for the page: what it would add, mean taken off, at the rows of the checked series
+}
+export interface Diagnosed {
+  target: string;
+  not_diagnosed?: string; // why; then nothing else is there
+  verdict: "named" | "equivalent" | "unexplained" | "untestable" | "nothing";
+  verdict_text: string;
+  named: Bound[];
+  equivalent: Bound[][];
+  candidates: Candidate[];
+  goes_with: Candidate[];
+  best_fake_fall: Num;
+  rmse_um: Num;
+  rmse_after_um: Num; // with the best set
+  floor_um: Num;
+  untestable: { effect: string; why: string }[];
+  not_searched: { effect: string; choices_of_columns: number; searched: number }[];
+  reasons: string[];
+  next_test: { text: string; separation: Num } | null;
+  next_test_text: string; // as the terminal has it; empty: none is needed
+  // Row: an effect that might be there; column: one that could be taken for it. |cos| between what survives of both
+  // beside the model, for the shapes that are most alike; above 0.95 the data cannot tell. Not symmetric: one with more
+  // shapes imitates more.
+  coherence: { effects: string[]; values: Num[][] } | null;
+}
+
+export interface LedgerRow {
+  revision: number;
+  change: string;
+  target: string;
+  data?: string[]; // files, as they were named
+  parameters: number;
+  rmse_um: Num;
+  times_floor: Num;
+  held_out_um: Num;
+  evidence?: Num;
+  threshold?: Num; // from which the evidence counts
+  best_fake_fall?: Num;
+  verdict: string;
+  sentence: string;
+}
+export interface LedgerPart {
+  rows: LedgerRow[];
+  family_wise_error: number;
+  family_wise_text: string;
+}
+
+// A regression over batches (`ballbar train`), and what it predicts for the job.
+export interface BatchPart {
+  target: string;
+  method: string; // "pcr, 7 components"
+  batches: { name: string; weight: number }[];
+  time_s: number[];
+  predicted_um: Num[];
+  half_width_um: Num[]; // of the 95 % interval
+  measured_um?: Num[];
+  T2_of_largest: Num[];
+  Q_of_largest: Num[];
+  broken: string[];
+  warnings: string[];
+}
+
+export interface Report {
+  format: "ballbar-report 1";
+  title: string;
+  made_by: string; // "ballbar 0.1.0"
+  files: string[];
+  summary: string[]; // the conclusions, whole sentences, first to be read
+  fit?: FitPart;
+  drift?: DriftPart;
+  five_probe?: ProbesPart;
+  compare?: ComparePart;
+  signals: SeriesBlock[]; // temperatures, speed and the like, each file on its own clock
+  check?: { targets: Checked[] };
+  diagnose?: { targets: Diagnosed[] };
+  ledger?: LedgerPart;
+  batch?: BatchPart;
+}

@@ -1,0 +1,20 @@
+// The page's sections, in the order they are read.
+import { batch_section } from "./batch";
+import { comparison_section } from "./comparison";
+import { diagnosis_sections } from "./diagnosis";
+import { drift_section } from "./drift";
+import { ledger_section } from "./ledger";
+import { model_sections } from "./model";
+import type { Section } from "./picture";
+import { recordings_section } from "./recordings";
+import type { Report } from "./report";
+
+export const sections_of = (report: Report): Section[] => [
+  ...drift_section(report),
+  ...comparison_section(report),
+  ...recordings_section(report),
+  ...model_sections(report),
+  ...diagnosis_sections(report),
+  ...ledger_section(report),
+  ...batch_section(report),
+];

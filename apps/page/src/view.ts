@@ -1,0 +1,14 @@
+// What pointer and keys need of a figure, and what they may change in it.
+import type { Range } from "./window";
+
+export interface View {
+  box: HTMLElement; // of the chart
+  whole(): Range | null; // of the x axis; null: this picture does not zoom
+  window(): Range | null;
+  selecting(): boolean; // a drag selects a stretch, as with shift held
+  x_at(px: number): number; // of a pixel from the left of the box
+  in_plot(x_px: number, y_px: number): boolean;
+  see(window: Range | null): void;
+  select(stretch: Range | null, done: boolean): void;
+  hover(x: number | null): void;
+}

@@ -1,0 +1,297 @@
+// `ballbar report DATA --out page.html`: everything to look at, in one file.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/comparison.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/formats/bytes.hpp"
+#include "ballbar/formats/drift_data.hpp"
+#include "ballbar/formats/model_history.hpp"
+#include "ballbar/speed_steps.hpp"
+#include "ballbar/trace.hpp"
+#include "commands.hpp"
+#include "comparison_json.hpp"
+#include "diagnosed.hpp"
+#include "drift_text.hpp"
+#include "finished.hpp"
+#include "fitted.hpp"
+#include "model_options.hpp"
+#include "operands.hpp"
+#include "out_files.hpp"
+#include "page.hpp"
+#include "predict_batch.hpp"
+#include "progress.hpp"
+#include "report_parts.hpp"
+#include "text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+enum class Format { html, svg, json };
+
+struct Options {
+  ModelOptions model;
+  std::string compare;
+  FiveProbeOptions probes;
+  DiagnoseOptions how;
+  bool diagnose = false;      // without a model too
+  bool no_diagnosis = false;  // with one neither
+  bool anyway = false;
+  std::string out;
+  Format format = Format::html;
+  std::vector<std::string> pictures;
+  bool open = false;
+};
+
+// A report as it grows, with all files that it is made of.
+struct Made {
+  Json json;
+  std::vector<fs::path> files;
+
+  void conclude(const std::string& sentence) { json["summary"].push_back(sentence); }
+};
+
+void add_recordings(Made& made, const Options& options) {
+  const Fitted fitted = fit_files(options.model.data, {});
+  made.json["fit"] = recordings_part(fitted);
+  made.json["title"] =
+      options.model.data.size() == 1
+          ? options.model.data.front()
+          : fmt::format("{} recordings of {} files", fitted.recordings.size(), options.model.data.size());
+  made.files.insert(made.files.end(), options.model.data.begin(), options.model.data.end());
+}
+
+void add_session(Made& made, const SessionFiles& files, const std::string& path) {
+  const Session& session = files.session;
+  made.json["title"] = session.title.empty() ? path : session.title;
+  std::vector<std::string> recordings;
+  for (const TestFile& one : files.recordings) recordings.push_back(one.file.string());
+  made.json["fit"] = recordings_part(fit_files(recordings, {}), files);
+  const DriftSeries drift = drift_of(session);
+  made.json["drift"] = drift_part(drift);
+  for (const std::string& largest : largest_drifts(drift)) made.conclude(fmt::format("Largest drift: {}.", largest));
+  for (const fs::path& signals : files.signals) {
+    made.json["signals"].push_back(signals_part(signals.filename().string(), open_series(signals)));
+  }
+}
+
+void add_series(Made& made, const Series& series, const Options& options) {
+  const std::string& path = options.model.data.front();
+  made.json["title"] = path;
+  if (is_five_probe(series) || options.probes.any()) {
+    const Series with = stated(series, options.probes);
+    made.json["five_probe"] = probes_part(five_point_of(with, place_of(with, options.probes, {}), path));
+  }
+  made.json["signals"].push_back(signals_part(fs::path(path).filename().string(), series));
+}
+
+void add_comparison(Made& made, const Options& options) {
+  OperandOptions operands{.a = options.model.data.front(), .b = options.compare, .probes = options.probes};
+  const Operands both = operands_of(operands);
+  made.files.insert(made.files.end(), both.files.begin(), both.files.end());
+  const Comparison comparison = compare(both.a, both.b);
+  made.json["compare"] = json_of(comparison);
+  made.conclude(conclusion(comparison));
+}
+
+// Of a model that the data do not suit, or that cannot be fitted to one of several targets, the reason.
+void add_target(Made& made, const Options& options, const Model& model, const ModelData& data, std::size_t target) {
+  const std::string& name = model.targets[target];
+  const auto conclude = [&](const Checked& checked) {
+    const auto said = sentences(checked.fit, checked.where, checked.whiteness);
+    if (!said.empty()) made.conclude(fmt::format("{}: {}", name, said.front()));
+  };
+  if (options.no_diagnosis) {
+    const Checked found = checked(options.model, model, data, target);
+    made.json["check"]["targets"].push_back(check_part(found, model, data));
+    conclude(found);
+    if (data.level == Level::recording) overlay_effects(made.json["fit"]["recordings"], found.fit, model, data.series);
+    return;
+  }
+  const Diagnosed found = diagnosed_of(options.model, options.how, model, data, target);
+  made.json["check"]["targets"].push_back(check_part(found.checked, model, data));
+  made.json["diagnose"]["targets"].push_back(diagnosis_part(found, data));
+  conclude(found.checked);
+  made.conclude(fmt::format("{}: {}", name, verdict_text(found.diagnosis)));
+  if (data.level == Level::recording) {
+    overlay_effects(made.json["fit"]["recordings"], found.checked.fit, model, data.series);
+  }
+}
+
+void add_model(Made& made, const Options& options) {
+  const ModelData data = open_data(options.model);
+  const Model model = open_model(options.model, data);
+  for (std::size_t target = 0; target < model.targets.size(); ++target) {
+    try {
+      add_target(made, options, model, data, target);
+    } catch (const Error& error) {
+      if (model.targets.size() == 1) throw;
+      made.json["diagnose"]["targets"].push_back({{"target", model.targets[target]}, {"not_diagnosed", error.what()}});
+      made.conclude(fmt::format("{}: not diagnosed: {}", model.targets[target], error.what()));
+    }
+  }
+  if (options.model.model.empty()) return;
+  made.files.emplace_back(options.model.model);
+  const auto rows = read_ledger(read_bytes(options.model.model, kLargestText), options.model.model);
+  if (!rows.empty()) made.json["ledger"] = ledger_part(rows);
+}
+
+void add_batch(Made& made, const Options& options) {
+  const BatchJob job = batch_job(options.model.data.front(), options.model.model, options.anyway);
+  made.json["batch"] = batch_part(job);
+  made.files.emplace_back(options.model.model);
+  made.conclude(fmt::format("{} by {} of {} batches.", job.model.columns.target, label_of(job.model.settings),
+                            job.model.batches.size()));
+  for (const std::string& warning : job.warnings) made.conclude(warning);
+}
+
+// Recordings are told from a session and a series by what open_model_data() makes of them.
+Made made_of(const Options& options) {
+  Made made;
+  made.json = {{"format", "ballbar-report 1"}, {"title", ""}, {"made_by", "ballbar " BALLBAR_VERSION}};
+  made.json["files"] = Json::array();
+  made.json["summary"] = Json::array();
+  made.json["signals"] = Json::array();
+  const bool has_model = !options.model.model.empty();
+  const bool of_batches = has_model && is_batch_model(options.model.model);
+  const bool several = options.model.data.size() > 1;
+  if (several || is_recording_file(options.model.data.front())) {
+    if (!options.compare.empty())
+      throw Error("--compare: expected a session or a series to compare, found recordings.");
+    if (of_batches) throw Error(options.model.model + ": expected a series to predict, found recordings.");
+    add_recordings(made, options);
+    if (has_model || options.diagnose) add_model(made, options);
+    return made;
+  }
+  const DriftData data = open_drift_data(options.model.data.front());
+  made.files = data.files;
+  if (data.session) {
+    add_session(made, *data.session, options.model.data.front());
+  } else {
+    add_series(made, *data.series, options);
+  }
+  if (!options.compare.empty() || (data.session && data.session->five_probe)) add_comparison(made, options);
+  if (of_batches) {
+    add_batch(made, options);
+  } else if (has_model || options.diagnose) {
+    add_model(made, options);
+  }
+  return made;
+}
+
+void write_pictures(const Json& report, const Options& options) {
+  const std::vector<NamedPicture> pictures = pictures_of(report, options.pictures);
+  const bool one_file = fs::path(options.out).extension() == ".svg";
+  if (one_file && pictures.size() != 1) {
+    std::string names;
+    for (const NamedPicture& picture : pictures) names += (names.empty() ? "" : ", ") + picture.name;
+    throw Error(fmt::format("--out {}: expected --picture with one of {}, or a folder for all.", options.out, names));
+  }
+  if (one_file) {
+    write_bytes(options.out, pictures.front().svg);
+    fmt::print("{}  {}\n", options.out, pictures.front().title);
+    return;
+  }
+  std::error_code error;
+  fs::create_directories(options.out, error);
+  if (error)
+    throw Error(fmt::format("--out {}: expected a folder to write to, found: {}.", options.out, error.message()));
+  for (const NamedPicture& picture : pictures) {
+    const fs::path path = fs::path(options.out) / (picture.name + ".svg");
+    write_bytes(path, picture.svg);
+    fmt::print("{}  {}\n", path.string(), picture.title);
+  }
+}
+
+void expect_out(const Options& options) {
+  if (options.out.empty()) {
+    throw Error(options.format == Format::svg
+                    ? "--format svg: expected --out with a folder, or a name that ends in .svg."
+                    : "expected --out with the name of the page, as in --out page.html.");
+  }
+  const std::string ending = fs::path(options.out).extension().string();
+  const char* wanted = options.format == Format::html ? ".html" : options.format == Format::json ? ".json" : nullptr;
+  if (wanted != nullptr && ending != wanted) {
+    throw Error(fmt::format("--out {}: expected a name that ends in {}, found {}.", options.out, wanted,
+                            ending.empty() ? "no ending" : ending));
+  }
+  if (!options.pictures.empty() && options.format != Format::svg) {
+    throw Error("--picture: expected --format svg with it; the page has all pictures.");
+  }
+  if (options.open && options.format != Format::html) throw Error("--open: expected a page to open, not --format.");
+  if (options.format != Format::json) expect_page();
+}
+
+void run(const Options& options) {
+  expect_out(options);
+  std::vector<fs::path> inputs(options.model.data.begin(), options.model.data.end());
+  for (const std::string& other : {options.model.model, options.compare}) {
+    if (!other.empty()) inputs.emplace_back(other);
+  }
+  expect_no_input({options.out}, inputs);
+  const Made made = [&] {
+    const ProgressLine line;
+    Made result = made_of(options);
+    std::vector<std::string> names;
+    for (const fs::path& file : result.files) names.push_back(file.string());
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    result.json["files"] = names;
+    return result;
+  }();
+  expect_no_input({options.out}, made.files);
+  if (options.format == Format::svg) return write_pictures(made.json, options);
+  const bool page = options.format == Format::html;
+  const std::string bytes =
+      page ? page_of(made.json) : made.json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  write_bytes(options.out, bytes);
+  for (const Json& sentence : made.json["summary"]) fmt::print("{}", wrapped(sentence.get<std::string>()));
+  fmt::print(stderr, "wrote {} ({:.1f} MB)\n", options.out, static_cast<double>(bytes.size()) / 1e6);
+  if (options.open && !started({"xdg-open", options.out})) {
+    fmt::print(stderr, "ballbar: no program xdg-open to open it with; open {} in a browser.\n", options.out);
+  }
+}
+
+}  // namespace
+
+void add_report(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("report", "Everything to look at, in one page");
+  add_model_options(*command, options->model, false);
+  command->add_option("--compare", options->compare, "another drift, or five probes, to compare DATA with")
+      ->type_name("DATA");
+  CLI::Option* diagnose =
+      command->add_flag("--diagnose", options->diagnose, "which effect is missing, without a model as well");
+  command->add_flag("--no-diagnosis", options->no_diagnosis, "with a model: where it fails, not what is missing")
+      ->excludes(diagnose);
+  command->add_flag("--anyway", options->anyway, "model of `train`: predict though a sensor looks broken");
+  command->add_option("--out", options->out, "page.html; with --format svg a folder or one .svg")->type_name("FILE");
+  command
+      ->add_option("--format", options->format,
+                   "html (default): the page; svg: its pictures, drawn by node; json: "
+                   "its data")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Format>{{"html", Format::html}, {"svg", Format::svg}, {"json", Format::json}}))
+      ->default_str("html");
+  command->add_option("--picture", options->pictures, "with --format svg: only this one; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command->add_flag("--open", options->open, "open the page in a browser");
+  add_five_probe_options(*command, options->probes);
+  command->footer(
+      "Examples:\n"
+      "  ballbar report sample-runs/two-arcs-he2015 --model sample-runs/two-arcs-he2015/model.toml --out page.html\n"
+      "  ballbar report sample-runs/qc20-style-b5r/00.b5r --out page.html --open\n"
+      "  ballbar report sample-runs/two-arcs-he2015 --format svg --picture drift --out drift.svg");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

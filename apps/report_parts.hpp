@@ -1,0 +1,42 @@
+// The parts of a report page as JSON. apps/page/src/report.ts lists the keys; those that a command prints with --json
+// are the same here.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "ballbar/drift.hpp"
+#include "ballbar/formats/data_file.hpp"
+#include "ballbar/formats/session_toml.hpp"
+#include "ballbar/ledger.hpp"
+#include "ballbar/measured_drift.hpp"
+#include "ballbar/series.hpp"
+#include "checked.hpp"
+#include "diagnosed.hpp"
+#include "fitted.hpp"
+#include "predict_batch.hpp"
+
+namespace ballbar {
+
+// Seven digits: what a picture and its numbers need of a reading, at half the size.
+nlohmann::ordered_json bulk(const std::vector<double>& values);
+
+nlohmann::ordered_json recordings_part(const Fitted& fitted);
+
+// With the times of the tests: fitted.recordings are those of session.recordings.
+nlohmann::ordered_json recordings_part(const Fitted& fitted, const SessionFiles& session);
+
+// What the effects of a model of recordings add, beside each recording's trace. `fit` is one of trace_of the same
+// recordings, axial ones left out.
+void overlay_effects(nlohmann::ordered_json& recordings, const Fit& fit, const Model& model, const Series& trace);
+
+nlohmann::ordered_json drift_part(const DriftSeries& drift);
+nlohmann::ordered_json probes_part(const MeasuredDrift& drift);
+nlohmann::ordered_json signals_part(const std::string& source, const Series& series);
+nlohmann::ordered_json check_part(const Checked& checked, const Model& model, const ModelData& data);
+nlohmann::ordered_json diagnosis_part(const Diagnosed& diagnosed, const ModelData& data);
+nlohmann::ordered_json ledger_part(const std::vector<LedgerRow>& rows);
+nlohmann::ordered_json batch_part(const BatchJob& job);
+
+}  // namespace ballbar
