@@ -1,8 +1,10 @@
 // `ballbar report DATA --out page.html`: everything to look at, in one file.
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,6 +16,7 @@
 #include "ballbar/formats/model_history.hpp"
 #include "ballbar/speed_steps.hpp"
 #include "ballbar/trace.hpp"
+#include "batches.hpp"
 #include "commands.hpp"
 #include "comparison_json.hpp"
 #include "diagnosed.hpp"
@@ -157,6 +160,7 @@ void add_batch(Made& made, const Options& options) {
 Made made_of(const Options& options) {
   Made made;
   made.json = {{"format", "ballbar-report 1"}, {"title", ""}, {"made_by", "ballbar " BALLBAR_VERSION}};
+  made.json["made_on"] = fmt::format("{:%F}", fmt::localtime(std::time(nullptr)));
   made.json["files"] = Json::array();
   made.json["summary"] = Json::array();
   made.json["signals"] = Json::array();
@@ -227,6 +231,12 @@ void expect_out(const Options& options) {
     throw Error("--picture: expected --format svg with it; the page has all pictures.");
   }
   if (options.open && options.format != Format::html) throw Error("--open: expected a page to open, not --format.");
+  // Before a long diagnosis rather than after it.
+  const fs::path folder = fs::absolute(options.out).parent_path();
+  std::error_code error;
+  if (options.format != Format::svg && !fs::is_directory(folder, error)) {
+    throw Error(fmt::format("--out {}: expected a folder to write to, found none of that name.", options.out));
+  }
   if (options.format != Format::json) expect_page();
 }
 
@@ -254,7 +264,7 @@ void run(const Options& options) {
       page ? page_of(made.json) : made.json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
   write_bytes(options.out, bytes);
   for (const Json& sentence : made.json["summary"]) fmt::print("{}", wrapped(sentence.get<std::string>()));
-  fmt::print(stderr, "wrote {} ({:.1f} MB)\n", options.out, static_cast<double>(bytes.size()) / 1e6);
+  fmt::print(stderr, "wrote {}\n", options.out);
   if (options.open && !started({"xdg-open", options.out})) {
     fmt::print(stderr, "ballbar: no program xdg-open to open it with; open {} in a browser.\n", options.out);
   }
@@ -274,13 +284,9 @@ void add_report(CLI::App& app) {
       ->excludes(diagnose);
   command->add_flag("--anyway", options->anyway, "model of `train`: predict though a sensor looks broken");
   command->add_option("--out", options->out, "page.html; with --format svg a folder or one .svg")->type_name("FILE");
-  command
-      ->add_option("--format", options->format,
-                   "html (default): the page; svg: its pictures, drawn by node; json: "
-                   "its data")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Format>{{"html", Format::html}, {"svg", Format::svg}, {"json", Format::json}}))
-      ->default_str("html");
+  add_choice(*command, "--format", {"html", "svg", "json"}, "html",
+             "html: the page; svg: its pictures, drawn by node; json: its data",
+             [options](std::size_t at) { options->format = static_cast<Format>(at); });
   command->add_option("--picture", options->pictures, "with --format svg: only this one; may be repeated")
       ->type_name("NAME")
       ->allow_extra_args(false);

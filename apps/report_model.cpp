@@ -1,10 +1,10 @@
 // A model held against data, and what it lacks, as parts of a report.
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
-#include <numeric>
 
 #include "ballbar/residual.hpp"
 #include "ballbar/speed_steps.hpp"
@@ -149,23 +149,43 @@ Json steps_of(const Fit& fit, const Model& model, const Series& data) {
   return steps;
 }
 
-// What a candidate would add at the rows of the fit, its mean taken off: the constant takes that.
-Json curve_of(const Candidate& candidate, const Fit& fit, const Series& data) {
+// What the parameters of the model can make of a curve at the rows of the fit, to first order: its part in the space of
+// the Jacobian.
+class Makeable {
+ public:
+  explicit Makeable(const Fit& fit) : jacobian_(fit.jacobian), solver_(fit.jacobian) {}
+
+  std::vector<double> of(const std::vector<double>& curve) const {
+    std::vector<double> made(curve.size(), 0.0);
+    if (jacobian_.cols() == 0 || curve.empty()) return made;
+    const auto n = static_cast<Eigen::Index>(curve.size());
+    Eigen::VectorXd::Map(made.data(), n) = jacobian_ * solver_.solve(Eigen::VectorXd::Map(curve.data(), n));
+    return made;
+  }
+
+ private:
+  const Eigen::MatrixXd& jacobian_;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver_;
+};
+
+std::vector<double> curve_of(const Candidate& candidate, const Fit& fit, const Series& data) {
   Term term;
   term.effect = std::shared_ptr<const Effect>(std::shared_ptr<const Effect>(), candidate.bound.effect);
   term.columns = candidate.bound.columns;
-  if (candidate.parameters.size() != term.effect->parameters.size()) return Json::array();
+  if (candidate.parameters.size() != term.effect->parameters.size()) return {};
   for (const FittedParameter& parameter : candidate.parameters) term.settings.push_back({true, parameter.value});
-  std::vector<double> curve = at_rows(drawn_by(term, candidate.parameters.data(), data), fit.row);
-  const double mean = std::accumulate(curve.begin(), curve.end(), 0.0) / static_cast<double>(curve.size());
-  for (double& value : curve) value -= mean;
-  return bulk(curve);
+  return at_rows(drawn_by(term, candidate.parameters.data(), data), fit.row);
 }
 
-void add_curves(Json& candidates, const std::vector<Candidate>& found, const Fit& fit, const Series& data) {
+// Of each candidate what it adds that the model cannot make: where it joins, the model's own parameters give way.
+void add_curves(Json& candidates, const std::vector<Candidate>& found, const Fit& fit, const Makeable& makeable,
+                const Series& data) {
   for (std::size_t i = 0; i < found.size(); ++i) {
+    std::vector<double> curve = curve_of(found[i], fit, data);
+    const std::vector<double> made = makeable.of(curve);
+    for (std::size_t row = 0; row < curve.size(); ++row) curve[row] -= made[row];
     candidates[i]["label"] = label_of(found[i].bound);
-    candidates[i]["curve_um"] = curve_of(found[i], fit, data);
+    candidates[i]["curve_um"] = bulk(curve);
   }
 }
 
@@ -226,8 +246,12 @@ Json diagnosis_part(const Diagnosed& diagnosed, const ModelData& data) {
   }
   json["rmse_after_um"] = number(found.rmse_after_um);
   json["next_test_text"] = next_text(diagnosed);
-  add_curves(json["candidates"], found.candidates, diagnosed.checked.fit, data.series);
-  add_curves(json["goes_with"], found.goes_with, diagnosed.checked.fit, data.series);
+  const Fit& fit = diagnosed.checked.fit;
+  const Makeable makeable(fit);
+  // Noise with a long memory lets the model's parameters stand off the readings; beside what is missing they do not.
+  json["refit_um"] = bulk(makeable.of(fit.residual_um));
+  add_curves(json["candidates"], found.candidates, fit, makeable, data.series);
+  add_curves(json["goes_with"], found.goes_with, fit, makeable, data.series);
   json["coherence"] = coherence_of(found);
   return json;
 }

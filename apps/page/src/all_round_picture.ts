@@ -17,12 +17,20 @@ export const all_round_picture = (groups: readonly Group[]): Picture => ({
   height_px: 560,
   zoom: "none",
   choices: [
-    { key: "group", label: "Figure", values: groups.map(({ value, label }) => ({ value, label })), initial: groups[0]?.value ?? "" },
+    {
+      key: "group",
+      label: "Figure",
+      values: groups.map(({ value, label }) => ({ value, label })),
+      initial: groups[0]?.value ?? "",
+    },
     quantities,
     {
       key: "magnification",
       label: "Magnification",
-      values: [{ value: "", label: "automatic" }, ...magnifications.map((m) => ({ value: String(m), label: `${m} times` }))],
+      values: [
+        { value: "", label: "automatic" },
+        ...magnifications.map((m) => ({ value: String(m), label: `${m} times` })),
+      ],
       initial: "",
     },
   ],
@@ -31,12 +39,24 @@ export const all_round_picture = (groups: readonly Group[]): Picture => ({
     const tests = tests_of(groups, state.chosen);
     const first = tests[0]?.recording;
     const [least_um, largest_um] = extent_of_tests(tests);
-    const scale = radial_scale(least_um, largest_um, (first?.nominal_length_mm ?? 100) * 1000, Number(state.chosen["magnification"]) || null);
+    const scale = radial_scale(
+      least_um,
+      largest_um,
+      (first?.nominal_length_mm ?? 100) * 1000,
+      Number(state.chosen["magnification"]) || null,
+    );
     const curves = tests
       .filter((test) => !state.hidden.has(test.key))
-      .map((test) => ({ ...thinned(test), colour: sequence_colour(test.place, state.look.dark), dash: "solid" as const }));
+      .map((test) => ({
+        ...thinned(test),
+        colour: sequence_colour(test.place, state.look.dark),
+        dash: "solid" as const,
+      }));
     const option = round_option(state.look, scale, first?.plane, curves, []);
-    const graphic = [...(option["graphic"] as Record<string, unknown>[]), ...bar_of_tests(tests, state, state.look.height_px - 40)];
+    const graphic = [
+      ...(option["graphic"] as Record<string, unknown>[]),
+      ...bar_of_tests(tests, state, state.look.height_px - 40),
+    ];
     return { ...option, graphic, legend: legend(state, toggles_of_tests(tests)) };
   },
   numbers: ({ chosen }) => test_numbers(tests_of(groups, chosen), chosen["quantity"] ?? ""),

@@ -1,6 +1,6 @@
 // The same figure test after test, over each other: how the circle drifts. Colours run from the first test to the last,
 // lines grow wider, and the first and the last carry their names.
-import { unwrapped, within_turn } from "./angles";
+import { unwrapped } from "./angles";
 import { first_at } from "./decimate";
 import { kept_readings, picked } from "./recording_curves";
 import type { Choice, State, Toggle } from "./picture";
@@ -27,7 +27,9 @@ export const places_of = (recordings: readonly Recording[]): number[] => {
   const times = recordings.map((recording) => recording.time_s);
   const [first, last] = [times[0] ?? NaN, times[times.length - 1] ?? NaN];
   const by_time = times.every((time) => time !== null) && last > first;
-  return times.map((time, k) => (by_time ? ((time ?? 0) - first) / (last - first) : k / Math.max(1, recordings.length - 1)));
+  return times.map((time, k) =>
+    by_time ? ((time ?? 0) - first) / (last - first) : k / Math.max(1, recordings.length - 1),
+  );
 };
 
 export const times_named = (recordings: readonly Recording[]): string[] => {
@@ -55,7 +57,8 @@ const at_angles = (angle_deg: readonly number[], value_um: readonly Num[], at_de
   return at_deg.map((angle) => {
     const after = first_at(x, angle);
     const [x0, x1, y0, y1] = [x[Math.max(0, after - 1)], x[after], y[Math.max(0, after - 1)], y[after]];
-    if (x1 === undefined || x0 === undefined || y0 === null || y0 === undefined || y1 === null || y1 === undefined) return null;
+    if (x1 === undefined || x0 === undefined || y0 === null || y0 === undefined || y1 === null || y1 === undefined)
+      return null;
     if (x1 === angle || x1 === x0) return x1 === angle ? y1 : null;
     return x1 - x0 > 5 ? null : y0 + ((y1 - y0) * (angle - x0)) / (x1 - x0);
   });
@@ -94,21 +97,28 @@ export const thinned = (test: Test, stretches = kStretches): Test => {
 export const toggles_of_tests = (tests: readonly Test[]): Toggle[] =>
   tests.length > kMost_toggles
     ? []
-    : tests.map((test) => ({ key: test.key, label: test.name, colour: (dark) => sequence_colour(test.place, dark), mark: "line", on: true }));
+    : tests.map((test) => ({
+        key: test.key,
+        label: test.name,
+        colour: (dark) => sequence_colour(test.place, dark),
+        mark: "line",
+        on: true,
+      }));
 
 export const bar_of_tests = (tests: readonly Test[], state: State, top_px: number): Record<string, unknown>[] => {
   const { dark } = state.look;
   const name = (k: number): string => tests[k]?.name ?? "";
-  return tests.length < 2 ? [] : [sequence_bar(name(0), name(tests.length - 1), dark, colours(dark).faint, font, top_px)];
+  return tests.length < 2
+    ? []
+    : [sequence_bar(name(0), name(tests.length - 1), dark, colours(dark).faint, font, top_px)];
 };
 
 // Largest distance from zero, of those within the radial axis.
 export const extent_of_tests = (tests: readonly Test[]): [number, number] => {
   let extent: [number, number] = [0, 0];
   for (const test of tests) {
-    for (const value of test.value_um) if (value !== null) extent = [Math.min(extent[0], value), Math.max(extent[1], value)];
+    for (const value of test.value_um)
+      if (value !== null) extent = [Math.min(extent[0], value), Math.max(extent[1], value)];
   }
   return extent;
 };
-
-export const turn_of = (test: Test): number[] => test.angle_deg.map(within_turn);

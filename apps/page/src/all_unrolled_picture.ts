@@ -10,7 +10,11 @@ import { axis, base, legend, shown, tooltip } from "./theme";
 import { x_axis } from "./two_grids";
 import { angle_limits } from "./unrolled_picture";
 
-const named: Record<string, string> = { deviation: "deviation, µm", change: "change since the first test, µm", residual: "residual, µm" };
+const named: Record<string, string> = {
+  deviation: "deviation, µm",
+  change: "change since the first test, µm",
+  residual: "residual, µm",
+};
 
 export const all_unrolled_picture = (groups: readonly Group[]): Picture => ({
   name: "tests-unrolled",
@@ -21,7 +25,12 @@ export const all_unrolled_picture = (groups: readonly Group[]): Picture => ({
   height_px: 400,
   zoom: "own",
   choices: [
-    { key: "group", label: "Figure", values: groups.map(({ value, label }) => ({ value, label })), initial: groups[0]?.value ?? "" },
+    {
+      key: "group",
+      label: "Figure",
+      values: groups.map(({ value, label }) => ({ value, label })),
+      initial: groups[0]?.value ?? "",
+    },
     { ...quantities, initial: "change" },
   ],
   toggles: ({ chosen }) => toggles_of_tests(tests_of(groups, chosen)),
@@ -43,7 +52,18 @@ export const all_unrolled_picture = (groups: readonly Group[]): Picture => ({
       xAxis: x_axis(look, "angle, °", window, angle_limits(tests.flatMap((test) => test.angle_deg))),
       yAxis: axis(look, named[state.chosen["quantity"] ?? ""] ?? "deviation, µm", "y"),
       legend: legend(state, toggles_of_tests(tests)),
-      tooltip: { ...tooltip(look), trigger: "axis", formatter: hover_text({ x: 0, y: 1, head: (angle) => `${shown(angle, 1)}°`, unit: "µm", most: 12 }) },
+      tooltip: {
+        ...tooltip(look),
+        trigger: "axis",
+        formatter: hover_text({
+          drawn: series,
+          x: 0,
+          y: 1,
+          head: (angle) => `${shown(angle, 1)}°`,
+          unit: "µm",
+          most: 12,
+        }),
+      },
       graphic: bar_of_tests(tests, state, top - 30),
       series,
     };

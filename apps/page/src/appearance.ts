@@ -1,4 +1,4 @@
-// Light or dark: as the system has it, until the reader says otherwise. Paper is light.
+// Light or dark: as the system has it, until the reader says otherwise. Paper is always light.
 import { button } from "./elements";
 import type { Shared } from "./shared";
 
@@ -24,26 +24,20 @@ const remember = (theme: string): void => {
 export const appearance = (shared: Shared): HTMLButtonElement => {
   const system = matchMedia("(prefers-color-scheme: dark)");
   let asked = remembered();
-  let printing = false;
   const apply = (): void => {
     const dark = asked === "dark" || (asked !== "light" && system.matches);
     document.documentElement.dataset["theme"] = dark ? "dark" : "light";
     change.textContent = dark ? "Light" : "Dark";
-    shared.look(dark && !printing, printing);
+    shared.look(dark);
   };
   const change = button("Dark", "Light or dark page", () => {
     asked = shared.dark() ? "light" : "dark";
     remember(asked);
     apply();
   });
-  const paper = (on: boolean) => () => {
-    printing = on;
-    apply();
-    for (const figure of shared.figures.values()) figure.paper();
-  };
   system.addEventListener("change", apply);
-  addEventListener("beforeprint", paper(true));
-  addEventListener("afterprint", paper(false));
+  addEventListener("beforeprint", () => shared.figures.forEach((figure) => figure.print()));
+  addEventListener("afterprint", () => shared.figures.forEach((figure) => figure.printed()));
   apply();
   return change;
 };

@@ -29,7 +29,13 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
   const labels = labels_of(recordings);
   const all = recordings.map((recording, k): Axial => {
     const times = recording.trace?.time_s ?? [];
-    return { key: `axial${k}`, name: names[k] ?? "", recording, place: places[k] ?? 0, time_s: times.map((time) => time - (times[0] ?? 0)) };
+    return {
+      key: `axial${k}`,
+      name: names[k] ?? "",
+      recording,
+      place: places[k] ?? 0,
+      time_s: times.map((time) => time - (times[0] ?? 0)),
+    };
   });
   const seen = (chosen: State["chosen"]): Axial[] => {
     const one = all[Number(chosen["recording"])];
@@ -50,13 +56,20 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
     name: "axial",
     title: "Length of the axial recordings",
     about:
-      "The bar stands along the spindle: each reading less the nominal length, over the time of its recording. The level of " +
-      "a recording is the spindle's elongation at that test; the dashed line is its mean.",
+      "The bar stands along the spindle: each reading less the nominal length, over the time of its recording. The dashed " +
+      "lines are their means, which move from test to test by the elongation of the spindle.",
     height_px: 360,
     zoom: "own",
     choices:
       all.length > 1
-        ? [{ key: "recording", label: "Recording", values: [{ value: "", label: "all tests" }, ...labels.map((label, k) => ({ value: String(k), label }))], initial: "" }]
+        ? [
+            {
+              key: "recording",
+              label: "Recording",
+              values: [{ value: "", label: "all tests" }, ...labels.map((label, k) => ({ value: String(k), label }))],
+              initial: "",
+            },
+          ]
         : [],
     toggles: ({ chosen }) => toggles(chosen),
     draw: (state) => {
@@ -69,12 +82,26 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
         .filter((one) => !state.hidden.has(one.key))
         .flatMap((one) => {
           const colour = many ? sequence_colour(one.place, dark) : curve_colour(0, dark);
-          const points: Point[] = decimated(one.time_s, one.recording.trace?.deviation_um ?? [], window, look.width_px / (many ? 4 : 1));
+          const points: Point[] = decimated(
+            one.time_s,
+            one.recording.trace?.deviation_um ?? [],
+            window,
+            look.width_px / (many ? 4 : 1),
+          );
           const mean = mean_um(one.recording);
-          const level: Point[] = mean === null ? [] : [[one.time_s[0] ?? 0, mean], [one.time_s[one.time_s.length - 1] ?? 0, mean]];
+          const level: Point[] =
+            mean === null
+              ? []
+              : [
+                  [one.time_s[0] ?? 0, mean],
+                  [one.time_s[one.time_s.length - 1] ?? 0, mean],
+                ];
           return [
             curve(one.name, colour, "solid", many ? 1 + one.place : 1.4, points),
-            curve("mean", many ? colour : curve_colour(1, dark), "dashed", 1.4, level, { silent: true, tooltip: { show: false } }),
+            curve("mean", many ? colour : curve_colour(1, dark), "dashed", 1.4, level, {
+              silent: true,
+              tooltip: { show: false },
+            }),
           ];
         });
       const c = colours(dark);
@@ -84,8 +111,21 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
         xAxis: x_axis(look, "time since the recording began, s", window),
         yAxis: axis(look, "deviation, µm", "y"),
         legend: legend(state, toggles(state.chosen)),
-        tooltip: { ...tooltip(look), trigger: "axis", formatter: hover_text({ x: 0, y: 1, head: (time) => `${shown(time)} s`, unit: "µm", most: 12 }) },
-        graphic: many ? [sequence_bar(all[0]?.name ?? "", all[all.length - 1]?.name ?? "", dark, c.faint, font, top - 28)] : [],
+        tooltip: {
+          ...tooltip(look),
+          trigger: "axis",
+          formatter: hover_text({
+            drawn: series,
+            x: 0,
+            y: 1,
+            head: (time) => `${shown(time)} s`,
+            unit: "µm",
+            most: 12,
+          }),
+        },
+        graphic: many
+          ? [sequence_bar(all[0]?.name ?? "", all[all.length - 1]?.name ?? "", dark, c.faint, font, top - 28)]
+          : [],
         series,
       };
     },
@@ -96,7 +136,12 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
           { name: "time_s", values: of.flatMap((one) => one.time_s) },
           { name: "deviation_um", values: of.flatMap((one) => one.recording.trace?.deviation_um ?? []) },
           { name: "test", values: of.flatMap((one) => one.time_s.map(() => one.name)) },
-          { name: "test_time_min", values: of.flatMap((one) => one.time_s.map(() => (one.recording.time_s === null ? null : minutes(one.recording.time_s)))) },
+          {
+            name: "test_time_min",
+            values: of.flatMap((one) =>
+              one.time_s.map(() => (one.recording.time_s === null ? null : minutes(one.recording.time_s))),
+            ),
+          },
         ],
       };
     },

@@ -1,56 +1,60 @@
 // Whether a job stays within what its batches were: Hotelling's T2 within the plane of the components, Q off it, each
 // over the largest of any row in training.
+import { curve } from "./curve";
 import { decimated } from "./decimate";
 import { hover_text } from "./hover";
 import type { Picture, State, Toggle } from "./picture";
-import type { BatchPart } from "./report";
+import { kBottom_px, kLeft_px, kRight_px, top_px } from "./plot_grid";
+import type { BatchPart, Num } from "./report";
 import { axis, base, colours, curve_colour, legend, minutes, shown, tooltip } from "./theme";
+import { time_axis, whole_min } from "./time_axis";
 
-const T2: Toggle = { key: "T2", label: "T² (how far out)", colour: (dark) => curve_colour(0, dark), mark: "line", on: true };
-const Q: Toggle = { key: "Q", label: "Q (how unlike)", colour: (dark) => curve_colour(1, dark), mark: "dashed", on: true };
+const T2: Toggle = { key: "T2", label: "T²: how far out", colour: (dark) => curve_colour(0, dark), mark: "line", on: true };
+const Q: Toggle = { key: "Q", label: "Q: how unlike", colour: (dark) => curve_colour(1, dark), mark: "dashed", on: true };
+
+// No curve, but a line across, so that it is there whatever is switched off.
+const limit = (colour: string): Record<string, unknown> => ({
+  type: "line",
+  name: "",
+  data: [],
+  silent: true,
+  tooltip: { show: false },
+  markLine: {
+    symbol: "none",
+    silent: true,
+    label: { position: "insideEndTop", formatter: "largest in training", color: colour },
+    lineStyle: { color: colour, type: "solid", width: 1.2 },
+    data: [{ yAxis: 1 }],
+  },
+});
 
 export const range_picture = (batch: BatchPart): Picture => {
   const time_min = batch.time_s.map(minutes);
+  const whole = whole_min([time_min]);
   const draw = (state: State): Record<string, unknown> => {
     const { look, window, hidden } = state;
-    const c = colours(look.dark);
-    const curves = [
-      { toggle: T2, values: batch.T2_of_largest, dash: "solid" },
-      { toggle: Q, values: batch.Q_of_largest, dash: "dashed" },
-    ].filter(({ toggle }) => !hidden.has(toggle.key));
-    const most = Math.max(1, ...[batch.T2_of_largest, batch.Q_of_largest].map((values) =>
-      values.reduce((largest: number, value) => Math.max(largest, value ?? 0), 0)));
+    const line = (toggle: Toggle, values: readonly Num[], dash: "solid" | "dashed"): Record<string, unknown>[] =>
+      hidden.has(toggle.key)
+        ? []
+        : [curve(toggle.label, toggle.colour(look.dark), dash, 1.8, decimated(time_min, values, window, look.width_px))];
+    const series = [...line(T2, batch.T2_of_largest, "solid"), ...line(Q, batch.Q_of_largest, "dashed")];
     return {
       ...base(look),
-      grid: { left: 64, right: 20, top: look.still ? 44 : 14, bottom: 48 },
+      grid: { left: kLeft_px, right: kRight_px, top: top_px(look, [T2.label, Q.label]), bottom: kBottom_px },
       legend: legend(state, [T2, Q]),
       tooltip: {
         ...tooltip(look),
         trigger: "axis",
-        formatter: hover_text({ x: 0, y: 1, head: (at) => `${shown(at, 1)} min`, unit: "" }),
+        formatter: hover_text({ drawn: series, x: 0, y: 1, head: (at) => `${shown(at, 1)} min`, unit: "" }),
       },
-      xAxis: {
-        ...axis(look, "time, min", "x"),
-        ...(window ? { min: window[0], max: window[1] } : { min: "dataMin", max: "dataMax" }),
+      xAxis: time_axis(look, window ?? whole),
+      yAxis: {
+        ...axis(look, "share of the largest", "y"),
+        scale: false,
+        min: 0,
+        max: ({ max }: { max: number }) => (max > 1 ? null : 1.2),
       },
-      yAxis: { ...axis(look, "of the largest in training", "y"), scale: false, min: 0, max: Number((1.15 * most).toPrecision(2)) },
-      series: curves.map(({ toggle, values, dash }, k) => ({
-        name: toggle.label,
-        type: "line",
-        showSymbol: false,
-        color: toggle.colour(look.dark),
-        lineStyle: { width: 1.8, type: dash },
-        data: decimated(time_min, values, window, look.width_px),
-        ...(k > 0 ? {} : {
-          markLine: {
-            symbol: "none",
-            silent: true,
-            label: { position: "insideEndTop", formatter: "largest in training", color: c.ink },
-            lineStyle: { color: c.ink, type: "solid", width: 1.2 },
-            data: [{ yAxis: 1 }],
-          },
-        }),
-      })),
+      series: [...series, limit(colours(look.dark).ink)],
     };
   };
   return {

@@ -4,7 +4,7 @@ import type { BatchPart } from "./report";
 import { plain } from "./text";
 import { axis, base, colours, curve_colour, shown, tooltip } from "./theme";
 
-const label_px = 46; // that a name needs, lying
+const kLabel_px = 46; // that a name needs, lying
 
 export const weights_picture = ({ batches }: BatchPart): Picture => ({
   name: "batch-weights",
@@ -17,7 +17,7 @@ export const weights_picture = ({ batches }: BatchPart): Picture => ({
   draw: ({ look }: State) => {
     const c = colours(look.dark);
     const names = batches.map(({ name }) => plain(name, 16));
-    const lying = (look.width_px - 84) / Math.max(1, batches.length) > label_px;
+    const lying = (look.width_px - 84) / Math.max(1, batches.length) > kLabel_px;
     return {
       ...base(look),
       grid: { left: 64, right: 20, top: 20, bottom: lying ? 32 : 76 },

@@ -2,10 +2,10 @@
 import { curve, type Dash } from "./curve";
 import type { Toggle } from "./picture";
 import type { Ranked } from "./ranking";
-import type { Checked, Num } from "./report";
+import type { Num } from "./report";
 import { colours, curve_colour, dashes } from "./theme";
 
-// A candidate with what of it survives beside the model.
+// A candidate with what it adds that the model cannot make.
 export interface Shown extends Ranked {
   values_um: readonly Num[];
 }
@@ -22,15 +22,6 @@ const lined =
   (dash: Dash, width_px: number): Curve["series"] =>
   (name, colour, points) =>
     curve(name, colour, dash, width_px, points);
-
-const dotted: Curve["series"] = (name, colour, points) => ({
-  type: "scatter",
-  name,
-  data: points,
-  symbolSize: 3,
-  itemStyle: { color: colour, opacity: 0.55 },
-  emphasis: { disabled: true },
-});
 
 // As a marker pen draws: below the other curves.
 const highlighted: Curve["series"] = (name, colour, points) =>
@@ -50,23 +41,18 @@ const sum = (columns: readonly (readonly Num[])[]): Num[] =>
     }, 0),
   );
 
-export const residual_curve = (checked: Checked): Curve => {
-  const dots = checked.level === "recording";
-  return {
-    toggle: {
-      key: "residual",
-      label: "measured less model",
-      colour: (dark) => colours(dark).faint,
-      mark: dots ? "dot" : "line",
-      on: true,
-    },
-    values_um: checked.series.residual_um,
-    series: dots ? dotted : lined("solid", 1.2),
-  };
-};
+export const residual_curve = (residual_um: readonly Num[]): Curve => ({
+  toggle: { key: "residual", label: "measured less model", colour: (dark) => colours(dark).faint, mark: "line", on: true },
+  values_um: residual_um,
+  series: lined("solid", 1),
+});
+
+// Of the k-th effect of a set; the solid line is that of all together.
+const dash_of = (k: number): Dash => dashes[1 + (k % (dashes.length - 1))] ?? "dashed";
 
 // The best set: where it has several effects their sum, which is what stands for the residual, and each of them.
-export const best_curves = (best: readonly Shown[]): Curve[] => {
+// What the model gives way by counts once, with the set.
+export const best_curves = (best: readonly Shown[], refit_um: readonly Num[]): Curve[] => {
   const strong = (label: string, values_um: readonly Num[]): Curve => ({
     toggle: { key: "best", label, colour: (dark) => curve_colour(1, dark), mark: "line", on: true },
     values_um,
@@ -74,34 +60,35 @@ export const best_curves = (best: readonly Shown[]): Curve[] => {
   });
   const [only, ...others] = best;
   if (!only) return [];
-  if (others.length === 0) return [strong(only.name, only.values_um)];
+  if (others.length === 0) return [strong(only.name, sum([only.values_um, refit_um]))];
   const each = best.map(
     (one, k): Curve => ({
       toggle: {
         key: `best-${one.key}`,
         label: one.name,
         colour: (dark) => curve_colour(k + 2, dark),
-        mark: "dashed",
+        mark: dash_of(k) === "dotted" ? "dotted" : "dashed",
         on: true,
       },
       values_um: one.values_um,
-      series: lined(dashes[1 + (k % (dashes.length - 1))] ?? "dashed", 1.4),
+      series: lined(dash_of(k), 1.4),
     }),
   );
-  return [strong("the best set together", sum(best.map((one) => one.values_um))), ...each];
+  return [strong("the best set together", sum([refit_um, ...best.map((one) => one.values_um)])), ...each];
 };
 
-export const chosen_curves = (one: Shown, residual_um: readonly Num[]): Curve[] => {
+export const chosen_curves = (one: Shown, residual_um: readonly Num[], refit_um: readonly Num[]): Curve[] => {
+  const with_refit = sum([one.values_um, refit_um]);
   const colour = (dark: boolean): string => curve_colour(0, dark);
   return [
     {
       toggle: { key: "chosen", label: `chosen: ${one.name}`, colour, mark: "band", on: true },
-      values_um: one.values_um,
+      values_um: with_refit,
       series: highlighted,
     },
     {
-      toggle: { key: "without", label: "left with the chosen one taken off", colour, mark: "dashed", on: true },
-      values_um: difference(residual_um, one.values_um),
+      toggle: { key: "without", label: "left with the chosen one taken off", colour, mark: "dotted", on: true },
+      values_um: difference(residual_um, with_refit),
       series: lined("dotted", 1.1),
     },
   ];

@@ -3,26 +3,28 @@
 import { best_curves, chosen_curves, residual_curve, type Curve, type Shown } from "./candidate_curves";
 import { hover_text } from "./hover";
 import type { Choice, Numbers, Picture, State } from "./picture";
+import { kBottom_px, kLeft_px, kRight_px, top_px } from "./plot_grid";
 import type { Ranked } from "./ranking";
 import type { Checked, Num, Report } from "./report";
 import { points_of, strands_of, type Strand } from "./strands";
-import { surviving } from "./surviving";
 import { plain } from "./text";
 import { axis, base, legend, shown, tooltip } from "./theme";
+import { time_axis, whole_min } from "./time_axis";
+import { x_axis } from "./two_grids";
 
-const most_drawn_together = 4; // recordings; of more, one at a time is seen at first
+const kDrawnTogether = 4; // recordings; of more, one at a time is seen at first
 
 const recording_choice = (strands: readonly Strand[], report: Report): Choice[] => {
   if (strands.length < 2) return [];
-  const label = (index: Num): string =>
-    plain(report.fit?.recordings.find((one) => one.index === index)?.label ?? `recording ${index}`, 40);
+  const circles = (report.fit?.recordings ?? []).filter(({ kind }) => kind === "circle");
+  const label = (number: Num): string => plain(circles[number ?? -1]?.label ?? `recording ${number}`, 40);
   const one_each = strands.map(({ recording }) => ({ value: String(recording), label: label(recording) }));
   return [
     {
       key: "recording",
       label: "Recording",
       values: [{ value: "", label: "all of them" }, ...one_each],
-      initial: strands.length > most_drawn_together ? (one_each[0]?.value ?? "") : "",
+      initial: strands.length > kDrawnTogether ? (one_each[0]?.value ?? "") : "",
     },
   ];
 };
@@ -32,44 +34,62 @@ export const candidates_picture = (
   checked: Checked,
   candidates: readonly Ranked[],
   companions: readonly Ranked[],
+  refit_um: readonly Num[],
   name: string,
 ): Picture => {
   const over_angle = checked.level === "recording";
   const strands = strands_of(checked);
-  const model = checked.series.contributions.map((one) => one.values_um);
-  const all = [...candidates, ...companions].map(
-    (one): Shown => ({ ...one, values_um: surviving(one.candidate.curve_um, model) }),
-  );
-  const fixed = [residual_curve(checked), ...best_curves(all.filter((one) => one.candidate.in_best_set))];
+  const all = [...candidates, ...companions].map((one): Shown => ({ ...one, values_um: one.candidate.curve_um }));
+  const fixed = [
+    residual_curve(checked.series.residual_um),
+    ...best_curves(
+      all.filter((one) => one.candidate.in_best_set),
+      refit_um,
+    ),
+  ];
   const curves = (chosen: State["chosen"]): Curve[] => {
     const one = all.find((ranked) => ranked.key === chosen["candidate"]);
-    return one ? [...fixed, ...chosen_curves(one, checked.series.residual_um)] : fixed;
+    return one ? [...fixed, ...chosen_curves(one, checked.series.residual_um, refit_um)] : fixed;
   };
   const seen = (chosen: State["chosen"]): Strand[] =>
     strands.filter(({ recording }) => !chosen["recording"] || String(recording) === chosen["recording"]);
 
-  const draw = ({ look, window, chosen, hidden }: State): Record<string, unknown> => {
+  const whole = over_angle ? null : whole_min(strands.map((strand) => strand.x));
+  const angles = strands.flatMap((strand) => [strand.x[0] ?? 0, strand.x.at(-1) ?? 0]);
+  const turn = { min: 10 * Math.floor(Math.min(...angles) / 10), max: 10 * Math.ceil(Math.max(...angles) / 10) };
+  const x_axis_of = ({ look, window }: State): Record<string, unknown> =>
+    whole ? time_axis(look, window ?? whole) : x_axis(look, "angle, °", window, turn);
+
+  const draw = (state: State): Record<string, unknown> => {
+    const { look, window, chosen, hidden } = state;
     const drawn = curves(chosen).filter((one) => !hidden.has(one.toggle.key));
-    const limits = window ? { min: window[0], max: window[1] } : { min: "dataMin", max: "dataMax" };
+    const series = drawn.map((one) =>
+      one.series(
+        one.toggle.label,
+        one.toggle.colour(look.dark),
+        points_of(seen(chosen), one.values_um, window, look.width_px),
+      ),
+    );
+    // Of recordings drawn together the nearest point is read, whichever it belongs to.
+    const whose = seen(chosen).length > 1 ? ", one of the recordings" : "";
+    const head = (at: number): string => (over_angle ? `${shown(at, 1)}°${whose}` : `${shown(at, 1)} min`);
     return {
       ...base(look),
-      grid: { left: 64, right: 20, top: look.still ? 64 : 14, bottom: 48 },
-      legend: legend({ look, window, chosen, hidden, stretch: null }, curves(chosen).map((one) => one.toggle)),
+      grid: {
+        left: kLeft_px,
+        right: kRight_px,
+        top: top_px(look, drawn.map((one) => one.toggle.label)),
+        bottom: kBottom_px,
+      },
+      legend: legend(state, curves(chosen).map((one) => one.toggle)),
       tooltip: {
         ...tooltip(look),
         trigger: "axis",
-        formatter: hover_text({
-          x: 0,
-          y: 1,
-          head: (at) => `${shown(at, 1)} ${over_angle ? "°" : "min"}`,
-          unit: "µm",
-        }),
+        formatter: hover_text({ drawn: series, x: 0, y: 1, head, unit: "µm" }),
       },
-      xAxis: { ...axis(look, over_angle ? "angle, °" : "time, min", "x"), ...limits },
+      xAxis: x_axis_of(state),
       yAxis: axis(look, "deviation, µm", "y"),
-      series: drawn.map(({ toggle, values_um, series }) =>
-        series(toggle.label, toggle.colour(look.dark), points_of(seen(chosen), values_um, window, look.width_px)),
-      ),
+      series,
     };
   };
 
@@ -93,7 +113,7 @@ export const candidates_picture = (
     title: "Candidates over the residual",
     about:
       "What is measured less what the model says, and over it what the effects of the best set (*) would add: that part " +
-      "of each which the model cannot make by other gains. Candidates without * belong to other sets, each beside the " +
+      "of each which the model cannot make by parameters of its own. Candidates without * belong to other sets, each beside the " +
       "rest of its own. One chosen from the list or in the table is drawn broad and pale; dotted, what is left with it " +
       "taken off.",
     height_px: 400,

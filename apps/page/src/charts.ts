@@ -25,8 +25,18 @@ use([CanvasRenderer, SVGRenderer]);
 
 export type Chart = ECharts;
 
-export const chart_in = (box: HTMLElement, width_px: number, height_px: number, pixels?: number): Chart =>
-  init(box, null, { renderer: "canvas", width: width_px, height: height_px, devicePixelRatio: pixels });
+export const chart_in = (box: HTMLElement, width_px: number, height_px: number): Chart =>
+  init(box, null, { renderer: "canvas", width: width_px, height: height_px });
+
+// One canvas with so many pixels for one of the page, drawn at once and not changed any more.
+export const canvas_of = (option: EChartsCoreOption, width_px: number, height_px: number, pixels: number): HTMLCanvasElement => {
+  const chart = chart_in(document.createElement("div"), width_px, height_px);
+  chart.setOption(option);
+  const canvas = chart.renderToCanvas({ pixelRatio: pixels });
+  canvas.removeAttribute("style"); // it is no layer of a chart any more
+  chart.dispose();
+  return canvas;
+};
 
 // Needs no document, so it works outside a browser too.
 export const svg_of = (option: EChartsCoreOption, width_px: number, height_px: number): string => {

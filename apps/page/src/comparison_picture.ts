@@ -8,8 +8,8 @@ import { reading_in } from "./reading";
 import type { ComparedAxis, Num } from "./report";
 import { sigma_band, type Uncertain } from "./sigma_marks";
 import { plain, slug } from "./text";
-import { axis as axis_in, base, curve_colour, legend, minutes, tooltip } from "./theme";
-import { time_axis } from "./time_axis";
+import { base, curve_colour, legend, minutes, tooltip } from "./theme";
+import { time_axis, value_axis } from "./time_axis";
 import { unit_shown, words } from "./units";
 import type { Range } from "./window";
 
@@ -75,7 +75,10 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
     const points = decimated(time_min, difference, state.window, width_px);
     const sigma_at = (x: number): Num => sigma[first_at(time_min, x)] ?? null;
     const around_zero: Uncertain[] = points.map(([x]) => [x, 0, twice(sigma_at(x))]);
-    const dashed = curve(line.label, line.colour(dark), "dashed", 1.6, points, { showSymbol: points.length <= kMarked, z: 3 });
+    const dashed = curve(line.label, line.colour(dark), "dashed", 1.6, points, {
+      ...(points.length <= kMarked ? { showSymbol: true, symbol: "circle", symbolSize: 5 } : {}),
+      z: 3,
+    });
     const drawn = [
       ...(state.hidden.has("sigma") ? [] : [{ ...sigma_band(around_zero, band.colour(dark)), name: band.label }]),
       ...(state.hidden.has("difference") ? [] : [dashed]),
@@ -88,8 +91,8 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
     const top = top_px(state.look, toggles.filter((one) => !state.hidden.has(one.key)).map((one) => one.label));
     const below_px = Math.round((state.look.height_px - top) * 0.36);
     const time = time_axis(state.look, state.window ?? whole_min);
-    const grid = { left: kLeft_px, right: kRight_px };
-    const upper_time = { ...time, name: "", axisLabel: { show: false } };
+    const grid = { left: kLeft_px, right: kRight_px, outerBoundsMode: "none" };
+    const upper_time = { ...time, name: "", axisLabel: { show: false }, axisTick: { show: false } };
     return {
       ...base(state.look),
       legend: legend(state, toggles),
@@ -101,8 +104,8 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
       tooltip: { ...tooltip(state.look), trigger: "axis", formatter: reading_in(written) },
       xAxis: [upper_time, { ...time, gridIndex: 1 }],
       yAxis: [
-        axis_in(state.look, `${quantity}, ${written}`, "y"),
-        { ...axis_in(state.look, `A − B, ${written}`, "y"), gridIndex: 1, splitNumber: 3 },
+        value_axis(state.look, `${quantity}, ${written}`),
+        { ...value_axis(state.look, `A − B, ${written}`), gridIndex: 1, splitNumber: 3 },
       ],
       series: [...upper(state), ...lower(state)],
     };

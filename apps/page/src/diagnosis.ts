@@ -2,13 +2,14 @@
 import { companion_table, candidate_table } from "./candidate_tables";
 import { candidates_picture } from "./candidates";
 import { coherence_picture } from "./coherence";
-import { no_evidence, not_known } from "./falls";
+import { no_evidence, no_evidence_of_several, not_known } from "./falls";
 import { ledger_steps } from "./ledger_steps";
 import type { Picture, Section } from "./picture";
 import { ranked_candidates, ranked_companions } from "./ranking";
 import type { Checked, Diagnosed, Num, Report } from "./report";
 import { plain } from "./text";
-import { waterfall, type Step } from "./waterfall";
+import type { Step } from "./step";
+import { waterfall } from "./waterfall";
 
 const sentences_of = (found: Diagnosed): string[] => {
   const reasons =
@@ -18,7 +19,13 @@ const sentences_of = (found: Diagnosed): string[] => {
   return [found.verdict_text, ...reasons, found.next_test_text].filter((sentence) => sentence !== "");
 };
 
-// "2 more" of equal names would be no list: each effect once with why it was not tested.
+// Effects with one reason together, as on the terminal.
+const by_reason = (untestable: Diagnosed["untestable"]): string[] => {
+  const effects_of = new Map<string, string[]>();
+  for (const { effect, why } of untestable) effects_of.set(why, [...(effects_of.get(why) ?? []), effect]);
+  return [...effects_of].map(([why, effects]) => `${effects.join(", ")}: ${why}`);
+};
+
 const lists_of = (found: Diagnosed): NonNullable<Section["lists"]> => {
   const same_curve = found.candidates
     .filter((candidate) => candidate.also_drawn_by.length > 0)
@@ -28,7 +35,7 @@ const lists_of = (found: Diagnosed): NonNullable<Section["lists"]> => {
     );
   return [
     { title: "The same curve by other effects", items: same_curve },
-    { title: "Not testable here", items: found.untestable.map(({ effect, why }) => `${effect}: ${why}`) },
+    { title: "Not testable here", items: by_reason(found.untestable) },
     {
       title: "Not searched",
       items: found.not_searched.map(
@@ -66,7 +73,8 @@ const fall_steps = (report: Report, found: Diagnosed): Step[] => {
       rmse_um: found.rmse_after_um,
       from_um: found.rmse_um,
       floor_um: found.floor_um,
-      fake_fall: found.best_fake_fall ? found.best_fake_fall : null,
+      // A fake stands in the place of one effect, beside the others: of several, its fall does not begin here.
+      fake_fall: best.length === 1 && found.best_fake_fall ? found.best_fake_fall : null,
       held_out_um: all_equal(left_out) ? (left_out[0] ?? null) : null,
       proposed: true,
     },
@@ -78,17 +86,14 @@ const fall_picture = (report: Report, found: Diagnosed, name: string): Picture[]
   const steps = fall_steps(report, found);
   if (!steps.at(-1)?.proposed) return [];
   const effects = found.candidates.filter((candidate) => candidate.in_best_set).length;
-  const several =
-    effects > 1
-      ? ` A fake stood in the place of one of the ${effects} effects, beside the others; its fall is shown from the model now.`
-      : "";
+  const first = effects > 1 ? no_evidence_of_several(effects, found.best_fake_fall) : no_evidence;
   return [
     waterfall({
       name,
       title: "How far the error falls",
       about:
-        `${no_evidence}${several} The hollow bar is not in the model. Whether an effect beats the fakes is judged with ` +
-        `the memory of the noise, in the table.${not_known(steps)}`,
+        `${first} The hollow bar is not in the model. Whether an effect beats the fakes is judged with ` +
+        `the memory of the noise, in the table.${not_known(steps, effects === 1)}`,
       steps,
     }),
   ];
@@ -105,16 +110,17 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
   const candidates = ranked_candidates(found);
   const companions = ranked_companions(found);
   const over_residual = `candidates${number}`;
+  const chooses = checked ? over_residual : null;
   const left_out = checked?.level === "recording" ? "recordings, or quarters of their sweeps," : "cycles";
   return {
     ...section,
     sentences: sentences_of(found),
     tables: [
-      ...(candidates.length > 0 ? [candidate_table(found, left_out, over_residual)] : []),
-      ...(companions.length > 0 ? [companion_table(found, over_residual)] : []),
+      ...(candidates.length > 0 ? [candidate_table(found, left_out, chooses)] : []),
+      ...(companions.length > 0 ? [companion_table(found, chooses)] : []),
     ],
     pictures: [
-      ...(checked ? [candidates_picture(report, checked, candidates, companions, over_residual)] : []),
+      ...(checked ? [candidates_picture(report, checked, candidates, companions, found.refit_um, over_residual)] : []),
       ...fall_picture(report, found, `fall${number}`),
       ...(found.coherence && found.coherence.effects.length > 1
         ? [coherence_picture(found.coherence, `coherence${number}`)]

@@ -1,5 +1,5 @@
 // One picture on the page with all that belongs to it. It holds the state: any change draws the picture anew.
-import { chart_in, px_at, x_at, x_extent, type Chart } from "./charts";
+import { canvas_of, chart_in, px_at, x_at, x_extent, type Chart } from "./charts";
 import { controls_of } from "./controls";
 import { next_row, row_said } from "./cursor";
 import { button, element } from "./elements";
@@ -29,7 +29,8 @@ export interface Figure {
   point(x: number | null): void; // a line at this place
   redraw(): void; // with the next frame, or once it is near the screen
   draw_now(): void;
-  paper(): void; // drawn at once, for paper or for the screen again
+  print(): void; // a drawing for paper is added
+  printed(): void; // and taken away
 }
 
 export const figure_of = (picture: Picture, shared: Shared): Figure => {
@@ -44,6 +45,7 @@ export const figure_of = (picture: Picture, shared: Shared): Figure => {
   let panel_open = false;
   let row: number | null = null; // under the cursor
   let known = new Set(picture.toggles(state).map((toggle) => toggle.key));
+  let paper: HTMLCanvasElement | null = null;
   let numbers: { of: State; values: Numbers } | null = null;
 
   // The same numbers are asked for many times while a window or a stretch moves.
@@ -116,19 +118,20 @@ export const figure_of = (picture: Picture, shared: Shared): Figure => {
     panel.update(state.stretch, panel_open, numbers_now);
   };
 
+  const window_now = (): Range | null => (picture.zoom === "time" ? shared.time_window() : state.window);
+
   const draw_now = (): void => {
     cancelAnimationFrame(awaited);
     awaited = 0;
-    const width_px = shared.printing() ? kPaper_px : box.clientWidth;
+    const width_px = box.clientWidth;
     if (width_px === 0) return;
     stale = false;
     state = {
       ...state,
-      window: picture.zoom === "time" ? shared.time_window() : state.window,
+      window: window_now(),
       look: { dark: shared.dark(), width_px, height_px: picture.height_px, still: false },
     };
-    if (shared.printing()) state = stilled(state, false, width_px, picture.height_px);
-    chart ??= chart_in(canvas, width_px, picture.height_px, shared.printing() ? kPaper_pixels : undefined);
+    chart ??= chart_in(canvas, width_px, picture.height_px);
     if (chart.getWidth() !== width_px) chart.resize({ width: width_px, height: picture.height_px });
     learn_whole(chart);
     chart.setOption(drawn(picture, state), { notMerge: true });
@@ -212,10 +215,15 @@ export const figure_of = (picture: Picture, shared: Shared): Figure => {
       if (near && awaited === 0) awaited = requestAnimationFrame(draw_now);
     },
     draw_now,
-    paper() {
-      chart?.dispose();
-      chart = null;
-      draw_now();
+    print() {
+      const still = stilled({ ...state, window: window_now() }, false, kPaper_px, picture.height_px);
+      paper = canvas_of(drawn(picture, still), kPaper_px, picture.height_px, kPaper_pixels);
+      paper.className = "paper";
+      box.append(paper);
+    },
+    printed() {
+      paper?.remove();
+      paper = null;
     },
   };
   new IntersectionObserver(
@@ -226,7 +234,7 @@ export const figure_of = (picture: Picture, shared: Shared): Figure => {
     { rootMargin: "600px" },
   ).observe(all);
   new ResizeObserver(() => {
-    if (chart && chart.getWidth() !== box.clientWidth && !shared.printing()) figure.redraw();
+    if (chart && chart.getWidth() !== box.clientWidth) figure.redraw();
   }).observe(box);
   controls.update(state);
   return figure;

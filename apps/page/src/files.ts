@@ -1,5 +1,5 @@
 // Files that the reader saves from the page.
-import { chart_in } from "./charts";
+import { canvas_of } from "./charts";
 import { csv_of } from "./csv";
 import type { Picture, State } from "./picture";
 import { caption_of, drawn, kCaption_px, stilled, svg_file } from "./still";
@@ -29,21 +29,18 @@ export const save_svg = (picture: Picture, state: State): void => {
 // On light or dark paper, as the page is.
 export const save_png = (picture: Picture, state: State): void => {
   const width_px = width_of(state);
-  const chart = chart_in(document.createElement("div"), width_px, picture.height_px, kPixels);
   const { dark } = state.look;
-  chart.setOption(drawn(picture, stilled(state, dark, width_px, picture.height_px)));
   const canvas = document.createElement("canvas");
   canvas.width = width_px * kPixels;
   canvas.height = (picture.height_px + kCaption_px) * kPixels;
   const pen = canvas.getContext("2d");
-  if (pen) {
-    pen.fillStyle = colours(dark).paper;
-    pen.fillRect(0, 0, canvas.width, canvas.height);
-    pen.fillStyle = colours(dark).ink;
-    pen.font = `600 ${16 * kPixels}px ${font}`;
-    pen.fillText(caption_of(picture, state), 12 * kPixels, 23 * kPixels);
-    pen.drawImage(chart.renderToCanvas({ pixelRatio: kPixels }), 0, kCaption_px * kPixels);
-    canvas.toBlob((blob) => blob && save(`${picture.name}.png`, blob), "image/png");
-  }
-  chart.dispose();
+  if (!pen) return;
+  pen.fillStyle = colours(dark).paper;
+  pen.fillRect(0, 0, canvas.width, canvas.height);
+  pen.fillStyle = colours(dark).ink;
+  pen.font = `600 ${16 * kPixels}px ${font}`;
+  pen.fillText(caption_of(picture, state), 12 * kPixels, 23 * kPixels);
+  const option = drawn(picture, stilled(state, dark, width_px, picture.height_px));
+  pen.drawImage(canvas_of(option, width_px, picture.height_px, kPixels), 0, kCaption_px * kPixels);
+  canvas.toBlob((blob) => blob && save(`${picture.name}.png`, blob), "image/png");
 };

@@ -3,8 +3,7 @@ import type { View } from "./view";
 import { panned, zoomed } from "./window";
 
 export const kKeys =
-  "Drag moves, Ctrl+wheel or + and − zoom, arrow keys move, 0 or a double click shows all. " +
-  "Shift+drag selects a stretch, Escape clears it. Comma and full stop read the values out point by point.";
+  "Ctrl+wheel, + − zoom · drag, ← → move · 0, double click show all · Shift+drag select a stretch · , . read the values";
 
 export const listen_to_keys = (view: View, step: (by: number) => void): void => {
   view.box.addEventListener("keydown", (event) => {

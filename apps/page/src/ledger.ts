@@ -46,11 +46,14 @@ export const ledger_section = (report: Report): Section[] => {
       tables: [table_of(ledger)],
       pictures: targets.map((target, k) => {
         const steps = ledger_steps(ledger, target);
+        const rows = ledger.rows.filter((row) => row.target === target);
+        const untold = rows.some((row, i) => typeof row.best_fake_fall === "number" && steps[i]?.fake_fall === null);
+        const several = untold ? " Where several effects were added at once, the line of the fake is not known." : "";
         const number = targets.length > 1 ? `-${k + 1}` : "";
         return waterfall({
           name: `ledger${number}`,
           title: `Error of ${plain(target, 60)} from revision to revision`,
-          about: `${no_evidence}${not_known(steps)}`,
+          about: `${no_evidence}${several}${not_known(steps, !untold)}`,
           steps,
         });
       }),

@@ -16,7 +16,12 @@ export const magnifications = [100, 200, 500, 1000, 2000, 5000, 10000, 20000, 50
 // Share of the picture's radius that the deviations take, at most, where the magnification is chosen automatically.
 const kShare = 0.4;
 
-export const radial_scale = (least_um: number, largest_um: number, nominal_um: number, chosen: number | null): RadialScale => {
+export const radial_scale = (
+  least_um: number,
+  largest_um: number,
+  nominal_um: number,
+  chosen: number | null,
+): RadialScale => {
   const least = Math.min(0, least_um);
   const largest = Math.max(0, largest_um);
   const span = Math.max(largest - least, 1e-3);

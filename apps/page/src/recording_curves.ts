@@ -17,6 +17,10 @@ export const kept_readings = (values: readonly Num[], stretches: number): number
 
 export const picked = <T>(values: readonly T[], at: readonly number[]): T[] => at.map((i) => values[i] as T);
 
+// What is drawn of the measured: the deviation from the nominal circle, or the residual from the fitted one.
+export const measured = (recording: Recording, centred: boolean): readonly Num[] =>
+  (centred ? recording.trace?.residual_um : recording.trace?.deviation_um) ?? [];
+
 // Names of the effects that any of these has, in their order.
 export const effects_of = (recordings: readonly Recording[]): string[] => [
   ...new Set(recordings.flatMap((recording) => recording.trace?.effects.map(({ effect }) => effect) ?? [])),

@@ -18,7 +18,9 @@ const both = (a: Recording, b: Recording): boolean =>
 // Labels from files may be long and may be the same; those of a list must differ.
 export const labels_of = (recordings: readonly Recording[]): string[] => {
   const labels = recordings.map((recording) => plain(recording.label, 60));
-  return labels.map((label, k) => (labels.indexOf(label) === k && labels.lastIndexOf(label) === k ? label : `${label} (${k + 1})`));
+  return labels.map((label, k) =>
+    labels.indexOf(label) === k && labels.lastIndexOf(label) === k ? label : `${label} (${k + 1})`,
+  );
 };
 
 export const one_by_one = (recordings: readonly Recording[]): Group[] => {
@@ -32,7 +34,9 @@ export const pairs_and_singles = (recordings: readonly Recording[]): Group[] => 
     const next = recordings[k + 1];
     if (!next || !both(recording, next)) return [];
     const name = plain(recording.label, 60).replace(/[,\s]*(CCW|CW)$/, "");
-    return [{ value: `${k}+${k + 1}`, label: `${name}, ${recording.direction} and ${next.direction}`, of: [recording, next] }];
+    return [
+      { value: `${k}+${k + 1}`, label: `${name}, ${recording.direction} and ${next.direction}`, of: [recording, next] },
+    ];
   });
   return [...pairs, ...one_by_one(recordings)];
 };
@@ -49,5 +53,9 @@ export const repeated = (recordings: readonly Recording[], at_least: number): Gr
   }
   return [...groups]
     .filter(([, of]) => of.length >= at_least)
-    .map(([key, of]) => ({ value: plain(key, 60), label: plain(key, 60), of: [...of].sort((a, b) => (a.time_s ?? 0) - (b.time_s ?? 0)) }));
+    .map(([key, of]) => ({
+      value: plain(key, 60),
+      label: plain(key, 60),
+      of: [...of].sort((a, b) => (a.time_s ?? 0) - (b.time_s ?? 0)),
+    }));
 };

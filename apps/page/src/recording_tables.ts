@@ -64,7 +64,9 @@ const table_of = (group: readonly Results[]): TextTable => {
   const first = group[0]?.rows ?? [];
   const labels = full_labels(first);
   const stored = group.some(has_stored);
-  const title = of_a_recording(group[0] as Results) ? "Recordings, beside what the file stores" : "Both directions, ISO 230-4";
+  const title = of_a_recording(group[0] as Results)
+    ? "Recordings, beside what the file stores"
+    : "Both directions, ISO 230-4";
   const names = group.map((results) => plain(results.of, 60));
   if (group.length <= 2) {
     return {

@@ -28,8 +28,14 @@ export const recordings_section = (report: Report): Section[] => {
   const circles = fit.recordings.filter((recording) => recording.kind === "circle");
   const axial = fit.recordings.filter((recording) => recording.kind === "axial");
   const tables = recording_tables(fit, circles, axial, {
-    circle: circles.length === drawn_circles.length ? { picture: "recording-circle", key: "recording", values: each(circles) } : undefined,
-    axial: axial.length === drawn_axial.length && axial.length > 1 ? { picture: "axial", key: "recording", values: each(axial) } : undefined,
+    circle:
+      circles.length === drawn_circles.length
+        ? { picture: "recording-circle", key: "recording", values: each(circles) }
+        : undefined,
+    axial:
+      axial.length === drawn_axial.length && axial.length > 1
+        ? { picture: "axial", key: "recording", values: each(axial) }
+        : undefined,
   });
   return [{ id: "recordings", heading: "Recordings", sentences: fit.remarks, tables, pictures }];
 };

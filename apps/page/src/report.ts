@@ -170,7 +170,7 @@ export interface Candidate extends Bound {
   inseparable_from: string[];
   also_drawn_by: string[];
   parameters: Parameter[];
-  curve_um: Num[]; // for the page: what it would add, mean taken off, at the rows of the checked series
+  curve_um: Num[]; // for the page: what it adds that the model cannot make itself, at the rows of the checked series
 }
 export interface Diagnosed {
   target: string;
@@ -187,6 +187,7 @@ export interface Diagnosed {
   floor_um: Num;
   untestable: { effect: string; why: string }[];
   not_searched: { effect: string; choices_of_columns: number; searched: number }[];
+  refit_um: Num[]; // for the page: by what the model's own parameters give way beside what is missing, same rows
   reasons: string[];
   next_test: { text: string; separation: Num } | null;
   next_test_text: string; // as the terminal has it; empty: none is needed
@@ -236,6 +237,7 @@ export interface Report {
   format: "ballbar-report 1";
   title: string;
   made_by: string; // "ballbar 0.1.0"
+  made_on: string; // "2026-11-22"
   files: string[];
   summary: string[]; // the conclusions, whole sentences, first to be read
   fit?: FitPart;

@@ -16,7 +16,7 @@ export interface RoundCurve {
   width_px: number;
   angle_deg: readonly number[];
   value_um: readonly Num[];
-  silent?: boolean; // not in the text under the mouse
+  beside?: boolean; // no readings: the rings may be named where it is
 }
 
 const signed = (value: number): string => `${value > 0 ? "+" : ""}${shown(value)}`;
@@ -24,11 +24,18 @@ const signed = (value: number): string => `${value > 0 ? "+" : ""}${shown(value)
 const rings = (scale: RadialScale, at_deg: number, look: Look, radius_px: number): Record<string, unknown>[] => {
   const c = colours(look.dark);
   const whole_turn = Array.from({ length: 121 }, (_, k) => 3 * k);
-  const nominal = curve("nominal", c.faint, "solid", 1.5, whole_turn.map((angle) => [0, angle]), {
-    silent: true,
-    tooltip: { show: false },
-    z: 1,
-  });
+  const nominal = curve(
+    "nominal",
+    c.faint,
+    "solid",
+    1.5,
+    whole_turn.map((angle) => [0, angle]),
+    {
+      silent: true,
+      tooltip: { show: false },
+      z: 1,
+    },
+  );
   // Where rings are close only every second, third ... has its deviation written at it; the nominal one always.
   const apart_px = (scale.ring_step_um / (scale.outside_um - scale.middle_um)) * radius_px;
   const every = Math.max(1, Math.ceil(18 / apart_px));
@@ -79,15 +86,14 @@ export const round_option = (
       if (value !== null && value < scale.middle_um) ++beyond;
       return [value !== null && value >= scale.middle_um ? value : null, within_turn(angle)];
     });
-    const more = { coordinateSystem: "polar", z: 3, ...(one.silent ? { silent: true, tooltip: { show: false } } : {}) };
-    return curve(one.name, one.colour, one.dash, one.width_px, data, more);
+    return curve(one.name, one.colour, one.dash, one.width_px, data, { coordinateSystem: "polar", z: 3 });
   });
   const note = [
     `magnified ${shown(scale.magnification)} times`,
     `rings every ${shown(scale.ring_step_um)} µm`,
     ...(beyond > 0 ? ["part of the curve is beyond the middle:", "choose less magnification"] : []),
   ].join("\n");
-  const angles = curves.filter((one) => !one.silent).flatMap((one) => one.angle_deg);
+  const angles = curves.filter((one) => !one.beside).flatMap((one) => one.angle_deg);
   return {
     ...base(look),
     polar: { center: [look.width_px / 2, top + (look.height_px - top - 8) / 2], radius },
@@ -117,9 +123,24 @@ export const round_option = (
       ...tooltip(look),
       trigger: "axis",
       axisPointer: { type: "line", lineStyle: { color: c.faint, type: "dashed" } },
-      formatter: hover_text({ x: 1, y: 0, head: (angle) => `${shown(angle, 1)}°`, unit: "µm" }),
+      formatter: hover_text({
+        drawn: lines,
+        x: 1,
+        y: 0,
+        head: (angle) => `${shown(within_turn(angle), 1)}°`,
+        unit: "µm",
+        turn: true,
+      }),
     },
-    graphic: [{ type: "text", left: 8, bottom: 8, silent: true, style: { text: note, fill: c.faint, fontSize: 12, fontFamily: font } }],
+    graphic: [
+      {
+        type: "text",
+        left: 8,
+        bottom: 8,
+        silent: true,
+        style: { text: note, fill: c.faint, fontSize: 12, lineHeight: 17, fontFamily: font },
+      },
+    ],
     series: [...rings(scale, free_angle_deg(angles), look, radius), ...lines, ...marks],
   };
 };

@@ -25,12 +25,16 @@ export const section_of = (section: Section, shared: Shared): HTMLElement => {
   const made = element("section", { id: section.id, "aria-labelledby": `${section.id}-heading` });
   made.append(element("h2", { id: `${section.id}-heading` }, section.heading));
   made.append(...section.sentences.map((sentence) => text_in("p", sentence)));
+  const of_none = ({ choose }: TextTable): boolean => !section.pictures.some(({ name }) => name === choose?.picture);
   for (const picture of section.pictures) {
     const figure = figure_of(picture, shared);
     shared.add(figure);
     made.append(figure.element);
+    // What is chosen in a table is looked at right above it.
+    const choosing = section.tables.filter(({ choose }) => choose?.picture === picture.name);
+    made.append(...choosing.map((table) => text_table(table, shared)));
   }
-  made.append(...section.tables.map((table) => text_table(table, shared)));
+  made.append(...section.tables.filter(of_none).map((table) => text_table(table, shared)));
   for (const { title, items } of section.lists ?? []) {
     if (items.length === 0) continue;
     made.append(element("h3", {}, title), element("ul", {}, ...items.map((item) => text_in("li", item))));

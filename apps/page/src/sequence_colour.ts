@@ -2,8 +2,16 @@
 // that the order is seen with any colour vision and in grey. The end that is too near to the paper is left out.
 
 const viridis = [
-  [68, 1, 84], [72, 40, 120], [62, 73, 137], [49, 104, 142], [38, 130, 142], [31, 158, 137], [53, 183, 121], [110, 206, 88],
-  [181, 222, 43], [253, 231, 37],
+  [68, 1, 84],
+  [72, 40, 120],
+  [62, 73, 137],
+  [49, 104, 142],
+  [38, 130, 142],
+  [31, 158, 137],
+  [53, 183, 121],
+  [110, 206, 88],
+  [181, 222, 43],
+  [253, 231, 37],
 ] as const;
 
 // `place` from 0, the first, to 1, the last.
@@ -18,7 +26,14 @@ export const sequence_colour = (place: number, dark: boolean): string => {
 };
 
 // A bar of the scale with what its ends mean, at the right edge of a drawing, from `top_px` down.
-export const sequence_bar = (first: string, last: string, dark: boolean, ink: string, font: string, top_px: number): Record<string, unknown> => ({
+export const sequence_bar = (
+  first: string,
+  last: string,
+  dark: boolean,
+  ink: string,
+  font: string,
+  top_px: number,
+): Record<string, unknown> => ({
   type: "group",
   right: 20,
   top: top_px,

@@ -10,12 +10,13 @@ const known = (points: readonly Uncertain[]): [number, number, number][] =>
 
 const kCap_px = 4;
 
-const common = (points: readonly Uncertain[]): Record<string, unknown> => ({
+const common = (points: readonly Uncertain[], colour: string): Record<string, unknown> => ({
   type: "custom",
   name: "",
   data: known(points),
   dimensions: ["x", "low", "high"],
   encode: { x: 0, y: [1, 2] },
+  itemStyle: { color: colour },
   silent: true,
   clip: true,
   tooltip: { show: false },
@@ -23,7 +24,7 @@ const common = (points: readonly Uncertain[]): Record<string, unknown> => ({
 });
 
 export const sigma_bars = (points: readonly Uncertain[], colour: string): Record<string, unknown> => ({
-  ...common(points),
+  ...common(points, colour),
   z: 3,
   renderItem: (_: CustomSeriesRenderItemParams, api: CustomSeriesRenderItemAPI) => {
     const low = api.coord([api.value(0), api.value(1)]);
@@ -42,7 +43,7 @@ export const sigma_bars = (points: readonly Uncertain[], colour: string): Record
 export const sigma_band = (points: readonly Uncertain[], colour: string): Record<string, unknown> => {
   const ends = known(points);
   return {
-    ...common(points),
+    ...common(points, colour),
     z: 1,
     renderItem: (params: CustomSeriesRenderItemParams, api: CustomSeriesRenderItemAPI) => {
       // All of the band is drawn with its first point.

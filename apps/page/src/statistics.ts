@@ -11,7 +11,8 @@ export interface Statistics {
   change: number; // last less first
 }
 
-// One entry a column of numbers with a value in the stretch; the first column is x.
+// One entry a column of numbers with a value in the stretch. The first column is x; of standard deviations there is
+// nothing to say.
 export const statistics_within = (numbers: Numbers, stretch: readonly [number, number]): Statistics[] => {
   const x = numbers.columns[0]?.values ?? [];
   const inside: number[] = [];
@@ -19,6 +20,7 @@ export const statistics_within = (numbers: Numbers, stretch: readonly [number, n
     if (typeof value === "number" && value >= stretch[0] && value <= stretch[1]) inside.push(row);
   });
   return numbers.columns.slice(1).flatMap(({ name, values }) => {
+    if (/(^|_)sigma(_|$)/.test(name)) return [];
     let n = 0;
     let mean = 0;
     let squares = 0; // of the differences from the mean, by Welford's recurrence

@@ -26,7 +26,9 @@ export const stilled = (state: State, dark: boolean, width_px: number, height_px
   look: { dark, width_px, height_px, still: true },
 });
 
-export const drawn = (picture: Picture, state: State): EChartsCoreOption => with_stretch(picture.draw(state), state);
+// All at once: of a drawing in steps, paper and files would have the first only.
+export const drawn = (picture: Picture, state: State): EChartsCoreOption =>
+  with_stretch({ progressive: 0, ...picture.draw(state) }, state);
 
 // The title, and which of several is shown: it cannot be seen from the drawing.
 export const caption_of = (picture: Picture, state: State): string => {

@@ -3,6 +3,7 @@ import { button, element } from "./elements";
 import type { Numbers } from "./picture";
 import { statistics_within } from "./statistics";
 import { table_of } from "./table";
+import { capital } from "./text";
 import { shown } from "./theme";
 import { split_name, words } from "./units";
 import type { Range } from "./window";
@@ -21,7 +22,7 @@ const table = (stretch: Range, numbers: Numbers): HTMLElement => {
     const values = [one.mean, one.deviation, one.least, one.largest, one.change].map((value) => shown(value));
     return [words(quantity), unit, String(one.n), ...values];
   });
-  const title = `${words(x.quantity)} from ${shown(stretch[0])} to ${shown(stretch[1])} ${x.unit}`;
+  const title = `${capital(words(x.quantity))} from ${shown(stretch[0])} to ${shown(stretch[1])} ${x.unit}`;
   return rows.length > 0 ? table_of({ title, heading, rows }) : element("p", { class: "note" }, `${title}: no values.`);
 };
 

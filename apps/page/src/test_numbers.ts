@@ -10,7 +10,9 @@ export const test_numbers = (tests: readonly Test[], quantity: string): Numbers 
     { name: "test", values: tests.flatMap((test) => test.angle_deg.map(() => test.name)) },
     {
       name: "test_time_min",
-      values: tests.flatMap(({ angle_deg, recording: { time_s } }) => angle_deg.map(() => (time_s === null ? null : minutes(time_s)))),
+      values: tests.flatMap(({ angle_deg, recording: { time_s } }) =>
+        angle_deg.map(() => (time_s === null ? null : minutes(time_s))),
+      ),
     },
   ],
 });

@@ -21,7 +21,10 @@ export const clamped = (text: string, most: number): string => {
 };
 
 // Part of the name of a file.
-export const slug = (text: string): string => plain(text, 40).replace(/[^A-Za-z0-9_-]+/g, "-").replace(/^-+|-+$/g, "") || "x";
+export const slug = (text: string): string =>
+  plain(text, 40)
+    .replace(/[^A-Za-z0-9_-]+/g, "-")
+    .replace(/^-+|-+$/g, "") || "x";
 
 // A sentence that begins with this name or phrase.
 export const capital = (text: string): string => text.slice(0, 1).toUpperCase() + text.slice(1);

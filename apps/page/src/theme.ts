@@ -88,11 +88,11 @@ export const tooltip = (look: Look): Record<string, unknown> => ({
 });
 
 // The marks of a legend; without these ECharts puts a dot on every line.
-const icons: Record<Toggle["mark"], string> = {
+const icons: Record<Toggle["mark"], string | undefined> = {
   line: "path://M0,0h24v2h-24z",
   dashed: "path://M0,0h6v2h-6zM9,0h6v2h-6zM18,0h6v2h-6z",
   dotted: "path://M0,0h3v2h-3zM7,0h3v2h-3zM14,0h3v2h-3zM21,0h3v2h-3z",
-  dot: "circle",
+  dot: undefined, // the symbol that the points have
   band: "roundRect",
   bar: "rect",
 };
@@ -104,6 +104,7 @@ export const legend = (state: State, toggles: readonly Toggle[]): Record<string,
         show: true,
         top: 4,
         textStyle: { color: colours(state.look.dark).ink },
+        itemWidth: 20,
         itemHeight: 10,
         data: toggles.filter((t) => !state.hidden.has(t.key)).map((t) => ({ name: t.label, icon: icons[t.mark] })),
       }

@@ -7,8 +7,8 @@ import { kBottom_px, kLeft_px, kRight_px, top_px } from "./plot_grid";
 import { reading_in } from "./reading";
 import type { Num } from "./report";
 import { sigma_band, sigma_bars, type Uncertain } from "./sigma_marks";
-import { axis, base, curve_colour, dashes, legend, tooltip } from "./theme";
-import { time_axis } from "./time_axis";
+import { base, curve_colour, dashes, legend, tooltip } from "./theme";
+import { time_axis, value_axis } from "./time_axis";
 import { unit_shown } from "./units";
 import type { Range } from "./window";
 
@@ -57,8 +57,7 @@ const series_of = (one: TimeCurve, state: State, step: boolean): Record<string, 
   const colour = curve_colour(one.colour, state.look.dark);
   const marked = !step && points.length <= kMarked;
   const line = curve(one.label, colour, dashes[one.dash % dashes.length] ?? "solid", marked ? 1.8 : 1.5, points, {
-    showSymbol: marked,
-    showAllSymbol: true,
+    ...(marked ? { showSymbol: true, showAllSymbol: true, symbol: "circle", symbolSize: 6 } : {}),
     ...(step ? { step: "end" } : {}),
     z: 2,
   });
@@ -86,10 +85,11 @@ export const time_curves = (of: TimeCurves): Picture => {
         right: kRight_px,
         top: top_px(state.look, seen(state).map((one) => one.label)),
         bottom: kBottom_px,
+        outerBoundsMode: "none",
       },
       tooltip: { ...tooltip(state.look), trigger: "axis", formatter: reading_in(unit) },
       xAxis: time_axis(state.look, state.window ?? of.whole_min),
-      yAxis: axis(state.look, `${of.quantity}, ${unit}`, "y"),
+      yAxis: value_axis(state.look, `${of.quantity}, ${unit}`),
       series: seen(state).flatMap((one) => series_of(one, state, of.step ?? false)),
     }),
     numbers: (state) =>

@@ -15,7 +15,14 @@ const kRight_px = 20;
 const kBetween_px = 26;
 const kBottom_px = 48;
 
-// An x axis. The ends of a window are no round numbers and so have no label; without a window `all` has the limits.
+// From the first to the last of these; the last is seldom a round number, so it has no label.
+export const time_limits = (times: readonly number[]): Record<string, unknown> => {
+  const [first, last] = [times[0], times[times.length - 1]];
+  return first !== undefined && last !== undefined && last > first ? { min: first, max: last } : {};
+};
+
+// An x axis. The ends of a window are no round numbers and so have no label; without a window `all` has the limits,
+// whose ends have none either unless they come with the interval of the ticks.
 export const x_axis = (
   look: Look,
   name: string,
@@ -23,10 +30,15 @@ export const x_axis = (
   all: Record<string, unknown> = {},
 ): Record<string, unknown> => {
   const common = axis(look, name, "x");
+  const round = !("max" in all) || "interval" in all;
   const label = {
     ...(common["axisLabel"] as Record<string, unknown>),
     formatter: (value: number) => shown(value),
-    ...(window ? { showMinLabel: false, showMaxLabel: false } : {}),
+    ...(window
+      ? { showMinLabel: false, showMaxLabel: false }
+      : round
+        ? {}
+        : { showMinLabel: all["min"] === 0, showMaxLabel: false }),
   };
   return { ...common, ...(window ? { min: window[0], max: window[1] } : all), axisLabel: label };
 };

@@ -1,10 +1,10 @@
 // A recording against the angle: its deviation with the fitted circle, and below what the circle leaves.
 import { unwrapped } from "./angles";
-import { direction_colour } from "./circle_picture";
 import { curve, type Dash, type Point } from "./curve";
 import { hover_text } from "./hover";
 import type { Picture, State, Toggle } from "./picture";
 import { effects_of, kept_readings, picked, recording_numbers } from "./recording_curves";
+import { direction_colour, effect_colour } from "./recording_colours";
 import type { Group } from "./recording_groups";
 import type { Num, Recording } from "./report";
 import { plain } from "./text";
@@ -26,7 +26,7 @@ const toggles_of = (recordings: readonly Recording[]): Toggle[] => [
   ...effects_of(recordings).map((effect, k): Toggle => ({
     key: `effect ${effect}`,
     label: plain(effect, 60),
-    colour: (dark) => curve_colour(4 + k, dark),
+    colour: (dark) => effect_colour(k, dark),
     mark: "dashed",
     on: false,
   })),
@@ -63,7 +63,12 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
     height_px: 460,
     zoom: "own",
     choices: [
-      { key: "recording", label: "Recording", values: groups.map(({ value, label }) => ({ value, label })), initial: groups[0]?.value ?? "" },
+      {
+        key: "recording",
+        label: "Recording",
+        values: groups.map(({ value, label }) => ({ value, label })),
+        initial: groups[0]?.value ?? "",
+      },
     ],
     toggles: ({ chosen }) => toggles_of(chosen_of(chosen)),
     draw: (state) => {
@@ -81,28 +86,63 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
         const { trace } = recording;
         const at = angles[k] ?? [];
         if (!trace) return [];
-        const line = (name: string, values: readonly Num[], colour: string, dash: Dash, width: number, more: Record<string, unknown> = {}): Record<string, unknown> =>
-          curve(name, colour, dash, width, points_of(at, values, stretches), more);
+        const line = (
+          name: string,
+          values: readonly Num[],
+          colour: string,
+          dash: Dash,
+          width: number,
+          more: Record<string, unknown> = {},
+        ): Record<string, unknown> => curve(name, colour, dash, width, points_of(at, values, stretches), more);
         const colour = direction_colour(recording)(look.dark);
         return [
           ...(on(`trace${k}`)
             ? [
                 line(name_of(recording), trace.deviation_um, colour, dash_of(recording), 1.4),
-                line(name_of(recording), trace.residual_um, colour, dash_of(recording), 1.2, below),
+                line(name_of(recording), trace.residual_um, colour, dash_of(recording), 1.2, {
+                  ...below,
+                  hover_name: `residual, ${recording.direction ?? "circle"}`,
+                }),
               ]
             : []),
-          ...(on("fitted") ? [line("fitted circle", trace.fitted_um, curve_colour(2, look.dark), recordings.length > 1 && k > 0 ? "dotted" : "dashed", 1.6)] : []),
+          ...(on("fitted")
+            ? [
+                line(
+                  "fitted circle",
+                  trace.fitted_um,
+                  curve_colour(2, look.dark),
+                  recordings.length > 1 && k > 0 ? "dotted" : "dashed",
+                  1.6,
+                  recordings.length > 1 ? { hover_name: `fitted circle, ${recording.direction}` } : {},
+                ),
+              ]
+            : []),
           ...effects_of(recordings).flatMap((effect, e) => {
             const values = trace.effects.find((one) => one.effect === effect)?.values_um;
             if (!values || !on(`effect ${effect}`)) return [];
-            return [line(plain(effect, 60), values, curve_colour(4 + e, look.dark), dashes[(1 + e + 2 * k) % dashes.length] ?? "dotted", 1.8, below)];
+            return [
+              line(
+                plain(effect, 60),
+                values,
+                effect_colour(e, look.dark),
+                dashes[(1 + e + 2 * k) % dashes.length] ?? "dotted",
+                1.8,
+                below,
+              ),
+            ];
           }),
         ];
       });
       const zero = curve("zero", c.faint, "solid", 0, [], {
         ...below,
         silent: true,
-        markLine: { silent: true, symbol: "none", label: { show: false }, lineStyle: { color: c.faint, type: "solid", width: 1 }, data: [{ yAxis: 0 }] },
+        markLine: {
+          silent: true,
+          symbol: "none",
+          label: { show: false },
+          lineStyle: { color: c.faint, type: "solid", width: 1 },
+          data: [{ yAxis: 0 }],
+        },
       });
       return {
         ...base(look),
@@ -111,7 +151,11 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
         yAxis: grids.yAxis,
         axisPointer: grids.axisPointer,
         legend: legend(state, toggles_of(recordings)),
-        tooltip: { ...tooltip(look), trigger: "axis", formatter: hover_text({ x: 0, y: 1, head: (angle) => `${shown(angle, 2)}°`, unit: "µm" }) },
+        tooltip: {
+          ...tooltip(look),
+          trigger: "axis",
+          formatter: hover_text({ drawn: series, x: 0, y: 1, head: (angle) => `${shown(angle, 2)}°`, unit: "µm" }),
+        },
         series: [...series, zero],
       };
     },

@@ -1,0 +1,67 @@
+// Chromium, and reports opened in it. What must never happen is kept in `wrong`: errors, dialogs, anything loaded.
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+export const launched = () =>
+  chromium.launch({
+    executablePath: process.env.CHROMIUM || "/usr/bin/chromium",
+    args: [
+      "--no-sandbox",
+      "--disable-gpu",
+      "--disable-quic",
+      "--no-first-run",
+      "--disable-background-networking",
+      "--disable-component-update",
+      "--disable-sync",
+    ],
+  });
+
+// options: as of newContext(), such as colorScheme.
+export const opened = async (browser, file, options = {}) => {
+  const context = await browser.newContext({ viewport: { width: 1100, height: 900 }, ...options });
+  const page = await context.newPage();
+  const wrong = [];
+  const url = pathToFileURL(file).href;
+  page.on("console", (message) => {
+    if (["error", "warning", "assert"].includes(message.type())) wrong.push(`${message.type()}: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => wrong.push(`exception: ${error.message}`));
+  page.on("dialog", (dialog) => {
+    wrong.push(`dialog: ${dialog.message()}`);
+    dialog.dismiss().catch(() => {});
+  });
+  page.on("popup", () => wrong.push("a window was opened"));
+  page.on("request", (request) => {
+    if (request.url() !== url && !/^(data|blob):/.test(request.url())) wrong.push(`loaded: ${request.url()}`);
+  });
+  await page.goto(url);
+  await page.waitForSelector("html[data-ready]", { state: "attached" });
+  return { page, wrong, close: () => context.close() };
+};
+
+export const figure = (page, name) => page.locator(`figure[data-picture="${name}"]`);
+
+// Scrolled to and drawn.
+export const seen = async (page, name) => {
+  await page.evaluate(async (name) => {
+    const one = window.ballbar.figures.get(name);
+    one.element.scrollIntoView({ block: "center", behavior: "instant" });
+    const frame = () => new Promise(requestAnimationFrame);
+    for (let k = 0; k < 600 && !one.chart(); ++k) await frame();
+    await frame();
+    await frame();
+  }, name);
+  return figure(page, name);
+};
+
+// All that has been asked for is drawn with the next frame.
+export const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+// By a click on its button: { name, path }.
+export const saved = async (page, name, kind) => {
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    figure(page, name).getByRole("button", { name: kind, exact: true }).click(),
+  ]);
+  return { name: download.suggestedFilename(), path: await download.path() };
+};
