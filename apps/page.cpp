@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "ballbar/error.hpp"
+#include "ballbar/nearest_name.hpp"
 #include "finished.hpp"
 #include "page_assets.hpp"
 
@@ -82,30 +82,28 @@ std::string page_of(const Json& report) {
       page::kStyle, as_script(report), page::kScript);
 }
 
-std::vector<NamedPicture> pictures_of(const Json& report, const std::vector<std::string>& names) {
+std::vector<NamedPicture> pictures_of(const Json& report, const PictureOptions& options) {
   std::string script(page::kPictures);
-  script += fmt::format(
-      "\n;{{const report={}; const wanted={}; const all=ballbar_pictures.names(report);"
-      "const unknown=wanted.filter(n=>!all.some(p=>p.name===n));"
-      "const drawn=unknown.length?[]:all.filter(p=>!wanted.length||wanted.includes(p.name))"
-      ".map(p=>({{name:p.name,title:p.title,svg:ballbar_pictures.svg(report,p.name,900,0)}}));"
-      "process.stdout.write(JSON.stringify({{names:all.map(p=>p.name),unknown,drawn}}));}}\n",
-      as_script(report), as_script(Json(names)));
+  script +=
+      fmt::format("\n;process.stdout.write(JSON.stringify(ballbar_pictures.draw({},{},{},{})));\n", as_script(report),
+                  as_script(Json(options.names)), as_script(Json(options.choices)), options.width_px);
   const Finished node = finished("--format svg", {"node", "-"}, script, "NODE_OPTIONS=");
   if (node.not_found) {
     throw Error(
         "--format svg: expected the program node to draw with, found none; on Debian it is in the package nodejs.");
   }
   const Json answer = Json::parse(node.out, nullptr, false);
-  if (node.signal != 0 || node.status != 0 || answer.is_discarded()) {
+  if (node.signal != 0 || node.status != 0 || !answer.is_object()) {
     throw Error(fmt::format("--format svg: expected pictures from node, found it ended with {} {}: {}",
                             node.signal != 0 ? "signal" : "status", node.signal != 0 ? node.signal : node.status,
                             node.err.substr(0, 400)));
   }
-  if (!answer["unknown"].empty()) {
-    throw Error(fmt::format("--picture {}: expected a picture of this report: {}.",
-                            answer["unknown"][0].get<std::string>(),
-                            fmt::join(answer["names"].get<std::vector<std::string>>(), ", ")));
+  if (answer.contains("option")) {
+    const auto known = answer["expected"].get<std::vector<std::string>>();
+    throw Error(fmt::format(
+        "{}: {}{}, found {}.", answer["option"].get<std::string>(),
+        known.empty() ? "expected none, there is nothing to choose in this picture" : "expected one of these: ",
+        fmt::join(known, "; "), in_quotes(answer["found"].get<std::string>())));
   }
   std::vector<NamedPicture> pictures;
   for (const Json& one : answer["drawn"]) {

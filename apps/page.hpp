@@ -19,8 +19,14 @@ struct NamedPicture {
   std::string name, title, svg;
 };
 
-// The pictures of the page by node, run as a process. `names`: only these; empty: all. Throws Error: no node, a name
-// that is no picture of this report, with those that are.
-std::vector<NamedPicture> pictures_of(const nlohmann::ordered_json& report, const std::vector<std::string>& names);
+struct PictureOptions {
+  std::vector<std::string> names;    // only these; empty: all
+  std::vector<std::string> choices;  // "recording=64 min, XY CCW": as the page offers them
+  int width_px = 900;
+};
+
+// The pictures of the page by node, run as a process. Throws Error: no node; a name or a choice that this report does
+// not have, with those that it has.
+std::vector<NamedPicture> pictures_of(const nlohmann::ordered_json& report, const PictureOptions& options);
 
 }  // namespace ballbar

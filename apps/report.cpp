@@ -50,7 +50,7 @@ struct Options {
   bool anyway = false;
   std::string out;
   Format format = Format::html;
-  std::vector<std::string> pictures;
+  PictureOptions pictures;
   bool open = false;
 };
 
@@ -227,8 +227,13 @@ void expect_out(const Options& options) {
     throw Error(fmt::format("--out {}: expected a name that ends in {}, found {}.", options.out, wanted,
                             ending.empty() ? "no ending" : ending));
   }
-  if (!options.pictures.empty() && options.format != Format::svg) {
-    throw Error("--picture: expected --format svg with it; the page has all pictures.");
+  const PictureOptions& pictures = options.pictures;
+  if (options.format != Format::svg && !(pictures.names.empty() && pictures.choices.empty())) {
+    throw Error(fmt::format("--{}: expected --format svg with it; the page has all pictures.",
+                            pictures.names.empty() ? "choose" : "picture"));
+  }
+  if (!pictures.choices.empty() && pictures.names.size() != 1) {
+    throw Error("--choose: expected one --picture with it, whose choice it is.");
   }
   if (options.open && options.format != Format::html) throw Error("--open: expected a page to open, not --format.");
   // Before a long diagnosis rather than after it.
@@ -287,9 +292,17 @@ void add_report(CLI::App& app) {
   add_choice(*command, "--format", {"html", "svg", "json"}, "html",
              "html: the page; svg: its pictures, drawn by node; json: its data",
              [options](std::size_t at) { options->format = static_cast<Format>(at); });
-  command->add_option("--picture", options->pictures, "with --format svg: only this one; may be repeated")
+  command->add_option("--picture", options->pictures.names, "with --format svg: only this one; may be repeated")
       ->type_name("NAME")
       ->allow_extra_args(false);
+  command
+      ->add_option("--choose", options->pictures.choices,
+                   "with --picture: what the page would choose in it, such as \"recording=64 min, XY CCW\"")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--width", options->pictures.width_px, "of --format svg, in pixels; default 900")
+      ->type_name("PX")
+      ->check(CLI::Range(300, 4000));
   command->add_flag("--open", options->open, "open the page in a browser");
   add_five_probe_options(*command, options->probes);
   command->footer(

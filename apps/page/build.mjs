@@ -11,7 +11,14 @@ if (!out) {
 }
 
 // ASCII only: the program may write the bytes wherever it likes.
-const common = { bundle: true, minify: true, target: "es2020", legalComments: "eof", charset: "ascii", logLevel: "warning" };
+const common = {
+  bundle: true,
+  minify: true,
+  target: "es2020",
+  legalComments: "eof",
+  charset: "ascii",
+  logLevel: "warning",
+};
 const script = { ...common, format: "iife", define: { "process.env.NODE_ENV": '"production"' } };
 await build({ ...script, entryPoints: [join(here, "src/main.ts")], outfile: join(out, "page.js") });
 await build({ ...script, entryPoints: [join(here, "src/pictures.ts")], outfile: join(out, "pictures.js") });

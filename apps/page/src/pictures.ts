@@ -1,18 +1,51 @@
 // The pictures without a page: outside a browser this draws each as a file.
-import type { Picture } from "./picture";
+import type { Picture, State } from "./picture";
 import type { Report } from "./report";
 import { sections_of } from "./sections";
-import { initial_state, svg_file } from "./still";
+import { initial_state, kCaption_px, svg_file } from "./figure/still";
 
-const pictures_of = (report: Report): Picture[] => sections_of(report).flatMap((section) => [...section.pictures]);
+interface Drawn {
+  name: string;
+  title: string;
+  svg: string;
+}
+type Answer = { drawn: Drawn[] } | { option: string; found: string; expected: string[] };
 
-const names = (report: Report): { name: string; title: string }[] =>
-  pictures_of(report).map(({ name, title }) => ({ name, title }));
-
-const svg = (report: Report, name: string, width_px: number, height_px: number): string => {
-  const picture = pictures_of(report).find((one) => one.name === name);
-  if (!picture) throw new Error(`There is no picture ${name}.`);
-  return svg_file(picture, initial_state(picture, false, width_px), width_px, height_px);
+// "KEY=VALUE" by what the page lists: the value's label, or the value itself.
+const choose = (picture: Picture, state: State, wanted: string): State | Answer => {
+  const at = wanted.indexOf("=");
+  const key = wanted.slice(0, Math.max(at, 0));
+  const choice = picture.choices.find((one) => one.key === key);
+  if (!choice) {
+    return { option: "--choose", found: wanted, expected: picture.choices.map((one) => `${one.key}=...`) };
+  }
+  const value = choice.values.find((one) => [one.label, one.value].includes(wanted.slice(at + 1)));
+  if (!value) {
+    return { option: "--choose", found: wanted, expected: choice.values.map((one) => `${key}=${one.label}`) };
+  }
+  const chosen = { ...state.chosen, [key]: value.value };
+  const off = picture.toggles({ chosen }).filter((toggle) => !toggle.on);
+  return { ...state, chosen, hidden: new Set(off.map((toggle) => toggle.key)) };
 };
 
-(globalThis as unknown as Record<string, unknown>)["ballbar_pictures"] = { names, svg };
+// The pictures of these names, all where there is none; `choices` are for each of them. Where one is not there, what is.
+const draw = (report: Report, names: readonly string[], choices: readonly string[], width_px: number): Answer => {
+  const all = sections_of(report).flatMap((section) => [...section.pictures]);
+  const unknown = names.find((name) => !all.some((picture) => picture.name === name));
+  if (unknown !== undefined) {
+    return { option: "--picture", found: unknown, expected: all.map((picture) => picture.name) };
+  }
+  const drawn: Drawn[] = [];
+  for (const picture of all.filter(({ name }) => names.length === 0 || names.includes(name))) {
+    let state: State | Answer = initial_state(picture, false, width_px);
+    for (const wanted of choices) {
+      state = choose(picture, state, wanted);
+      if (!("look" in state)) return state;
+    }
+    const svg = svg_file(picture, state, width_px, picture.height_px + kCaption_px);
+    drawn.push({ name: picture.name, title: picture.title, svg });
+  }
+  return { drawn };
+};
+
+(globalThis as unknown as Record<string, unknown>)["ballbar_pictures"] = { draw };

@@ -1,12 +1,12 @@
 // The page's sections, in the order they are read.
-import { batch_section } from "./batch";
-import { comparison_section } from "./comparison";
-import { diagnosis_sections } from "./diagnosis";
-import { drift_section } from "./drift";
-import { ledger_section } from "./ledger";
-import { model_sections } from "./model";
+import { batch_section } from "./batch/batch";
+import { comparison_section } from "./comparison/comparison";
+import { diagnosis_sections } from "./diagnosis/diagnosis";
+import { drift_section } from "./drift/drift";
+import { ledger_section } from "./diagnosis/ledger";
+import { model_sections } from "./model/model";
 import type { Section } from "./picture";
-import { recordings_section } from "./recordings";
+import { recordings_section } from "./recordings/recordings";
 import type { Report } from "./report";
 
 export const sections_of = (report: Report): Section[] => [

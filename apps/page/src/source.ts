@@ -10,6 +10,9 @@ export const embedded = (page: Document): Source => ({
   report() {
     const text = page.getElementById("report")?.textContent;
     if (!text) throw new Error("The page holds no data: the element with the id report is missing or empty.");
-    return JSON.parse(text) as Report;
+    const report = JSON.parse(text) as Report;
+    if (report.format !== "ballbar-report 1")
+      throw new Error(`The page's data are no ballbar-report 1: ${String(report.format)}.`);
+    return report;
   },
 });

@@ -1,0 +1,51 @@
+// What a regression over batches predicts for the job, and whether the job is like its batches.
+import { prediction_picture } from "./batch_prediction";
+import { range_picture } from "./batch_range";
+import { weights_picture } from "./batch_weights";
+import type { Section } from "../picture";
+import type { BatchPart, Report } from "../report";
+import { plain } from "../drawing/text";
+import { shown } from "../drawing/theme";
+
+// As `ballbar predict` says it.
+const agreement = (batch: BatchPart): string[] => {
+  let squares = 0;
+  let within = 0;
+  let n = 0;
+  batch.measured_um?.forEach((value, i) => {
+    const predicted_um = batch.predicted_um[i] ?? null;
+    if (value === null || predicted_um === null) return;
+    squares += (value - predicted_um) ** 2;
+    within += Math.abs(value - predicted_um) <= (batch.half_width_um[i] ?? -1) ? 1 : 0;
+    n += 1;
+  });
+  if (n === 0) return [];
+  const rmse = shown(Math.sqrt(squares / n), 2);
+  return [`Measured less predicted: RMSE ${rmse} um, ${((100 * within) / n).toFixed(0)} % within the 95 % interval.`];
+};
+
+export const batch_section = (report: Report): Section[] => {
+  const { batch } = report;
+  if (!batch) return [];
+  const weights = batch.batches.map(({ weight }) => weight);
+  const weighed = weights.some((weight) => weight !== weights[0]);
+  return [
+    {
+      id: "batch",
+      heading: `${plain(batch.target, 60)} predicted by batches`,
+      sentences: [
+        `${plain(batch.target, 60)} by ${batch.method}, ${batch.batches.length} batches.`,
+        ...agreement(batch),
+        ...batch.warnings,
+      ],
+      tables: [
+        {
+          title: "Batches of the regression",
+          heading: ["batch", "weight"],
+          rows: batch.batches.map(({ name, weight }) => [name, shown(weight, 2)]),
+        },
+      ],
+      pictures: [prediction_picture(batch), range_picture(batch), ...(weighed ? [weights_picture(batch)] : [])],
+    },
+  ];
+};

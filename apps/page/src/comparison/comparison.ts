@@ -1,0 +1,127 @@
+// Two drift series compared: where they agree, and whether their uncertainty explains the rest.
+import { comparison_picture } from "./comparison_picture";
+import type { Section, TextTable } from "../picture";
+import type { ComparePart, ComparedAxis, Num, Report } from "../report";
+import { clamped } from "../drawing/text";
+import { minutes, shown } from "../drawing/theme";
+import { whole_min } from "../drawing/time_axis";
+import { unit_shown, words } from "../drawing/units";
+import { decimals_for, with_sigma } from "../drawing/with_sigma";
+
+const number = (axis: ComparedAxis, key: string): Num => {
+  const value = axis[key];
+  return typeof value === "number" ? value : null;
+};
+
+export const unit_of = (axis: ComparedAxis): string => {
+  const key = Object.keys(axis.points[0] ?? {}).find((one) => one.startsWith("difference_"));
+  return key ? key.slice("difference_".length) : "um";
+};
+
+// Percent, of a share.
+const percent = (share: Num): string => (share === null ? "–" : shown(100 * share, 2));
+
+// A row of the table: what, and how it reads for an axis whose lengths are in `unit`.
+type Row = [string, (axis: ComparedAxis, unit: string) => string];
+
+const length =
+  (name: string): Row[1] =>
+  (axis, unit) => {
+    const value = number(axis, `${name}_${unit}`);
+    return shown(value, decimals_for(number(axis, `rmse_${unit}`), null) - 1);
+  };
+
+const lag = (axis: ComparedAxis): string => {
+  const [lag_s, sigma_s] = [number(axis, "lag_s"), number(axis, "lag_sigma_s")];
+  return lag_s === null ? "–" : with_sigma(minutes(lag_s), sigma_s === null ? null : minutes(sigma_s), 2);
+};
+
+const rows: readonly Row[] = [
+  ["verdict", (axis) => axis.agreement],
+  ["samples within 2 sigma", (axis) => `${shown(number(axis, "within_2_sigma"))} of ${shown(number(axis, "samples"))}`],
+  ["mean relative deviation, %", (axis) => percent(number(axis, "mean_relative_deviation"))],
+  ["expected from sigma alone, %", (axis) => percent(number(axis, "expected_relative_deviation"))],
+  [
+    "share explained by sigma, %",
+    (axis) => shown(number(axis, "explained_share") === null ? null : 100 * (number(axis, "explained_share") ?? 0), 0),
+  ],
+  ["mean deviation, % of the range", (axis) => percent(number(axis, "range_normalised_mean_deviation"))],
+  ["RMSE", length("rmse")],
+  ["largest deviation", length("max")],
+  [
+    "largest deviation at, min",
+    (axis) => shown(number(axis, "max_at_s") === null ? null : minutes(number(axis, "max_at_s") ?? 0)),
+  ],
+  ["bias", length("bias")],
+  ["95 % limits of agreement, low", length("loa_low")],
+  ["95 % limits of agreement, high", length("loa_high")],
+  ["correlation", (axis) => shown(number(axis, "correlation"), 4)],
+  ["lag of best agreement, min", lag],
+];
+
+const statistics_table = (axes: readonly [string, ComparedAxis][]): TextTable => ({
+  title: "How well they agree",
+  heading: ["", ...axes.map(([name, axis]) => `${words(name)}, ${unit_shown(unit_of(axis))}`)],
+  rows: rows.map(([label, text]) => [label, ...axes.map(([, axis]) => text(axis, unit_of(axis)))]),
+});
+
+interface Source {
+  source: string;
+  share: number;
+  [sigma: string]: unknown;
+}
+
+const budget_of = (axis: ComparedAxis): Source[] => (Array.isArray(axis["budget"]) ? (axis["budget"] as Source[]) : []);
+
+// Root mean square over the samples of each source's standard deviation, and its share of the variance.
+const budget_table = (axes: readonly [string, ComparedAxis][]): TextTable[] => {
+  const sources = [...new Set(axes.flatMap(([, axis]) => budget_of(axis).map(({ source }) => source)))];
+  if (sources.length === 0) return [];
+  const cell = (source: string, axis: ComparedAxis): string => {
+    const one = budget_of(axis).find((entry) => entry.source === source);
+    if (!one) return "–";
+    const sigma = one[`sigma_${unit_of(axis)}`];
+    return `${shown(typeof sigma === "number" ? sigma : null, 3)} (${shown(100 * one.share, 0)} %)`;
+  };
+  return [
+    {
+      title: "One standard deviation of a difference, and its share of the variance",
+      heading: ["source", ...axes.map(([name, axis]) => `${words(name)}, ${unit_shown(unit_of(axis))}`)],
+      rows: sources.map((source) => [source, ...axes.map(([, axis]) => cell(source, axis))]),
+    },
+  ];
+};
+
+const sentences_of = (compare: ComparePart): string[] => [
+  compare.conclusion,
+  `A: ${compare.a}.`,
+  `B: ${compare.b}.`,
+  "A sample agrees if its difference is at most two standard deviations. Lag is positive where A is late.",
+  ...compare.remarks,
+];
+
+export const comparison_section = (report: Report): Section[] => {
+  const { compare } = report;
+  if (!compare) return [];
+  const axes = Object.entries(compare.axes);
+  const whole = whole_min(axes.map(([, axis]) => axis.points.map((point) => minutes(point.time_s))));
+  return [
+    {
+      id: "comparison",
+      heading: "Comparison",
+      sentences: sentences_of(compare),
+      tables: [statistics_table(axes), ...budget_table(axes)],
+      pictures: axes.map(([name, axis], k) =>
+        comparison_picture({
+          name,
+          axis,
+          k,
+          unit: unit_of(axis),
+          a: clamped(compare.a, 60),
+          b: clamped(compare.b, 60),
+          whole_min: whole,
+        }),
+      ),
+    },
+  ];
+};

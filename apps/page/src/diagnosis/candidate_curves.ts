@@ -1,0 +1,95 @@
+// The curves of the picture of candidates: the residual, the best set, and the candidate that is chosen.
+import { curve, type Dash } from "../drawing/curve";
+import type { Toggle } from "../picture";
+import type { Ranked } from "./ranking";
+import type { Num } from "../report";
+import { colours, curve_colour, dashes } from "../drawing/theme";
+
+// A candidate with what it adds that the model cannot make.
+export interface Shown extends Ranked {
+  values_um: readonly Num[];
+}
+
+type Points = readonly [number, Num][];
+
+export interface Curve {
+  toggle: Toggle;
+  values_um: readonly Num[];
+  series: (name: string, colour: string, points: Points) => Record<string, unknown>; // of ECharts
+}
+
+const lined =
+  (dash: Dash, width_px: number): Curve["series"] =>
+  (name, colour, points) =>
+    curve(name, colour, dash, width_px, points);
+
+// As a marker pen draws: below the other curves.
+const highlighted: Curve["series"] = (name, colour, points) =>
+  curve(name, colour, "solid", 8, points, { z: 1, lineStyle: { color: colour, width: 8, opacity: 0.4, cap: "round" } });
+
+const difference = (a: readonly Num[], b: readonly Num[]): Num[] =>
+  a.map((value, i) => {
+    const other = b[i] ?? null;
+    return value === null || other === null ? null : value - other;
+  });
+
+const sum = (columns: readonly (readonly Num[])[]): Num[] =>
+  (columns[0] ?? []).map((_, i) =>
+    columns.reduce((total: Num, column) => {
+      const value = column[i] ?? null;
+      return total === null || value === null ? null : total + value;
+    }, 0),
+  );
+
+export const residual_curve = (residual_um: readonly Num[]): Curve => ({
+  toggle: { key: "residual", label: "measured less model", colour: (dark) => colours(dark).faint, mark: "line", on: true },
+  values_um: residual_um,
+  series: lined("solid", 1),
+});
+
+// Of the k-th effect of a set; the solid line is that of all together.
+const dash_of = (k: number): Dash => dashes[1 + (k % (dashes.length - 1))] ?? "dashed";
+
+// The best set: where it has several effects their sum, which is what stands for the residual, and each of them.
+// What the model gives way by counts once, with the set.
+export const best_curves = (best: readonly Shown[], refit_um: readonly Num[]): Curve[] => {
+  const strong = (label: string, values_um: readonly Num[]): Curve => ({
+    toggle: { key: "best", label, colour: (dark) => curve_colour(1, dark), mark: "line", on: true },
+    values_um,
+    series: lined("solid", 2.2),
+  });
+  const [only, ...others] = best;
+  if (!only) return [];
+  if (others.length === 0) return [strong(only.name, sum([only.values_um, refit_um]))];
+  const each = best.map(
+    (one, k): Curve => ({
+      toggle: {
+        key: `best-${one.key}`,
+        label: one.name,
+        colour: (dark) => curve_colour(k + 2, dark),
+        mark: dash_of(k) === "dotted" ? "dotted" : "dashed",
+        on: true,
+      },
+      values_um: one.values_um,
+      series: lined(dash_of(k), 1.4),
+    }),
+  );
+  return [strong("the best set together", sum([refit_um, ...best.map((one) => one.values_um)])), ...each];
+};
+
+export const chosen_curves = (one: Shown, residual_um: readonly Num[], refit_um: readonly Num[]): Curve[] => {
+  const with_refit = sum([one.values_um, refit_um]);
+  const colour = (dark: boolean): string => curve_colour(0, dark);
+  return [
+    {
+      toggle: { key: "chosen", label: `chosen: ${one.name}`, colour, mark: "band", on: true },
+      values_um: with_refit,
+      series: highlighted,
+    },
+    {
+      toggle: { key: "without", label: "left with the chosen one taken off", colour, mark: "dotted", on: true },
+      values_um: difference(residual_um, with_refit),
+      series: lined("dotted", 1.1),
+    },
+  ];
+};

@@ -1,0 +1,86 @@
+// The tables of a diagnosis, with the figures that `ballbar diagnose` prints. A row that is hovered or focused chooses
+// its curve in the picture of the candidates, where there is one.
+import type { TextTable } from "../picture";
+import { ranked_candidates, ranked_companions, type Ranked } from "./ranking";
+import type { Candidate, Diagnosed, Num } from "../report";
+import { plain } from "../drawing/text";
+import { shown } from "../drawing/theme";
+import { with_sigma } from "../drawing/with_sigma";
+
+// Two digits of the RMSE, at least hundredths.
+const decimals_of = (rmse_um: Num): number =>
+  rmse_um !== null && rmse_um > 0 ? Math.min(6, Math.max(2, 1 - Math.floor(Math.log10(rmse_um)))) : 2;
+
+const change = (before: Num, after: Num, decimals: number): string =>
+  `${shown(before, decimals)} → ${shown(after, decimals)}`;
+
+const chance_text = (p: Num): string =>
+  p === null ? "–" : p < 0.0005 ? "< 0.1 %" : `${(100 * p).toFixed(1)} %`;
+
+// Fakes are tried against the effects of the best set, where they can be.
+const fakes_text = ({ beats_fakes, in_best_set }: Candidate): string =>
+  beats_fakes === null ? (in_best_set ? "not tested" : "–") : beats_fakes ? "yes" : "no";
+
+const kTold = 6; // numbers in a cell
+
+// Numbers of the rows that look the same in these data, and how many more there are.
+const not_told_from = (one: Ranked, all: readonly Ranked[]): string => {
+  const labels = one.candidate.inseparable_from;
+  const rows = labels
+    .map((label) => all.findIndex((other) => other.candidate.label === label) + 1)
+    .filter((row) => row > 0)
+    .sort((a, b) => a - b)
+    .slice(0, kTold);
+  const more = labels.length - rows.length;
+  return [...rows.map(String), ...(more > 0 ? [`${more} more`] : [])].join(", ") || "–";
+};
+
+const choosing = (picture: string | null, ranked: readonly Ranked[]): Pick<TextTable, "choose"> =>
+  picture === null ? {} : { choose: { picture, key: "candidate", values: ranked.map((one) => one.key) } };
+
+export const candidate_table = (found: Diagnosed, left_out: string, picture: string | null): TextTable => {
+  const ranked = ranked_candidates(found);
+  const decimals = decimals_of(found.rmse_um);
+  return {
+    title:
+      "Candidates. * the best set, each beside the others. RMSE with it; held out: " +
+      `${left_out} left out, before and after. Evidence: 2 ln of the likelihood ratio; needed: what 1 % of searches ` +
+      "find by chance; fakes are tried against the best set; not told from: rows, and effects without one.",
+    heading: [
+      "no.", "candidate", "amplitude, µm", "RMSE, µm", "held out, µm", "evidence", "needed", "by chance", "beats fakes",
+      "not told from",
+    ],
+    rows: ranked.map((one, k) => {
+      const c = one.candidate;
+      return [
+        `${k + 1}${c.in_best_set ? "*" : ""}`,
+        plain(c.label, 60),
+        with_sigma(c.amplitude_um, c.amplitude_sigma_um, decimals),
+        shown(c.rmse_after_um, decimals + 1),
+        change(c.held_out_before_um, c.held_out_after_um, decimals),
+        shown(c.evidence, 0),
+        shown(c.evidence_needed, 0),
+        chance_text(c.p_search),
+        fakes_text(c),
+        not_told_from(one, ranked),
+      ];
+    }),
+    ...choosing(picture, ranked),
+  };
+};
+
+export const companion_table = (found: Diagnosed, picture: string | null): TextTable => {
+  const ranked = ranked_companions(found);
+  const decimals = decimals_of(found.rmse_um);
+  return {
+    title: "It goes with. Each alone beside the model; that it goes with something is no proof of a cause.",
+    heading: ["effect", "amplitude, µm", "RMSE, µm", "held out, µm"],
+    rows: ranked.map(({ candidate: c }) => [
+      plain(c.label, 60),
+      with_sigma(c.amplitude_um, c.amplitude_sigma_um, decimals),
+      change(found.rmse_um, c.rmse_after_um, decimals),
+      change(c.held_out_before_um, c.held_out_after_um, decimals),
+    ]),
+    ...choosing(picture, ranked),
+  };
+};

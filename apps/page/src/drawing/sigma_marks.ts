@@ -1,0 +1,65 @@
+// One standard deviation to either side of a curve: bars where its points can be told apart, a band where not.
+import type { CustomSeriesRenderItemAPI, CustomSeriesRenderItemParams } from "echarts";
+import type { Num } from "../report";
+
+// [x, value, sigma]
+export type Uncertain = readonly [number, Num, Num];
+
+const known = (points: readonly Uncertain[]): [number, number, number][] =>
+  points.flatMap(([x, value, sigma]) => (value === null || sigma === null ? [] : [[x, value - sigma, value + sigma]]));
+
+const kCap_px = 4;
+
+const common = (colour: string): Record<string, unknown> => ({
+  type: "custom",
+  name: "",
+  itemStyle: { color: colour },
+  silent: true,
+  clip: true,
+  tooltip: { show: false },
+});
+
+export const sigma_bars = (points: readonly Uncertain[], colour: string): Record<string, unknown> => ({
+  ...common(colour),
+  z: 3,
+  data: known(points),
+  encode: { x: 0, y: [1, 2] },
+  renderItem: (_: CustomSeriesRenderItemParams, api: CustomSeriesRenderItemAPI) => {
+    const [x = 0, from = 0] = api.coord([api.value(0), api.value(1)]);
+    const [, to = 0] = api.coord([api.value(0), api.value(2)]);
+    // Shorter than the point's own mark: there is nothing to see.
+    if (Math.abs(from - to) < 1) return { type: "group", children: [] };
+    const style = { stroke: colour, lineWidth: 1.5 };
+    const line = (x1: number, y1: number, x2: number, y2: number): unknown => ({
+      type: "line",
+      shape: { x1, y1, x2, y2 },
+      style,
+    });
+    const children = [
+      line(x, from, x, to),
+      line(x - kCap_px, from, x + kCap_px, from),
+      line(x - kCap_px, to, x + kCap_px, to),
+    ];
+    return { type: "group", children };
+  },
+});
+
+// One shape, so one item of data: how far it reaches.
+export const sigma_band = (points: readonly Uncertain[], colour: string): Record<string, unknown> => {
+  const ends = known(points);
+  const least = ends.reduce((sofar, [, low]) => Math.min(sofar, low), Infinity);
+  const most = ends.reduce((sofar, [, , high]) => Math.max(sofar, high), -Infinity);
+  const first = ends[0]?.[0];
+  const last = ends[ends.length - 1]?.[0];
+  return {
+    ...common(colour),
+    z: 1,
+    data: ends.length > 0 ? [[first, last, least, most]] : [],
+    encode: { x: [0, 1], y: [2, 3] },
+    renderItem: (_: CustomSeriesRenderItemParams, api: CustomSeriesRenderItemAPI) => {
+      const upper = ends.map(([x, , high]) => api.coord([x, high]));
+      const lower = ends.map(([x, low]) => api.coord([x, low])).reverse();
+      return { type: "polygon", shape: { points: [...upper, ...lower] }, style: { fill: colour, opacity: 0.18 } };
+    },
+  };
+};

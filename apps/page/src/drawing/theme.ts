@@ -1,0 +1,113 @@
+// Colours and the parts that drawings have in common. The colours of curves are those of Okabe and Ito, told apart by
+// people with any kind of colour vision; curves differ in their dashes as well.
+import type { EChartsCoreOption } from "echarts/core";
+import type { Look, State, Toggle } from "../picture";
+
+export interface Colours {
+  paper: string;
+  ink: string;
+  faint: string; // of axes and ticks
+  grid: string;
+}
+
+export const colours = (dark: boolean): Colours =>
+  dark
+    ? { paper: "#14181d", ink: "#e8eaed", faint: "#9aa3ad", grid: "#2b323a" }
+    : { paper: "#ffffff", ink: "#1b1f24", faint: "#5c6670", grid: "#e3e6e9" };
+
+// Colour k of curves.
+export const curve_colour = (k: number, dark: boolean): string => {
+  const light_set = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b07d00", "#2b8cbe", "#6b4c9a", "#7a5230"];
+  const dark_set = ["#56b4e9", "#ff8f4d", "#2fcf9f", "#e79fc4", "#f0c048", "#8fd0f5", "#b79be0", "#c9a27e"];
+  const set = dark ? dark_set : light_set;
+  return set[k % set.length] ?? "#0072b2";
+};
+
+// Of the k-th curve in one colour.
+export const dashes = ["solid", "dashed", "dotted", [8, 3, 2, 3], [12, 4]] as const;
+
+// Regimes of a warm-up, as shades behind the curves.
+export const regime_colour = (regime: string, dark: boolean): string => {
+  const alpha = dark ? 0.22 : 0.16;
+  switch (regime) {
+    case "warming":
+      return `rgba(213,94,0,${alpha})`;
+    case "cooling":
+      return `rgba(0,114,178,${alpha})`;
+    case "steady":
+      return `rgba(0,158,115,${alpha * 0.7})`;
+    case "after a change of speed":
+      return `rgba(204,121,167,${alpha * 1.4})`;
+    default:
+      return `rgba(128,128,128,${alpha * 0.7})`;
+  }
+};
+
+export const font = "system-ui, -apple-system, 'Segoe UI', 'Liberation Sans', sans-serif";
+
+// A value with as many digits as five significant ones need, never in powers of ten within reason.
+export const shown = (value: number | null | undefined, decimals?: number): string => {
+  if (value === null || value === undefined || !Number.isFinite(value)) return "–";
+  if (decimals !== undefined) return value.toFixed(decimals).replace(/^-(0(?:\.0*)?)$/, "$1");
+  const size = Math.abs(value);
+  if (size !== 0 && (size >= 1e7 || size < 1e-5)) return value.toExponential(3);
+  return String(Number(value.toPrecision(5)));
+};
+
+export const base = (look: Look): EChartsCoreOption => ({
+  animation: false,
+  backgroundColor: look.still ? colours(look.dark).paper : "transparent",
+  textStyle: { color: colours(look.dark).ink, fontFamily: font, fontSize: 13 },
+});
+
+// An axis of numbers named with its unit.
+export const axis = (look: Look, name: string, place: "x" | "y"): Record<string, unknown> => {
+  const c = colours(look.dark);
+  return {
+    type: "value",
+    name,
+    nameLocation: "middle",
+    nameGap: place === "x" ? 28 : 48,
+    nameTextStyle: { color: c.ink, fontSize: 13 },
+    scale: true,
+    axisLine: { show: true, onZero: false, lineStyle: { color: c.faint } },
+    axisTick: { show: true, lineStyle: { color: c.faint } },
+    axisLabel: { color: c.ink, hideOverlap: true },
+    splitLine: { show: true, lineStyle: { color: c.grid } },
+    minorSplitLine: { show: false },
+  };
+};
+
+// Tooltips are drawn, not written as HTML: what a file says is text.
+export const tooltip = (look: Look): Record<string, unknown> => ({
+  renderMode: "richText",
+  confine: true,
+  backgroundColor: colours(look.dark).paper,
+  borderColor: colours(look.dark).faint,
+  textStyle: { color: colours(look.dark).ink, fontSize: 12, fontFamily: font },
+});
+
+// The marks of a legend; without these ECharts puts a dot on every line.
+const icons: Record<Toggle["mark"], string | undefined> = {
+  line: "path://M0,0h24v2h-24z",
+  dashed: "path://M0,0h6v2h-6zM9,0h6v2h-6zM18,0h6v2h-6z",
+  dotted: "path://M0,0h3v2h-3zM7,0h3v2h-3zM14,0h3v2h-3zM21,0h3v2h-3z",
+  dot: undefined, // the symbol that the points have
+  band: "roundRect",
+  bar: "rect",
+};
+
+// What stands beside a still picture; on the page the toggles are the legend.
+export const legend = (state: State, toggles: readonly Toggle[]): Record<string, unknown> =>
+  state.look.still
+    ? {
+        show: true,
+        top: 4,
+        textStyle: { color: colours(state.look.dark).ink },
+        itemWidth: 20,
+        itemHeight: 10,
+        data: toggles.filter((t) => !state.hidden.has(t.key)).map((t) => ({ name: t.label, icon: icons[t.mark] })),
+      }
+    : { show: false };
+
+export const minutes = (seconds: number): number => seconds / 60;

@@ -1,0 +1,55 @@
+// The drift in numbers: how far each axis went, and test by test.
+import type { DriftAxis } from "./drift_axes";
+import type { TextTable } from "../picture";
+import type { Num } from "../report";
+import { shown } from "../drawing/theme";
+import { unit_shown, words } from "../drawing/units";
+import { decimals_for, with_sigma } from "../drawing/with_sigma";
+
+const number = (value: Num | undefined): value is number => typeof value === "number";
+
+const text = (axis: DriftAxis, value: Num | undefined, row: number): string => {
+  const sigma = axis.sigma?.[row];
+  const decimals = Math.min(3, decimals_for(value, sigma || axis.sigma?.find((one) => one) || null));
+  return sigma === undefined ? shown(value, decimals) : with_sigma(value, sigma, decimals);
+};
+
+const label = (axis: DriftAxis): string => `${words(axis.name)}, ${unit_shown(axis.unit)}`;
+
+const largest_row = (axis: DriftAxis): string[] => {
+  let at = -1;
+  let least = Infinity;
+  let most = -Infinity;
+  let last = -1;
+  axis.values.forEach((value, row) => {
+    if (!number(value)) return;
+    if (at < 0 || Math.abs(value) > Math.abs(axis.values[at] ?? 0)) at = row;
+    least = Math.min(least, value);
+    most = Math.max(most, value);
+    last = row;
+  });
+  if (at < 0) return [label(axis), "–", "–", "–", "–"];
+  const decimals = Math.min(3, decimals_for(axis.values[at], axis.sigma?.[at]));
+  return [
+    label(axis),
+    text(axis, axis.values[at], at),
+    shown(axis.time_min[at]),
+    shown(most - least, decimals),
+    text(axis, axis.values[last], last),
+  ];
+};
+
+export const largest_table = (title: string, axes: readonly DriftAxis[]): TextTable => ({
+  title,
+  heading: ["axis", "largest drift", "at, min", "range, most less least", "at the end"],
+  rows: axes.filter((axis) => axis.main).map(largest_row),
+});
+
+export const points_table = (axes: readonly DriftAxis[]): TextTable => ({
+  title: "Drift, test by test; ± is one standard deviation",
+  heading: ["time, min", ...axes.map(label)],
+  rows: (axes[0]?.time_min ?? []).map((time_min, row) => [
+    shown(time_min),
+    ...axes.map((axis) => text(axis, axis.values[row], row)),
+  ]),
+});

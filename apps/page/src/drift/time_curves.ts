@@ -1,0 +1,112 @@
+// A picture of curves over time in one unit: a drift, temperatures, the speed.
+import { on_one_clock } from "./clocks";
+import { curve } from "../drawing/curve";
+import { decimated, first_at } from "../drawing/decimate";
+import type { Picture, State, Toggle } from "../picture";
+import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
+import { reading_in } from "../drawing/reading";
+import type { Num } from "../report";
+import { sigma_band, sigma_bars, type Uncertain } from "../drawing/sigma_marks";
+import { base, curve_colour, dashes, legend, tooltip } from "../drawing/theme";
+import { time_axis, value_axis } from "../drawing/time_axis";
+import { unit_shown } from "../drawing/units";
+import type { Range } from "../figure/window";
+
+const kMarked = 150; // points; of more the marks would hide the curve
+
+export interface TimeCurve {
+  key: string; // of its toggle, and the name of its column
+  label: string;
+  time_min: readonly number[]; // rises
+  values: readonly Num[];
+  sigma?: readonly Num[];
+  colour: number; // of the set of colours
+  dash: number; // of the set of dashes
+  on: boolean;
+}
+
+export interface TimeCurves {
+  name: string;
+  title: string;
+  about: string;
+  quantity: string; // "drift"
+  unit: string; // as files spell it
+  curves: readonly TimeCurve[];
+  whole_min: Range;
+  step?: boolean; // a value holds until the next one
+  height_px?: number;
+}
+
+const mark_of = (dash: number): Toggle["mark"] => (dash === 0 ? "line" : dash === 2 ? "dotted" : "dashed");
+
+const toggle_of = ({ key, label, colour, dash, on }: TimeCurve): Toggle => ({
+  key,
+  label,
+  colour: (dark) => curve_colour(colour, dark),
+  mark: mark_of(dash % dashes.length),
+  on,
+});
+
+// Four points for two pixels look like all of them.
+const points_of = (one: TimeCurve, state: State): Uncertain[] => {
+  const stretches = (state.look.width_px - kLeft_px - kRight_px) / 2;
+  const points = decimated(one.time_min, one.values, state.window, stretches);
+  return points.map(([x, value]) => [x, value, one.sigma?.[first_at(one.time_min, x)] ?? null]);
+};
+
+const series_of = (one: TimeCurve, state: State, step: boolean): Record<string, unknown>[] => {
+  const points = points_of(one, state);
+  const colour = curve_colour(one.colour, state.look.dark);
+  const marked = !step && points.length <= kMarked;
+  const line = curve(one.label, colour, dashes[one.dash % dashes.length] ?? "solid", marked ? 1.8 : 1.5, points, {
+    ...(marked ? { showSymbol: true, showAllSymbol: true, symbol: "circle", symbolSize: 6 } : {}),
+    ...(step ? { step: "end" } : {}),
+    z: 2,
+  });
+  if (!one.sigma) return [line];
+  return [marked ? sigma_bars(points, colour) : sigma_band(points, colour), line];
+};
+
+export const time_curves = (of: TimeCurves): Picture => {
+  const toggles = of.curves.map(toggle_of);
+  const unit = unit_shown(of.unit);
+  const seen = (state: State): TimeCurve[] => of.curves.filter((one) => !state.hidden.has(one.key));
+  return {
+    name: of.name,
+    title: of.title,
+    about: of.about,
+    height_px: of.height_px ?? 300,
+    zoom: "time",
+    choices: [],
+    toggles: () => toggles,
+    draw: (state) => ({
+      ...base(state.look),
+      legend: legend(state, toggles),
+      grid: {
+        left: kLeft_px,
+        right: kRight_px,
+        top: top_px(
+          state.look,
+          seen(state).map((one) => one.label),
+        ),
+        bottom: kBottom_px,
+        outerBoundsMode: "none",
+      },
+      tooltip: { ...tooltip(state.look), trigger: "axis", formatter: reading_in(unit) },
+      xAxis: time_axis(state.look, state.window ?? of.whole_min),
+      yAxis: value_axis(state.look, `${of.quantity}, ${unit}`),
+      series: seen(state).flatMap((one) => series_of(one, state, of.step ?? false)),
+    }),
+    numbers: (state) =>
+      on_one_clock(
+        seen(state).flatMap(({ key, time_min, values, sigma }) => [
+          { name: key, time_min, values },
+          ...(sigma ? [{ name: sigma_name(key, of.unit), time_min, values: sigma }] : []),
+        ]),
+      ),
+  };
+};
+
+// "x_um" has the standard deviation "x_sigma_um".
+const sigma_name = (name: string, unit: string): string =>
+  name.endsWith(`_${unit}`) ? `${name.slice(0, -unit.length - 1)}_sigma_${unit}` : `${name}_sigma`;

@@ -1,0 +1,260 @@
+// One picture on the page with all that belongs to it. It holds the state: any change draws the picture anew.
+import { canvas_of, chart_in, px_at, x_at, x_extent, type Chart } from "./charts";
+import { controls_of } from "./controls";
+import { next_row, row_said } from "./cursor";
+import { button, element } from "../page/elements";
+import { save_csv, save_png, save_svg } from "./files";
+import { kKeys, listen_to_keys } from "./keyboard";
+import { numbers_table } from "./numbers_table";
+import type { Numbers, Picture, State } from "../picture";
+import { listen_to_pointer } from "./pointer";
+import type { Shared } from "../page/shared";
+import { drawn, initial_state, stilled } from "./still";
+import { stretch_panel } from "./stretch_panel";
+import type { View } from "./view";
+import type { Range } from "./window";
+
+const kPaper_px = 680; // the width between the margins of a sheet
+const kPaper_pixels = 2; // of the canvas for one of the page, in print
+
+export interface Figure {
+  readonly picture: Picture;
+  readonly element: HTMLElement;
+  state(): State;
+  chart(): Chart | null; // null: not drawn yet
+  whole(): Range | null; // the x axis without a window
+  choose(key: string, value: string): void;
+  see(window: Range | null): void;
+  select(stretch: Range | null): void;
+  point(x: number | null): void; // a line at this place
+  redraw(): void; // with the next frame, or once it is near the screen
+  draw_now(): void;
+  print(): void; // a drawing for paper is added
+  printed(): void; // and taken away
+}
+
+export const figure_of = (picture: Picture, shared: Shared): Figure => {
+  let state = initial_state(picture, shared.dark(), 0);
+  let chart: Chart | null = null;
+  let whole: Range | null = null;
+  let whole_for = ""; // the choices that `whole` belongs to
+  let near = false; // the screen
+  let stale = true;
+  let awaited = 0; // the frame in which it will be drawn
+  let selecting = false;
+  let panel_open = false;
+  let row: number | null = null; // under the cursor
+  let known = new Set(picture.toggles(state).map((toggle) => toggle.key));
+  let paper: HTMLCanvasElement | null = null;
+  let numbers: { of: State; values: Numbers } | null = null;
+
+  // The same numbers are asked for many times while a window or a stretch moves.
+  const numbers_now = (): Numbers => {
+    if (numbers?.of.chosen !== state.chosen || numbers.of.hidden !== state.hidden) {
+      numbers = { of: state, values: picture.numbers(state) };
+    }
+    return numbers.values;
+  };
+
+  const box = element("div", {
+    class: "chart",
+    tabindex: "0",
+    role: picture.zoom === "none" ? "img" : "application",
+    "aria-label": `${picture.title}. ${picture.about}`,
+    ...(picture.zoom === "none" ? {} : { "aria-describedby": `${picture.name}-keys` }),
+  });
+  box.style.height = `${picture.height_px}px`;
+  const line = element("div", { class: "line", "aria-hidden": "true" });
+  line.hidden = true;
+  const canvas = element("div", { class: "canvas" });
+  box.append(canvas, line);
+
+  const change = (part: Partial<State>): void => {
+    state = { ...state, ...part };
+    figure.redraw();
+  };
+
+  const see = (window: Range | null): void => {
+    if (picture.zoom === "time") shared.see_time(window);
+    else if (picture.zoom === "own") change({ window });
+  };
+
+  const select = (stretch: Range | null, done = true): void => {
+    if (done) {
+      selecting = false;
+      panel_open = stretch !== null;
+    }
+    change({ stretch });
+  };
+
+  const choose = (key: string, value: string): void => {
+    const choice = picture.choices.find((one) => one.key === key);
+    const offered = !choice || choice.values.some((one) => one.value === value);
+    if (!offered || state.chosen[key] === value) return;
+    const chosen = { ...state.chosen, [key]: value };
+    const toggles = picture.toggles({ chosen });
+    // Curves that were not there before are on or off as they are at first.
+    const hidden = new Set([
+      ...state.hidden,
+      ...toggles.filter((one) => !known.has(one.key) && !one.on).map((one) => one.key),
+    ]);
+    known = new Set([...known, ...toggles.map((toggle) => toggle.key)]);
+    row = null;
+    change({ chosen, hidden });
+  };
+
+  const controls = controls_of(picture, choose, (key, on) => {
+    const hidden = new Set(state.hidden);
+    if (on) hidden.delete(key);
+    else hidden.add(key);
+    change({ hidden });
+  });
+
+  const panel = stretch_panel(
+    (stretch) => select(stretch),
+    () => state.stretch && see(state.stretch),
+  );
+  const table = numbers_table(picture.title, numbers_now);
+  const mode = button(
+    "Select stretch",
+    "Statistics of a part of the picture: press, then drag; or drag with Shift held",
+    () => {
+      selecting = panel_open = !selecting;
+      figure.redraw();
+    },
+  );
+  const reset = button("Show all", "Undo zoom (0, or a double click)", () => see(null));
+  const beside = (): void => {
+    controls.update(state);
+    reset.disabled = state.window === null;
+    mode.setAttribute("aria-pressed", String(selecting));
+    box.classList.toggle("selecting", selecting);
+    panel.update(state.stretch, panel_open, numbers_now);
+    table.update();
+  };
+
+  const window_now = (): Range | null => (picture.zoom === "time" ? shared.time_window() : state.window);
+
+  const draw_now = (): void => {
+    cancelAnimationFrame(awaited);
+    awaited = 0;
+    const width_px = box.clientWidth;
+    if (width_px === 0) return;
+    stale = false;
+    state = {
+      ...state,
+      window: window_now(),
+      look: { dark: shared.dark(), width_px, height_px: picture.height_px, still: false },
+    };
+    chart ??= chart_in(canvas, width_px, picture.height_px);
+    if (chart.getWidth() !== width_px) chart.resize({ width: width_px, height: picture.height_px });
+    learn_whole(chart);
+    chart.setOption(drawn(picture, state), { notMerge: true });
+    if (!state.window && picture.zoom !== "none") whole = x_extent(chart);
+    line.hidden = true;
+    beside();
+  };
+
+  // A picture first drawn in a window, or of another recording, has not shown all of its axis yet.
+  const learn_whole = (on: Chart): void => {
+    const choices = JSON.stringify(state.chosen);
+    if (choices === whole_for || picture.zoom === "none") return;
+    whole_for = choices;
+    if (!state.window) return;
+    on.setOption(picture.draw({ ...state, window: null, stretch: null }), { notMerge: true });
+    const before = whole;
+    whole = x_extent(on);
+    const same = before !== null && whole !== null && before[0] === whole[0] && before[1] === whole[1];
+    if (picture.zoom === "own" && !same) state = { ...state, window: null, stretch: null };
+  };
+
+  const point = (x: number | null): void => {
+    const seen = state.window ?? whole;
+    line.hidden = x === null || !chart || !seen || x < seen[0] || x > seen[1];
+    if (x !== null && chart && !line.hidden) line.style.left = `${px_at(chart, x)}px`;
+  };
+
+  const step = (by: number): void => {
+    const all = numbers_now();
+    row = next_row(all, state.window, row, by);
+    if (row === null) return;
+    const x = all.columns[0]?.values[row];
+    if (typeof x === "number" && chart && whole) {
+      view.hover(x);
+      chart.dispatchAction({ type: "showTip", x: px_at(chart, x), y: 0.3 * picture.height_px });
+    }
+    shared.say(row_said(all, row));
+  };
+
+  const view: View = {
+    box,
+    whole: () => (picture.zoom === "time" ? shared.time_whole() : picture.zoom === "own" ? whole : null),
+    window: () => state.window,
+    selecting: () => selecting,
+    x_at: (px) => (chart ? x_at(chart, px) : NaN),
+    in_plot: (x, y) => [0, 1, 2, 3].some((gridIndex) => chart?.containPixel({ gridIndex }, [x, y]) ?? false),
+    see,
+    select,
+    hover: (x) => (picture.zoom === "time" ? shared.hover_time(x) : point(x)),
+  };
+  listen_to_pointer(view);
+  listen_to_keys(view, step);
+
+  const tools = element("div", { class: "tools" });
+  if (picture.zoom !== "none") tools.append(mode, reset);
+  tools.append(
+    button("SVG", "Save the picture as a drawing (.svg)", () => save_svg(picture, state)),
+    button("PNG", "Save the picture as an image (.png)", () => save_png(picture, state)),
+    button("CSV", "Save the numbers as a table (.csv)", () => save_csv(picture, state)),
+  );
+  const heading = element(
+    "figcaption",
+    {},
+    element("h3", {}, picture.title),
+    element("p", { class: "about" }, picture.about),
+  );
+  const all = element("figure", { "data-picture": picture.name }, heading, tools, controls.element, box);
+  if (picture.zoom !== "none") {
+    all.append(element("p", { class: "hint", id: `${picture.name}-keys` }, kKeys), panel.element);
+  }
+  all.append(table.element);
+
+  const figure: Figure = {
+    picture,
+    element: all,
+    state: () => state,
+    chart: () => chart,
+    whole: () => whole,
+    choose,
+    see,
+    select,
+    point,
+    redraw() {
+      stale = true;
+      if (near && awaited === 0) awaited = requestAnimationFrame(draw_now);
+    },
+    draw_now,
+    print() {
+      const still = stilled({ ...state, window: window_now() }, false, kPaper_px, picture.height_px);
+      paper = canvas_of(drawn(picture, still), kPaper_px, picture.height_px, kPaper_pixels);
+      paper.className = "paper";
+      box.append(paper);
+    },
+    printed() {
+      paper?.remove();
+      paper = null;
+    },
+  };
+  new IntersectionObserver(
+    (seen) => {
+      near = seen[seen.length - 1]?.isIntersecting ?? false;
+      if (near && stale) draw_now();
+    },
+    { rootMargin: "600px" },
+  ).observe(all);
+  new ResizeObserver(() => {
+    if (chart && chart.getWidth() !== box.clientWidth) figure.redraw();
+  }).observe(box);
+  controls.update(state);
+  return figure;
+};

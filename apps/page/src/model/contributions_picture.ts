@@ -1,0 +1,197 @@
+// What each effect adds to the model, stacked: what raises it upwards from zero, what lowers it downwards. A drift counts
+// from its start, where every effect is taken as zero; a recording from the nominal circle. Up less down is the model.
+import { place_for_name, type Place } from "./band_name";
+import { curve, type Point } from "../drawing/curve";
+import { first_at } from "../drawing/decimate";
+import { largest_of, stack_of, type Part, type Stack } from "./effect_stack";
+import { hover_text } from "../drawing/hover";
+import type { Look, Numbers, Picture, State, Toggle } from "../picture";
+import { kept_readings } from "../recordings/recording_curves";
+import { chosen_strands, recording_choice } from "../recordings/recording_names";
+import type { Checked, Num, Report } from "../report";
+import type { Strand } from "../drawing/strands";
+import { plain } from "../drawing/text";
+import { axis, base, colours, curve_colour, dashes, font, legend, shown, tooltip } from "../drawing/theme";
+import { time_limits, x_axis } from "../drawing/two_grids";
+import { angle_limits } from "../recordings/unrolled_picture";
+
+const kName_px = 12; // size of the names in the bands
+
+// Places of the rows that are drawn: the same for all parts, for they stand on each other.
+const places_drawn = ({ strand, parts, model_um }: Stack, window: State["window"], width_px: number): number[] => {
+  const from = window ? Math.max(0, first_at(strand.x, window[0]) - 1) : 0;
+  const to = window ? Math.min(strand.x.length, first_at(strand.x, window[1]) + 2) : strand.x.length;
+  const stretches = width_px / (parts.length + 1);
+  const kept = [model_um, ...parts.map((part) => part.values_um)].flatMap((values) =>
+    kept_readings(values.slice(from, to), stretches),
+  );
+  return [...new Set(kept)].sort((a, b) => a - b).map((i) => from + i);
+};
+
+// A part's upper or lower half, on those before it.
+interface Half {
+  series: Record<string, unknown>;
+  inner: number[]; // the edge nearer to zero, at each place
+  outer: number[];
+}
+
+const half_of = (
+  part: Part,
+  places: readonly number[],
+  x: readonly number[],
+  inner: readonly number[],
+  up: boolean,
+  k: number,
+  dark: boolean,
+): Half => {
+  const colour = part.colour(dark);
+  const halves = places.map((place): Num => {
+    const value = part.values_um[place] ?? null;
+    return value === null ? null : up ? Math.max(0, value) : Math.min(0, value);
+  });
+  // No edge is drawn where the part is all on the other side.
+  const points = places.map((place, i): Point => [
+    x[place] ?? NaN,
+    halves[i] || halves[i - 1] || halves[i + 1] ? (halves[i] ?? null) : null,
+  ]);
+  const stack = { stack: up ? "up" : "down", stackStrategy: up ? "positive" : "negative" };
+  const more = { ...stack, areaStyle: { color: colour, opacity: 0.42 }, silent: true, tooltip: { show: false }, z: 2 };
+  return {
+    series: curve(part.label, colour, dashes[k % dashes.length] ?? "solid", 1, points, more),
+    inner: [...inner],
+    outer: inner.map((edge, i) => edge + (halves[i] ?? 0)),
+  };
+};
+
+const name_at = (text: string, place: Place, look: Look): Record<string, unknown> => {
+  const c = colours(look.dark);
+  const label = {
+    show: true,
+    position: "inside",
+    formatter: text,
+    color: c.ink,
+    fontSize: kName_px,
+    fontFamily: font,
+    textBorderColor: c.paper,
+    textBorderWidth: 2,
+  };
+  return { value: [place.x, place.y], label };
+};
+
+export const contributions_picture = (
+  report: Report,
+  checked: Checked,
+  strands: readonly Strand[],
+  name: string,
+): Picture => {
+  const over_angle = checked.level === "recording";
+  const stacks = new Map<Strand, Stack>();
+  const stack_for = (chosen: State["chosen"]): Stack | null => {
+    const strand = chosen_strands(strands, chosen)[0];
+    if (!strand) return null;
+    const stack = stacks.get(strand) ?? stack_of(checked, strand);
+    stacks.set(strand, stack);
+    return stack;
+  };
+  const toggles = (chosen: State["chosen"]): Toggle[] => [
+    { key: "model", label: "model", colour: (dark) => curve_colour(1, dark), mark: "line", on: true },
+    ...(stack_for(chosen)?.parts ?? []).map((part): Toggle => ({
+      key: part.key,
+      label: part.label,
+      colour: part.colour,
+      mark: "band",
+      on: true,
+    })),
+  ];
+
+  const draw = (state: State): Record<string, unknown> => {
+    const { look, window, hidden } = state;
+    const stack = stack_for(state.chosen);
+    if (!stack) return base(look);
+    const width = Math.max(100, look.width_px - 84);
+    const places = places_drawn(stack, window, width);
+    const { x } = stack.strand;
+    const parts = stack.parts.filter((part) => !hidden.has(part.key));
+    const all: [number, number] = window ? [window[0], window[1]] : [x[0] ?? 0, x[x.length - 1] ?? 1];
+    const side = (up: boolean): Half[] => {
+      let edge = places.map(() => 0);
+      return parts.map((part, k) => {
+        const half = half_of(part, places, x, edge, up, k, look.dark);
+        edge = half.outer;
+        return half;
+      });
+    };
+    const [ups, downs] = [side(true), side(false)];
+    const reach_um = [ups, downs].reduce((sum, halves) => sum + largest_of(halves[halves.length - 1]?.outer ?? []), 0);
+    const least_um = (1.3 * kName_px * reach_um) / Math.max(100, look.height_px - 120); // that a name needs
+    const at = places.map((place) => x[place] ?? NaN);
+    const names = parts.flatMap((part, k) => {
+      const text = plain(part.label, 34);
+      // The ends of a name may stand out of a band that is narrow there.
+      const wide = 0.6 * ((text.length * kName_px * 0.6) / width) * (all[1] - all[0]);
+      const up = place_for_name(at, ups[k]?.inner ?? [], ups[k]?.outer ?? [], all, wide);
+      const down = place_for_name(at, downs[k]?.outer ?? [], downs[k]?.inner ?? [], all, wide);
+      const place = (up?.height ?? 0) >= (down?.height ?? 0) ? up : down;
+      return place && place.height > least_um ? [name_at(text, place, look)] : [];
+    });
+    const model = places.map((place): Point => [x[place] ?? NaN, stack.model_um[place] ?? null]);
+    const series: Record<string, unknown>[] = [...ups, ...downs].map((half) => half.series);
+    if (!hidden.has("model")) series.push(curve("model", curve_colour(1, look.dark), "solid", 2.4, model, { z: 4 }));
+    series.push({
+      type: "scatter",
+      name: "",
+      symbolSize: 0,
+      silent: true,
+      tooltip: { show: false },
+      data: names,
+      z: 5,
+    });
+    const values = parts.map((part) => ({
+      name: part.label,
+      data: places.map((place) => [x[place] ?? NaN, part.values_um[place] ?? null]),
+    }));
+    const drawn = [...(hidden.has("model") ? [] : [{ name: "model", data: model }]), ...values];
+    const unit = over_angle ? "°" : "min";
+    return {
+      ...base(look),
+      grid: { left: 64, right: 20, top: look.still ? 64 : 14, bottom: 48 },
+      xAxis: x_axis(look, over_angle ? "angle, °" : "time, min", window, over_angle ? angle_limits(x) : time_limits(x)),
+      yAxis: axis(look, over_angle ? "added, µm" : "added since the start, µm", "y"),
+      legend: legend(state, toggles(state.chosen)),
+      tooltip: {
+        ...tooltip(look),
+        trigger: "axis",
+        formatter: hover_text({ drawn, x: 0, y: 1, head: (at) => `${shown(at, 1)} ${unit}`, unit: "µm" }),
+      },
+      series,
+    };
+  };
+
+  const numbers = ({ chosen }: State): Numbers => {
+    const stack = stack_for(chosen);
+    if (!stack) return { columns: [] };
+    return {
+      columns: [
+        { name: over_angle ? "angle_deg" : "time_min", values: stack.strand.x },
+        { name: "model_um", values: stack.model_um },
+        ...stack.parts.map((part) => ({ name: `${part.label}_um`, values: part.values_um })),
+      ],
+    };
+  };
+
+  return {
+    name,
+    title: "What each effect adds",
+    about:
+      (over_angle
+        ? "Each effect's part of the deviation, stacked: "
+        : "Each effect counted from its value at the start, stacked: ") +
+      "what raises the model goes up from zero, what lowers it goes down. Up less down is the model, the line.",
+    height_px: 420,
+    zoom: over_angle ? "own" : "time",
+    choices: recording_choice(report, strands, false),
+    toggles: ({ chosen }) => toggles(chosen),
+    draw,
+    numbers,
+  };
+};

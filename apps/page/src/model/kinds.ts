@@ -1,0 +1,100 @@
+// What a row of a checked series belongs to: the machine heats or cools, or, of recordings, the direction.
+import type { Checked, Num } from "../report";
+import { curve_colour, colours } from "../drawing/theme";
+
+export interface Kind {
+  name: string; // with its mark, so that a legend shows more than a colour
+  colour: (dark: boolean) => string;
+  symbol: string;
+  rotate: number; // of the symbol, deg
+}
+
+const heating: Kind = { name: "heating ▲", colour: (dark) => curve_colour(1, dark), symbol: "triangle", rotate: 0 };
+const cooling: Kind = { name: "cooling ▼", colour: (dark) => curve_colour(0, dark), symbol: "triangle", rotate: 180 };
+const steady: Kind = { name: "steady ●", colour: (dark) => curve_colour(2, dark), symbol: "circle", rotate: 0 };
+const unknown: Kind = {
+  name: "neither is known ◆",
+  colour: (dark) => colours(dark).faint,
+  symbol: "diamond",
+  rotate: 0,
+};
+const ccw: Kind = { name: "CCW ●", colour: (dark) => curve_colour(0, dark), symbol: "circle", rotate: 0 };
+const cw: Kind = { name: "CW ▲", colour: (dark) => curve_colour(1, dark), symbol: "triangle", rotate: 0 };
+const all_kinds = [heating, cooling, steady, unknown, ccw, cw];
+
+const of_regime = new Map([
+  ["warming", heating],
+  ["cooling", cooling],
+  ["standstill", cooling],
+  ["steady", steady],
+]);
+
+type Regimes = Checked["series"]["regimes"];
+
+// The minutes after a change of speed heat or cool as what follows them.
+const kind_of_regime = (regimes: Regimes, k: number): Kind => {
+  const regime = regimes[k]?.regime;
+  if (regime !== "after a change of speed") return of_regime.get(regime ?? "") ?? unknown;
+  const next = regimes.slice(k + 1).find((one) => one.regime !== regime)?.regime;
+  return next === "cooling" || next === "standstill" ? cooling : heating;
+};
+
+const kSteady_share = 0.05; // of the steepest slope
+
+export interface Kinds {
+  kinds: readonly Kind[]; // that occur
+  of_row: Uint8Array; // place in `kinds`
+}
+
+// Kinds as places in all_kinds, to those that occur.
+const occurring = (places: Uint8Array): Kinds => {
+  const seen = [...new Set(places)].sort();
+  const kinds = seen.map((place) => all_kinds[place] ?? unknown);
+  return { kinds, of_row: places.map((place) => seen.indexOf(place)) };
+};
+
+const by_regime = ({ series }: Checked): Uint8Array => {
+  const kinds = series.regimes.map((_, k) => kind_of_regime(series.regimes, k));
+  const places = new Uint8Array(series.time_s.length).fill(all_kinds.indexOf(unknown));
+  let k = 0;
+  series.time_s.forEach((time, row) => {
+    while (k + 1 < series.regimes.length && time >= (series.regimes[k + 1]?.from_s ?? Infinity)) ++k;
+    const regime = series.regimes[k];
+    if (regime && time >= regime.from_s && time <= regime.to_s) places[row] = all_kinds.indexOf(kinds[k] ?? unknown);
+  });
+  return places;
+};
+
+// By the slope of a temperature over a fiftieth of the rows.
+const by_slope = ({ series }: Checked, temperature: readonly Num[]): Uint8Array => {
+  const n = series.time_s.length;
+  const reach = Math.max(1, Math.floor(n / 100));
+  const slopes = series.time_s.map((_, row): Num => {
+    const [from, to] = [Math.max(0, row - reach), Math.min(n - 1, row + reach)];
+    const [before, after] = [temperature[from] ?? null, temperature[to] ?? null];
+    const seconds = (series.time_s[to] ?? 0) - (series.time_s[from] ?? 0);
+    return before === null || after === null || seconds <= 0 ? null : (after - before) / seconds;
+  });
+  const steepest = slopes.reduce((largest: number, slope) => Math.max(largest, Math.abs(slope ?? 0)), 0);
+  return Uint8Array.from(slopes, (slope) => {
+    if (slope === null || steepest === 0) return all_kinds.indexOf(unknown);
+    if (Math.abs(slope) < kSteady_share * steepest) return all_kinds.indexOf(steady);
+    return all_kinds.indexOf(slope > 0 ? heating : cooling);
+  });
+};
+
+// `temperature`: that the rows are drawn against, where it is one; it counts where the speed's regimes are not known.
+export const kinds_of = (checked: Checked, temperature: readonly Num[] | null): Kinds => {
+  const { series } = checked;
+  if (checked.level === "recording") {
+    const direction = series.inputs.find((column) => column.name === "direction")?.values ?? [];
+    return occurring(
+      Uint8Array.from(series.time_s, (_, row) => all_kinds.indexOf((direction[row] ?? 1) < 0 ? cw : ccw)),
+    );
+  }
+  if (series.regimes.length > 0) return occurring(by_regime(checked));
+  const any = temperature ?? series.inputs.find((column) => column.unit === "degC")?.values;
+  return occurring(
+    any ? by_slope(checked, any) : new Uint8Array(series.time_s.length).fill(all_kinds.indexOf(unknown)),
+  );
+};

@@ -1,0 +1,53 @@
+// A fitted model, target by target: what it leaves and where, what each effect adds, and how each answers.
+import { against_choice } from "./against_axes";
+import { contributions_picture } from "./contributions_picture";
+import { model_fit_picture } from "./model_fit_picture";
+import { parameter_table, step_table, where_table, worst_first } from "./model_tables";
+import type { Picture, Section, TextTable } from "../picture";
+import { residual_against_picture } from "./residual_against_picture";
+import type { Checked, Report } from "../report";
+import { steps_picture } from "./steps_picture";
+import { strands_of } from "../drawing/strands";
+import { plain, slug } from "../drawing/text";
+
+// A row of the table of misfits chooses the axis that it speaks of.
+const choose_axis = (checked: Checked, picture: string): TextTable["choose"] => {
+  const { values, initial } = against_choice(checked);
+  const named = worst_first(checked.where).map(({ what }) => {
+    const column = /^(angle|quadrant)\b/.test(what) ? "angle_deg" : what;
+    return values.find((value) => value.column === column)?.value ?? initial;
+  });
+  return { picture, key: "against", values: named };
+};
+
+const section_of = (report: Report, checked: Checked, id: string): Section => {
+  const against = `${id}-residual`;
+  const strands = strands_of(checked);
+  const pictures: Picture[] = [
+    model_fit_picture(report, checked, strands, `${id}-fit`),
+    residual_against_picture(report, checked, strands, against),
+    ...(checked.series.contributions.length > 0
+      ? [contributions_picture(report, checked, strands, `${id}-effects`)]
+      : []),
+    ...(checked.steps.length > 0 ? [steps_picture(checked, `${id}-steps`)] : []),
+  ];
+  return {
+    id,
+    heading: `Model of ${plain(checked.target, 60)}`,
+    sentences: [...checked.sentences, checked.floor_text, ...checked.remarks].filter((sentence) => sentence !== ""),
+    tables: [
+      ...where_table(checked, choose_axis(checked, against)),
+      ...parameter_table(checked),
+      ...step_table(checked),
+    ],
+    pictures,
+  };
+};
+
+export const model_sections = (report: Report): Section[] => {
+  const targets = (report.check?.targets ?? []).filter((checked) => checked.series.time_s.length > 0);
+  const ids = targets.map((checked) => `model-${slug(checked.target)}`);
+  return targets.map((checked, k) =>
+    section_of(report, checked, ids.indexOf(ids[k] ?? "") === k ? (ids[k] ?? "model") : `${ids[k]}-${k + 1}`),
+  );
+};

@@ -1,0 +1,230 @@
+// What the model leaves against anything that the data have: a trend says that the model lacks it, or has it wrong; two
+// branches, heating and cooling, say that it comes or goes at another pace.
+import { against_choice, type AgainstAxis } from "./against_axes";
+import { curve } from "../drawing/curve";
+import { kinds_of, type Kinds } from "./kinds";
+import type { Numbers, Picture, State, Toggle } from "../picture";
+import { chosen_strands, recording_choice } from "../recordings/recording_names";
+import { running_quartiles } from "../drawing/running_quartiles";
+import type { Checked, Num, Report } from "../report";
+import type { Strand } from "../drawing/strands";
+import { plain } from "../drawing/text";
+import { axis, base, colours, legend, minutes, shown, tooltip } from "../drawing/theme";
+import { thinned_rows } from "../drawing/thinned_rows";
+import { x_axis } from "../drawing/two_grids";
+
+const kMost_points = 4000;
+const kMost_of_trend = 50000;
+const kBins = 12;
+const kBins_of_a_turn = 36;
+const kFewest_bins = 3; // that make a trend
+const kTrend = "median and quartiles";
+
+// Few values, as a speed has: marks that would hide each other stand side by side, by kind and then by row.
+const kFew_values = 12;
+const few_values = (values: readonly Num[], rows: readonly number[]): boolean => {
+  const seen = new Set<Num>();
+  for (const row of rows) if (seen.add(values[row] ?? null).size > kFew_values) return false;
+  return rows.length > 2 * seen.size;
+};
+const beside_px = (row: number, kind: number, kinds: number): [number, number] => [
+  14 * (kind - (kinds - 1) / 2) + ((row * 7919) % 11) - 5,
+  0,
+];
+
+// So that no mark is cut in half at the edge.
+const room_around = (rows: readonly number[], values: readonly Num[]): Record<string, unknown> => {
+  let least = Infinity;
+  let largest = -Infinity;
+  for (const row of rows) {
+    const value = values[row] ?? least;
+    if (value < least) least = value;
+    if (value > largest) largest = value;
+  }
+  const room = 0.04 * (largest - least);
+  return room > 0 && Number.isFinite(room) ? { min: least - room, max: largest + room } : {};
+};
+
+export const residual_against_picture = (
+  report: Report,
+  checked: Checked,
+  strands: readonly Strand[],
+  name: string,
+): Picture => {
+  const { series } = checked;
+  const { values: axes, initial } = against_choice(checked);
+  const many = series.time_s.length > kMost_points;
+  const axis_of = (chosen: State["chosen"]): AgainstAxis =>
+    axes.find(({ value }) => value === chosen["against"]) ?? (axes[0] as AgainstAxis);
+  const known = new Map<string, Kinds>();
+  const kinds_for = (against: AgainstAxis): Kinds => {
+    const kinds = known.get(against.value) ?? kinds_of(checked, against.unit === "°C" ? against.values : null);
+    known.set(against.value, kinds);
+    return kinds;
+  };
+  const toggles = (chosen: State["chosen"]): Toggle[] => [
+    ...kinds_for(axis_of(chosen)).kinds.map((kind): Toggle => ({
+      key: kind.name,
+      label: kind.name,
+      colour: kind.colour,
+      mark: "dot",
+      on: true,
+    })),
+    { key: "trend", label: kTrend, colour: (dark) => colours(dark).ink, mark: "line", on: true },
+  ];
+  const rows_of = ({ chosen, window }: Pick<State, "chosen" | "window">, x: readonly Num[]): number[] => {
+    const rows: number[] = [];
+    for (const strand of chosen_strands(strands, chosen)) {
+      for (const row of strand.rows) {
+        const at = x[row] ?? null;
+        if (at === null || (series.residual_um[row] ?? null) === null) continue;
+        if (!window || (at >= window[0] && at <= window[1])) rows.push(row);
+      }
+    }
+    return rows;
+  };
+
+  const draw = (state: State): Record<string, unknown> => {
+    const { look, window, hidden } = state;
+    const against = axis_of(state.chosen);
+    const rows = rows_of(state, against.values);
+    const { kinds, of_row } = kinds_for(against);
+    const c = colours(look.dark);
+    const drawn = thinned_rows(rows, series.residual_um, kMost_points);
+    const side_by_side = few_values(against.values, drawn);
+    const size = drawn.length <= 60 ? 10 : drawn.length <= 400 ? 7 : 5;
+    const clouds = kinds.flatMap((kind, k) =>
+      hidden.has(kind.name)
+        ? []
+        : [
+            {
+              type: "scatter",
+              name: kind.name,
+              symbol: kind.symbol,
+              symbolRotate: kind.rotate,
+              symbolSize: size,
+              itemStyle: { color: kind.colour(look.dark), opacity: drawn.length > 800 ? 0.45 : 0.8 },
+              emphasis: { disabled: true },
+              data: drawn
+                .filter((row) => of_row[row] === k)
+                .map((row) => {
+                  const value = [against.values[row] ?? null, series.residual_um[row] ?? null, row];
+                  return side_by_side ? { value, symbolOffset: beside_px(row, k, kinds.length) } : value;
+                }),
+              z: 2,
+            },
+          ],
+    );
+    // Quantiles of so many do not change visibly with more.
+    const every = Math.max(1, Math.ceil(rows.length / kMost_of_trend));
+    const evenly = every === 1 ? rows : rows.filter((_, i) => i % every === 0);
+    // Play and lag have opposite signs in the two directions, so each has a trend of its own.
+    const trend_of = (places: readonly number[], key: string, colour: string): Record<string, unknown>[] => {
+      const kept = evenly.filter((row) => places.includes(of_row[row] ?? 0));
+      const bins = running_quartiles(
+        kept.map((row) => against.values[row] ?? NaN),
+        kept.map((row) => series.residual_um[row] ?? NaN),
+        against.unit === "°" ? kBins_of_a_turn : kBins,
+      );
+      if (bins.length < kFewest_bins) return [];
+      const quiet = { silent: true, tooltip: { show: false }, stack: `quartiles ${key}`, stackStrategy: "all", z: 3 };
+      return [
+        curve(
+          "lower quartile",
+          colour,
+          "solid",
+          0,
+          bins.map((bin) => [bin.x, bin.lower]),
+          quiet,
+        ),
+        curve(
+          "upper quartile",
+          colour,
+          "solid",
+          0,
+          bins.map((bin) => [bin.x, bin.upper - bin.lower]),
+          { ...quiet, areaStyle: { color: colour, opacity: 0.13 } },
+        ),
+        curve(
+          kTrend,
+          colour,
+          "solid",
+          2.2,
+          bins.map((bin) => [bin.x, bin.median]),
+          { silent: true, tooltip: { show: false }, z: 4, showSymbol: true, symbol: "rect", symbolSize: 6 },
+        ),
+      ];
+    };
+    const on = kinds.map((_, k) => k).filter((k) => !hidden.has(kinds[k]?.name ?? ""));
+    const apart = checked.level === "recording" ? on.map((k) => [k]) : [on];
+    const trend = hidden.has("trend") ? [] : apart.flatMap((places) => trend_of(places, places.join(), c.ink));
+    const zero = {
+      type: "line",
+      name: "",
+      data: [],
+      silent: true,
+      markLine: {
+        silent: true,
+        symbol: "none",
+        label: { show: false },
+        lineStyle: { color: c.faint, type: "solid", width: 1 },
+        data: [{ yAxis: 0 }],
+      },
+    };
+    const row_text = (row: number): string =>
+      checked.level === "recording" ? "" : `\nat ${shown(minutes(series.time_s[row] ?? 0), 1)} min`;
+    return {
+      ...base(look),
+      grid: { left: 64, right: 20, top: look.still ? 64 : 14, bottom: 48 },
+      xAxis: x_axis(look, against.name, window, room_around(rows, against.values)),
+      yAxis: axis(look, "residual, µm", "y"),
+      legend: legend(state, toggles(state.chosen)),
+      tooltip: {
+        ...tooltip(look),
+        trigger: "item",
+        formatter: (hovered: { seriesName?: string; value?: unknown }) => {
+          const [x, y, row] = Array.isArray(hovered.value) ? (hovered.value as number[]) : [];
+          return `${against.name}  ${shown(x)}\nresidual  ${shown(y, 3)} µm\n${hovered.seriesName ?? ""}${row_text(row ?? 0)}`;
+        },
+      },
+      series: [zero, ...clouds, ...trend],
+    };
+  };
+
+  const numbers = ({ chosen }: State): Numbers => {
+    const against = axis_of(chosen);
+    const { kinds, of_row } = kinds_for(against);
+    const rows = rows_of({ chosen, window: null }, against.values);
+    const column = against.value === "time" ? `time_${against.unit}` : plain(against.column, 60);
+    return {
+      columns: [
+        { name: column, values: rows.map((row) => against.values[row] ?? null) },
+        { name: "residual_um", values: rows.map((row) => series.residual_um[row] ?? null) },
+        { name: "kind", values: rows.map((row) => kinds[of_row[row] ?? 0]?.name ?? "") },
+      ],
+    };
+  };
+
+  return {
+    name,
+    title: "Residual against",
+    about:
+      "Measured less model against a column of the data. The line is the median and the band the middle half of the rows in " +
+      "bins that hold equally many: where it leaves zero, the model lacks something that goes with this column. " +
+      (checked.level === "recording"
+        ? "The directions have marks of their own: play and lag part them."
+        : "Heating and cooling have marks of their own: what comes and goes at another pace than the model says parts them.") +
+      (many
+        ? ` Of ${series.time_s.length} rows at most ${kMost_points} points are drawn, evenly chosen, and the extremes; the line is of ${series.time_s.length > kMost_of_trend ? kMost_of_trend : "all"}.`
+        : ""),
+    height_px: 440,
+    zoom: "own",
+    choices: [
+      { key: "against", label: "Against", values: axes.map(({ value, label }) => ({ value, label })), initial },
+      ...recording_choice(report, strands, true),
+    ],
+    toggles: ({ chosen }) => toggles(chosen),
+    draw,
+    numbers,
+  };
+};

@@ -1,0 +1,49 @@
+// What the figures of a page have in common: light or dark, and the window of those over time.
+import type { Figure } from "../figure/figure";
+import type { Range } from "../figure/window";
+
+export interface Shared {
+  readonly figures: ReadonlyMap<string, Figure>;
+  dark(): boolean;
+  time_window(): Range | null;
+  time_whole(): Range | null; // of all figures over time that are drawn
+  add(figure: Figure): void;
+  see_time(window: Range | null): void;
+  hover_time(x: number | null): void;
+  look(dark: boolean): void;
+  say(text: string): void; // to those who listen
+}
+
+export const shared_by_figures = (voice: HTMLElement): Shared => {
+  const figures = new Map<string, Figure>();
+  let dark = false;
+  let time_window: Range | null = null;
+  const over_time = (): Figure[] => [...figures.values()].filter((figure) => figure.picture.zoom === "time");
+
+  return {
+    figures,
+    dark: () => dark,
+    time_window: () => time_window,
+    time_whole() {
+      const wholes = over_time().flatMap((figure) => figure.whole() ?? []);
+      return wholes.length > 0 ? [Math.min(...wholes), Math.max(...wholes)] : null;
+    },
+    add(figure) {
+      figures.set(figure.picture.name, figure);
+    },
+    see_time(window) {
+      time_window = window;
+      for (const figure of over_time()) figure.redraw();
+    },
+    hover_time(x) {
+      for (const figure of over_time()) figure.point(x);
+    },
+    look(dark_now) {
+      dark = dark_now;
+      for (const figure of figures.values()) figure.redraw();
+    },
+    say(text) {
+      voice.textContent = text;
+    },
+  };
+};

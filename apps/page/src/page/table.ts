@@ -1,0 +1,49 @@
+// Tables of the page. Columns of numbers are aligned at their ends.
+import { button, element, text_in } from "./elements";
+
+const kRows = 200; // at first; a longer table is a slow page
+
+const numeric = /^[-+−–±]?\d|^–?$/;
+
+// A column of numbers: no cell below the heading is anything else.
+const numeric_columns = (rows: readonly (readonly string[])[], columns: number): boolean[] =>
+  Array.from(
+    { length: columns },
+    (_, k) => rows.length > 0 && rows.slice(0, kRows).every((row) => numeric.test(row[k] ?? "")),
+  );
+
+export interface TableOf {
+  title: string;
+  heading: readonly string[];
+  rows: readonly (readonly string[])[];
+  row?: (made: HTMLTableRowElement, index: number) => void;
+}
+
+export const table_of = ({ title, heading, rows, row }: TableOf): HTMLElement => {
+  const numbers = numeric_columns(rows, heading.length);
+  const kind = (k: number): Record<string, string> => (numbers[k] ? { class: "number" } : {});
+  const cell = (tag: "td" | "th", text: string, k: number): HTMLElement => {
+    const made = text_in(tag, text);
+    for (const [name, value] of Object.entries(kind(k))) made.setAttribute(name, value);
+    return made;
+  };
+  const head = element("tr", {}, ...heading.map((text, k) => cell(text === "" ? "td" : "th", text, k)));
+  for (const one of head.querySelectorAll("th")) one.setAttribute("scope", "col");
+  const body = element("tbody");
+  const append = (from: number, to: number): void => {
+    for (let k = from; k < Math.min(to, rows.length); ++k) {
+      const made = element("tr", {}, ...(rows[k] ?? []).map((text, column) => cell("td", text, column)));
+      row?.(made, k);
+      body.append(made);
+    }
+  };
+  append(0, kRows);
+  const table = element("table", {}, element("caption", {}, title), element("thead", {}, head), body);
+  const scroll = element("div", { class: "table", tabindex: "0", role: "group", "aria-label": title }, table);
+  if (rows.length <= kRows) return scroll;
+  const all = button(`Show all ${rows.length} rows`, "", () => {
+    append(kRows, rows.length);
+    all.remove();
+  });
+  return element("div", {}, scroll, all);
+};

@@ -1,0 +1,124 @@
+// The same figure test after test, over each other: how the circle drifts. Colours run from the first test to the last,
+// lines grow wider, and the first and the last carry their names.
+import { unwrapped } from "../drawing/angles";
+import { first_at } from "../drawing/decimate";
+import { kept_readings, picked } from "./recording_curves";
+import type { Choice, State, Toggle } from "../picture";
+import { labels_of, type Group } from "./recording_groups";
+import type { Num, Recording } from "../report";
+import { sequence_bar, sequence_colour } from "../drawing/sequence_colour";
+import { colours, font, minutes, shown } from "../drawing/theme";
+
+export const kStretches = 180; // of a recording, up to four points each
+const kMost_toggles = 24;
+
+export interface Test {
+  key: string;
+  name: string;
+  recording: Recording;
+  place: number; // in the sequence, 0 to 1
+  width_px: number;
+  angle_deg: number[];
+  value_um: Num[];
+}
+
+// Where each stands between first and last: by time where times are known and differ, else by order.
+export const places_of = (recordings: readonly Recording[]): number[] => {
+  const times = recordings.map((recording) => recording.time_s);
+  const [first, last] = [times[0] ?? NaN, times[times.length - 1] ?? NaN];
+  const by_time = times.every((time) => time !== null) && last > first;
+  return times.map((time, k) =>
+    by_time ? ((time ?? 0) - first) / (last - first) : k / Math.max(1, recordings.length - 1),
+  );
+};
+
+export const times_named = (recordings: readonly Recording[]): string[] => {
+  const times = recordings.map((recording) => recording.time_s);
+  const known = times.every((time) => time !== null) && new Set(times).size === times.length;
+  return known ? times.map((time) => `${shown(minutes(time ?? 0), 0)} min`) : labels_of(recordings);
+};
+
+export const quantities: Choice = {
+  key: "quantity",
+  label: "Drawn",
+  values: [
+    { value: "deviation", label: "deviation from the nominal circle" },
+    { value: "change", label: "change since the first test" },
+    { value: "residual", label: "residual, each about its own centre" },
+  ],
+  initial: "deviation",
+};
+
+// Of a curve at other angles, by straight lines between readings; null outside of them and in a gap of more than 5 deg.
+const at_angles = (angle_deg: readonly number[], value_um: readonly Num[], at_deg: readonly number[]): Num[] => {
+  const order = angle_deg.map((_, i) => i).sort((a, b) => (angle_deg[a] ?? 0) - (angle_deg[b] ?? 0));
+  const x = picked(angle_deg, order);
+  const y = picked(value_um, order);
+  return at_deg.map((angle) => {
+    const after = first_at(x, angle);
+    const [x0, x1, y0, y1] = [x[Math.max(0, after - 1)], x[after], y[Math.max(0, after - 1)], y[after]];
+    if (x1 === undefined || x0 === undefined || y0 === null || y0 === undefined || y1 === null || y1 === undefined)
+      return null;
+    if (x1 === angle || x1 === x0) return x1 === angle ? y1 : null;
+    return x1 - x0 > 5 ? null : y0 + ((y1 - y0) * (angle - x0)) / (x1 - x0);
+  });
+};
+
+// Every test of the chosen group in the chosen quantity, all its readings.
+export const tests_of = (groups: readonly Group[], chosen: State["chosen"]): Test[] => {
+  const recordings = (groups.find((group) => group.value === chosen["group"]) ?? groups[0])?.of ?? [];
+  const places = places_of(recordings);
+  const names = times_named(recordings);
+  const first = recordings[0]?.trace;
+  const first_angles = unwrapped(first?.angle_deg ?? []);
+  return recordings.map((recording, k) => {
+    const { trace } = recording;
+    const angle_deg = unwrapped(trace?.angle_deg ?? []);
+    const deviation = trace?.deviation_um ?? [];
+    const place = places[k] ?? 0;
+    let value_um: Num[] = chosen["quantity"] === "residual" ? (trace?.residual_um ?? []) : deviation;
+    if (chosen["quantity"] === "change") {
+      const then = at_angles(first_angles, first?.deviation_um ?? [], angle_deg);
+      value_um = deviation.map((value, i) => {
+        const before = then[i] ?? null;
+        return before === null ? null : value - before;
+      });
+    }
+    return { key: `test${k}`, name: names[k] ?? "", recording, place, width_px: 1 + 1.2 * place, angle_deg, value_um };
+  });
+};
+
+export const thinned = (test: Test, stretches = kStretches): Test => {
+  const kept = kept_readings(test.value_um, stretches);
+  return { ...test, angle_deg: picked(test.angle_deg, kept), value_um: picked(test.value_um, kept) };
+};
+
+// One switch a test; of very many tests a list of switches would be no legend, and the colour bar has to do.
+export const toggles_of_tests = (tests: readonly Test[]): Toggle[] =>
+  tests.length > kMost_toggles
+    ? []
+    : tests.map((test) => ({
+        key: test.key,
+        label: test.name,
+        colour: (dark) => sequence_colour(test.place, dark),
+        mark: "line",
+        on: true,
+      }));
+
+export const bar_of_tests = (tests: readonly Test[], state: State, top_px: number): Record<string, unknown>[] => {
+  const { dark } = state.look;
+  const name = (k: number): string => tests[k]?.name ?? "";
+  return tests.length < 2
+    ? []
+    : [sequence_bar(name(0), name(tests.length - 1), dark, colours(dark).faint, font, top_px)];
+};
+
+// Largest distance from zero, of those within the radial axis.
+export const extent_of_tests = (tests: readonly Test[]): [number, number] => {
+  let extent: [number, number] = [0, 0];
+  for (const test of tests) {
+    for (const value of test.value_um)
+      if (value !== null) extent = [Math.min(extent[0], value), Math.max(extent[1], value)];
+  }
+  return extent;
+};

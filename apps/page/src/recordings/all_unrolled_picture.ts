@@ -1,0 +1,72 @@
+// All tests of one kind against the angle.
+import { bar_of_tests, kStretches, quantities, tests_of, thinned, toggles_of_tests } from "./all_tests";
+import { curve, type Point } from "../drawing/curve";
+import { hover_text } from "../drawing/hover";
+import type { Picture } from "../picture";
+import type { Group } from "./recording_groups";
+import { sequence_colour } from "../drawing/sequence_colour";
+import { test_numbers } from "./test_numbers";
+import { axis, base, legend, shown, tooltip } from "../drawing/theme";
+import { x_axis } from "../drawing/two_grids";
+import { angle_limits } from "./unrolled_picture";
+
+const named: Record<string, string> = {
+  deviation: "deviation, µm",
+  change: "change since the first test, µm",
+  residual: "residual, µm",
+};
+
+export const all_unrolled_picture = (groups: readonly Group[]): Picture => ({
+  name: "tests-unrolled",
+  title: "All tests against the angle",
+  about:
+    "The same figure of every test against the angle, coloured and widening from the first test to the last. A centre that " +
+    "drifts is a growing wave of one turn, a bar or a radius that grows lifts the curve as a whole.",
+  height_px: 400,
+  zoom: "own",
+  choices: [
+    {
+      key: "group",
+      label: "Figure",
+      values: groups.map(({ value, label }) => ({ value, label })),
+      initial: groups[0]?.value ?? "",
+    },
+    { ...quantities, initial: "change" },
+  ],
+  toggles: ({ chosen }) => toggles_of_tests(tests_of(groups, chosen)),
+  draw: (state) => {
+    const { look, window } = state;
+    const tests = tests_of(groups, state.chosen);
+    const top = look.still ? 90 : 34;
+    const seen = window ? Math.max(0.05, (window[1] - window[0]) / 360) : 1;
+    const series = tests
+      .filter((test) => !state.hidden.has(test.key))
+      .map((test) => {
+        const { angle_deg, value_um } = thinned(test, kStretches / seen);
+        const points: Point[] = angle_deg.map((angle, i) => [angle, value_um[i] ?? null]);
+        return curve(test.name, sequence_colour(test.place, look.dark), "solid", test.width_px, points);
+      });
+    return {
+      ...base(look),
+      grid: { left: 64, right: 20, top, bottom: 48 },
+      xAxis: x_axis(look, "angle, °", window, angle_limits(tests.flatMap((test) => test.angle_deg))),
+      yAxis: axis(look, named[state.chosen["quantity"] ?? ""] ?? "deviation, µm", "y"),
+      legend: legend(state, toggles_of_tests(tests)),
+      tooltip: {
+        ...tooltip(look),
+        trigger: "axis",
+        formatter: hover_text({
+          drawn: series,
+          x: 0,
+          y: 1,
+          head: (angle) => `${shown(angle, 1)}°`,
+          unit: "µm",
+          most: 12,
+        }),
+      },
+      graphic: bar_of_tests(tests, state, top - 30),
+      series,
+    };
+  },
+  numbers: ({ chosen }) => test_numbers(tests_of(groups, chosen), chosen["quantity"] ?? ""),
+});

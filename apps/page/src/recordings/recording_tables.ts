@@ -1,0 +1,118 @@
+// Results of the recordings: what was fitted, and what the instrument's file stores beside it.
+import type { TextTable } from "../picture";
+import { labels_of } from "./recording_groups";
+import type { FitPart, Num, Recording, Result } from "../report";
+import { plain } from "../drawing/text";
+import { shown } from "../drawing/theme";
+import { with_sigma } from "../drawing/with_sigma";
+
+const scaled = (value: Num | undefined, by: number): Num => (typeof value === "number" ? value * by : null);
+
+const circle_row = (label: string, one: Recording): string[] => [
+  label,
+  plain(one.plane ?? "–", 8),
+  shown(one.arc_deg, 1),
+  String(one.readings),
+  with_sigma(one.centre_a_um, one.sigma_centre_a_um, 2),
+  with_sigma(one.centre_b_um, one.sigma_centre_b_um, 2),
+  with_sigma(one.radius_mm, scaled(one.sigma_radius_um, 1e-3), 5),
+  with_sigma(one.circularity_um, one.sigma_circularity_um, 2),
+  shown(one.rms_um, 2),
+];
+
+const circles_table = (circles: readonly Recording[], choose: TextTable["choose"]): TextTable => ({
+  title: "Circles",
+  heading: ["recording", "plane", "arc °", "readings", "centre A µm", "centre B µm", "radius mm", "G µm", "rms µm"],
+  rows: labels_of(circles).map((label, k) => circle_row(label, circles[k] as Recording)),
+  ...(choose ? { choose } : {}),
+});
+
+const axial_row = (label: string, one: Recording): string[] => [
+  label,
+  String(one.readings),
+  with_sigma(one.length_mm, scaled(one.sigma_length_um, 1e-3), 5),
+  shown(one.rms_um, 2),
+];
+
+const axial_table = (axial: readonly Recording[], choose: TextTable["choose"]): TextTable => ({
+  title: "Axial recordings",
+  heading: ["recording", "readings", "length mm", "rms µm"],
+  rows: labels_of(axial).map((label, k) => axial_row(label, axial[k] as Recording)),
+  ...(choose ? { choose } : {}),
+});
+
+// Labels of the terminal's table begin with spaces where they belong to the one above.
+const full_labels = (rows: readonly Result[]): string[] => {
+  let above = "";
+  return rows.map(({ label }) => {
+    if (!/^\s/.test(label)) above = label.trim();
+    const full = /^\s/.test(label) ? `${above.replace(/ \S+$/, "")} ${label.trim()}` : label;
+    return plain(full, 60).replace(/\bum\b/g, "µm");
+  });
+};
+
+type Results = FitPart["results"][number];
+
+const has_stored = (results: Results): boolean => results.rows.some((row) => row.stored !== null);
+const of_a_recording = (results: Results): boolean => results.rows.some((row) => row.label.startsWith("centre A"));
+
+// The instrument prints one digit less.
+const stored_text = (row: Result | undefined): string => (row ? shown(row.stored, Math.max(0, row.decimals - 1)) : "–");
+
+// Few: a row a quantity, as the terminal has it. Many of the same quantities: a row for each of them.
+const table_of = (group: readonly Results[]): TextTable => {
+  const first = group[0]?.rows ?? [];
+  const labels = full_labels(first);
+  const stored = group.some(has_stored);
+  const title = of_a_recording(group[0] as Results)
+    ? "Recordings, beside what the file stores"
+    : "Both directions, ISO 230-4";
+  const names = group.map((results) => plain(results.of, 60));
+  if (group.length <= 2) {
+    return {
+      title,
+      heading: ["quantity", ...names.flatMap((name) => (stored ? [name, "stored"] : [name]))],
+      rows: labels.map((label, k) => [
+        label,
+        ...group.flatMap((results) => {
+          const row = results.rows[k];
+          const ours = shown(row?.ours, row?.decimals);
+          return stored ? [ours, stored_text(row)] : [ours];
+        }),
+      ]),
+    };
+  }
+  return {
+    title,
+    heading: ["", ...labels.flatMap((label) => (stored ? [label, "stored"] : [label]))],
+    rows: group.map((results, k) => [
+      names[k] ?? "",
+      ...results.rows.flatMap((row) => {
+        const ours = shown(row.ours, row.decimals);
+        return stored ? [ours, stored_text(row)] : [ours];
+      }),
+    ]),
+  };
+};
+
+const result_tables = (fit: FitPart): TextTable[] => {
+  const groups = new Map<string, Results[]>();
+  for (const results of fit.results) {
+    // Without stored values the table of circles says it all.
+    if (of_a_recording(results) && !has_stored(results)) continue;
+    const key = results.rows.map((row) => row.label).join("\n");
+    groups.set(key, [...(groups.get(key) ?? []), results]);
+  }
+  return [...groups.values()].map(table_of);
+};
+
+export const recording_tables = (
+  fit: FitPart,
+  circles: readonly Recording[],
+  axial: readonly Recording[],
+  choose: { circle: TextTable["choose"]; axial: TextTable["choose"] },
+): TextTable[] => [
+  ...(circles.length > 0 ? [circles_table(circles, choose.circle)] : []),
+  ...(axial.length > 0 ? [axial_table(axial, choose.axial)] : []),
+  ...result_tables(fit),
+];

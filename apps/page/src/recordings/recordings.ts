@@ -1,0 +1,41 @@
+// The recordings of the ballbar: each on its circle and unrolled, all of a kind over each other, and their results.
+import { all_round_picture } from "./all_round_picture";
+import { all_unrolled_picture } from "./all_unrolled_picture";
+import { axial_picture } from "./axial_picture";
+import { circle_picture } from "./circle_picture";
+import type { Picture, Section } from "../picture";
+import { is_axial, is_circle, pairs_and_singles, repeated } from "./recording_groups";
+import { recording_tables } from "./recording_tables";
+import type { Recording, Report } from "../report";
+import { unrolled_picture } from "./unrolled_picture";
+
+const kFewest_tests = 3; // that are worth a picture of all
+
+const each = (recordings: readonly Recording[]): string[] => recordings.map((_, k) => String(k));
+
+export const recordings_section = (report: Report): Section[] => {
+  const { fit } = report;
+  if (!fit || fit.recordings.length === 0) return [];
+  const drawn_circles = fit.recordings.filter(is_circle);
+  const drawn_axial = fit.recordings.filter(is_axial);
+  const groups = pairs_and_singles(drawn_circles);
+  const tests = repeated(drawn_circles, kFewest_tests);
+  const pictures: Picture[] = [
+    ...(groups.length > 0 ? [circle_picture(groups), unrolled_picture(groups)] : []),
+    ...(tests.length > 0 ? [all_round_picture(tests), all_unrolled_picture(tests)] : []),
+    ...(drawn_axial.length > 0 ? [axial_picture(drawn_axial)] : []),
+  ];
+  const circles = fit.recordings.filter((recording) => recording.kind === "circle");
+  const axial = fit.recordings.filter((recording) => recording.kind === "axial");
+  const tables = recording_tables(fit, circles, axial, {
+    circle:
+      circles.length === drawn_circles.length
+        ? { picture: "recording-circle", key: "recording", values: each(circles) }
+        : undefined,
+    axial:
+      axial.length === drawn_axial.length && axial.length > 1
+        ? { picture: "axial", key: "recording", values: each(axial) }
+        : undefined,
+  });
+  return [{ id: "recordings", heading: "Recordings", sentences: fit.remarks, tables, pictures }];
+};

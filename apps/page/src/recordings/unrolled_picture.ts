@@ -1,0 +1,164 @@
+// A recording against the angle: its deviation with the fitted circle, and below what the circle leaves.
+import { unwrapped } from "../drawing/angles";
+import { curve, type Dash, type Point } from "../drawing/curve";
+import { hover_text } from "../drawing/hover";
+import type { Picture, State, Toggle } from "../picture";
+import { effects_of, kept_readings, picked, recording_numbers } from "./recording_curves";
+import { direction_colour, effect_colour } from "./recording_colours";
+import type { Group } from "./recording_groups";
+import type { Num, Recording } from "../report";
+import { plain } from "../drawing/text";
+import { base, colours, curve_colour, dashes, legend, shown, tooltip } from "../drawing/theme";
+import { two_grids, x_axis } from "../drawing/two_grids";
+
+const dash_of = (recording: Recording): Dash => (recording.direction === "CW" ? [7, 2] : "solid");
+const name_of = (recording: Recording): string => `measured, ${recording.direction ?? "circle"}`;
+
+const toggles_of = (recordings: readonly Recording[]): Toggle[] => [
+  ...recordings.map((recording, k): Toggle => ({
+    key: `trace${k}`,
+    label: name_of(recording),
+    colour: direction_colour(recording),
+    mark: recording.direction === "CW" ? "dashed" : "line",
+    on: true,
+  })),
+  { key: "fitted", label: "fitted circle", colour: (dark) => curve_colour(2, dark), mark: "dashed", on: true },
+  ...effects_of(recordings).map((effect, k): Toggle => ({
+    key: `effect ${effect}`,
+    label: plain(effect, 60),
+    colour: (dark) => effect_colour(k, dark),
+    mark: "dashed",
+    on: false,
+  })),
+];
+
+// Degrees: a turn in steps that people count in, an arc as it comes.
+export const angle_limits = (angles: readonly number[]): Record<string, unknown> => {
+  let least = Infinity;
+  let largest = -Infinity;
+  for (const angle of angles) {
+    least = Math.min(least, angle);
+    largest = Math.max(largest, angle);
+  }
+  if (!(largest - least > 180)) return {};
+  return { min: Math.floor(least / 30 + 0.01) * 30, max: Math.ceil(largest / 30 - 0.01) * 30, interval: 30 };
+};
+
+const points_of = (angles: readonly number[], values: readonly Num[], stretches: number): Point[] => {
+  const kept = kept_readings(values, stretches);
+  const y = picked(values, kept);
+  return picked(angles, kept).map((angle, i) => [angle, y[i] ?? null]);
+};
+
+export const unrolled_picture = (groups: readonly Group[]): Picture => {
+  const chosen_of = (chosen: State["chosen"]): readonly Recording[] =>
+    (groups.find((group) => group.value === chosen["recording"]) ?? groups[0])?.of ?? [];
+  return {
+    name: "recording-unrolled",
+    title: "Deviation against the angle",
+    about:
+      "Above, each reading of the bar less its nominal length against the angle, with the circle fitted to it. Below, what " +
+      "the circle leaves: the radius of the path about the fitted centre less the fitted radius. With the effects of a " +
+      "model switched on, what each adds is drawn below too.",
+    height_px: 460,
+    zoom: "own",
+    choices: [
+      {
+        key: "recording",
+        label: "Recording",
+        values: groups.map(({ value, label }) => ({ value, label })),
+        initial: groups[0]?.value ?? "",
+      },
+    ],
+    toggles: ({ chosen }) => toggles_of(chosen_of(chosen)),
+    draw: (state) => {
+      const { look, window } = state;
+      const recordings = chosen_of(state.chosen);
+      const on = (key: string): boolean => !state.hidden.has(key);
+      const angles = recordings.map((recording) => unwrapped(recording.trace?.angle_deg ?? []));
+      const x = x_axis(look, "angle, °", window, angle_limits(angles.flat()));
+      const grids = two_grids(look, x, "deviation, µm", "residual, µm", 0.4);
+      const seen = window ? Math.max(0.05, (window[1] - window[0]) / 360) : 1;
+      const stretches = grids.width_px / seen;
+      const below = { xAxisIndex: 1, yAxisIndex: 1 };
+      const c = colours(look.dark);
+      const series = recordings.flatMap((recording, k) => {
+        const { trace } = recording;
+        const at = angles[k] ?? [];
+        if (!trace) return [];
+        const line = (
+          name: string,
+          values: readonly Num[],
+          colour: string,
+          dash: Dash,
+          width: number,
+          more: Record<string, unknown> = {},
+        ): Record<string, unknown> => curve(name, colour, dash, width, points_of(at, values, stretches), more);
+        const colour = direction_colour(recording)(look.dark);
+        return [
+          ...(on(`trace${k}`)
+            ? [
+                line(name_of(recording), trace.deviation_um, colour, dash_of(recording), 1.4),
+                line(name_of(recording), trace.residual_um, colour, dash_of(recording), 1.2, {
+                  ...below,
+                  hover_name: `residual, ${recording.direction ?? "circle"}`,
+                }),
+              ]
+            : []),
+          ...(on("fitted")
+            ? [
+                line(
+                  "fitted circle",
+                  trace.fitted_um,
+                  curve_colour(2, look.dark),
+                  recordings.length > 1 && k > 0 ? "dotted" : "dashed",
+                  1.6,
+                  recordings.length > 1 ? { hover_name: `fitted circle, ${recording.direction}` } : {},
+                ),
+              ]
+            : []),
+          ...effects_of(recordings).flatMap((effect, e) => {
+            const values = trace.effects.find((one) => one.effect === effect)?.values_um;
+            if (!values || !on(`effect ${effect}`)) return [];
+            return [
+              line(
+                plain(effect, 60),
+                values,
+                effect_colour(e, look.dark),
+                dashes[(1 + e + 2 * k) % dashes.length] ?? "dotted",
+                1.8,
+                below,
+              ),
+            ];
+          }),
+        ];
+      });
+      const zero = curve("zero", c.faint, "solid", 0, [], {
+        ...below,
+        silent: true,
+        markLine: {
+          silent: true,
+          symbol: "none",
+          label: { show: false },
+          lineStyle: { color: c.faint, type: "solid", width: 1 },
+          data: [{ yAxis: 0 }],
+        },
+      });
+      return {
+        ...base(look),
+        grid: grids.grid,
+        xAxis: grids.xAxis,
+        yAxis: grids.yAxis,
+        axisPointer: grids.axisPointer,
+        legend: legend(state, toggles_of(recordings)),
+        tooltip: {
+          ...tooltip(look),
+          trigger: "axis",
+          formatter: hover_text({ drawn: series, x: 0, y: 1, head: (angle) => `${shown(angle, 2)}°`, unit: "µm" }),
+        },
+        series: [...series, zero],
+      };
+    },
+    numbers: ({ chosen }) => recording_numbers(chosen_of(chosen)),
+  };
+};
