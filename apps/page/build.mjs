@@ -1,5 +1,6 @@
 // Bundles the page: node build.mjs OUT_DIR writes page.js, pictures.js and page.css there.
 import { build } from "esbuild";
+import { readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -19,7 +20,12 @@ const common = {
   charset: "ascii",
   logLevel: "warning",
 };
-const script = { ...common, format: "iife", define: { "process.env.NODE_ENV": '"production"' } };
+// The licences under which a page may hold the chart library and its parts, with every page.
+const notices = ["echarts/NOTICE", "echarts/LICENSE", "echarts/licenses/LICENSE-d3", "zrender/LICENSE"].map((file) =>
+  readFileSync(join(here, "node_modules", file), "ascii").replaceAll("*/", "* /"),
+);
+const footer = { js: ["/*!", ...notices, "*/"].join("\n") };
+const script = { ...common, footer, format: "iife", define: { "process.env.NODE_ENV": '"production"' } };
 await build({ ...script, entryPoints: [join(here, "src/main.ts")], outfile: join(out, "page.js") });
 await build({ ...script, entryPoints: [join(here, "src/pictures.ts")], outfile: join(out, "pictures.js") });
 await build({ ...common, entryPoints: [join(here, "src/page.css")], outfile: join(out, "page.css") });

@@ -57,11 +57,14 @@ export const seen = async (page, name) => {
 // All that has been asked for is drawn with the next frame.
 export const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
-// By a click on its button: { name, path }.
+// By a click on its button: { name, path }. The path ends in that name, in a temporary folder.
 export const saved = async (page, name, kind) => {
   const [download] = await Promise.all([
     page.waitForEvent("download"),
     figure(page, name).getByRole("button", { name: kind, exact: true }).click(),
   ]);
-  return { name: download.suggestedFilename(), path: await download.path() };
+  const name_of_file = download.suggestedFilename();
+  const path = `${await download.path()}-${name_of_file}`;
+  await download.saveAs(path);
+  return { name: name_of_file, path };
 };

@@ -1,0 +1,190 @@
+// Every picture of every sample run is drawn, with each of its choices and each of its curves, in an ordinary window;
+// nothing is written to the console, nothing is loaded, and axe-core finds no serious fault, on a light page and a dark.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { launched, opened, seen } from "./browser.mjs";
+import { long_series } from "./long_series.mjs";
+import { batch, folder, hidden_effect, of_run, report, two_arcs } from "./reports.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+const recordings = ["recording-circle", "recording-unrolled"];
+const all_tests = ["tests-circle", "tests-unrolled"];
+const model = (target) => ["fit", "residual", "effects", "steps"].map((name) => `model-${target}-${name}`);
+const diagnosis = ["candidates", "fall", "coherence"];
+const comparison = ["comparison-x", "comparison-y", "comparison-z"];
+
+const cases = [
+  ["two-arcs", two_arcs, ["drift", "speed", "temperatures", ...comparison, ...recordings, ...all_tests, ...model("y_um"), ...diagnosis]],
+  ["spindle-rotation", (name) => report(name, of_run("spindle-rotation-huang2022")), ["drift", "speed", "temperatures", ...recordings, ...all_tests, "axial"]],
+  ["b5r", (name) => report(name, of_run("qc20-style-b5r", "00.b5r"), "--diagnose"), [...recordings, ...model("deviation_um").slice(0, 3), ...diagnosis]],
+  ["b5r-folder", (name) => report(name, of_run("qc20-style-b5r")), ["drift", ...recordings, ...all_tests]],
+  ["five-probe", (name) => report(name, of_run("two-arcs-he2015", "five-probe.csv")), ["five-probe", "five-probe-tilt", "measured"]],
+  ["hidden-effect", hidden_effect, ["measured", "speed", "temperatures", ...model("y_um"), ...diagnosis, "ledger"]],
+  ["batch", batch, ["measured", "speed", "temperatures", "batch", "batch-range", "batch-weights"]],
+  ["million-rows", (name) => report(name, long_series(join(folder, "million.csv"), 1e6)), ["measured", "temperatures"]],
+  [
+    "spindle-46h",
+    (name) => report(name, of_run("spindle-46h", "measured.csv"), "--model", of_run("spindle-46h", "speed.toml"), "--target", "ch3_um"),
+    ["five-probe", "measured", "speed", "temperatures", ...model("ch3_um"), ...diagnosis],
+  ],
+];
+
+let browser;
+const pages = {};
+before(async () => {
+  for (const [name, make] of cases) {
+    pages[name] = make(name);
+    pages[name].catch(() => {}); // is thrown where it is awaited
+  }
+  browser = await launched();
+});
+after(() => browser.close());
+
+// In the page: what is wrong with the picture as it is now, and with its choices and curves.
+const faults = async (name) => {
+  const figure = window.ballbar.figures.get(name);
+  const { picture, element } = figure;
+  const found = [];
+  const frame = () => new Promise(requestAnimationFrame);
+
+  const plots = () => {
+    const all = [];
+    const model = figure.chart().getModel();
+    model.eachComponent("grid", (grid) => all.push(grid.coordinateSystem.getRect()));
+    model.eachComponent("polar", ({ coordinateSystem: { cx, cy }, coordinateSystem: polar }) => {
+      const radius = Math.max(...polar.getRadiusAxis().getExtent());
+      all.push({ x: cx - radius, y: cy - radius, width: 2 * radius, height: 2 * radius });
+    });
+    return all;
+  };
+  // Of each plot the pixels, from all layers that there are.
+  const copy = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+  const pixels = () => {
+    const layers = [...element.querySelectorAll(".canvas canvas")];
+    const scale = layers[0].width / layers[0].clientWidth;
+    Object.assign(copy.canvas, { width: layers[0].width, height: layers[0].height });
+    for (const layer of layers) copy.drawImage(layer, 0, 0);
+    return plots().map(({ x, y, width, height }) => copy.getImageData(scale * x, scale * y, scale * width, scale * height).data);
+  };
+  // Those of no grey, as axes and grids are.
+  const coloured = (data) => {
+    let count = 0;
+    for (let k = 0; k < data.length; k += 4) {
+      const most = Math.max(data[k], data[k + 1], data[k + 2]);
+      const least = Math.min(data[k], data[k + 1], data[k + 2]);
+      if (data[k + 3] > 100 && most - least > 50) ++count;
+    }
+    return count;
+  };
+  const differing = (a, b) => {
+    let count = 0;
+    for (const [plot, data] of a.entries()) {
+      if (data.length !== b[plot].length) return Infinity;
+      for (let k = 0; k < data.length; ++k) if (Math.abs(data[k] - b[plot][k]) > 16) ++count;
+    }
+    return count;
+  };
+  // A change is drawn with the next frame, and what is much in parts, a frame each.
+  const settled = async () => {
+    await frame();
+    await frame();
+    let before = pixels();
+    for (let k = 0; k < 60; ++k) {
+      await frame();
+      const now = pixels();
+      if (differing(now, before) === 0) return now;
+      before = now;
+    }
+    found.push("is drawn for ever");
+    return before;
+  };
+  const numbers_in = (data) => (data ?? []).flat(3).filter((one) => Number.isFinite(one?.value ?? one) || Array.isArray(one?.value)).length;
+
+  const look = async (what) => {
+    const state = figure.state();
+    const option = picture.draw(state);
+    const series = [option.series].flat();
+    if (series.reduce((sum, one) => sum + numbers_in(one?.data), 0) === 0) found.push(`${what}: nothing to draw`);
+    const drawn = await settled();
+    if (drawn.length === 0) found.push(`${what}: no plot`);
+    drawn.forEach((plot, k) => coloured(plot) < 20 && found.push(`${what}: plot ${k} is empty`));
+    const { columns } = picture.numbers(state);
+    const rows = columns.map(({ values }) => values.length);
+    if (columns.length < 2 || Math.min(...rows) < 1) found.push(`${what}: no numbers`);
+    if (new Set(rows).size > 1) found.push(`${what}: columns of ${rows} rows`);
+    if (new Set(columns.map((column) => column.name)).size < columns.length) found.push(`${what}: columns of the same name`);
+  };
+
+  await look("at first");
+  const selects = [...element.querySelectorAll(".choice select")];
+  if (selects.length !== picture.choices.length) found.push(`${selects.length} lists for ${picture.choices.length} choices`);
+  for (const [k, select] of selects.entries()) {
+    const values = [...select.options].map((option) => option.value);
+    const before = select.value;
+    for (const value of new Set([values[0], values[values.length >> 1], values[values.length - 1], before])) {
+      select.value = value;
+      select.dispatchEvent(new Event("change", { bubbles: true }));
+      await look(`${picture.choices[k].key} ${value}`);
+    }
+  }
+
+  const boxes = () => [...element.querySelectorAll(".legend input")];
+  for (const k of new Set([0, boxes().length - 1])) {
+    if (!boxes()[k]) continue;
+    const name = boxes()[k].closest("label").textContent;
+    const before = await settled();
+    const on = boxes()[k].checked;
+    boxes()[k].click();
+    const between = await settled();
+    if (boxes()[k].checked === on) found.push(`${name}: its box does not change`);
+    if (differing(between, before) === 0) found.push(`${name}: switched, the picture is the same`);
+    boxes()[k].click();
+    if (differing(await settled(), before) > 0) found.push(`${name}: switched twice, the picture is another`);
+  }
+  return found;
+};
+
+// Serious or critical faults, with where they are.
+const axe_faults = async (page, rules) => {
+  const { violations } = await page.evaluate(
+    ([rules]) => axe.run(document, { resultTypes: ["violations"], ...(rules ? { runOnly: rules } : {}) }),
+    [rules],
+  );
+  return violations
+    .filter(({ impact }) => impact === "serious" || impact === "critical")
+    .map(({ id, nodes }) => `${id}: ${nodes.length} times, as ${nodes[0].html.slice(0, 200)} ${nodes[0].failureSummary}`);
+};
+
+for (const [name, , expected] of cases) {
+  test(`pictures of ${name}`, async (t) => {
+    const { page, wrong, close } = await opened(browser, await pages[name]);
+    try {
+      assert.deepEqual(await page.$$eval("figure[data-picture]", (all) => all.map((one) => one.dataset.picture)), expected);
+      for (const picture of expected) {
+        await t.test(picture, async () => {
+          await seen(page, picture);
+          assert.deepEqual(await page.evaluate(faults, picture), []);
+        });
+      }
+      await t.test("no more than the window is wide", async () => {
+        for (const width of [400, 1100]) {
+          await page.setViewportSize({ width, height: 900 });
+          assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width);
+        }
+      });
+      await t.test("accessible", async () => {
+        await page.evaluate(axe);
+        assert.deepEqual(await axe_faults(page), []);
+        await page.getByRole("button", { name: "Dark", exact: true }).click();
+        assert.deepEqual(await axe_faults(page, ["color-contrast", "link-in-text-block"]), []);
+      });
+      await t.test("console and network are quiet", () => assert.deepEqual(wrong, []));
+    } finally {
+      await close();
+    }
+  });
+}
