@@ -105,30 +105,40 @@ void add_comparison(Made& made, const Options& options) {
   made.conclude(conclusion(comparison));
 }
 
-// Of a model that the data do not suit, or that cannot be fitted to one of several targets, the reason.
-void add_target(Made& made, const Options& options, const Model& model, const ModelData& data, std::size_t target) {
-  const std::string& name = model.targets[target];
-  const auto conclude = [&](const Checked& checked) {
-    const auto said = sentences(checked.fit, checked.where, checked.whiteness);
-    if (!said.empty()) made.conclude(fmt::format("{}: {}", name, said.front()));
-  };
-  if (options.no_diagnosis) {
-    const Checked found = checked(options.model, model, data, target);
-    made.json["check"]["targets"].push_back(check_part(found, model, data));
-    conclude(found);
-    if (data.level == Level::recording) overlay_effects(made.json["fit"]["recordings"], found.fit, model, data.series);
-    return;
-  }
-  const Diagnosed found = diagnosed_of(options.model, options.how, model, data, target);
-  made.json["check"]["targets"].push_back(check_part(found.checked, model, data));
-  made.json["diagnose"]["targets"].push_back(diagnosis_part(found, data));
-  conclude(found.checked);
-  made.conclude(fmt::format("{}: {}", name, verdict_text(found.diagnosis)));
-  if (data.level == Level::recording) {
-    overlay_effects(made.json["fit"]["recordings"], found.checked.fit, model, data.series);
+void overlay_effects(Made& made, const Fit& fit, const Model& model, const ModelData& data) {
+  if (data.level != Level::recording) return;
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    if (model.terms[t].effect->name == "circle") continue;  // drawn as itself
+    overlay(made.json["fit"]["recordings"], label_of(model.terms[t]), fit.contribution_um[t], fit, data.series);
   }
 }
 
+void overlay_candidates(Made& made, const Diagnosed& found, const ModelData& data) {
+  if (data.level != Level::recording) return;
+  for (const Candidate& candidate : found.diagnosis.candidates) {
+    const std::vector<double> curve = curve_of(candidate, found.checked.fit, data.series);
+    if (!candidate.in_best_set || curve.empty()) continue;
+    overlay(made.json["fit"]["recordings"], "candidate " + label_of(candidate.bound), curve, found.checked.fit,
+            data.series);
+  }
+}
+
+void add_target(Made& made, const Options& options, const Model& model, const ModelData& data, std::size_t target) {
+  const auto add_checked = [&](const Checked& checked) {
+    made.json["check"]["targets"].push_back(check_part(checked, model, data));
+    const auto said = sentences(checked.fit, checked.where, checked.whiteness);
+    if (!said.empty()) made.conclude(fmt::format("{}: {}", model.targets[target], said.front()));
+    overlay_effects(made, checked.fit, model, data);
+  };
+  if (options.no_diagnosis) return add_checked(checked(options.model, model, data, target));
+  const Diagnosed found = diagnosed_of(options.model, options.how, model, data, target);
+  add_checked(found.checked);
+  made.json["diagnose"]["targets"].push_back(diagnosis_part(found, data));
+  made.conclude(fmt::format("{}: {}", model.targets[target], verdict_text(found.diagnosis)));
+  overlay_candidates(made, found, data);
+}
+
+// Of several targets, one that cannot be fitted is said and left out.
 void add_model(Made& made, const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);

@@ -168,15 +168,6 @@ class Makeable {
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver_;
 };
 
-std::vector<double> curve_of(const Candidate& candidate, const Fit& fit, const Series& data) {
-  Term term;
-  term.effect = std::shared_ptr<const Effect>(std::shared_ptr<const Effect>(), candidate.bound.effect);
-  term.columns = candidate.bound.columns;
-  if (candidate.parameters.size() != term.effect->parameters.size()) return {};
-  for (const FittedParameter& parameter : candidate.parameters) term.settings.push_back({true, parameter.value});
-  return at_rows(drawn_by(term, candidate.parameters.data(), data), fit.row);
-}
-
 // Of each candidate what it adds that the model cannot make: where it joins, the model's own parameters give way.
 void add_curves(Json& candidates, const std::vector<Candidate>& found, const Fit& fit, const Makeable& makeable,
                 const Series& data) {
@@ -210,6 +201,15 @@ Json coherence_of(const Diagnosis& found) {
 }
 
 }  // namespace
+
+std::vector<double> curve_of(const Candidate& candidate, const Fit& fit, const Series& data) {
+  Term term;
+  term.effect = std::shared_ptr<const Effect>(std::shared_ptr<const Effect>(), candidate.bound.effect);
+  term.columns = candidate.bound.columns;
+  if (candidate.parameters.size() != term.effect->parameters.size()) return {};
+  for (const FittedParameter& parameter : candidate.parameters) term.settings.push_back({true, parameter.value});
+  return at_rows(drawn_by(term, candidate.parameters.data(), data), fit.row);
+}
 
 Json check_part(const Checked& checked, const Model& model, const ModelData& data) {
   const Fit& fit = checked.fit;

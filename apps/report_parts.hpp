@@ -27,15 +27,19 @@ nlohmann::ordered_json recordings_part(const Fitted& fitted);
 // With the times of the tests: fitted.recordings are those of session.recordings.
 nlohmann::ordered_json recordings_part(const Fitted& fitted, const SessionFiles& session);
 
-// What the effects of a model of recordings add, beside each recording's trace. `fit` is one of trace_of the same
-// recordings, axial ones left out.
-void overlay_effects(nlohmann::ordered_json& recordings, const Fit& fit, const Model& model, const Series& trace);
+// What an effect adds to recordings, beside the trace of each: values_um at the rows of a fit to trace_of() the same
+// recordings.
+void overlay(nlohmann::ordered_json& recordings, const std::string& effect, const std::vector<double>& values_um,
+             const Fit& fit, const Series& trace);
 
 nlohmann::ordered_json drift_part(const DriftSeries& drift);
 nlohmann::ordered_json probes_part(const MeasuredDrift& drift);
 nlohmann::ordered_json signals_part(const std::string& source, const Series& series);
 nlohmann::ordered_json check_part(const Checked& checked, const Model& model, const ModelData& data);
 nlohmann::ordered_json diagnosis_part(const Diagnosed& diagnosed, const ModelData& data);
+
+// What a candidate alone would draw, at the rows of the fit; empty where it cannot be drawn.
+std::vector<double> curve_of(const Candidate& candidate, const Fit& fit, const Series& data);
 nlohmann::ordered_json ledger_part(const std::vector<LedgerRow>& rows);
 nlohmann::ordered_json batch_part(const BatchJob& job);
 

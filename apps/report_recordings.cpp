@@ -112,22 +112,19 @@ Json recordings_part(const Fitted& fitted) { return part(fitted, nullptr); }
 
 Json recordings_part(const Fitted& fitted, const SessionFiles& session) { return part(fitted, &session); }
 
-void overlay_effects(Json& recordings, const Fit& fit, const Model& model, const Series& trace) {
+void overlay(Json& recordings, const std::string& effect, const std::vector<double>& values_um, const Fit& fit,
+             const Series& trace) {
   const Column* number_of = find_column(trace, "recording");
   std::vector<Json*> circles;
   for (Json& recording : recordings) {
     if (recording["kind"] == "circle") circles.push_back(&recording);
   }
-  for (std::size_t t = 0; t < model.terms.size(); ++t) {
-    if (model.terms[t].effect->name == "circle") continue;
-    std::vector<std::vector<double>> values(circles.size());
-    for (std::size_t i = 0; i < fit.row.size(); ++i) {
-      values.at(static_cast<std::size_t>(number_of->values[fit.row[i]])).push_back(fit.contribution_um[t][i]);
-    }
-    for (std::size_t k = 0; k < circles.size(); ++k) {
-      (*circles[k])["trace"]["effects"].push_back(
-          {{"effect", label_of(model.terms[t])}, {"values_um", bulk(values[k])}});
-    }
+  std::vector<std::vector<double>> values(circles.size());
+  for (std::size_t i = 0; i < fit.row.size(); ++i) {
+    values.at(static_cast<std::size_t>(number_of->values[fit.row[i]])).push_back(values_um[i]);
+  }
+  for (std::size_t k = 0; k < circles.size(); ++k) {
+    (*circles[k])["trace"]["effects"].push_back({{"effect", effect}, {"values_um", bulk(values[k])}});
   }
 }
 
