@@ -23,6 +23,7 @@ FittedRecording fit_recording(const std::string& file, std::size_t index, Record
   FittedRecording fitted;
   fitted.file = file;
   fitted.index = index;
+  if (b5r) fitted.test_name = b5r->test_name;
   fitted.recording = std::move(recording);
   if (fitted.recording.kind == Kind::axial) {
     fitted.axial = axial_length(fitted.recording);
@@ -119,7 +120,11 @@ Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& opt
     if (opened.b5r) next_of_pair = std::max(next_of_pair, first_of_file);
     const std::size_t n = fitted.recordings.size();
     if (n >= next_of_pair + 2 && are_pair(fitted.recordings[n - 2], fitted.recordings[n - 1])) {
-      fitted.pairs.push_back(fit_pair(fitted.recordings[n - 2], fitted.recordings[n - 1], opened.b5r));
+      FittedPair pair = fit_pair(fitted.recordings[n - 2], fitted.recordings[n - 1], opened.b5r);
+      const bool ccw_first = fitted.recordings[n - 2].recording.direction == Direction::CCW;
+      pair.ccw = ccw_first ? n - 2 : n - 1;
+      pair.cw = ccw_first ? n - 1 : n - 2;
+      fitted.pairs.push_back(std::move(pair));
       next_of_pair = n;
     }
     if (opened.b5r) next_of_pair = n;

@@ -25,6 +25,7 @@ struct Compared {
 struct FittedRecording {
   std::string file;
   std::size_t index = 0;  // within the file
+  std::string test_name;  // that a `.b5r` states
   Recording recording;
   std::optional<Circle> circle;            // kind circle
   std::optional<Circularity> circularity;  //   "
@@ -34,6 +35,7 @@ struct FittedRecording {
 
 struct FittedPair {
   std::string file;               // of the first recording
+  std::size_t ccw = 0, cw = 0;    // places in Fitted::recordings
   std::vector<Compared> results;  // ISO 230-4
   std::vector<std::string> remarks;
 };

@@ -84,9 +84,9 @@ std::string page_of(const Json& report) {
 
 std::vector<NamedPicture> pictures_of(const Json& report, const PictureOptions& options) {
   std::string script(page::kPictures);
-  script +=
-      fmt::format("\n;process.stdout.write(JSON.stringify(ballbar_pictures.draw({},{},{},{})));\n", as_script(report),
-                  as_script(Json(options.names)), as_script(Json(options.choices)), options.width_px);
+  script += fmt::format("\n;process.stdout.write(JSON.stringify(ballbar_pictures.draw(JSON.parse({}),{},{},{})));\n",
+                        as_script(Json(report.dump(-1, ' ', true, Json::error_handler_t::replace))),
+                        as_script(Json(options.names)), as_script(Json(options.choices)), options.width_px);
   const Finished node = finished("--format svg", {"node", "-"}, script, "NODE_OPTIONS=");
   if (node.not_found) {
     throw Error(

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <memory>
@@ -62,38 +63,57 @@ struct Made {
   void conclude(const std::string& sentence) { json["summary"].push_back(sentence); }
 };
 
+// A page is mailed: where its files lay stays at home.
+std::string file_name(const fs::path& path) {
+  const fs::path name = path.has_filename() ? path.filename() : path.parent_path().filename();
+  return name.empty() || name == "." || name == ".." ? fs::absolute(path).lexically_normal().filename().string()
+                                                     : name.string();
+}
+
 void add_recordings(Made& made, const Options& options) {
   const Fitted fitted = fit_files(options.model.data, {});
   made.json["fit"] = recordings_part(fitted);
-  made.json["title"] =
-      options.model.data.size() == 1
-          ? options.model.data.front()
-          : fmt::format("{} recordings of {} files", fitted.recordings.size(), options.model.data.size());
+  const std::string& test_name = fitted.recordings.front().test_name;
+  const bool one_name = std::all_of(fitted.recordings.begin(), fitted.recordings.end(),
+                                    [&](const FittedRecording& one) { return one.test_name == test_name; });
+  if (one_name && !test_name.empty()) {
+    made.json["title"] = test_name;
+  } else if (options.model.data.size() > 1) {
+    made.json["title"] = fmt::format("{} recordings of {} files", fitted.recordings.size(), options.model.data.size());
+  } else {
+    made.json["title"] = file_name(options.model.data.front());
+  }
   made.files.insert(made.files.end(), options.model.data.begin(), options.model.data.end());
 }
 
-void add_session(Made& made, const SessionFiles& files, const std::string& path) {
+void add_session(Made& made, const SessionFiles& files, const Options& options) {
+  const std::string& path = options.model.data.front();
   const Session& session = files.session;
-  made.json["title"] = session.title.empty() ? path : session.title;
+  made.json["title"] = session.title.empty() ? file_name(path) : session.title;
   std::vector<std::string> recordings;
   for (const TestFile& one : files.recordings) recordings.push_back(one.file.string());
   made.json["fit"] = recordings_part(fit_files(recordings, {}), files);
   const DriftSeries drift = drift_of(session);
   made.json["drift"] = drift_part(drift);
   for (const std::string& largest : largest_drifts(drift)) made.conclude(fmt::format("Largest drift: {}.", largest));
+  if (files.five_probe) {
+    const Series probes = open_series(*files.five_probe);
+    made.json["five_probe"] =
+        probes_part(five_point_of(probes, place_of(probes, options.probes, files.ball), file_name(*files.five_probe)));
+  }
   for (const fs::path& signals : files.signals) {
-    made.json["signals"].push_back(signals_part(signals.filename().string(), open_series(signals)));
+    made.json["signals"].push_back(signals_part(file_name(signals), open_series(signals)));
   }
 }
 
 void add_series(Made& made, const Series& series, const Options& options) {
   const std::string& path = options.model.data.front();
-  made.json["title"] = path;
+  made.json["title"] = file_name(path);
   if (is_five_probe(series) || options.probes.any()) {
     const Series with = stated(series, options.probes);
-    made.json["five_probe"] = probes_part(five_point_of(with, place_of(with, options.probes, {}), path));
+    made.json["five_probe"] = probes_part(five_point_of(with, place_of(with, options.probes), file_name(path)));
   }
-  made.json["signals"].push_back(signals_part(fs::path(path).filename().string(), series));
+  made.json["signals"].push_back(signals_part(file_name(path), series));
 }
 
 void add_comparison(Made& made, const Options& options) {
@@ -102,7 +122,7 @@ void add_comparison(Made& made, const Options& options) {
   made.files.insert(made.files.end(), both.files.begin(), both.files.end());
   const Comparison comparison = compare(both.a, both.b);
   made.json["compare"] = json_of(comparison);
-  made.conclude(conclusion(comparison));
+  made.conclude(fmt::format("{} against {}: {}", comparison.a, comparison.b, conclusion(comparison)));
 }
 
 void overlay_effects(Made& made, const Fit& fit, const Model& model, const ModelData& data) {
@@ -138,17 +158,18 @@ void add_target(Made& made, const Options& options, const Model& model, const Mo
   overlay_candidates(made, found, data);
 }
 
-// Of several targets, one that cannot be fitted is said and left out.
+// A target that cannot be fitted is said and left out.
 void add_model(Made& made, const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     try {
       add_target(made, options, model, data, target);
-    } catch (const Error& error) {
-      if (model.targets.size() == 1) throw;
-      made.json["diagnose"]["targets"].push_back({{"target", model.targets[target]}, {"not_diagnosed", error.what()}});
-      made.conclude(fmt::format("{}: not diagnosed: {}", model.targets[target], error.what()));
+    } catch (const Error& error) {  // the rest of the report is worth having
+      const std::string& name = model.targets[target];
+      made.conclude(fmt::format("{}: not {}: {}", name, options.no_diagnosis ? "fitted" : "diagnosed", error.what()));
+      if (options.no_diagnosis) continue;
+      made.json["diagnose"]["targets"].push_back({{"target", name}, {"not_diagnosed", error.what()}});
     }
   }
   if (options.model.model.empty()) return;
@@ -166,18 +187,42 @@ void add_batch(Made& made, const Options& options) {
   for (const std::string& warning : job.warnings) made.conclude(warning);
 }
 
+// An option that would do nothing is a mistake.
+void expect_use(const Options& options, bool of_recordings, bool of_batches) {
+  const bool has_model = !options.model.model.empty();
+  const bool fits = !of_batches && (has_model || options.diagnose);
+  const auto expect = [](bool used, const char* option, const char* with) {
+    if (!used) throw Error(fmt::format("{}: expected {} with it.", option, with));
+  };
+  expect(options.model.target.empty() || fits, "--target", "a model of effects or --diagnose");
+  expect(!options.model.robust || fits, "--robust", "a model of effects or --diagnose");
+  expect(!options.model.white || fits, "--white", "a model of effects or --diagnose");
+  expect(!options.no_diagnosis || fits, "--no-diagnosis", "a model of effects");
+  expect(!options.diagnose || !of_batches, "--diagnose", "a model of effects, not one of train,");
+  expect(!options.anyway || of_batches, "--anyway", "a model of train");
+  expect(!options.probes.any() || !of_recordings, "options of five probes", "a session or a series");
+}
+
+// SOURCE_DATE_EPOCH, where it is set: the same page from the same data on any day.
+std::string today() {
+  const char* stated = std::getenv("SOURCE_DATE_EPOCH");
+  const std::time_t now = stated != nullptr ? std::strtoll(stated, nullptr, 10) : std::time(nullptr);
+  return fmt::format("{:%F}", stated != nullptr ? fmt::gmtime(now) : fmt::localtime(now));
+}
+
 // Recordings are told from a session and a series by what open_model_data() makes of them.
 Made made_of(const Options& options) {
   Made made;
   made.json = {{"format", "ballbar-report 1"}, {"title", ""}, {"made_by", "ballbar " BALLBAR_VERSION}};
-  made.json["made_on"] = fmt::format("{:%F}", fmt::localtime(std::time(nullptr)));
+  made.json["made_on"] = today();
   made.json["files"] = Json::array();
   made.json["summary"] = Json::array();
   made.json["signals"] = Json::array();
   const bool has_model = !options.model.model.empty();
   const bool of_batches = has_model && is_batch_model(options.model.model);
-  const bool several = options.model.data.size() > 1;
-  if (several || is_recording_file(options.model.data.front())) {
+  const bool of_recordings = options.model.data.size() > 1 || is_recording_file(options.model.data.front());
+  expect_use(options, of_recordings, of_batches);
+  if (of_recordings) {
     if (!options.compare.empty())
       throw Error("--compare: expected a session or a series to compare, found recordings.");
     if (of_batches) throw Error(options.model.model + ": expected a series to predict, found recordings.");
@@ -188,7 +233,7 @@ Made made_of(const Options& options) {
   const DriftData data = open_drift_data(options.model.data.front());
   made.files = data.files;
   if (data.session) {
-    add_session(made, *data.session, options.model.data.front());
+    add_session(made, *data.session, options);
   } else {
     add_series(made, *data.series, options);
   }
@@ -201,9 +246,15 @@ Made made_of(const Options& options) {
   return made;
 }
 
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  for (char& letter : ending) letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  return ending;
+}
+
 void write_pictures(const Json& report, const Options& options) {
   const std::vector<NamedPicture> pictures = pictures_of(report, options.pictures);
-  const bool one_file = fs::path(options.out).extension() == ".svg";
+  const bool one_file = ending_of(options.out) == ".svg";
   if (one_file && pictures.size() != 1) {
     std::string names;
     for (const NamedPicture& picture : pictures) names += (names.empty() ? "" : ", ") + picture.name;
@@ -231,7 +282,7 @@ void expect_out(const Options& options) {
                     ? "--format svg: expected --out with a folder, or a name that ends in .svg."
                     : "expected --out with the name of the page, as in --out page.html.");
   }
-  const std::string ending = fs::path(options.out).extension().string();
+  const std::string ending = ending_of(options.out);
   const char* wanted = options.format == Format::html ? ".html" : options.format == Format::json ? ".json" : nullptr;
   if (wanted != nullptr && ending != wanted) {
     throw Error(fmt::format("--out {}: expected a name that ends in {}, found {}.", options.out, wanted,
@@ -266,7 +317,7 @@ void run(const Options& options) {
     const ProgressLine line;
     Made result = made_of(options);
     std::vector<std::string> names;
-    for (const fs::path& file : result.files) names.push_back(file.string());
+    for (const fs::path& file : result.files) names.push_back(file_name(file));
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
     result.json["files"] = names;
@@ -280,7 +331,7 @@ void run(const Options& options) {
   write_bytes(options.out, bytes);
   for (const Json& sentence : made.json["summary"]) fmt::print("{}", wrapped(sentence.get<std::string>()));
   fmt::print(stderr, "wrote {}\n", options.out);
-  if (options.open && !started({"xdg-open", options.out})) {
+  if (options.open && !started({"xdg-open", fs::absolute(options.out).string()})) {
     fmt::print(stderr, "ballbar: no program xdg-open to open it with; open {} in a browser.\n", options.out);
   }
 }
@@ -291,6 +342,7 @@ void add_report(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("report", "Everything to look at, in one page");
   add_model_options(*command, options->model, false);
+  add_fit_options(*command, options->model);
   command->add_option("--compare", options->compare, "another drift, or five probes, to compare DATA with")
       ->type_name("DATA");
   CLI::Option* diagnose =

@@ -2,12 +2,13 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
 
+#include "ballbar/cycles.hpp"
 #include "ballbar/residual.hpp"
-#include "ballbar/speed_steps.hpp"
 #include "ballbar/units.hpp"
 #include "json_number.hpp"
 #include "report_parts.hpp"
@@ -49,15 +50,8 @@ Json inputs_of(const Fit& fit, const ModelData& data) {
       inputs.push_back(column(one.name, name_of(one.role), unit_of(one.name), values));
     }
   }
-  if (const Column* speed = speed_of(data.series)) {
-    std::vector<double> cycle(data.series.time_s.size());
-    const std::vector<SpeedStep> steps = speed_steps(data.series.time_s, *speed);
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      std::fill(cycle.begin() + static_cast<std::ptrdiff_t>(steps[i].begin),
-                cycle.begin() + static_cast<std::ptrdiff_t>(steps[i].end), static_cast<double>(i + 1));
-    }
-    inputs.push_back(column("cycle", "event", "", at_rows(cycle, fit.row)));
-  }
+  const std::vector<std::size_t> cycles = cycles_of(data.series, fit.row);
+  inputs.push_back(column("cycle", "event", "", {cycles.begin(), cycles.end()}));
   return inputs;
 }
 
@@ -96,8 +90,17 @@ std::pair<double, double> range_of(const std::vector<double>& values) {
   return {low, high};
 }
 
-// An input at its least value for a tenth of the time and at its largest from then on; the other inputs stay at theirs
-// in the first row. The time: five of the longest time constant, between 30 min and 48 h.
+double median_of(const std::vector<double>& values) {
+  std::vector<double> known;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(known), [](double v) { return std::isfinite(v); });
+  if (known.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
+  std::nth_element(known.begin(), middle, known.end());
+  return *middle;
+}
+
+// An input at its least value for a tenth of the time and at its largest from then on; the other inputs stay at their
+// median. The time: five of the longest time constant, at least 30 min.
 Json step_of(const Term& term, const FittedParameter* parameters, std::size_t input, const Series& data) {
   constexpr std::size_t kRows = 240;
   const std::string& name = term.columns[input];
@@ -111,7 +114,7 @@ Json step_of(const Term& term, const FittedParameter* parameters, std::size_t in
     const bool time = parameter.unit == "s" && parameter.name.find("onset") == std::string::npos;
     if (time) longest_s = std::max(longest_s, parameters[k].value);
   }
-  const double span_s = std::clamp(5.0 * longest_s, 1800.0, 172800.0);
+  const double span_s = std::max(5.0 * longest_s, 1800.0);
   Series series;
   for (std::size_t i = 0; i < kRows; ++i) {
     series.time_s.push_back(span_s * (static_cast<double>(i) / (kRows - 1) * 1.1 - 0.1));
@@ -120,10 +123,9 @@ Json step_of(const Term& term, const FittedParameter* parameters, std::size_t in
     if (find_column(series, other) != nullptr) continue;
     const Column* source = find_column(data, other);
     if (source == nullptr) return nullptr;
-    const auto first =
-        std::find_if(source->values.begin(), source->values.end(), [](double v) { return std::isfinite(v); });
-    if (first == source->values.end()) return nullptr;
-    Column filled{other, source->role, std::vector<double>(kRows, *first)};
+    const double usual = median_of(source->values);
+    if (!std::isfinite(usual)) return nullptr;
+    Column filled{other, source->role, std::vector<double>(kRows, usual)};
     for (std::size_t i = 0; i < kRows && other == name; ++i) filled.values[i] = series.time_s[i] < 0.0 ? low : high;
     series.columns.push_back(std::move(filled));
   }
@@ -149,22 +151,38 @@ Json steps_of(const Fit& fit, const Model& model, const Series& data) {
   return steps;
 }
 
-// What the parameters of the model can make of a curve at the rows of the fit, to first order: its part in the space of
-// the Jacobian.
+// What the free parameters of the model can make of a curve at the rows of the fit, to first order: its part in the
+// space of their columns of the Jacobian.
 class Makeable {
  public:
-  explicit Makeable(const Fit& fit) : jacobian_(fit.jacobian), solver_(fit.jacobian) {}
+  explicit Makeable(const Fit& fit) : free_(free_columns(fit)), solver_(free_.rows(), free_.cols()) {
+    solver_.setThreshold(1e-6);  // two columns that differ by less are one: what they differ by is no freedom
+    if (free_.cols() > 0) solver_.compute(free_);
+  }
 
   std::vector<double> of(const std::vector<double>& curve) const {
     std::vector<double> made(curve.size(), 0.0);
-    if (jacobian_.cols() == 0 || curve.empty()) return made;
+    if (free_.cols() == 0 || curve.empty()) return made;
     const auto n = static_cast<Eigen::Index>(curve.size());
-    Eigen::VectorXd::Map(made.data(), n) = jacobian_ * solver_.solve(Eigen::VectorXd::Map(curve.data(), n));
+    Eigen::VectorXd::Map(made.data(), n) = free_ * solver_.solve(Eigen::VectorXd::Map(curve.data(), n));
     return made;
   }
 
  private:
-  const Eigen::MatrixXd& jacobian_;
+  // Scaled to length 1: their units differ.
+  static Eigen::MatrixXd free_columns(const Fit& fit) {
+    std::vector<Eigen::Index> free;
+    for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
+      const auto column = static_cast<Eigen::Index>(k);
+      const bool moves = fit.parameters[k].state == ParameterState::free && fit.jacobian.col(column).norm() > 0.0;
+      if (moves) free.push_back(column);
+    }
+    Eigen::MatrixXd columns = fit.jacobian(Eigen::all, free);
+    columns.colwise().normalize();
+    return columns;
+  }
+
+  Eigen::MatrixXd free_;
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver_;
 };
 
@@ -186,7 +204,7 @@ Json coherence_of(const Diagnosis& found) {
     if (prospect.testability == Testability::testable) testable.push_back(&prospect);
   }
   if (testable.size() < 2) return nullptr;
-  Json effects = Json::array(), values = Json::array();
+  Json labels = Json::array(), values = Json::array();
   for (const Prospect* mine : testable) {
     std::map<std::string, double> of;
     for (const Likeness& likeness : mine->imitated_by) of[likeness.with] = likeness.coherence;
@@ -194,10 +212,10 @@ Json coherence_of(const Diagnosis& found) {
     for (const Prospect* other : testable) {
       row.push_back(mine == other ? Json(1.0) : number(of[other->effect->name]));
     }
-    effects.push_back(mine->effect->name);
+    labels.push_back(label_of(BoundEffect{mine->effect, mine->columns}));
     values.push_back(std::move(row));
   }
-  return {{"effects", effects}, {"values", values}};
+  return {{"effects", labels}, {"values", values}};
 }
 
 }  // namespace

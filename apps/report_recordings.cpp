@@ -78,6 +78,7 @@ Json part(const Fitted& fitted, const SessionFiles* session) {
     if (i > 0 && one.index == 0) ++place;
     const std::string file = std::filesystem::path(one.file).filename().string();
     Json recording = json_of(one);
+    recording["file"] = file;  // where it lay is nobody's business whom the page is mailed to
     recording["time_s"] = nullptr;
     recording["test"] = file;
     if (session != nullptr) {
@@ -94,7 +95,9 @@ Json part(const Fitted& fitted, const SessionFiles* session) {
       json["remarks"].push_back(fmt::format("{}: the fit did not converge: {}.", label, one.circle->outcome));
     }
   }
+  json["pairs"] = Json::array();
   for (const FittedPair& pair : fitted.pairs) {
+    json["pairs"].push_back({pair.ccw, pair.cw});
     const std::string file = std::filesystem::path(pair.file).filename().string();
     json["results"].push_back(results_of("ISO 230-4, " + file, pair.results));
     for (const std::string& remark : pair.remarks) json["remarks"].push_back(fmt::format("{}: {}", file, remark));

@@ -33,6 +33,8 @@ const cases = [
   ],
 ];
 
+const in_the_dark = ["two-arcs", "hidden-effect", "batch"]; // all kinds of sections; colours are the only difference
+
 let browser;
 const pages = {};
 before(async () => {
@@ -91,7 +93,6 @@ const faults = async (name) => {
   // A change is drawn with the next frame, and what is much in parts, a frame each.
   const settled = async () => {
     await frame();
-    await frame();
     let before = pixels();
     for (let k = 0; k < 60; ++k) {
       await frame();
@@ -124,8 +125,10 @@ const faults = async (name) => {
   if (selects.length !== picture.choices.length) found.push(`${selects.length} lists for ${picture.choices.length} choices`);
   for (const [k, select] of selects.entries()) {
     const values = [...select.options].map((option) => option.value);
-    const before = select.value;
-    for (const value of new Set([values[0], values[values.length >> 1], values[values.length - 1], before])) {
+    const at_first = select.value;
+    const sample = new Set([values[0], values[values.length >> 1], values[values.length - 1]]);
+    sample.delete(at_first);
+    for (const value of [...sample, at_first]) {
       select.value = value;
       select.dispatchEvent(new Event("change", { bubbles: true }));
       await look(`${picture.choices[k].key} ${value}`);
@@ -159,32 +162,36 @@ const axe_faults = async (page, rules) => {
     .map(({ id, nodes }) => `${id}: ${nodes.length} times, as ${nodes[0].html.slice(0, 200)} ${nodes[0].failureSummary}`);
 };
 
-for (const [name, , expected] of cases) {
-  test(`pictures of ${name}`, async (t) => {
-    const { page, wrong, close } = await opened(browser, await pages[name]);
-    try {
-      assert.deepEqual(await page.$$eval("figure[data-picture]", (all) => all.map((one) => one.dataset.picture)), expected);
-      for (const picture of expected) {
-        await t.test(picture, async () => {
-          await seen(page, picture);
-          assert.deepEqual(await page.evaluate(faults, picture), []);
-        });
-      }
-      await t.test("no more than the window is wide", async () => {
-        for (const width of [400, 1100]) {
-          await page.setViewportSize({ width, height: 900 });
-          assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width);
-        }
+const looked_at = async (t, name, expected) => {
+  const { page, wrong, close } = await opened(browser, await pages[name]);
+  try {
+    assert.deepEqual(await page.$$eval("figure[data-picture]", (all) => all.map((one) => one.dataset.picture)), expected);
+    for (const picture of expected) {
+      await t.test(picture, async () => {
+        await seen(page, picture);
+        assert.deepEqual(await page.evaluate(faults, picture), []);
       });
-      await t.test("accessible", async () => {
-        await page.evaluate(axe);
-        assert.deepEqual(await axe_faults(page), []);
-        await page.getByRole("button", { name: "Dark", exact: true }).click();
-        assert.deepEqual(await axe_faults(page, ["color-contrast", "link-in-text-block"]), []);
-      });
-      await t.test("console and network are quiet", () => assert.deepEqual(wrong, []));
-    } finally {
-      await close();
     }
-  });
-}
+    await t.test("no wider than the window", async () => {
+      for (const width of [400, 1100]) {
+        await page.setViewportSize({ width, height: 900 });
+        assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width);
+      }
+    });
+    await t.test("accessible", async () => {
+      await page.evaluate(axe);
+      assert.deepEqual(await axe_faults(page), []);
+      if (!in_the_dark.includes(name)) return;
+      await page.getByRole("button", { name: "Dark", exact: true }).click();
+      assert.deepEqual(await axe_faults(page, ["color-contrast", "link-in-text-block"]), []);
+    });
+    await t.test("console and network are quiet", () => assert.deepEqual(wrong, []));
+  } finally {
+    await close();
+  }
+};
+
+// Two pages at a time: each waits for its frames.
+test("pictures", { concurrency: 2 }, (t) =>
+  Promise.all(cases.map(([name, , expected]) => t.test(name, { concurrency: 1 }, (t) => looked_at(t, name, expected)))),
+);

@@ -6,7 +6,8 @@ import { join } from "node:path";
 import { promisify } from "node:util";
 
 export const program = process.env.BALLBAR_PROGRAM;
-export const runs = process.env.BALLBAR_SAMPLE_RUNS;
+const runs = process.env.BALLBAR_SAMPLE_RUNS;
+if (!program || !runs) throw new Error("expected BALLBAR_PROGRAM and BALLBAR_SAMPLE_RUNS in the environment, as ctest sets them");
 
 export const folder = mkdtempSync(join(tmpdir(), "ballbar-page-"));
 process.on("exit", () => rmSync(folder, { recursive: true, force: true }));

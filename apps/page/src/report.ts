@@ -46,9 +46,9 @@ export interface Recording {
   length_mm?: Num;
   sigma_length_um?: Num;
   // for the page
-  test: string; // "at 64 min", or the file
+  test: string; // "64 min", or the file
   time_s: Num; // of the test in its session
-  label: string; // short, one of the page: "64 min, C arc, CCW"
+  label: string; // "64 min, XY CCW"
   trace?: {
     angle_deg: number[]; // circle
     time_s?: number[]; // axial
@@ -192,8 +192,8 @@ export interface Diagnosed {
   next_test: { text: string; separation: Num } | null;
   next_test_text: string; // as the terminal has it; empty: none is needed
   // Row: an effect that might be there; column: one that could be taken for it. |cos| between what survives of both
-  // beside the model, for the shapes that are most alike; above 0.95 the data cannot tell. Not symmetric: one with more
-  // shapes imitates more.
+  // beside the model, the median over the shapes of the row, each with the shape of the column that is most like it;
+  // above 0.95 they may be taken for each other. Not symmetric: one with more shapes imitates more.
   coherence: { effects: string[]; values: Num[][] } | null;
 }
 
