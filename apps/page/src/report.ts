@@ -71,6 +71,7 @@ export interface Result {
 }
 export interface FitPart {
   recordings: Recording[];
+  pairs?: [number, number][]; // CCW and CW of one test, as places in recordings
   iso230_4?: Pair;
   iso230_4_pairs?: Pair[];
   results: { of: string; rows: Result[] }[]; // tables, one a recording and one a pair

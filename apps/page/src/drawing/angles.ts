@@ -3,18 +3,41 @@
 // In 0 to 360.
 export const within_turn = (angle_deg: number): number => ((angle_deg % 360) + 360) % 360;
 
-// As the readings go, without jumps of a turn, so that an arc through 0 deg is drawn in one piece. The turn is the one
-// that puts the middle reading nearest to 0 to 360.
-export const unwrapped = (angle_deg: readonly number[]): number[] => {
+// As the readings go, without jumps of a turn, so that an arc through 0 deg is drawn in one piece.
+const without_jumps = (angle_deg: readonly number[]): number[] => {
   let turns = 0;
-  const angles = angle_deg.map((angle, i) => {
+  return angle_deg.map((angle, i) => {
     const before = angle_deg[i - 1];
     if (before !== undefined) turns -= Math.round((angle - before) / 360);
     return angle + 360 * turns;
   });
-  const middle = angles[angles.length >> 1] ?? 0;
-  const shift = 360 * Math.floor(middle / 360);
-  return shift === 0 ? angles : angles.map((angle) => angle - shift);
+};
+
+// Halfway between the least and the largest.
+const middle_of = (angles: readonly number[]): number => {
+  let least = Infinity;
+  let largest = -Infinity;
+  for (const angle of angles) {
+    least = Math.min(least, angle);
+    largest = Math.max(largest, angle);
+  }
+  return least <= largest ? (least + largest) / 2 : 0;
+};
+
+const turned = (angles: readonly number[], turns: number): number[] =>
+  turns === 0 ? [...angles] : angles.map((angle) => angle + 360 * turns);
+
+// Least middle of an arc as it is drawn. Arcs and turns have theirs at multiples of 15 deg, away from here, so that noise
+// does not choose the turn.
+const kLeast_middle_deg = -70;
+
+// Recordings that are drawn together, each without jumps, all on one turn: that of the first, the others where they
+// overlap it most, whichever way they went.
+export const unwrapped_together = (recordings: readonly (readonly number[])[]): number[][] => {
+  const angles = recordings.map(without_jumps);
+  const first = angles.find((one) => one.length > 0) ?? [];
+  const middle = middle_of(first) - 360 * Math.floor((middle_of(first) - kLeast_middle_deg) / 360);
+  return angles.map((one) => turned(one, Math.round((middle - middle_of(one)) / 360)));
 };
 
 // The reading nearest to an angle, on whatever turn; -1: there is none.

@@ -1,6 +1,8 @@
 // Colours of a sequence from first to last: viridis (S. van der Walt and N. Smith, 2015), whose lightness rises evenly, so
 // that the order is seen with any colour vision and in grey. The end that is too near to the paper is left out.
 
+const kBar_px = 120;
+
 const viridis = [
   [68, 1, 84],
   [72, 40, 120],
@@ -33,27 +35,32 @@ export const sequence_bar = (
   ink: string,
   font: string,
   top_px: number,
-): Record<string, unknown> => ({
-  type: "group",
-  right: 20,
-  top: top_px,
-  silent: true,
-  children: [
-    {
-      type: "rect",
-      shape: { x: 0, y: 0, width: 120, height: 8 },
-      style: {
-        fill: {
-          type: "linear",
-          x: 0,
-          y: 0,
-          x2: 1,
-          y2: 0,
-          colorStops: Array.from({ length: 11 }, (_, k) => ({ offset: k / 10, color: sequence_colour(k / 10, dark) })),
+): Record<string, unknown> => {
+  // Names of files may be long: each has its half of the bar.
+  const half = { width: kBar_px / 2 - 4, overflow: "truncate", ellipsis: "…" };
+  const name = { y: 12, fill: ink, fontSize: 11, fontFamily: font, ...half };
+  return {
+    type: "group",
+    right: 20,
+    top: top_px,
+    silent: true,
+    children: [
+      {
+        type: "rect",
+        shape: { x: 0, y: 0, width: kBar_px, height: 8 },
+        style: {
+          fill: {
+            type: "linear",
+            x: 0,
+            y: 0,
+            x2: 1,
+            y2: 0,
+            colorStops: Array.from({ length: 11 }, (_, k) => ({ offset: k / 10, color: sequence_colour(k / 10, dark) })),
+          },
         },
       },
-    },
-    { type: "text", style: { text: first, x: 0, y: 12, fill: ink, fontSize: 11, fontFamily: font } },
-    { type: "text", style: { text: last, x: 120, y: 12, fill: ink, fontSize: 11, fontFamily: font, align: "right" } },
-  ],
-});
+      { type: "text", style: { ...name, text: first, x: 0 } },
+      { type: "text", style: { ...name, text: last, x: kBar_px, align: "right" } },
+    ],
+  };
+};

@@ -29,17 +29,45 @@ const of_regime = new Map([
   ["steady", steady],
 ]);
 
-type Regimes = Checked["series"]["regimes"];
+const kSteady_share = 0.05; // of the steepest slope
+const kSame_speed = 0.02; // of the highest
 
-// The minutes after a change of speed heat or cool as what follows them.
-const kind_of_regime = (regimes: Regimes, k: number): Kind => {
-  const regime = regimes[k]?.regime;
-  if (regime !== "after a change of speed") return of_regime.get(regime ?? "") ?? unknown;
-  const next = regimes.slice(k + 1).find((one) => one.regime !== regime)?.regime;
-  return next === "cooling" || next === "standstill" ? cooling : heating;
+type Series = Checked["series"];
+
+// The usual speed of a regime; stops in which a test is made are short. null: it is not known.
+const speed_in = (series: Series, regime: Series["regimes"][number] | undefined): Num => {
+  const speed = series.inputs.find(({ role }) => role === "speed")?.values ?? [];
+  if (!regime) return null;
+  const last = series.regimes[series.regimes.length - 1] === regime;
+  const speeds = speed
+    .filter((_, row) => {
+      const time = series.time_s[row] ?? NaN;
+      return time >= regime.from_s && (time < regime.to_s || (last && time <= regime.to_s));
+    })
+    .filter((value) => value !== null)
+    .map(Math.abs)
+    .sort((a, b) => a - b);
+  return speeds[speeds.length >> 1] ?? null;
 };
 
-const kSteady_share = 0.05; // of the steepest slope
+// The minutes after a change of speed heat or cool as what follows them, and where that tells nothing, by whether the
+// speed rose or fell.
+const kind_of_change = (series: Series, k: number): Kind => {
+  const [before, after] = [series.regimes[k - 1], series.regimes[k + 1]];
+  const next = of_regime.get(after?.regime ?? "");
+  if (next === heating || next === cooling) return next;
+  const then = speed_in(series, before);
+  const now = speed_in(series, after) ?? speed_in(series, series.regimes[k]);
+  if (then === null || now === null || Math.abs(now - then) <= kSame_speed * Math.max(now, then)) return steady;
+  return now > then ? heating : cooling;
+};
+
+const kind_of_regime = (series: Series, k: number): Kind => {
+  const regime = series.regimes[k]?.regime ?? "";
+  if (regime === "after a change of speed") return kind_of_change(series, k);
+  // A machine that has not run yet does not cool.
+  return k === 0 && regime === "standstill" ? steady : (of_regime.get(regime) ?? unknown);
+};
 
 export interface Kinds {
   kinds: readonly Kind[]; // that occur
@@ -54,7 +82,7 @@ const occurring = (places: Uint8Array): Kinds => {
 };
 
 const by_regime = ({ series }: Checked): Uint8Array => {
-  const kinds = series.regimes.map((_, k) => kind_of_regime(series.regimes, k));
+  const kinds = series.regimes.map((_, k) => kind_of_regime(series, k));
   const places = new Uint8Array(series.time_s.length).fill(all_kinds.indexOf(unknown));
   let k = 0;
   series.time_s.forEach((time, row) => {

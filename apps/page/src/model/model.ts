@@ -2,7 +2,7 @@
 import { against_choice } from "./against_axes";
 import { contributions_picture } from "./contributions_picture";
 import { model_fit_picture } from "./model_fit_picture";
-import { parameter_table, step_table, where_table, worst_first } from "./model_tables";
+import { parameter_table, sigma_notes, step_table, where_table, worst_first } from "./model_tables";
 import type { Picture, Section, TextTable } from "../picture";
 import { residual_against_picture } from "./residual_against_picture";
 import type { Checked, Report } from "../report";
@@ -41,6 +41,7 @@ const section_of = (report: Report, checked: Checked, id: string): Section => {
       ...step_table(checked),
     ],
     pictures,
+    lists: sigma_notes(report, checked), // the page shows lists below the tables
   };
 };
 

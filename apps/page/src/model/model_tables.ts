@@ -1,6 +1,6 @@
 // Where a model fails, its parameters, and what its effects answer to a step.
-import type { TextTable } from "../picture";
-import type { Checked, Parameter } from "../report";
+import type { Section, TextTable } from "../picture";
+import type { Checked, Parameter, Report } from "../report";
 import { plain } from "../drawing/text";
 import { minutes, shown } from "../drawing/theme";
 import { unit_shown } from "../drawing/units";
@@ -65,7 +65,18 @@ export const parameter_table = (checked: Checked): TextTable[] =>
         },
       ];
 
-// When an answer has made 63.2 % of its way, the time constant of a body that follows by itself.
+// Beside the table of circles: there the same centre may stand with another sigma.
+export const sigma_notes = (report: Report, checked: Checked): NonNullable<Section["lists"]> => {
+  const circles = report.fit?.recordings.some(({ kind }) => kind === "circle") ?? false;
+  const sigmas = checked.parameters.some(({ sigma }) => sigma !== null);
+  if (checked.level !== "recording" || !circles || !sigmas) return [];
+  const note =
+    "These sigmas are by the noise model of the diagnosis, so that they differ from those in the table of circles.";
+  return [{ title: "About the sigmas of the parameters", items: [note] }];
+};
+
+// When an answer has made 63.2 % of its way to the end of the picture: the time constant of a body that follows by itself,
+// about, because it has not come to rest there.
 const way_made_s = (time_s: readonly number[], response_um: readonly (number | null)[]): number | null => {
   const last = response_um[response_um.length - 1];
   if (typeof last !== "number" || Math.abs(last) < 1e-9) return null;
@@ -79,7 +90,7 @@ export const step_table = (checked: Checked): TextTable[] =>
     : [
         {
           title: "Answers to a step of the input",
-          heading: ["effect", "input", "from", "to", "unit", "in the end µm", "63 % of it after min"],
+          heading: ["effect", "input", "from", "to", "unit", "at the end of the picture µm", "63 % of that after min"],
           rows: checked.steps.map((step) => {
             const after_s = way_made_s(step.time_s, step.response_um);
             return [

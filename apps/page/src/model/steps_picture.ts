@@ -36,7 +36,8 @@ export const steps_picture = (checked: Checked, name: string): Picture => {
     title: "Step response",
     about:
       "What each effect of the model answers when its input steps at 0 min from the least to the largest value in the data " +
-      "and stays there. The height is what it can add at most, the way there how slowly it comes.",
+      "and stays there; its other inputs stay at their median. The height is what the step adds, the way there how slowly " +
+      "it comes.",
     height_px: 360,
     zoom: "own",
     choices: [],

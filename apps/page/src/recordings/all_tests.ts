@@ -1,6 +1,6 @@
 // The same figure test after test, over each other: how the circle drifts. Colours run from the first test to the last,
 // lines grow wider, and the first and the last carry their names.
-import { unwrapped } from "../drawing/angles";
+import { unwrapped_together } from "../drawing/angles";
 import { first_at } from "../drawing/decimate";
 import { kept_readings, picked } from "./recording_curves";
 import type { Choice, State, Toggle } from "../picture";
@@ -10,7 +10,7 @@ import { sequence_bar, sequence_colour } from "../drawing/sequence_colour";
 import { colours, font, minutes, shown } from "../drawing/theme";
 
 export const kStretches = 180; // of a recording, up to four points each
-const kMost_toggles = 24;
+export const kMost_toggles = 24;
 
 export interface Test {
   key: string;
@@ -49,19 +49,26 @@ export const quantities: Choice = {
   initial: "deviation",
 };
 
-// Of a curve at other angles, by straight lines between readings; null outside of them and in a gap of more than 5 deg.
+// Of a curve at other angles, on whatever turn, by straight lines between readings; null outside of them and in a gap of
+// more than 5 deg.
 const at_angles = (angle_deg: readonly number[], value_um: readonly Num[], at_deg: readonly number[]): Num[] => {
   const order = angle_deg.map((_, i) => i).sort((a, b) => (angle_deg[a] ?? 0) - (angle_deg[b] ?? 0));
-  const x = picked(angle_deg, order);
-  const y = picked(value_um, order);
-  return at_deg.map((angle) => {
+  const [first, last] = [order[0], order[order.length - 1]];
+  if (first === undefined || last === undefined) return at_deg.map(() => null);
+  const [least, largest] = [angle_deg[first] ?? 0, angle_deg[last] ?? 0];
+  // From the last reading of a turn on to the first.
+  const closed = largest - least < 360;
+  const x = closed ? [largest - 360, ...picked(angle_deg, order), least + 360] : picked(angle_deg, order);
+  const y = picked(value_um, closed ? [last, ...order, first] : order);
+  const at = (angle: number): Num => {
     const after = first_at(x, angle);
     const [x0, x1, y0, y1] = [x[Math.max(0, after - 1)], x[after], y[Math.max(0, after - 1)], y[after]];
     if (x1 === undefined || x0 === undefined || y0 === null || y0 === undefined || y1 === null || y1 === undefined)
       return null;
     if (x1 === angle || x1 === x0) return x1 === angle ? y1 : null;
     return x1 - x0 > 5 ? null : y0 + ((y1 - y0) * (angle - x0)) / (x1 - x0);
-  });
+  };
+  return at_deg.map((angle) => at(angle) ?? at(angle + 360) ?? at(angle - 360));
 };
 
 // Every test of the chosen group in the chosen quantity, all its readings.
@@ -70,15 +77,15 @@ export const tests_of = (groups: readonly Group[], chosen: State["chosen"]): Tes
   const places = places_of(recordings);
   const names = times_named(recordings);
   const first = recordings[0]?.trace;
-  const first_angles = unwrapped(first?.angle_deg ?? []);
+  const angles = unwrapped_together(recordings.map(({ trace }) => trace?.angle_deg ?? []));
   return recordings.map((recording, k) => {
     const { trace } = recording;
-    const angle_deg = unwrapped(trace?.angle_deg ?? []);
+    const angle_deg = angles[k] ?? [];
     const deviation = trace?.deviation_um ?? [];
     const place = places[k] ?? 0;
     let value_um: Num[] = chosen["quantity"] === "residual" ? (trace?.residual_um ?? []) : deviation;
     if (chosen["quantity"] === "change") {
-      const then = at_angles(first_angles, first?.deviation_um ?? [], angle_deg);
+      const then = at_angles(angles[0] ?? [], first?.deviation_um ?? [], angle_deg);
       value_um = deviation.map((value, i) => {
         const before = then[i] ?? null;
         return before === null ? null : value - before;

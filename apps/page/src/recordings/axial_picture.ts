@@ -1,5 +1,5 @@
 // Recordings with the bar along the spindle: its length over the time of a recording, all tests or one.
-import { places_of, times_named } from "./all_tests";
+import { kMost_toggles, places_of, times_named } from "./all_tests";
 import { curve, type Point } from "../drawing/curve";
 import { decimated } from "../drawing/decimate";
 import { hover_text } from "../drawing/hover";
@@ -9,8 +9,6 @@ import type { Num, Recording } from "../report";
 import { sequence_bar, sequence_colour } from "../drawing/sequence_colour";
 import { axis, base, colours, curve_colour, font, legend, minutes, shown, tooltip } from "../drawing/theme";
 import { x_axis } from "../drawing/two_grids";
-
-const kMost_toggles = 24;
 
 interface Axial {
   key: string;

@@ -1,5 +1,5 @@
 // The columns of a recording's trace, as they are drawn and as they are saved.
-import { unwrapped } from "../drawing/angles";
+import { unwrapped_together } from "../drawing/angles";
 import { decimated } from "../drawing/decimate";
 import type { Numbers } from "../picture";
 import type { Num, Recording } from "../report";
@@ -40,7 +40,7 @@ export const recording_numbers = (recordings: readonly Recording[]): Numbers => 
   const traces = recordings.map((recording) => recording.trace);
   const rows = traces.reduce((sum, trace) => sum + (trace?.deviation_um.length ?? 0), 0);
   const columns: { name: string; values: Num[] }[] = [
-    { name: "angle_deg", values: traces.flatMap((trace) => unwrapped(trace?.angle_deg ?? [])) },
+    { name: "angle_deg", values: unwrapped_together(traces.map((trace) => trace?.angle_deg ?? [])).flat() },
   ];
   let before = 0;
   traces.forEach((trace, k) => {

@@ -1,5 +1,5 @@
 // Which recordings are looked at together.
-import type { Recording } from "../report";
+import type { FitPart, Recording } from "../report";
 import { plain } from "../drawing/text";
 
 export interface Group {
@@ -16,29 +16,52 @@ const both = (a: Recording, b: Recording): boolean =>
   a.test === b.test && a.file === b.file && a.plane === b.plane && a.direction !== b.direction;
 
 // Labels from files may be long and may be the same; those of a list must differ.
-export const labels_of = (recordings: readonly Recording[]): string[] => {
-  const labels = recordings.map((recording) => plain(recording.label, 60));
-  return labels.map((label, k) =>
+const once_each = (labels: readonly string[]): string[] =>
+  labels.map((label, k) =>
     labels.indexOf(label) === k && labels.lastIndexOf(label) === k ? label : `${label} (${k + 1})`,
   );
-};
+
+export const labels_of = (recordings: readonly Recording[]): string[] =>
+  once_each(recordings.map((recording) => plain(recording.label, 60)));
 
 export const one_by_one = (recordings: readonly Recording[]): Group[] => {
   const labels = labels_of(recordings);
   return recordings.map((recording, k) => ({ value: String(k), label: labels[k] ?? "", of: [recording] }));
 };
 
+// Both directions of a test: as the program paired them, else by what is next to each other in a file.
+export const pairs_of = ({ recordings, pairs }: FitPart): [Recording, Recording][] =>
+  pairs
+    ? pairs.flatMap(([i, j]): [Recording, Recording][] => {
+        const [a, b] = [recordings[i], recordings[j]];
+        return a && b && is_circle(a) && is_circle(b) ? [[a, b]] : [];
+      })
+    : recordings.filter(is_circle).flatMap((a, k, circles): [Recording, Recording][] => {
+        const b = circles[k + 1];
+        return b && both(a, b) ? [[a, b]] : [];
+      });
+
+const name_of_pair = (a: Recording, b: Recording): string => {
+  const [name, other] = [a, b].map(({ label }) => plain(label, 60).replace(/[,\s]*(CCW|CW)$/, ""));
+  return name === other
+    ? `${name}, ${a.direction} and ${b.direction}`
+    : `${plain(a.label, 60)} and ${plain(b.label, 60)}`;
+};
+
 // The two directions of a test together first, because their difference shows play and lag; then each recording alone.
-export const pairs_and_singles = (recordings: readonly Recording[]): Group[] => {
-  const pairs = recordings.flatMap((recording, k): Group[] => {
-    const next = recordings[k + 1];
-    if (!next || !both(recording, next)) return [];
-    const name = plain(recording.label, 60).replace(/[,\s]*(CCW|CW)$/, "");
-    return [
-      { value: `${k}+${k + 1}`, label: `${name}, ${recording.direction} and ${next.direction}`, of: [recording, next] },
-    ];
-  });
-  return [...pairs, ...one_by_one(recordings)];
+export const pairs_and_singles = (
+  recordings: readonly Recording[],
+  pairs: readonly [Recording, Recording][],
+): Group[] => {
+  const names = once_each(pairs.map(([a, b]) => name_of_pair(a, b)));
+  const both_ways = pairs.map(
+    (pair, k): Group => ({
+      value: pair.map((one) => recordings.indexOf(one)).join("+"),
+      label: names[k] ?? "",
+      of: pair,
+    }),
+  );
+  return [...both_ways, ...one_by_one(recordings)];
 };
 
 // Recordings of one kind, plane and direction: the same figure, test after test. In the order of their times.

@@ -4,7 +4,7 @@ import { all_unrolled_picture } from "./all_unrolled_picture";
 import { axial_picture } from "./axial_picture";
 import { circle_picture } from "./circle_picture";
 import type { Picture, Section } from "../picture";
-import { is_axial, is_circle, pairs_and_singles, repeated } from "./recording_groups";
+import { is_axial, is_circle, pairs_and_singles, pairs_of, repeated } from "./recording_groups";
 import { recording_tables } from "./recording_tables";
 import type { Recording, Report } from "../report";
 import { unrolled_picture } from "./unrolled_picture";
@@ -18,7 +18,7 @@ export const recordings_section = (report: Report): Section[] => {
   if (!fit || fit.recordings.length === 0) return [];
   const drawn_circles = fit.recordings.filter(is_circle);
   const drawn_axial = fit.recordings.filter(is_axial);
-  const groups = pairs_and_singles(drawn_circles);
+  const groups = pairs_and_singles(drawn_circles, pairs_of(fit));
   const tests = repeated(drawn_circles, kFewest_tests);
   const pictures: Picture[] = [
     ...(groups.length > 0 ? [circle_picture(groups), unrolled_picture(groups)] : []),

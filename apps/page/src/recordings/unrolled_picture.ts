@@ -1,5 +1,5 @@
 // A recording against the angle: its deviation with the fitted circle, and below what the circle leaves.
-import { unwrapped } from "../drawing/angles";
+import { unwrapped_together } from "../drawing/angles";
 import { curve, type Dash, type Point } from "../drawing/curve";
 import { hover_text } from "../drawing/hover";
 import type { Picture, State, Toggle } from "../picture";
@@ -58,8 +58,8 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
     title: "Deviation against the angle",
     about:
       "Above, each reading of the bar less its nominal length against the angle, with the circle fitted to it. Below, what " +
-      "the circle leaves: the radius of the path about the fitted centre less the fitted radius. With the effects of a " +
-      "model switched on, what each adds is drawn below too.",
+      "the circle leaves: each reading less the fitted circle. With the effects of a model switched on, what each adds is " +
+      "drawn below too.",
     height_px: 460,
     zoom: "own",
     choices: [
@@ -75,7 +75,7 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
       const { look, window } = state;
       const recordings = chosen_of(state.chosen);
       const on = (key: string): boolean => !state.hidden.has(key);
-      const angles = recordings.map((recording) => unwrapped(recording.trace?.angle_deg ?? []));
+      const angles = unwrapped_together(recordings.map((recording) => recording.trace?.angle_deg ?? []));
       const x = x_axis(look, "angle, °", window, angle_limits(angles.flat()));
       const grids = two_grids(look, x, "deviation, µm", "residual, µm", 0.4);
       const seen = window ? Math.max(0.05, (window[1] - window[0]) / 360) : 1;
