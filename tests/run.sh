@@ -10,6 +10,6 @@ cd "$(dirname "$0")/.."
 
 sh apps/install-packages.sh build test
 cmake -S . -B build-tests -DCMAKE_BUILD_TYPE=Release -DBALLBAR_TESTS=ON \
-  -DBALLBAR_WERROR="${BALLBAR_WERROR:-0}" -DBALLBAR_PCH=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+  -DBALLBAR_WERROR="${BALLBAR_WERROR:-0}" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
 cmake --build build-tests -j "$(nproc)"
 ctest --test-dir build-tests --output-on-failure -j "$(nproc)" "$@"

@@ -243,6 +243,7 @@ test("a stretch without the shift key: the button, then a drag", async () => {
   await seen(page, "temperatures");
   const button = figure(page, "temperatures").getByRole("button", { name: "Select stretch" });
   await button.press("Enter");
+  await drawn(page);
   assert.equal(await button.getAttribute("aria-pressed"), "true");
   await page.mouse.move(...(await at("temperatures", 20, 20)));
   await page.mouse.down();

@@ -21,7 +21,7 @@ export const unit_of = (axis: ComparedAxis): string => {
 // Percent, of a share.
 const percent = (share: Num): string => (share === null ? "–" : shown(100 * share, 2));
 
-// A row of the table: what, and how it reads for an axis whose lengths are in `unit`.
+// A row of the table: what, and how it reads for an axis whose lengths are in `unit`. "UNIT" stands for that.
 type Row = [string, (axis: ComparedAxis, unit: string) => string];
 
 const length =
@@ -46,24 +46,32 @@ const rows: readonly Row[] = [
     (axis) => shown(number(axis, "explained_share") === null ? null : 100 * (number(axis, "explained_share") ?? 0), 0),
   ],
   ["mean deviation, % of the range", (axis) => percent(number(axis, "range_normalised_mean_deviation"))],
-  ["RMSE", length("rmse")],
-  ["largest deviation", length("max")],
+  ["RMSE, UNIT", length("rmse")],
+  ["largest deviation, UNIT", length("max")],
   [
     "largest deviation at, min",
     (axis) => shown(number(axis, "max_at_s") === null ? null : minutes(number(axis, "max_at_s") ?? 0)),
   ],
-  ["bias", length("bias")],
-  ["95 % limits of agreement, low", length("loa_low")],
-  ["95 % limits of agreement, high", length("loa_high")],
+  ["bias, UNIT", length("bias")],
+  ["95 % limits of agreement, low, UNIT", length("loa_low")],
+  ["95 % limits of agreement, high, UNIT", length("loa_high")],
   ["correlation", (axis) => shown(number(axis, "correlation"), 4)],
   ["lag of best agreement, min", lag],
 ];
 
-const statistics_table = (axes: readonly [string, ComparedAxis][]): TextTable => ({
-  title: "How well they agree",
-  heading: ["", ...axes.map(([name, axis]) => `${words(name)}, ${unit_shown(unit_of(axis))}`)],
-  rows: rows.map(([label, text]) => [label, ...axes.map(([, axis]) => text(axis, unit_of(axis)))]),
-});
+// One table, or one a unit.
+const statistics_tables = (axes: readonly [string, ComparedAxis][]): TextTable[] => {
+  const units = [...new Set(axes.map(([, axis]) => unit_of(axis)))];
+  return units.map((unit) => {
+    const of_unit = axes.filter(([, axis]) => unit_of(axis) === unit);
+    const written = unit_shown(unit);
+    return {
+      title: units.length > 1 ? `How well they agree, in ${written}` : "How well they agree",
+      heading: ["", ...of_unit.map(([name]) => words(name))],
+      rows: rows.map(([label, text]) => [label.replace("UNIT", written), ...of_unit.map(([, axis]) => text(axis, unit))]),
+    };
+  });
+};
 
 interface Source {
   source: string;
@@ -110,7 +118,7 @@ export const comparison_section = (report: Report): Section[] => {
       id: "comparison",
       heading: "Comparison",
       sentences: sentences_of(compare),
-      tables: [statistics_table(axes), ...budget_table(axes)],
+      tables: [...statistics_tables(axes), ...budget_table(axes)],
       pictures: axes.map(([name, axis], k) =>
         comparison_picture({
           name,

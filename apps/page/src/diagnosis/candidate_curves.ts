@@ -1,7 +1,7 @@
 // The curves of the picture of candidates: the residual, the best set, and the candidate that is chosen.
 import { curve, type Dash } from "../drawing/curve";
 import type { Toggle } from "../picture";
-import type { Ranked } from "./ranking";
+import { kBest, type Ranked } from "./ranking";
 import type { Num } from "../report";
 import { colours, curve_colour, dashes } from "../drawing/theme";
 
@@ -41,8 +41,15 @@ const sum = (columns: readonly (readonly Num[])[]): Num[] =>
     }, 0),
   );
 
-export const residual_curve = (residual_um: readonly Num[]): Curve => ({
-  toggle: { key: "residual", label: "measured less model", colour: (dark) => colours(dark).faint, mark: "line", on: true },
+// Faint below the curve of a set; where there is none, it is what is looked at.
+export const residual_curve = (residual_um: readonly Num[], below: boolean): Curve => ({
+  toggle: {
+    key: "residual",
+    label: "measured less model",
+    colour: (dark) => (below ? colours(dark).faint : curve_colour(1, dark)),
+    mark: "line",
+    on: true,
+  },
   values_um: residual_um,
   series: lined("solid", 1),
 });
@@ -50,9 +57,9 @@ export const residual_curve = (residual_um: readonly Num[]): Curve => ({
 // Of the k-th effect of a set; the solid line is that of all together.
 const dash_of = (k: number): Dash => dashes[1 + (k % (dashes.length - 1))] ?? "dashed";
 
-// The best set: where it has several effects their sum, which is what stands for the residual, and each of them.
-// What the model gives way by counts once, with the set.
-export const best_curves = (best: readonly Shown[], refit_um: readonly Num[]): Curve[] => {
+// The set that is drawn, by the name that it may have: where it has several effects their sum, which is what stands for
+// the residual, and each of them. What the model gives way by counts once, with the set.
+export const best_curves = (best: readonly Shown[], refit_um: readonly Num[], named: string): Curve[] => {
   const strong = (label: string, values_um: readonly Num[]): Curve => ({
     toggle: { key: "best", label, colour: (dark) => curve_colour(1, dark), mark: "line", on: true },
     values_um,
@@ -60,7 +67,10 @@ export const best_curves = (best: readonly Shown[], refit_um: readonly Num[]): C
   });
   const [only, ...others] = best;
   if (!only) return [];
-  if (others.length === 0) return [strong(only.name, sum([only.values_um, refit_um]))];
+  if (others.length === 0) {
+    const label = named === kBest ? only.name : `${only.name}: ${named}`;
+    return [strong(label, sum([only.values_um, refit_um]))];
+  }
   const each = best.map(
     (one, k): Curve => ({
       toggle: {
@@ -74,9 +84,11 @@ export const best_curves = (best: readonly Shown[], refit_um: readonly Num[]): C
       series: lined(dash_of(k), 1.4),
     }),
   );
-  return [strong("the best set together", sum([refit_um, ...best.map((one) => one.values_um)])), ...each];
+  const label = named === kBest ? `${named} together` : named;
+  return [strong(label, sum([refit_um, ...best.map((one) => one.values_um)])), ...each];
 };
 
+// What is left without it is known only where it was fitted alone: in a set, its amplitude goes with the others.
 export const chosen_curves = (one: Shown, residual_um: readonly Num[], refit_um: readonly Num[]): Curve[] => {
   const with_refit = sum([one.values_um, refit_um]);
   const colour = (dark: boolean): string => curve_colour(0, dark);
@@ -86,10 +98,14 @@ export const chosen_curves = (one: Shown, residual_um: readonly Num[], refit_um:
       values_um: with_refit,
       series: highlighted,
     },
-    {
-      toggle: { key: "without", label: "left with the chosen one taken off", colour, mark: "dotted", on: true },
-      values_um: difference(residual_um, with_refit),
-      series: lined("dotted", 1.1),
-    },
+    ...(one.alone
+      ? [
+          {
+            toggle: { key: "without", label: "left with the chosen one taken off", colour, mark: "dotted" as const, on: true },
+            values_um: difference(residual_um, with_refit),
+            series: lined("dotted", 1.1),
+          },
+        ]
+      : []),
   ];
 };

@@ -1,7 +1,7 @@
 // The tables of a diagnosis, with the figures that `ballbar diagnose` prints. A row that is hovered or focused chooses
 // its curve in the picture of the candidates, where there is one.
 import type { TextTable } from "../picture";
-import { ranked_candidates, ranked_companions, type Ranked } from "./ranking";
+import { ranked_candidates, ranked_companions, set_name, type Ranked } from "./ranking";
 import type { Candidate, Diagnosed, Num } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
@@ -41,11 +41,13 @@ const choosing = (picture: string | null, ranked: readonly Ranked[]): Pick<TextT
 export const candidate_table = (found: Diagnosed, left_out: string, picture: string | null): TextTable => {
   const ranked = ranked_candidates(found);
   const decimals = decimals_of(found.rmse_um);
+  const named = set_name(found);
+  const star = named === null ? "" : ` * ${named}, each beside the others.`;
+  const fakes = named === null ? "" : "fakes are tried against those with *; ";
   return {
     title:
-      "Candidates. * the best set, each beside the others. RMSE with it; held out: " +
-      `${left_out} left out, before and after. Evidence: 2 ln of the likelihood ratio; needed: what 1 % of searches ` +
-      "find by chance; fakes are tried against the best set; not told from: rows, and effects without one.",
+      `Candidates.${star} RMSE with it; held out: ${left_out} left out, before and after. Evidence: 2 ln of the ` +
+      `likelihood ratio; needed: what 1 % of searches find by chance; ${fakes}not told from: rows, and effects without one.`,
     heading: [
       "no.", "candidate", "amplitude, µm", "RMSE, µm", "held out, µm", "evidence", "needed", "by chance", "beats fakes",
       "not told from",
@@ -53,7 +55,7 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
     rows: ranked.map((one, k) => {
       const c = one.candidate;
       return [
-        `${k + 1}${c.in_best_set ? "*" : ""}`,
+        `${k + 1}${one.starred ? "*" : ""}`,
         plain(c.label, 60),
         with_sigma(c.amplitude_um, c.amplitude_sigma_um, decimals),
         shown(c.rmse_after_um, decimals + 1),

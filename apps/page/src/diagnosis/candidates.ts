@@ -1,58 +1,42 @@
-// What the model leaves, and over it what each candidate would add. The best set is drawn; any one candidate is chosen
-// beside it, by its row in the table or from the list, and shows what would be left with it taken off.
+// What the model leaves, and over it what each candidate would add. The best set is drawn, where something was found; any
+// one candidate is chosen beside it, by its row in the table or from the list. Where it is a set by itself it shows what
+// would be left with it taken off.
 import { best_curves, chosen_curves, residual_curve, type Curve, type Shown } from "./candidate_curves";
 import { hover_text } from "../drawing/hover";
-import type { Choice, Numbers, Picture, State } from "../picture";
+import type { Numbers, Picture, State } from "../picture";
 import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
-import type { Ranked } from "./ranking";
-import type { Checked, Num, Report } from "../report";
+import { kBest, ranked_candidates, ranked_companions, set_name } from "./ranking";
+import { chosen_strands, recording_choice } from "../recordings/recording_names";
+import type { Checked, Diagnosed, Num, Report } from "../report";
 import { points_of, strands_of, type Strand } from "../drawing/strands";
 import { plain } from "../drawing/text";
 import { axis, base, legend, shown, tooltip } from "../drawing/theme";
 import { time_axis, whole_min } from "../drawing/time_axis";
 import { x_axis } from "../drawing/two_grids";
 
-const kDrawnTogether = 4; // recordings; of more, one at a time is seen at first
-
-const recording_choice = (strands: readonly Strand[], report: Report): Choice[] => {
-  if (strands.length < 2) return [];
-  const circles = (report.fit?.recordings ?? []).filter(({ kind }) => kind === "circle");
-  const label = (number: Num): string => plain(circles[number ?? -1]?.label ?? `recording ${number}`, 40);
-  const one_each = strands.map(({ recording }) => ({ value: String(recording), label: label(recording) }));
-  return [
-    {
-      key: "recording",
-      label: "Recording",
-      values: [{ value: "", label: "all of them" }, ...one_each],
-      initial: strands.length > kDrawnTogether ? (one_each[0]?.value ?? "") : "",
-    },
-  ];
-};
-
 export const candidates_picture = (
   report: Report,
   checked: Checked,
-  candidates: readonly Ranked[],
-  companions: readonly Ranked[],
-  refit_um: readonly Num[],
+  found: Diagnosed,
   name: string,
 ): Picture => {
   const over_angle = checked.level === "recording";
   const strands = strands_of(checked);
-  const all = [...candidates, ...companions].map((one): Shown => ({ ...one, values_um: one.candidate.curve_um }));
+  const { refit_um } = found;
+  const ranked = [...ranked_candidates(found), ...ranked_companions(found)];
+  const all = ranked.map((one): Shown => ({ ...one, values_um: one.candidate.curve_um }));
+  const best = all.filter((one) => one.starred);
+  const named = set_name(found) ?? kBest;
   const fixed = [
-    residual_curve(checked.series.residual_um),
-    ...best_curves(
-      all.filter((one) => one.candidate.in_best_set),
-      refit_um,
-    ),
+    residual_curve(checked.series.residual_um, best.length > 0),
+    ...best_curves(best, refit_um, named),
   ];
   const curves = (chosen: State["chosen"]): Curve[] => {
     const one = all.find((ranked) => ranked.key === chosen["candidate"]);
     return one ? [...fixed, ...chosen_curves(one, checked.series.residual_um, refit_um)] : fixed;
   };
   const seen = (chosen: State["chosen"]): Strand[] =>
-    strands.filter(({ recording }) => !chosen["recording"] || String(recording) === chosen["recording"]);
+    chosen_strands(strands, chosen);
 
   const whole = over_angle ? null : whole_min(strands.map((strand) => strand.x));
   const angles = strands.flatMap((strand) => [strand.x[0] ?? 0, strand.x.at(-1) ?? 0]);
@@ -107,22 +91,26 @@ export const candidates_picture = (
     };
   };
 
+  const part = "that part of each which the model cannot make by parameters of its own";
+  const drawn_set =
+    best.length > 0
+      ? `, and over it what the effects of ${named} (*) would add: ${part}. Candidates without * belong to other sets, ` +
+        "each beside the rest of its own."
+      : `. No effect was found, and none is drawn at first; of a candidate is drawn what it would add: ${part}.`;
   const list = all.map(({ key, name: label }) => ({ value: key, label }));
   return {
     name,
     title: "Candidates over the residual",
     about:
-      "What is measured less what the model says, and over it what the effects of the best set (*) would add: that part " +
-      "of each which the model cannot make by parameters of its own. Candidates without * belong to other sets, each beside the " +
-      "rest of its own. One chosen from the list or in the table is drawn broad and pale; dotted, what is left with it " +
-      "taken off.",
+      `What is measured less what the model says${drawn_set} One chosen from the list or in the table is drawn broad ` +
+      `and pale${all.some((one) => one.alone) ? "; dotted, what is left with it taken off, where it is a set by itself" : ""}.`,
     height_px: 400,
     zoom: over_angle ? "own" : "time",
     choices: [
       ...(list.length > 0
         ? [{ key: "candidate", label: "Candidate", values: [{ value: "", label: "none" }, ...list], initial: "" }]
         : []),
-      ...recording_choice(strands, report),
+      ...recording_choice(report, strands, true),
     ],
     toggles: ({ chosen }) => curves(chosen).map((one) => one.toggle),
     draw,

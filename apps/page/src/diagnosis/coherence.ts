@@ -1,11 +1,12 @@
-// Which effects the data can tell apart: |cos| between what survives of two effects beside the model. At 1 they draw
-// the same curve, whatever the cause. An effect with many shapes may imitate another that cannot imitate it.
+// Which effects may be taken for each other before any is added: |cos| between what survives of two effects beside the
+// model, of typical shapes. At 1 they draw the same curve, whatever the cause. An effect with many shapes may imitate
+// another that cannot imitate it. What this fit cannot tell apart is another question: the table of candidates has it.
 import type { Numbers, Picture, State } from "../picture";
 import type { Diagnosed, Num } from "../report";
 import { plain } from "../drawing/text";
 import { axis, base, colours, shown, tooltip } from "../drawing/theme";
 
-const kInseparable = 0.95; // as in the diagnosis
+const kAlike = 0.95; // as in the diagnosis
 const kWritten = 14; // effects, up to which there is room for numbers in the cells
 
 // From light to dark in one hue on paper, from dark to light on a dark page: strong always stands out, and lightness
@@ -19,8 +20,8 @@ type Coherence = NonNullable<Diagnosed["coherence"]>;
 
 const drawing = ({ effects, values }: Coherence, { look }: State): Record<string, unknown> => {
   const c = colours(look.dark);
-  const names = effects.map((effect) => plain(effect, 32));
-  const margin_px = Math.min(230, 24 + 7 * Math.max(0, ...names.map((name) => name.length)));
+  const names = effects.map((effect) => plain(effect, 44));
+  const margin_px = Math.min(Math.max(200, 0.32 * look.width_px), 24 + 7 * Math.max(0, ...names.map((name) => name.length)));
   const cell_px = (look.width_px - margin_px - 24) / Math.max(1, effects.length);
   const written = effects.length <= kWritten && cell_px > 30;
   // With little room the columns bear the numbers of the rows.
@@ -28,7 +29,7 @@ const drawing = ({ effects, values }: Coherence, { look }: State): Record<string
   const rows = numbered ? names.map((name, k) => `${name}  ${k + 1}`) : names;
   const columns = numbered ? names.map((_, k) => String(k + 1)) : names;
   const roomy = look.width_px > 640;
-  const strong = (value: Num, i: number, j: number): boolean => value !== null && i !== j && value > kInseparable;
+  const strong = (value: Num, i: number, j: number): boolean => value !== null && i !== j && value > kAlike;
   // A cell that is not known is left empty; an effect beside itself says nothing and is empty too.
   // The framed ones are drawn last, so that their neighbours do not hide the frame.
   const cells = values.flatMap((row, i) =>
@@ -56,7 +57,7 @@ const drawing = ({ effects, values }: Coherence, { look }: State): Record<string
       trigger: "item",
       formatter: (one: { value?: unknown }) => {
         const [j, i, value] = Array.isArray(one.value) ? (one.value as number[]) : [];
-        const told = (value ?? 0) > kInseparable ? "\ninseparable in these data" : "";
+        const told = (value ?? 0) > kAlike ? "\nmay be taken for each other" : "";
         return `${names[i ?? 0] ?? ""}\nimitated by ${names[j ?? 0] ?? ""}\n|cos| ${shown(value, 3)}${told}`;
       },
     },
@@ -71,7 +72,7 @@ const drawing = ({ effects, values }: Coherence, { look }: State): Record<string
       top: 8,
       itemWidth: 12,
       itemHeight: 160,
-      text: roomy ? ["1: cannot be told apart", "0: nothing in common"] : ["1", "0"],
+      text: roomy ? ["1: the same curve", "0: nothing in common"] : ["1", "0"],
       textStyle: { color: c.ink },
       inRange: { color: scale(look.dark) },
     },
@@ -95,7 +96,6 @@ const drawing = ({ effects, values }: Coherence, { look }: State): Record<string
 };
 
 const numbers = ({ effects, values }: Coherence): Numbers => {
-  // The framed ones are drawn last, so that their neighbours do not hide the frame.
   const cells = values.flatMap((row, i) => row.map((coherence, j) => ({ i, j, coherence })));
   return {
     columns: [
@@ -108,10 +108,12 @@ const numbers = ({ effects, values }: Coherence): Numbers => {
 
 export const coherence_picture = (coherence: Coherence, name: string): Picture => ({
   name,
-  title: "Which effects the data can tell apart",
+  title: "Which effects may be taken for each other",
   about:
-    "Along a row, how well each other effect imitates this one beside the model: |cos| between what survives of the " +
-    "two, 0 to 1. Cells with a frame and ≡ are above 0.95: inseparable in these data. An empty cell is the effect itself, or not known.",
+    "Before anything is added, of typical shapes (the median over shapes), each effect with the columns named. Along a " +
+    "row, how well each other effect imitates this one beside the model: |cos| between what survives of the two, 0 to 1. " +
+    "A frame and ≡, above 0.95: the two may be taken for each other. Which candidates of this fit are not told apart " +
+    "stands in their table (not told from). An empty cell is the effect itself, or not known.",
   height_px: Math.min(760, 190 + 34 * coherence.effects.length),
   zoom: "none",
   choices: [],

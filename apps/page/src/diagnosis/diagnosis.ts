@@ -5,9 +5,10 @@ import { coherence_picture } from "./coherence";
 import { no_evidence, no_evidence_of_several, not_known } from "./falls";
 import { ledger_steps } from "./ledger_steps";
 import type { Picture, Section } from "../picture";
-import { ranked_candidates, ranked_companions } from "./ranking";
+import { best_set, kBest, set_name } from "./ranking";
 import type { Checked, Diagnosed, Num, Report } from "../report";
 import { plain } from "../drawing/text";
+import { shown } from "../drawing/theme";
 import type { Step } from "./step";
 import { waterfall } from "./waterfall";
 
@@ -48,13 +49,18 @@ const lists_of = (found: Diagnosed): NonNullable<Section["lists"]> => {
 
 const all_equal = (values: readonly Num[]): boolean => values.every((value) => value === values[0]);
 
-// From the model as it is, with its history where a ledger leads to it, to the best set.
-const fall_steps = (report: Report, found: Diagnosed): Step[] => {
-  const best = found.candidates.filter((candidate) => candidate.in_best_set);
-  const history = report.ledger ? ledger_steps(report.ledger, found.target) : [];
-  const last = history.at(-1)?.rmse_um ?? null;
-  const leads_here =
-    last !== null && found.rmse_um !== null && Math.abs(last - found.rmse_um) <= 0.01 * found.rmse_um;
+// The revisions that a ledger has of it. `last`: what its RMSE was by the last of them, where that is another.
+const history_of = (report: Report, found: Diagnosed): { steps: Step[]; last_um: Num } => {
+  const steps = report.ledger ? ledger_steps(report.ledger, found.target) : [];
+  const last_um = steps.at(-1)?.rmse_um ?? null;
+  if (last_um === null || found.rmse_um === null) return { steps: [], last_um: null };
+  return Math.abs(last_um - found.rmse_um) <= 0.01 * found.rmse_um ? { steps, last_um: null } : { steps: [], last_um };
+};
+
+// From the model as it is, with its history where a ledger leads to it, to the set that is drawn.
+const fall_steps = (found: Diagnosed, history: readonly Step[]): Step[] => {
+  const best = best_set(found);
+  const named = set_name(found) ?? kBest;
   const now: Step = {
     label: "the model now",
     short: "now",
@@ -68,8 +74,8 @@ const fall_steps = (report: Report, found: Diagnosed): Step[] => {
   const left_out = best.map((candidate) => candidate.held_out_after_um);
   const proposed: Step[] = best.length === 0 ? [] : [
     {
-      label: "with the best set",
-      short: "best set",
+      label: named === kBest ? `with ${kBest}` : named,
+      short: named === kBest ? "best set" : "not accepted",
       rmse_um: found.rmse_after_um,
       from_um: found.rmse_um,
       floor_um: found.floor_um,
@@ -79,21 +85,34 @@ const fall_steps = (report: Report, found: Diagnosed): Step[] => {
       proposed: true,
     },
   ];
-  return [...(leads_here ? history : [now]), ...proposed];
+  return [...(history.length > 0 ? history : [now]), ...proposed];
 };
 
 const fall_picture = (report: Report, found: Diagnosed, name: string): Picture[] => {
-  const steps = fall_steps(report, found);
-  if (!steps.at(-1)?.proposed) return [];
-  const effects = found.candidates.filter((candidate) => candidate.in_best_set).length;
+  const history = history_of(report, found);
+  const steps = fall_steps(found, history.steps);
+  if (steps.length < 2) return [];
+  const effects = best_set(found).length;
+  const named = set_name(found) ?? kBest;
   const first = effects > 1 ? no_evidence_of_several(effects, found.best_fake_fall) : no_evidence;
+  const hollow =
+    effects === 0
+      ? " No effect was found, and none is proposed."
+      : ` The hollow bar is ${named === kBest ? "" : `${named}: it is `}not in the model. Whether an effect beats the fakes ` +
+        "is judged with the memory of the noise, in the table.";
+  const left_out =
+    history.last_um === null
+      ? ""
+      : ` The revisions before are not drawn: the last of the ledger has an RMSE of ${shown(history.last_um, 3)} µm, ` +
+        `other than the ${shown(found.rmse_um, 3)} µm here; the section of the ledger has them.`;
   return [
     waterfall({
       name,
-      title: "How far the error falls",
-      about:
-        `${first} The hollow bar is not in the model. Whether an effect beats the fakes is judged with ` +
-        `the memory of the noise, in the table.${not_known(steps, effects === 1)}`,
+      title:
+        effects > 0 && named !== kBest
+          ? `How far the error would fall with ${named}`
+          : "How far the error falls",
+      about: `${first}${hollow}${not_known(steps, effects <= 1)}${left_out}`,
       steps,
     }),
   ];
@@ -107,8 +126,6 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
   if (found.not_diagnosed !== undefined) {
     return { ...section, sentences: [found.not_diagnosed], tables: [], pictures: [] };
   }
-  const candidates = ranked_candidates(found);
-  const companions = ranked_companions(found);
   const over_residual = `candidates${number}`;
   const chooses = checked ? over_residual : null;
   const left_out = checked?.level === "recording" ? "recordings, or quarters of their sweeps," : "cycles";
@@ -116,11 +133,11 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
     ...section,
     sentences: sentences_of(found),
     tables: [
-      ...(candidates.length > 0 ? [candidate_table(found, left_out, chooses)] : []),
-      ...(companions.length > 0 ? [companion_table(found, chooses)] : []),
+      ...(found.candidates.length > 0 ? [candidate_table(found, left_out, chooses)] : []),
+      ...(found.goes_with.length > 0 ? [companion_table(found, chooses)] : []),
     ],
     pictures: [
-      ...(checked ? [candidates_picture(report, checked, candidates, companions, found.refit_um, over_residual)] : []),
+      ...(checked ? [candidates_picture(report, checked, found, over_residual)] : []),
       ...fall_picture(report, found, `fall${number}`),
       ...(found.coherence && found.coherence.effects.length > 1
         ? [coherence_picture(found.coherence, `coherence${number}`)]

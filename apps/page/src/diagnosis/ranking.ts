@@ -5,23 +5,52 @@ import { plain } from "../drawing/text";
 
 export interface Ranked {
   candidate: Candidate;
+  starred: boolean; // of the set that is drawn
+  alone: boolean; // fitted alone beside the model, not with others of its set
   key: string; // its place, as text
   name: string; // short, to be written beside a curve: "1* lagged_expansion(T_room_degC)"
 }
 
+// What the set that is drawn may be called; null: none is, for nothing was found.
+export const set_name = ({ verdict }: Diagnosed): string | null => {
+  switch (verdict) {
+    case "nothing":
+      return null;
+    case "named":
+    case "equivalent":
+      return kBest;
+    default:
+      return "the closest that the catalogue comes, not accepted";
+  }
+};
+export const kBest = "the best set";
+
+export const best_set = (found: Diagnosed): Candidate[] =>
+  set_name(found) === null ? [] : found.candidates.filter((candidate) => candidate.in_best_set);
+
 const by_rank = (a: Candidate, b: Candidate): number =>
   a.in_best_set !== b.in_best_set ? (a.in_best_set ? -1 : 1) : (b.evidence ?? 0) - (a.evidence ?? 0);
 
-export const ranked_candidates = (found: Diagnosed): Ranked[] =>
-  [...found.candidates].sort(by_rank).map((candidate, k) => ({
-    candidate,
-    key: String(k),
-    name: `${k + 1}${candidate.in_best_set ? "*" : "."} ${plain(candidate.label, 44)}`,
-  }));
+export const ranked_candidates = (found: Diagnosed): Ranked[] => {
+  const drawn = best_set(found);
+  const together = found.candidates.filter((candidate) => candidate.in_best_set).length;
+  return [...found.candidates].sort(by_rank).map((candidate, k) => {
+    const starred = drawn.includes(candidate);
+    return {
+      candidate,
+      starred,
+      alone: candidate.in_best_set && together === 1,
+      key: String(k),
+      name: `${k + 1}${starred ? "*" : "."} ${plain(candidate.label, 44)}`,
+    };
+  });
+};
 
 export const ranked_companions = (found: Diagnosed): Ranked[] =>
   found.goes_with.map((candidate, k) => ({
     candidate,
+    starred: false,
+    alone: true,
     key: String(found.candidates.length + k),
     name: `goes with ${plain(candidate.label, 44)}`,
   }));

@@ -8,7 +8,7 @@ export interface Quartiles {
   n: number;
 }
 
-const kFewest_in_bin = 5;
+export const kFewest_in_bin = 5;
 
 const quantile = (sorted: readonly number[], share: number): number => {
   const at = share * (sorted.length - 1);

@@ -10,6 +10,7 @@ const number = (value: Num | undefined): value is number => typeof value === "nu
 
 const text = (axis: DriftAxis, value: Num | undefined, row: number): string => {
   const sigma = axis.sigma?.[row];
+  if (row === axis.reference && axis.sigma && value === 0 && !sigma) return "reference";
   const decimals = Math.min(3, decimals_for(value, sigma || axis.sigma?.find((one) => one) || null));
   return sigma === undefined ? shown(value, decimals) : with_sigma(value, sigma, decimals);
 };

@@ -12,10 +12,17 @@ interface Signal {
   time_min: readonly number[];
 }
 
-const kinds: Record<string, { name: string; title: string; quantity: string }> = {
-  degC: { name: "temperatures", title: "Temperatures", quantity: "temperature" },
-  rpm: { name: "speed", title: "Speed", quantity: "speed" },
-};
+interface Kind {
+  name: string;
+  title: string;
+  quantity: string;
+}
+
+// By unit.
+const kinds: ReadonlyMap<string, Kind> = new Map([
+  ["degC", { name: "temperatures", title: "Temperatures", quantity: "temperature" }],
+  ["rpm", { name: "speed", title: "Speed", quantity: "speed" }],
+]);
 
 // A column of a measured quantity, such as a displacement of a plain series.
 const measured = ({ column }: Signal): boolean => column.role === "measured";
@@ -68,7 +75,7 @@ export const measured_pictures = (signals: readonly Signal[], whole_min: Range):
 
 export const signal_pictures = (signals: readonly Signal[], whole_min: Range): Picture[] =>
   [...grouped(signals.filter((signal) => !measured(signal)))].map(([unit, of]) => {
-    const kind = kinds[unit] ?? {
+    const kind = kinds.get(unit) ?? {
       name: `signals-${slug(unit)}`,
       title: `Signals in ${clamped(unit, 20)}`,
       quantity: "signal",

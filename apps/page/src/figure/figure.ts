@@ -149,6 +149,7 @@ export const figure_of = (picture: Picture, shared: Shared): Figure => {
     chart ??= chart_in(canvas, width_px, picture.height_px);
     if (chart.getWidth() !== width_px) chart.resize({ width: width_px, height: picture.height_px });
     learn_whole(chart);
+    chart.clear(); // what is drawn depends on the state alone, not on what was drawn before
     chart.setOption(drawn(picture, state), { notMerge: true });
     if (!state.window && picture.zoom !== "none") whole = x_extent(chart);
     line.hidden = true;

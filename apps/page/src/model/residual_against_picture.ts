@@ -5,7 +5,7 @@ import { curve } from "../drawing/curve";
 import { kinds_of, type Kinds } from "./kinds";
 import type { Numbers, Picture, State, Toggle } from "../picture";
 import { chosen_strands, recording_choice } from "../recordings/recording_names";
-import { running_quartiles } from "../drawing/running_quartiles";
+import { kFewest_in_bin, running_quartiles } from "../drawing/running_quartiles";
 import type { Checked, Num, Report } from "../report";
 import type { Strand } from "../drawing/strands";
 import { plain } from "../drawing/text";
@@ -62,6 +62,8 @@ export const residual_against_picture = (
     known.set(against.value, kinds);
     return kinds;
   };
+  const enough_for_trend = series.time_s.length >= kFewest_bins * kFewest_in_bin;
+  const trend: Toggle = { key: "trend", label: kTrend, colour: (dark) => colours(dark).ink, mark: "line", on: true };
   const toggles = (chosen: State["chosen"]): Toggle[] => [
     ...kinds_for(axis_of(chosen)).kinds.map((kind): Toggle => ({
       key: kind.name,
@@ -70,7 +72,7 @@ export const residual_against_picture = (
       mark: "dot",
       on: true,
     })),
-    { key: "trend", label: kTrend, colour: (dark) => colours(dark).ink, mark: "line", on: true },
+    ...(enough_for_trend ? [trend] : []),
   ];
   const rows_of = ({ chosen, window }: Pick<State, "chosen" | "window">, x: readonly Num[]): number[] => {
     const rows: number[] = [];

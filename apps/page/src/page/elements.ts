@@ -1,12 +1,15 @@
-// Elements of the page. Text goes in as text nodes only: what a file says is never read as markup.
+// Elements of the page. Text goes in as text nodes only: what a file says is never read as markup, nor can it turn the
+// direction of writing.
+import { micrometres, without_turns } from "../drawing/text";
+
 export const element = <K extends keyof HTMLElementTagNameMap>(
   tag: K,
   attributes: Readonly<Record<string, string>> = {},
   ...children: (Node | string)[]
 ): HTMLElementTagNameMap[K] => {
   const made = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-  made.append(...children);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, without_turns(value));
+  made.append(...children.map((one) => (typeof one === "string" ? without_turns(one) : one)));
   return made;
 };
 
@@ -16,8 +19,11 @@ export const button = (label: string, title: string, act: () => void): HTMLButto
   return made;
 };
 
-// Text longer than a paragraph, as a hostile name may be, scrolls in a box of its own.
-export const text_in = <K extends keyof HTMLElementTagNameMap>(tag: K, text: string): HTMLElementTagNameMap[K] =>
-  text.length > 1200
-    ? element(tag, {}, element("span", { class: "long", tabindex: "0" }, text))
-    : element(tag, {}, text);
+// Text longer than a paragraph, as a hostile name may be, scrolls in a box of its own. Paragraphs and items are sentences;
+// headings and cells may be names.
+export const text_in = <K extends keyof HTMLElementTagNameMap>(tag: K, text: string): HTMLElementTagNameMap[K] => {
+  const written = tag === "p" || tag === "li" ? micrometres(text) : text;
+  return written.length > 1200
+    ? element(tag, {}, element("span", { class: "long", tabindex: "0" }, written))
+    : element(tag, {}, written);
+};

@@ -1,6 +1,7 @@
 // What the figures of a page have in common: light or dark, and the window of those over time.
 import type { Figure } from "../figure/figure";
 import type { Range } from "../figure/window";
+import { without_turns } from "../drawing/text";
 
 export interface Shared {
   readonly figures: ReadonlyMap<string, Figure>;
@@ -8,6 +9,7 @@ export interface Shared {
   time_window(): Range | null;
   time_whole(): Range | null; // of all figures over time that are drawn
   add(figure: Figure): void;
+  nth(kind: string): number; // section of this kind, from 1
   see_time(window: Range | null): void;
   hover_time(x: number | null): void;
   look(dark: boolean): void;
@@ -16,6 +18,7 @@ export interface Shared {
 
 export const shared_by_figures = (voice: HTMLElement): Shared => {
   const figures = new Map<string, Figure>();
+  const kinds = new Map<string, number>();
   let dark = false;
   let time_window: Range | null = null;
   const over_time = (): Figure[] => [...figures.values()].filter((figure) => figure.picture.zoom === "time");
@@ -31,6 +34,11 @@ export const shared_by_figures = (voice: HTMLElement): Shared => {
     add(figure) {
       figures.set(figure.picture.name, figure);
     },
+    nth(kind) {
+      const count = (kinds.get(kind) ?? 0) + 1;
+      kinds.set(kind, count);
+      return count;
+    },
     see_time(window) {
       time_window = window;
       for (const figure of over_time()) figure.redraw();
@@ -43,7 +51,7 @@ export const shared_by_figures = (voice: HTMLElement): Shared => {
       for (const figure of figures.values()) figure.redraw();
     },
     say(text) {
-      voice.textContent = text;
+      voice.textContent = without_turns(text);
     },
   };
 };

@@ -3,7 +3,8 @@ import { button, element, text_in } from "./elements";
 
 const kRows = 200; // at first; a longer table is a slow page
 
-const numeric = /^[-+−–±]?\d|^–?$/;
+// "12.01 ± 0.04", "0.27 → 0.08", "13 of 13", "0.016 (2 %)", "< 0.1 %", "1*"; not "8 min, XY CCW".
+const numeric = /^([<>] )?[-+−–]?\d[\d.]*(e[-+]?\d+)?\*?( ?(±|→|->|of) ?\S+)?( %| \(\d+ %\))?$|^–?$|^reference$/;
 
 // A column of numbers: no cell below the heading is anything else.
 const numeric_columns = (rows: readonly (readonly string[])[], columns: number): boolean[] =>
@@ -39,7 +40,9 @@ export const table_of = ({ title, heading, rows, row }: TableOf): HTMLElement =>
   };
   append(0, kRows);
   const table = element("table", {}, element("caption", {}, title), element("thead", {}, head), body);
-  const scroll = element("div", { class: "table", tabindex: "0", role: "group", "aria-label": title }, table);
+  // Scrolled by its keys when it has the focus; where its rows can have it, that is no stop of its own.
+  const stop: Record<string, string> = row && rows.length > 0 ? {} : { tabindex: "0" };
+  const scroll = element("div", { class: "table", ...stop, role: "group", "aria-label": title }, table);
   if (rows.length <= kRows) return scroll;
   const all = button(`Show all ${rows.length} rows`, "", () => {
     append(kRows, rows.length);
