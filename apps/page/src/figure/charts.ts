@@ -39,6 +39,7 @@ export const canvas_of = (
   chart.setOption(option);
   const canvas = chart.renderToCanvas({ pixelRatio: pixels });
   canvas.removeAttribute("style"); // it is no layer of a chart any more
+  chart.clear(); // a heatmap is drawn over several frames, which would go on in a chart that is no more
   chart.dispose();
   return canvas;
 };
