@@ -1,33 +1,35 @@
 // Units as people write them. Files spell them in ASCII at the end of a column's name: "T_room_degC".
 
-const written: Record<string, string> = {
-  um: "µm",
-  mm: "mm",
-  degC: "°C",
-  K: "K",
-  rpm: "rpm",
-  min: "min",
-  s: "s",
-  deg: "°",
-  urad: "µrad",
-  ppm: "ppm",
-  um_per_K: "µm/K",
-  A: "A",
-  V: "V",
-  W: "W",
-  kW: "kW",
-  Nm: "N m",
-  N: "N",
-  bar: "bar",
-  percent: "%",
-  lpm: "l/min",
-};
+const written = new Map(
+  Object.entries({
+    um: "µm",
+    mm: "mm",
+    degC: "°C",
+    K: "K",
+    rpm: "rpm",
+    min: "min",
+    s: "s",
+    deg: "°",
+    urad: "µrad",
+    ppm: "ppm",
+    um_per_K: "µm/K",
+    A: "A",
+    V: "V",
+    W: "W",
+    kW: "kW",
+    Nm: "N m",
+    N: "N",
+    bar: "bar",
+    percent: "%",
+    lpm: "l/min",
+  }),
+);
 
-export const unit_shown = (unit: string): string => written[unit] ?? unit;
+export const unit_shown = (unit: string): string => written.get(unit) ?? unit;
 
 // "T_room_degC" is the quantity T_room in °C; a name without a known unit has none.
 export const split_name = (name: string): { quantity: string; unit: string } => {
-  for (const unit of ["um_per_K", ...Object.keys(written)]) {
+  for (const unit of ["um_per_K", ...written.keys()]) {
     if (name.endsWith(`_${unit}`)) return { quantity: name.slice(0, -unit.length - 1), unit: unit_shown(unit) };
   }
   return { quantity: name, unit: "" };
