@@ -15,8 +15,6 @@
 #include "ballbar/formats/bytes.hpp"
 #include "ballbar/formats/drift_data.hpp"
 #include "ballbar/formats/model_history.hpp"
-#include "ballbar/speed_steps.hpp"
-#include "ballbar/trace.hpp"
 #include "batches.hpp"
 #include "commands.hpp"
 #include "comparison_json.hpp"
@@ -136,8 +134,9 @@ void overlay_effects(Made& made, const Fit& fit, const Model& model, const Model
 void overlay_candidates(Made& made, const Diagnosed& found, const ModelData& data) {
   if (data.level != Level::recording) return;
   for (const Candidate& candidate : found.diagnosis.candidates) {
+    if (!candidate.in_best_set) continue;
     const std::vector<double> curve = curve_of(candidate, found.checked.fit, data.series);
-    if (!candidate.in_best_set || curve.empty()) continue;
+    if (curve.empty()) continue;
     overlay(made.json["fit"]["recordings"], "candidate " + label_of(candidate.bound), curve, found.checked.fit,
             data.series);
   }

@@ -40,10 +40,11 @@ Json trace_of_circle(const FittedRecording& fitted) {
 }
 
 Json trace_of_length(const FittedRecording& fitted) {
-  Json json{{"angle_deg", Json::array()}, {"deviation_um", bulk(deviation_um(fitted.recording))}};
+  const std::vector<double> deviation = deviation_um(fitted.recording);
+  Json json{{"angle_deg", Json::array()}, {"deviation_um", bulk(deviation)}};
   const double mean_um = um_from_mm(fitted.axial->length_mm - fitted.recording.nominal_length_mm);
-  std::vector<double> residual;
-  for (const double deviation : deviation_um(fitted.recording)) residual.push_back(deviation - mean_um);
+  std::vector<double> residual = deviation;
+  for (double& value : residual) value -= mean_um;
   json["residual_um"] = bulk(residual);
   json["fitted_um"] = bulk(std::vector<double>(residual.size(), mean_um));
   json["effects"] = Json::array();

@@ -2,7 +2,7 @@
 import { bar_of_tests, extent_of_tests, quantities, tests_of, thinned, toggles_of_tests } from "./all_tests";
 import { magnifications, radial_scale } from "./magnification";
 import type { Picture } from "../picture";
-import type { Group } from "./recording_groups";
+import { group_choice, type Group } from "./recording_groups";
 import { round_option } from "./round";
 import { sequence_colour } from "../drawing/sequence_colour";
 import { test_numbers } from "./test_numbers";
@@ -17,12 +17,7 @@ export const all_round_picture = (groups: readonly Group[]): Picture => ({
   height_px: 560,
   zoom: "none",
   choices: [
-    {
-      key: "group",
-      label: "Figure",
-      values: groups.map(({ value, label }) => ({ value, label })),
-      initial: groups[0]?.value ?? "",
-    },
+    group_choice(groups, "group", "Figure"),
     quantities,
     {
       key: "magnification",

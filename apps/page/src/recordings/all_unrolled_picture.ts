@@ -3,7 +3,7 @@ import { bar_of_tests, kStretches, quantities, tests_of, thinned, toggles_of_tes
 import { curve, type Point } from "../drawing/curve";
 import { hover_text } from "../drawing/hover";
 import type { Picture } from "../picture";
-import type { Group } from "./recording_groups";
+import { group_choice, type Group } from "./recording_groups";
 import { sequence_colour } from "../drawing/sequence_colour";
 import { test_numbers } from "./test_numbers";
 import { axis, base, legend, shown, tooltip } from "../drawing/theme";
@@ -25,12 +25,7 @@ export const all_unrolled_picture = (groups: readonly Group[]): Picture => ({
   height_px: 400,
   zoom: "own",
   choices: [
-    {
-      key: "group",
-      label: "Figure",
-      values: groups.map(({ value, label }) => ({ value, label })),
-      initial: groups[0]?.value ?? "",
-    },
+    group_choice(groups, "group", "Figure"),
     { ...quantities, initial: "change" },
   ],
   toggles: ({ chosen }) => toggles_of_tests(tests_of(groups, chosen)),

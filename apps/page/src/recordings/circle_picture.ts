@@ -5,7 +5,7 @@ import { magnifications, radial_scale } from "./magnification";
 import type { Picture, State, Toggle } from "../picture";
 import { effects_of, fitted_at, kept_readings, measured, picked, recording_numbers } from "./recording_curves";
 import { direction_colour, effect_colour } from "./recording_colours";
-import type { Group } from "./recording_groups";
+import { chosen_group, group_choice, type Group } from "./recording_groups";
 import type { Num, Recording } from "../report";
 import { round_option, type RoundCurve } from "./round";
 import { plain } from "../drawing/text";
@@ -125,8 +125,7 @@ const extent_of = (recordings: readonly Recording[], centred: boolean): [number,
 };
 
 export const circle_picture = (groups: readonly Group[]): Picture => {
-  const chosen_of = (chosen: State["chosen"]): readonly Recording[] =>
-    (groups.find((group) => group.value === chosen["recording"]) ?? groups[0])?.of ?? [];
+  const chosen_of = (chosen: State["chosen"]): readonly Recording[] => chosen_group(groups, chosen["recording"]);
   return {
     name: "recording-circle",
     title: "Deviation on the circle",
@@ -138,12 +137,7 @@ export const circle_picture = (groups: readonly Group[]): Picture => {
     height_px: 560,
     zoom: "none",
     choices: [
-      {
-        key: "recording",
-        label: "Recording",
-        values: groups.map(({ value, label }) => ({ value, label })),
-        initial: groups[0]?.value ?? "",
-      },
+      group_choice(groups, "recording", "Recording"),
       {
         key: "from",
         label: "Drawn from",

@@ -1,4 +1,5 @@
 // Which recordings are looked at together.
+import type { Choice } from "../picture";
 import type { FitPart, Recording } from "../report";
 import { plain } from "../drawing/text";
 
@@ -82,3 +83,14 @@ export const repeated = (recordings: readonly Recording[], at_least: number): Gr
       of: [...of].sort((a, b) => (a.time_s ?? 0) - (b.time_s ?? 0)),
     }));
 };
+
+// One of the groups, the first one first.
+export const group_choice = (groups: readonly Group[], key: string, label: string): Choice => ({
+  key,
+  label,
+  values: groups.map((group) => ({ value: group.value, label: group.label })),
+  initial: groups[0]?.value ?? "",
+});
+
+export const chosen_group = (groups: readonly Group[], value: string | undefined): readonly Recording[] =>
+  (groups.find((group) => group.value === value) ?? groups[0])?.of ?? [];

@@ -5,7 +5,7 @@ import { hover_text } from "../drawing/hover";
 import type { Picture, State, Toggle } from "../picture";
 import { effects_of, kept_readings, picked, recording_numbers } from "./recording_curves";
 import { direction_colour, effect_colour } from "./recording_colours";
-import type { Group } from "./recording_groups";
+import { chosen_group, group_choice, type Group } from "./recording_groups";
 import type { Num, Recording } from "../report";
 import { plain } from "../drawing/text";
 import { base, colours, curve_colour, dashes, legend, shown, tooltip } from "../drawing/theme";
@@ -51,8 +51,7 @@ const points_of = (angles: readonly number[], values: readonly Num[], stretches:
 };
 
 export const unrolled_picture = (groups: readonly Group[]): Picture => {
-  const chosen_of = (chosen: State["chosen"]): readonly Recording[] =>
-    (groups.find((group) => group.value === chosen["recording"]) ?? groups[0])?.of ?? [];
+  const chosen_of = (chosen: State["chosen"]): readonly Recording[] => chosen_group(groups, chosen["recording"]);
   return {
     name: "recording-unrolled",
     title: "Deviation against the angle",
@@ -63,12 +62,7 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
     height_px: 460,
     zoom: "own",
     choices: [
-      {
-        key: "recording",
-        label: "Recording",
-        values: groups.map(({ value, label }) => ({ value, label })),
-        initial: groups[0]?.value ?? "",
-      },
+      group_choice(groups, "recording", "Recording"),
     ],
     toggles: ({ chosen }) => toggles_of(chosen_of(chosen)),
     draw: (state) => {
