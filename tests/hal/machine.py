@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""The offset that a machine takes from ballbar-hal. LinuxCNC starts this as its display; ballbar.hal of apps/hal has connected the component.
+"""The offset that a machine takes from ballbar-hal. LinuxCNC starts this as its display; by then
+ballbar.hal of apps/hal has connected the component.
 
 The model and the steps are those of component.py: at 21 degC wanted is -2 um, two rows from zero. LinuxCNC's own
 planner of offsets stops up to 1e-7 mm short; 1e-6 mm are asked for, a hundredth of a count.
@@ -21,7 +22,7 @@ def turn(state):
     command.state(state)
     command.wait_complete()
     wait_for("motion.motion-enabled", state == linuxcnc.STATE_ON)
-    time.sleep(0.05)  # some servo periods, for ballbar-enable
+    wait_for("ballbar.enable", pin("motion.motion-enabled") and pin("motion.is-all-homed"))
 
 
 command = linuxcnc.command()
@@ -36,8 +37,7 @@ check("on, not homed", 0.0, 8)
 command.mode(linuxcnc.MODE_MANUAL)
 command.wait_complete()
 command.home(-1)
-wait_for("motion.is-all-homed", True)
-time.sleep(0.05)
+wait_for("ballbar.enable", True)
 row("ballbar", 25, 21.0)
 check("homed, a row to be sure", 0.0, 8)
 row("ballbar", 30, 21.0)
