@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
   ballbar::commands::add_train(app);
   ballbar::commands::add_select(app);
   ballbar::commands::add_report(app);
+  ballbar::commands::add_compensate(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
