@@ -54,6 +54,15 @@ Part part_of(const FiniteVolumeSpindle& body, const ShaftPictureStyle& style) {
                           body.length_mm, part.from_mm, part.to_mm));
 }
 
+double radius_mm(const FiniteVolumeSpindle& body, double x_mm) {
+  return x_mm < body.nose_mm ? body.shaft_radius_mm : body.tool_radius_mm;
+}
+
+double largest_radius_mm(const FiniteVolumeSpindle& body, const Part& part) {
+  const double first_mm = radius_mm(body, part.from_mm);
+  return part.to_mm > body.nose_mm ? std::max(first_mm, body.tool_radius_mm) : first_mm;
+}
+
 void check_size(const char* name, std::size_t value, std::size_t least, std::size_t most) {
   if (value >= least && value <= most) return;
   throw Error(fmt::format("a picture of the shaft: expected {} from {} to {}, found {}.", name, least, most, value));
@@ -104,17 +113,17 @@ PixelBox box_of(const FiniteVolumeSpindle& body, const Part& part, const ShaftPi
   const PixelBox place{kMargin_px, kTextHeight_px + kMargin_px, style.width_px - 2 * kMargin_px - legend_px,
                        style.height_px - kTextHeight_px - 2 * kMargin_px};
   const double length_mm = part.to_mm - part.from_mm;
-  const double radius_mm = part.from_mm < body.nose_mm ? body.shaft_radius_mm : body.tool_radius_mm;
+  const double thick_mm = largest_radius_mm(body, part);
   const double px_per_mm =
-      std::min(static_cast<double>(place.width) / length_mm, static_cast<double>(place.height) / (2.0 * radius_mm));
+      std::min(static_cast<double>(place.width) / length_mm, static_cast<double>(place.height) / (2.0 * thick_mm));
   const auto width = static_cast<std::size_t>(std::lround(length_mm * px_per_mm));
-  const auto height = 2 * static_cast<std::size_t>(std::lround(radius_mm * px_per_mm));
+  const auto height = 2 * static_cast<std::size_t>(std::lround(thick_mm * px_per_mm));
   constexpr std::size_t kLeast_px = 4;
   if (width < kLeast_px || height < kLeast_px) {
     throw Error(
         fmt::format("a picture of the shaft: expected a part that is painted larger than {} pixels, found {} "
                     "mm of radius {} mm in {} by {} pixels.",
-                    kLeast_px, length_mm, radius_mm, place.width, place.height));
+                    kLeast_px, length_mm, thick_mm, place.width, place.height));
   }
   return {place.x + (place.width - std::min(width, place.width)) / 2,
           place.y + (place.height - std::min(height, place.height)) / 2, width, height};
@@ -124,13 +133,13 @@ void paint_shaft(Picture& picture, const FiniteVolumeSpindle& body, const Temper
                  const PixelBox& box, const Scale& scale) {
   const double mm_per_px = (part.to_mm - part.from_mm) / static_cast<double>(box.width);
   const std::size_t middle = box.y + box.height / 2;
-  const double thick_mm = part.from_mm < body.nose_mm ? body.shaft_radius_mm : body.tool_radius_mm;
+  const double thick_mm = largest_radius_mm(body, part);
   std::vector<std::size_t> half_px;  // a column's rows are middle - half to middle + half - 1
   for (std::size_t column = 0; column < box.width; ++column) {
     const double x_mm = part.from_mm + (static_cast<double>(column) + 0.5) * mm_per_px;
-    const double radius_mm = x_mm < body.nose_mm ? body.shaft_radius_mm : body.tool_radius_mm;
     half_px.push_back(std::max<std::size_t>(
-        1, static_cast<std::size_t>(std::lround(radius_mm / thick_mm * static_cast<double>(box.height / 2)))));
+        1,
+        static_cast<std::size_t>(std::lround(radius_mm(body, x_mm) / thick_mm * static_cast<double>(box.height / 2)))));
     const Colour colour = scale.of(at(shaft, x_mm));
     for (std::size_t y = middle - half_px[column]; y < middle + half_px[column]; ++y) {
       paint(picture, box.x + column, y, colour);

@@ -68,6 +68,21 @@ TEST(shaft_picture, outline_around_the_silhouette) {
   EXPECT_EQ(colour_at(picture, 12 + 617, 102), white);
 }
 
+// A tool of 40 mm radius decides: 132 / 80 = 1.65 px/mm, 66 rows either side of the middle, 544.5 columns; the shaft
+// has 32 / 40 of that, 53.
+TEST(shaft_picture, tool_thicker_than_the_shaft) {
+  FiniteVolumeSpindle thick;
+  thick.tool_radius_mm = 40.0;
+  const ShaftPicture painted = shaft_picture(thick, kLine, front_part());
+  EXPECT_EQ(painted.shaft.height, 132u);
+  EXPECT_EQ(painted.shaft.width, 545u);
+  EXPECT_EQ(painted.shaft.y, 36u);
+  EXPECT_EQ(colour_at(painted.picture, painted.shaft.x, 102 - 54), gray(0));
+  EXPECT_EQ(colour_at(painted.picture, painted.shaft.x, 102 - 55), gray(255));
+  EXPECT_EQ(colour_at(painted.picture, painted.shaft.x + 500, 36 - 1), gray(0));
+  EXPECT_EQ(colour_at(painted.picture, painted.shaft.x + 500, 36 - 2), gray(255));
+}
+
 // The bar: 16 columns, 12 of margin and 56 for the numbers to its right; rows 36 to 167. The middle of its first row is
 // at 1 - 0.5 / 132 of the scale: 254.03; of its last at 0.97.
 TEST(shaft_picture, legend) {

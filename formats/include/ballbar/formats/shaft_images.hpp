@@ -15,6 +15,8 @@
 //   width_px = 640
 //   height_px = 180
 //
+// Read by ballbar::formats; painted by ballbar::images.
+//
 // A PNG holds the painted pixels. The bytes of both, and the pixels of a JPEG, depend on the library that encodes them:
 // another version of it may write others from the same machine.
 #pragma once
