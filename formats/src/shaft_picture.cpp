@@ -13,7 +13,7 @@
 namespace ballbar {
 namespace {
 
-constexpr Colour kWhite{255, 255, 255}, kBlack{0, 0, 0};
+constexpr Colour kBlack{0, 0, 0};
 constexpr std::size_t kMargin_px = 12, kTextHeight_px = 24, kBarWidth_px = 16, kNumbersWidth_px = 56;
 
 Picture blank(std::size_t width, std::size_t height) {
@@ -132,14 +132,14 @@ PixelBox box_of(const FiniteVolumeSpindle& body, const Part& part, const ShaftPi
 void paint_shaft(Picture& picture, const FiniteVolumeSpindle& body, const TemperatureProfile& shaft, const Part& part,
                  const PixelBox& box, const Scale& scale) {
   const double mm_per_px = (part.to_mm - part.from_mm) / static_cast<double>(box.width);
-  const std::size_t middle = box.y + box.height / 2;
+  const std::size_t thick_px = box.height / 2;
+  const std::size_t middle = box.y + thick_px;
   const double thick_mm = largest_radius_mm(body, part);
   std::vector<std::size_t> half_px;  // a column's rows are middle - half to middle + half - 1
   for (std::size_t column = 0; column < box.width; ++column) {
     const double x_mm = part.from_mm + (static_cast<double>(column) + 0.5) * mm_per_px;
     half_px.push_back(std::max<std::size_t>(
-        1,
-        static_cast<std::size_t>(std::lround(radius_mm(body, x_mm) / thick_mm * static_cast<double>(box.height / 2)))));
+        1, static_cast<std::size_t>(std::lround(radius_mm(body, x_mm) / thick_mm * static_cast<double>(thick_px)))));
     const Colour colour = scale.of(at(shaft, x_mm));
     for (std::size_t y = middle - half_px[column]; y < middle + half_px[column]; ++y) {
       paint(picture, box.x + column, y, colour);

@@ -147,6 +147,25 @@ TEST(temperature_images, truth_as_the_readme_says) {
   EXPECT_NEAR(whole.xi_mm[1], 362.0, 0.06);
 }
 
+// Read back by hand: in each column of the silhouette's middle row the place of its colour in the colour map, of 256
+// steps over 16 K. Half a step is 0.03 K, and a column is 0.62 mm.
+TEST(temperature_images, colours_are_the_temperature) {
+  const Picture picture = read_picture(read_bytes(kFolder / "jet.png", kLargestPicture), "jet.png");
+  const std::vector<Colour> map = colour_map("jet");
+  std::vector<double> x_mm, degC;
+  for (std::size_t column = 0; column < 532; ++column) {
+    const auto place = std::find(map.begin(), map.end(), colour_at(picture, 12 + column, 102));
+    ASSERT_NE(place, map.end()) << column;
+    x_mm.push_back(190.0 + 330.0 * (static_cast<double>(column) + 0.5) / 532.0);
+    degC.push_back(28.0 + 16.0 * static_cast<double>(place - map.begin()) / 255.0);
+  }
+  const Field field = field_of(x_mm, degC, 190.0, 520.0);
+  EXPECT_NEAR(field.mean_degC, 37.038, 0.005);  // of 532 columns
+  ASSERT_FALSE(field.xi_mm.empty());
+  EXPECT_NEAR(field.xi_mm.front(), 372.4, 0.62);
+  EXPECT_NEAR(field.xi_mm.back(), 372.4, 0.62);
+}
+
 // Where the README says that silhouette and legend are.
 TEST(temperature_images, places_as_the_readme_says) {
   const Made run = made();
