@@ -68,15 +68,6 @@ void check_size(const char* name, std::size_t value, std::size_t least, std::siz
   throw Error(fmt::format("a picture of the shaft: expected {} from {} to {}, found {}.", name, least, most, value));
 }
 
-double at(const TemperatureProfile& shaft, double x_mm) {
-  const auto after = std::upper_bound(shaft.x_mm.begin(), shaft.x_mm.end(), x_mm);
-  if (after == shaft.x_mm.begin()) return shaft.degC.front();
-  if (after == shaft.x_mm.end()) return shaft.degC.back();
-  const auto i = static_cast<std::size_t>(after - shaft.x_mm.begin());
-  const double share = (x_mm - shaft.x_mm[i - 1]) / (shaft.x_mm[i] - shaft.x_mm[i - 1]);
-  return std::lerp(shaft.degC[i - 1], shaft.degC[i], share);
-}
-
 // Temperature to colour.
 struct Scale {
   double min_degC, max_degC;
@@ -93,7 +84,7 @@ struct Scale {
 };
 
 Scale scale_of(const TemperatureProfile& shaft, const Part& part, const ShaftPictureStyle& style) {
-  std::vector<double> degC{at(shaft, part.from_mm), at(shaft, part.to_mm)};
+  std::vector<double> degC{temperature_at(shaft, part.from_mm), temperature_at(shaft, part.to_mm)};
   for (std::size_t i = 0; i < shaft.x_mm.size(); ++i) {
     if (shaft.x_mm[i] > part.from_mm && shaft.x_mm[i] < part.to_mm) degC.push_back(shaft.degC[i]);
   }
@@ -140,7 +131,7 @@ void paint_shaft(Picture& picture, const FiniteVolumeSpindle& body, const Temper
     const double x_mm = part.from_mm + (static_cast<double>(column) + 0.5) * mm_per_px;
     half_px.push_back(std::max<std::size_t>(
         1, static_cast<std::size_t>(std::lround(radius_mm(body, x_mm) / thick_mm * static_cast<double>(thick_px)))));
-    const Colour colour = scale.of(at(shaft, x_mm));
+    const Colour colour = scale.of(temperature_at(shaft, x_mm));
     for (std::size_t y = middle - half_px[column]; y < middle + half_px[column]; ++y) {
       paint(picture, box.x + column, y, colour);
     }

@@ -13,6 +13,7 @@
 #include "ballbar/formats/picture_file.hpp"
 #include "ballbar/formats/series_csv.hpp"
 #include "ballbar/formats/shaft_images.hpp"
+#include "ballbar/mean_point.hpp"
 
 namespace ballbar {
 namespace {
@@ -145,6 +146,13 @@ TEST(temperature_images, truth_as_the_readme_says) {
   ASSERT_EQ(whole.xi_mm.size(), 2u);
   EXPECT_NEAR(whole.xi_mm[0], 83.5, 0.06);
   EXPECT_NEAR(whole.xi_mm[1], 362.0, 0.06);
+  // The library's way to the same.
+  const TemperatureProfile profile{table[0], table[3], {}};
+  EXPECT_NEAR(mean_degC(profile), whole.mean_degC, 1e-4);
+  const std::vector<MeanPoint> points = mean_points(profile);
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_NEAR(points[0].x_mm, whole.xi_mm[0], 0.02);
+  EXPECT_NEAR(points[1].x_mm, whole.xi_mm[1], 0.02);
 }
 
 // Read back by hand: in each column of the silhouette's middle row the place of its colour in the colour map, of 256

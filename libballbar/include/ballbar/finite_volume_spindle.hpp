@@ -41,6 +41,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ballbar/mean_point.hpp"
 #include "ballbar/series.hpp"
 
 namespace ballbar {
@@ -112,11 +113,6 @@ struct FiniteVolumeSpindle {
   double head_room_W_per_K = 10.0, column_room_W_per_K = 15.0;  // column: front and back each
   double overhang_mm = 300.0;                                   // column's front to the spindle
   double column_height_mm = 500.0, column_depth_mm = 400.0;
-};
-
-// T at the positions x.
-struct TemperatureProfile {
-  std::vector<double> x_mm, degC;
 };
 
 // What the physics may be told to leave out, so that an effect can be hidden or absent.
