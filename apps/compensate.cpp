@@ -68,7 +68,7 @@ void add_compensate(CLI::App& app) {
       ->type_name("FILE");
   command->add_flag("--follow", options->live.follow, "wait for rows that are still to be written to the file");
   command->add_option("--format", options->live.format, "csv, jsonl, or word: 16 bits for a PLC")
-      ->type_name("FORMAT")
+      ->option_text("FORMAT")
       ->transform(CLI::CheckedTransformer(std::map<std::string, OffsetFormat>{
           {"csv", OffsetFormat::csv}, {"jsonl", OffsetFormat::jsonl}, {"word", OffsetFormat::word}}));
   command->add_option("--replay", options->replay.data, "session or series: what its error would have been")

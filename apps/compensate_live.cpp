@@ -119,13 +119,14 @@ class Told {
 
   void tell(std::size_t a, double time_s, const Offset& offset) const {
     const std::string& name = machine_.name(a);
+    const std::string when = std::isfinite(time_s) ? fmt::format(" at {} s", time_s) : "";
     if (offset.hold == Hold::none) {
-      fmt::print(stderr, "{}: goes on at {} s\n", name, time_s);
+      fmt::print(stderr, "{}: goes on{}\n", name, when);
       return;
     }
     const std::string column =
         is_about_a_column(offset.hold) ? " of " + shortened(machine_.axis(a).columns()[offset.column], 60) : "";
-    fmt::print(stderr, "{}: held at {} s, {}{}; the offset stays {} um\n", name, time_s, name_of(offset.hold), column,
+    fmt::print(stderr, "{}: held{}, {}{}; the offset stays {} um\n", name, when, name_of(offset.hold), column,
                fixed(offset.offset_um, 3));
   }
 

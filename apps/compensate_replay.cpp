@@ -60,6 +60,14 @@ std::string percent(const Reduction& reduction) {
 
 std::string percent(double share) { return fixed(100.0 * share, 1); }
 
+// Where much was held: the gain is less than the model could give.
+std::string held_sentence(const ReplayedAxis& axis, std::size_t rows) {
+  const std::size_t held = rows - axis.rows_held[0];
+  if (100 * held < rows || axis.most_held_by.empty()) return "";
+  return fmt::format(" It was held in {} of {} rows, most of them for {}.", held, rows,
+                     shortened(axis.most_held_by, 60));
+}
+
 std::string held_text(const ReplayedAxis& axis) {
   std::string text;
   for (std::size_t kind = 1; kind < kHoldKinds; ++kind) {
@@ -72,7 +80,6 @@ std::string held_text(const ReplayedAxis& axis) {
 // Whether the parameters come from the data that they are judged by.
 bool in_sample(const CompensationOptions& options, const Recorded& recorded) {
   return std::any_of(options.fit.begin(), options.fit.end(), [&](const std::string& path) {
-    std::vector<std::filesystem::path> files;
     std::error_code error;
     for (const std::filesystem::path& file : recorded.files) {
       if (std::filesystem::equivalent(file, path, error) ||
@@ -109,11 +116,11 @@ void print(const Replay& replay, const CompensationOptions& options, const Recor
   fmt::print("{}\n", recorded.title);
   std::string conclusion;
   for (const ReplayedAxis& axis : replay.axes) {
-    conclusion +=
-        fmt::format("{}{}: {} % less RMS, {} um instead of {} um.", conclusion.empty() ? "" : " ", axis.name,
-                    percent(axis.reduction), fixed(axis.reduction.after_um, 3), fixed(axis.reduction.before_um, 3));
+    conclusion += fmt::format("{}{}: {} % less RMS, {} um instead of {} um.{}", conclusion.empty() ? "" : " ",
+                              axis.name, percent(axis.reduction), fixed(axis.reduction.after_um, 3),
+                              fixed(axis.reduction.before_um, 3), held_sentence(axis, replay.rows));
   }
-  fmt::print("{} rows of signals, replayed as they came\n\n{}\n{}\n\n", replay.rows, wrapped(conclusion),
+  fmt::print("{} rows of signals, replayed as they came\n\n{}\n{}\n", replay.rows, wrapped(conclusion),
              wrapped(parameters_text(options, recorded)));
   Table table({"axis", "target", "values", "RMS before um", "after um", "less %", "largest before um", "after um",
                "rows held"});
@@ -126,7 +133,7 @@ void print(const Replay& replay, const CompensationOptions& options, const Recor
              wrapped("Errors since the first value, which is left out. An error is met by the offset of the last row "
                      "before it; nothing later is used. ± is one sigma by leaving out each value in turn, as if they "
                      "were independent."));
-  fmt::print("{}\n", wrapped(paper_text()));
+  fmt::print("{}", wrapped(paper_text()));
 }
 
 Json json_of(const Reduction& reduction) {
@@ -146,6 +153,7 @@ Json json_of(const ReplayedAxis& axis) {
     if (axis.rows_held[kind] > 0) held[std::string(name_of(Hold(kind)))] = axis.rows_held[kind];
   }
   json["rows_held"] = std::move(held);
+  if (!axis.most_held_by.empty()) json["most_held_by"] = axis.most_held_by;
   json["rows_limited"] = axis.rows_limited;
   return json;
 }
@@ -205,7 +213,7 @@ void compensate_replay(const CompensationOptions& options, const ReplayOptions& 
       with_source(replay.data, [&] { return replay_of(axes, options.limits, recorded.signals, recorded.measured); });
   for (const std::string& path : replay.out) write_bytes(path, write_series(table_of(result)));
   if (replay.json) {
-    fmt::print("{}\n", json_of(result, options, recorded).dump());
+    fmt::print("{}\n", json_of(result, options, recorded).dump(-1, ' ', false, Json::error_handler_t::replace));
   } else {
     print(result, options, recorded);
   }

@@ -20,7 +20,7 @@ void append(fmt::memory_buffer& out, double value, std::string_view otherwise) {
   }
 }
 
-// An offset is a multiple of the resolution: without the dust of a product of doubles.
+// Without the dust of a product of doubles: to a femtometre.
 double tidy(double value) { return std::round(value * 1e9) / 1e9; }
 
 }  // namespace
@@ -37,7 +37,7 @@ void append_csv(fmt::memory_buffer& out, double time_s, std::span<const Offset> 
   append(out, time_s, "");
   for (const Offset& offset : offsets) {
     fmt::format_to(std::back_inserter(out), FMT_COMPILE(",{},{},"), tidy(offset.offset_um), offset.counts);
-    append(out, offset.predicted_um, "");
+    append(out, tidy(offset.predicted_um), "");
     fmt::format_to(std::back_inserter(out), FMT_COMPILE(",{},{}"), offset.limited ? 1 : 0, name_of(offset.hold));
   }
   append(out, "\n");
@@ -51,7 +51,7 @@ void append_jsonl(fmt::memory_buffer& out, double time_s, std::span<const Offset
     const Offset& offset = offsets[a];
     fmt::format_to(std::back_inserter(out), FMT_COMPILE(",\"{}\":{{\"offset_um\":{},\"counts\":{},\"predicted_um\":"),
                    axes.name(a), tidy(offset.offset_um), offset.counts);
-    append(out, offset.predicted_um, "null");
+    append(out, tidy(offset.predicted_um), "null");
     fmt::format_to(std::back_inserter(out), FMT_COMPILE(",\"limited\":{},\"hold\":\"{}\""), offset.limited,
                    name_of(offset.hold));
     if (is_about_a_column(offset.hold)) {

@@ -91,6 +91,8 @@ Replay replay_of(const std::vector<CompensatedAxis>& axes, const CompensationLim
       }
     }
   };
+  std::vector<std::vector<std::size_t>> held_by;  // of each axis, by its columns
+  for (std::size_t a = 0; a < axes.size(); ++a) held_by.emplace_back(machine.axis(a).columns().size());
   for (const double row_s : time_s) {
     meet(row_s);
     for (std::size_t c = 0; c < feeds.size(); ++c) values[c] = feeds[c].at(row_s, limits.gap_s);
@@ -98,10 +100,16 @@ Replay replay_of(const std::vector<CompensatedAxis>& axes, const CompensationLim
     for (std::size_t a = 0; a < axes.size(); ++a) {
       offset_um[a] = offsets[a].offset_um;
       ++replay.axes[a].rows_held[static_cast<std::size_t>(offsets[a].hold)];
+      if (is_about_a_column(offsets[a].hold)) ++held_by[a][offsets[a].column];
       replay.axes[a].rows_limited += offsets[a].limited ? 1 : 0;
     }
   }
   meet(std::numeric_limits<double>::infinity());
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const auto most = std::max_element(held_by[a].begin(), held_by[a].end());
+    if (most == held_by[a].end() || *most == 0) continue;
+    replay.axes[a].most_held_by = machine.axis(a).columns()[static_cast<std::size_t>(most - held_by[a].begin())];
+  }
   for (ReplayedAxis& axis : replay.axes) {
     for (std::size_t i = 0; i < axis.time_s.size(); ++i) {
       axis.after_um.push_back(axis.before_um[i] + axis.offset_um[i] - axis.offset_um.front());

@@ -73,6 +73,7 @@ TEST(Replay, KeepsTheLatestValueOfEachSignalForAWhile) {
   // 0 s: no T_b yet; 40 s: T_b is 28 s old.
   EXPECT_EQ(replayed.rows_held[static_cast<std::size_t>(Hold::no_value)], 2U);
   EXPECT_EQ(replayed.rows_held[static_cast<std::size_t>(Hold::none)], 5U);
+  EXPECT_EQ(replayed.most_held_by, "T_b_degC");
 }
 
 TEST(Replay, SaysWhatIsMissing) {

@@ -48,7 +48,7 @@ struct CompensationLimits {
   double resolution_um = 0.1;    // least increment of the control
   double hysteresis = 0.25;      // of an increment, beyond the half
   double rate_um_per_s = 0.2;    // of the offset
-  double step_um = 1.0;          // of the offset from one row to the next; not below resolution_um
+  double step_um = 2.0;          // of the offset from one row to the next; not below resolution_um
   double largest_um = 200.0;     // of |offset|
   double range_margin = 0.1;     // of a trained range, at either end
   double spike_K = 2.0;          // at once,

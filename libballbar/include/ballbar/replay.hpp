@@ -27,6 +27,7 @@ struct ReplayedAxis {
   std::vector<double> time_s, before_um, after_um, offset_um;  // n values of the target, the first at t_0
   Reduction reduction;                                         // of the root mean square
   std::array<std::size_t, kHoldKinds> rows_held{};             // by Hold; those under none were not held
+  std::string most_held_by;                                    // column that held most rows; empty: none did
   std::size_t rows_limited = 0;
 };
 
