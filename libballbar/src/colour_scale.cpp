@@ -74,8 +74,8 @@ std::vector<std::vector<Colour>> middles(const std::vector<Colour>& lines, std::
   const double length = static_cast<double>(lines.size()) / static_cast<double>(n);
   std::vector<std::vector<Colour>> stretches;
   for (std::size_t i = 0; i < n; ++i) {
-    const auto begin = static_cast<std::size_t>(std::ceil((static_cast<double>(i) + 0.25) * length));
-    const auto end = static_cast<std::size_t>(std::floor((static_cast<double>(i) + 0.75) * length));
+    const auto begin = static_cast<std::size_t>(std::lround((static_cast<double>(i) + 0.25) * length));
+    const auto end = static_cast<std::size_t>(std::lround((static_cast<double>(i) + 0.75) * length));
     stretches.emplace_back(lines.begin() + static_cast<std::ptrdiff_t>(begin),
                            lines.begin() + static_cast<std::ptrdiff_t>(end));
   }

@@ -25,7 +25,7 @@ struct TemperatureProfile {
 
 double length_mm(const TemperatureProfile& profile);
 
-// T at x; the end's outside the profile.
+// T at x; the end's outside the profile. O(log n): these two do not check the profile.
 double temperature_at(const TemperatureProfile& profile, double x_mm);
 double sigma_at(const TemperatureProfile& profile, double x_mm);  // NaN where it is not known
 
@@ -42,7 +42,7 @@ struct MeanPoint {
 // All points where T is the level, in rising order. Crossings between which T stays within same_degC (>= 0) of the
 // level are one point: so many crossings of a curve with scatter are one. Its slope is that of the chord over the
 // stretch and as much again at both sides, at least 1 % of L; the slope of a single crossing that of its straight line.
-// The mean has at least one point. All functions throw Error for a profile that is not as above, or not finite.
+// The mean has at least one point. These and those below throw Error for a profile that is not as above, or not finite.
 std::vector<MeanPoint> points_at(const TemperatureProfile& profile, double level_degC, double same_degC = 0.0);
 std::vector<MeanPoint> mean_points(const TemperatureProfile& profile, double same_degC = 0.0);
 
