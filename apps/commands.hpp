@@ -25,6 +25,8 @@ void add_blind(CLI::App& app);
 void add_inject(CLI::App& app);
 void add_train(CLI::App& app);
 void add_select(CLI::App& app);
+void add_meanpoint(CLI::App& app);
 void add_report(CLI::App& app);
+void add_compensate(CLI::App& app);
 
 }  // namespace ballbar::commands

@@ -58,7 +58,9 @@ int main(int argc, char** argv) {
   ballbar::commands::add_inject(app);
   ballbar::commands::add_train(app);
   ballbar::commands::add_select(app);
+  ballbar::commands::add_meanpoint(app);
   ballbar::commands::add_report(app);
+  ballbar::commands::add_compensate(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

@@ -12,6 +12,7 @@
 
 #include "ballbar/formats/bytes.hpp"
 #include "ballbar/formats/machine_toml.hpp"
+#include "ballbar/formats/shaft_images.hpp"
 #include "ballbar/formats/simulated_files.hpp"
 #include "ballbar/units.hpp"
 #include "commands.hpp"
@@ -77,10 +78,17 @@ void print_json(const VirtualMachine& machine, const SimulatedSession& simulated
 }
 
 void run(const Options& options) {
-  VirtualMachine machine = read_machine(read_bytes(options.machine, kLargestText), options.machine);
+  const std::string bytes = read_bytes(options.machine, kLargestText);
+  VirtualMachine machine = read_machine(bytes, options.machine);
+  const std::vector<ShaftImage> images = read_shaft_images(bytes, options.machine);
   if (options.seed) machine.seed = static_cast<std::uint64_t>(*options.seed);
   const SimulatedSession simulated = simulate(machine);
-  const std::vector<SimulatedFile> files = simulated_files(simulated, options.b5r);
+  std::vector<SimulatedFile> files = simulated_files(simulated, options.b5r);
+  if (machine.spindle) {
+    for (SimulatedFile& image : shaft_image_files(images, *machine.spindle, simulated.profiles)) {
+      files.push_back(std::move(image));
+    }
+  }
   const fs::path truth = truth_file(options);
   write_simulated(files, simulated.truth, options.out, truth, options.force);
   (options.json ? print_json : print_text)(machine, simulated, files, options, truth);

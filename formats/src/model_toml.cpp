@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "ballbar/error.hpp"
@@ -188,10 +189,38 @@ std::vector<std::string> targets_at(const TomlTable& root, Level level) {
   return targets;
 }
 
+// [trained]: what each column was while the model was fitted. Above the effects, which come and go.
+std::vector<ColumnRange> trained_at(const TomlTable& root) {
+  const std::optional<TomlTable> table = subtable(root, "trained");
+  if (!table) return {};
+  const std::vector<TomlTable> effects = subtables(root, "effect");
+  if (!effects.empty() && is_before(effects.front(), *table)) {
+    fail_at_table(*table, "expected [trained] above the effects, found it below one.");
+  }
+  std::vector<const toml::key*> keys;  // in the order of the file
+  for (const auto& [key, value] : *table->table) keys.push_back(&key);
+  std::sort(keys.begin(), keys.end(), [](const toml::key* a, const toml::key* b) {
+    return std::pair(a->source().begin.line, a->source().begin.column) <
+           std::pair(b->source().begin.line, b->source().begin.column);
+  });
+  std::vector<ColumnRange> trained;
+  for (const toml::key* key : keys) {
+    const std::vector<double> range = *numbers(*table, key->str());
+    if (range.size() != 2 || !(range[0] <= range[1])) {
+      fail_at_key(*table, key->str(),
+                  fmt::format("expected the lowest and the highest value of {}, found {}.", key->str(),
+                              range.size() == 2 ? fmt::format("{} and {}", range[0], range[1])
+                                                : fmt::format("{} numbers", range.size())));
+    }
+    trained.push_back({std::string(key->str()), range[0], range[1]});
+  }
+  return trained;
+}
+
 Model model_of(const TomlTable& root) {
   const std::string_view formats[] = {kFormat};
   if (!choice_index(root, "format", formats)) fail_missing(root, "format");
-  expect_keys(root, {"format", "target", "level", "constant_um", "effect", "history"});
+  expect_keys(root, {"format", "target", "level", "constant_um", "trained", "effect", "history"});
   Model model;
   const std::string_view levels[] = {"series", "recording"};
   if (choice_index(root, "level", levels).value_or(0) == 1) model.level = Level::recording;
@@ -200,6 +229,7 @@ Model model_of(const TomlTable& root) {
   if (model.constant_um && model.level == Level::recording) {
     fail_at_key(root, "constant_um", "expected no constant_um on recordings, whose circle has it, found one.");
   }
+  model.trained = trained_at(root);
   const std::vector<TomlTable> tables = subtables(root, "effect");
   if (tables.size() > kMostEffects) {
     fail_at_table(tables[kMostEffects],
@@ -246,11 +276,8 @@ std::string effect_text(const Term& term) {
     out += fmt::format("{} = {}\n", role, toml_quoted(term.columns[i]));
   }
   for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
-    const std::string& name = effect.parameters[k].name;
-    const bool bare =
-        std::all_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
     const std::string value = setting_text(term.settings[k], effect.parameters[k], own);
-    if (!value.empty()) out += fmt::format("{} = {}\n", bare ? name : toml_quoted(name), value);
+    if (!value.empty()) out += fmt::format("{} = {}\n", toml_key(effect.parameters[k].name), value);
   }
   return out;
 }
@@ -271,6 +298,10 @@ std::string write_model(const Model& model) {
   out += targets.size() == 1 ? fmt::format("target = {}\n", targets[0])
                              : fmt::format("target = [{}]\n", fmt::join(targets, ", "));
   if (model.constant_um) out += fmt::format("constant_um = {}\n", toml_number(*model.constant_um));
+  if (!model.trained.empty()) out += "\n[trained]\n";
+  for (const ColumnRange& range : model.trained) {
+    out += fmt::format("{} = [{}, {}]\n", toml_key(range.column), toml_number(range.low), toml_number(range.high));
+  }
   for (const Term& term : model.terms) out += "\n" + effect_text(term);
   return out;
 }

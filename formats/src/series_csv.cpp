@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -148,11 +147,6 @@ std::string header_of(const FiveProbe& probe) {
   return out;
 }
 
-bool is_bare_key(std::string_view name) {
-  return std::all_of(name.begin(), name.end(),
-                     [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; });
-}
-
 }  // namespace
 
 Series read_series(std::string_view bytes, std::string_view name) {
@@ -193,8 +187,7 @@ std::string series_header(const Series& series) {
   for (const Column& column : series.columns) {
     const std::string_view unit = unit_of(column.name);
     if (!unit.empty() && column.role == role_from_unit(unit)) continue;
-    out += fmt::format("# [columns.{}]\n# role = \"{}\"\n",
-                       is_bare_key(column.name) ? column.name : toml_quoted(column.name), name_of(column.role));
+    out += fmt::format("# [columns.{}]\n# role = \"{}\"\n", toml_key(column.name), name_of(column.role));
   }
   if (series.five_probe) out += header_of(*series.five_probe);
   out += "time_s";

@@ -30,6 +30,19 @@ std::string labelled_csv(const std::string& bytes) { return "# " + std::string(k
 
 double rounded(double value, double per_unit) { return std::round(value * per_unit) / per_unit; }
 
+// Along the axis, not over time: a table of its own.
+std::string write_profiles(const std::vector<ShaftProfile>& profiles) {
+  std::string text = "x_mm";
+  for (const ShaftProfile& profile : profiles) text += fmt::format(",T_{}s_degC", profile.time_s);
+  text += '\n';
+  for (std::size_t i = 0; i < profiles.front().shaft.x_mm.size(); ++i) {
+    text += fmt::format("{}", profiles.front().shaft.x_mm[i]);
+    for (const ShaftProfile& profile : profiles) text += fmt::format(",{}", rounded(profile.shaft.degC[i], 1e6));
+    text += '\n';
+  }
+  return text;
+}
+
 // What an instrument's software would store: in a run mm to 0.1 um, in an analysis um to 0.1 um.
 void store_run(B5r& test, std::size_t index, const Circle& circle, const Circularity& deviation) {
   const std::string run = fmt::format("run {}", index);
@@ -169,8 +182,15 @@ std::vector<SimulatedFile> simulated_files(const SimulatedSession& simulated, bo
     throw Error(fmt::format("Only method circles makes .b5r files: expected it with --b5r, found {}.",
                             is_series ? std::string_view("series") : name_of(session.method)));
   }
-  if (is_series) return {{"series.csv", labelled_csv(write_series(simulated.series))}};
   std::vector<SimulatedFile> files;
+  const auto add_profiles = [&] {
+    if (!simulated.profiles.empty()) files.push_back({"shaft.csv", labelled_csv(write_profiles(simulated.profiles))});
+  };
+  if (is_series) {
+    files.push_back({"series.csv", labelled_csv(write_series(simulated.series))});
+    add_profiles();
+    return files;
+  }
   SessionPlan plan = plan_of(simulated);
   for (const SessionTest& test : session.tests) {
     const std::string number = fmt::format("{:02}", plan.tests.size());
@@ -197,6 +217,7 @@ std::vector<SimulatedFile> simulated_files(const SimulatedSession& simulated, bo
   if (!plan.signal_files.empty()) files.push_back({"signals.csv", labelled_csv(write_series(simulated.signals))});
   if (!plan.five_probe_file.empty())
     files.push_back({"five-probe.csv", labelled_csv(write_series(simulated.five_probe))});
+  add_profiles();
   files.push_back({"session.toml", labelled_toml(write_session_plan(plan))});
   return files;
 }

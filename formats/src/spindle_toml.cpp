@@ -122,7 +122,7 @@ std::optional<TomlTable> inner(const TomlTable& table, std::string_view key) {
 
 VirtualSpindle read_spindle(const TomlTable& table, std::optional<double> default_end_s) {
   expect_keys(table, {"time_min", "speed_rpm", "load_W", "end_min", "room_min", "room_degC", "off", "interval_s",
-                      "step_s", "body", "measured"});
+                      "step_s", "profile_min", "image", "body", "measured"});
   VirtualSpindle spindle;
   take_bounded(spindle.clock.interval_s, table, "interval_s", Bound::positive);
   take_bounded(spindle.clock.step_s, table, "step_s", Bound::positive);
@@ -130,6 +130,7 @@ VirtualSpindle read_spindle(const TomlTable& table, std::optional<double> defaul
   if (default_end_s) *default_end_s += spindle.clock.interval_s;
   spindle.plan = read_plan(table, default_end_s);
   spindle.mechanisms = read_mechanisms(table);
+  if (has(table, "profile_min")) spindle.clock.profile_s = rising_s(table, "profile_min");
   if (const auto body = inner(table, "body")) spindle.body = read_body(*body);
   if (const auto measured = inner(table, "measured")) spindle.measurement = read_measurement(*measured);
   return spindle;

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 
@@ -259,6 +260,13 @@ void fail_kind(const TomlTable& table, std::string_view key, std::string_view ex
 
 void fail_at_element(const TomlTable& table, std::string_view key, std::size_t index, std::string_view sentence) {
   fail(table.name, table.table->get(key)->as_array()->get(index)->source().begin, sentence);
+}
+
+std::string toml_key(const std::string& name) {
+  const bool bare = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-';
+  });
+  return bare ? name : toml_quoted(name);
 }
 
 std::string toml_quoted(std::string_view text) {

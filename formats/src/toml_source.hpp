@@ -121,6 +121,9 @@ Value required(std::optional<Value> (*getter)(const TomlTable&, std::string_view
 
 // For writers: a text with its quotes; a number that reads back to the same double; a local date-time.
 std::string toml_quoted(std::string_view text);
+
+// A key as it stands, in quotes where TOML takes no bare one.
+std::string toml_key(const std::string& name);
 std::string toml_number(double number);
 std::string toml_local_time(std::int64_t local_time_s);
 

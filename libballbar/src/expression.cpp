@@ -51,14 +51,21 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  void run(const EffectRows& rows, const double* parameters, double* values) {
-    const std::size_t n = rows.time_s.size();
-    lagged_.assign(lag_.size(), std::vector<double>(n));
-    for (std::size_t k = 0; k < lag_.size(); ++k) run_lag(k, rows, parameters);
-    for (std::size_t i = 0; i < n; ++i) {
-      take_row(rows, parameters, i, lag_.size());
-      values[i] = whole_.Eval();
+  std::size_t kept() const { return lag_.size() * kLagKept; }
+
+  double at(const EffectRows& rows, std::size_t i, const double* parameters, double* kept) {
+    time_s_ = rows.time_s[i];
+    for (std::size_t k = 0; k < name_.size(); ++k) {
+      const Binding& binding = bound_.names[k];
+      name_[k] = binding.parameter ? parameters[binding.index] : rows.inputs[binding.index][i];
     }
+    for (std::size_t k = 0; k < lag_.size(); ++k) lag_[k] = lag_at(k, rows, i, kept + k * kLagKept);
+    return whole_.Eval();
+  }
+
+  void run(const EffectRows& rows, const double* parameters, double* values) {
+    std::vector<double> numbers(kept());
+    for (std::size_t i = 0; i < rows.time_s.size(); ++i) values[i] = at(rows, i, parameters, numbers.data());
   }
 
  private:
@@ -70,53 +77,41 @@ class Program {
     parser.Eval();  // compiles
   }
 
-  // The variables at row i; the first `lags` lags are known.
-  void take_row(const EffectRows& rows, const double* parameters, std::size_t i, std::size_t lags) {
-    time_s_ = rows.time_s[i];
-    for (std::size_t k = 0; k < name_.size(); ++k) {
-      const Binding& binding = bound_.names[k];
-      name_[k] = binding.parameter ? parameters[binding.index] : rows.inputs[binding.index][i];
-    }
-    for (std::size_t k = 0; k < lags; ++k) lag_[k] = lagged_[k][i];
+  // low_pass_at() with a time constant of each row, kept too; lags before this one are known.
+  double lag_at(std::size_t k, const EffectRows& rows, std::size_t i, double* kept) {
+    const double input = inputs_[k].Eval();
+    const double tau_s = time_constants_[k].Eval();
+    double& last_tau_s = kept[kLowPassKept];
+    low_pass_at(rows, i, input, std::max(0.0, tau_s), i == 0 || tau_s != last_tau_s, kept);
+    last_tau_s = tau_s;
+    if (std::isnan(tau_s)) kept[0] = kNone;
+    return kept[0];
   }
 
-  // low_pass() with a time constant of each row.
-  void run_lag(std::size_t k, const EffectRows& rows, const double* parameters) {
-    std::vector<double>& out = lagged_[k];
-    double last = 0.0;
-    double dt_s = -1.0;
-    double tau_s = kNone;
-    LowPassStep<double> step{};
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      take_row(rows, parameters, i, k);
-      const double next = inputs_[k].Eval();
-      const double next_tau_s = time_constants_[k].Eval();
-      if (i == 0) {
-        out[i] = next;
-      } else {
-        const double next_dt_s = rows.time_s[i] - rows.time_s[i - 1];
-        if (next_dt_s != dt_s || next_tau_s != tau_s) step = low_pass_step(next_dt_s, std::max(0.0, next_tau_s));
-        dt_s = next_dt_s;
-        out[i] = out[i - 1] + step.towards * (last - out[i - 1]) + (next - last) * step.along;
-      }
-      if (std::isnan(next_tau_s)) out[i] = kNone;
-      tau_s = next_tau_s;
-      last = next;
-    }
-  }
+  static constexpr std::size_t kLagKept = kLowPassKept + 1;
 
   const Bound& bound_;
   double time_s_ = 0.0;
   std::vector<double> name_, lag_;  // variables; never resized, muParser points into them
   std::vector<mu::Parser> inputs_, time_constants_;
   mu::Parser whole_;
-  std::vector<std::vector<double>> lagged_;  // one a lag, n values
 };
 
 // Central differences, inside the bounds as far as they leave room.
 Evaluate evaluated_by(std::shared_ptr<const Bound> bound, std::vector<Parameter> parameters) {
-  return [bound = std::move(bound), parameters = std::move(parameters)](const EffectRows& rows, const double* p,
-                                                                        double* values, double* derivatives) {
+  // One program for all rows that arrive: they come one after the other.
+  struct Live {
+    explicit Live(std::shared_ptr<const Bound> of) : bound(std::move(of)), program(*bound) {}
+    std::shared_ptr<const Bound> bound;
+    Program program;
+  };
+  const auto live = std::make_shared<Live>(bound);
+  const auto row = [live](const EffectRows& rows, std::size_t i, const double* p, double* kept) {
+    return live->program.at(rows, i, p, kept);
+  };
+  const std::size_t kept = live->program.kept();
+  const auto all = [bound = std::move(bound), parameters = std::move(parameters)](
+                       const EffectRows& rows, const double* p, double* values, double* derivatives) {
     Program program(*bound);
     program.run(rows, p, values);
     if (derivatives == nullptr) return;
@@ -143,6 +138,7 @@ Evaluate evaluated_by(std::shared_ptr<const Bound> bound, std::vector<Parameter>
       }
     }
   };
+  return {all, row, kept};
 }
 
 Explanation page() {

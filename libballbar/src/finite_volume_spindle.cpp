@@ -204,6 +204,15 @@ class Log {
     append(run_.truth, at_s, row);
   }
 
+  void add_profile(double at_s, const Machine& machine) {
+    ShaftProfile profile{.time_s = at_s};
+    for (std::size_t i = 0; i < machine.cells().shaft.size(); ++i) {
+      profile.shaft.x_mm.push_back(machine.cells().shaft[i].middle_mm());
+      profile.shaft.degC.push_back(machine.temperature_degC()[machine.cells().shaft_node(i)]);
+    }
+    run_.profiles.push_back(std::move(profile));
+  }
+
   ThermalRun run(const HeatBalance& balance) && {
     run_.balance = balance;
     return std::move(run_);
@@ -232,16 +241,25 @@ ThermalRun run_of(const FiniteVolumeSpindle& spindle, const DutyPlan& plan, cons
   Machine machine(spindle, plan, mechanisms);
   Log log(spindle, plan, mechanisms, machine.cells());
   const double start_s = plan.time_s.front();
-  const auto intervals = static_cast<std::size_t>(std::floor((plan.end_s - start_s) / clock.interval_s + 1e-9));
+  const std::size_t intervals = thermal::intervals_of(plan, clock);
+  auto profile_s = clock.profile_s.begin();
+  const auto keep_profile = [&](double at_s) {
+    if (profile_s == clock.profile_s.end() || *profile_s != at_s) return;
+    log.add_profile(at_s, machine);
+    ++profile_s;
+  };
   log.add(start_s, machine);
+  keep_profile(start_s);
   double at_s = start_s;
   for (std::size_t row = 1; row <= intervals; ++row) {
     const double row_s = start_s + static_cast<double>(row) * clock.interval_s;
     while (at_s < row_s) {
       const auto change = std::upper_bound(plan.time_s.begin(), plan.time_s.end(), at_s);
-      const double to_s = change == plan.time_s.end() ? row_s : std::min(*change, row_s);
+      double to_s = change == plan.time_s.end() ? row_s : std::min(*change, row_s);
+      if (profile_s != clock.profile_s.end()) to_s = std::min(to_s, *profile_s);
       machine.advance(at_s, to_s, clock.step_s);
       at_s = to_s;
+      keep_profile(at_s);
     }
     log.add(row_s, machine);
   }

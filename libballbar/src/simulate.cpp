@@ -231,6 +231,7 @@ SimulatedSession simulate(const VirtualMachine& machine) {
   for (Column& cause : simulation::causes_at_tests(machine, run)) {
     simulated.truth.columns.push_back(std::move(cause));
   }
+  simulated.profiles = run.profiles;
   return simulated;
 }
 

@@ -72,6 +72,7 @@ SimulatedSession series_of(const VirtualMachine& machine) {
   simulated.session.title = machine.title;
   simulated.series = measured_series(run, spindle.measurement, machine.seed);
   simulated.truth = run.truth;
+  simulated.profiles = run.profiles;
   return simulated;
 }
 

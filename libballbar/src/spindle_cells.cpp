@@ -43,4 +43,8 @@ Cells cells_of(const FiniteVolumeSpindle& spindle) {
   return cells;
 }
 
+std::size_t intervals_of(const DutyPlan& plan, const ThermalClock& clock) {
+  return static_cast<std::size_t>(std::floor((plan.end_s - plan.time_s.front()) / clock.interval_s + 1e-9));
+}
+
 }  // namespace ballbar::thermal

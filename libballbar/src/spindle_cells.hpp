@@ -51,4 +51,7 @@ Cells cells_of(const FiniteVolumeSpindle& spindle);
 void check(const FiniteVolumeSpindle& spindle);
 void check(const DutyPlan& plan, const ThermalClock& clock);
 
+// Rows after the first.
+std::size_t intervals_of(const DutyPlan& plan, const ThermalClock& clock);
+
 }  // namespace ballbar::thermal

@@ -174,6 +174,22 @@ void expect_not_negative(std::string_view what, const std::vector<double>& value
   for (const double value : values) expect_bound({what, nullptr, Bound::not_negative}, value);
 }
 
+void check_profiles(const DutyPlan& plan, const ThermalClock& clock) {
+  constexpr std::size_t kMostProfiles = 10000;
+  if (clock.profile_s.empty()) return;
+  if (clock.profile_s.size() > kMostProfiles) {
+    refuse(fmt::format("expected at most {} profiles, found {}.", kMostProfiles, clock.profile_s.size()));
+  }
+  expect_rising("the profiles", clock.profile_s);
+  const double start_s = plan.time_s.front();
+  const double last_s = start_s + static_cast<double>(thermal::intervals_of(plan, clock)) * clock.interval_s;
+  for (const double profile_s : clock.profile_s) {
+    if (profile_s >= start_s && profile_s <= last_s) continue;
+    refuse(fmt::format("expected times of profiles from the start, {} s, to the last row, {} s, found {} s.", start_s,
+                       last_s, profile_s));
+  }
+}
+
 }  // namespace
 
 std::span<const SpindleParameter> spindle_parameters() { return kParameters; }
@@ -235,6 +251,7 @@ void check(const DutyPlan& plan, const ThermalClock& clock) {
     refuse(
         fmt::format("expected at most {:.0f} steps, found {:.0f}; widen step_s.", kMostSteps, span_s / clock.step_s));
   }
+  check_profiles(plan, clock);
 }
 
 }  // namespace thermal

@@ -11,4 +11,5 @@ cmake -S "$here" -B "$scratch/build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_P
   -DCMAKE_CXX_FLAGS="$flags"
 cmake --build "$scratch/build"
 "$scratch/build/consumer"
+[ ! -e "$scratch/build/images" ] || "$scratch/build/images"
 "$scratch/prefix/bin/ballbar" --version

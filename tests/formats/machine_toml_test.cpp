@@ -170,6 +170,7 @@ room_degC = [20.0, 22.5]
 off = ["centrifugal", "room"]
 interval_s = 30.0
 step_s = 10.0
+profile_min = [0, 30.5]
 [spindle.body]
 f0 = 0.6
 flange_mm = 180.0
@@ -202,6 +203,7 @@ TEST(machine_toml, spindle) {
   EXPECT_TRUE(spindle.mechanisms.viscosity);
   EXPECT_EQ(spindle.clock.interval_s, 30.0);
   EXPECT_EQ(spindle.clock.step_s, 10.0);
+  EXPECT_EQ(spindle.clock.profile_s, (std::vector<double>{0.0, 1830.0}));
   EXPECT_EQ(spindle.body.f0, 0.6);
   EXPECT_EQ(spindle.body.flange_mm, 180.0);
   EXPECT_EQ(spindle.body.set_point_degC, -5.0);
@@ -287,6 +289,14 @@ TEST(machine_toml, bad_text) {
       {"[spindle]\ntime_min = [0]\nspeed_rpm = [1]\noff = [\"room\", \"gravity\"]",
        "m.toml:5:16: expected one of viscosity, convection, asymmetry, rings, centrifugal, thermostat, coolant, room, "
        "structure in off, found \"gravity\"."},
+      {"[spindle]\ntime_min = [0]\nspeed_rpm = [1]\nprofile_min = [30, 20]",
+       "m.toml:5:20: expected rising times for profile_min, found 20 after 30."},
+      {"[spindle]\ntime_min = [0]\nspeed_rpm = [1]\nprofile_min = []",
+       "m.toml:5:15: expected at least one time for profile_min, found an array."},
+      {"[spindle]\ntime_min = [0]\nspeed_rpm = [1]\nprofile = [30]",
+       "m.toml:5:1: expected one of the keys time_min, speed_rpm, load_W, end_min, room_min, room_degC, off, "
+       "interval_s, step_s, profile_min, image, body, measured in [spindle], found \"profile\"; the nearest is "
+       "profile_min."},
       {"[spindle]\ntime_min = [0]\nspeed_rpm = [1]\n[spindle.body]\nhead_kg = -120",
        "m.toml:6:11: expected a number above 0 for head_kg, found the integer -120."},
       {"[spindle]\ntime_min = [0]\nspeed_rpm = [1]\n[spindle.body]\npump_W = -0.5",

@@ -1,8 +1,10 @@
 #include "ballbar/formats/simulated_files.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "ballbar/formats/b5r.hpp"
 #include "ballbar/formats/bytes.hpp"
@@ -55,6 +57,30 @@ TEST(simulated_files, names_by_method) {
   EXPECT_EQ(names(simulated_files(simulate(two_tests(Method::circles)), false)),
             (Names{"00.b5r", "01.b5r", "signals.csv", "five-probe.csv", "session.toml"}));
   EXPECT_EQ(names(simulated_files(simulate(two_tests(Method::circles)), true)), (Names{"00.b5r", "01.b5r"}));
+}
+
+// 2 cells of 260 mm: their middles are 130 and 390 mm from the rear end.
+TEST(simulated_files, temperatures_along_the_shaft) {
+  VirtualMachine machine;
+  machine.series = true;
+  machine.spindle = VirtualSpindle{};
+  machine.spindle->body.cells = 2.0;
+  machine.spindle->plan = {.time_s = {0.0}, .speed_rpm = {10000.0}, .end_s = 120.0};
+  machine.spindle->mechanisms.thermostat = false;
+  machine.spindle->clock.profile_s = {0.0, 97.5};
+  const SimulatedSession simulated = simulate(machine);
+  const std::vector<SimulatedFile> files = simulated_files(simulated, false);
+  EXPECT_EQ(names(files), (std::vector<std::string>{"series.csv", "shaft.csv"}));
+  const auto degC = [&](std::size_t profile, std::size_t cell) {
+    return std::round(simulated.profiles.at(profile).shaft.degC.at(cell) * 1e6) / 1e6;
+  };
+  EXPECT_EQ(files[1].bytes, fmt::format("# # SIMULATED by ballbar simulate, not measured.\n"
+                                        "x_mm,T_0s_degC,T_97.5s_degC\n"
+                                        "130,{},{}\n"
+                                        "390,{},{}\n",
+                                        degC(0, 0), degC(1, 0), degC(0, 1), degC(1, 1)));
+  EXPECT_NEAR(degC(0, 1), 20.0, 0.1);  // the room's, and a little of the pump's heat
+  EXPECT_GT(degC(1, 1), 20.5);
 }
 
 TEST(simulated_files, every_file_says_that_it_is_simulated) {

@@ -1,14 +1,20 @@
-// Any bytes: read_machine returns or throws Error, nothing else.
+// Any bytes: read_machine and read_shaft_images return or throw Error, nothing else.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/machine_toml.hpp"
+#include "ballbar/formats/shaft_images.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   try {
-    ballbar::read_machine(std::string_view(reinterpret_cast<const char*>(data), size), "fuzz");
+    ballbar::read_machine(bytes, "fuzz");
+  } catch (const ballbar::Error&) {
+  }
+  try {
+    ballbar::read_shaft_images(bytes, "fuzz");
   } catch (const ballbar::Error&) {
   }
   return 0;

@@ -224,6 +224,41 @@ TEST(FiniteVolumeSpindle, RowsAndRoles) {
             "T_room_degC:ambient ");
 }
 
+// 120 min and 240 min are rows. z_shaft sums alpha dT dx from the middle of the front bearing, 335 mm, which halves the
+// cell from 330 to 340 mm, to the ball at 520 mm.
+TEST(FiniteVolumeSpindle, ProfilesAddUpToTheElongationOfTheShaft) {
+  const ThermalRun run = run_of({}, on_and_off(), {}, {15.0, 15.0, {0.0, 2.0 * kHour_s, 4.0 * kHour_s}});
+  ASSERT_EQ(run.profiles.size(), 3u);
+  const TemperatureProfile& start = run.profiles[0].shaft;
+  ASSERT_EQ(start.x_mm.size(), 52u);
+  EXPECT_EQ(start.x_mm.front(), 5.0);
+  EXPECT_EQ(start.x_mm.back(), 515.0);
+  for (const ShaftProfile& profile : run.profiles) {
+    double elongation_um = 0.0;
+    for (std::size_t i = 0; i < 52; ++i) {
+      const double length_mm = start.x_mm[i] < 335.0 ? 0.0 : start.x_mm[i] == 335.0 ? 5.0 : 10.0;
+      elongation_um += 11.7e-3 * length_mm * (profile.shaft.degC[i] - start.degC[i]);
+    }
+    const auto row = static_cast<std::size_t>(profile.time_s / 15.0);
+    EXPECT_NEAR(elongation_um, truth(run, "z_shaft_um")[row], 1e-9) << profile.time_s;
+  }
+  EXPECT_GT(truth(run, "z_shaft_um")[480], 20.0);
+}
+
+// What is asked for between two rows is the state there: that of a run with a row at that time. On a row it changes
+// nothing.
+TEST(FiniteVolumeSpindle, ProfilesBetweenRows) {
+  const DutyPlan plan = steady_plan(10000.0, 0.5);
+  const ThermalRun seldom = run_of({}, plan, {}, {60.0, 5.0, {90.0, 100.0, 600.0}});
+  const ThermalRun often = run_of({}, plan, {}, {5.0, 5.0, {90.0, 100.0, 600.0}});
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_LT(difference(seldom.profiles[k].shaft.degC, often.profiles[k].shaft.degC), 1e-9);
+  EXPECT_EQ(seldom.profiles[1].time_s, 100.0);
+  EXPECT_EQ(truth(run_of({}, plan, {}, {60.0, 60.0, {600.0}}), "z_um"),
+            truth(run_of({}, plan, {}, {60.0, 60.0}), "z_um"));
+  EXPECT_TRUE(run_of({}, plan).profiles.empty());
+}
+
 std::string complaint(const FiniteVolumeSpindle& spindle, const DutyPlan& plan, const ThermalClock& clock = {}) {
   try {
     run_of(spindle, plan, {}, clock);
@@ -282,6 +317,11 @@ TEST(FiniteVolumeSpindle, RefusesPlansThatMakeNoSense) {
   EXPECT_EQ(complaint({}, on_and_off(), {0.0, 15.0}), "spindle: expected a number above 0 for interval_s, found 0.");
   EXPECT_EQ(complaint({}, on_and_off(), {0.001, 15.0}),
             "spindle: expected at most 1000000 rows, found 14400000; widen interval_s.");
+  EXPECT_EQ(complaint({}, on_and_off(), {15.0, 15.0, {60.0, 60.0}}),
+            "spindle: expected rising times for the profiles, found 60 s after 60 s.");
+  // Rows every 700 s: the last is the 20th.
+  EXPECT_EQ(complaint({}, on_and_off(), {700.0, 15.0, {60.0, 14200.0}}),
+            "spindle: expected times of profiles from the start, 0 s, to the last row, 14000 s, found 14200 s.");
 }
 
 }  // namespace

@@ -63,8 +63,23 @@ struct EffectRows {
 };
 
 // values: n. derivatives: n times the number of parameters, row by row; nullptr: not wanted.
-using Evaluate =
+using EvaluateAll =
     std::function<void(const EffectRows& rows, const double* parameters, double* values, double* derivatives)>;
+
+// The value at row i, for signals that arrive live: from rows 0, i - 1 and i alone and from `kept`, the numbers that an
+// effect with memory hands on, which it sets at row 0. Row by row it gives what EvaluateAll gives, to the last bit.
+using EvaluateRow =
+    std::function<double(const EffectRows& rows, std::size_t i, const double* parameters, double* kept)>;
+
+struct Evaluate {
+  EvaluateAll all;
+  EvaluateRow row = {};  // empty: needs more than these rows
+  std::size_t kept = 0;  // how many numbers
+
+  void operator()(const EffectRows& rows, const double* parameters, double* values, double* derivatives) const {
+    all(rows, parameters, values, derivatives);
+  }
+};
 
 struct Effect {
   std::string name;

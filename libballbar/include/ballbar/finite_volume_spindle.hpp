@@ -41,6 +41,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ballbar/mean_point.hpp"
 #include "ballbar/series.hpp"
 
 namespace ballbar {
@@ -138,8 +139,16 @@ struct DutyPlan {
 };
 
 struct ThermalClock {
-  double interval_s = 15.0;  // of the rows
-  double step_s = 15.0;      // longest step of the calculation; steps also end at every row and change of speed
+  double interval_s = 15.0;       // of the rows
+  double step_s = 15.0;           // longest step of the calculation; steps also end at every row and change of speed
+  std::vector<double> profile_s;  // rising, from the start to the last row: when the shaft's temperature along the axis
+                                  // is wanted; steps end there too
+};
+
+// Temperature along the shaft at one time.
+struct ShaftProfile {
+  double time_s = 0.0;
+  TemperatureProfile shaft;  // x_mm: the middles of the shaft's cells from the rear end, as the positions above
 };
 
 struct HeatBalance {
@@ -157,6 +166,7 @@ struct ThermalRun {
                  // (tank; coolant), T_head_degC, T_column_degC (front; both structure), T_room_degC (ambient). True.
   Series truth;  // x_um, y_um, z_um, then the causes above: x_bending_um ...
   HeatBalance balance;
+  std::vector<ShaftProfile> profiles;  // one for each of profile_s. At the start: as the machine has stood
 };
 
 // Backward Euler over a sparse network of some 210 nodes: stable for every step, energy in balance to 1e-9. 46 h in

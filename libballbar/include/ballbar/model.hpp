@@ -27,11 +27,18 @@ struct Term {
   std::vector<Setting> settings;         // as effect->parameters
 };
 
+// What a column was while the model was fitted.
+struct ColumnRange {
+  std::string column;
+  double low = 0.0, high = 0.0;
+};
+
 struct Model {
   Level level = Level::series;
   std::vector<std::string> targets;  // columns to explain, each by its own fit
   std::vector<Term> terms;
   std::optional<double> constant_um;  // held at this value; nothing: free. None on recordings: the circle has it
+  std::vector<ColumnRange> trained;  // a column once; none: not known
 };
 
 // An effect of the catalogue with its own settings. Throws Error for a name that is not in it, with the nearest name.

@@ -143,6 +143,7 @@ struct SimulatedSession {
   Series truth;   // one row a test: what drift_of would give without noise, changes since the first test:
                   // x_um, y_um, z_um; spindle_rotation: radial_um, axial_um, shift_a_um, shift_b_um,
                   // radius_change_um. Of a spindle also the causes; of a spindle alone ThermalRun::truth
+  std::vector<ShaftProfile> profiles;  // of a spindle, at the times that its clock asks for
 };
 
 // Every recording, signal and probe draws from its own random stream, keyed by seed, kind and test time or

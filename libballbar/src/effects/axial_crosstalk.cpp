@@ -7,9 +7,9 @@ namespace {
 // k dL
 struct AxialCrosstalk {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> axial_um = rows.inputs[0];
-    for (std::size_t i = 0; i < axial_um.size(); ++i) out[i] = p[0] * (axial_um[i] - axial_um[0]);
+    return p[0] * (axial_um[i] - axial_um[0]);
   }
 };
 
@@ -29,7 +29,7 @@ const Effect kAxialCrosstalk{
      .source = "Projection of the elongation on the radial direction; no paper's equation."},
     {{"axial", {"um"}, "axial drift of the spindle"}},
     {{"gain_um_per_um", "um/um", ParameterKind::gain, 0.0, -10.0, 10.0, {}, "inclination of the growth, rad"}},
-    evaluated_by<1>(AxialCrosstalk{}),
+    by_row<1>(AxialCrosstalk{}),
 };
 
 }  // namespace ballbar::catalogue

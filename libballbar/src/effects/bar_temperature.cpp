@@ -7,9 +7,8 @@ namespace {
 // L alpha_bar (T_bar - 20 degC); mm times ppm is nm, hence 1e-3 to um.
 struct BarTemperature {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
-    const std::span<const double> bar_degC = rows.inputs[0];
-    for (std::size_t i = 0; i < bar_degC.size(); ++i) out[i] = p[0] * p[1] * ((bar_degC[i] - 20.0) * 1e-3);
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
+    return p[0] * p[1] * ((rows.inputs[0][i] - 20.0) * 1e-3);
   }
 };
 
@@ -39,7 +38,7 @@ const Effect kBarTemperature{
       {},
       "of the bar; negative where a longer bar reads less"},
      {"length_mm", "mm", ParameterKind::shape, 100.0, 1.0, 2000.0, {}, "of the bar with its extension", true}},
-    evaluated_by<2>(BarTemperature{}),
+    by_row<2>(BarTemperature{}),
 };
 
 }  // namespace ballbar::catalogue

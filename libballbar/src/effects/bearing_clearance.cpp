@@ -8,11 +8,9 @@ namespace {
 // s c(dL)
 struct BearingClearance {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> axial_um = rows.inputs[0];
-    for (std::size_t i = 0; i < axial_um.size(); ++i) {
-      out[i] = p[0] * huang2022_clearance_um(axial_um[i] - axial_um[0], p[1], p[2]);
-    }
+    return p[0] * huang2022_clearance_um(axial_um[i] - axial_um[0], p[1], p[2]);
   }
 };
 
@@ -40,7 +38,7 @@ const Effect kBearingClearance{
     {{"gain", "1", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "1 is the formula"},
      {"ball_diameter_mm", "mm", ParameterKind::shape, 10.319, 1.0, 100.0, {}, "D_w", true},
      {"groove_factor", "1", ParameterKind::shape, 0.53, 0.505, 0.6, {}, "f, groove radius over ball diameter", true}},
-    evaluated_by<3>(BearingClearance{}),
+    by_row<3>(BearingClearance{}),
 };
 
 }  // namespace ballbar::catalogue

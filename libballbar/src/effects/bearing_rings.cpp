@@ -7,14 +7,12 @@ namespace {
 // s (r_C alpha (T_C - T_C0) - r_B alpha (T_B - T_B0)); mm times ppm is nm, hence 1e-3 to um.
 struct BearingRings {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> inner = rows.inputs[0];
     const std::span<const double> outer = rows.inputs[1];
     const T r_b_mm = p[1], r_c_mm = p[2], alpha_ppm_per_K = p[3];
-    for (std::size_t i = 0; i < inner.size(); ++i) {
-      const T opened_mm_K = r_c_mm * (outer[i] - outer[0]) - r_b_mm * (inner[i] - inner[0]);
-      out[i] = p[0] * (alpha_ppm_per_K * opened_mm_K * 1e-3);
-    }
+    const T opened_mm_K = r_c_mm * (outer[i] - outer[0]) - r_b_mm * (inner[i] - inner[0]);
+    return p[0] * (alpha_ppm_per_K * opened_mm_K * 1e-3);
   }
 };
 
@@ -45,7 +43,7 @@ const Effect kBearingRings{
      {"inner_radius_mm", "mm", ParameterKind::shape, 27.34, 1.0, 1000.0, {}, "r_B, raceway of the inner ring", true},
      {"outer_radius_mm", "mm", ParameterKind::shape, 37.66, 1.0, 1000.0, {}, "r_C, raceway of the outer ring", true},
      {"expansion_ppm_per_K", "ppm/K", ParameterKind::shape, 13.6, 1.0, 30.0, {}, "alpha of the rings", true}},
-    evaluated_by<4>(BearingRings{}),
+    by_row<4>(BearingRings{}),
 };
 
 }  // namespace ballbar::catalogue

@@ -8,9 +8,8 @@ namespace {
 // k n^p
 struct CentrifugalShift {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
-    const std::span<const double> speed_rpm = rows.inputs[0];
-    for (std::size_t i = 0; i < speed_rpm.size(); ++i) out[i] = p[0] * power_of_speed(speed_rpm[i], p[1]);
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
+    return p[0] * power_of_speed(rows.inputs[0][i], p[1]);
   }
 };
 
@@ -32,7 +31,7 @@ const Effect kCentrifugalShift{
     {{"speed", {"rpm"}, "speed of the spindle"}},
     {{"gain_um_per_krpm_p", "um/krpm^p", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "shift at 1000 rpm"},
      {"exponent", "1", ParameterKind::shape, 2.0, 1.0, 3.0, {1.0, 1.5, 2.0, 2.5, 3.0}, "p, of the speed", true}},
-    evaluated_by<2>(CentrifugalShift{}),
+    by_row<2>(CentrifugalShift{}),
 };
 
 }  // namespace ballbar::catalogue

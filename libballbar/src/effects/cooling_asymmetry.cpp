@@ -10,28 +10,12 @@ namespace {
 // line, so it turns all the way unless both rows are at rest.
 struct CoolingAsymmetry {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
-    const std::span<const double> speed_rpm = rows.inputs[0];
-    if (speed_rpm.empty()) return;
-    T last = power_of_speed(speed_rpm[0], p[3]);
-    T state = last;
-    out[0] = p[0] * state;
-    double dt_s = -1.0;
-    bool turning = false;
-    LowPassStep<T> step{};
-    for (std::size_t i = 1; i < speed_rpm.size(); ++i) {
-      const T next = power_of_speed(speed_rpm[i], p[3]);
-      const double now_s = rows.time_s[i] - rows.time_s[i - 1];
-      const bool turns = next > T(0.0) || last > T(0.0);
-      if (now_s != dt_s || turns != turning) {
-        dt_s = now_s;
-        turning = turns;
-        step = low_pass_step(dt_s, turning ? p[1] : p[2]);
-      }
-      state += step.towards * (last - state) + (next - last) * step.along;
-      last = next;
-      out[i] = p[0] * state;
-    }
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T* kept) const {
+    const T input = power_of_speed(rows.inputs[0][i], p[3]);
+    const bool turns = input > T(0.0) || (i > 0 && kept[1] > T(0.0));
+    const bool other_tau = turns != (kept[kLowPassKept] > T(0.0));
+    kept[kLowPassKept] = T(turns ? 1.0 : 0.0);
+    return p[0] * low_pass_at(rows, i, input, turns ? p[1] : p[2], other_tau, kept);
   }
 };
 
@@ -70,7 +54,7 @@ const Effect kCoolingAsymmetry{
       {180.0, 600.0, 1800.0, 5400.0, 16000.0, 50000.0},
       "how slowly the body follows while it stands"},
      {"exponent", "1", ParameterKind::shape, 5.0 / 3.0, 0.5, 3.0, {1.0, 5.0 / 3.0, 2.0}, "a, of the speed", true}},
-    evaluated_by<4>(CoolingAsymmetry{}),
+    by_row<4, kLowPassKept + 1>(CoolingAsymmetry{}),
 };
 
 }  // namespace ballbar::catalogue

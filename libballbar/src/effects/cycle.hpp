@@ -14,14 +14,12 @@ namespace ballbar {
 // a cos 2 pi t / P + b sin 2 pi t / P, t since the first row; parameters a, b, P.
 struct Cycle {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     using std::cos;
     using std::sin;
-    for (std::size_t i = 0; i < rows.time_s.size(); ++i) {
-      const T turns = (rows.time_s[i] - rows.time_s[0]) / p[2];
-      const T phase = 2.0 * kPi * turns;
-      out[i] = p[0] * cos(phase) + p[1] * sin(phase);
-    }
+    const T turns = (rows.time_s[i] - rows.time_s[0]) / p[2];
+    const T phase = 2.0 * kPi * turns;
+    return p[0] * cos(phase) + p[1] * sin(phase);
   }
 };
 

@@ -20,7 +20,7 @@ const Effect kDayCycle{
     {{"cosine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "part that is largest at the first row"},
      {"sine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "part that is 0 at the first row and rises"},
      {"period_s", "s", ParameterKind::shape, 86400.0, 43200.0, 172800.0, {}, "24 h", true}},
-    evaluated_by<3>(Cycle{}),
+    by_row<3>(Cycle{}),
     true,
 };
 

@@ -1,7 +1,10 @@
-// From an effect's one template to values and exact derivatives.
+// From an effect's one template to values and exact derivatives: it is instantiated for double and for ceres::Jet over
+// all of the effect's parameters. A functor is of one of two kinds:
 //
-// A functor has   template <class T> void operator()(const EffectRows& rows, const T* p, T* out) const   and writes
-// n values; it is instantiated for double and for ceres::Jet over all of the effect's parameters.
+//   of rows    template <class T> T operator()(const EffectRows& rows, std::size_t i, const T* p, T* kept) const
+//              the value at row i, from rows 0, i - 1 and i and kKept numbers that it hands on: can run live
+//   of all     template <class T> void operator()(const EffectRows& rows, const T* p, T* out) const
+//              writes n values
 #pragma once
 
 #include <ceres/jet.h>
@@ -14,9 +17,35 @@
 
 namespace ballbar {
 
+template <int kParameters, int kKept = 0, class Functor>
+Evaluate by_row(Functor functor) {
+  constexpr std::size_t kNumbers = kKept > 0 ? kKept : 1;
+  const auto all = [functor](const EffectRows& rows, const double* parameters, double* values, double* derivatives) {
+    const std::size_t n = rows.time_s.size();
+    if (derivatives == nullptr) {
+      std::array<double, kNumbers> kept{};
+      for (std::size_t i = 0; i < n; ++i) values[i] = functor(rows, i, parameters, kept.data());
+      return;
+    }
+    using Jet = ceres::Jet<double, kParameters>;
+    std::array<Jet, kParameters> p;
+    for (int k = 0; k < kParameters; ++k) p[static_cast<std::size_t>(k)] = Jet(parameters[k], k);
+    std::array<Jet, kNumbers> kept{};
+    for (std::size_t i = 0; i < n; ++i) {
+      const Jet value = functor(rows, i, p.data(), kept.data());
+      values[i] = value.a;
+      for (int k = 0; k < kParameters; ++k) derivatives[i * kParameters + static_cast<std::size_t>(k)] = value.v[k];
+    }
+  };
+  const auto row = [functor](const EffectRows& rows, std::size_t i, const double* parameters, double* kept) {
+    return functor(rows, i, parameters, kept);
+  };
+  return {all, row, static_cast<std::size_t>(kKept)};
+}
+
 template <int kParameters, class Functor>
 Evaluate evaluated_by(Functor functor) {
-  return [functor](const EffectRows& rows, const double* parameters, double* values, double* derivatives) {
+  const auto all = [functor](const EffectRows& rows, const double* parameters, double* values, double* derivatives) {
     if (derivatives == nullptr) {
       functor(rows, parameters, values);
       return;
@@ -32,6 +61,7 @@ Evaluate evaluated_by(Functor functor) {
       for (int k = 0; k < kParameters; ++k) derivatives[i * kParameters + static_cast<std::size_t>(k)] = out[i].v[k];
     }
   };
+  return {all};
 }
 
 }  // namespace ballbar

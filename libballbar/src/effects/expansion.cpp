@@ -7,9 +7,9 @@ namespace {
 // k (T - T_0)
 struct Expansion {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> temperature = rows.inputs[0];
-    for (std::size_t i = 0; i < temperature.size(); ++i) out[i] = p[0] * (temperature[i] - temperature[0]);
+    return p[0] * (temperature[i] - temperature[0]);
   }
 };
 
@@ -32,7 +32,7 @@ const Effect kExpansion{
      .source = "Huang, Li, Zhao 2022, eq. 21: dL = alpha L (T(xi) - T0)."},
     {{"temperature", {"degC", "K"}, "temperature of the body"}},
     {{"gain_um_per_K", "um/K", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "growth for each kelvin: alpha L"}},
-    evaluated_by<1>(Expansion{}),
+    by_row<1>(Expansion{}),
 };
 
 }  // namespace ballbar::catalogue

@@ -8,12 +8,11 @@ namespace {
 // k LP_tau[D - D_0], D = T_hot - T_cold
 struct GradientBending {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T* kept) const {
     const std::span<const double> hot = rows.inputs[0];
     const std::span<const double> cold = rows.inputs[1];
-    const auto difference = [&](std::size_t i) { return (hot[i] - hot[0]) - (cold[i] - cold[0]); };
-    low_pass(rows.time_s, difference, p[1], out);
-    for (std::size_t i = 0; i < hot.size(); ++i) out[i] *= p[0];
+    const T difference((hot[i] - hot[0]) - (cold[i] - cold[0]));
+    return low_pass_at(rows, i, difference, p[1], false, kept) * p[0];
   }
 };
 
@@ -46,7 +45,7 @@ const Effect kGradientBending{
       200000.0,
       {0.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0},
       "how slowly the wall follows; 0: at once"}},
-    evaluated_by<2>(GradientBending{}),
+    by_row<2, kLowPassKept>(GradientBending{}),
 };
 
 }  // namespace ballbar::catalogue

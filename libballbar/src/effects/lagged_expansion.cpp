@@ -8,11 +8,9 @@ namespace {
 // k (LP_tau[T] - T_0)
 struct LaggedExpansion {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T* kept) const {
     const std::span<const double> temperature = rows.inputs[0];
-    low_pass(
-        rows.time_s, [&](std::size_t i) { return temperature[i] - temperature[0]; }, p[1], out);
-    for (std::size_t i = 0; i < temperature.size(); ++i) out[i] *= p[0];
+    return low_pass_at(rows, i, T(temperature[i] - temperature[0]), p[1], false, kept) * p[0];
   }
 };
 
@@ -44,7 +42,7 @@ const Effect kLaggedExpansion{
       200000.0,
       {60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0, 50000.0},
       "how slowly the body follows"}},
-    evaluated_by<2>(LaggedExpansion{}),
+    by_row<2, kLowPassKept>(LaggedExpansion{}),
 };
 
 }  // namespace ballbar::catalogue

@@ -7,8 +7,8 @@ namespace {
 // k t
 struct LinearDrift {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
-    for (std::size_t i = 0; i < rows.time_s.size(); ++i) out[i] = p[0] * ((rows.time_s[i] - rows.time_s[0]) / 3600.0);
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
+    return p[0] * ((rows.time_s[i] - rows.time_s[0]) / 3600.0);
   }
 };
 
@@ -28,7 +28,7 @@ const Effect kLinearDrift{
      .source = "First order of any slow drift; no paper's equation."},
     {},
     {{"rate_um_per_h", "um/h", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "drift in an hour"}},
-    evaluated_by<1>(LinearDrift{}),
+    by_row<1>(LinearDrift{}),
     true,
 };
 

@@ -8,11 +8,8 @@ namespace {
 // k LP_tau[P]
 struct LoadHeating {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
-    const std::span<const double> load = rows.inputs[0];
-    low_pass(
-        rows.time_s, [&](std::size_t i) { return load[i]; }, p[1], out);
-    for (std::size_t i = 0; i < load.size(); ++i) out[i] *= p[0];
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T* kept) const {
+    return low_pass_at(rows, i, T(rows.inputs[0][i]), p[1], false, kept) * p[0];
   }
 };
 
@@ -40,7 +37,7 @@ const Effect kLoadHeating{
       200000.0,
       {60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0},
       "how slowly the warmed body follows"}},
-    evaluated_by<2>(LoadHeating{}),
+    by_row<2, kLowPassKept>(LoadHeating{}),
 };
 
 }  // namespace ballbar::catalogue

@@ -11,6 +11,8 @@
 #include <cstddef>
 #include <span>
 
+#include "ballbar/effect.hpp"
+
 namespace ballbar {
 
 template <class T>
@@ -45,6 +47,30 @@ void low_pass(std::span<const double> time_s, const U& u, const T& tau_s, T* out
     out[i] = out[i - 1] + step.towards * (last - out[i - 1]) + (next - last) * step.along;
     last = next;
   }
+}
+
+// The same a row at a time, for an effect of rows (evaluate.hpp). Kept: x, u and the step of the row before, which
+// serves again where the rows' step is the same and tau is not another one.
+inline constexpr int kLowPassKept = 5;
+
+template <class T>
+T low_pass_at(const EffectRows& rows, std::size_t i, const T& u, const T& tau_s, bool other_tau, T* kept) {
+  T &x = kept[0], &last = kept[1], &towards = kept[2], &along = kept[3], &dt_s = kept[4];
+  if (i == 0) {
+    x = u;
+    dt_s = T(-1.0);
+  } else {
+    const double now_s = rows.time_s[i] - rows.time_s[i - 1];
+    if (other_tau || dt_s != T(now_s)) {  // most logs keep their step
+      const LowPassStep<T> step = low_pass_step(now_s, tau_s);
+      towards = step.towards;
+      along = step.along;
+      dt_s = T(now_s);
+    }
+    x = x + towards * (last - x) + (u - last) * along;
+  }
+  last = u;
+  return x;
 }
 
 }  // namespace ballbar

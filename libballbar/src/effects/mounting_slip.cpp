@@ -22,7 +22,7 @@ const Effect kMountingSlip{
     {},
     {{"step_um", "um", ParameterKind::gain, 0.0, -10000.0, 10000.0, {}, "length after less length before"},
      {"onset_s", "s", ParameterKind::shape, 0.0, 0.0, 1e7, {}, "time of the slip"}},
-    evaluated_by<2>(Step{}),
+    by_row<2>(Step{}),
     true,
 };
 

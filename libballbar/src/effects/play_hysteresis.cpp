@@ -7,16 +7,15 @@ namespace {
 // k (play_w[u] - u) with the play operator p_i = max(u_i - w, min(u_i + w, p_{i-1})), p_0 = u_0.
 struct PlayHysteresis {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T* kept) const {
     const std::span<const double> signal = rows.inputs[0];
-    T follower(0.0);
-    for (std::size_t i = 0; i < signal.size(); ++i) {
-      const double u = signal[i] - signal[0];
-      const T high = u + p[1], low = u - p[1];
-      if (follower > high) follower = high;
-      if (follower < low) follower = low;
-      out[i] = p[0] * (follower - u);
-    }
+    T& follower = kept[0];
+    if (i == 0) follower = T(0.0);
+    const double u = signal[i] - signal[0];
+    const T high = u + p[1], low = u - p[1];
+    if (follower > high) follower = high;
+    if (follower < low) follower = low;
+    return p[0] * (follower - u);
   }
 };
 
@@ -54,7 +53,7 @@ const Effect kPlayHysteresis{
       1000.0,
       {},
       "half the width of the loop, in K or um of the signal"}},
-    evaluated_by<2>(PlayHysteresis{}),
+    by_row<2, 1>(PlayHysteresis{}),
 };
 
 }  // namespace ballbar::catalogue

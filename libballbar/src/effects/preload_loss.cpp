@@ -7,12 +7,10 @@ namespace {
 // k max(0, u - u_0 - threshold)
 struct PreloadLoss {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> signal = rows.inputs[0];
-    for (std::size_t i = 0; i < signal.size(); ++i) {
-      const T beyond = (signal[i] - signal[0]) - p[1];
-      out[i] = beyond > T(0.0) ? p[0] * beyond : T(0.0);
-    }
+    const T beyond = (signal[i] - signal[0]) - p[1];
+    return beyond > T(0.0) ? p[0] * beyond : T(0.0);
   }
 };
 
@@ -50,7 +48,7 @@ const Effect kPreloadLoss{
       1000.0,
       {},
       "rise of the signal since the first row, in K or um, at which the preload is gone"}},
-    evaluated_by<2>(PreloadLoss{}),
+    by_row<2>(PreloadLoss{}),
 };
 
 }  // namespace ballbar::catalogue

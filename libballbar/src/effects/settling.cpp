@@ -9,11 +9,9 @@ namespace {
 // k (1 - exp(-t / tau))
 struct Settling {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     using std::expm1;
-    for (std::size_t i = 0; i < rows.time_s.size(); ++i) {
-      out[i] = -p[0] * expm1(-(rows.time_s[i] - rows.time_s[0]) / p[1]);
-    }
+    return -p[0] * expm1(-(rows.time_s[i] - rows.time_s[0]) / p[1]);
   }
 };
 
@@ -41,7 +39,7 @@ const Effect kSettling{
       200000.0,
       {60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0},
       "how slowly it settles"}},
-    evaluated_by<2>(Settling{}),
+    by_row<2>(Settling{}),
     true,
 };
 

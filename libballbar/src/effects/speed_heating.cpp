@@ -9,11 +9,8 @@ namespace {
 // k LP_tau[n^a]
 struct SpeedHeating {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
-    const std::span<const double> speed_rpm = rows.inputs[0];
-    low_pass(
-        rows.time_s, [&](std::size_t i) { return power_of_speed(speed_rpm[i], p[2]); }, p[1], out);
-    for (std::size_t i = 0; i < speed_rpm.size(); ++i) out[i] *= p[0];
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T* kept) const {
+    return low_pass_at(rows, i, power_of_speed(rows.inputs[0][i], p[2]), p[1], false, kept) * p[0];
   }
 };
 
@@ -44,7 +41,7 @@ const Effect kSpeedHeating{
       {60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0},
       "how slowly the warmed body follows"},
      {"exponent", "1", ParameterKind::shape, 5.0 / 3.0, 0.5, 3.0, {1.0, 5.0 / 3.0, 2.0}, "of the speed", true}},
-    evaluated_by<3>(SpeedHeating{}),
+    by_row<3, kLowPassKept>(SpeedHeating{}),
 };
 
 }  // namespace ballbar::catalogue

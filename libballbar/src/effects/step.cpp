@@ -31,7 +31,7 @@ const Effect kStep{
       std::numeric_limits<double>::infinity(),
       {},
       "moment of the jump, in the time of the data; searched over all rows"}},
-    evaluated_by<2>(Step{}),
+    by_row<2>(Step{}),
     true,
 };
 

@@ -15,20 +15,13 @@ namespace ballbar {
 // times must bring it near. The first row takes the width of the second.
 struct Step {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> time_s = rows.time_s;
-    for (std::size_t i = 0; i < time_s.size(); ++i) {
-      const std::size_t end = std::min(std::max<std::size_t>(i, 1), time_s.size() - 1);
-      const double width_s = end > 0 ? time_s[end] - time_s[end - 1] : 1.0;
-      const T share = (time_s[i] - p[1]) / width_s;
-      if (!(share > T(0.0))) {
-        out[i] = T(0.0);
-      } else if (share > T(1.0)) {
-        out[i] = p[0];
-      } else {
-        out[i] = p[0] * share;
-      }
-    }
+    const std::size_t end = std::min(std::max<std::size_t>(i, 1), time_s.size() - 1);
+    const double width_s = end > 0 ? time_s[end] - time_s[end - 1] : 1.0;
+    const T share = (time_s[i] - p[1]) / width_s;
+    if (!(share > T(0.0))) return T(0.0);
+    return share > T(1.0) ? p[0] : p[0] * share;
   }
 };
 

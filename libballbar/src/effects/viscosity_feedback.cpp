@@ -10,15 +10,11 @@ namespace {
 // k LP_tau[n exp(-b (T - T_0))]
 struct ViscosityFeedback {
   template <class T>
-  void operator()(const EffectRows& rows, const T* p, T* out) const {
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T* kept) const {
     using std::exp;
-    const std::span<const double> speed_rpm = rows.inputs[0];
     const std::span<const double> temperature = rows.inputs[1];
-    const auto friction = [&](std::size_t i) {
-      return std::abs(speed_rpm[i]) / 1000.0 * exp(-p[2] * (temperature[i] - temperature[0]));
-    };
-    low_pass(rows.time_s, friction, p[1], out);
-    for (std::size_t i = 0; i < speed_rpm.size(); ++i) out[i] *= p[0];
+    const T friction = std::abs(rows.inputs[0][i]) / 1000.0 * exp(-p[2] * (temperature[i] - temperature[0]));
+    return low_pass_at(rows, i, friction, p[1], false, kept) * p[0];
   }
 };
 
@@ -65,7 +61,7 @@ const Effect kViscosityFeedback{
       0.2,
       {0.01, 0.03, 0.06},
       "relative loss of viscosity for each kelvin"}},
-    evaluated_by<3>(ViscosityFeedback{}),
+    by_row<3, kLowPassKept>(ViscosityFeedback{}),
 };
 
 }  // namespace ballbar::catalogue

@@ -143,6 +143,37 @@ TEST_P(all_effects, do_something) {
   EXPECT_GT(largest, 1e-6);
 }
 
+// Of rows 0, i - 1 and i alone, as a live model has them.
+TEST_P(all_effects, are_the_same_row_by_row) {
+  const Effect& effect = *GetParam();
+  if (!effect.evaluate.row) GTEST_SKIP() << effect.name << " needs all rows";
+  const ExampleRows example(effect);
+  const std::vector<double> p = generic_parameters(effect);
+  std::vector<double> whole(example.size()), kept(effect.evaluate.kept);
+  effect.evaluate(example.rows, p.data(), whole.data(), nullptr);
+  for (std::size_t i = 1; i < example.size(); ++i) {
+    const auto three = [&](std::span<const double> values) {
+      return i == 1 ? std::vector<double>{values[0], values[1]}
+                    : std::vector<double>{values[0], values[i - 1], values[i]};
+    };
+    const std::vector<double> time_s = three(example.time_s);
+    std::vector<std::vector<double>> inputs;
+    for (const std::span<const double> input : example.rows.inputs) inputs.push_back(three(input));
+    EffectRows rows{time_s, {inputs.begin(), inputs.end()}};
+    if (i == 1) {
+      EXPECT_EQ(effect.evaluate.row(rows, 0, p.data(), kept.data()), whole[0]);
+    }
+    ASSERT_EQ(effect.evaluate.row(rows, time_s.size() - 1, p.data(), kept.data()), whole[i]) << "row " << i;
+  }
+}
+
+TEST(AllEffects, OnlyTheOffsetOfAClockCannotRunLive) {
+  for (const Effect* effect : effects()) {
+    if (effect->level != Level::series) continue;
+    EXPECT_EQ(static_cast<bool>(effect->evaluate.row), effect->name != "clock_offset") << effect->name;
+  }
+}
+
 TEST_P(all_effects, have_derivatives_like_central_differences) {
   const Effect& effect = *GetParam();
   const ExampleRows example(effect);

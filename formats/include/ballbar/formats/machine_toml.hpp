@@ -37,6 +37,8 @@
 //                                  # coolant room structure
 //   interval_s = 15.0              # of the rows
 //   step_s = 15.0                  # longest step of the calculation
+//   profile_min = [30, 240]        # when the temperature along the shaft is kept, up to the last row; default: never
+//   [[spindle.image]]              # pictures of it: shaft_images_toml.hpp, which reads them
 //   [spindle.body]                 # numbers of FiniteVolumeSpindle: f0 = 0.6, flange_mm = 180.0 ...
 //   [spindle.measured]             # series: noise_um tail_freedom memory_um memory_s resolution_um; all:
 //                                  # temperature_noise_K temperature_resolution_K not_logged = ["T_room_degC"]

@@ -15,6 +15,11 @@
 //   k = { start = 0.0, unit = "um/K" }       # bounds not named are infinite; held = true holds it
 //   tau = { start = 600.0, lower = 10.0, upper = 20000.0, unit = "s" }
 //   [[history]]                              # anything; the ledger's
+//
+// Above the effects a model that runs live (compensation.hpp) states what its columns were while it was fitted:
+//
+//   [trained]
+//   T_oil_degC = [20.5, 38.9]                # lowest and highest
 #pragma once
 
 #include <string>

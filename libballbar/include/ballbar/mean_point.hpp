@@ -1,0 +1,61 @@
+// Where one sensor should sit: the mean-value point of a temperature along a spindle.
+//
+//   eq. 20, 21   (T(xi) - T0) L = integral over L of (T(x) - T0) dx,     dL = alpha L (T(xi) - T0)
+//
+// A sensor at xi reads the mean, and the axial elongation follows from that one reading. There may be several xi; at
+// each, a sensor misplaced by 1 mm errs by alpha L |dT/dx|, so the flattest is the most forgiving. As the spindle warms
+// T(x) changes its shape and xi moves: best_point is the one place for several states.
+//
+// Between the samples T is a straight line; mean, points and best point are exact for that line. Errors of T that are
+// the same everywhere (an offset of the scale) move the mean but not xi.
+//
+// Source: Huang, Li, Zhao 2022, doi 10.19650/j.cnki.cjsi.J2209226, section 3.1.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace ballbar {
+
+struct TemperatureProfile {
+  std::vector<double> x_mm;        // n >= 2, rising
+  std::vector<double> degC;        // n
+  std::vector<double> sigma_degC;  // n, of each alone; empty where it is not known
+};
+
+double length_mm(const TemperatureProfile& profile);
+
+// T at x; the end's outside the profile. O(log n): these two do not check the profile.
+double temperature_at(const TemperatureProfile& profile, double x_mm);
+double sigma_at(const TemperatureProfile& profile, double x_mm);  // NaN where it is not known
+
+// (1 / L) integral of T dx.
+double mean_degC(const TemperatureProfile& profile);
+
+// T equals the level. from_mm = x_mm = to_mm where it crosses; where it stays at the level, x_mm is the middle.
+struct MeanPoint {
+  double x_mm = 0.0;
+  double from_mm = 0.0, to_mm = 0.0;
+  double slope_degC_per_mm = 0.0;  // of T there
+};
+
+// All points where T is the level, in rising order. Crossings between which T stays within same_degC (>= 0) of the
+// level are one point: so many crossings of a curve with scatter are one. Its slope is that of the chord over the
+// stretch and as much again at both sides, at least 1 % of L; the slope of a single crossing that of its straight line.
+// The mean has at least one point. These and those below throw Error for a profile that is not as above, or not finite.
+std::vector<MeanPoint> points_at(const TemperatureProfile& profile, double level_degC, double same_degC = 0.0);
+std::vector<MeanPoint> mean_points(const TemperatureProfile& profile, double same_degC = 0.0);
+
+// alpha L |dT/dx|, um of dL for each mm that the sensor is off.
+double misplacement_um_per_mm(const TemperatureProfile& profile, const MeanPoint& point, double expansion_ppm_per_K);
+
+// The x that all profiles have in which the least root mean square of alpha L_k (T_k(x) - mean_k) over the profiles k
+// is; the lowest x where there are several.
+struct BestPoint {
+  double x_mm = 0.0;
+  double rms_um = 0.0;
+  std::vector<double> error_um;  // one a profile: what a sensor at x tells less the elongation that is
+};
+BestPoint best_point(std::span<const TemperatureProfile> profiles, double expansion_ppm_per_K);
+
+}  // namespace ballbar

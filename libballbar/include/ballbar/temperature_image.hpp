@@ -1,0 +1,74 @@
+// A picture of temperature turned back into numbers: each pixel's colour to the nearest place on the colour scale, and
+// the temperature along the spindle as the mean over each column of pixels.
+//
+// The scale is a line through its colours in red, green, blue, straight between neighbours, as programs paint it. The
+// nearest place is looked for in luma and the two colour differences (ITU-R BT.601, what JPEG stores; a linear change
+// of coordinates, so the line stays one), luma counted twice, for JPEG at 4:2:0 keeps it at four times the pixels. A
+// banded scale, as finite-element programs draw, has no places between its bands.
+//
+// Left out, and counted: pixels off the scale (background, text, outlines), and white or black paper from the picture's
+// border inwards where most of the border is that, even if the scale has that colour; pixels that differ from the
+// median of the 7 by 7 pixels around them by more than a tenth of the scale (lines and letters whose colour is on the
+// scale); and those within edge_px of either, or of the picture's legend, where JPEG lets colours run into each other.
+//
+// Sigma of T of a column: the scatter of its pixels over the root of a eighth of their number (JPEG's blocks of 8 by 8
+// share their error), carried through the smoothing. What all columns share is not in it: step_degC / sqrt(12) of the
+// scale, and errors of its ends.
+//
+// Accuracy (tests/formats/meanpoint_accuracy_test.cpp, painted shafts of 330 mm, JPEG quality 80): see there.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "ballbar/mean_point.hpp"
+#include "ballbar/picture.hpp"
+
+namespace ballbar {
+
+struct ColourScale {
+  std::vector<Colour> colours;  // n >= 2, cold first
+  std::vector<double> degC;     // n, rising; of a band its middle
+  bool banded = false;
+  double step_degC = 0.0;  // of a band, or between neighbouring colours: T is known to that
+};
+
+// Colours spread evenly from min to max, as a colour map. Throws Error: less than two colours, max not above min.
+ColourScale scale_of(std::vector<Colour> colours, double min_degC, double max_degC);
+
+// From the legend bar in a picture, box inside its frame: the median colour of the middle of each line of pixels across
+// the longer side, the hot end at the top or at the right. The two lines at each end take the colour of the third. It
+// is banded where nearly all change of colour is in a few steps. Throws Error: a box outside the picture or shorter
+// than 8 pixels, one colour only, max not above min.
+ColourScale legend_scale(const Picture& picture, const PixelBox& box, double min_degC, double max_degC);
+
+struct ImageOptions {
+  std::optional<PixelBox> region;  // default: the bounding box of what is on the scale, without the legend
+  std::optional<PixelBox> legend;  // never part of what is looked at
+  std::size_t edge_px = 3;
+};
+
+struct TemperatureImage {
+  PixelBox region;
+  std::vector<double> degC;  // of the region's pixels, row by row; NaN: left out
+  std::size_t used = 0, off_scale = 0, contrasting = 0, at_edges = 0;  // pixels of the region
+};
+
+// Throws Error: a region outside the picture, nothing on the scale in it.
+TemperatureImage temperature_image(const Picture& picture, const ColourScale& scale, const ImageOptions& options);
+
+struct ImageProfile {
+  TemperatureProfile profile;  // at from, at the middle of each column, at to; smoothed by straight lines over `window`
+  std::vector<double> scatter_degC;  // of the pixels of a column, at the same places; at the ends that of the next
+  std::size_t columns = 0, empty_columns = 0;  // empty: less than 3 pixels, T is that of the line around them
+  std::size_t window = 0;                      // columns
+  double sigma_mean_degC = 0.0;                // of the mean over x, scatter and step of the scale
+};
+
+// from_mm and to_mm are the left and the right edge of the region; vertical: the top and the bottom, and rows take the
+// place of columns. Throws Error: to not above from, less than 8 columns with pixels.
+ImageProfile image_profile(const TemperatureImage& image, const ColourScale& scale, double from_mm, double to_mm,
+                           bool vertical);
+
+}  // namespace ballbar

@@ -1,0 +1,198 @@
+#include "ballbar/mean_point.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "ballbar/error.hpp"
+#include "ballbar/huang2022.hpp"
+
+namespace ballbar {
+namespace {
+
+void check_profile(const TemperatureProfile& profile) {
+  const std::size_t n = profile.x_mm.size();
+  if (n < 2 || profile.degC.size() != n) {
+    throw Error(
+        fmt::format("a temperature along x needs at least two places and as many temperatures; there are {} and {}", n,
+                    profile.degC.size()));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!std::isfinite(profile.x_mm[i]) || !std::isfinite(profile.degC[i])) {
+      throw Error(fmt::format("a temperature along x must be finite; found {} degC at {} mm", profile.degC[i],
+                              profile.x_mm[i]));
+    }
+    if (i > 0 && !(profile.x_mm[i] > profile.x_mm[i - 1])) {
+      throw Error(fmt::format("the places of a temperature along x must rise; found {} mm after {} mm", profile.x_mm[i],
+                              profile.x_mm[i - 1]));
+    }
+  }
+}
+
+// Straight lines through (x, y), the end's value outside.
+double line_at(const std::vector<double>& x, const std::vector<double>& y, double at) {
+  const auto above = std::upper_bound(x.begin(), x.end(), at);
+  if (above == x.begin()) return y.front();
+  if (above == x.end()) return y.back();
+  const auto i = static_cast<std::size_t>(above - x.begin());
+  const double share = (at - x[i - 1]) / (x[i] - x[i - 1]);
+  return (1.0 - share) * y[i - 1] + share * y[i];
+}
+
+// Crossings, and stretches at the level, of the straight lines alone.
+std::vector<MeanPoint> crossings(const TemperatureProfile& profile, double level_degC) {
+  std::vector<MeanPoint> points;
+  const auto add = [&](const MeanPoint& point) {
+    if (!points.empty() && points.back().to_mm == point.from_mm) {  // one point of two lines, or a stretch goes on
+      MeanPoint& last = points.back();
+      // Where one of both lines is level, the point lies on it; else the mean of both slopes stands for a corner.
+      const bool level = last.slope_degC_per_mm == 0.0 || point.slope_degC_per_mm == 0.0;
+      last.slope_degC_per_mm = level ? 0.0 : 0.5 * (last.slope_degC_per_mm + point.slope_degC_per_mm);
+      last.to_mm = point.to_mm;
+      last.x_mm = 0.5 * (last.from_mm + last.to_mm);
+    } else {
+      points.push_back(point);
+    }
+  };
+  for (std::size_t i = 1; i < profile.x_mm.size(); ++i) {
+    const double p = profile.x_mm[i - 1], q = profile.x_mm[i];
+    const double at_p = profile.degC[i - 1] - level_degC, at_q = profile.degC[i] - level_degC;
+    const double slope = (at_q - at_p) / (q - p);
+    if (at_p == 0.0 && at_q == 0.0) {
+      add({0.5 * (p + q), p, q, 0.0});
+    } else if (at_p == 0.0) {
+      add({p, p, p, slope});
+    } else if (at_q == 0.0) {
+      add({q, q, q, slope});
+    } else if ((at_p < 0.0) != (at_q < 0.0)) {
+      const double x = std::clamp(p + (q - p) * at_p / (at_p - at_q), p, q);
+      add({x, x, x, slope});
+    }
+  }
+  return points;
+}
+
+// The largest distance of T from the level between two places.
+double excursion(const TemperatureProfile& profile, double level_degC, double from_mm, double to_mm) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < profile.x_mm.size(); ++i) {
+    if (profile.x_mm[i] <= from_mm || profile.x_mm[i] >= to_mm) continue;
+    largest = std::max(largest, std::abs(profile.degC[i] - level_degC));
+  }
+  return largest;
+}
+
+double chord_slope(const TemperatureProfile& profile, double from_mm, double to_mm) {
+  const double beyond = std::max(to_mm - from_mm, 0.01 * length_mm(profile));
+  const double p = std::max(from_mm - beyond, profile.x_mm.front());
+  const double q = std::min(to_mm + beyond, profile.x_mm.back());
+  return (temperature_at(profile, q) - temperature_at(profile, p)) / (q - p);
+}
+
+}  // namespace
+
+double length_mm(const TemperatureProfile& profile) {
+  check_profile(profile);
+  return profile.x_mm.back() - profile.x_mm.front();
+}
+
+double temperature_at(const TemperatureProfile& profile, double x_mm) {
+  return line_at(profile.x_mm, profile.degC, x_mm);
+}
+
+double sigma_at(const TemperatureProfile& profile, double x_mm) {
+  if (profile.sigma_degC.size() != profile.x_mm.size()) return std::numeric_limits<double>::quiet_NaN();
+  return line_at(profile.x_mm, profile.sigma_degC, x_mm);
+}
+
+double mean_degC(const TemperatureProfile& profile) {
+  double sum = 0.0;  // of T dx, in degC mm, twice
+  const double length = length_mm(profile);
+  for (std::size_t i = 1; i < profile.x_mm.size(); ++i) {
+    sum += (profile.x_mm[i] - profile.x_mm[i - 1]) * (profile.degC[i - 1] + profile.degC[i]);
+  }
+  return 0.5 * sum / length;
+}
+
+std::vector<MeanPoint> points_at(const TemperatureProfile& profile, double level_degC, double same_degC) {
+  check_profile(profile);
+  std::vector<MeanPoint> points;
+  for (const MeanPoint& next : crossings(profile, level_degC)) {
+    if (same_degC == 0.0 || points.empty() ||
+        excursion(profile, level_degC, points.back().to_mm, next.from_mm) > same_degC) {
+      points.push_back(next);
+      continue;
+    }
+    MeanPoint& last = points.back();
+    last.to_mm = next.to_mm;
+    last.x_mm = 0.5 * (last.from_mm + last.to_mm);
+    last.slope_degC_per_mm = chord_slope(profile, last.from_mm, last.to_mm);
+  }
+  return points;
+}
+
+std::vector<MeanPoint> mean_points(const TemperatureProfile& profile, double same_degC) {
+  // A mean of equal temperatures may be off by its rounding: then it is still their own.
+  const auto [low, high] = std::minmax_element(profile.degC.begin(), profile.degC.end());
+  const double mean = mean_degC(profile);
+  return points_at(profile, std::clamp(mean, *low, *high), same_degC);
+}
+
+double misplacement_um_per_mm(const TemperatureProfile& profile, const MeanPoint& point, double expansion_ppm_per_K) {
+  return mean_point_elongation_um(expansion_ppm_per_K, length_mm(profile), std::abs(point.slope_degC_per_mm));
+}
+
+// Between two neighbouring places of all profiles every error e_k is a straight line in x, so the sum of squares is a
+// parabola: with x = p + s (q - p), e_k = a_k + s b_k, its least is at s = - sum a b / sum b b.
+BestPoint best_point(std::span<const TemperatureProfile> profiles, double expansion_ppm_per_K) {
+  if (profiles.empty()) throw Error("a best point needs at least one temperature along x; there is none");
+  double low = -std::numeric_limits<double>::infinity(), high = -low;
+  std::vector<double> places, means, um_per_K;
+  for (const TemperatureProfile& profile : profiles) {
+    means.push_back(mean_degC(profile));
+    um_per_K.push_back(mean_point_elongation_um(expansion_ppm_per_K, length_mm(profile), 1.0));
+    low = std::max(low, profile.x_mm.front());
+    high = std::min(high, profile.x_mm.back());
+    places.insert(places.end(), profile.x_mm.begin(), profile.x_mm.end());
+  }
+  if (!(high > low)) throw Error(fmt::format("the temperatures have no stretch in common; {} to {} mm", low, high));
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  std::erase_if(places, [&](double x) { return x < low || x > high; });
+
+  const auto errors_at = [&](double x_mm) {
+    std::vector<double> errors;
+    for (std::size_t k = 0; k < profiles.size(); ++k) {
+      errors.push_back(um_per_K[k] * (line_at(profiles[k].x_mm, profiles[k].degC, x_mm) - means[k]));
+    }
+    return errors;
+  };
+  const auto squares = [](const std::vector<double>& errors) {
+    double sum = 0.0;
+    for (const double e : errors) sum += e * e;
+    return sum;
+  };
+  BestPoint best{places.front(), 0.0, errors_at(places.front())};
+  std::vector<double> at_p = best.error_um;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const double p = places[i - 1], q = places[i];
+    std::vector<double> at_q = errors_at(q);
+    double ab = 0.0, bb = 0.0;
+    for (std::size_t k = 0; k < at_p.size(); ++k) {
+      ab += at_p[k] * (at_q[k] - at_p[k]);
+      bb += (at_q[k] - at_p[k]) * (at_q[k] - at_p[k]);
+    }
+    const double s = bb > 0.0 ? std::clamp(-ab / bb, 0.0, 1.0) : 0.0;
+    const double x = p + s * (q - p);
+    std::vector<double> errors = errors_at(x);
+    if (squares(errors) < squares(best.error_um)) best = {x, 0.0, std::move(errors)};
+    at_p = std::move(at_q);
+  }
+  best.rms_um = std::sqrt(squares(best.error_um) / static_cast<double>(best.error_um.size()));
+  return best;
+}
+
+}  // namespace ballbar
