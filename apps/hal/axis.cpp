@@ -9,6 +9,8 @@ Reason reason_of(Hold hold) {
   switch (hold) {
     case Hold::none:
       return Reason::none;
+    case Hold::no_time:
+      return Reason::no_time;
     case Hold::no_value:
       return Reason::no_value;
     case Hold::spike:
@@ -28,8 +30,9 @@ Reason reason_of(Hold hold) {
 }
 
 const char* name_of(Reason reason) {
-  constexpr std::array<const char*, 10> kNames{"none",       "no_value",  "spike", "stuck",    "out_of_range",
-                                               "clock_back", "clock_gap", "model", "disabled", "control"};
+  constexpr std::array<const char*, 11> kNames{"none",         "no_value",   "spike",     "stuck",
+                                               "out_of_range", "clock_back", "clock_gap", "model",
+                                               "no_time",      "disabled",   "control"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 
@@ -39,31 +42,33 @@ std::optional<std::int64_t> Axis::read(const Pins& pins) const {
   return static_cast<std::int64_t>(std::round(pins.applied_mm / scale_mm()));
 }
 
-void Axis::begin_at(std::int64_t counts) {
-  Compensator::State state = wanted_.state();
-  if (state.counts == counts) return;
-  state.counts = counts;
-  state.offset_um = static_cast<double>(counts) * resolution_um_;
-  wanted_.resume(state, LiveModel::State(wanted_.model().state()));
+void Axis::go_on_from_what_is_in_force(Compensator& wanted) const {
+  if (!in_force_ || wanted.state().counts == *in_force_) return;
+  Compensator::State state = wanted.state();
+  state.counts = *in_force_;
+  state.offset_um = static_cast<double>(*in_force_) * resolution_um_;
+  wanted.resume(state, LiveModel::State(wanted.model().state()));
 }
 
-Step Axis::next(double time_s, std::span<const double> values, const Pins& pins) {
+void Axis::begin(const Pins& pins, Compensator& wanted) {
   const std::optional<std::int64_t> found = read(pins);
   // A control that has not yet taken the last change up has one row to do so.
   const bool differs = !found || (in_force_ && *found != *in_force_);
-  const bool doubt = !found || (differs && !doubted_);
+  doubt_ = !found || (differs && !doubted_);
   doubted_ = differs;
-  if (!doubt) in_force_ = found;
-  if (in_force_) begin_at(*in_force_);
-  Step step;
-  step.enable = pins.enable && enabled_;
+  if (!doubt_) in_force_ = found;
+  enable_ = pins.enable && enabled_;
   enabled_ = pins.enable;
-  step.offset = wanted_.next(time_s, values);
-  step.reason = reason_of(step.offset.hold);
-  if (step.reason == Reason::none && !step.enable) step.reason = Reason::disabled;
-  if (step.reason == Reason::none && doubt) step.reason = Reason::control;
-  if (step.reason == Reason::none) step.change = step.offset.counts - *in_force_;
+  go_on_from_what_is_in_force(wanted);
+}
+
+Step Axis::end(const Offset& offset, Compensator& wanted) {
+  Step step{.enable = enable_, .offset = offset, .reason = reason_of(offset.hold)};
+  if (step.reason == Reason::none && !enable_) step.reason = Reason::disabled;
+  if (step.reason == Reason::none && doubt_) step.reason = Reason::control;
+  if (step.reason == Reason::none) step.change = offset.counts - *in_force_;
   if (in_force_) *in_force_ += step.change;
+  go_on_from_what_is_in_force(wanted);
   step.offset.counts = in_force_.value_or(0);
   step.offset.offset_um = static_cast<double>(step.offset.counts) * resolution_um_;
   return step;

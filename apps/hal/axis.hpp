@@ -20,7 +20,7 @@
 
 namespace ballbar::hal {
 
-// The numbers of the pin hold-reason; they stay as they are. 1 to 7 are those of Compensator, first in the list of
+// The numbers of the pin hold-reason; they stay as they are. 1 to 8 are those of Compensator, the first in the list of
 // what is wrong.
 enum class Reason {
   none = 0,
@@ -31,8 +31,9 @@ enum class Reason {
   clock_back = 5,
   clock_gap = 6,
   model = 7,
-  disabled = 8,  // the pin `enable` is false, or was at the last row
-  control = 9    // the control has another offset than it was given: for one row, then it is gone on from; or none that
+  no_time = 8,
+  disabled = 9,  // the pin `enable` is false, or was at the last row
+  control = 10   // the control has another offset than it was given: for one row, then it is gone on from; or none that
                  // is known, or a larger one than ours can be: for as long as that is so
 };
 Reason reason_of(Hold hold);
@@ -50,30 +51,28 @@ struct Step {
   Reason reason = Reason::none;
 };
 
+// One row: begin(), the compensator's next(), end(). The compensator follows its sensors while the offset is held, too:
+// what it knows of the past is then right afterwards.
 class Axis {
  public:
-  // Throws Error as Compensator.
-  Axis(char letter, const Model& model, const CompensationLimits& limits)
-      : letter_(letter), resolution_um_(limits.resolution_um), largest_um_(limits.largest_um), wanted_(model, limits) {}
+  explicit Axis(const CompensationLimits& limits)
+      : resolution_um_(limits.resolution_um), largest_um_(limits.largest_um) {}
 
-  // The model follows its sensors while the offset is held, too: what it knows of the past is then right afterwards.
-  Step next(double time_s, std::span<const double> values, const Pins& pins);
+  void begin(const Pins& pins, Compensator& wanted);
+  Step end(const Offset& offset, Compensator& wanted);
 
-  char letter() const { return letter_; }
   double scale_mm() const { return resolution_um_ / 1000.0; }  // of a count
-  const Compensator& compensator() const { return wanted_; }
-  Compensator& compensator() { return wanted_; }
 
  private:
   std::optional<std::int64_t> read(const Pins& pins) const;
-  void begin_at(std::int64_t counts);
+  void go_on_from_what_is_in_force(Compensator& wanted) const;
 
-  char letter_;
   double resolution_um_, largest_um_;
-  Compensator wanted_;
   std::optional<std::int64_t> in_force_;
-  bool doubted_ = false;  // the last row found another offset than was given
-  bool enabled_ = false;  // the pin was true at the last row
+  bool doubt_ = false;    // this row found another offset than was given
+  bool doubted_ = false;  // the last one did
+  bool enable_ = false;   // the pin was true at this row and the last one
+  bool enabled_ = false;  // at this one
 };
 
 }  // namespace ballbar::hal

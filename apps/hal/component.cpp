@@ -52,8 +52,8 @@ Component::Component(const std::string& name, std::span<const std::string> colum
   id_ = hal_init(name.c_str());
   if (id_ < 0) {
     throw Error(
-        fmt::format("HAL does not take a component '{}': error {}. HAL does not run, or one of this name is "
-                    "there, alive or not: choose another with --name.",
+        fmt::format("HAL takes no component '{}': error {}; where one of this name is there, alive or killed, "
+                    "choose another with --name.",
                     name, id_));
   }
   try {

@@ -15,7 +15,7 @@ namespace ballbar::hal {
 class Component {
  public:
   // Connects to HAL and makes the pins; `columns` have a pin each, which is NaN until it is connected, and so is
-  // L.applied. Throws Error where HAL does not run, has the name already, or the memory for pins is used up.
+  // L.applied. Throws Error where HAL has the name already, or no memory left for pins.
   Component(const std::string& name, std::span<const std::string> columns, std::string_view axes, bool clock);
   ~Component();  // the counts stay as they are; L.enable is false, so that what is done with them then moves nothing
   Component(const Component&) = delete;

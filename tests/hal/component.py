@@ -4,37 +4,40 @@ The model: 2 um/K from the first row's 20 degC. A count is 0.1 um. Rows are 10 s
 2 um a row, a step is at most 1 um, 10 counts. wanted = -2 um/K (T - 20 degC) / 0.1 um:
 
   time s   T degC    wanted   counts  reason
-       0    20.0          0        0  8 disabled: enable is believed with the next row
+       0    20.0          0        0  9 disabled: enable is believed with the next row
        5    20.0          0        0
       10    20.5        -10      -10
       20    21.5        -30      -20  a step
       30    21.5        -30      -30
       40     nan                 -30  1 no_value
       50    24.0        -80      -40  not a spike: 2.5 K off the last one believed, 2 K + 0.1 K/s 20 s are likely
-      60    40.0                 -40  2 spike: 16 K, likely are 3 K
+      60    29.0                 -40  2 spike: 5 K off, likely are 3 K
+      65    31.2                 -40  4 out_of_range: trained from 19 to 30 degC, a tenth of that further are believed
       70    24.04     -80.8      -50
-      80    24.04                -50  8 disabled
-      85    24.04                -50  8
+      80    24.04                -50  9 disabled
+      85    24.04                -50  9
       90    24.04                -60
-      95    24.04                -60  8; killed and started again in between
+      95    24.04                -60  9; killed and started again in between
      100    24.04                -70  from -60, and not from a new zero at 24 degC
      110    24.04                -80
      120    24.04                -81  0.8 of a count off: more than 1/2 + 1/4
-     125    24.04                -81  8; told to stop and started again in between
+     125    24.04                -81  9; told to stop and started again in between
      130    24.04                -81
      129    24.04                -81  5 clock_back
 
 The control's offset is given by the test: that of the counts. Where it was turned off, and has none:
 
      140    24.04                -81
-     150    24.04                -81  9 control
+     150    24.04                -81  10 control
      160    24.04                -91
 """
+import os
+import subprocess
 import time
 
 from hal_pins import expect, finish, halcmd, kill, load, pin, row, wait_for
 
-REASON = {"none": 0, "no_value": 1, "spike": 2, "clock_back": 5, "disabled": 8, "control": 9}
+REASON = {"none": 0, "no_value": 1, "spike": 2, "out_of_range": 4, "clock_back": 5, "disabled": 9, "control": 10}
 
 
 def check(component, time_s, T_xi_degC, counts, reason="none"):
@@ -64,7 +67,8 @@ expect("scale mm a count", pin("axis.z.eoffset-scale"), 0.0001, 1e-12)
 expect("eoffset-enable", pin("axis.z.eoffset-enable"), True)
 check("ballbar", 40, "nan", -30, "no_value")
 check("ballbar", 50, 24.0, -40)
-check("ballbar", 60, 40.0, -40, "spike")
+check("ballbar", 60, 29.0, -40, "spike")
+check("ballbar", 65, 31.2, -40, "out_of_range")
 check("ballbar", 70, 24.04, -50)
 halcmd("setp", "ballbar.enable", "0")
 check("ballbar", 80, 24.04, -50, "disabled")
@@ -76,6 +80,10 @@ expect("offset-um", pin("ballbar.z.offset-um"), -6.0, 1e-9)
 # A killed component leaves its pins with their values, and its name taken.
 kill("ballbar")
 expect("counts after kill -9", pin("axis.z.eoffset-counts"), -60)
+again = subprocess.run([os.environ["BALLBAR_HAL"], "--model", "live.toml", "--to", "z"], stderr=subprocess.PIPE,
+                       text=True)
+expect("status of a start with the same name", again.returncode, 1)
+expect("what it says", "ballbar-hal: HAL takes no component 'ballbar': error -22; where one" in again.stderr, True)
 for name in ["counts", "scale", "enable"]:
     halcmd("unlinkp", f"ballbar.z.{name}")
 load("ballbar-2")

@@ -21,8 +21,9 @@ rm -rf "$folder"
 mkdir -p "$folder"
 cp "$here"/*.py "$here"/*.hal "$here"/*.ini "$here"/*.toml "$folder"
 # Rows are given one by one, and nothing of one is lost when the component is killed after it.
-export BALLBAR_HAL_OPTIONS='--clock-pin --period-s 0.005 --save-s 0'
-sed "s|ballbar-hal --model|$BALLBAR_HAL $BALLBAR_HAL_OPTIONS --model|" "$here/../../apps/hal/ballbar.hal" >"$folder/ballbar.hal"
+export BALLBAR_HAL_OPTIONS='--step-um 1 --clock-pin --period-s 0.005 --save-s 0'
+sed "s|ballbar-hal --model|$BALLBAR_HAL $BALLBAR_HAL_OPTIONS --model|" \
+  "$here/../../apps/hal/ballbar.hal" >"$folder/ballbar.hal"
 cd "$folder"
 touch machine.tbl
 case $test in
