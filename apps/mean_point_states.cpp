@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/bytes.hpp"
@@ -18,7 +17,6 @@
 namespace ballbar {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSame = 2.0;  // sigma: crossings not farther apart than that in T are one
 
 // By its ending, or by its first bytes.
@@ -112,7 +110,8 @@ std::vector<MeanPointState> states_of_table(const MeanPointOptions& options, con
   }
   std::vector<MeanPointState> states;
   for (NamedProfile& named : read_profiles(bytes, path)) {
-    MeanPointState state{std::move(named.name), std::move(named.profile), 0.0, kUnknown, {}, {}, std::nullopt};
+    MeanPointState state{std::move(named.name), std::move(named.profile), 0.0, 0.0, {}, {}, std::nullopt};
+    state.sigma_mean_degC = sigma_of_mean_degC(state.profile);
     set_points(state, 0.0, 0.0);
     states.push_back(std::move(state));
   }
