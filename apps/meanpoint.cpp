@@ -241,6 +241,13 @@ void run(const Options& options) {
     }
     outputs.push_back(options.out);
   }
+  if (options.of.start_degC && !std::isfinite(*options.of.start_degC)) {
+    throw Error(fmt::format("--start-degC: expected a finite temperature, found {}.", *options.of.start_degC));
+  }
+  if (!std::isfinite(options.of.expansion_ppm_per_K)) {
+    throw Error(
+        fmt::format("--expansion-ppm-per-K: expected a finite number, found {}.", options.of.expansion_ppm_per_K));
+  }
   expect_no_input(outputs, {options.of.files.begin(), options.of.files.end()});
   const std::vector<MeanPointState> states = mean_point_states(options.of);
   std::vector<NamedProfile> profiles;
@@ -274,8 +281,7 @@ void add_meanpoint(CLI::App& app) {
   MeanPointOptions& of = options->of;
   command
       ->add_option("FILE,--images", of.files,
-                   "pictures of temperature (PNG, JPEG), each one state, or one table .csv with x_mm and columns in "
-                   "degC, each one state")
+                   "pictures of temperature (PNG, JPEG) or one table .csv: x_mm and columns in degC")
       ->required();
   command->add_option("--start-degC", of.start_degC, "temperature at which the elongation is 0")->type_name("DEGC");
   command->add_option("--expansion-ppm-per-K", of.expansion_ppm_per_K, "of the spindle; default: 11.7, steel")

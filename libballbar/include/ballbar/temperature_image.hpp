@@ -49,7 +49,7 @@ ColourScale legend_scale(const Picture& picture, const PixelBox& box, double min
 struct ImageOptions {
   std::optional<PixelBox> region;  // default: the bounding box of what is on the scale, without the legend
   std::optional<PixelBox> legend;  // never part of what is looked at
-  std::size_t edge_px = 3;
+  std::size_t edge_px = 3;         // at most 100
 };
 
 struct TemperatureImage {
@@ -58,7 +58,7 @@ struct TemperatureImage {
   std::size_t used = 0, off_scale = 0, contrasting = 0, at_edges = 0;  // pixels of the region
 };
 
-// Throws Error: a region outside the picture, nothing on the scale in it.
+// Throws Error: a region or a legend outside the picture, too wide an edge, nothing on the scale in it.
 TemperatureImage temperature_image(const Picture& picture, const ColourScale& scale, const ImageOptions& options);
 
 struct ImageProfile {
