@@ -1,0 +1,43 @@
+// The component's place in HAL: its pins, as values. The only file that knows LinuxCNC's library.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "axis.hpp"
+
+namespace ballbar::hal {
+
+class Component {
+ public:
+  // Connects to HAL and makes the pins; `columns` have a pin each, which is NaN until it is connected, and so is
+  // L.applied. Throws Error where HAL does not run, has the name already, or the memory for pins is used up.
+  Component(const std::string& name, std::span<const std::string> columns, std::string_view axes, bool clock);
+  ~Component();  // the counts stay as they are; L.enable is false, so that what is done with them then moves nothing
+  Component(const Component&) = delete;
+  Component& operator=(const Component&) = delete;
+
+  // Before ready(): connecting a pin gives its value to the signal, which may still have that of a killed component.
+  void begin_at(std::size_t axis, std::int64_t counts);
+  void ready();  // what loadusr -W waits for
+
+  std::vector<double> values() const;  // as columns
+  double clock_s() const;              // of the pin; only with `clock`
+  Pins pins(std::size_t axis) const;
+
+  void set(std::size_t axis, const Step& step, double scale_mm);
+  void set_reason(Reason reason);
+  void count_row();
+
+ private:
+  struct Shared;  // pointers that HAL sets when pins are connected
+  int id_ = -1;
+  Shared* shared_ = nullptr;
+  std::size_t columns_ = 0, axes_ = 0;
+};
+
+}  // namespace ballbar::hal

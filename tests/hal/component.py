@@ -1,0 +1,103 @@
+"""Counts of ballbar-hal, row by row, as worked by hand.
+
+The model: 2 um/K from the first row's 20 degC. A count is 0.1 um. Rows are 10 s apart: at 0.2 um/s the offset could go
+2 um a row, a step is at most 1 um, 10 counts. wanted = -2 um/K (T - 20 degC) / 0.1 um:
+
+  time s   T degC    wanted   counts  reason
+       0    20.0          0        0  8 disabled: enable is believed with the next row
+       5    20.0          0        0
+      10    20.5        -10      -10
+      20    21.5        -30      -20  a step
+      30    21.5        -30      -30
+      40     nan                 -30  1 no_value
+      50    24.0        -80      -40  not a spike: 2.5 K off the last one believed, 2 K + 0.1 K/s 20 s are likely
+      60    40.0                 -40  2 spike: 16 K, likely are 3 K
+      70    24.04     -80.8      -50
+      80    24.04                -50  8 disabled
+      85    24.04                -50  8
+      90    24.04                -60
+      95    24.04                -60  8; killed and started again in between
+     100    24.04                -70  from -60, and not from a new zero at 24 degC
+     110    24.04                -80
+     120    24.04                -81  0.8 of a count off: more than 1/2 + 1/4
+     125    24.04                -81  8; told to stop and started again in between
+     130    24.04                -81
+     129    24.04                -81  5 clock_back
+
+The control's offset is given by the test: that of the counts. Where it was turned off, and has none:
+
+     140    24.04                -81
+     150    24.04                -81  9 control
+     160    24.04                -91
+"""
+import time
+
+from hal_pins import expect, finish, halcmd, kill, load, pin, row, wait_for
+
+REASON = {"none": 0, "no_value": 1, "spike": 2, "clock_back": 5, "disabled": 8, "control": 9}
+
+
+def check(component, time_s, T_xi_degC, counts, reason="none"):
+    row(component, time_s, T_xi_degC)
+    where = f"{time_s} s, {T_xi_degC} degC: "
+    expect(where + "counts", pin("axis.z.eoffset-counts"), counts)
+    expect(where + "hold-reason", pin(component + ".hold-reason"), REASON[reason])
+    expect(where + "held", pin(component + ".held"), reason != "none")
+    halcmd("setp", component + ".z.applied", str(0.0001 * counts))
+
+
+def connect(component):
+    halcmd("net", "enable", f"{component}.z.enable", "axis.z.eoffset-enable")
+    halcmd("net", "scale", f"{component}.z.scale", "axis.z.eoffset-scale")
+    halcmd("net", "counts", f"{component}.z.counts", "axis.z.eoffset-counts")
+    halcmd("setp", f"{component}.z.applied", str(0.0001 * pin("axis.z.eoffset-counts")))
+    halcmd("setp", f"{component}.enable", "1")
+
+
+load("ballbar")
+connect("ballbar")
+check("ballbar", 0, 20.0, 0, "disabled")
+expect("eoffset-enable", pin("axis.z.eoffset-enable"), False)
+for time_s, T_degC, counts in [(5, 20.0, 0), (10, 20.5, -10), (20, 21.5, -20), (30, 21.5, -30)]:
+    check("ballbar", time_s, T_degC, counts)
+expect("scale mm a count", pin("axis.z.eoffset-scale"), 0.0001, 1e-12)
+expect("eoffset-enable", pin("axis.z.eoffset-enable"), True)
+check("ballbar", 40, "nan", -30, "no_value")
+check("ballbar", 50, 24.0, -40)
+check("ballbar", 60, 40.0, -40, "spike")
+check("ballbar", 70, 24.04, -50)
+halcmd("setp", "ballbar.enable", "0")
+check("ballbar", 80, 24.04, -50, "disabled")
+halcmd("setp", "ballbar.enable", "1")
+check("ballbar", 85, 24.04, -50, "disabled")
+check("ballbar", 90, 24.04, -60)
+expect("offset-um", pin("ballbar.z.offset-um"), -6.0, 1e-9)
+
+# A killed component leaves its pins with their values, and its name taken.
+kill("ballbar")
+expect("counts after kill -9", pin("axis.z.eoffset-counts"), -60)
+for name in ["counts", "scale", "enable"]:
+    halcmd("unlinkp", f"ballbar.z.{name}")
+load("ballbar-2")
+connect("ballbar-2")
+expect("counts after a new start", pin("axis.z.eoffset-counts"), -60)
+check("ballbar-2", 95, 24.04, -60, "disabled")
+for time_s, counts in [(100, -70), (110, -80), (120, -81)]:
+    check("ballbar-2", time_s, 24.04, counts)
+
+# One that is told to stop takes its pins along; the signals stay.
+halcmd("unload", "ballbar-2")
+expect("eoffset-enable after unload", wait_for("axis.z.eoffset-enable", False), False)
+expect("counts after unload", pin("axis.z.eoffset-counts"), -81)
+time.sleep(0.2)  # until the name is free
+load("ballbar-2")
+connect("ballbar-2")
+check("ballbar-2", 125, 24.04, -81, "disabled")
+check("ballbar-2", 130, 24.04, -81)
+check("ballbar-2", 129, 24.04, -81, "clock_back")
+check("ballbar-2", 140, 24.04, -81)
+halcmd("setp", "ballbar-2.z.applied", "0")
+check("ballbar-2", 150, 24.04, -81, "control")
+halcmd("setp", "ballbar-2.z.applied", "0")
+check("ballbar-2", 160, 24.04, -91)
+finish()

@@ -1,0 +1,38 @@
+#!/bin/sh
+# Runs a test of the component in a HAL of its own, which ends with it: no other HAL on this computer is seen or
+# touched, and nothing is left behind, however the test ends.
+#
+#   BALLBAR_HAL=build/apps/hal/ballbar-hal sh run.sh SCRATCH component|machine
+#
+# component  under halrun, with the motion controller alone
+# machine    a whole LinuxCNC of three simulated axes
+#
+# Exit 77, which ctest takes for "skipped", where there are no user namespaces: some containers forbid them.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+folder=$1 test=$2
+alone='unshare --user --map-user=1000 --ipc --pid --net --fork --mount-proc --kill-child'
+if ! $alone true 2>/dev/null; then
+  echo "skipped: there are no user namespaces here (unshare --user)"
+  exit 77
+fi
+
+rm -rf "$folder"
+mkdir -p "$folder"
+cp "$here"/*.py "$here"/*.hal "$here"/*.ini "$here"/*.toml "$folder"
+# Rows are given one by one, and nothing of one is lost when the component is killed after it.
+export BALLBAR_HAL_OPTIONS='--clock-pin --period-s 0.005 --save-s 0'
+sed "s|ballbar-hal --model|$BALLBAR_HAL $BALLBAR_HAL_OPTIONS --model|" "$here/../../apps/hal/ballbar.hal" >"$folder/ballbar.hal"
+cd "$folder"
+touch machine.tbl
+case $test in
+  component) command='halrun component.hal' ;;
+  machine) command='linuxcnc -r machine.ini' ;;
+esac
+
+# The name of LinuxCNC's socket has at most 107 characters. It refuses to run as root, which the user 1000 is not.
+home=$(mktemp -d)
+unset DISPLAY
+HOME=$home RTAPI_FIFO_PATH=$home/fifo timeout --kill-after=5 60 $alone $command || echo "$command: status $?"
+rm -rf "$home"
+[ "$(cat result)" = passed ]  # LinuxCNC's own status is not that of the test
