@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/bytes.hpp"
@@ -18,7 +17,6 @@
 namespace ballbar {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSame = 2.0;  // sigma: crossings not farther apart than that in T are one
 
 // By its ending, or by its first bytes.
@@ -45,6 +43,16 @@ std::optional<PixelBox> box_of(const char* option, const std::string& stated) {
     next = rest + 1;
   }
   return PixelBox{numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+// Empty where no map is named.
+std::vector<Colour> colours_of(const std::string& name) {
+  if (name.empty()) return {};
+  try {
+    return colour_map(name);
+  } catch (const Error& error) {
+    throw Error(fmt::format("--colours: {}", error.what()));
+  }
 }
 
 double of_picture(const char* option, const std::vector<double>& stated, std::size_t index, std::size_t pictures) {
@@ -81,9 +89,9 @@ MeanPointState state_of(const MeanPointOptions& options, const std::string& path
   PictureState& from = *state.from;
   from.vertical = options.vertical;
   from.picture = read_picture(bytes, path);
+  const std::vector<Colour> colours = colours_of(options.colours);
   try {
-    from.scale = options.colours.empty() ? legend_scale(from.picture, *legend, min, max)
-                                         : scale_of(colour_map(options.colours), min, max);
+    from.scale = colours.empty() ? legend_scale(from.picture, *legend, min, max) : scale_of(colours, min, max);
     ImageOptions how{box_of("--region", options.region), legend, options.edge_px.value_or(ImageOptions{}.edge_px)};
     from.image = temperature_image(from.picture, from.scale, how);
     from.columns =
@@ -112,7 +120,8 @@ std::vector<MeanPointState> states_of_table(const MeanPointOptions& options, con
   }
   std::vector<MeanPointState> states;
   for (NamedProfile& named : read_profiles(bytes, path)) {
-    MeanPointState state{std::move(named.name), std::move(named.profile), 0.0, kUnknown, {}, {}, std::nullopt};
+    MeanPointState state{std::move(named.name), std::move(named.profile), 0.0, 0.0, {}, {}, std::nullopt};
+    state.sigma_mean_degC = sigma_of_mean_degC(state.profile);
     set_points(state, 0.0, 0.0);
     states.push_back(std::move(state));
   }
@@ -131,8 +140,9 @@ std::vector<MeanPointState> mean_point_states(const MeanPointOptions& options) {
   if (pictures == 0 && options.files.size() == 1) return states_of_table(options, bytes.front());
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     if (is_picture(options.files[i], bytes[i])) continue;
-    throw Error(fmt::format("{}: expected pictures alone, PNG or JPEG, or one table alone, found another file.",
-                            options.files[i]));
+    throw Error(
+        fmt::format("{}: expected pictures alone, PNG or JPEG, or one table alone, found one that is no picture.",
+                    options.files[i]));
   }
   if (!options.to_mm) {
     throw Error("--to-mm: expected the place of the region's right edge (bottom with --vertical), found none.");

@@ -50,12 +50,12 @@ std::string conclusion(const Options& options, const std::vector<MeanPointState>
         "One sensor for all {} states belongs at x = {} mm: what it reads tells the axial elongation to {} um (root "
         "mean "
         "square over the states, at most {} um).",
-        states.size(), fixed(best->x_mm, 1), fixed(best->rms_um, 2), fixed(largest, 2));
+        states.size(), fixed(best->x_mm, 2), fixed(best->rms_um, 2), fixed(largest, 2));
   }
   const MeanPointState& state = states.front();
   std::string text =
       fmt::format("The sensor belongs at x = {} mm: there the temperature is the mean of the whole length, {} degC.",
-                  value_text(state.points.front().x_mm, state.sigma_mm.front(), 1),
+                  value_text(state.points.front().x_mm, state.sigma_mm.front(), 2),
                   value_text(state.mean_degC, state.sigma_mean_degC, 2));
   if (options.of.start_degC) {
     text += fmt::format(" Since {:g} degC the axial elongation is {} um.", *options.of.start_degC,
@@ -72,7 +72,7 @@ void print_points(const Options& options, const MeanPointState& state) {
   Table table({"mean-value point", "x mm", "dT/dx degC/mm", "sensor misplaced um/mm"});
   for (std::size_t i = 0; i < state.points.size(); ++i) {
     const MeanPoint& point = state.points[i];
-    table.add({fmt::format("{}", i + 1), value_text(point.x_mm, state.sigma_mm[i], 1),
+    table.add({fmt::format("{}", i + 1), value_text(point.x_mm, state.sigma_mm[i], 2),
                fixed(point.slope_degC_per_mm, 4),
                fixed(misplacement_um_per_mm(state.profile, point, options.of.expansion_ppm_per_K), 3)});
   }
@@ -83,7 +83,7 @@ void print_points(const Options& options, const MeanPointState& state) {
 std::string places_of(const MeanPointState& state, double level_degC) {
   std::vector<std::string> places;
   for (const MeanPoint& point : points_at(state.profile, level_degC, 2.0 * sigma_at(state.profile, 0.0))) {
-    places.push_back(fixed(point.x_mm, 1));
+    places.push_back(fixed(point.x_mm, 2));
   }
   return places.empty() ? "-" : fmt::format("{}", fmt::join(places, ", "));
 }
@@ -140,7 +140,7 @@ void print_states(const Options& options, const std::vector<MeanPointState>& sta
     const MeanPointState& state = states[k];
     std::vector<std::string> places;
     for (std::size_t i = 0; i < state.points.size(); ++i) {
-      places.push_back(value_text(state.points[i].x_mm, state.sigma_mm[i], 1));
+      places.push_back(value_text(state.points[i].x_mm, state.sigma_mm[i], 2));
     }
     table.add({shortened(state.name, 40), value_text(state.mean_degC, state.sigma_mean_degC, 2),
                options.of.start_degC
@@ -166,7 +166,8 @@ void print_text(const Options& options, const std::vector<MeanPointState>& state
   }
   if (!options.of.start_degC) fmt::print("{}", wrapped("Elongation: not known without --start-degC."));
   if (!states.front().from && states.front().profile.sigma_degC.empty()) {
-    fmt::print("{}", wrapped("No sigma: the table has no column NAME_sigma_degC."));
+    fmt::print(
+        "{}", wrapped("No sigma: the table has no column NAME_sigma_degC, and one curve does not tell its own error."));
   }
   fmt::print("Length {:g} mm, expansion {:g} ppm/K.\n", length_mm(states.front().profile),
              options.of.expansion_ppm_per_K);
@@ -240,6 +241,13 @@ void run(const Options& options) {
     }
     outputs.push_back(options.out);
   }
+  if (options.of.start_degC && !std::isfinite(*options.of.start_degC)) {
+    throw Error(fmt::format("--start-degC: expected a finite temperature, found {}.", *options.of.start_degC));
+  }
+  if (!std::isfinite(options.of.expansion_ppm_per_K)) {
+    throw Error(
+        fmt::format("--expansion-ppm-per-K: expected a finite number, found {}.", options.of.expansion_ppm_per_K));
+  }
   expect_no_input(outputs, {options.of.files.begin(), options.of.files.end()});
   const std::vector<MeanPointState> states = mean_point_states(options.of);
   std::vector<NamedProfile> profiles;
@@ -273,8 +281,7 @@ void add_meanpoint(CLI::App& app) {
   MeanPointOptions& of = options->of;
   command
       ->add_option("FILE,--images", of.files,
-                   "pictures of temperature (PNG, JPEG), each one state, or one table .csv with x_mm and columns in "
-                   "degC, each one state")
+                   "pictures of temperature (PNG, JPEG) or one table .csv: x_mm and columns in degC")
       ->required();
   command->add_option("--start-degC", of.start_degC, "temperature at which the elongation is 0")->type_name("DEGC");
   command->add_option("--expansion-ppm-per-K", of.expansion_ppm_per_K, "of the spindle; default: 11.7, steel")

@@ -65,8 +65,9 @@ void draw_region(Canvas& canvas) {
   }
 }
 
-// Where two neighbours belong to different areas.
+// Where two neighbours belong to different areas: white within black, so that it is seen on any colour.
 void draw_borders(Canvas& canvas, const PictureState& from) {
+  std::vector<std::pair<long, long>> border;
   const std::size_t width = from.image.region.width;
   for (std::size_t at = 0; at < from.areas.areas.size(); ++at) {
     const Area area = from.areas.areas[at];
@@ -78,8 +79,10 @@ void draw_borders(Canvas& canvas, const PictureState& from) {
     const bool below = at + width < from.areas.areas.size() && other(at + width);
     if (!right && !below) continue;
     const auto x = static_cast<long>(at % width), y = static_cast<long>(at / width);
-    canvas.dot(from.vertical ? y : x, from.vertical ? x : y, kWhite, 0);
+    border.emplace_back(from.vertical ? y : x, from.vertical ? x : y);
   }
+  for (const auto& [along, across] : border) canvas.dot(along, across, kBlack, 1);
+  for (const auto& [along, across] : border) canvas.dot(along, across, kWhite, 0);
 }
 
 // T(x) black on white, so that it is seen on any colour; the scale's span over the height of the region.

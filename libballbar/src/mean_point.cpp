@@ -117,6 +117,18 @@ double mean_degC(const TemperatureProfile& profile) {
   return 0.5 * sum / length;
 }
 
+double sigma_of_mean_degC(const TemperatureProfile& profile) {
+  const double length = length_mm(profile);
+  const std::size_t n = profile.x_mm.size();
+  if (profile.sigma_degC.size() != n) return std::numeric_limits<double>::quiet_NaN();
+  double variance = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double w = 0.5 * (profile.x_mm[std::min(i + 1, n - 1)] - profile.x_mm[i == 0 ? 0 : i - 1]) / length;
+    variance += w * w * profile.sigma_degC[i] * profile.sigma_degC[i];
+  }
+  return std::sqrt(variance);
+}
+
 std::vector<MeanPoint> points_at(const TemperatureProfile& profile, double level_degC, double same_degC) {
   check_profile(profile);
   std::vector<MeanPoint> points;

@@ -13,10 +13,11 @@
 namespace ballbar {
 namespace {
 
-constexpr double kOffScale = 40.0;       // levels of 255, luma counted twice
-constexpr int kPaper = 24;               // levels of 255 from white or black
-constexpr double kContrast = 0.1;        // of the scale's span
-constexpr std::size_t kMedianReach = 3;  // pixels to each side
+constexpr double kOffScale = 40.0;        // levels of 255, luma counted twice
+constexpr int kPaper = 24;                // levels of 255 from white or black
+constexpr double kContrast = 0.1;         // of the scale's span
+constexpr std::size_t kWidestEdge = 100;  // pixels
+constexpr std::size_t kMedianReach = 3;   // pixels to each side
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
 enum class Pixel : std::uint8_t { on, off_scale, contrasting, at_edge };
@@ -177,6 +178,10 @@ PixelBox bounds(const Field& field, std::size_t edge_px) {
 TemperatureImage temperature_image(const Picture& picture, const ColourScale& scale, const ImageOptions& options) {
   const PixelBox looked_at = options.region.value_or(PixelBox{0, 0, picture.width, picture.height});
   expect_inside(picture, looked_at, "the region");
+  if (options.legend) expect_inside(picture, *options.legend, "the legend");
+  if (options.edge_px > kWidestEdge) {
+    throw Error(fmt::format("the edge needs at most {} pixels; found {}", kWidestEdge, options.edge_px));
+  }
   Field field = inverted(picture, scale, looked_at);
   cut_out_background(field, picture);
   if (options.legend) cut_out_legend(field, *options.legend);

@@ -55,6 +55,12 @@ TEST(mean_point, weights_by_length) {
   EXPECT_DOUBLE_EQ(mean_degC(profile), 35.0);
 }
 
+// Weights 5, 50 and 45 of 100 mm: sigma^2 = (0.05 * 0.2)^2 + (0.5 * 0.1)^2 + (0.45 * 0.4)^2 = 0.035.
+TEST(mean_point, sigma_of_the_mean) {
+  EXPECT_NEAR(sigma_of_mean_degC({{0, 10, 100}, {30, 40, 30}, {0.2, 0.1, 0.4}}), std::sqrt(0.035), 1e-12);
+  EXPECT_TRUE(std::isnan(sigma_of_mean_degC({{0, 10, 100}, {30, 40, 30}, {}})));
+}
+
 // 30, 30 over the first half, then down to 20 and up to 40: mean 30 on the stretch 0 to 50 and where the V crosses.
 TEST(mean_point, of_a_level_stretch_is_its_middle) {
   const auto points = mean_points({{0, 50, 60, 80, 90}, {30, 30, 20, 40, 30}, {}});

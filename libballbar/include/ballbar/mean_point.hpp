@@ -32,6 +32,10 @@ double sigma_at(const TemperatureProfile& profile, double x_mm);  // NaN where i
 // (1 / L) integral of T dx.
 double mean_degC(const TemperatureProfile& profile);
 
+// Its standard uncertainty where those of the samples are independent: the root of sum w_i^2 sigma_i^2, w_i the half of
+// what lies between the neighbours of x_i over L. NaN where they are not known.
+double sigma_of_mean_degC(const TemperatureProfile& profile);
+
 // T equals the level. from_mm = x_mm = to_mm where it crosses; where it stays at the level, x_mm is the middle.
 struct MeanPoint {
   double x_mm = 0.0;

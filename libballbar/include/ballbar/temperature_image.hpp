@@ -15,7 +15,10 @@
 // share their error), carried through the smoothing. What all columns share is not in it: step_degC / sqrt(12) of the
 // scale, and errors of its ends.
 //
-// Accuracy (tests/formats/meanpoint_accuracy_test.cpp, painted shafts of 330 mm, JPEG quality 80): see there.
+// Accuracy, measured on painted shafts of 330 mm, 660 pixels, 22 to 48 degC, JPEG quality 80, twelve curves a scale
+// (tests/formats/meanpoint_accuracy_test.cpp): smooth scales jet, turbo, viridis, inferno, gray, hot, by map or legend:
+// mean within 0.2 % of the scale's span, mean-value point within 1.4 mm; 18 bands: 0.2 %, 1.1 mm; 9 bands: 1.4 %, 6.4
+// mm. Bands of less than 12 pixels in the legend whose colours differ little (viridis, 18) may pass for a smooth scale.
 #pragma once
 
 #include <cstddef>
@@ -46,7 +49,7 @@ ColourScale legend_scale(const Picture& picture, const PixelBox& box, double min
 struct ImageOptions {
   std::optional<PixelBox> region;  // default: the bounding box of what is on the scale, without the legend
   std::optional<PixelBox> legend;  // never part of what is looked at
-  std::size_t edge_px = 3;
+  std::size_t edge_px = 3;         // at most 100
 };
 
 struct TemperatureImage {
@@ -55,7 +58,7 @@ struct TemperatureImage {
   std::size_t used = 0, off_scale = 0, contrasting = 0, at_edges = 0;  // pixels of the region
 };
 
-// Throws Error: a region outside the picture, nothing on the scale in it.
+// Throws Error: a region or a legend outside the picture, too wide an edge, nothing on the scale in it.
 TemperatureImage temperature_image(const Picture& picture, const ColourScale& scale, const ImageOptions& options);
 
 struct ImageProfile {
