@@ -69,8 +69,8 @@ Largest errors(const char* colours, bool by_legend, std::size_t bands) {
 
 // Asked: mean within 1 % of the span, xi within 2 mm on 330 mm.
 TEST(meanpoint_accuracy, inversion_of_smooth_scales) {
-  for (const char* colours : {"jet", "viridis", "inferno", "turbo", "gray", "hot"}) {
-    for (const bool by_legend : {false, true}) {
+  for (const bool by_legend : {false, true}) {
+    for (const char* colours : {"jet", "viridis", "inferno", "turbo", "gray", "hot"}) {
       const Largest largest = errors(colours, by_legend, 0);
       EXPECT_LT(largest.mean, 0.01) << colours;
       EXPECT_LT(largest.xi_mm, 2.0) << colours;

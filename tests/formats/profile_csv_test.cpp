@@ -37,7 +37,7 @@ TEST(profile_csv, written_and_read_is_the_same) {
 
 TEST(profile_csv, bad_text_and_what_is_said) {
   const std::pair<const char*, const char*> table[] = {
-      {"", "file: expected text, found an empty file."},
+      {"", "file:1:1: expected text, found an empty file."},
       {"x,T_degC\n0,1\n1,2\n", "file:1:1: expected x_mm as the first column, found \"x\"."},
       {"x_mm\n0\n1\n", "file:2:1: expected a column of temperatures after x_mm, found none."},
       {"x_mm,T_K\n0,1\n1,2\n", "file:1:6: expected a column of temperatures, whose name ends in _degC, found \"T_K\"."},
