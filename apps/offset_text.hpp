@@ -2,7 +2,7 @@
 //
 //   csv     time_s, then of every axis: _um the offset, _counts, _predicted_um the error (empty while held),
 //           _limited 1 where it is on its way or at its largest, _hold the reason, "none"
-//   jsonl   {"time_s":12.0,"z":{"offset_um":-3.1,"counts":-31,"predicted_um":3.12,"limited":false,"hold":"none"}}, with
+//   jsonl   {"time_s":12,"z":{"offset_um":-3.1,"counts":-31,"predicted_um":3.12,"limited":false,"hold":"none"}}, with
 //           "column" where a column is why
 //   word    time_s, then of every axis _word, 0 to 65535, and _hex: the counts in two's complement on 16 lines, bit 0
 //           the least: what a PLC hands to the external shift of a control's machine coordinates, whose least increment

@@ -33,7 +33,7 @@ std::string_view cut_cell(std::string_view& line, bool& more) {
 }
 
 double number_of(std::string_view cell) {
-  if (cell.starts_with('+')) cell.remove_prefix(1);
+  if (cell.starts_with('+') && !cell.starts_with("+-")) cell.remove_prefix(1);
   double value = kNoValue;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   return error == std::errc{} && end == cell.data() + cell.size() ? value : kNoValue;
@@ -67,6 +67,10 @@ const LiveRow* LiveRows::next() {
     const bool lost = std::exchange(too_long_, false);
     begin_ = end + 1;
     ++line_;
+    if (lost && !named()) {
+      throw Error(fmt::format("{}:{}: expected the names of the columns in at most 64 KiB, found a longer line.", name_,
+                              line_));
+    }
     if (const LiveRow* row = take(lost ? "," : line)) return row;
   }
 }
@@ -115,6 +119,10 @@ void LiveRows::name_columns(std::string_view line) {
   }
   second_ = count("time_min") == 1 ? 60.0 : 1.0;
   for (const std::string& name : wanted_) {
+    if (name == "time_s" || name == "time_min") {
+      fail(
+          fmt::format("expected signals for the model to read, found that it reads {}; in a formula time is t.", name));
+    }
     if (count(name) == 1) continue;
     if (count(name) > 1) fail(fmt::format("expected the column {} once, found it {} times.", name, count(name)));
     const std::vector<std::string_view> known(names.begin(), names.end());

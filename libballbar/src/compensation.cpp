@@ -12,6 +12,7 @@
 namespace ballbar {
 namespace {
 
+constexpr double kLatest_s = 1e12;  // doubles still tell 0.1 ms there
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<std::string_view, kHoldKinds> kHolds{"none",    "no_value",   "spike",     "stuck", "out_of_range",
                                                           "no_time", "clock_back", "clock_gap", "model"};
@@ -108,7 +109,7 @@ Offset Compensator::next(double time_s, std::span<const double> values) {
 
 // Time since the last row that followed; sets state_.time_s. Nothing, and why, where this one does not follow.
 std::optional<double> Compensator::follows(double time_s, Hold& why) {
-  if (!std::isfinite(time_s)) {
+  if (!(std::abs(time_s) <= kLatest_s)) {
     why = Hold::no_time;
     return std::nullopt;
   }
@@ -127,11 +128,16 @@ std::optional<double> Compensator::follows(double time_s, Hold& why) {
     why = back ? Hold::clock_back : Hold::clock_gap;
     return std::nullopt;
   }
-  state_.doubtful_s = kNoNumber;
   if (!back) {  // nothing came for that long
+    state_.doubtful_s = kNoNumber;
     state_.time_s = now_s;
     return elapsed_s;
   }
+  if (!(state_.time_s + since_doubtful_s > state_.time_s)) {  // too little to be told that far from 0
+    why = Hold::clock_back;
+    return std::nullopt;
+  }
+  state_.doubtful_s = kNoNumber;
   state_.time_s += since_doubtful_s;
   state_.clock_s = state_.time_s - time_s;
   return since_doubtful_s;
@@ -181,6 +187,11 @@ void Compensator::resume(const State& state, const LiveModel::State& model) {
   }
   for (const double number : {state.time_s, state.clock_s, state.origin_um}) {
     if (!std::isfinite(number)) throw Error(fmt::format("expected finite times and origin, found {}.", number));
+  }
+  if (const std::size_t rows = std::min(model.rows, model.time_s.size());
+      rows > 0 && !(model.time_s[rows - 1] <= state.time_s)) {
+    throw Error(fmt::format("expected the model's rows up to {} s, the time of the last row, found one at {} s.",
+                            state.time_s, model.time_s[rows - 1]));
   }
   model_.resume(model);
   state_ = state;

@@ -9,6 +9,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/expression.hpp"
+#include "ballbar/formats/model_history.hpp"
 
 namespace ballbar {
 namespace {
@@ -86,6 +87,79 @@ TEST(model_toml, several_targets_a_held_constant_and_no_effect_yet) {
   EXPECT_TRUE(model.terms.empty());
 }
 
+constexpr std::string_view kTrained = R"toml(format = "ballbar-model 1"
+target = "z_um"
+
+[trained]   # all of May
+T_b_degC = [21, 30.5]
+"T a.b \"c\" \u6e29_degC" = [-0.5, -0.5]
+T_a_degC = [20, 1e2]
+
+[[effect]]
+name = "expansion"
+temperature = "T_a_degC"
+)toml";
+
+void expect_trained(std::string_view text) {
+  const Model model = read_model(text, "file");
+  ASSERT_EQ(model.trained.size(), 3u);
+  EXPECT_EQ(model.trained[0].column, "T_b_degC");
+  EXPECT_EQ(model.trained[0].low, 21.0);
+  EXPECT_EQ(model.trained[0].high, 30.5);
+  EXPECT_EQ(model.trained[1].column, "T a.b \"c\" \xE6\xB8\xA9_degC");
+  EXPECT_EQ(model.trained[1].low, -0.5);
+  EXPECT_EQ(model.trained[1].high, -0.5);
+  EXPECT_EQ(model.trained[2].column, "T_a_degC");
+  EXPECT_EQ(model.trained[2].low, 20.0);
+  EXPECT_EQ(model.trained[2].high, 100.0);
+}
+
+TEST(model_toml, trained_ranges_in_the_order_of_the_file) { expect_trained(kTrained); }
+
+TEST(model_toml, trained_ranges_are_written_and_read_again) {
+  const std::string written = write_model(read_model(kTrained, "file"));
+  EXPECT_EQ(written, R"toml(format = "ballbar-model 1"
+target = "z_um"
+
+[trained]
+T_b_degC = [21.0, 30.5]
+"T a.b \"c\" 温_degC" = [-0.5, -0.5]
+T_a_degC = [20.0, 100.0]
+
+[[effect]]
+name = "expansion"
+temperature = "T_a_degC"
+)toml");
+  expect_trained(written);
+}
+
+TEST(model_toml, no_ranges_and_none_stated) {
+  EXPECT_TRUE(read_model(kGood, "file").trained.empty());
+  EXPECT_TRUE(read_model(changed("[[effect]]", "[trained]\n[[effect]]"), "file").trained.empty());
+  EXPECT_EQ(
+      read_model("format = \"ballbar-model 1\"\ntarget = \"z_um\"\n[trained]\na = [1, 2]\n", "file").trained.size(),
+      1u);
+}
+
+TEST(model_toml, trained_ranges_stay_when_effects_change) {
+  const std::vector<Term> more{term_of("settling", {})};
+  const std::string one_more = with_effect(kTrained, "file", more[0]);
+  expect_trained(one_more);
+  EXPECT_EQ(read_model(one_more, "file").terms.size(), 2u);
+  LedgerRow start, change;
+  start.target = change.target = "z_um";
+  change.change = "+ settling";
+  const std::string revised = with_revision(kTrained, "file", more, {}, start, change);
+  expect_trained(revised);
+  EXPECT_EQ(without_last_revision(revised, "file"), kTrained);
+  const std::size_t first[] = {0};
+  change.change = "- expansion(T_a_degC)";
+  const std::string fewer = with_revision(kTrained, "file", {}, first, start, change);
+  expect_trained(fewer);
+  EXPECT_TRUE(read_model(fewer, "file").terms.empty());
+  EXPECT_EQ(without_last_revision(fewer, "file"), kTrained);
+}
+
 TEST(model_toml, on_recordings) {
   const Model model = read_model(
       "format = \"ballbar-model 1\"\nlevel = \"recording\"\n[[effect]]\nname = \"expression\"\nformula = \"a * cos(4 * "
@@ -149,6 +223,12 @@ TEST(model_toml, written_and_read_again_is_the_same) {
     Model model;
     model.targets = {"z_um"};
     if (*rc::gen::arbitrary<bool>()) model.targets.emplace_back("a \"b\"\n_um");
+    for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
+      const double low = *rc::gen::inRange(-1000, 1000) / 7.0;
+      model.trained.push_back(
+          {*rc::gen::element<std::string>("T_a_degC", "T \\ \"\xE6\xB8\xA9_degC", "a.b", "") + std::to_string(i), low,
+           low + *rc::gen::inRange(0, 100) / 3.0});
+    }
     if (*rc::gen::arbitrary<bool>()) model.constant_um = *rc::gen::inRange(-1000, 1000) / 3.0;
     for (int i = *rc::gen::inRange(0, 5); i > 0; --i) {
       Term term = term_of(*rc::gen::element("expansion", "lagged_expansion"),
@@ -167,6 +247,12 @@ TEST(model_toml, written_and_read_again_is_the_same) {
     const Model again = read_model(write_model(model), "file");
     RC_ASSERT(again.targets == model.targets);
     RC_ASSERT(again.constant_um == model.constant_um);
+    RC_ASSERT(again.trained.size() == model.trained.size());
+    for (std::size_t i = 0; i < model.trained.size(); ++i) {
+      RC_ASSERT(again.trained[i].column == model.trained[i].column);
+      RC_ASSERT(again.trained[i].low == model.trained[i].low);
+      RC_ASSERT(again.trained[i].high == model.trained[i].high);
+    }
     RC_ASSERT(again.terms.size() == model.terms.size());
     for (std::size_t i = 0; i < model.terms.size(); ++i) {
       RC_ASSERT(label_of(again.terms[i]) == label_of(model.terms[i]));
@@ -220,8 +306,8 @@ constexpr BadText kBadTexts[] = {
     {"\"z_um\"", "[\"z_um\", \"\"]", "file:3:19: expected the name of a column for target, found \"\"."},
     {"\"z_um\"", "[\"z_um\", \"z_um\"]", "file:3:19: expected each target once, found \"z_um\" again."},
     {"target =", "tarjet =",
-     "file:3:1: expected one of the keys format, target, level, constant_um, effect, history, found \"tarjet\"; the "
-     "nearest is target."},
+     "file:3:1: expected one of the keys format, target, level, constant_um, trained, effect, history, found "
+     "\"tarjet\"; the nearest is target."},
     {"target =", "level = \"drift\"\ntarget =",
      "file:3:9: expected one of \"series\", \"recording\" for level, found the text \"drift\"."},
     {"target =", "constant_um = \"0\"\ntarget =",
@@ -309,6 +395,30 @@ constexpr BadText kBadTexts[] = {
      "file:16:20: expected one of the keys start, lower, upper, unit, held in [k], found \"units\"; the nearest is "
      "unit."},
     {"lower = 10.0", "lower = 1000.0", "file:17:17: expected a start from 1000 to 20000 for tau, found 600."},
+    {"[[effect]]", "trained = 1\n[[effect]]",
+     "file:4:11: expected a table [trained] for trained, found the integer 1."},
+    {"[[effect]]", "[trained]\nT_a_degC = 20.0\n[[effect]]",
+     "file:5:12: expected an array of numbers for T_a_degC, found the number 20."},
+    {"[[effect]]", "[trained]\nT_a_degC = [20.0]\n[[effect]]",
+     "file:5:12: expected the lowest and the highest value of T_a_degC, found 1 numbers."},
+    {"[[effect]]", "[trained]\nT_a_degC = [1, 2, 3]\n[[effect]]",
+     "file:5:12: expected the lowest and the highest value of T_a_degC, found 3 numbers."},
+    {"[[effect]]", "[trained]\nT_a_degC = []\n[[effect]]",
+     "file:5:12: expected the lowest and the highest value of T_a_degC, found 0 numbers."},
+    {"[[effect]]", "[trained]\nT_a_degC = [30.5, 20.5]\n[[effect]]",
+     "file:5:12: expected the lowest and the highest value of T_a_degC, found 30.5 and 20.5."},
+    {"[[effect]]", "[trained]\nT_a_degC = [20.5, nan]\n[[effect]]",
+     "file:5:19: expected an array of finite numbers for T_a_degC, found the number nan."},
+    {"[[effect]]", "[trained]\nT_a_degC = [-inf, 0]\n[[effect]]",
+     "file:5:13: expected an array of finite numbers for T_a_degC, found the number -inf."},
+    {"[[effect]]", "[trained]\nT_a_degC = [20, '30']\n[[effect]]",
+     "file:5:17: expected an array of finite numbers for T_a_degC, found the text \"30\"."},
+    {"[[history]]", "[trained]\nT_a_degC = [20, 30]\n[[history]]",
+     "file:18:1: expected [trained] above the effects, found it below one."},
+    {"[[effect]]\nname = \"expression\"", "[trained]\n[[effect]]\nname = \"expression\"",
+     "file:13:1: expected [trained] above the effects, found it below one."},
+    {"[[effect]]", "trained.T = { a = [1, 2] }\n[[effect]]",
+     "file:4:13: expected an array of numbers for T, found a table."},
     {"[[history]]", "[history]", "file:18:1: expected tables [[history]] for history, found a table."},
     {"*", "format = \"ballbar-model 1\"\ntarget = \"z_um\"\nhistory = \"none\"\n",
      "file:3:11: expected tables [[history]] for history, found the text \"none\"."},

@@ -180,6 +180,32 @@ TEST(Compensation, HoldsAfterAGapUntilASecondRowFollows) {
                        {502, 23.5, Hold::none, -30}});
 }
 
+// A stamp that no clock has is not the first row's time, which all others would be before.
+TEST(Compensation, DoesNotBelieveATimeFarFromAll) {
+  expect_rows(quick(), {{1e300, 22.0, Hold::no_time, 0},
+                        {-1.1e12, 22.0, Hold::no_time, 0},
+                        {1.0, 22.0, Hold::none, 0},
+                        {2.0, 22.5, Hold::none, -10},
+                        {1e13, 22.7, Hold::no_time, -10},
+                        {3.0, 23.0, Hold::none, -20}});
+}
+
+// Near 1e12 s doubles are 1.2e-4 s apart: a clock set back to steps of 1e-5 s moves on once they sum up to that. The
+// model's times rise, so that the state can be gone on from.
+TEST(Compensation, TimesOfTheModelRiseWhateverTheClock) {
+  Compensator compensator(expansion(), quick());
+  one(compensator, 1e12, 22.0);
+  int believed = 0;
+  for (int i = 0; i < 100; ++i) {
+    believed += one(compensator, 1e-5 * i, 22.0).hold == Hold::none ? 1 : 0;
+    const LiveModel::State& live = compensator.model().state();
+    for (std::size_t k = 1; k < live.rows; ++k) ASSERT_GT(live.time_s[k], live.time_s[k - 1]) << i;
+  }
+  EXPECT_GT(believed, 0);
+  Compensator from(expansion(), quick());
+  EXPECT_NO_THROW(from.resume(compensator.state(), compensator.model().state()));
+}
+
 // A low pass sees no time while its clock is set back: 1 s from 102 s to 5 s, whatever the stamps say.
 TEST(Compensation, ClocksThatAreSetBackMakeNoTime) {
   Model model = expansion();
@@ -274,6 +300,9 @@ TEST(Compensation, RefusesTheStateOfAnotherMachine) {
     spoil(state);
     EXPECT_THROW(compensator.resume(state, compensator.model().state()), Error);
   }
+  LiveModel::State later = compensator.model().state();
+  later.time_s[0] = 1.0;  // the last row was at 0 s
+  EXPECT_THROW(compensator.resume(compensator.state(), later), Error);
   EXPECT_NO_THROW(compensator.resume(compensator.state(), compensator.model().state()));
 }
 

@@ -17,7 +17,7 @@
 //   stuck            a temperature that has been the same to the last digit for stuck_s
 //   out_of_range     outside of what the model was trained on (Model::trained), widened by range_margin of its span
 //                    at either end. A column without a trained range is not looked at
-//   no_time          a time that is no number
+//   no_time          a time that is no number, or more than 1e12 s from 0
 //   clock_back       a time not after the last one. The new clock is believed with the next row that follows on it:
 //                    the time between is then 0
 //   clock_gap        a time more than gap_s after the last one, believed with the next row that follows on it
@@ -107,7 +107,7 @@ class Compensator {
   const LiveModel& model() const { return model_; }
 
   // Goes on from there. Throws Error where it is the state of another model, of another resolution, of an offset beyond
-  // largest_um, or holds a number that is not finite where it must be.
+  // largest_um, holds a number that is not finite where it must be, or a row of the model after the last row.
   void resume(const State& state, const LiveModel::State& model);
 
  private:

@@ -29,7 +29,8 @@ class LiveRows {
   void add(std::string_view bytes);
 
   // The next whole line as a row, until the next call; nullptr: more bytes are needed. Throws Error with name:line:
-  // no time in the first line, a wanted column that it lacks (with the nearest) or has twice.
+  // no time in the first line, a wanted column that it lacks (with the nearest) or has twice or that is the time, a
+  // first line of more than 64 KiB.
   const LiveRow* next();
 
   // No more will come: a last line without an end counts. Throws Error where no line named the columns.
