@@ -135,6 +135,9 @@ TEST(legend, bands_and_smooth) {
   ASSERT_EQ(all.colours.size(), 90u);
   EXPECT_EQ(all.colours[45], (Colour{255 - 2 * 44, 0, 2 * 44}));
   EXPECT_DOUBLE_EQ(all.degC[45], 45.5);
+  EXPECT_EQ(all.colours[0], (Colour{255 - 2 * 87, 0, 2 * 87}));  // the third line's
+  EXPECT_EQ(all.colours[1], all.colours[0]);
+  EXPECT_EQ(all.colours[3], (Colour{255 - 2 * 86, 0, 2 * 86}));
 }
 
 // Three bands of 10 degC, each 20 pixels: the staircase is taken as straight between its steps at 20 and 40 pixels,

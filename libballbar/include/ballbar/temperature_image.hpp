@@ -11,7 +11,7 @@
 // median of the 7 by 7 pixels around them by more than a tenth of the scale (lines and letters whose colour is on the
 // scale); and those within edge_px of either, or of the picture's legend, where JPEG lets colours run into each other.
 //
-// Sigma of T of a column: the scatter of its pixels over the root of a eighth of their number (JPEG's blocks of 8 by 8
+// Sigma of T of a column: the scatter of its pixels over the root of an eighth of their number (JPEG's blocks of 8 by 8
 // share their error), carried through the smoothing. What all columns share is not in it: step_degC / sqrt(12) of the
 // scale, and errors of its ends.
 //
