@@ -40,10 +40,14 @@ from hal_pins import expect, finish, halcmd, kill, load, pin, row, wait_for
 REASON = {"none": 0, "no_value": 1, "spike": 2, "out_of_range": 4, "clock_back": 5, "disabled": 9, "control": 10}
 
 
+taken = []  # (time, temperature, counts) of all rows
+
+
 def check(component, time_s, T_xi_degC, counts, reason="none"):
     row(component, time_s, T_xi_degC)
     where = f"{time_s} s, {T_xi_degC} degC: "
     expect(where + "counts", pin("axis.z.eoffset-counts"), counts)
+    taken.append((time_s, T_xi_degC, pin("axis.z.eoffset-counts")))
     expect(where + "hold-reason", pin(component + ".hold-reason"), REASON[reason])
     expect(where + "held", pin(component + ".held"), reason != "none")
     halcmd("setp", component + ".z.applied", str(0.0001 * counts))
@@ -70,6 +74,17 @@ check("ballbar", 50, 24.0, -40)
 check("ballbar", 60, 29.0, -40, "spike")
 check("ballbar", 65, 31.2, -40, "out_of_range")
 check("ballbar", 70, 24.04, -50)
+
+# `ballbar compensate` says the same of these rows.
+with open("rows.csv", "w") as file:
+    file.write("time_s,T_xi_degC\n" + "".join(f"{time_s},{T_degC}\n" for time_s, T_degC, _ in taken))
+said = subprocess.run([os.environ["BALLBAR_PROGRAM"], "compensate", "--model", "live.toml", "--to", "z", "--step-um",
+                       "1", "--signals", "rows.csv"], stdout=subprocess.PIPE, text=True).stdout.splitlines()
+place = said[0].split(",").index("z_counts")
+expect("rows of ballbar compensate", len(said) - 1, len(taken))
+for (time_s, _, counts), line in zip(taken, said[1:]):
+    expect(f"{time_s} s: counts of ballbar compensate", float(line.split(",")[place]), counts)
+
 halcmd("setp", "ballbar.enable", "0")
 check("ballbar", 80, 24.04, -50, "disabled")
 halcmd("setp", "ballbar.enable", "1")

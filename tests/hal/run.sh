@@ -2,7 +2,7 @@
 # Runs a test of the component in a HAL of its own, which ends with it: no other HAL on this computer is seen or
 # touched, and nothing is left behind, however the test ends.
 #
-#   BALLBAR_HAL=build/apps/hal/ballbar-hal sh run.sh SCRATCH component|machine
+#   BALLBAR_HAL=... BALLBAR_PROGRAM=... sh run.sh SCRATCH component|machine      ballbar-hal and ballbar, full names
 #
 # component  under halrun, with the motion controller alone
 # machine    a whole LinuxCNC of three simulated axes
