@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -26,10 +27,11 @@ constexpr std::size_t kMostTold = 100;                 // changes of a hold
 
 volatile std::sig_atomic_t g_stop = 0;
 
-// The row at hand is finished and the state kept.
+// The row at hand is finished and the state kept. A second signal ends at once, where nobody reads the offsets.
 void stop_at_signals() {
   struct sigaction action {};
   action.sa_handler = [](int) { g_stop = 1; };
+  action.sa_flags = SA_RESETHAND;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);  // said as an error
@@ -55,12 +57,22 @@ class Source {
       if (count > 0) return {piece_.data(), static_cast<std::size_t>(count)};
       if (count < 0 && errno != EINTR) throw Error(fmt::format("{}: {}.", name_, std::strerror(errno)));
       if (count == 0 && !follow_) break;
+      if (count == 0) expect_grows();
       if (count == 0) usleep(kPause_us);
     }
     return {};
   }
 
  private:
+  // One that begins anew would be read from the middle, or never again.
+  void expect_grows() const {
+    struct stat now {};
+    if (fstat(descriptor_, &now) != 0 || !S_ISREG(now.st_mode)) return;
+    if (now.st_size < lseek(descriptor_, 0, SEEK_CUR)) {
+      throw Error(fmt::format("{}: expected a file that grows, found it shorter than it was.", name_));
+    }
+  }
+
   int descriptor_ = STDIN_FILENO;
   bool follow_ = false;
   std::string name_;

@@ -18,7 +18,7 @@ struct LiveOptions {
 
 // Offsets to the standard output, what is held and goes on to the standard error. Ends with the signals, or with
 // SIGINT or SIGTERM after the row at hand; the state is kept. Throws Error: axes_of, the first line of the signals, a
-// state of other axes, an output that nobody reads any more.
+// state of other axes, an output that nobody reads any more, a followed file that became shorter.
 void compensate_live(const CompensationOptions& options, const LiveOptions& live);
 
 }  // namespace ballbar

@@ -59,6 +59,10 @@ const LiveRow* LiveRows::next() {
     const bool whole = end != std::string::npos;
     searched_ = whole ? end + 1 : bytes_.size();
     if (searched_ - begin_ > kLongestLine) too_long_ = true;
+    if (too_long_ && !named()) {
+      throw Error(fmt::format("{}:{}: expected the names of the columns in at most 64 KiB, found a longer line.", name_,
+                              line_ + 1));
+    }
     if (!whole) {
       if (too_long_) begin_ = bytes_.size();  // nothing of it is kept
       return nullptr;
@@ -67,10 +71,6 @@ const LiveRow* LiveRows::next() {
     const bool lost = std::exchange(too_long_, false);
     begin_ = end + 1;
     ++line_;
-    if (lost && !named()) {
-      throw Error(fmt::format("{}:{}: expected the names of the columns in at most 64 KiB, found a longer line.", name_,
-                              line_));
-    }
     if (const LiveRow* row = take(lost ? "," : line)) return row;
   }
 }

@@ -7,9 +7,9 @@
 # BALLBAR_BUILD   folder of a Release build to use instead
 set -eu
 cd "$(dirname "$0")/../.."
-size_MB=50 readings=1000000 rows=1000000 batches=1000 repetitions=5 min_time=0.2
+size_MB=50 readings=1000000 rows=1000000 batches=1000 live_rows=100000 repetitions=5 min_time=0.2
 if [ "${1:-}" = --reduced ]; then
-  size_MB=2 readings=20000 rows=20000 batches=20 repetitions=1 min_time=0.01
+  size_MB=2 readings=20000 rows=20000 batches=20 live_rows=2000 repetitions=1 min_time=0.01
 fi
 
 sh apps/install-packages.sh build bench
@@ -23,7 +23,7 @@ mkdir -p "$results"
 "$programs/bench_files" "$results" "$size_MB" "$readings" "$rows"
 export BALLBAR_BENCH_LOG_MB="$size_MB" BALLBAR_BENCH_READINGS="$readings" BALLBAR_BENCH_ROWS="$rows"
 export BALLBAR_BENCH_BATCHES="$batches"
-for name in b5r batches log circle session five_probe spindle; do
+for name in b5r batches compensation log circle session five_probe spindle; do
   "$programs/bench_$name" --benchmark_min_time="$min_time" --benchmark_repetitions="$repetitions" \
     --benchmark_out="$results/$name.json" --benchmark_out_format=json
 done
@@ -32,3 +32,17 @@ echo
 /usr/bin/python3 tests/bench/peer.py "$results" "$repetitions" \
   "$results/b5r.json" "$results/log.json" "$results/circle.json" "$results/session.json" \
   "$results/five_probe.json" "$results/spindle.json" "$results/batches.json"
+echo
+echo "One row of sensors through a pipe, written and its offset waited for:"
+for effects in 1 4; do
+  model=tests/bench/compensate_$effects.toml
+  for state in "" "--state $results/compensation.json"; do
+    echo "ballbar compensate, effects $effects${state:+, with --state}"
+    rm -f "$results/compensation.json"
+    # shellcheck disable=SC2086
+    /usr/bin/python3 tests/bench/row_latency.py "$live_rows" "$build/apps/ballbar" compensate --model "$model" --to z \
+      --signals - $state
+  done
+  echo "python3 with csv and numpy, effects $effects"
+  /usr/bin/python3 tests/bench/row_latency.py "$live_rows" /usr/bin/python3 tests/bench/compensate_peer.py "$effects"
+done

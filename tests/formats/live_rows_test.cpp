@@ -173,9 +173,12 @@ TEST(live_rows, bad_first_lines) {
   }
 }
 
+// Said at once: a stream without an end of line would never be.
 TEST(live_rows, a_first_line_that_is_too_long) {
+  LiveRows rows("live.csv", {});
+  rows.add("\ntime_s," + std::string(kLongest, 'x'));
   try {
-    rows_of("\ntime_s," + std::string(kLongest, 'x') + "\n1,2\n", {});
+    rows.next();
     ADD_FAILURE() << "accepted";
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "live.csv:2: expected the names of the columns in at most 64 KiB, found a longer line.");
