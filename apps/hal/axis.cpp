@@ -1,5 +1,6 @@
 #include "axis.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -36,17 +37,27 @@ const char* name_of(Reason reason) {
   return kNames[static_cast<std::size_t>(reason)];
 }
 
-// Counts in force; nothing where that is not known, or they are more than ours can be.
+// The whole counts as Compensator takes them: none is lost to rounding.
+Axis::Axis(const CompensationLimits& limits)
+    : resolution_um_(limits.resolution_um),
+      largest_um_(limits.largest_um),
+      most_counts_(std::floor(limits.largest_um / limits.resolution_um * (1.0 + 1e-12))) {}
+
+// Counts in force; nothing where that is not known, or they are more than ours can be. Compared as whole counts: the
+// control adds changes up, and 2000 times 0.0001 mm is more than 0.2 mm to a double.
 std::optional<std::int64_t> Axis::read(const Pins& pins) const {
-  if (!(std::abs(pins.applied_mm) * 1000.0 <= largest_um_)) return std::nullopt;
-  return static_cast<std::int64_t>(std::round(pins.applied_mm / scale_mm()));
+  const double counts = std::round(pins.applied_mm / scale_mm());
+  if (!(std::abs(counts) <= most_counts_)) return std::nullopt;
+  return static_cast<std::int64_t>(counts);
 }
 
 void Axis::go_on_from_what_is_in_force(Compensator& wanted) const {
   if (!in_force_ || wanted.state().counts == *in_force_) return;
   Compensator::State state = wanted.state();
   state.counts = *in_force_;
-  state.offset_um = static_cast<double>(*in_force_) * resolution_um_;
+  // The largest of the counts times the resolution may be above the largest offset by a rounding, as 3 times 0.1 um is
+  // above 0.3 um; resume() refuses what is above.
+  state.offset_um = std::clamp(static_cast<double>(*in_force_) * resolution_um_, -largest_um_, largest_um_);
   wanted.resume(state, LiveModel::State(wanted.model().state()));
 }
 

@@ -41,7 +41,7 @@ const char* name_of(Reason reason);  // "no_value"
 
 struct Pins {
   bool enable = false;
-  double applied_mm = 0.0;  // axis.L.eoffset-request; NaN: not connected
+  double applied_mm = 0.0;  // axis.L.eoffset-request, whatever the machine's unit; NaN: not connected
 };
 
 struct Step {
@@ -55,8 +55,7 @@ struct Step {
 // what it knows of the past is then right afterwards.
 class Axis {
  public:
-  explicit Axis(const CompensationLimits& limits)
-      : resolution_um_(limits.resolution_um), largest_um_(limits.largest_um) {}
+  explicit Axis(const CompensationLimits& limits);
 
   void begin(const Pins& pins, Compensator& wanted);
   Step end(const Offset& offset, Compensator& wanted);
@@ -68,6 +67,7 @@ class Axis {
   void go_on_from_what_is_in_force(Compensator& wanted) const;
 
   double resolution_um_, largest_um_;
+  double most_counts_;  // whole ones in largest_um_
   std::optional<std::int64_t> in_force_;
   bool doubt_ = false;    // this row found another offset than was given
   bool doubted_ = false;  // the last one did

@@ -12,7 +12,7 @@
 namespace ballbar::hal {
 namespace {
 
-constexpr std::size_t kMostColumns = 64, kMostAxes = 9;
+constexpr std::size_t kMostColumns = 64, kMostAxes = 6;
 
 struct ColumnPin {
   hal_float_t* value;
@@ -43,8 +43,9 @@ struct Component::Shared {
   std::array<AxisPins, kMostAxes> axes;
 };
 
-Component::Component(const std::string& name, std::span<const std::string> columns, std::string_view axes, bool clock)
-    : columns_(columns.size()), axes_(axes.size()) {
+Component::Component(const std::string& name, std::span<const std::string> columns, std::string_view axes, bool clock,
+                     double mm_per_unit)
+    : mm_per_unit_(mm_per_unit), columns_(columns.size()), axes_(axes.size()) {
   const std::vector<std::string> signals = signal_pins(name, columns);
   if (columns.size() > kMostColumns) {
     throw Error(fmt::format("expected at most {} columns in all models, found {}.", kMostColumns, columns.size()));
@@ -114,13 +115,13 @@ double Component::clock_s() const { return *shared_->clock_s; }
 
 Pins Component::pins(std::size_t axis) const {
   const AxisPins& pins = shared_->axes[axis];
-  return {*shared_->enable, *pins.applied};
+  return {*shared_->enable, *pins.applied * mm_per_unit_};
 }
 
 // The scale and the enable first: LinuxCNC may look in between, and a change of counts it sees before is lost.
 void Component::set(std::size_t axis, const Step& step, double scale_mm) {
   const AxisPins& pins = shared_->axes[axis];
-  *pins.scale = scale_mm;
+  *pins.scale = scale_mm / mm_per_unit_;
   *pins.enable = step.enable;
   if (step.change != 0) *pins.counts = static_cast<rtapi_s32>(*pins.counts + step.change);
   *pins.offset_um = step.offset.offset_um;

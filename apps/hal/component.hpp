@@ -15,8 +15,10 @@ namespace ballbar::hal {
 class Component {
  public:
   // Connects to HAL and makes the pins; `columns` have a pin each, which is NaN until it is connected, and so is
-  // L.applied. Throws Error where HAL has the name already, or no memory left for pins.
-  Component(const std::string& name, std::span<const std::string> columns, std::string_view axes, bool clock);
+  // L.applied. L.scale and L.applied are in the machine's unit (LINEAR_UNITS of its INI file), of which one is
+  // mm_per_unit: 1 or 25.4. Throws Error where HAL has the name already, or no memory left for pins.
+  Component(const std::string& name, std::span<const std::string> columns, std::string_view axes, bool clock,
+            double mm_per_unit);
   ~Component();  // the counts stay as they are; L.enable is false, so that what is done with them then moves nothing
   Component(const Component&) = delete;
   Component& operator=(const Component&) = delete;
@@ -35,6 +37,7 @@ class Component {
 
  private:
   struct Shared;  // pointers that HAL sets when pins are connected
+  double mm_per_unit_;
   int id_ = -1;
   Shared* shared_ = nullptr;
   std::size_t columns_ = 0, axes_ = 0;

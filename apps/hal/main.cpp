@@ -8,16 +8,20 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "axis.hpp"
+#include "axis_letters.hpp"
 #include "ballbar/compensated_axes.hpp"
 #include "ballbar/error.hpp"
+#include "batches.hpp"
 #include "compensation_options.hpp"
 #include "component.hpp"
+#include "lasting_fault.hpp"
 
 namespace ballbar::hal {
 namespace {
@@ -28,6 +32,7 @@ struct Options {
   double period_s = 0.1;
   double save_s = 10.0;
   bool clock_pin = false;
+  double mm_per_unit = 1.0;  // of the machine
 };
 
 // Never throws: a closed terminal is no reason to leave a machine without compensation.
@@ -54,24 +59,21 @@ void block_signals() {
   sigaddset(&signals, SIGINT);
   sigprocmask(SIG_BLOCK, &signals, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
-}
-
-// The letters of the axes, which are their names.
-std::string letters_of(const std::vector<CompensatedAxis>& axes) {
-  std::string letters;
-  for (const CompensatedAxis& axis : axes) {
-    if (axis.name.size() != 1 || std::string_view("xyzabcuvw").find(axis.name) == std::string_view::npos) {
-      throw Error(
-          fmt::format("--to: expected the letter of an axis, one of x y z a b c u v w, found '{}'.", axis.name));
-    }
-    letters += axis.name;
-  }
-  return letters;
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow: then write() says so
 }
 
 void expect_period(double period_s) {
   if (period_s >= 0.001 && period_s <= 10.0) return;
   throw Error(fmt::format("--period-s: expected 0.001 to 10 s, found {}.", period_s));
+}
+
+// Later faults of the state are said and gone on from; one that was never right is not.
+void expect_folder(const std::string& state) {
+  const std::filesystem::path folder = std::filesystem::path(state).parent_path();
+  std::error_code error;
+  if (folder.empty() || std::filesystem::is_directory(folder, error)) return;
+  throw Error(
+      fmt::format("--state: expected a file in a folder that is there, found no folder '{}'.", folder.string()));
 }
 
 std::string told(const std::string& axis, const Step& step, const Compensator& compensator) {
@@ -81,30 +83,26 @@ std::string told(const std::string& axis, const Step& step, const Compensator& c
                      of_column ? " at " + compensator.columns()[step.offset.column] : "");
 }
 
-// A full disk is no reason to leave a machine without compensation. Said once, until it is another fault.
-void keep(KeptState& state, const CompensatedAxes& machine, double at_least_s, std::string& said) {
-  try {
-    state.keep(machine, at_least_s);
-    said.clear();
-  } catch (const Error& error) {
-    if (said != error.what()) say(error.what());
-    said = error.what();
-  }
+// A full disk is no reason to leave a machine without compensation.
+void keep(KeptState& state, const CompensatedAxes& machine, double at_least_s, LastingFault& fault) {
+  const double clock_s = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  if (const auto found = fault.of(clock_s, [&] { state.keep(machine, at_least_s); })) say(*found);
 }
 
 void run(const Options& options) {
   expect_period(options.period_s);
+  expect_folder(options.compensation.state);
   const std::vector<CompensatedAxis> axes = axes_of(options.compensation);
   const std::string letters = letters_of(axes);
   CompensatedAxes machine(axes, options.compensation.limits);
   KeptState state(options.compensation.state, axes, machine);
   block_signals();
-  Component component(options.name, machine.columns(), letters, options.clock_pin);
+  Component component(options.name, machine.columns(), letters, options.clock_pin, options.mm_per_unit);
   for (std::size_t a = 0; a < machine.size(); ++a) component.begin_at(a, machine.axis(a).state().counts);
   component.ready();
   std::vector<Axis> drives(machine.size(), Axis(options.compensation.limits));
   std::vector<Reason> reasons(machine.size(), Reason::none);
-  std::string said;
+  LastingFault fault(options.save_s);
   double time_s = std::numeric_limits<double>::quiet_NaN();
   while (!told_to_stop_within(options.period_s)) {
     const double clock_s = options.clock_pin ? component.clock_s() : now_s();
@@ -121,10 +119,10 @@ void run(const Options& options) {
       reasons[a] = step.reason;
     }
     component.set_reason(first);
-    keep(state, machine, options.save_s, said);
+    keep(state, machine, options.save_s, fault);
     component.count_row();
   }
-  keep(state, machine, 0.0, said);
+  keep(state, machine, 0.0, fault);
 }
 
 void add_options(CLI::App& app, Options& options) {
@@ -132,6 +130,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--name", options.name, "of the component and its pins")->capture_default_str();
   app.add_option("--period-s", options.period_s, "between rows")->capture_default_str();
   app.add_option("--save-s", options.save_s, "longest time between saves of the state")->capture_default_str();
+  add_choice(app, "--machine-unit", {"mm", "inch"}, "mm", "LINEAR_UNITS of the machine's INI file",
+             [&](std::size_t at) { options.mm_per_unit = at == 0 ? 1.0 : 25.4; });
   app.add_flag("--clock-pin", options.clock_pin,
                "a row is taken when the pin clock-s changes, and has that time; to replay a log");
 }

@@ -33,7 +33,7 @@ struct Control {
   Step row(double T_degC) {
     axis.begin(pins, compensator);
     const Step step = axis.end(compensator.next(time_s, std::array{T_degC}), compensator);
-    const bool known = std::abs(pins.applied_mm) <= 0.2;
+    const bool known = std::abs(pins.applied_mm) * 1000.0 <= limits.largest_um;
     EXPECT_TRUE(!known || compensator.state().counts == step.offset.counts);  // which is what is stored
     time_s += 10.0;
     pins.applied_mm += static_cast<double>(step.change) * axis.scale_mm();
@@ -125,6 +125,41 @@ TEST(HalAxis, HoldsWhileAnotherOffsetIsLargerThanOursCanBe) {
   }
   control.pins.applied_mm = std::numeric_limits<double>::infinity();
   EXPECT_EQ(control.row(21.0).reason, Reason::control);
+}
+
+TEST(HalAxis, TheLargestOffsetIsNoHoldWhereItsChangesAddUpToMore) {
+  Control control;
+  for (int change = 0; change < 200; ++change) control.pins.applied_mm += 10.0 * control.axis.scale_mm();
+  EXPECT_GT(control.pins.applied_mm, 0.2);  // 0.20000000000000015
+  control.row(20.0);
+  const Step step = control.row(20.0);
+  EXPECT_EQ(step.reason, Reason::none);
+  EXPECT_EQ(step.change, -10);
+}
+
+// 200.05 um are 2000 whole counts; a control with 200.05 um has 2000.5, which is read as 2001.
+TEST(HalAxis, HoldsWhereTheNearestCountIsLargerThanOursCanBe) {
+  Control control{.limits = {.step_um = 1.0, .largest_um = 200.05}};
+  control.pins.applied_mm = 0.20005;
+  control.row(20.0);
+  EXPECT_EQ(control.row(20.0).reason, Reason::control);
+  control.pins.applied_mm = -0.20005;
+  EXPECT_EQ(control.row(20.0).reason, Reason::control);
+  control.pins.applied_mm = 0.20003;
+  control.row(20.0);
+  EXPECT_EQ(control.row(20.0).reason, Reason::none);
+}
+
+// To a double 0.3 / 0.1 is less than 3, and 3 times 0.1 more than 0.3.
+TEST(HalAxis, GoesOnFromTheLargestOffsetWhateverItsRounding) {
+  Control control{.limits = {.step_um = 1.0, .largest_um = 0.3}};
+  for (const double applied_mm : {0.0003, -0.0003}) {
+    control.pins.applied_mm = applied_mm;
+    control.row(20.0);
+    const Step step = control.row(20.0);
+    EXPECT_EQ(step.reason, Reason::none);
+    EXPECT_EQ(step.offset.counts, 0);
+  }
 }
 
 TEST(HalAxis, HoldsForASensorFirst) {

@@ -1,0 +1,15 @@
+// The axes that can be given an offset: the linear ones of LinuxCNC, by their letter.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "ballbar/compensated_axes.hpp"
+
+namespace ballbar::hal {
+
+// The names of the axes, which are letters, in their order. Throws Error: another name than x y z u v w, for an offset
+// is a length and a b c are angles; a target that is not in um, for its numbers would be taken as um.
+std::string letters_of(std::span<const CompensatedAxis> axes);
+
+}  // namespace ballbar::hal
