@@ -172,7 +172,7 @@ void compensate_live(const CompensationOptions& options, const LiveOptions& live
     }
   };
   stop_at_signals();
-  hand_over();  // a state that cannot be written is said before a row is taken
+  state.keep(machine, place, 0.0);  // one that cannot be written is said before a row is taken
   while (true) {
     const std::string_view piece = source.read();
     if (piece.empty()) {

@@ -21,7 +21,6 @@
 #include "batches.hpp"
 #include "compensation_options.hpp"
 #include "component.hpp"
-#include "lasting_fault.hpp"
 
 namespace ballbar::hal {
 namespace {
@@ -83,12 +82,6 @@ std::string told(const std::string& axis, const Step& step, const Compensator& c
                      of_column ? " at " + compensator.columns()[step.offset.column] : "");
 }
 
-// A full disk is no reason to leave a machine without compensation.
-void keep(KeptState& state, const CompensatedAxes& machine, double at_least_s, LastingFault& fault) {
-  const double clock_s = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  if (const auto found = fault.of(clock_s, [&] { state.keep(machine, at_least_s); })) say(*found);
-}
-
 void run(const Options& options) {
   expect_period(options.period_s);
   expect_folder(options.compensation.state);
@@ -100,9 +93,9 @@ void run(const Options& options) {
   Component component(options.name, machine.columns(), letters, options.clock_pin, options.mm_per_unit);
   for (std::size_t a = 0; a < machine.size(); ++a) component.begin_at(a, machine.axis(a).state().counts);
   component.ready();
+  state.keep(machine, std::nullopt, 0.0);  // one that cannot be written is said now
   std::vector<Axis> drives(machine.size(), Axis(options.compensation.limits));
   std::vector<Reason> reasons(machine.size(), Reason::none);
-  LastingFault fault(options.save_s);
   double time_s = std::numeric_limits<double>::quiet_NaN();
   while (!told_to_stop_within(options.period_s)) {
     const double clock_s = options.clock_pin ? component.clock_s() : now_s();
@@ -119,10 +112,10 @@ void run(const Options& options) {
       reasons[a] = step.reason;
     }
     component.set_reason(first);
-    keep(state, machine, options.save_s, fault);
+    state.keep(machine, std::nullopt, options.save_s);
     component.count_row();
   }
-  keep(state, machine, 0.0, fault);
+  state.keep(machine, std::nullopt, 0.0);
 }
 
 void add_options(CLI::App& app, Options& options) {

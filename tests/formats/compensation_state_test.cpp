@@ -275,8 +275,8 @@ struct Bad {
 TEST(compensation_state, bad_text) {
   using namespace std::string_literals;
   const std::string keys =
-      "name, model, resolution_um, counts, offset_um, timed, started, time_s, clock_s, doubtful_s, origin_um, sensors, "
-      "live";
+      "name, model, resolution_um, counts, offset_um, timed, started, believed, contradicted, time_s, pace_s, clock_s, "
+      "doubtful_s, origin_um, sensors, live";
   const Bad cases[] = {
       {"*", "", "1:1: expected text, found an empty file."},
       {"*", "\0"s, "1:1: expected text, found a NUL byte; this is a binary file."},
@@ -301,7 +301,7 @@ TEST(compensation_state, bad_text) {
       {"   \"offset_um\": -3.0,\n", "", " expected the key offset_um in axes[0], found none."},
       {"\"offset_um\": -3.0", "\"offset_um\": null", " expected a number at axes[0].offset_um, found null."},
       {"\"offset_um\": -3.0", "\"offset_um\": 1e999",
-       "9:17: expected a number that a double can hold, found \"1e999\"."},
+       "14:17: expected a number that a double can hold, found \"1e999\"."},
       {"\"counts\": -30", "\"counts\": -30.5", " expected a whole number at axes[0].counts, found the number -30.5."},
       {"\"counts\": -30", "\"counts\": 2e15",
        " expected a whole number at axes[0].counts, found the number 2000000000000000."},
