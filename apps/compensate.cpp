@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <memory>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/bytes.hpp"
 #include "ballbar/formats/model_toml.hpp"
+#include "ballbar/nearest_name.hpp"
 #include "commands.hpp"
 #include "compensate_live.hpp"
 #include "compensate_replay.hpp"
@@ -22,7 +22,15 @@ struct Options {
   LiveOptions live;
   ReplayOptions replay;
   std::string save;
+  std::string format = "csv";
 };
+
+OffsetFormat format_of(const std::string& name) {
+  if (name == "csv") return OffsetFormat::csv;
+  if (name == "jsonl") return OffsetFormat::jsonl;
+  if (name == "word") return OffsetFormat::word;
+  throw Error(fmt::format("--format: expected csv, jsonl or word, found {}.", in_quotes(name)));
+}
 
 // The model as it runs: every value held, the ranges it was trained on.
 void save(const Options& options) {
@@ -54,7 +62,9 @@ void run(const Options& options) {
   if (!live && !options.compensation.state.empty()) throw Error("--state: expected --signals with it.");
   if (!live && options.live.follow) throw Error("--follow: expected --signals with it.");
   if (!options.save.empty()) save(options);
-  if (live) compensate_live(options.compensation, options.live);
+  LiveOptions how = options.live;
+  how.format = format_of(options.format);
+  if (live) compensate_live(options.compensation, how);
   if (replay) compensate_replay(options.compensation, options.replay);
 }
 
@@ -67,10 +77,8 @@ void add_compensate(CLI::App& app) {
   command->add_option("--signals", options->live.signals, "series .csv as it grows, or - for the standard input")
       ->type_name("FILE");
   command->add_flag("--follow", options->live.follow, "wait for rows that are still to be written to the file");
-  command->add_option("--format", options->live.format, "csv, jsonl, or word: 16 bits for a PLC")
-      ->option_text("FORMAT")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, OffsetFormat>{
-          {"csv", OffsetFormat::csv}, {"jsonl", OffsetFormat::jsonl}, {"word", OffsetFormat::word}}));
+  command->add_option("--format", options->format, "csv, jsonl, or word: 16 bits for a PLC; default: csv")
+      ->type_name("FORMAT");
   command->add_option("--replay", options->replay.data, "session or series: what its error would have been")
       ->type_name("DATA");
   command->add_option("--out", options->replay.out, "with --replay: before, after and offset, .csv")

@@ -1,10 +1,9 @@
 #include "compensate_live.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -15,15 +14,15 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/live_rows.hpp"
 #include "offset_text.hpp"
+#include "remark.hpp"
+#include "signal_source.hpp"
 #include "text.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kPiece = std::size_t{64} << 10;  // bytes read at once
-constexpr double kStateAge_s = 1.0;                    // of the state's file while counts stay
-constexpr useconds_t kPause_us = 50'000;               // between looks at a file that may grow
-constexpr std::size_t kMostTold = 100;                 // changes of a hold
+constexpr double kStateAge_s = 1.0;     // of the state's file while counts stay
+constexpr std::size_t kMostTold = 100;  // changes of a hold
 
 volatile std::sig_atomic_t g_stop = 0;
 
@@ -36,48 +35,6 @@ void stop_at_signals() {
   sigaction(SIGTERM, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);  // said as an error
 }
-
-class Source {
- public:
-  Source(const std::string& name, bool follow) : follow_(follow) {
-    if (name != "-") descriptor_ = open(name.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor_ < 0) throw Error(fmt::format("{}: cannot be opened: {}.", name, std::strerror(errno)));
-    name_ = name;
-  }
-  ~Source() {
-    if (descriptor_ > 0) close(descriptor_);
-  }
-  Source(const Source&) = delete;
-  Source& operator=(const Source&) = delete;
-
-  // What has come; nothing: there is no more.
-  std::string_view read() {
-    while (g_stop == 0) {
-      const ssize_t count = ::read(descriptor_, piece_.data(), piece_.size());
-      if (count > 0) return {piece_.data(), static_cast<std::size_t>(count)};
-      if (count < 0 && errno != EINTR) throw Error(fmt::format("{}: {}.", name_, std::strerror(errno)));
-      if (count == 0 && !follow_) break;
-      if (count == 0) expect_grows();
-      if (count == 0) usleep(kPause_us);
-    }
-    return {};
-  }
-
- private:
-  // One that begins anew would be read from the middle, or never again.
-  void expect_grows() const {
-    struct stat now {};
-    if (fstat(descriptor_, &now) != 0 || !S_ISREG(now.st_mode)) return;
-    if (now.st_size < lseek(descriptor_, 0, SEEK_CUR)) {
-      throw Error(fmt::format("{}: expected a file that grows, found it shorter than it was.", name_));
-    }
-  }
-
-  int descriptor_ = STDIN_FILENO;
-  bool follow_ = false;
-  std::string name_;
-  std::array<char, kPiece> piece_{};
-};
 
 void write_out(fmt::memory_buffer& out) {
   for (std::size_t written = 0; written < out.size();) {
@@ -92,7 +49,7 @@ void write_out(fmt::memory_buffer& out) {
 // What is held and goes on again, as it changes.
 class Told {
  public:
-  explicit Told(const CompensatedAxes& machine) : machine_(machine), axes_(machine.size()) {}
+  Told(const CompensatedAxes& machine, double gap_s) : machine_(machine), gap_s_(gap_s), axes_(machine.size()) {}
 
   void row(double time_s, std::span<const Offset> offsets) {
     for (std::size_t a = 0; a < offsets.size(); ++a) {
@@ -107,7 +64,7 @@ class Told {
   }
 
   void sum() const {
-    if (told_ > kMostTold) fmt::print(stderr, "... and {} more changes\n", told_ - kMostTold);
+    if (told_ > kMostTold) remark(fmt::format("... and {} more changes", told_ - kMostTold));
     for (std::size_t a = 0; a < axes_.size(); ++a) {
       std::string held;
       std::size_t rows = axes_[a].rows[0];
@@ -117,8 +74,8 @@ class Told {
         if (count > 0) held += fmt::format("{} {} {}", held.empty() ? "; held" : ",", count, name_of(Hold(kind)));
       }
       const Compensator& axis = machine_.axis(a);
-      fmt::print(stderr, "{}: {} rows, offset {} um at the end{}\n", machine_.name(a), rows,
-                 fixed(static_cast<double>(axis.state().counts) * axis.state().resolution_um, 3), held);
+      remark(fmt::format("{}: {} rows, offset {} um at the end{}", machine_.name(a), rows,
+                         fixed(static_cast<double>(axis.state().counts) * axis.state().resolution_um, 3), held));
     }
   }
 
@@ -133,19 +90,34 @@ class Told {
     const std::string& name = machine_.name(a);
     const std::string when = std::isfinite(time_s) ? fmt::format(" at {} s", time_s) : "";
     if (offset.hold == Hold::none) {
-      fmt::print(stderr, "{}: goes on{}\n", name, when);
+      remark(fmt::format("{}: goes on{}", name, when));
       return;
     }
     const std::string column =
         is_about_a_column(offset.hold) ? " of " + shortened(machine_.axis(a).columns()[offset.column], 60) : "";
-    fmt::print(stderr, "{}: held{}, {}{}; the offset stays {} um\n", name, when, name_of(offset.hold), column,
-               fixed(offset.offset_um, 3));
+    const bool slow = offset.hold == Hold::clock_gap;
+    remark(fmt::format("{}: held{}, {}{}; the offset stays {} um{}", name, when, name_of(offset.hold), column,
+                       fixed(offset.offset_um, 3),
+                       slow ? fmt::format(" (rows more than --gap-s {:g} apart)", gap_s_) : ""));
   }
 
   const CompensatedAxes& machine_;
+  double gap_s_ = 0.0;
   std::vector<Axis> axes_;
   std::size_t told_ = 0;
 };
+
+void say_unranged(const std::vector<CompensatedAxis>& axes, const CompensatedAxes& machine) {
+  for (const std::string& column : machine.columns()) {
+    const bool ranged = std::any_of(axes.begin(), axes.end(), [&](const CompensatedAxis& axis) {
+      return std::any_of(axis.model.trained.begin(), axis.model.trained.end(),
+                         [&](const ColumnRange& range) { return range.column == column; });
+    });
+    if (!ranged) {
+      remark(fmt::format("{} has no trained range: it is believed however far it goes", shortened(column, 60)));
+    }
+  }
+}
 
 void append_names(fmt::memory_buffer& out, OffsetFormat format, const CompensatedAxes& machine) {
   if (format == OffsetFormat::csv) append_csv_names(out, machine);
@@ -169,29 +141,57 @@ void compensate_live(const CompensationOptions& options, const LiveOptions& live
   const std::vector<CompensatedAxis> axes = axes_of(options);
   CompensatedAxes machine(axes, limits);
   KeptState state(options.state, axes, machine);
-  if (state.resumed()) fmt::print(stderr, "goes on from {}\n", options.state);
-  Source input(live.signals, live.follow);
-  LiveRows rows(live.signals == "-" ? "standard input" : live.signals,
-                {machine.columns().begin(), machine.columns().end()});
-  Told told(machine);
+  SignalSource source(live.signals, live.follow, limits.gap_s, g_stop);
+  const std::string name = live.signals == "-" ? "standard input" : live.signals;
+  const std::vector<std::string> wanted(machine.columns().begin(), machine.columns().end());
+  LiveRows rows(name, wanted);
+  std::optional<SignalsPlace> place = source.place();
+  std::uint64_t known = state.bytes_of(place);
+  if (state.resumed()) remark(fmt::format("goes on from {}", options.state));
+  say_unranged(axes, machine);
+  Told told(machine, limits.gap_s);
   fmt::memory_buffer out;
   append_names(out, live.format, machine);
+  std::vector<std::int64_t> written(machine.size());
+  const auto hand_over = [&] {
+    if (place) place->bytes = rows.taken();
+    state.keep(machine, place, kStateAge_s);  // before the control is told: it never knows more than the file
+    write_out(out);
+    for (std::size_t a = 0; a < machine.size(); ++a) written[a] = machine.axis(a).state().counts;
+  };
   const auto take = [&](const LiveRow* row) {
+    if (rows.taken() <= known) return;  // before a restart
     const std::span<const Offset> offsets = machine.next(row->time_s, row->values);
     append_row(out, live.format, row->time_s, offsets, machine);
     told.row(row->time_s, offsets);
+    // What is stored and not yet written is less than a step, so that a restart makes none.
+    for (std::size_t a = 0; a < offsets.size(); ++a) {
+      if (2.0 * std::abs(static_cast<double>(offsets[a].counts - written[a])) * limits.resolution_um > limits.step_um) {
+        hand_over();
+      }
+    }
   };
   stop_at_signals();
-  for (std::string_view piece = input.read(); !piece.empty(); piece = input.read()) {
+  hand_over();  // a state that cannot be written is said before a row is taken
+  while (true) {
+    const std::string_view piece = source.read();
+    if (piece.empty()) {
+      if (g_stop != 0 || !source.reopened()) break;
+      remark(fmt::format("{}: goes on with the file that has its name now", name));
+      rows = LiveRows(name, wanted);
+      place = source.place();
+      known = 0;
+      continue;
+    }
     rows.add(piece);
     while (const LiveRow* row = rows.next()) take(row);
-    state.keep(machine, kStateAge_s);  // before the control is told: it never knows more than the file
-    write_out(out);
+    hand_over();
   }
   if (g_stop == 0) {
     if (const LiveRow* row = rows.last()) take(row);
   }
-  state.keep(machine, 0.0);
+  if (place) place->bytes = rows.taken();
+  state.keep(machine, place, 0.0);
   write_out(out);
   told.sum();
 }

@@ -63,9 +63,11 @@ std::string percent(double share) { return fixed(100.0 * share, 1); }
 // Where much was held: the gain is less than the model could give.
 std::string held_sentence(const ReplayedAxis& axis, std::size_t rows) {
   const std::size_t held = rows - axis.rows_held[0];
-  if (100 * held < rows || axis.most_held_by.empty()) return "";
-  return fmt::format(" It was held in {} of {} rows, most of them for {}.", held, rows,
-                     shortened(axis.most_held_by, 60));
+  if (100 * held < rows) return "";
+  const auto most = std::max_element(axis.rows_held.begin() + 1, axis.rows_held.end());
+  const Hold why = Hold(most - axis.rows_held.begin());
+  const std::string column = is_about_a_column(why) ? " of " + shortened(axis.most_held_by, 60) : "";
+  return fmt::format(" It was held in {} of {} rows, most of them for {}{}.", held, rows, name_of(why), column);
 }
 
 std::string held_text(const ReplayedAxis& axis) {
@@ -91,7 +93,8 @@ bool in_sample(const CompensationOptions& options, const Recorded& recorded) {
 }
 
 std::string parameters_text(const CompensationOptions& options, const Recorded& recorded) {
-  if (options.fit.empty()) return "The parameters are those of the model's file.";
+  if (options.fit.empty())
+    return "The parameters are those of the model's file: whether they were fitted to these data is not known here.";
   if (in_sample(options, recorded)) {
     return "The parameters were fitted to these same data: what a model gains on data it has seen says little of what "
            "it gains on others.";
@@ -112,6 +115,14 @@ std::string paper_text() {
                      percent(kPrintedRadial));
 }
 
+// "each value", "stretches of 40 values": as long as what is left stays alike.
+std::string stretches_text(const Replay& replay) {
+  std::size_t longest = 1;
+  for (const ReplayedAxis& axis : replay.axes) longest = std::max(longest, axis.reduction.stretch);
+  if (longest == 1) return "each value";
+  return fmt::format("stretches of up to {} values, over which what is left stays alike,", longest);
+}
+
 void print(const Replay& replay, const CompensationOptions& options, const Recorded& recorded) {
   fmt::print("{}\n", recorded.title);
   std::string conclusion;
@@ -129,10 +140,11 @@ void print(const Replay& replay, const CompensationOptions& options, const Recor
                fixed(axis.reduction.after_um, 3), percent(axis.reduction), fixed(largest(axis.before_um), 3),
                fixed(largest(axis.after_um), 3), held_text(axis)});
   }
-  fmt::print("{}\n{}\n", table.text(120),
-             wrapped("Errors since the first value, which is left out. An error is met by the offset of the last row "
-                     "before it; nothing later is used. ± is one sigma by leaving out each value in turn, as if they "
-                     "were independent."));
+  fmt::print(
+      "{}\n{}\n", table.text(120),
+      wrapped(fmt::format("Errors since the first value, which is left out. An error is met by the offset of the "
+                          "last row before it; nothing later is used. ± is one sigma by leaving out {} in turn.",
+                          stretches_text(replay))));
   fmt::print("{}", wrapped(paper_text()));
 }
 
@@ -140,7 +152,8 @@ Json json_of(const Reduction& reduction) {
   return {{"rms_before_um", number(reduction.before_um)},
           {"rms_after_um", number(reduction.after_um)},
           {"reduction_percent", number(100.0 * reduction.share)},
-          {"reduction_sigma_percent", number(100.0 * reduction.sigma)}};
+          {"reduction_sigma_percent", number(100.0 * reduction.sigma)},
+          {"stretch", reduction.stretch}};
 }
 
 Json json_of(const ReplayedAxis& axis) {
@@ -166,7 +179,9 @@ Json paper_json(const Reduction& rows, double printed_means, double stated) {
 }
 
 Json json_of(const Replay& replay, const CompensationOptions& options, const Recorded& recorded) {
-  Json json{{"rows", replay.rows}, {"in_sample", in_sample(options, recorded)}, {"axes", Json::object()}};
+  Json json{{"rows", replay.rows},
+            {"in_sample", options.fit.empty() ? Json(nullptr) : Json(in_sample(options, recorded))},
+            {"axes", Json::object()}};
   for (const ReplayedAxis& axis : replay.axes) json["axes"][axis.name] = json_of(axis);
   json["huang2022_table_3"] = {{"axial", paper_json(huang2022_axial_reduction(), kPrintedAxial, kHuang2022Axial)},
                                {"radial", paper_json(huang2022_radial_reduction(), kPrintedRadial, kHuang2022Radial)}};

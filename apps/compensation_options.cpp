@@ -14,6 +14,7 @@
 #include "ballbar/formats/model_toml.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "predict_batch.hpp"
+#include "remark.hpp"
 
 namespace ballbar {
 namespace {
@@ -33,14 +34,21 @@ void expect_held(const Model& model, const std::string& file) {
 }
 
 // Lowest and highest of each column that the model reads.
-std::vector<ColumnRange> ranges_of(const Model& model, const Series& data) {
+std::vector<ColumnRange> ranges_of(const Model& model, const Series& data, const std::string& file) {
   std::vector<ColumnRange> ranges;
   for (const Term& term : model.terms) {
     for (const std::string& name : term.columns) {
       const auto same = [&](const ColumnRange& range) { return range.column == name; };
       if (std::any_of(ranges.begin(), ranges.end(), same)) continue;
       ColumnRange range{name, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-      for (const double value : find_column(data, name)->values) {
+      const Column* column = find_column(data, name);
+      if (column == nullptr) {
+        std::vector<std::string_view> known;
+        for (const Column& other : data.columns) known.push_back(other.name);
+        throw Error(fmt::format("{}: expected the column {} in the data to fit it to, found none; the nearest is {}.",
+                                file, name, nearest_name(name, known)));
+      }
+      for (const double value : column->values) {
         if (!std::isfinite(value)) continue;
         range.low = std::min(range.low, value);
         range.high = std::max(range.high, value);
@@ -70,7 +78,7 @@ Model fitted(Model model, const std::string& file, const CompensationOptions& op
       }
     }
   }
-  model.trained = ranges_of(model, data.series);
+  model.trained = ranges_of(model, data.series, file);
   return model;
 }
 
@@ -91,7 +99,11 @@ void add_compensation_options(CLI::App& command, CompensationOptions& options) {
   command.add_option("--fit", options.fit, "fit what is free to DATA; their ranges are those trained on")
       ->type_name("DATA")
       ->allow_extra_args(false);
-  command.add_option("--state", options.state, "goes on from this file and keeps it up to date")->type_name("FILE");
+  command
+      .add_option(
+          "--state", options.state,
+          "goes on from this file after a restart, and keeps it up to date; without it the first row is the zero")
+      ->type_name("FILE");
   CompensationLimits& limits = options.limits;
   add_limit(command, "--resolution-um", limits.resolution_um, "least increment of the control");
   add_limit(command, "--hysteresis", limits.hysteresis, "of an increment beyond its half, before counts change");
@@ -153,7 +165,8 @@ KeptState::KeptState(const std::string& file, const std::vector<CompensatedAxis>
     : file_(file), counts_(axes.size(), 0) {
   for (const CompensatedAxis& axis : axes) models_.push_back(write_model(axis.model));
   if (file_.empty() || !std::filesystem::exists(file_)) return;
-  const std::vector<StoredAxis> stored = read_compensation(read_bytes(file_, kLargestText), file_);
+  const StoredCompensation whole = read_compensation(read_bytes(file_, kLargestText), file_);
+  const std::vector<StoredAxis>& stored = whole.axes;
   for (std::size_t a = 0; a < std::max(axes.size(), stored.size()); ++a) {
     const std::string expected = a < axes.size() ? axes[a].name : "no other axis";
     const std::string found = a < stored.size() ? stored[a].name : "none";
@@ -171,23 +184,37 @@ KeptState::KeptState(const std::string& file, const std::vector<CompensatedAxis>
     with_source(file_, [&] { machine.axis(a).resume(stored[a].state, stored[a].live); });
     counts_[a] = stored[a].state.counts;
   }
+  signals_ = whole.signals;
   resumed_ = true;
 }
 
-void KeptState::keep(const CompensatedAxes& machine, double at_least_s) {
+std::uint64_t KeptState::bytes_of(const std::optional<SignalsPlace>& signals) const {
+  const bool same = signals && signals_ && signals->file == signals_->file && signals->inode == signals_->inode;
+  return same ? signals_->bytes : 0;
+}
+
+void KeptState::keep(const CompensatedAxes& machine, const std::optional<SignalsPlace>& signals, double at_least_s) {
   if (file_.empty()) return;
   const double now_s = clock_s();
-  bool changed = false;
+  bool changed = !written_;
   for (std::size_t a = 0; a < machine.size(); ++a) changed |= counts_[a] != machine.axis(a).state().counts;
   if (!changed && now_s - written_s_ < at_least_s) return;
-  std::vector<StoredAxis> stored;
+  StoredCompensation stored{{}, signals};
   for (std::size_t a = 0; a < machine.size(); ++a) {
     const Compensator& axis = machine.axis(a);
-    stored.push_back({machine.name(a), models_[a], axis.state(), axis.model().state()});
+    stored.axes.push_back({machine.name(a), models_[a], axis.state(), axis.model().state()});
     counts_[a] = axis.state().counts;
   }
-  write_bytes(file_, write_compensation(stored));
   written_s_ = now_s;
+  try {
+    write_bytes(file_, write_compensation(stored));
+    written_ = true;
+    failed_ = false;
+  } catch (const Error& error) {
+    if (!written_) throw;
+    if (!failed_) remark(fmt::format("{}: goes on without it", error.what()));
+    failed_ = true;
+  }
 }
 
 }  // namespace ballbar

@@ -1,11 +1,13 @@
 // What runs live: models, their axes and the limits of the offsets. Shared by `ballbar compensate` and `ballbar-hal`.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "ballbar/compensated_axes.hpp"
+#include "ballbar/formats/compensation_state.hpp"
 #include "model_options.hpp"
 
 namespace CLI {
@@ -38,15 +40,21 @@ class KeptState {
 
   bool resumed() const { return resumed_; }
 
-  // Writes where counts have changed since it was written last, or after `at_least_s` of real time.
-  void keep(const CompensatedAxes& machine, double at_least_s);
+  // How much of these signals had been taken when the state was written; 0 where it was of others.
+  std::uint64_t bytes_of(const std::optional<SignalsPlace>& signals) const;
+
+  // Writes where counts have changed since it was written last, or after `at_least_s` of real time. Throws Error where
+  // the first one cannot be written; later ones are said, once.
+  void keep(const CompensatedAxes& machine, const std::optional<SignalsPlace>& signals, double at_least_s);
 
  private:
   std::string file_;
   std::vector<std::string> models_;
   std::vector<std::int64_t> counts_;
+  std::optional<SignalsPlace> signals_;
   double written_s_ = 0.0;
   bool resumed_ = false;
+  bool written_ = false, failed_ = false;
 };
 
 }  // namespace ballbar

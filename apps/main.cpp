@@ -12,6 +12,7 @@
 
 #include "ballbar/error.hpp"
 #include "commands.hpp"
+#include "remark.hpp"
 
 namespace {
 
@@ -67,17 +68,18 @@ int main(int argc, char** argv) {
     app.exit(help);
     std::cout.flush();
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "ballbar: {}\n", told(app, error, argc, argv));
+    ballbar::remark(fmt::format("ballbar: {}", told(app, error, argc, argv)));
     return 2;
   } catch (const ballbar::Error& error) {
-    fmt::print(stderr, "ballbar: {}\n", error.what());
+    ballbar::remark(fmt::format("ballbar: {}", error.what()));
     return 1;
   } catch (const std::exception& error) {  // out of memory, a full disk
-    fmt::print(stderr, "ballbar: {}\n", error.what());
+    ballbar::remark(fmt::format("ballbar: {}", error.what()));
     return 1;
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {
-    fmt::print(stderr, "ballbar: the results could not be written to the standard output: {}\n", std::strerror(errno));
+    ballbar::remark(
+        fmt::format("ballbar: the results could not be written to the standard output: {}", std::strerror(errno)));
     return 1;
   }
   return 0;

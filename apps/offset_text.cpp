@@ -20,6 +20,8 @@ void append(fmt::memory_buffer& out, double value, std::string_view otherwise) {
   }
 }
 
+constexpr int kLimitedBit = 16;
+
 // Without the dust of a product of doubles: to a femtometre.
 double tidy(double value) { return std::round(value * 1e9) / 1e9; }
 
@@ -67,7 +69,7 @@ void append_jsonl(fmt::memory_buffer& out, double time_s, std::span<const Offset
 void append_word_names(fmt::memory_buffer& out, const CompensatedAxes& axes) {
   append(out, "time_s");
   for (std::size_t a = 0; a < axes.size(); ++a) {
-    fmt::format_to(std::back_inserter(out), ",{0}_word,{0}_hex", axes.name(a));
+    fmt::format_to(std::back_inserter(out), ",{0}_word,{0}_hex,{0}_status", axes.name(a));
   }
   append(out, "\n");
 }
@@ -76,7 +78,8 @@ void append_words(fmt::memory_buffer& out, double time_s, std::span<const Offset
   append(out, time_s, "");
   for (const Offset& offset : offsets) {
     const auto word = static_cast<std::uint16_t>(static_cast<std::int16_t>(offset.counts));
-    fmt::format_to(std::back_inserter(out), FMT_COMPILE(",{},0x{:04X}"), word, word);
+    const int status = static_cast<int>(offset.hold) + (offset.limited ? kLimitedBit : 0);
+    fmt::format_to(std::back_inserter(out), FMT_COMPILE(",{},0x{:04X},{}"), word, word, status);
   }
   append(out, "\n");
 }

@@ -5,8 +5,9 @@
 //   jsonl   {"time_s":12,"z":{"offset_um":-3.1,"counts":-31,"predicted_um":3.12,"limited":false,"hold":"none"}}, with
 //           "column" where a column is why
 //   word    time_s, then of every axis _word, 0 to 65535, and _hex: the counts in two's complement on 16 lines, bit 0
-//           the least: what a PLC hands to the external shift of a control's machine coordinates, whose least increment
-//           is the resolution. -1 is 65535, 0xFFFF. An offset is at most 32767 counts
+//           the least, and _status, the reason of a hold as a number (Hold of compensation.hpp, 0 none) and 16 more
+//           where it is limited: what a PLC hands to the external shift of a control's machine coordinates, whose least
+//           increment is the resolution. -1 is 65535, 0xFFFF. An offset is at most 32767 counts
 #pragma once
 
 #include <fmt/format.h>

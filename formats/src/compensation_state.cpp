@@ -19,6 +19,11 @@ Json or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nu
 
 double number_or_none(const JsonValue& value) { return value.value->is_null() ? kNone : number(value); }
 
+std::uint64_t unsigned_at(const JsonValue& value) {
+  if (!value.value->is_number_unsigned()) fail(value, "a whole number not below 0");
+  return value.value->get<std::uint64_t>();
+}
+
 bool truth(const JsonValue& value) {
   if (!value.value->is_boolean()) fail(value, "true or false");
   return value.value->get<bool>();
@@ -41,7 +46,10 @@ Json json_of(const StoredAxis& axis) {
             {"offset_um", state.offset_um},
             {"timed", state.timed},
             {"started", state.started},
+            {"believed", state.believed},
+            {"contradicted", state.contradicted},
             {"time_s", state.time_s},
+            {"pace_s", state.pace_s},
             {"clock_s", state.clock_s},
             {"doubtful_s", or_null(state.doubtful_s)},
             {"origin_um", state.origin_um}};
@@ -67,7 +75,10 @@ Compensator::State state_at(const JsonValue& value) {
   state.offset_um = number(member(value, "offset_um"));
   state.timed = truth(member(value, "timed"));
   state.started = truth(member(value, "started"));
+  state.believed = static_cast<int>(whole(member(value, "believed"), 0, 2));
+  state.contradicted = static_cast<int>(whole(member(value, "contradicted"), 0, 2));
   state.time_s = number(member(value, "time_s"));
+  state.pace_s = number_not_below_0(member(value, "pace_s"));
   state.clock_s = number(member(value, "clock_s"));
   state.doubtful_s = number_or_none(member(value, "doubtful_s"));
   state.origin_um = number(member(value, "origin_um"));
@@ -96,29 +107,39 @@ LiveModel::State live_at(const JsonValue& value) {
 
 }  // namespace
 
-std::string write_compensation(const std::vector<StoredAxis>& axes) {
-  Json json{{"format", kFormat}, {"axes", Json::array()}};
-  for (const StoredAxis& axis : axes) json["axes"].push_back(json_of(axis));
+std::string write_compensation(const StoredCompensation& stored) {
+  Json json{{"format", kFormat}, {"signals", nullptr}, {"axes", Json::array()}};
+  if (stored.signals) {
+    json["signals"] = {
+        {"file", stored.signals->file}, {"inode", stored.signals->inode}, {"bytes", stored.signals->bytes}};
+  }
+  for (const StoredAxis& axis : stored.axes) json["axes"].push_back(json_of(axis));
   return json.dump(1, ' ', true, Json::error_handler_t::replace) + '\n';
 }
 
-std::vector<StoredAxis> read_compensation(std::string_view bytes, std::string_view name) {
+StoredCompensation read_compensation(std::string_view bytes, std::string_view name) {
   const JsonSource source = parse_json(bytes, name);
   const JsonValue root = root_of(source);
-  expect_keys(root, {"format", "axes"});
+  expect_keys(root, {"format", "signals", "axes"});
   choice_index(member(root, "format"), {kFormat});
-  std::vector<StoredAxis> axes;
+  StoredCompensation stored;
+  const JsonValue signals = member(root, "signals");
+  if (!signals.value->is_null()) {
+    expect_keys(signals, {"file", "inode", "bytes"});
+    stored.signals = {text(member(signals, "file")), unsigned_at(member(signals, "inode")),
+                      unsigned_at(member(signals, "bytes"))};
+  }
   const JsonValue list = member(root, "axes");
   for (std::size_t i = 0; i < size_of_array(list); ++i) {
     const JsonValue value = element(list, i);
-    expect_keys(value, {"name", "model", "resolution_um", "counts", "offset_um", "timed", "started", "time_s",
-                        "clock_s", "doubtful_s", "origin_um", "sensors", "live"});
+    expect_keys(value, {"name", "model", "resolution_um", "counts", "offset_um", "timed", "started", "believed",
+                        "contradicted", "time_s", "pace_s", "clock_s", "doubtful_s", "origin_um", "sensors", "live"});
     const JsonValue model = member(value, "model");
     if (!model.value->is_string()) fail(model, "a text");
-    axes.push_back({text(member(value, "name")), model.value->get<std::string>(), state_at(value),
-                    live_at(member(value, "live"))});
+    stored.axes.push_back({text(member(value, "name")), model.value->get<std::string>(), state_at(value),
+                           live_at(member(value, "live"))});
   }
-  return axes;
+  return stored;
 }
 
 }  // namespace ballbar

@@ -32,6 +32,11 @@ std::string_view cut_cell(std::string_view& line, bool& more) {
   return cell;
 }
 
+std::string_view without_quotes(std::string_view name) {
+  const bool quoted = name.size() > 1 && name.starts_with('"') && name.ends_with('"');
+  return quoted ? name.substr(1, name.size() - 2) : name;
+}
+
 double number_of(std::string_view cell) {
   if (cell.starts_with('+') && !cell.starts_with("+-")) cell.remove_prefix(1);
   double value = kNoValue;
@@ -64,9 +69,13 @@ const LiveRow* LiveRows::next() {
                               line_ + 1));
     }
     if (!whole) {
-      if (too_long_) begin_ = bytes_.size();  // nothing of it is kept
+      if (too_long_) {  // nothing of it is kept
+        taken_ += bytes_.size() - begin_;
+        begin_ = bytes_.size();
+      }
       return nullptr;
     }
+    taken_ += end + 1 - begin_;
     const std::string_view line = too_long_ ? "" : std::string_view(bytes_).substr(begin_, end - begin_);
     const bool lost = std::exchange(too_long_, false);
     begin_ = end + 1;
@@ -110,7 +119,7 @@ const LiveRow* LiveRows::take(std::string_view line) {
 void LiveRows::name_columns(std::string_view line) {
   const std::string_view found = line;
   std::vector<std::string> names;
-  for (bool more = true; more;) names.emplace_back(cut_cell(line, more));
+  for (bool more = true; more;) names.emplace_back(without_quotes(cut_cell(line, more)));
   const auto fail = [&](const std::string& sentence) { throw Error(fmt::format("{}:{}: {}", name_, line_, sentence)); };
   const auto count = [&](std::string_view name) { return std::count(names.begin(), names.end(), name); };
   if (count("time_s") + count("time_min") != 1) {

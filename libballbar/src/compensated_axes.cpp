@@ -16,8 +16,14 @@ CompensatedAxes::CompensatedAxes(const std::vector<CompensatedAxis>& axes, const
     if (std::any_of(axes.begin(), axis, same)) {
       throw Error(fmt::format("expected each axis once, found {} again.", axis->name));
     }
+    const auto is_predicted = [&](const ColumnRange& range) {
+      return std::any_of(axes.begin(), axis,
+                         [&](const CompensatedAxis& other) { return other.model.targets.front() == range.column; });
+    };
+    Model model = axis->model;
+    std::erase_if(model.trained, is_predicted);
     try {
-      axes_.emplace_back(axis->name, axis->model, limits);
+      axes_.emplace_back(axis->name, model, limits);
     } catch (const Error& error) {
       throw Error(fmt::format("{}: {}", axis->name, error.what()));
     }

@@ -21,10 +21,23 @@ void expect_limit(bool holds, std::string_view name, std::string_view expected, 
   if (!holds) throw Error(fmt::format("{}: expected {}, found {}.", name, expected, found));
 }
 
-const Model& with_one_target(const Model& model) {
-  if (model.targets.size() == 1) return model;
-  throw Error(fmt::format("expected a model of one target, found {}: each axis has a compensator of its own.",
-                          model.targets.size()));
+const Model& checked(const Model& model) {
+  if (model.targets.size() != 1) {
+    throw Error(fmt::format("expected a model of one target, found {}: each axis has a compensator of its own.",
+                            model.targets.size()));
+  }
+  if (unit_of(model.targets.front()) != "um") {
+    throw Error(fmt::format("expected a target in um, which moves an axis, found {}.", model.targets.front()));
+  }
+  for (const ColumnRange& range : model.trained) {
+    const bool read = std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& term) {
+      return std::find(term.columns.begin(), term.columns.end(), range.column) != term.columns.end();
+    });
+    if (read) continue;
+    throw Error(
+        fmt::format("[trained]: expected columns that an effect reads, found {}, which none does.", range.column));
+  }
+  return model;
 }
 
 CompensationLimits checked(const CompensationLimits& limits) {
@@ -59,7 +72,7 @@ bool is_about_a_column(Hold hold) {
 }
 
 Compensator::Compensator(const Model& model, const CompensationLimits& limits)
-    : limits_(checked(limits)), model_(with_one_target(model)) {
+    : limits_(checked(limits)), model_(checked(model)) {
   for (const std::string& column : columns()) {
     const auto trained = std::find_if(model.trained.begin(), model.trained.end(),
                                       [&](const ColumnRange& range) { return range.column == column; });
@@ -81,6 +94,7 @@ Offset Compensator::next(double time_s, std::span<const double> values) {
   const std::optional<double> elapsed_s = follows(time_s, hold);
   if (!elapsed_s) return offset(hold, 0, kNoNumber, false);
   std::size_t bad = 0;
+  bool only_spikes = true;
   for (std::size_t c = 0; c < values.size(); ++c) {
     Sensor& sensor = state_.sensors[c];
     if (!(values[c] == sensor.read)) {
@@ -92,15 +106,22 @@ Offset Compensator::next(double time_s, std::span<const double> values) {
       sensor.believed = values[c];
       sensor.believed_s = state_.time_s;
     }
+    only_spikes &= why == Hold::none || why == Hold::spike;
     if (hold != Hold::none || why == Hold::none) continue;
     hold = why;
     bad = c;
+  }
+  if (hold == Hold::spike && only_spikes && state_.believed == 1 && ++state_.contradicted == 2) {
+    begin_anew(values);
+    hold = Hold::none;
   }
   if (hold != Hold::none) return offset(hold, bad, kNoNumber, false);
   const double model_um = model_.next(state_.time_s, values);
   if (!std::isfinite(model_um)) return offset(Hold::model, 0, kNoNumber, false);
   if (!state_.started) state_.origin_um = model_um;
   state_.started = true;
+  state_.believed = std::min(state_.believed + 1, 2);
+  state_.contradicted = 0;
   const double error_um = model_um - state_.origin_um;
   const double wanted_um = std::clamp(-error_um, -limits_.largest_um, limits_.largest_um);
   walk(wanted_um, *elapsed_s);
@@ -116,20 +137,24 @@ std::optional<double> Compensator::follows(double time_s, Hold& why) {
   const double now_s = time_s + state_.clock_s;
   const double elapsed_s = state_.timed ? now_s - state_.time_s : 0.0;
   const bool back = state_.timed && !(elapsed_s > 0.0);
-  if (!back && elapsed_s <= limits_.gap_s) {
+  if (!back && elapsed_s <= std::max(limits_.gap_s, 2.0 * state_.pace_s)) {
+    if (state_.timed) state_.pace_s = elapsed_s;
     state_.timed = true;
     state_.doubtful_s = kNoNumber;
     state_.time_s = now_s;
     return elapsed_s;
   }
   const double since_doubtful_s = time_s - state_.doubtful_s;
-  if (!(since_doubtful_s > 0.0 && since_doubtful_s <= limits_.gap_s)) {
+  const double pace_s = back ? 0.0 : elapsed_s - since_doubtful_s;  // to the row in doubt
+  if (!(since_doubtful_s > 0.0 && since_doubtful_s <= std::max(limits_.gap_s, 2.0 * pace_s))) {
     state_.doubtful_s = time_s;
     why = back ? Hold::clock_back : Hold::clock_gap;
     return std::nullopt;
   }
   if (!back) {  // nothing came for that long
+    for (Sensor& sensor : state_.sensors) sensor.unchanged_since_s = now_s;
     state_.doubtful_s = kNoNumber;
+    state_.pace_s = since_doubtful_s;
     state_.time_s = now_s;
     return elapsed_s;
   }
@@ -143,6 +168,19 @@ std::optional<double> Compensator::follows(double time_s, Hold& why) {
   return since_doubtful_s;
 }
 
+// The zero is the row at hand; the offset stays.
+void Compensator::begin_anew(std::span<const double> values) {
+  for (std::size_t c = 0; c < values.size(); ++c) {
+    state_.sensors[c].believed = values[c];
+    state_.sensors[c].believed_s = state_.time_s;
+  }
+  LiveModel::State empty = model_.state();
+  empty.rows = 0;
+  model_.resume(empty);
+  state_.started = false;
+  state_.believed = 0;
+}
+
 Hold Compensator::hold_of(std::size_t column, double time_s, double value) const {
   if (!std::isfinite(value)) return Hold::no_value;
   if (value < ranges_[column].low || value > ranges_[column].high) return Hold::out_of_range;
@@ -154,13 +192,13 @@ Hold Compensator::hold_of(std::size_t column, double time_s, double value) const
 }
 
 void Compensator::walk(double wanted_um, double elapsed_s) {
-  const double most_um = std::min(limits_.step_um, limits_.rate_um_per_s * elapsed_s);
+  const double step = whole(limits_.step_um, limits_.resolution_um);  // as the counts, which would fall behind else
+  const double most_um = std::min(step * limits_.resolution_um, limits_.rate_um_per_s * elapsed_s);
   const double way_um = wanted_um - state_.offset_um;
   state_.offset_um = std::abs(way_um) <= most_um ? wanted_um : state_.offset_um + std::copysign(most_um, way_um);
   const double increments = state_.offset_um / limits_.resolution_um;
   const double counts = static_cast<double>(state_.counts);
   if (std::abs(increments - counts) <= 0.5 + limits_.hysteresis) return;
-  const double step = whole(limits_.step_um, limits_.resolution_um);
   const double largest = whole(limits_.largest_um, limits_.resolution_um);
   const double next = std::clamp(std::round(increments), counts - step, counts + step);
   state_.counts = static_cast<std::int64_t>(std::clamp(next, -largest, largest));
@@ -185,7 +223,11 @@ void Compensator::resume(const State& state, const LiveModel::State& model) {
     throw Error(fmt::format("expected an offset of at most {} um, found {} um, {} increments.", limits_.largest_um,
                             state.offset_um, state.counts));
   }
-  for (const double number : {state.time_s, state.clock_s, state.origin_um}) {
+  const double apart = std::abs(state.offset_um / limits_.resolution_um - static_cast<double>(state.counts));
+  if (apart > 1.5 + limits_.hysteresis + limits_.step_um / limits_.resolution_um) {
+    throw Error(fmt::format("expected counts near the offset of {} um, found {}.", state.offset_um, state.counts));
+  }
+  for (const double number : {state.time_s, state.clock_s, state.origin_um, state.pace_s}) {
     if (!std::isfinite(number)) throw Error(fmt::format("expected finite times and origin, found {}.", number));
   }
   if (const std::size_t rows = std::min(model.rows, model.time_s.size());

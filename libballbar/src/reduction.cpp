@@ -1,5 +1,6 @@
 #include "ballbar/reduction.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -26,20 +27,39 @@ double share_of(double before, double after, ErrorSize size) {
   return 1.0 - (size == ErrorSize::mean_of_sizes ? after / before : std::sqrt(after / before));
 }
 
-// sigma^2 = (n - 1) / n sum (share without i - their mean)^2
-double jackknife(std::span<const double> before_um, std::span<const double> after_um, ErrorSize size) {
+// Twice the lag at which the values are no longer alike.
+std::size_t stretch_of(std::span<const double> values) {
+  const std::size_t n = values.size(), longest = std::max<std::size_t>(1, n / 5);
+  double mean = 0.0, square = 0.0;
+  for (const double value : values) mean += value / static_cast<double>(n);
+  for (const double value : values) square += (value - mean) * (value - mean);
+  for (std::size_t lag = 1; lag < longest; ++lag) {
+    double product = 0.0;
+    for (std::size_t i = lag; i < n; ++i) product += (values[i] - mean) * (values[i - lag] - mean);
+    if (!(product > 0.2 * square)) return std::min(longest, lag == 1 ? lag : 2 * lag);
+  }
+  return longest;
+}
+
+// sigma^2 = (g - 1) / g sum (share without stretch j - their mean)^2, g stretches
+double jackknife(std::span<const double> before_um, std::span<const double> after_um, ErrorSize size,
+                 std::size_t stretch) {
   const std::size_t n = before_um.size();
   if (n < 3) return kUnknown;
   const double before = sum_of(before_um, size), after = sum_of(after_um, size);
   std::vector<double> without;
   double mean = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    without.push_back(share_of(before - size_of(before_um[i], size), after - size_of(after_um[i], size), size));
-    mean += without.back() / static_cast<double>(n);
+  for (std::size_t from = 0; from < n; from += stretch) {
+    const std::size_t count = std::min(stretch, n - from);
+    without.push_back(share_of(before - sum_of(before_um.subspan(from, count), size),
+                               after - sum_of(after_um.subspan(from, count), size), size));
+    mean += without.back();
   }
+  const auto groups = static_cast<double>(without.size());
+  mean /= groups;
   double square = 0.0;
   for (const double share : without) square += (share - mean) * (share - mean);
-  return std::sqrt(static_cast<double>(n - 1) / static_cast<double>(n) * square);
+  return std::sqrt((groups - 1.0) / groups * square);
 }
 
 constexpr std::array<Huang2022Bore, 10> kTable3{{{29.979709, 175.005271, 29.994545, 175.002451},
@@ -69,8 +89,9 @@ Reduction reduction_of(std::span<const double> before_um, std::span<const double
   const auto n = static_cast<double>(before_um.size());
   const double before = sum_of(before_um, size), after = sum_of(after_um, size);
   const bool squares = size == ErrorSize::root_mean_square;
+  const std::size_t stretch = stretch_of(after_um);
   return {squares ? std::sqrt(before / n) : before / n, squares ? std::sqrt(after / n) : after / n,
-          share_of(before, after, size), jackknife(before_um, after_um, size)};
+          share_of(before, after, size), jackknife(before_um, after_um, size, stretch), stretch};
 }
 
 std::span<const Huang2022Bore> huang2022_table_3() { return kTable3; }

@@ -23,7 +23,6 @@ struct Feed {
 
   double at(double time_s, double longest_s) {
     for (; next < series->time_s.size() && series->time_s[next] <= time_s; ++next) {
-      if (!std::isfinite((*values)[next])) continue;
       latest = (*values)[next];
       latest_s = series->time_s[next];
     }

@@ -109,7 +109,8 @@ TEST(compensation_state, written_and_read_again_is_the_same_to_the_bit) {
     Compensator compensator(many_effects(), {});
     for (int i = 0; i < 3000; ++i) {
       if (i < 20 || i % 100 == 0) {
-        const std::vector<StoredAxis> again = read_compensation(write_compensation({stored(compensator)}), "s.json");
+        const std::vector<StoredAxis> again =
+            read_compensation(write_compensation({{stored(compensator)}, {}}), "s.json").axes;
         ASSERT_EQ(again.size(), 1u);
         expect_same(again[0], stored(compensator));
       }
@@ -133,7 +134,7 @@ TEST(compensation_state, numbers_at_the_edge_of_a_double) {
   axis.live.rows = 2;
   axis.live.time_s = {-1e-300, 5e-324, 12.0};
   axis.live.kept = {9007199254740993.0, -0.0};
-  const std::vector<StoredAxis> again = read_compensation(write_compensation({axis, axis}), "s.json");
+  const std::vector<StoredAxis> again = read_compensation(write_compensation({{axis, axis}, {}}), "s.json").axes;
   ASSERT_EQ(again.size(), 2u);
   expect_same(again[0], axis);
   expect_same(again[1], axis);
@@ -148,7 +149,7 @@ TEST(compensation_state, goes_on_from_the_text_as_if_nothing_had_been) {
       const double time_s = rows.time_s();
       all_the_time.next(time_s, rows.values());
     }
-    const StoredAxis again = read_compensation(write_compensation({stored(all_the_time)}), "s.json")[0];
+    const StoredAxis again = read_compensation(write_compensation({{stored(all_the_time)}, {}}), "s.json").axes[0];
     restarted.resume(again.state, again.live);
     for (int i = 0; i < 1000; ++i) {
       const double time_s = rows.time_s();
@@ -169,6 +170,11 @@ TEST(compensation_state, goes_on_from_the_text_as_if_nothing_had_been) {
 // z = 2 um/K (T_a - 22 degC), at 23.5 degC: an error of 3 um, 30 increments of 0.1 um against it.
 constexpr const char* kState = R"({
  "format": "ballbar-compensation 1",
+ "signals": {
+  "file": "/logs/live.csv",
+  "inode": 12,
+  "bytes": 345
+ },
  "axes": [
   {
    "name": "z",
@@ -178,7 +184,10 @@ constexpr const char* kState = R"({
    "offset_um": -3.0,
    "timed": true,
    "started": true,
+   "believed": 2,
+   "contradicted": 0,
    "time_s": 1.0,
+   "pace_s": 1.0,
    "clock_s": 0.0,
    "doubtful_s": null,
    "origin_um": 44.0,
@@ -220,11 +229,17 @@ TEST(compensation_state, written) {
   Compensator compensator(model, limits);
   compensator.next(0.0, {{22.0}});
   compensator.next(1.0, {{23.5}});
-  EXPECT_EQ(write_compensation({{"z", "text", compensator.state(), compensator.model().state()}}), kState);
+  EXPECT_EQ(write_compensation({{{"z", "text", compensator.state(), compensator.model().state()}},
+                                SignalsPlace{"/logs/live.csv", 12, 345}}),
+            kState);
   EXPECT_EQ(write_compensation(read_compensation(kState, "s.json")), kState);
 }
 
-TEST(compensation_state, no_axis) { EXPECT_TRUE(read_compensation(write_compensation({}), "s.json").empty()); }
+TEST(compensation_state, no_axis) {
+  const StoredCompensation again = read_compensation(write_compensation({}), "s.json");
+  EXPECT_TRUE(again.axes.empty());
+  EXPECT_FALSE(again.signals);
+}
 
 std::string complaint(const std::string& text) {
   try {
@@ -270,10 +285,15 @@ TEST(compensation_state, bad_text) {
       {"*", "[]", " expected an object, found an array."},
       {"compensation 1", "compensation 2",
        " expected \"ballbar-compensation 1\" at format, found the text \"ballbar-compensation 2\"."},
-      {"\"axes\"", "\"axis\"", " expected one of the keys format, axes, found \"axis\"; the nearest is axes."},
-      {"*", "{\"format\": \"ballbar-compensation 1\", \"axes\": {}}", " expected an array at axes, found an object."},
-      {"*", "{\"format\": \"ballbar-compensation 1\", \"axes\": [1]}",
+      {"\"axes\"", "\"axis\"", " expected one of the keys format, signals, axes, found \"axis\"; the nearest is axes."},
+      {"*", "{\"format\": \"ballbar-compensation 1\", \"signals\": null, \"axes\": {}}",
+       " expected an array at axes, found an object."},
+      {"*", "{\"format\": \"ballbar-compensation 1\", \"signals\": null, \"axes\": [1]}",
        " expected an object at axes[0], found the integer 1."},
+      {"\"bytes\": 345", "\"bytes\": -1",
+       " expected a whole number not below 0 at signals.bytes, found the integer -1."},
+      {"\"believed\": 2", "\"believed\": 3",
+       " expected a whole number from 0 to 2 at axes[0].believed, found the integer 3."},
       {"\"name\": \"z\"", "\"name\": 7", " expected a printable text at axes[0].name, found the integer 7."},
       {"\"text\"", "null", " expected a text at axes[0].model, found null."},
       {"\"offset_um\"", "\"offset\"",

@@ -145,6 +145,42 @@ TEST(Compensation, HoldsASpikeUntilTheTimeMakesItLikely) {
                        {11, 25.0, Hold::none, -60}});  // 2.8 K after 9 s: 2 + 0.9
 }
 
+// One wrong reading at the start is not the zero for ever: two rows after it contradict it.
+TEST(Compensation, AFirstRowThatTheNextTwoContradictIsNotTheZero) {
+  CompensationLimits limits = quick();
+  limits.spike_K = 2.0;
+  expect_rows(limits, {{0, 25.0, Hold::none, 0},
+                       {1, 22.5, Hold::spike, 0},
+                       {2, 22.5, Hold::none, 0},  // the zero now
+                       {3, 23.0, Hold::none, -10},
+                       {4, 26.0, Hold::spike, -10},
+                       {5, 26.0, Hold::spike, -10},
+                       {6, 23.5, Hold::none, -20}});
+}
+
+TEST(Compensation, AnOutageIsNotATimeInWhichASensorIsStuck) {
+  CompensationLimits limits = quick();
+  limits.stuck_s = 100.0;
+  limits.gap_s = 10.0;
+  expect_rows(limits, {{0, 22.0, Hold::none, 0},
+                       {5, 22.5, Hold::none, -10},
+                       {5000, 22.5, Hold::clock_gap, -10},
+                       {5005, 22.5, Hold::none, -10},
+                       {5010, 22.5, Hold::none, -10}});
+}
+
+// A logger that is slower than gap_s: its second row is held, its pace is believed then.
+TEST(Compensation, BelievesASlowPace) {
+  CompensationLimits limits = quick();
+  limits.gap_s = 600.0;
+  expect_rows(limits, {{0, 22.0, Hold::none, 0},
+                       {900, 22.5, Hold::clock_gap, 0},
+                       {1800, 23.0, Hold::none, -20},
+                       {2700, 23.5, Hold::none, -30},
+                       {3600, 24.0, Hold::none, -40},
+                       {9000, 24.5, Hold::clock_gap, -40}});
+}
+
 TEST(Compensation, HoldsWhatIsStuckUntilItMoves) {
   CompensationLimits limits = quick();
   limits.stuck_s = 10.0;
@@ -294,8 +330,9 @@ TEST(Compensation, RefusesTheStateOfAnotherMachine) {
   using State = Compensator::State;
   for (const auto& spoil : std::vector<std::function<void(State&)>>{
            [](State& state) { state.sensors.clear(); }, [](State& state) { state.resolution_um = 1.0; },
-           [](State& state) { state.counts = 3000; }, [](State& state) { state.offset_um = kGap; },
-           [](State& state) { state.origin_um = kGap; }, [](State& state) { state.time_s = kGap; }}) {
+           [](State& state) { state.counts = 3000; }, [](State& state) { state.counts = 1900; },
+           [](State& state) { state.offset_um = kGap; }, [](State& state) { state.origin_um = kGap; },
+           [](State& state) { state.time_s = kGap; }}) {
     State state = compensator.state();
     spoil(state);
     EXPECT_THROW(compensator.resume(state, compensator.model().state()), Error);
@@ -326,6 +363,12 @@ TEST(Compensation, RefusesLimitsThatMakeNoSense) {
   Model two = expansion();
   two.targets.emplace_back("y_um");
   EXPECT_THROW(Compensator(two, {}), Error);
+  Model temperature = expansion();
+  temperature.targets = {"T_b_degC"};
+  EXPECT_THROW(Compensator(temperature, {}), Error);
+  Model misspelt = expansion();
+  misspelt.trained[0].column = "T_A_degC";
+  EXPECT_THROW(Compensator(misspelt, {}), Error);
 }
 
 TEST(Compensation, TakesNoMemoryARow) {

@@ -70,9 +70,9 @@ TEST(Replay, KeepsTheLatestValueOfEachSignalForAWhile) {
   const Series measured{{6.0, 15.0, 45.0}, {{"z_um", Role::measured, {0.0, 4.0, 4.0}}}};
   const ReplayedAxis replayed = replay_of({z}, limits, {a, b}, measured).axes[0];
   EXPECT_EQ(replayed.after_um, (std::vector<double>{0.0, 0.0, 0.0}));
-  // 0 s: no T_b yet; 40 s: T_b is 28 s old.
-  EXPECT_EQ(replayed.rows_held[static_cast<std::size_t>(Hold::no_value)], 2U);
-  EXPECT_EQ(replayed.rows_held[static_cast<std::size_t>(Hold::none)], 5U);
+  // 0 s: no T_b yet; 20 s: T_a gives none; 40 s: T_b is 28 s old.
+  EXPECT_EQ(replayed.rows_held[static_cast<std::size_t>(Hold::no_value)], 3U);
+  EXPECT_EQ(replayed.rows_held[static_cast<std::size_t>(Hold::none)], 4U);
   EXPECT_EQ(replayed.most_held_by, "T_b_degC");
 }
 

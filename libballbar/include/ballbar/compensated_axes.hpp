@@ -1,8 +1,9 @@
 // The compensators of a machine's axes, fed by one row: each its own columns of it.
 //
 // A model may read what another one predicts, as the clearance of a bearing follows its axial growth: a column that is
-// no signal but the target of an axis named before it takes that axis' predicted error. While that axis is held, so is
-// this one (no_value).
+// no signal but the target of an axis named before it takes that axis' predicted error. It counts from that
+// axis' first row, so that no trained range of the column as it was measured is looked at. While that axis is held, so
+// is this one (no_value).
 #pragma once
 
 #include <cstddef>

@@ -14,14 +14,18 @@
 //   no_value         a gap, NaN or infinity
 //   spike            a temperature further from the last one believed than spike_K + heating_K_per_s times the time
 //                    since: it is believed again once it is nearer, or the time has made it likely
-//   stuck            a temperature that has been the same to the last digit for stuck_s
+//   stuck            a temperature that has been the same to the last digit for stuck_s in which rows came
 //   out_of_range     outside of what the model was trained on (Model::trained), widened by range_margin of its span
 //                    at either end. A column without a trained range is not looked at
 //   no_time          a time that is no number, or more than 1e12 s from 0
 //   clock_back       a time not after the last one. The new clock is believed with the next row that follows on it:
 //                    the time between is then 0
-//   clock_gap        a time more than gap_s after the last one, believed with the next row that follows on it
+//   clock_gap        a time more than gap_s after the last one, and more than twice what passed before that: believed
+//                    with the next row that follows on it, or that keeps its pace
 //   model            a prediction that is not finite
+//
+// The first row is the zero: a machine that is warm then keeps that part of its error. Where the second and the third
+// row both contradict it (spike), it was the first that was wrong, and the zero is set anew.
 //
 // The offset is - error in the frame of the model's target: what is added to the axis' command.
 //
@@ -84,7 +88,10 @@ class Compensator {
     double resolution_um = 0.0;  // of counts
     bool timed = false;          // a row has come
     bool started = false;        // a row has been believed
+    int believed = 0;            // rows since the zero, 2 at most
+    int contradicted = 0;        // rows that were spikes while only that of the zero was believed
     double time_s = 0.0;         // of the last row that followed on one, on the clock of the model
+    double pace_s = 0.0;         // between the last two rows that were believed
     double clock_s = 0.0;        // what to add to a row's time for that clock: by how much it was set back
     double doubtful_s = std::numeric_limits<double>::quiet_NaN();  // a row's time that did not follow
     double origin_um = 0.0;                                        // the model at the first row
@@ -93,8 +100,9 @@ class Compensator {
     std::vector<Sensor> sensors;  // as columns()
   };
 
-  // One target, every parameter at its start, the model's trained ranges. Throws Error: more than one target, a model
-  // that cannot run live (LiveModel), limits that make no sense.
+  // One target, every parameter at its start, the model's trained ranges. Throws Error: more than one target or one
+  // that is not in um, a trained range of a column that the model does not read, a model that cannot run live
+  // (LiveModel), limits that make no sense.
   Compensator(const Model& model, const CompensationLimits& limits);
 
   // What next() wants, in this order.
@@ -107,7 +115,8 @@ class Compensator {
   const LiveModel& model() const { return model_; }
 
   // Goes on from there. Throws Error where it is the state of another model, of another resolution, of an offset beyond
-  // largest_um, holds a number that is not finite where it must be, or a row of the model after the last row.
+  // largest_um or further from its counts than they can be, holds a number that is not finite where it must be, or a
+  // row of the model after the last row.
   void resume(const State& state, const LiveModel::State& model);
 
  private:
@@ -117,6 +126,7 @@ class Compensator {
   };
 
   std::optional<double> follows(double time_s, Hold& why);
+  void begin_anew(std::span<const double> values);
   Hold hold_of(std::size_t column, double time_s, double value) const;
   void walk(double wanted_um, double elapsed_s);
   Offset offset(Hold hold, std::size_t column, double predicted_um, bool limited) const;

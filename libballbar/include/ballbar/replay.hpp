@@ -1,8 +1,8 @@
 // What an error would have been with a model on line: a compensation run over recorded signals, causal.
 //
-// Rows are all times of the signals, in order; a column's value in a row is its latest one, at most gap_s old, NaN
-// before. The error at a time is met by the offset of the last row before that time, so that nothing of the same moment
-// or later is used:
+// Rows are all times of the signals, in order; a column's value in a row is that of the last row of its own series, at
+// most gap_s old: a gap there is a gap, as it was when it was recorded. The error at a time is met by the offset of the
+// last row before that time, so that nothing of the same moment or later is used:
 //
 //   before_i = measured(t_i) - measured(t_0)
 //   after_i  = before_i + offset(last row before t_i) - offset(last row before t_0)
