@@ -30,12 +30,19 @@ The control's offset is given by the test: that of the counts. Where it was turn
      140    24.04                -81
      150    24.04                -81  10 control
      160    24.04                -91
+
+A machine in inches has counts of 0.0001 mm / 25.4. A new component, whose zero is its first row at 24.04 degC, finds
+-0.0091 mm / 25.4, 91 counts, and goes from there to 0 by steps of 10; what it adds to its counts is their change:
+
+       0    24.04      0        -91  9 disabled
+       5    24.04      0        -81
 """
 import os
+import resource
 import subprocess
 import time
 
-from hal_pins import expect, finish, halcmd, kill, load, pin, row, wait_for
+from hal_pins import expect, finish, halcmd, kill, load, pin, process, row, wait_for
 
 REASON = {"none": 0, "no_value": 1, "spike": 2, "out_of_range": 4, "clock_back": 5, "disabled": 9, "control": 10}
 
@@ -123,4 +130,34 @@ halcmd("setp", "ballbar-2.z.applied", "0")
 check("ballbar-2", 150, 24.04, -81, "control")
 halcmd("setp", "ballbar-2.z.applied", "0")
 check("ballbar-2", 160, 24.04, -91)
+
+# Where the state is to be written there must be a folder.
+again = subprocess.run([os.environ["BALLBAR_HAL"], "--model", "live.toml", "--to", "z", "--state", "none/z.json"],
+                       stderr=subprocess.PIPE, text=True)
+expect("status of a start without the state's folder", again.returncode, 1)
+expect("what it says", again.stderr == "ballbar-hal: --state: expected a file in a folder that is there, found no "
+       "folder 'none'.\n", True)
+
+# In inches; and a state that can no longer be written, as on a full disk: its file may not grow beyond 100 bytes. Said
+# once, although the text has the size of the state, and not the end of the component.
+halcmd("unload", "ballbar-2")
+reading, writing = os.pipe()
+load("inch", "inch.json", ["--machine-unit", "inch"], writing)
+os.close(writing)
+resource.prlimit(process("inch"), resource.RLIMIT_FSIZE, (100, 100))
+halcmd("setp", "inch.z.applied", repr(-0.0091 / 25.4))
+halcmd("setp", "inch.enable", "1")
+for time_s, counts, change in [(0, -91, 0), (5, -81, 10)]:
+    row("inch", time_s, 24.04)
+    expect(f"inches, {time_s} s: counts", pin("inch.z.counts"), change)
+    expect(f"inches, {time_s} s: offset-um", pin("inch.z.offset-um"), 0.1 * counts, 1e-9)
+expect("inches a count", pin("inch.z.scale"), 0.0001 / 25.4, 1e-12)
+for time_s in range(20, 40):
+    halcmd("setp", "inch.z.applied", repr((-0.0091 + 0.0001 * pin("inch.z.counts")) / 25.4))
+    row("inch", time_s, 24.04 + time_s / 1e3)
+halcmd("unload", "inch")
+with os.fdopen(reading) as stderr:
+    said = [line for line in stderr if "inch.json" in line]
+expect("lines about the state", len(said), 1)
+expect(f"what it says: {said}", "room to write" in "".join(said), True)
 finish()

@@ -30,11 +30,11 @@ def wait_for(name, wanted, within=0.0):
     return pin(name)
 
 
-def load(component):
+def load(component, state="z.json", more=(), stderr=None):
     """Starts ballbar-hal as ballbar.hal does. Not by halcmd() above: it would wait for the component to end."""
     subprocess.run(["halcmd", "loadusr", "-Wn", component, os.environ["BALLBAR_HAL"], "--name", component, "--model",
-                    "live.toml", "--to", "z", "--state", "z.json", *os.environ["BALLBAR_HAL_OPTIONS"].split()],
-                   check=True)
+                    "live.toml", "--to", "z", "--state", state, *os.environ["BALLBAR_HAL_OPTIONS"].split(), *more],
+                   stderr=stderr, check=True)
 
 
 def row(component, time_s, T_xi_degC):
@@ -44,14 +44,18 @@ def row(component, time_s, T_xi_degC):
     expect(f"row at {time_s} s taken", wait_for(f"{component}.rows", before + 1), before + 1)
 
 
-def kill(component):
-    """As the computer's worst: no signal handler runs. halcmd knows the process: ID, User, name, process, state."""
+def process(component):
+    """As halcmd knows it: ID, User, name, process, state."""
     for line in halcmd("-s", "show", "comp").splitlines():
         words = line.split()
         if words[2] == component:
-            os.kill(int(words[3]), 9)
-            return
+            return int(words[3])
     raise SystemExit(f"no component {component}")
+
+
+def kill(component):
+    """As the computer's worst: no signal handler runs."""
+    os.kill(process(component), 9)
 
 
 def finish():

@@ -5,16 +5,23 @@ ballbar.hal of apps/hal has connected the component.
 The model and the steps are those of component.py: at 21 degC wanted is -2 um, two rows from zero. LinuxCNC's own
 planner of offsets stops up to 1e-7 mm short; 1e-6 mm are asked for, a hundredth of a count.
 """
+import os
 import time
 
 import linuxcnc
 from hal_pins import expect, finish, halcmd, kill, load, pin, row, wait_for
 
 WITHIN_mm = 1e-6
+UNIT_mm = 25.4 if "inch" in os.environ["BALLBAR_HAL_OPTIONS"] else 1.0
+
+
+def expect_mm(what, name, wanted_mm, find=lambda name, wanted, within: pin(name)):
+    """Of a pin in the machine's unit; find: pin() or wait_for()."""
+    expect(what + ", mm", find(name, wanted_mm / UNIT_mm, WITHIN_mm / UNIT_mm) * UNIT_mm, wanted_mm, WITHIN_mm)
 
 
 def check(what, eoffset_mm, reason):
-    expect(what + ": axis.z.eoffset mm", wait_for("axis.z.eoffset", eoffset_mm, WITHIN_mm), eoffset_mm, WITHIN_mm)
+    expect_mm(what + ": axis.z.eoffset", "axis.z.eoffset", eoffset_mm, wait_for)
     expect(what + ": hold-reason", pin("ballbar.hold-reason"), reason)
 
 
@@ -46,9 +53,9 @@ row("ballbar", 40, 21.0)
 check("homed", -0.002, 0)
 command.mode(linuxcnc.MODE_MDI)
 command.wait_complete()
-command.mdi("G0 Z10")
+command.mdi("G0 Z0.1")  # of the machine's unit; not far, for halcmd gives 7 digits
 command.wait_complete()
-expect("motor at Z10, mm", wait_for("joint.2.motor-pos-cmd", 9.998, WITHIN_mm), 9.998, WITHIN_mm)
+expect_mm("motor at Z0.1", "joint.2.motor-pos-cmd", 0.1 * UNIT_mm - 0.002, wait_for)
 
 # Off and on: the control's offset begins at zero, and counts that had followed the model would leave it there.
 turn(linuxcnc.STATE_OFF)
@@ -67,7 +74,7 @@ check("on again", -0.002, 0)
 
 kill("ballbar")
 time.sleep(0.1)
-expect("after kill -9, mm", pin("axis.z.eoffset"), -0.002, WITHIN_mm)
+expect_mm("after kill -9", "axis.z.eoffset", -0.002)
 PINS = ["z.enable", "z.scale", "z.counts", "z.applied", "enable"]
 SIGNALS = ["z-enable", "z-scale", "z-counts", "z-applied", "enabled"]
 for name in PINS:
@@ -75,16 +82,16 @@ for name in PINS:
 load("ballbar-2")
 for name, signal in zip(PINS, SIGNALS):
     halcmd("net", f"ballbar-{signal}", f"ballbar-2.{name}")
-expect("after a new start, mm", pin("axis.z.eoffset-request"), -0.002, WITHIN_mm)
+expect_mm("after a new start", "axis.z.eoffset-request", -0.002)
 row("ballbar-2", 95, 21.0)
 expect("after a new start, hold-reason", pin("ballbar-2.hold-reason"), 9)
 row("ballbar-2", 100, 21.0)
 time.sleep(0.1)
-expect("after a new start and two rows, mm", pin("axis.z.eoffset"), -0.002, WITHIN_mm)
+expect_mm("after a new start and two rows", "axis.z.eoffset", -0.002)
 expect("after a new start, hold-reason", pin("ballbar-2.hold-reason"), 0)
 row("ballbar-2", 110, 20.5)
-expect("after a new start and a row, mm", wait_for("axis.z.eoffset", -0.001, WITHIN_mm), -0.001, WITHIN_mm)
+expect_mm("after a new start and a row", "axis.z.eoffset", -0.001, wait_for)
 halcmd("unload", "ballbar-2")
 time.sleep(0.1)
-expect("after unload, mm", pin("axis.z.eoffset"), -0.001, WITHIN_mm)
+expect_mm("after unload", "axis.z.eoffset", -0.001)
 finish()

@@ -2,10 +2,11 @@
 # Runs a test of the component in a HAL of its own, which ends with it: no other HAL on this computer is seen or
 # touched, and nothing is left behind, however the test ends.
 #
-#   BALLBAR_HAL=... BALLBAR_PROGRAM=... sh run.sh SCRATCH component|machine      ballbar-hal and ballbar, full names
+#   BALLBAR_HAL=... BALLBAR_PROGRAM=... sh run.sh SCRATCH component|machine|inch   ballbar-hal and ballbar, full names
 #
 # component  under halrun, with the motion controller alone
 # machine    a whole LinuxCNC of three simulated axes
+# inch       the same in inches
 #
 # Exit 77, which ctest takes for "skipped", where there are no user namespaces: some containers forbid them.
 set -eu
@@ -22,13 +23,17 @@ mkdir -p "$folder"
 cp "$here"/*.py "$here"/*.hal "$here"/*.ini "$here"/*.toml "$folder"
 # Rows are given one by one, and nothing of one is lost when the component is killed after it.
 export BALLBAR_HAL_OPTIONS='--step-um 1 --clock-pin --period-s 0.005 --save-s 0'
+if [ "$test" = inch ]; then
+  BALLBAR_HAL_OPTIONS="$BALLBAR_HAL_OPTIONS --machine-unit inch"
+  sed -i 's/^LINEAR_UNITS = mm$/LINEAR_UNITS = inch/' "$folder/machine.ini"
+fi
 sed "s|ballbar-hal --model|$BALLBAR_HAL $BALLBAR_HAL_OPTIONS --model|" \
   "$here/../../apps/hal/ballbar.hal" >"$folder/ballbar.hal"
 cd "$folder"
 touch machine.tbl
 case $test in
   component) command='halrun component.hal' ;;
-  machine) command='linuxcnc -r machine.ini' ;;
+  machine | inch) command='linuxcnc -r machine.ini' ;;
 esac
 
 # The name of LinuxCNC's socket has at most 107 characters. It refuses to run as root, which the user 1000 is not.
