@@ -8,8 +8,8 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <filesystem>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,7 +21,6 @@
 #include "batches.hpp"
 #include "compensation_options.hpp"
 #include "component.hpp"
-#include "lasting_fault.hpp"
 
 namespace ballbar::hal {
 namespace {
@@ -67,15 +66,6 @@ void expect_period(double period_s) {
   throw Error(fmt::format("--period-s: expected 0.001 to 10 s, found {}.", period_s));
 }
 
-// Later faults of the state are said and gone on from; one that was never right is not.
-void expect_folder(const std::string& state) {
-  const std::filesystem::path folder = std::filesystem::path(state).parent_path();
-  std::error_code error;
-  if (folder.empty() || std::filesystem::is_directory(folder, error)) return;
-  throw Error(
-      fmt::format("--state: expected a file in a folder that is there, found no folder '{}'.", folder.string()));
-}
-
 std::string told(const std::string& axis, const Step& step, const Compensator& compensator) {
   if (step.reason == Reason::none) return fmt::format("{}: not held", axis);
   const bool of_column = is_about_a_column(step.offset.hold);
@@ -83,15 +73,8 @@ std::string told(const std::string& axis, const Step& step, const Compensator& c
                      of_column ? " at " + compensator.columns()[step.offset.column] : "");
 }
 
-// A full disk is no reason to leave a machine without compensation.
-void keep(KeptState& state, const CompensatedAxes& machine, double at_least_s, LastingFault& fault) {
-  const double clock_s = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  if (const auto found = fault.of(clock_s, [&] { state.keep(machine, at_least_s); })) say(*found);
-}
-
 void run(const Options& options) {
   expect_period(options.period_s);
-  expect_folder(options.compensation.state);
   const std::vector<CompensatedAxis> axes = axes_of(options.compensation);
   const std::string letters = letters_of(axes);
   CompensatedAxes machine(axes, options.compensation.limits);
@@ -99,10 +82,10 @@ void run(const Options& options) {
   block_signals();
   Component component(options.name, machine.columns(), letters, options.clock_pin, options.mm_per_unit);
   for (std::size_t a = 0; a < machine.size(); ++a) component.begin_at(a, machine.axis(a).state().counts);
+  state.keep(machine, std::nullopt, 0.0);  // refused here where it cannot be written; later that is said, and no more
   component.ready();
   std::vector<Axis> drives(machine.size(), Axis(options.compensation.limits));
   std::vector<Reason> reasons(machine.size(), Reason::none);
-  LastingFault fault(options.save_s);
   double time_s = std::numeric_limits<double>::quiet_NaN();
   while (!told_to_stop_within(options.period_s)) {
     const double clock_s = options.clock_pin ? component.clock_s() : now_s();
@@ -119,10 +102,10 @@ void run(const Options& options) {
       reasons[a] = step.reason;
     }
     component.set_reason(first);
-    keep(state, machine, options.save_s, fault);
+    state.keep(machine, std::nullopt, options.save_s);
     component.count_row();
   }
-  keep(state, machine, 0.0, fault);
+  state.keep(machine, std::nullopt, 0.0);
 }
 
 void add_options(CLI::App& app, Options& options) {
