@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "ballbar/error.hpp"
-#include "ballbar/series.hpp"
 
 namespace ballbar::hal {
 
@@ -17,11 +16,6 @@ std::string letters_of(std::span<const CompensatedAxis> axes) {
           fmt::format("--to: expected the letter of a linear axis, one of x y z u v w, found '{}': an offset is a "
                       "length, which the angles a b c cannot take.",
                       axis.name));
-    }
-    for (const std::string& target : axis.model.targets) {
-      if (unit_of(target) == "um") continue;
-      throw Error(
-          fmt::format("{}: expected a target in um, of which its offset is made, found '{}'.", axis.name, target));
     }
     letters += axis.name;
   }

@@ -9,7 +9,7 @@
 namespace ballbar::hal {
 
 // The names of the axes, which are letters, in their order. Throws Error: another name than x y z u v w, for an offset
-// is a length and a b c are angles; a target that is not in um, for its numbers would be taken as um.
+// is a length and a b c are angles.
 std::string letters_of(std::span<const CompensatedAxis> axes);
 
 }  // namespace ballbar::hal

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <filesystem>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -66,15 +66,6 @@ void expect_period(double period_s) {
   throw Error(fmt::format("--period-s: expected 0.001 to 10 s, found {}.", period_s));
 }
 
-// Later faults of the state are said and gone on from; one that was never right is not.
-void expect_folder(const std::string& state) {
-  const std::filesystem::path folder = std::filesystem::path(state).parent_path();
-  std::error_code error;
-  if (folder.empty() || std::filesystem::is_directory(folder, error)) return;
-  throw Error(
-      fmt::format("--state: expected a file in a folder that is there, found no folder '{}'.", folder.string()));
-}
-
 std::string told(const std::string& axis, const Step& step, const Compensator& compensator) {
   if (step.reason == Reason::none) return fmt::format("{}: not held", axis);
   const bool of_column = is_about_a_column(step.offset.hold);
@@ -84,7 +75,6 @@ std::string told(const std::string& axis, const Step& step, const Compensator& c
 
 void run(const Options& options) {
   expect_period(options.period_s);
-  expect_folder(options.compensation.state);
   const std::vector<CompensatedAxis> axes = axes_of(options.compensation);
   const std::string letters = letters_of(axes);
   CompensatedAxes machine(axes, options.compensation.limits);
@@ -92,6 +82,7 @@ void run(const Options& options) {
   block_signals();
   Component component(options.name, machine.columns(), letters, options.clock_pin, options.mm_per_unit);
   for (std::size_t a = 0; a < machine.size(); ++a) component.begin_at(a, machine.axis(a).state().counts);
+  state.keep(machine, std::nullopt, 0.0);  // refused here where it cannot be written; later that is said, and no more
   component.ready();
   state.keep(machine, std::nullopt, 0.0);  // one that cannot be written is said now
   std::vector<Axis> drives(machine.size(), Axis(options.compensation.limits));

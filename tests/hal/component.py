@@ -69,6 +69,9 @@ def connect(component):
 
 
 load("ballbar")
+halcmd("unload", "ballbar")
+time.sleep(0.2)
+load("ballbar")  # with the state of one that has had no row
 connect("ballbar")
 check("ballbar", 0, 20.0, 0, "disabled")
 expect("eoffset-enable", pin("axis.z.eoffset-enable"), False)
@@ -103,7 +106,7 @@ expect("offset-um", pin("ballbar.z.offset-um"), -6.0, 1e-9)
 kill("ballbar")
 expect("counts after kill -9", pin("axis.z.eoffset-counts"), -60)
 again = subprocess.run([os.environ["BALLBAR_HAL"], "--model", "live.toml", "--to", "z"], stderr=subprocess.PIPE,
-                       text=True)
+                       text=True, timeout=10)
 expect("status of a start with the same name", again.returncode, 1)
 expect("what it says", "ballbar-hal: HAL takes no component 'ballbar': error -22; where one" in again.stderr, True)
 for name in ["counts", "scale", "enable"]:
@@ -132,11 +135,18 @@ halcmd("setp", "ballbar-2.z.applied", "0")
 check("ballbar-2", 160, 24.04, -91)
 
 # Where the state is to be written there must be a folder.
-again = subprocess.run([os.environ["BALLBAR_HAL"], "--model", "live.toml", "--to", "z", "--state", "none/z.json"],
-                       stderr=subprocess.PIPE, text=True)
+again = subprocess.run([os.environ["BALLBAR_HAL"], "--name", "none", "--model", "live.toml", "--to", "z", "--state",
+                        "none/z.json"], stderr=subprocess.PIPE, text=True, timeout=10)
 expect("status of a start without the state's folder", again.returncode, 1)
-expect("what it says", again.stderr == "ballbar-hal: --state: expected a file in a folder that is there, found no "
-       "folder 'none'.\n", True)
+expect("what it says", "none/z.json: expected a folder to write to, found: No such file" in again.stderr, True)
+
+# An offset is made of um.
+with open("live.toml") as file, open("mm.toml", "w") as mm:
+    mm.write(file.read().replace("z_um", "z_mm"))
+again = subprocess.run([os.environ["BALLBAR_HAL"], "--name", "mm", "--model", "mm.toml", "--to", "z"],
+                       stderr=subprocess.PIPE, text=True, timeout=10)
+expect("status of a start with a target in mm", again.returncode, 1)
+expect("what it says", "expected a target in um" in again.stderr, True)
 
 # In inches; and a state that can no longer be written, as on a full disk: its file may not grow beyond 100 bytes. Said
 # once, although the text has the size of the state, and not the end of the component.
