@@ -212,7 +212,7 @@ void KeptState::keep(const CompensatedAxes& machine, const std::optional<Signals
     failed_ = false;
   } catch (const Error& error) {
     if (!written_) throw;
-    if (!failed_) remark(fmt::format("{}: goes on without it", error.what()));
+    if (!failed_) remark(fmt::format("{} It goes on without.", error.what()));
     failed_ = true;
   }
 }
