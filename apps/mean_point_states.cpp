@@ -102,6 +102,7 @@ void expect_bounded(const char* option, double value, double largest, const char
 }
 
 void check_numbers(const MeanPointOptions& options) {
+  edge_of(options);
   constexpr double kLargest_ppm_per_K = 1000.0;
   if (options.start_degC) expect_bounded("--start-degC", *options.start_degC, kLargest_degC, "degC");
   for (const double min : options.min_degC) expect_bounded("--min-degC", min, kLargest_degC, "degC");

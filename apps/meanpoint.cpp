@@ -45,24 +45,23 @@ std::string value_text(double value, double sigma, int decimals) {
 std::string saturation(const std::vector<MeanPointState>& states) {
   for (const MeanPointState& state : states) {
     if (!state.from || !(state.from->image.saturated_cold || state.from->image.saturated_hot)) continue;
-    const PictureState& from = *state.from;
+    const TemperatureImage& image = state.from->image;
     const auto share = [&](std::size_t pixels) {
-      return fixed(100.0 * static_cast<double>(pixels) / static_cast<double>(from.image.used), 1);
+      return fixed(100.0 * static_cast<double>(pixels) / static_cast<double>(image.used), 1);
     };
     const std::string in = states.size() > 1 ? fmt::format(" in {}", shortened(state.name, 40)) : "";
-    if (from.image.saturated_cold && from.image.saturated_hot) {
+    if (image.saturated_cold && image.saturated_hot) {
       return fmt::format(
-          " {} % of the pixels{} have the colour of the scale's cold end and {} % that of its hot end, and may be "
-          "colder and hotter than that: neither mean nor place has a bound, so there is no sigma.",
-          share(from.image.at_cold_end), in, share(from.image.at_hot_end));
+          " {} % of the pixels{} crowd at the cold end of the scale and {} % at its hot end, and may be colder and "
+          "hotter than it reaches: the mean has no bound and the place may be another, so there is no sigma.",
+          share(image.at_cold_end), in, share(image.at_hot_end));
     }
+    const bool hot = image.saturated_hot;
     return fmt::format(
-        " {} % of the pixels{} have the colour of the scale's {} end and may be {} than that: the mean is only {} "
-        "bound, "
-        "the place may be another, so there is no sigma.",
-        share(from.image.saturated_hot ? from.image.at_hot_end : from.image.at_cold_end), in,
-        from.image.saturated_hot ? "hot" : "cold", from.image.saturated_hot ? "hotter" : "colder",
-        from.image.saturated_hot ? "a lower" : "an upper");
+        " {} % of the pixels{} crowd at the {} end of the scale and may be {} than it reaches: the mean is only {} "
+        "bound and the place may be another, so there is no sigma.",
+        share(hot ? image.at_hot_end : image.at_cold_end), in, hot ? "hot" : "cold", hot ? "hotter" : "colder",
+        hot ? "a lower" : "an upper");
   }
   return "";
 }
@@ -148,13 +147,13 @@ void print_picture(const MeanPointState& state) {
                                 box.x, box.y, box.width, box.height, share(from.image.used),
                                 share(from.image.off_scale), share(from.image.contrasting), share(from.image.at_edges),
                                 from.columns.empty_columns, from.columns.columns, from.vertical ? "rows" : "columns")));
-  fmt::print("{}", wrapped(fmt::format(
-                       "Scale: {} {} of {:.3g} degC; {}. Sigma: scatter within columns and the scale's step.",
-                       from.scale.colours.size(), from.scale.banded ? "bands" : "colours, steps", from.scale.step_degC,
-                       from.scale.banded
-                           ? "whether T goes beyond its end bands is not told"
-                           : fmt::format("{} % of the pixels used have its cold end's colour, {} % its hot end's",
-                                         of_used(from.image.at_cold_end), of_used(from.image.at_hot_end)))));
+  fmt::print("{}",
+             wrapped(fmt::format(
+                 "Scale: {} {} of {:.3g} degC; {}. Sigma: scatter within columns and the scale's step.",
+                 from.scale.colours.size(), from.scale.banded ? "bands" : "colours, steps", from.scale.step_degC,
+                 from.scale.banded ? "whether T goes beyond its end bands is not told"
+                                   : fmt::format("{} % of the pixels used are at its cold end, {} % at its hot end",
+                                                 of_used(from.image.at_cold_end), of_used(from.image.at_hot_end)))));
   fmt::print("{}",
              wrapped(fmt::format(
                  "Three areas: hot {:.1f} %, middle {:.1f} %, cold {:.1f} % of the length, each at the middle of its "
