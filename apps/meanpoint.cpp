@@ -154,14 +154,14 @@ void print_picture(const MeanPointState& state) {
                  from.scale.banded ? "whether T goes beyond its end bands is not told"
                                    : fmt::format("{} % of the pixels used are at its cold end, {} % at its hot end",
                                                  of_used(from.image.at_cold_end), of_used(from.image.at_hot_end)))));
-  fmt::print("{}",
-             wrapped(fmt::format(
-                 "Three areas: hot {:.1f} %, middle {:.1f} %, cold {:.1f} % of the length, each at the middle of its "
-                 "third of the scale, which the paper does not state; thresholds by Otsu and the triangle: red {} and "
-                 "{}, blue {} and {}. They need a scale from blue to red and have no sigma; on pictures of known "
-                 "temperature they were off by up to 25 % of the scale, Otsu alone by up to 7 %.",
-                 100.0 * areas.hot_share, 100.0 * areas.middle_share, 100.0 * areas.cold_share, areas.red_otsu,
-                 areas.red_triangle, areas.blue_otsu, areas.blue_triangle)));
+  fmt::print(
+      "{}", wrapped(fmt::format(
+                "Three areas: hot {:.1f} %, middle {:.1f} %, cold {:.1f} % of the length, each at the middle of its "
+                "third of the scale, which the paper does not state; thresholds by Otsu and the triangle: red {} and "
+                "{}, blue {} and {}. They need a scale from blue to red and have no sigma; on pictures in jet of known "
+                "temperature they were off by up to 25 % of the scale, Otsu alone by up to 7 %.",
+                100.0 * areas.hot_share, 100.0 * areas.middle_share, 100.0 * areas.cold_share, areas.red_otsu,
+                areas.red_triangle, areas.blue_otsu, areas.blue_triangle)));
 }
 
 void print_states(const Options& options, const std::vector<MeanPointState>& states, const BestPoint& best) {
