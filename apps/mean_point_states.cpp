@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/bytes.hpp"
@@ -63,20 +64,54 @@ double of_picture(const char* option, const std::vector<double>& stated, std::si
                           stated.empty() ? "none" : fmt::format("{}", stated.size())));
 }
 
-void set_points(MeanPointState& state, double common_sigma_degC, double pixel_mm) {
+// step_degC is of the scale: it is in the sigma of T at each place, but does not make crossings one.
+void set_points(MeanPointState& state, double step_degC, double pixel_mm) {
   state.mean_degC = mean_degC(state.profile);
-  const std::vector<MeanPoint> crossings = mean_points(state.profile);
-  const double sigma = sigma_at(state.profile, crossings.front().x_mm);
-  state.points = mean_points(state.profile, std::isnan(sigma) ? 0.0 : kSame * sigma);
+  state.points = mean_points(state.profile, same_degC(state.profile, state.mean_degC));
+  for (double& sigma : state.profile.sigma_degC) sigma = std::hypot(sigma, step_degC / std::sqrt(12.0));
   std::stable_sort(state.points.begin(), state.points.end(), [](const MeanPoint& a, const MeanPoint& b) {
     return std::abs(a.slope_degC_per_mm) < std::abs(b.slope_degC_per_mm);
   });
-  // sigma of xi = sigma of T over its slope, with the step of the scale, the region's edges to a pixel and the stretch
-  // over which T cannot be told from the mean.
+  // sigma of xi = sigma of T over its slope, with the region's edges to a pixel and the stretch over which T cannot be
+  // told from the mean.
   for (const MeanPoint& point : state.points) {
-    const double T = std::hypot(sigma_at(state.profile, point.x_mm), common_sigma_degC);
-    const double along = T / std::abs(point.slope_degC_per_mm);
+    const double along = sigma_at(state.profile, point.x_mm) / std::abs(point.slope_degC_per_mm);
     state.sigma_mm.push_back(std::hypot(along, pixel_mm, 0.5 * (point.to_mm - point.from_mm)));
+    state.sigma_slope_degC_per_mm.push_back(sigma_of_slope_degC_per_mm(state.profile, point));
+  }
+}
+
+// What lies beyond the scale is not known: no sigma holds.
+void take_sigmas_away(MeanPointState& state) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  state.sigma_mean_degC = kUnknown;
+  state.sigma_mm.assign(state.points.size(), kUnknown);
+  state.sigma_slope_degC_per_mm.assign(state.points.size(), kUnknown);
+  state.profile.sigma_degC.clear();
+}
+
+std::size_t edge_of(const MeanPointOptions& options) {
+  if (!options.edge_px) return ImageOptions{}.edge_px;
+  if (*options.edge_px >= 0 && *options.edge_px <= kWidestEdge_px) return static_cast<std::size_t>(*options.edge_px);
+  throw Error(fmt::format("--edge-px: expected 0 to {} pixels, found {}.", kWidestEdge_px, *options.edge_px));
+}
+
+void expect_bounded(const char* option, double value, double largest, const char* unit) {
+  if (std::abs(value) <= largest) return;
+  throw Error(fmt::format("{}: expected -{:g} to {:g} {}, found {:g}.", option, largest, largest, unit, value));
+}
+
+void check_numbers(const MeanPointOptions& options) {
+  edge_of(options);
+  constexpr double kLargest_ppm_per_K = 1000.0;
+  if (options.start_degC) expect_bounded("--start-degC", *options.start_degC, kLargest_degC, "degC");
+  for (const double min : options.min_degC) expect_bounded("--min-degC", min, kLargest_degC, "degC");
+  for (const double max : options.max_degC) expect_bounded("--max-degC", max, kLargest_degC, "degC");
+  if (options.from_mm) expect_bounded("--from-mm", *options.from_mm, kLargestPlace_mm, "mm");
+  if (options.to_mm) expect_bounded("--to-mm", *options.to_mm, kLargestPlace_mm, "mm");
+  if (!(options.expansion_ppm_per_K > 0.0 && options.expansion_ppm_per_K <= kLargest_ppm_per_K)) {
+    throw Error(fmt::format("--expansion-ppm-per-K: expected more than 0, at most {:g} ppm/K, found {:g}.",
+                            kLargest_ppm_per_K, options.expansion_ppm_per_K));
   }
 }
 
@@ -85,25 +120,25 @@ MeanPointState state_of(const MeanPointOptions& options, const std::string& path
   const double min = of_picture("--min-degC", options.min_degC, index, options.files.size());
   const double max = of_picture("--max-degC", options.max_degC, index, options.files.size());
   const std::optional<PixelBox> legend = box_of("--legend", options.legend);
-  MeanPointState state{path, {}, 0.0, 0.0, {}, {}, PictureState{}};
+  MeanPointState state{path, {}, 0.0, 0.0, {}, {}, {}, PictureState{}};
   PictureState& from = *state.from;
   from.vertical = options.vertical;
   from.picture = read_picture(bytes, path);
   const std::vector<Colour> colours = colours_of(options.colours);
   try {
     from.scale = colours.empty() ? legend_scale(from.picture, *legend, min, max) : scale_of(colours, min, max);
-    ImageOptions how{box_of("--region", options.region), legend, options.edge_px.value_or(ImageOptions{}.edge_px)};
+    ImageOptions how{box_of("--region", options.region), legend, edge_of(options)};
     from.image = temperature_image(from.picture, from.scale, how);
     from.columns =
         image_profile(from.image, from.scale, options.from_mm.value_or(0.0), *options.to_mm, options.vertical);
-    from.areas = three_areas(from.picture, from.image, min, max);
+    from.areas = three_areas(from.picture, from.image, min, max, options.vertical);
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", path, error.what()));
   }
   state.profile = from.columns.profile;
-  set_points(state, from.scale.step_degC / std::sqrt(12.0),
-             length_mm(state.profile) / static_cast<double>(from.columns.columns));
+  set_points(state, from.scale.step_degC, length_mm(state.profile) / static_cast<double>(from.columns.columns));
   state.sigma_mean_degC = from.columns.sigma_mean_degC;
+  if (from.image.saturated_cold || from.image.saturated_hot) take_sigmas_away(state);
   return state;
 }
 
@@ -120,9 +155,13 @@ std::vector<MeanPointState> states_of_table(const MeanPointOptions& options, con
   }
   std::vector<MeanPointState> states;
   for (NamedProfile& named : read_profiles(bytes, path)) {
-    MeanPointState state{std::move(named.name), std::move(named.profile), 0.0, 0.0, {}, {}, std::nullopt};
-    state.sigma_mean_degC = sigma_of_mean_degC(state.profile);
-    set_points(state, 0.0, 0.0);
+    MeanPointState state{std::move(named.name), std::move(named.profile), 0.0, 0.0, {}, {}, {}, std::nullopt};
+    try {
+      state.sigma_mean_degC = sigma_of_mean_degC(state.profile);
+      set_points(state, 0.0, 0.0);
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}: {}", path, state.name, error.what()));
+    }
     states.push_back(std::move(state));
   }
   return states;
@@ -130,7 +169,14 @@ std::vector<MeanPointState> states_of_table(const MeanPointOptions& options, con
 
 }  // namespace
 
+double same_degC(const TemperatureProfile& profile, double level_degC) {
+  const std::vector<MeanPoint> crossings = points_at(profile, level_degC);
+  if (crossings.empty() || profile.sigma_degC.empty()) return 0.0;
+  return kSame * sigma_at(profile, crossings.front().x_mm);
+}
+
 std::vector<MeanPointState> mean_point_states(const MeanPointOptions& options) {
+  check_numbers(options);
   std::vector<std::string> bytes;
   std::size_t pictures = 0;
   for (const std::string& path : options.files) {

@@ -18,7 +18,7 @@ struct MeanPointOptions {
   std::optional<double> from_mm, to_mm;
   std::vector<double> min_degC, max_degC;  // one for all pictures or one each
   std::string legend, colours, region;     // boxes as x,y,w,h; empty: not given
-  std::optional<std::size_t> edge_px;
+  std::optional<long long> edge_px;
   bool vertical = false;
   std::optional<double> start_degC;
   double expansion_ppm_per_K = 11.7;  // of steel
@@ -35,17 +35,22 @@ struct PictureState {
 };
 
 struct MeanPointState {
-  std::string name;  // the picture's file or the table's column
-  TemperatureProfile profile;
+  std::string name;            // the picture's file or the table's column
+  TemperatureProfile profile;  // its sigma of a picture with the step of the scale; none where that is saturated
   double mean_degC = 0.0;
-  double sigma_mean_degC = 0.0;      // NaN where it is not known
-  std::vector<MeanPoint> points;     // flattest first
-  std::vector<double> sigma_mm;      // of points; NaN where it is not known
-  std::optional<PictureState> from;  // of a picture
+  double sigma_mean_degC = 0.0;                 // NaN where it is not known
+  std::vector<MeanPoint> points;                // flattest first
+  std::vector<double> sigma_mm;                 // of points; NaN where it is not known
+  std::vector<double> sigma_slope_degC_per_mm;  // of points; NaN where it is not known
+  std::optional<PictureState> from;             // of a picture
 };
 
+// Two sigma of T, without what all places share, where it first is at the level: crossings between which T stays within
+// that are one point. 0 where sigma is not known or T never is at the level.
+double same_degC(const TemperatureProfile& profile, double level_degC);
+
 // Throws Error: files that cannot be read, pictures and tables together, options of a picture with a table, an option a
-// picture needs.
+// picture needs, an edge that is no number of pixels, numbers that are not finite or far beyond any machine.
 std::vector<MeanPointState> mean_point_states(const MeanPointOptions& options);
 
 }  // namespace ballbar

@@ -21,9 +21,10 @@ constexpr double kLeastStep = 6.0;         // between bands, levels of 255
 constexpr double kOneColour = 20.0;        // levels of 255
 
 void check_ends(double min_degC, double max_degC) {
-  if (std::isfinite(min_degC) && std::isfinite(max_degC) && max_degC > min_degC) return;
-  throw Error(
-      fmt::format("the scale needs a largest temperature above its least; found {} to {} degC", min_degC, max_degC));
+  if (min_degC >= -kLargest_degC && max_degC <= kLargest_degC && max_degC > min_degC) return;
+  throw Error(fmt::format(
+      "the scale needs a largest temperature above its least, both within {:g} degC of 0; found {} to {} degC",
+      kLargest_degC, min_degC, max_degC));
 }
 
 std::uint8_t median(std::vector<std::uint8_t> values) {

@@ -9,6 +9,7 @@
 namespace ballbar {
 namespace {
 
+constexpr double kShortest_mm = 0.1;       // of the region
 constexpr std::size_t kFewestPixels = 3;   // of a column
 constexpr std::size_t kFewestColumns = 8;  // and the least window
 constexpr double kShared = 8.0;            // pixels, along a column and along x, that have one error: a JPEG's block
@@ -91,8 +92,10 @@ LinePoint line_through(const std::vector<ImageColumn>& columns, std::size_t begi
 
 ImageProfile image_profile(const TemperatureImage& image, const ColourScale& scale, double from_mm, double to_mm,
                            bool vertical) {
-  if (!(std::isfinite(from_mm) && std::isfinite(to_mm) && to_mm > from_mm)) {
-    throw Error(fmt::format("the region needs an end above its start; found {} to {} mm", from_mm, to_mm));
+  if (!(from_mm >= -kLargestPlace_mm && to_mm <= kLargestPlace_mm && to_mm - from_mm >= kShortest_mm)) {
+    throw Error(fmt::format(
+        "the region needs an end {} mm or more above its start, both within {:g} mm of 0; found {} to {} mm",
+        kShortest_mm, kLargestPlace_mm, from_mm, to_mm));
   }
   const PixelBox& box = image.region;
   ImageProfile result;

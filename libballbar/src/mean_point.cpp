@@ -13,6 +13,9 @@
 namespace ballbar {
 namespace {
 
+constexpr double kLeastStep_mm = 1e-6;
+constexpr double kChord = 0.02;  // of L, to each side
+
 void check_profile(const TemperatureProfile& profile) {
   const std::size_t n = profile.x_mm.size();
   if (n < 2 || profile.degC.size() != n) {
@@ -21,13 +24,21 @@ void check_profile(const TemperatureProfile& profile) {
                     profile.degC.size()));
   }
   for (std::size_t i = 0; i < n; ++i) {
-    if (!std::isfinite(profile.x_mm[i]) || !std::isfinite(profile.degC[i])) {
-      throw Error(fmt::format("a temperature along x must be finite; found {} degC at {} mm", profile.degC[i],
-                              profile.x_mm[i]));
+    // Written so that what is not a number fails too.
+    if (!(std::abs(profile.x_mm[i]) <= kLargestPlace_mm) || !(std::abs(profile.degC[i]) <= kLargest_degC)) {
+      throw Error(
+          fmt::format("a temperature along x must be finite, within {:g} degC and {:g} mm of 0; found {} degC at {} mm",
+                      kLargest_degC, kLargestPlace_mm, profile.degC[i], profile.x_mm[i]));
     }
-    if (i > 0 && !(profile.x_mm[i] > profile.x_mm[i - 1])) {
-      throw Error(fmt::format("the places of a temperature along x must rise; found {} mm after {} mm", profile.x_mm[i],
-                              profile.x_mm[i - 1]));
+    if (i > 0 && !(profile.x_mm[i] - profile.x_mm[i - 1] >= kLeastStep_mm)) {
+      throw Error(
+          fmt::format("the places of a temperature along x must rise by at least {:g} mm; found {} mm after {} mm",
+                      kLeastStep_mm, profile.x_mm[i], profile.x_mm[i - 1]));
+    }
+    if (profile.sigma_degC.size() != n) continue;
+    if (!(profile.sigma_degC[i] >= 0.0 && profile.sigma_degC[i] <= kLargest_degC)) {
+      throw Error(fmt::format("the sigma of a temperature along x must be 0 to {:g} degC; found {} degC at {} mm",
+                              kLargest_degC, profile.sigma_degC[i], profile.x_mm[i]));
     }
   }
 }
@@ -62,14 +73,14 @@ std::vector<MeanPoint> crossings(const TemperatureProfile& profile, double level
     const double at_p = profile.degC[i - 1] - level_degC, at_q = profile.degC[i] - level_degC;
     const double slope = (at_q - at_p) / (q - p);
     if (at_p == 0.0 && at_q == 0.0) {
-      add({0.5 * (p + q), p, q, 0.0});
+      add({.x_mm = 0.5 * (p + q), .from_mm = p, .to_mm = q});
     } else if (at_p == 0.0) {
-      add({p, p, p, slope});
+      add({.x_mm = p, .from_mm = p, .to_mm = p, .slope_degC_per_mm = slope});
     } else if (at_q == 0.0) {
-      add({q, q, q, slope});
+      add({.x_mm = q, .from_mm = q, .to_mm = q, .slope_degC_per_mm = slope});
     } else if ((at_p < 0.0) != (at_q < 0.0)) {
       const double x = std::clamp(p + (q - p) * at_p / (at_p - at_q), p, q);
-      add({x, x, x, slope});
+      add({.x_mm = x, .from_mm = x, .to_mm = x, .slope_degC_per_mm = slope});
     }
   }
   return points;
@@ -85,11 +96,24 @@ double excursion(const TemperatureProfile& profile, double level_degC, double fr
   return largest;
 }
 
-double chord_slope(const TemperatureProfile& profile, double from_mm, double to_mm) {
-  const double beyond = std::max(to_mm - from_mm, 0.01 * length_mm(profile));
-  const double p = std::max(from_mm - beyond, profile.x_mm.front());
-  const double q = std::min(to_mm + beyond, profile.x_mm.back());
-  return (temperature_at(profile, q) - temperature_at(profile, p)) / (q - p);
+// The point with its chord.
+MeanPoint with_chord(const TemperatureProfile& profile, MeanPoint point) {
+  const std::vector<double>& x = profile.x_mm;
+  const double beyond = std::max(point.to_mm - point.from_mm, kChord * (x.back() - x.front()));
+  double p = point.from_mm - beyond, q = point.to_mm + beyond;
+  if (point.from_mm == point.to_mm) {
+    const auto not_before = std::lower_bound(x.begin(), x.end(), point.x_mm);
+    const auto behind = std::upper_bound(x.begin(), x.end(), point.x_mm);
+    if (not_before != x.begin()) p = std::min(p, *(not_before - 1));
+    if (behind != x.end()) q = std::max(q, *behind);
+  }
+  p = std::max(p, x.front());
+  q = std::min(q, x.back());
+  point.chord_from_mm = p;
+  point.chord_to_mm = q;
+  const bool level = point.from_mm < point.to_mm && point.slope_degC_per_mm == 0.0;
+  if (!level) point.slope_degC_per_mm = (temperature_at(profile, q) - temperature_at(profile, p)) / (q - p);
+  return point;
 }
 
 }  // namespace
@@ -121,12 +145,17 @@ double sigma_of_mean_degC(const TemperatureProfile& profile) {
   const double length = length_mm(profile);
   const std::size_t n = profile.x_mm.size();
   if (profile.sigma_degC.size() != n) return std::numeric_limits<double>::quiet_NaN();
-  double variance = 0.0;
+  double sigma = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     const double w = 0.5 * (profile.x_mm[std::min(i + 1, n - 1)] - profile.x_mm[i == 0 ? 0 : i - 1]) / length;
-    variance += w * w * profile.sigma_degC[i] * profile.sigma_degC[i];
+    sigma += w * profile.sigma_degC[i];
   }
-  return std::sqrt(variance);
+  return sigma;
+}
+
+double sigma_of_slope_degC_per_mm(const TemperatureProfile& profile, const MeanPoint& point) {
+  const double p = point.chord_from_mm, q = point.chord_to_mm;
+  return std::hypot(sigma_at(profile, p), sigma_at(profile, q)) / (q - p);
 }
 
 std::vector<MeanPoint> points_at(const TemperatureProfile& profile, double level_degC, double same_degC) {
@@ -141,8 +170,9 @@ std::vector<MeanPoint> points_at(const TemperatureProfile& profile, double level
     MeanPoint& last = points.back();
     last.to_mm = next.to_mm;
     last.x_mm = 0.5 * (last.from_mm + last.to_mm);
-    last.slope_degC_per_mm = chord_slope(profile, last.from_mm, last.to_mm);
+    last.slope_degC_per_mm = std::numeric_limits<double>::quiet_NaN();  // until it has its chord
   }
+  for (MeanPoint& point : points) point = with_chord(profile, point);
   return points;
 }
 
@@ -154,7 +184,7 @@ std::vector<MeanPoint> mean_points(const TemperatureProfile& profile, double sam
 }
 
 double misplacement_um_per_mm(const TemperatureProfile& profile, const MeanPoint& point, double expansion_ppm_per_K) {
-  return mean_point_elongation_um(expansion_ppm_per_K, length_mm(profile), std::abs(point.slope_degC_per_mm));
+  return std::abs(mean_point_elongation_um(expansion_ppm_per_K, length_mm(profile), point.slope_degC_per_mm));
 }
 
 // Between two neighbouring places of all profiles every error e_k is a straight line in x, so the sum of squares is a
@@ -187,7 +217,7 @@ BestPoint best_point(std::span<const TemperatureProfile> profiles, double expans
     for (const double e : errors) sum += e * e;
     return sum;
   };
-  BestPoint best{places.front(), 0.0, errors_at(places.front())};
+  BestPoint best{places.front(), 0.0, errors_at(places.front()), 0.0};
   std::vector<double> at_p = best.error_um;
   for (std::size_t i = 1; i < places.size(); ++i) {
     const double p = places[i - 1], q = places[i];
@@ -200,10 +230,14 @@ BestPoint best_point(std::span<const TemperatureProfile> profiles, double expans
     const double s = bb > 0.0 ? std::clamp(-ab / bb, 0.0, 1.0) : 0.0;
     const double x = p + s * (q - p);
     std::vector<double> errors = errors_at(x);
-    if (squares(errors) < squares(best.error_um)) best = {x, 0.0, std::move(errors)};
+    if (squares(errors) < squares(best.error_um)) best = {x, 0.0, std::move(errors), 0.0};
     at_p = std::move(at_q);
   }
   best.rms_um = std::sqrt(squares(best.error_um) / static_cast<double>(best.error_um.size()));
+  for (std::size_t k = 0; k < profiles.size(); ++k) {
+    const MeanPoint here = with_chord(profiles[k], {.x_mm = best.x_mm, .from_mm = best.x_mm, .to_mm = best.x_mm});
+    best.misplaced_um_per_mm = std::max(best.misplaced_um_per_mm, um_per_K[k] * std::abs(here.slope_degC_per_mm));
+  }
   return best;
 }
 

@@ -13,11 +13,14 @@
 namespace ballbar {
 namespace {
 
-constexpr double kOffScale = 40.0;        // levels of 255, luma counted twice
-constexpr int kPaper = 24;                // levels of 255 from white or black
-constexpr double kContrast = 0.1;         // of the scale's span
-constexpr std::size_t kWidestEdge = 100;  // pixels
-constexpr std::size_t kMedianReach = 3;   // pixels to each side
+constexpr double kOffScale = 40.0;       // levels of 255, luma counted twice
+constexpr int kPaper = 24;               // levels of 255 from white or black
+constexpr double kContrast = 0.1;        // of the scale's span
+constexpr std::size_t kMedianReach = 3;  // pixels to each side
+constexpr double kAtEnd = 0.01;          // of the scale's span
+constexpr double kSaturated = 0.03;      // of the pixels used
+constexpr std::size_t kSpike = 4;        // times as many as beside
+constexpr std::size_t kWidestLine = 8;   // pixels: what is apart by more is not one thing
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
 enum class Pixel : std::uint8_t { on, off_scale, contrasting, at_edge };
@@ -173,14 +176,85 @@ PixelBox bounds(const Field& field, std::size_t edge_px) {
   return {field.box.x + left, field.box.y + top, right - left + 1, bottom - top + 1};
 }
 
+struct Stretch {
+  std::size_t first = 0, last = 0;
+};
+
+// The stretches of numbers that are taken, apart by more than `gap` that are not.
+std::vector<Stretch> stretches(const std::vector<bool>& taken, std::size_t gap) {
+  std::vector<Stretch> found;
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    if (!taken[i]) continue;
+    if (found.empty() || i - found.back().last - 1 > gap) found.push_back({i, i});
+    found.back().last = i;
+  }
+  return found;
+}
+
+// A legend that was not stated, beside the spindle or below it, would pass for its end.
+void expect_one_thing(const Field& field, std::size_t edge_px) {
+  const std::size_t width = field.box.width, height = field.box.height;
+  const auto expect_one = [&](bool columns) {
+    std::vector<bool> taken(columns ? width : height);
+    for (std::size_t at = 0; at < field.state.size(); ++at) {
+      if (field.state[at] == Pixel::on) taken[columns ? at % width : at / width] = true;
+    }
+    const std::vector<Stretch> found = stretches(taken, kWidestLine + 2 * edge_px);
+    if (found.size() < 2) return;
+    std::string boxes;
+    for (const Stretch& stretch : found) {
+      if (&stretch - found.data() == 4) {
+        boxes += " and more";
+        break;
+      }
+      Field part = field;
+      for (std::size_t at = 0; at < part.state.size(); ++at) {
+        const std::size_t i = columns ? at % width : at / width;
+        if (i < stretch.first || i > stretch.last) part.state[at] = Pixel::off_scale;
+      }
+      const PixelBox box = bounds(part, edge_px);
+      boxes += fmt::format("{}{},{},{},{}", boxes.empty() ? "" : " and ", box.x, box.y, box.width, box.height);
+    }
+    throw Error(
+        fmt::format("expected one thing on the scale, found {} apart from each other: {}; state which is the "
+                    "spindle with --region, or the legend with --legend",
+                    found.size(), boxes));
+  };
+  expect_one(true);
+  expect_one(false);
+}
+
+void count_ends(TemperatureImage& image, const ColourScale& scale) {
+  // Some lines at the ends of a legend's scale have one colour: the last and the first temperature that it stands for.
+  std::size_t cold = 0, hot = scale.colours.size() - 1;
+  while (cold < hot && scale.colours[cold + 1] == scale.colours.front()) ++cold;
+  while (hot > cold && scale.colours[hot - 1] == scale.colours.back()) --hot;
+  const double margin = kAtEnd * (scale.degC.back() - scale.degC.front());
+  const double cold_wide = scale.degC[cold] - scale.degC.front() + margin;
+  const double hot_wide = scale.degC.back() - scale.degC[hot] + margin;
+  std::size_t next_cold = 0, next_hot = 0;
+  for (const double T : image.degC) {
+    const double above = T - scale.degC.front(), below = scale.degC.back() - T;  // NaN: neither
+    if (above <= cold_wide) ++image.at_cold_end;
+    if (above > cold_wide && above <= 2.0 * cold_wide) ++next_cold;
+    if (below <= hot_wide) ++image.at_hot_end;
+    if (below > hot_wide && below <= 2.0 * hot_wide) ++next_hot;
+  }
+  const auto saturated = [&](std::size_t there, std::size_t next) {
+    return static_cast<double>(there) > kSaturated * static_cast<double>(image.used) && there > kSpike * next;
+  };
+  image.saturated_cold = saturated(image.at_cold_end, next_cold);
+  image.saturated_hot = saturated(image.at_hot_end, next_hot);
+}
+
 }  // namespace
 
 TemperatureImage temperature_image(const Picture& picture, const ColourScale& scale, const ImageOptions& options) {
   const PixelBox looked_at = options.region.value_or(PixelBox{0, 0, picture.width, picture.height});
   expect_inside(picture, looked_at, "the region");
   if (options.legend) expect_inside(picture, *options.legend, "the legend");
-  if (options.edge_px > kWidestEdge) {
-    throw Error(fmt::format("the edge needs at most {} pixels; found {}", kWidestEdge, options.edge_px));
+  if (options.edge_px > static_cast<std::size_t>(kWidestEdge_px)) {
+    throw Error(fmt::format("the edge needs at most {} pixels; found {}", kWidestEdge_px, options.edge_px));
   }
   Field field = inverted(picture, scale, looked_at);
   cut_out_background(field, picture);
@@ -190,6 +264,7 @@ TemperatureImage temperature_image(const Picture& picture, const ColourScale& sc
   }
   leave_out_edges(field, options.edge_px);
   const PixelBox found = bounds(field, options.edge_px);
+  if (!options.region) expect_one_thing(field, options.edge_px);
 
   TemperatureImage image;
   image.region = options.region.value_or(found);
@@ -199,12 +274,15 @@ TemperatureImage temperature_image(const Picture& picture, const ColourScale& sc
       const std::size_t at = (box.y - looked_at.y + row) * looked_at.width + box.x - looked_at.x + column;
       const Pixel state = field.state[at];
       image.degC.push_back(state == Pixel::on ? field.degC[at] : kGap);
-      if (state == Pixel::on) ++image.used;
+      if (state == Pixel::on) {
+        ++image.used;
+      }
       if (state == Pixel::off_scale) ++image.off_scale;
       if (state == Pixel::contrasting) ++image.contrasting;
       if (state == Pixel::at_edge) ++image.at_edges;
     }
   }
+  if (!scale.banded) count_ends(image, scale);
   return image;
 }
 

@@ -6,14 +6,13 @@
 namespace ballbar {
 namespace {
 
-struct AreaCounts {
-  std::size_t hot = 0, middle = 0, cold = 0;  // S1, S2, S3
+struct AreaLengths {
+  double S1 = 0.0, S2 = 0.0, S3 = 0.0;
 
-  void add(Area area) { ++(area == Area::hot ? hot : area == Area::middle ? middle : cold); }
-
+  void add(Area area, double length) { (area == Area::hot ? S1 : area == Area::middle ? S2 : S3) += length; }
+  double sum() const { return S1 + S2 + S3; }
   double mean_degC(double min_degC, double max_degC) const {
-    const auto S1 = static_cast<double>(hot), S2 = static_cast<double>(middle), S3 = static_cast<double>(cold);
-    return min_degC + (max_degC - min_degC) * (5.0 * S1 + 3.0 * S2 + S3) / (6.0 * (S1 + S2 + S3));
+    return min_degC + (max_degC - min_degC) * (5.0 * S1 + 3.0 * S2 + S3) / (6.0 * sum());
   }
 };
 
@@ -73,7 +72,8 @@ int triangle_threshold(const Histogram& histogram) {
   return static_cast<int>(mirrored ? kLast - threshold : threshold);
 }
 
-ThreeAreas three_areas(const Picture& picture, const TemperatureImage& image, double min_degC, double max_degC) {
+ThreeAreas three_areas(const Picture& picture, const TemperatureImage& image, double min_degC, double max_degC,
+                       bool vertical) {
   Histogram red{}, blue{};
   const PixelBox& box = image.region;
   const auto each = [&](auto&& visit) {
@@ -84,9 +84,12 @@ ThreeAreas three_areas(const Picture& picture, const TemperatureImage& image, do
       }
     }
   };
-  each([&](std::size_t, const Colour& colour) {
+  std::vector<std::size_t> pixels(vertical ? box.height : box.width);  // of each column
+  const auto column_of = [&](std::size_t at) { return vertical ? at / box.width : at % box.width; };
+  each([&](std::size_t at, const Colour& colour) {
     ++red[colour[0]];
     ++blue[colour[2]];
+    ++pixels[column_of(at)];
   });
   ThreeAreas result;
   result.red_otsu = otsu_threshold(red);
@@ -97,16 +100,19 @@ ThreeAreas three_areas(const Picture& picture, const TemperatureImage& image, do
     return colour[0] > red_above ? Area::hot : colour[2] <= blue_up_to ? Area::middle : Area::cold;
   };
   result.areas.assign(image.degC.size(), Area::none);
-  AreaCounts both, otsu;
+  AreaLengths both, otsu;
   each([&](std::size_t at, const Colour& colour) {
-    result.areas[at] = area_of(colour, std::min(result.red_otsu, result.red_triangle),
-                               std::max(result.blue_otsu, result.blue_triangle));
-    both.add(result.areas[at]);
-    otsu.add(area_of(colour, result.red_otsu, result.blue_otsu));
+    const Area area = area_of(colour, std::min(result.red_otsu, result.red_triangle),
+                              std::max(result.blue_otsu, result.blue_triangle));
+    result.areas[at] = area;
+    ++(area == Area::hot ? result.hot : area == Area::middle ? result.middle : result.cold);
+    const double length = 1.0 / static_cast<double>(pixels[column_of(at)]);
+    both.add(area, length);
+    otsu.add(area_of(colour, result.red_otsu, result.blue_otsu), length);
   });
-  result.hot = both.hot;
-  result.middle = both.middle;
-  result.cold = both.cold;
+  result.hot_share = both.S1 / both.sum();
+  result.middle_share = both.S2 / both.sum();
+  result.cold_share = both.S3 / both.sum();
   result.mean_degC = both.mean_degC(min_degC, max_degC);
   result.otsu_mean_degC = otsu.mean_degC(min_degC, max_degC);
   return result;

@@ -21,6 +21,8 @@ constexpr std::uint32_t kSeeds = 3;
 struct Largest {
   double mean = 0.0, three_areas = 0.0, otsu = 0.0;  // of the span
   double xi_mm = 0.0;
+  double slope_degC_per_mm = 0.0;  // at the mean-value points
+  double slope_sigmas = 0.0;       // the same over its sigma, which has the step of the scale in it
 };
 
 // How far the nearest point found is from each true one; points at which T hardly changes (0.02 degC/mm: 0.1 degC move
@@ -36,6 +38,21 @@ double xi_error_mm(const TemperatureProfile& truth, const TemperatureProfile& fo
   return largest;
 }
 
+// The slope at the point found nearest to each true one, where T changes that much.
+void raise_slopes(Largest& largest, const TemperatureProfile& truth, TemperatureProfile found, double step_degC) {
+  for (double& sigma : found.sigma_degC) sigma = std::hypot(sigma, step_degC / std::sqrt(12.0));
+  const std::vector<MeanPoint> points = mean_points(found);
+  for (const MeanPoint& point : mean_points(truth)) {
+    if (std::abs(point.slope_degC_per_mm) < 0.02) continue;
+    const auto nearest = std::min_element(points.begin(), points.end(), [&](const MeanPoint& a, const MeanPoint& b) {
+      return std::abs(a.x_mm - point.x_mm) < std::abs(b.x_mm - point.x_mm);
+    });
+    const double error = std::abs(nearest->slope_degC_per_mm - point.slope_degC_per_mm);
+    largest.slope_degC_per_mm = std::max(largest.slope_degC_per_mm, error);
+    largest.slope_sigmas = std::max(largest.slope_sigmas, error / sigma_of_slope_degC_per_mm(found, *nearest));
+  }
+}
+
 Largest errors(const char* colours, bool by_legend, std::size_t bands) {
   Largest largest;
   for (int shape = 0; shape < kShapes; ++shape) {
@@ -49,7 +66,7 @@ Largest errors(const char* colours, bool by_legend, std::size_t bands) {
       options.legend = kLegendBox;
       const TemperatureImage image = temperature_image(picture, scale, options);
       const ImageProfile found = image_profile(image, scale, 0.0, kShaft_mm, false);
-      const ThreeAreas areas = three_areas(picture, image, kLow_degC, kHigh_degC);
+      const ThreeAreas areas = three_areas(picture, image, kLow_degC, kHigh_degC, false);
       const double mean = mean_degC(truth);
       const auto raise = [&](double& value, double found_degC) {
         value = std::max(value, std::abs(found_degC - mean) / kSpan_degC);
@@ -58,22 +75,28 @@ Largest errors(const char* colours, bool by_legend, std::size_t bands) {
       raise(largest.three_areas, areas.mean_degC);
       raise(largest.otsu, areas.otsu_mean_degC);
       largest.xi_mm = std::max(largest.xi_mm, xi_error_mm(truth, found.profile));
+      raise_slopes(largest, truth, found.profile, scale.step_degC);
     }
   }
   fmt::print(
-      "{:8} {:6} {:2} bands: mean {:.2f} %, xi {:.2f} mm; three areas {:.1f} %, Otsu alone {:.1f} % of the span\n",
-      colours, by_legend ? "legend" : "map", bands, 100.0 * largest.mean, largest.xi_mm, 100.0 * largest.three_areas,
-      100.0 * largest.otsu);
+      "{:8} {:6} {:2} bands: mean {:.2f} %, xi {:.2f} mm, slope {:.4f} degC/mm, {:.1f} sigma; three areas {:.1f} %, "
+      "Otsu alone "
+      "{:.1f} % of the span\n",
+      colours, by_legend ? "legend" : "map", bands, 100.0 * largest.mean, largest.xi_mm, largest.slope_degC_per_mm,
+      largest.slope_sigmas, 100.0 * largest.three_areas, 100.0 * largest.otsu);
   return largest;
 }
 
-// Asked: mean within 1 % of the span, xi within 2 mm on 330 mm.
+// Asked: mean within 1 % of the span, xi within 2 mm on 330 mm. The slope there is within 0.013 degC/mm (viridis; the
+// others 0.009), and within 3 of its sigma.
 TEST(meanpoint_accuracy, inversion_of_smooth_scales) {
   for (const bool by_legend : {false, true}) {
     for (const char* colours : {"jet", "viridis", "inferno", "turbo", "gray", "hot"}) {
       const Largest largest = errors(colours, by_legend, 0);
       EXPECT_LT(largest.mean, 0.01) << colours;
       EXPECT_LT(largest.xi_mm, 2.0) << colours;
+      EXPECT_LT(largest.slope_degC_per_mm, 0.013) << colours;
+      EXPECT_LT(largest.slope_sigmas, 3.0) << colours;
     }
   }
 }
@@ -93,14 +116,20 @@ TEST(meanpoint_accuracy, inversion_of_banded_scales) {
   }
 }
 
-// The paper's way, for the scale it is made for: 20 to 25 % of the span by both thresholds together, for the triangle
-// takes all red above nearly nothing as hot; 9 to 10 % by Otsu's alone.
+// The paper's way, for the scale it is made for: 21 % of the span by both thresholds together (in 9 bands 25 %), for
+// the triangle takes all red above nearly nothing as hot; 4 % by Otsu's alone (7 % in 9 bands). By pixels instead of
+// lengths Otsu's would be 9 to 10 %.
 TEST(meanpoint_accuracy, three_areas_are_coarse) {
   const Largest largest = errors("jet", true, 0);
   EXPECT_GT(largest.three_areas, 0.20);
-  EXPECT_LT(largest.three_areas, 0.25);
-  EXPECT_GT(largest.otsu, 0.085);
-  EXPECT_LT(largest.otsu, 0.105);
+  EXPECT_LT(largest.three_areas, 0.22);
+  EXPECT_GT(largest.otsu, 0.035);
+  EXPECT_LT(largest.otsu, 0.05);
+  const Largest bands = errors("jet", true, 9);
+  EXPECT_GT(bands.three_areas, 0.235);
+  EXPECT_LT(bands.three_areas, 0.25);
+  EXPECT_GT(bands.otsu, 0.06);
+  EXPECT_LT(bands.otsu, 0.07);
 }
 
 // Histograms as pictures: of one, few, many levels; humps; comb; the thresholds of OpenCV on a picture of them.

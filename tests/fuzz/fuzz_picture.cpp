@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const ballbar::ImageProfile columns = ballbar::image_profile(image, scale, 0.0, 1.0, false);
     const double mean = ballbar::mean_degC(columns.profile);
     if (ballbar::mean_points(columns.profile).empty() || !(mean > -1000.0 && mean < 1000.0)) std::abort();
-    ballbar::three_areas(picture, image, 20.0, 50.0);
+    ballbar::three_areas(picture, image, 20.0, 50.0, false);
   } catch (const ballbar::Error&) {
   }
   return 0;

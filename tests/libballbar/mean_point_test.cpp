@@ -55,9 +55,9 @@ TEST(mean_point, weights_by_length) {
   EXPECT_DOUBLE_EQ(mean_degC(profile), 35.0);
 }
 
-// Weights 5, 50 and 45 of 100 mm: sigma^2 = (0.05 * 0.2)^2 + (0.5 * 0.1)^2 + (0.45 * 0.4)^2 = 0.035.
+// Weights 5, 50 and 45 of 100 mm: sigma = 0.05 * 0.2 + 0.5 * 0.1 + 0.45 * 0.4 = 0.24.
 TEST(mean_point, sigma_of_the_mean) {
-  EXPECT_NEAR(sigma_of_mean_degC({{0, 10, 100}, {30, 40, 30}, {0.2, 0.1, 0.4}}), std::sqrt(0.035), 1e-12);
+  EXPECT_NEAR(sigma_of_mean_degC({{0, 10, 100}, {30, 40, 30}, {0.2, 0.1, 0.4}}), 0.24, 1e-12);
   EXPECT_TRUE(std::isnan(sigma_of_mean_degC({{0, 10, 100}, {30, 40, 30}, {}})));
 }
 
@@ -92,6 +92,37 @@ TEST(mean_point, crossings_within_the_scatter_are_one) {
   EXPECT_NEAR(points[0].slope_degC_per_mm, -0.0607, 1e-4);
 }
 
+// T = 40 - x / 10 over 100 mm in steps of 1 mm, but 0.04 too low at 50 and 0.04 too high at 51 mm: between those two
+// it falls by 0.02 only, over 48 to 52.x mm as it should. The point is where 34.96 - 0.02 (x - 50) and its neighbours
+// are the mean 35: on 49 to 50 mm, from 35.1 by -0.14, at 49 + 0.1 / 0.14 = 49.714. p, q = 2 mm to each side, T(p) =
+// 40 - 4.7714, T(q) on 51 to 52, from 34.94 by -0.14: 34.94 - 0.14 * 0.7143 = 34.84. Slope (34.84 - 35.22857) / 4 =
+// -0.09714. Sigma 0.1 everywhere: hypot(0.1, 0.1) / 4 = 0.035355.
+TEST(mean_point, slope_is_not_that_of_two_neighbours) {
+  TemperatureProfile profile;
+  for (int i = 0; i <= 100; ++i) {
+    profile.x_mm.push_back(i);
+    profile.degC.push_back(40.0 - 0.1 * i);
+    profile.sigma_degC.push_back(0.1);
+  }
+  profile.degC[50] -= 0.04;
+  profile.degC[51] += 0.04;
+  const auto points = mean_points(profile);
+  ASSERT_FALSE(points.empty());
+  EXPECT_NEAR(points[0].x_mm, 49.0 + 0.1 / 0.14, 1e-9);
+  EXPECT_NEAR(points[0].slope_degC_per_mm, -0.0971429, 1e-6);
+  EXPECT_NEAR(sigma_of_slope_degC_per_mm(profile, points[0]), 0.0353553, 1e-6);
+}
+
+// Samples 50 mm apart: their own line, (45 - 25) / 100 mm, sigma hypot(0.3, 0.4) / 100 = 0.005.
+TEST(mean_point, slope_of_far_samples_is_that_of_their_line) {
+  const TemperatureProfile profile{{0, 100}, {25, 45}, {0.3, 0.4}};
+  const auto points = mean_points(profile);
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_DOUBLE_EQ(points[0].slope_degC_per_mm, 0.2);
+  EXPECT_DOUBLE_EQ(sigma_of_slope_degC_per_mm(profile, points[0]), 0.005);
+  EXPECT_TRUE(std::isnan(sigma_of_slope_degC_per_mm({{0, 100}, {25, 45}, {}}, points[0])));
+}
+
 TEST(mean_point, the_integral_mean_value_theorem_holds) {
   const TemperatureProfile profile{{0, 3, 7, 20, 31}, {25, 48, 31, 39, 22}, {}};
   const auto points = mean_points(profile);
@@ -105,7 +136,8 @@ TEST(mean_point, the_integral_mean_value_theorem_holds) {
 
 // Lines 40 - x/10 (mean point 50) and 50 - x/5 over 0 to 100 with a kink to be off: the second falls 40 to 20 over the
 // first 50 mm and stays; mean 25, at 37.5. alpha L = 1 um/K. Errors e1 = (50 - x)/10, e2 = 0.4 (37.5 - x) up to 50 mm:
-// least sum of squares at x = (0.01 * 50 + 0.16 * 37.5) / 0.17 = 38.2353, e1 = 1.17647, e2 = -0.294118.
+// least sum of squares at x = (0.01 * 50 + 0.16 * 37.5) / 0.17 = 38.2353, e1 = 1.17647, e2 = -0.294118. The steeper
+// slope there is -0.4 degC/mm: 0.4 um/mm.
 TEST(best_point, weighs_the_steeper_state_more) {
   const std::vector<TemperatureProfile> states{{{0, 100}, {40, 30}, {}}, {{0, 50, 100}, {40, 20, 20}, {}}};
   const BestPoint best = best_point(states, 10.0);
@@ -113,6 +145,7 @@ TEST(best_point, weighs_the_steeper_state_more) {
   ASSERT_EQ(best.error_um.size(), 2u);
   EXPECT_NEAR(best.error_um[0], 5.0 - 0.65 / 0.17, 1e-12);
   EXPECT_NEAR(best.error_um[1], 15.0 - 2.6 / 0.17, 1e-12);
+  EXPECT_NEAR(best.misplaced_um_per_mm, 0.4, 1e-12);
   EXPECT_NEAR(best.rms_um, std::sqrt(0.5 * (1.1764706 * 1.1764706 + 0.2941176 * 0.2941176)), 1e-6);
 }
 
@@ -128,8 +161,18 @@ TEST(mean_point, bad_profiles_and_what_is_said) {
       {{{1}, {2}, {}}, "a temperature along x needs at least two places and as many temperatures; there are 1 and 1"},
       {{{1, 2}, {2}, {}},
        "a temperature along x needs at least two places and as many temperatures; there are 2 and 1"},
-      {{{1, 1}, {2, 3}, {}}, "the places of a temperature along x must rise; found 1 mm after 1 mm"},
-      {{{1, 2}, {2, NAN}, {}}, "a temperature along x must be finite; found nan degC at 2 mm"}};
+      {{{1, 1}, {2, 3}, {}},
+       "the places of a temperature along x must rise by at least 1e-06 mm; found 1 mm after 1 mm"},
+      {{{1, 2}, {2, NAN}, {}},
+       "a temperature along x must be finite, within 1e+06 degC and 1e+06 mm of 0; found nan degC at 2 mm"},
+      {{{-1e308, 1e308}, {1, 2}, {}},
+       "a temperature along x must be finite, within 1e+06 degC and 1e+06 mm of 0; found 1 degC at -1e+308 mm"},
+      {{{1, 2}, {2, 1e308}, {}},
+       "a temperature along x must be finite, within 1e+06 degC and 1e+06 mm of 0; found 1e+308 degC at 2 mm"},
+      {{{0, 1e-320}, {1, 2}, {}},
+       "the places of a temperature along x must rise by at least 1e-06 mm; found 1e-320 mm after 0 mm"},
+      {{{1, 2}, {2, 3}, {0.1, 1e308}},
+       "the sigma of a temperature along x must be 0 to 1e+06 degC; found 1e+308 degC at 2 mm"}};
   for (const auto& [profile, message] : table) {
     try {
       mean_degC(profile);

@@ -1,5 +1,6 @@
 #include "ballbar/temperature_image.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -190,14 +191,112 @@ TEST(temperature_image, what_cannot_be_and_what_is_said) {
   EXPECT_EQ(said([] {
               scale_of({{0, 0, 0}, {1, 1, 1}}, 5.0, 5.0);
             }),
-            "the scale needs a largest temperature above its least; found 5 to 5 degC");
+            "the scale needs a largest temperature above its least, both within 1e+06 degC of 0; found 5 to 5 degC");
+  EXPECT_EQ(
+      said([&] {
+        scale_of({{0, 0, 0}, {1, 1, 1}}, 0.0, 1e308);
+      }),
+      "the scale needs a largest temperature above its least, both within 1e+06 degC of 0; found 0 to 1e+308 degC");
   const Picture blue = filled(30, 20, {0, 0, 255});
   const TemperatureImage image = temperature_image(blue, three_colours(), {});
   EXPECT_EQ(said([&] { image_profile(image, three_colours(), 5.0, 5.0, false); }),
-            "the region needs an end above its start; found 5 to 5 mm");
+            "the region needs an end 0.1 mm or more above its start, both within 1e+06 mm of 0; found 5 to 5 mm");
+  EXPECT_EQ(said([&] { image_profile(image, three_colours(), 0.0, 1e308, false); }),
+            "the region needs an end 0.1 mm or more above its start, both within 1e+06 mm of 0; found 0 to 1e+308 mm");
   TemperatureImage narrow{{0, 0, 7, 5}, std::vector<double>(35, 20.0), 35, 0, 0, 0};
   EXPECT_EQ(said([&] { image_profile(narrow, three_colours(), 0.0, 5.0, false); }),
             "the region needs at least 8 columns with 3 pixels on the scale; found 7");
+}
+
+// A shaft of 40 by 20 pixels and, 20 pixels further, a legend of 10 by 20 with the scale's colours: their boxes, with
+// the edge, are what was painted.
+TEST(temperature_image, a_legend_that_was_not_stated_is_no_part_of_the_spindle) {
+  Picture across = filled(100, 40, {128, 128, 128}), down = filled(40, 100, {128, 128, 128});
+  for (std::size_t y = 10; y < 30; ++y) {
+    for (std::size_t x = 10; x < 80; ++x) {
+      if (x >= 50 && x < 70) continue;
+      paint(across, x, y, {0, 255, 0});
+      paint(down, y, x, {0, 255, 0});
+    }
+  }
+  const auto said = [](const Picture& picture, const ImageOptions& options) -> std::string {
+    try {
+      const PixelBox box = temperature_image(picture, three_colours(), options).region;
+      return fmt::format("{},{},{},{}", box.x, box.y, box.width, box.height);
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(said(across, {}),
+            "expected one thing on the scale, found 2 apart from each other: 10,10,40,20 and 70,10,10,20; state which "
+            "is the spindle with --region, or the legend with --legend");
+  EXPECT_EQ(said(down, {}),
+            "expected one thing on the scale, found 2 apart from each other: 10,10,20,40 and 10,70,20,10; state which "
+            "is the spindle with --region, or the legend with --legend");
+  ImageOptions options;
+  options.legend = PixelBox{70, 10, 10, 20};
+  EXPECT_EQ(said(across, options), "10,10,40,20");
+  options = {};
+  options.region = PixelBox{5, 5, 90, 30};
+  EXPECT_EQ(said(across, options), "5,5,90,30");
+}
+
+// 40 columns of 12 pixels: 10 red, 20 half way from blue to green, 10 blue; the ends are counted.
+TEST(temperature_image, pixels_at_the_ends_of_the_scale_are_counted) {
+  Picture picture = filled(40, 12, {0, 128, 127});
+  for (std::size_t y = 0; y < 12; ++y) {
+    for (std::size_t x = 0; x < 10; ++x) paint(picture, x, y, {255, 0, 0});
+    for (std::size_t x = 30; x < 40; ++x) paint(picture, x, y, {0, 0, 255});
+  }
+  ImageOptions options;
+  options.edge_px = 0;
+  const TemperatureImage image = temperature_image(picture, three_colours(), options);
+  EXPECT_EQ(image.at_hot_end, 120u);
+  EXPECT_EQ(image.at_cold_end, 120u);
+  EXPECT_TRUE(image.saturated_hot && image.saturated_cold);
+  ColourScale banded = three_colours();
+  banded.banded = true;
+  options.region = PixelBox{0, 0, 40, 12};  // half way is off a banded scale
+  EXPECT_EQ(temperature_image(picture, banded, options).at_hot_end, 0u);
+}
+
+// A field whose own ends are those of the scale is not saturated: columns of T = 50 + 50 sin, flat at both ends. At
+// least a hundredth of the scale from them there is acos(0.98) / pi = 6.4 % of the pixels each, 2.6 % in the next.
+TEST(temperature_image, a_flat_end_of_the_field_is_not_an_end_of_the_scale) {
+  const auto painted = [](double largest_degC) {
+    Picture picture = filled(400, 8, {0, 0, 0});
+    for (std::size_t x = 0; x < 400; ++x) {
+      const double T =
+          std::min(largest_degC, 50.0 + 50.0 * std::sin(2.0 * std::acos(-1.0) * static_cast<double>(x) / 400.0));
+      const double green = T < 50.0 ? 5.1 * T : 5.1 * (100.0 - T);
+      const auto g = static_cast<std::uint8_t>(green + 0.5);
+      const auto rest = static_cast<std::uint8_t>(255 - g);
+      for (std::size_t y = 0; y < 8; ++y) paint(picture, x, y, T < 50.0 ? Colour{0, g, rest} : Colour{rest, g, 0});
+    }
+    return picture;
+  };
+  ImageOptions options;
+  options.edge_px = 0;
+  const TemperatureImage whole = temperature_image(painted(100.0), three_colours(), options);
+  EXPECT_NEAR(static_cast<double>(whole.at_hot_end), 0.064 * 3200, 40);
+  EXPECT_NEAR(static_cast<double>(whole.at_cold_end), 0.064 * 3200, 40);
+  EXPECT_FALSE(whole.saturated_hot);
+  EXPECT_FALSE(whole.saturated_cold);
+  // The same where the scale ends at 80 degC: acos(0.6) / pi = 29.5 % are there, 1.3 % in the next hundredth.
+  const ColourScale short_scale{{{0, 0, 255}, {0, 255, 0}, {153, 102, 0}}, {0.0, 50.0, 80.0}, false, 40.0};
+  const TemperatureImage cut = temperature_image(painted(80.0), short_scale, options);
+  EXPECT_TRUE(cut.saturated_hot);
+  EXPECT_FALSE(cut.saturated_cold);
+}
+
+// The lines at the end of a legend's scale have one colour: the nearest of them may be the first or the last.
+TEST(temperature_image, ends_of_a_legend_are_several_lines) {
+  const Colour blue{0, 0, 255}, red{255, 0, 0};
+  const ColourScale scale = scale_of({blue, blue, {0, 255, 0}, red, red}, 0.0, 40.0);
+  const TemperatureImage hot = temperature_image(filled(20, 20, red), scale, {});
+  EXPECT_EQ(hot.at_hot_end, 400u);
+  EXPECT_EQ(hot.at_cold_end, 0u);
+  EXPECT_EQ(temperature_image(filled(20, 20, blue), scale, {}).at_cold_end, 400u);
 }
 
 // Eq. 22 to 28 on a picture of 4 levels, 10 pixels: levels 0, 1, 2, 3 with 4, 3, 1, 2 pixels; mG = (3 + 2 + 6) / 10
@@ -236,7 +335,7 @@ TEST(three_areas, twelve_pixels_by_hand) {
   for (std::size_t x = 0; x < 3; ++x) paint(picture, x, 0, {255, 0, 0});
   for (std::size_t x = 3; x < 7; ++x) paint(picture, x, 0, {0, 255, 0});
   const TemperatureImage image{{0, 0, 12, 1}, std::vector<double>(12, 30.0), 12, 0, 0, 0};
-  const ThreeAreas areas = three_areas(picture, image, 0.0, 60.0);
+  const ThreeAreas areas = three_areas(picture, image, 0.0, 60.0, false);
   EXPECT_EQ(areas.red_otsu, 0);
   EXPECT_EQ(areas.red_triangle, 2);
   EXPECT_EQ(areas.blue_otsu, 0);
@@ -246,6 +345,27 @@ TEST(three_areas, twelve_pixels_by_hand) {
   EXPECT_EQ(areas.cold, 5u);
   EXPECT_NEAR(areas.mean_degC, 60.0 * 32.0 / 72.0, 1e-12);
   EXPECT_NEAR(areas.otsu_mean_degC, areas.mean_degC, 1e-12);
+}
+
+// A stepped shaft, two columns: red over 3 pixels, blue over 1; not used: the rest. By length half is hot, half cold:
+// 0 + 60 (5 * 1/2 + 1/2) / 6 = 30. By pixels it would be 60 (5 * 3 + 1) / 24 = 40. The same turned.
+TEST(three_areas, a_thick_part_weighs_as_a_thin_one) {
+  const Colour red{255, 0, 0}, blue{0, 0, 255};
+  Picture across = filled(2, 3, red), down = filled(3, 2, red);
+  paint(across, 1, 1, blue);
+  paint(down, 1, 1, blue);
+  const TemperatureImage of_across{{0, 0, 2, 3}, {50.0, NAN, 50.0, 10.0, 50.0, NAN}, 4, 2};
+  const TemperatureImage of_down{{0, 0, 3, 2}, {50.0, 50.0, 50.0, NAN, 10.0, NAN}, 4, 2};
+  for (const ThreeAreas& areas :
+       {three_areas(across, of_across, 0.0, 60.0, false), three_areas(down, of_down, 0.0, 60.0, true)}) {
+    EXPECT_EQ(areas.hot, 3u);
+    EXPECT_EQ(areas.cold, 1u);
+    EXPECT_DOUBLE_EQ(areas.hot_share, 0.5);
+    EXPECT_DOUBLE_EQ(areas.middle_share, 0.0);
+    EXPECT_DOUBLE_EQ(areas.cold_share, 0.5);
+    EXPECT_NEAR(areas.mean_degC, 30.0, 1e-12);
+    EXPECT_NEAR(areas.otsu_mean_degC, 30.0, 1e-12);
+  }
 }
 
 }  // namespace

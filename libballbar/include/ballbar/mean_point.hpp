@@ -17,10 +17,12 @@
 
 namespace ballbar {
 
+inline constexpr double kLargestPlace_mm = 1e6, kLargest_degC = 1e6;  // either side of 0: far beyond any machine
+
 struct TemperatureProfile {
-  std::vector<double> x_mm;        // n >= 2, rising
-  std::vector<double> degC;        // n
-  std::vector<double> sigma_degC;  // n, of each alone; empty where it is not known
+  std::vector<double> x_mm;        // n >= 2, rising by at least 1e-6 mm, within kLargestPlace_mm
+  std::vector<double> degC;        // n, within kLargest_degC
+  std::vector<double> sigma_degC;  // n, 0 to kLargest_degC, of each alone; empty where it is not known
 };
 
 double length_mm(const TemperatureProfile& profile);
@@ -32,21 +34,28 @@ double sigma_at(const TemperatureProfile& profile, double x_mm);  // NaN where i
 // (1 / L) integral of T dx.
 double mean_degC(const TemperatureProfile& profile);
 
-// Its standard uncertainty where those of the samples are independent: the root of sum w_i^2 sigma_i^2, w_i the half of
-// what lies between the neighbours of x_i over L. NaN where they are not known.
+// Its standard uncertainty where all samples err alike, the most that it can be: sum w_i sigma_i, w_i the half of what
+// lies between the neighbours of x_i over L. What errs alike - one scale, one camera, one reference - does not shrink
+// with the number of samples; of n that err independently it is about 1 / root n of this. NaN where not known.
 double sigma_of_mean_degC(const TemperatureProfile& profile);
 
 // T equals the level. from_mm = x_mm = to_mm where it crosses; where it stays at the level, x_mm is the middle.
+//
+// The slope is that of the chord (T(q) - T(p)) / (q - p), for the difference of neighbours is mostly their scatter: p
+// and q are 2 % of L before and behind, or the samples on both sides where those are farther; for several crossings as
+// one, the stretch and as much again at both sides if that is more. It is 0 where T stays at the level. Its sigma is
+// hypot(sigma(p), sigma(q)) / (q - p); NaN where that of T is not known.
 struct MeanPoint {
   double x_mm = 0.0;
   double from_mm = 0.0, to_mm = 0.0;
-  double slope_degC_per_mm = 0.0;  // of T there
+  double slope_degC_per_mm = 0.0;
+  double chord_from_mm = 0.0, chord_to_mm = 0.0;  // p, q
 };
+double sigma_of_slope_degC_per_mm(const TemperatureProfile& profile, const MeanPoint& point);
 
 // All points where T is the level, in rising order. Crossings between which T stays within same_degC (>= 0) of the
-// level are one point: so many crossings of a curve with scatter are one. Its slope is that of the chord over the
-// stretch and as much again at both sides, at least 1 % of L; the slope of a single crossing that of its straight line.
-// The mean has at least one point. These and those below throw Error for a profile that is not as above, or not finite.
+// level are one point: so many crossings of a curve with scatter are one. The mean has at least one point. These and
+// those below throw Error for a profile that is not as above, or not finite.
 std::vector<MeanPoint> points_at(const TemperatureProfile& profile, double level_degC, double same_degC = 0.0);
 std::vector<MeanPoint> mean_points(const TemperatureProfile& profile, double same_degC = 0.0);
 
@@ -58,7 +67,8 @@ double misplacement_um_per_mm(const TemperatureProfile& profile, const MeanPoint
 struct BestPoint {
   double x_mm = 0.0;
   double rms_um = 0.0;
-  std::vector<double> error_um;  // one a profile: what a sensor at x tells less the elongation that is
+  std::vector<double> error_um;      // one a profile: what a sensor at x tells less the elongation that is
+  double misplaced_um_per_mm = 0.0;  // the largest alpha L_k |dT_k/dx| at x, slopes of chords as above
 };
 BestPoint best_point(std::span<const TemperatureProfile> profiles, double expansion_ppm_per_K);
 

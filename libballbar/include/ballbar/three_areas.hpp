@@ -1,18 +1,21 @@
 // Mean temperature of a picture by the paper's three areas: hot, middle and cold by thresholds of the red and the blue
-// channel, each area at one temperature, weighted by its pixels.
+// channel, each area at one temperature. The paper's spindle is a rectangle, whose areas over its height are lengths;
+// so that a thick part of a stepped shaft weighs no more than a thin one, each pixel counts 1 / the pixels of its
+// column.
 //
 //   S1       hot              red above its threshold
 //   S1 + S2  hot and middle   hot, or blue not above its threshold
 //   S3       cold             the rest
-//   mean     (S1 T1 + S2 T2 + S3 T3) / (S1 + S2 + S3)
+//   mean     (S1 T1 + S2 T2 + S3 T3) / (S1 + S2 + S3),   S the sum of 1 / (pixels used of the column) over the area
 //
 // Each threshold is that of the triangle and that of Otsu used together, the union of what they select: the lower one
 // for "above", the higher one for "not above". The paper does not state the temperature of an area; here it is the
 // middle of its third of the scale: T3, T2, T1 = min + (1/6, 3/6, 5/6) (max - min).
 //
 // For scales from blue over green to red only, such as jet; for others the areas mean nothing. Accuracy: coarse even
-// there, several percent of the scale (tests/formats/meanpoint_accuracy_test.cpp holds its error); the inversion of
-// temperature_image.hpp is the better way.
+// there. On painted shafts of known temperature in jet it is off by up to 25 % of the scale's span, by Otsu's
+// thresholds alone up to 7 % (tests/formats/meanpoint_accuracy_test.cpp); the inversion of temperature_image.hpp is the
+// better way.
 //
 // Source: Huang, Li, Zhao 2022, doi 10.19650/j.cnki.cjsi.J2209226, section 3.2, eq. 22 to 28, fig. 10.
 #pragma once
@@ -43,13 +46,16 @@ enum class Area : std::uint8_t { none, cold, middle, hot };  // none: a pixel th
 
 struct ThreeAreas {
   int red_otsu = 0, red_triangle = 0, blue_otsu = 0, blue_triangle = 0;
-  std::size_t hot = 0, middle = 0, cold = 0;  // S1, S2, S3 in pixels
+  std::size_t hot = 0, middle = 0, cold = 0;                     // pixels
+  double hot_share = 0.0, middle_share = 0.0, cold_share = 0.0;  // S1, S2, S3 over their sum
   double mean_degC = 0.0;
   double otsu_mean_degC = 0.0;  // the same by Otsu's thresholds alone
   std::vector<Area> areas;      // of the region's pixels, row by row
 };
 
-// Of the pixels that `image` uses, in its region of `picture`, of which it must be made.
-ThreeAreas three_areas(const Picture& picture, const TemperatureImage& image, double min_degC, double max_degC);
+// Of the pixels that `image` uses, in its region of `picture`, of which it must be made. vertical: the spindle runs
+// from top to bottom, and rows take the place of columns.
+ThreeAreas three_areas(const Picture& picture, const TemperatureImage& image, double min_degC, double max_degC,
+                       bool vertical);
 
 }  // namespace ballbar
