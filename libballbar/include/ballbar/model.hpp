@@ -38,7 +38,7 @@ struct Model {
   std::vector<std::string> targets;  // columns to explain, each by its own fit
   std::vector<Term> terms;
   std::optional<double> constant_um;  // held at this value; nothing: free. None on recordings: the circle has it
-  std::vector<ColumnRange> trained;  // a column once; none: not known
+  std::vector<ColumnRange> trained;   // a column once; none: not known
 };
 
 // An effect of the catalogue with its own settings. Throws Error for a name that is not in it, with the nearest name.

@@ -4,10 +4,10 @@
 //   spindle_rotation   session.toml, 00-r.csv and, where axial recordings were made, 00-z.csv a test
 //   circles            session.toml, 00.b5r a test with its CCW and CW run
 //   a spindle alone    series.csv
-// with signals.csv and five-probe.csv where the machine has them, and shaft.csv where it keeps the temperature along the
-// spindle's shaft: x_mm from the rear end, then a column T_1800s_degC for each of its times. as_b5r (circles only): the `.b5r` files
-// alone, the folder as an instrument leaves it. Every file says that it is simulated. The results stored in
-// a `.b5r` are ballbar's own (polar circle, ISO 230-4), so they prove nothing about ballbar.
+// with signals.csv and five-probe.csv where the machine has them, and shaft.csv where it keeps the temperature along
+// the spindle's shaft: x_mm from the rear end, then a column T_1800s_degC for each of its times. as_b5r (circles only):
+// the `.b5r` files alone, the folder as an instrument leaves it. Every file says that it is simulated. The results
+// stored in a `.b5r` are ballbar's own (polar circle, ISO 230-4), so they prove nothing about ballbar.
 #pragma once
 
 #include <filesystem>
