@@ -37,7 +37,7 @@ VirtualMachine machine_of(const std::string& run) {
 TEST(sample_runs, are_what_their_machine_makes) {
   for (const SampleRun& run : kSimulated) {
     SCOPED_TRACE(run.name);
-    std::set<std::string> expected = {"README.md", "machine.toml", "model.toml", "truth"};
+    std::set<std::string> expected = {"README.md", "machine.toml", "mean-point.toml", "model.toml", "truth"};
     for (const SimulatedFile& file : simulated_files(simulate(machine_of(run.name)), run.as_b5r)) {
       EXPECT_TRUE(read_bytes(folder_of(run.name) / file.name, kLargestTable) == file.bytes) << file.name;
       EXPECT_LT(file.bytes.size(), kLargestFile_bytes) << file.name;

@@ -146,8 +146,9 @@ TEST_P(all_effects, do_something) {
 // Of rows 0, i - 1 and i alone, as a live model has them.
 TEST_P(all_effects, are_the_same_row_by_row) {
   const Effect& effect = *GetParam();
-  ASSERT_EQ(static_cast<bool>(effect.evaluate.row), effect.level == Level::series && effect.name != "clock_offset")
-      << "an effect on recordings, or one that needs other rows, cannot run live; all others can";
+  if (effect.level == Level::series) {
+    ASSERT_EQ(static_cast<bool>(effect.evaluate.row), effect.name != "clock_offset") << "all others can run live";
+  }
   if (!effect.evaluate.row) return;
   const ExampleRows example(effect);
   const std::vector<double> p = generic_parameters(effect);
