@@ -30,7 +30,7 @@ volatile std::sig_atomic_t g_stop = 0;
 void stop_at_signals() {
   struct sigaction action {};
   action.sa_handler = [](int) { g_stop = 1; };
-  action.sa_flags = SA_RESETHAND;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);  // said as an error
