@@ -154,7 +154,7 @@ void compensate_live(const CompensationOptions& options, const LiveOptions& live
   append_names(out, live.format, machine);
   std::vector<std::int64_t> written(machine.size());
   const auto hand_over = [&] {
-    if (place) place->bytes = rows.taken();
+    if (place) place->bytes = std::max(known, rows.taken());
     state.keep(machine, place, kStateAge_s);  // before the control is told: it never knows more than the file
     write_out(out);
     for (std::size_t a = 0; a < machine.size(); ++a) written[a] = machine.axis(a).state().counts;
@@ -172,6 +172,7 @@ void compensate_live(const CompensationOptions& options, const LiveOptions& live
     }
   };
   stop_at_signals();
+  if (place) place->bytes = known;
   state.keep(machine, place, 0.0);  // one that cannot be written is said before a row is taken
   while (true) {
     const std::string_view piece = source.read();
@@ -190,7 +191,7 @@ void compensate_live(const CompensationOptions& options, const LiveOptions& live
   if (g_stop == 0) {
     if (const LiveRow* row = rows.last()) take(row);
   }
-  if (place) place->bytes = rows.taken();
+  if (place) place->bytes = std::max(known, rows.taken());
   state.keep(machine, place, 0.0);
   write_out(out);
   told.sum();
