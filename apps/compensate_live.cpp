@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstring>
 #include <limits>
+#include <numeric>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/live_rows.hpp"
@@ -66,16 +67,12 @@ class Told {
   void sum() const {
     if (told_ > kMostTold) remark(fmt::format("... and {} more changes", told_ - kMostTold));
     for (std::size_t a = 0; a < axes_.size(); ++a) {
-      std::string held;
-      std::size_t rows = axes_[a].rows[0];
-      for (std::size_t kind = 1; kind < kHoldKinds; ++kind) {
-        const std::size_t count = axes_[a].rows[kind];
-        rows += count;
-        if (count > 0) held += fmt::format("{} {} {}", held.empty() ? "; held" : ",", count, name_of(Hold(kind)));
-      }
+      const std::string held = held_text(axes_[a].rows);
+      const std::size_t rows = std::accumulate(axes_[a].rows.begin(), axes_[a].rows.end(), std::size_t{0});
       const Compensator& axis = machine_.axis(a);
-      remark(fmt::format("{}: {} rows, offset {} um at the end{}", machine_.name(a), rows,
-                         fixed(static_cast<double>(axis.state().counts) * axis.state().resolution_um, 3), held));
+      remark(fmt::format("{}: {} rows, offset {} um at the end{}{}", machine_.name(a), rows,
+                         fixed(static_cast<double>(axis.state().counts) * axis.state().resolution_um, 3),
+                         held.empty() ? "" : "; held ", held));
     }
   }
 
@@ -152,7 +149,8 @@ void compensate_live(const CompensationOptions& options, const LiveOptions& live
   Told told(machine, limits.gap_s);
   fmt::memory_buffer out;
   append_names(out, live.format, machine);
-  std::vector<std::int64_t> written(machine.size());
+  std::vector<std::int64_t> written;  // counts that the control was told
+  for (std::size_t a = 0; a < machine.size(); ++a) written.push_back(machine.axis(a).state().counts);
   const auto hand_over = [&] {
     if (place) place->bytes = std::max(known, rows.taken());
     state.keep(machine, place, kStateAge_s);  // before the control is told: it never knows more than the file

@@ -14,6 +14,7 @@
 #include "ballbar/formats/series_csv.hpp"
 #include "ballbar/replay.hpp"
 #include "json_number.hpp"
+#include "offset_text.hpp"
 #include "out_files.hpp"
 #include "text.hpp"
 
@@ -68,15 +69,6 @@ std::string held_sentence(const ReplayedAxis& axis, std::size_t rows) {
   const Hold why = Hold(most - axis.rows_held.begin());
   const std::string column = is_about_a_column(why) ? " of " + shortened(axis.most_held_by, 60) : "";
   return fmt::format(" It was held in {} of {} rows, most of them for {}{}.", held, rows, name_of(why), column);
-}
-
-std::string held_text(const ReplayedAxis& axis) {
-  std::string text;
-  for (std::size_t kind = 1; kind < kHoldKinds; ++kind) {
-    if (axis.rows_held[kind] == 0) continue;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", axis.rows_held[kind], name_of(Hold(kind)));
-  }
-  return text.empty() ? "0" : text;
 }
 
 // Whether the parameters come from the data that they are judged by.
@@ -136,9 +128,10 @@ void print(const Replay& replay, const CompensationOptions& options, const Recor
   Table table({"axis", "target", "values", "RMS before um", "after um", "less %", "largest before um", "after um",
                "rows held"});
   for (const ReplayedAxis& axis : replay.axes) {
+    const std::string held = held_text(axis.rows_held);
     table.add({axis.name, axis.target, fmt::format("{}", axis.time_s.size() - 1), fixed(axis.reduction.before_um, 3),
                fixed(axis.reduction.after_um, 3), percent(axis.reduction), fixed(largest(axis.before_um), 3),
-               fixed(largest(axis.after_um), 3), held_text(axis)});
+               fixed(largest(axis.after_um), 3), held.empty() ? "0" : held});
   }
   fmt::print(
       "{}\n{}\n", table.text(120),

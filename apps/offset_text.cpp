@@ -27,6 +27,15 @@ double tidy(double value) { return std::round(value * 1e9) / 1e9; }
 
 }  // namespace
 
+std::string held_text(const std::array<std::size_t, kHoldKinds>& rows) {
+  std::string text;
+  for (std::size_t kind = 1; kind < kHoldKinds; ++kind) {
+    if (rows[kind] == 0) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", rows[kind], name_of(Hold(kind)));
+  }
+  return text;
+}
+
 void append_csv_names(fmt::memory_buffer& out, const CompensatedAxes& axes) {
   append(out, "time_s");
   for (std::size_t a = 0; a < axes.size(); ++a) {

@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -20,6 +22,9 @@
 namespace ballbar {
 
 constexpr double kLargestWord = 32767.0;
+
+// "2 no_value, 1 spike" of rows by Hold; empty where none was held.
+std::string held_text(const std::array<std::size_t, kHoldKinds>& rows);
 
 void append_csv_names(fmt::memory_buffer& out, const CompensatedAxes& axes);
 void append_csv(fmt::memory_buffer& out, double time_s, std::span<const Offset> offsets);

@@ -37,11 +37,10 @@ const char* name_of(Reason reason) {
   return kNames[static_cast<std::size_t>(reason)];
 }
 
-// The whole counts as Compensator takes them: none is lost to rounding.
 Axis::Axis(const CompensationLimits& limits)
     : resolution_um_(limits.resolution_um),
       largest_um_(limits.largest_um),
-      most_counts_(std::floor(limits.largest_um / limits.resolution_um * (1.0 + 1e-12))) {}
+      most_counts_(whole_increments(limits.largest_um, limits.resolution_um)) {}
 
 // Counts in force; nothing where that is not known, or they are more than ours can be. Compared as whole counts: the
 // control adds changes up, and 2000 times 0.0001 mm is more than 0.2 mm to a double.

@@ -60,10 +60,11 @@ CompensationLimits checked(const CompensationLimits& limits) {
   return limits;
 }
 
-// Whole increments in a length, without losing one to rounding.
-double whole(double length_um, double resolution_um) { return std::floor(length_um / resolution_um * (1.0 + 1e-12)); }
-
 }  // namespace
+
+double whole_increments(double length_um, double resolution_um) {
+  return std::floor(length_um / resolution_um * (1.0 + 1e-12));
+}
 
 std::string_view name_of(Hold hold) { return kHolds[static_cast<std::size_t>(hold)]; }
 
@@ -174,9 +175,7 @@ void Compensator::begin_anew(std::span<const double> values) {
     state_.sensors[c].believed = values[c];
     state_.sensors[c].believed_s = state_.time_s;
   }
-  LiveModel::State empty = model_.state();
-  empty.rows = 0;
-  model_.resume(empty);
+  model_.begin_anew();
   state_.started = false;
   state_.believed = 0;
 }
@@ -192,14 +191,15 @@ Hold Compensator::hold_of(std::size_t column, double time_s, double value) const
 }
 
 void Compensator::walk(double wanted_um, double elapsed_s) {
-  const double step = whole(limits_.step_um, limits_.resolution_um);  // as the counts, which would fall behind else
+  const double step =
+      whole_increments(limits_.step_um, limits_.resolution_um);  // as the counts, which would fall behind else
   const double most_um = std::min(step * limits_.resolution_um, limits_.rate_um_per_s * elapsed_s);
   const double way_um = wanted_um - state_.offset_um;
   state_.offset_um = std::abs(way_um) <= most_um ? wanted_um : state_.offset_um + std::copysign(most_um, way_um);
   const double increments = state_.offset_um / limits_.resolution_um;
   const double counts = static_cast<double>(state_.counts);
   if (std::abs(increments - counts) <= 0.5 + limits_.hysteresis) return;
-  const double largest = whole(limits_.largest_um, limits_.resolution_um);
+  const double largest = whole_increments(limits_.largest_um, limits_.resolution_um);
   const double next = std::clamp(std::round(increments), counts - step, counts + step);
   state_.counts = static_cast<std::int64_t>(std::clamp(next, -largest, largest));
 }
@@ -218,7 +218,7 @@ void Compensator::resume(const State& state, const LiveModel::State& model) {
     throw Error(fmt::format("expected the state of a resolution of {} um, found one of {} um.", limits_.resolution_um,
                             state.resolution_um));
   }
-  const double largest = whole(limits_.largest_um, limits_.resolution_um);
+  const double largest = whole_increments(limits_.largest_um, limits_.resolution_um);
   if (!(std::abs(state.offset_um) <= limits_.largest_um) || std::abs(static_cast<double>(state.counts)) > largest) {
     throw Error(fmt::format("expected an offset of at most {} um, found {} um, {} increments.", limits_.largest_um,
                             state.offset_um, state.counts));

@@ -61,6 +61,9 @@ struct CompensationLimits {
   double gap_s = 600.0;          // between rows
 };
 
+// Whole increments in a length, without losing one to rounding.
+double whole_increments(double length_um, double resolution_um);
+
 enum class Hold { none, no_value, spike, stuck, out_of_range, no_time, clock_back, clock_gap, model };
 inline constexpr std::size_t kHoldKinds = 9;
 std::string_view name_of(Hold hold);  // "no_value"

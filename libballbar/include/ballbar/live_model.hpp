@@ -40,6 +40,9 @@ class LiveModel {
 
   const State& state() const { return state_; }
 
+  // The next row is the first.
+  void begin_anew() { state_.rows = 0; }
+
   // Throws Error where it is that of another model: other sizes, more than 3 rows, times that do not rise.
   void resume(const State& state);
 
