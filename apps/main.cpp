@@ -12,7 +12,7 @@
 
 #include "ballbar/error.hpp"
 #include "commands.hpp"
-#include "remark.hpp"
+#include "terminal/remark.hpp"
 
 namespace {
 

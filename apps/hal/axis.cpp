@@ -1,4 +1,4 @@
-#include "axis.hpp"
+#include "hal/axis.hpp"
 
 #include <algorithm>
 #include <array>

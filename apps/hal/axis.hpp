@@ -16,7 +16,7 @@
 #include <optional>
 #include <span>
 
-#include "ballbar/compensation.hpp"
+#include "ballbar/compensation/compensation.hpp"
 
 namespace ballbar::hal {
 

@@ -1,4 +1,4 @@
-#include "axis_letters.hpp"
+#include "hal/axis_letters.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "ballbar/compensated_axes.hpp"
+#include "ballbar/compensation/compensated_axes.hpp"
 
 namespace ballbar::hal {
 

@@ -1,4 +1,4 @@
-#include "component.hpp"
+#include "hal/component.hpp"
 
 #include <fmt/format.h>
 #include <hal.h>
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "ballbar/error.hpp"
-#include "pin_name.hpp"
+#include "hal/pin_name.hpp"
 
 namespace ballbar::hal {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "axis.hpp"
+#include "hal/axis.hpp"
 
 namespace ballbar::hal {
 

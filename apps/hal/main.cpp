@@ -14,13 +14,13 @@
 #include <string>
 #include <vector>
 
-#include "axis.hpp"
-#include "axis_letters.hpp"
-#include "ballbar/compensated_axes.hpp"
+#include "hal/axis.hpp"
+#include "hal/axis_letters.hpp"
+#include "ballbar/compensation/compensated_axes.hpp"
 #include "ballbar/error.hpp"
-#include "batches.hpp"
-#include "compensation_options.hpp"
-#include "component.hpp"
+#include "batches/batches.hpp"
+#include "compensate/compensation_options.hpp"
+#include "hal/component.hpp"
 
 namespace ballbar::hal {
 namespace {

@@ -1,4 +1,4 @@
-#include "pin_name.hpp"
+#include "hal/pin_name.hpp"
 
 #include <fmt/format.h>
 

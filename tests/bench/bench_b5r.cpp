@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <string>
 
-#include "ballbar/circle_fit.hpp"
-#include "ballbar/formats/bytes.hpp"
-#include "ballbar/formats/recording_file.hpp"
+#include "ballbar/circle/circle_fit.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/formats/text/bytes.hpp"
 #include "bench_data.hpp"
 
 namespace {

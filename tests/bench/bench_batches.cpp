@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/batch_selection.hpp"
+#include "ballbar/batches/batch_selection.hpp"
 #include "bench_data.hpp"
 
 namespace {

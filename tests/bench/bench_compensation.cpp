@@ -8,9 +8,9 @@
 #include <cmath>
 #include <string>
 
-#include "ballbar/compensated_axes.hpp"
-#include "ballbar/formats/live_rows.hpp"
-#include "offset_text.hpp"
+#include "ballbar/compensation/compensated_axes.hpp"
+#include "ballbar/formats/series/live_rows.hpp"
+#include "compensate/offset_text.hpp"
 
 namespace {
 

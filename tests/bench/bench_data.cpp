@@ -4,7 +4,7 @@
 #include <random>
 #include <utility>
 
-#include "ballbar/formats/ballbar_log.hpp"
+#include "ballbar/formats/recordings/ballbar_log.hpp"
 
 namespace ballbar::bench {
 namespace {

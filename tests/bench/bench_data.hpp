@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/formats/b5r.hpp"
-#include "ballbar/recording.hpp"
-#include "ballbar/series.hpp"
-#include "ballbar/simulate.hpp"
+#include "ballbar/circle/recording.hpp"
+#include "ballbar/formats/recordings/b5r.hpp"
+#include "ballbar/series/series.hpp"
+#include "ballbar/simulation/simulate.hpp"
 
 namespace ballbar::bench {
 

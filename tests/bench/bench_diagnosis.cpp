@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "ballbar/diagnosis.hpp"
+#include "ballbar/diagnosis/verdict/diagnosis.hpp"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <iostream>
 
-#include "ballbar/formats/ballbar_log.hpp"
-#include "ballbar/formats/bytes.hpp"
-#include "ballbar/formats/series_csv.hpp"
+#include "ballbar/formats/recordings/ballbar_log.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/text/bytes.hpp"
 #include "bench_data.hpp"
 
 int main(int argc, char** argv) {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "ballbar/fit.hpp"
+#include "ballbar/fit/fit.hpp"
 
 namespace {
 

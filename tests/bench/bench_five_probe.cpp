@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <string>
 
-#include "ballbar/five_point.hpp"
-#include "ballbar/formats/bytes.hpp"
-#include "ballbar/formats/drift_data.hpp"
-#include "ballbar/formats/drift_files.hpp"
-#include "ballbar/formats/series_csv.hpp"
+#include "ballbar/drift/five_point.hpp"
+#include "ballbar/formats/series/drift_files.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/sessions/drift_data.hpp"
+#include "ballbar/formats/text/bytes.hpp"
 #include "bench_data.hpp"
 
 namespace {

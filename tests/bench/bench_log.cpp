@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "ballbar/formats/ballbar_log.hpp"
+#include "ballbar/formats/recordings/ballbar_log.hpp"
 #include "bench_data.hpp"
 
 namespace {

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <string>
 
-#include "ballbar/drift.hpp"
-#include "ballbar/formats/session_toml.hpp"
-#include "ballbar/formats/simulated_files.hpp"
+#include "ballbar/drift/drift.hpp"
+#include "ballbar/formats/machines/simulated_files.hpp"
+#include "ballbar/formats/sessions/session_toml.hpp"
 #include "bench_data.hpp"
 
 namespace {

@@ -16,9 +16,9 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/effect.hpp"
-#include "ballbar/formats/recording_file.hpp"
-#include "ballbar/trace.hpp"
+#include "ballbar/circle/trace.hpp"
+#include "ballbar/effects/effect.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/units.hpp"
 #include "external_data.hpp"
 

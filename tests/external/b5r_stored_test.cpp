@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "ballbar/circularity.hpp"
-#include "ballbar/formats/recording_file.hpp"
+#include "ballbar/circle/circularity.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/units.hpp"
 #include "external_data.hpp"
 

@@ -2,10 +2,10 @@
 // predicted as well as a separate program (numpy, by eigenvectors of the stacked rows) found it.
 #include <gtest/gtest.h>
 
-#include "ballbar/batch_selection.hpp"
-#include "ballbar/formats/bytes.hpp"
-#include "ballbar/formats/runs_csv.hpp"
-#include "ballbar/formats/series_csv.hpp"
+#include "ballbar/batches/batch_selection.hpp"
+#include "ballbar/formats/models/runs_csv.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/text/bytes.hpp"
 #include "external_data.hpp"
 
 namespace ballbar {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "external_data.hpp"
-#include "least_squares.hpp"
+#include "numerics/least_squares.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,8 +1,8 @@
 // A high-speed spindle to 24 000 rpm, axial: what the catalogue finds in two measured recordings.
 #include <gtest/gtest.h>
 
-#include "ballbar/fit.hpp"
-#include "ballbar/formats/data_file.hpp"
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/formats/sessions/data_file.hpp"
 #include "external_data.hpp"
 
 namespace ballbar {

@@ -2,10 +2,10 @@
 
 #include <stdexcept>
 
-#include "ballbar/formats/b5r.hpp"
-#include "ballbar/formats/ballbar_log.hpp"
-#include "ballbar/formats/series_csv.hpp"
-#include "ballbar/formats/session_toml.hpp"
+#include "ballbar/formats/recordings/b5r.hpp"
+#include "ballbar/formats/recordings/ballbar_log.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/sessions/session_toml.hpp"
 
 namespace ballbar {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/b5r.hpp"
+#include "ballbar/formats/recordings/b5r.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

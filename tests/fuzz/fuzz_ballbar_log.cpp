@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/ballbar_log.hpp"
+#include "ballbar/formats/recordings/ballbar_log.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

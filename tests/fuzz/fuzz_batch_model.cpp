@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/batch_model_json.hpp"
+#include "ballbar/formats/models/batch_model_json.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   ballbar::BatchModel model;

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "ballbar/compensation.hpp"
+#include "ballbar/compensation/compensation.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/formats/compensation_state.hpp"
+#include "ballbar/formats/models/compensation_state.hpp"
 
 namespace {
 

@@ -12,10 +12,10 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/compensated_axes.hpp"
+#include "ballbar/compensation/compensated_axes.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/expression.hpp"
-#include "ballbar/formats/live_rows.hpp"
+#include "ballbar/formats/series/live_rows.hpp"
+#include "ballbar/model/expression.hpp"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/machine_toml.hpp"
-#include "ballbar/formats/shaft_images.hpp"
+#include "ballbar/formats/machines/machine_toml.hpp"
+#include "ballbar/formats/machines/shaft_images.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/model_history.hpp"
-#include "ballbar/formats/model_toml.hpp"
+#include "ballbar/formats/models/model_history.hpp"
+#include "ballbar/formats/models/model_toml.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/runs_csv.hpp"
+#include "ballbar/formats/models/runs_csv.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

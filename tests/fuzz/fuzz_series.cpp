@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/series_csv.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   ballbar::Series series;

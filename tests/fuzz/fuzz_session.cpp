@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/session_toml.hpp"
+#include "ballbar/formats/sessions/session_toml.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

@@ -1,6 +1,6 @@
 // From what is wanted to changes of counts; a count is 0.1 um, a row brings at most 1 um, the model 2 um/K from 20
 // degC.
-#include "axis.hpp"
+#include "hal/axis.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ballbar/formats/model_toml.hpp"
+#include "ballbar/formats/models/model_toml.hpp"
 
 namespace ballbar::hal {
 namespace {

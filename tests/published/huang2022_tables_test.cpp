@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-#include "ballbar/effect.hpp"
-#include "ballbar/huang2022.hpp"
+#include "ballbar/effects/effect.hpp"
+#include "ballbar/effects/huang2022.hpp"
 
 namespace ballbar {
 namespace {

@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <set>
 
-#include "ballbar/drift.hpp"
-#include "ballbar/formats/bytes.hpp"
-#include "ballbar/formats/machine_toml.hpp"
-#include "ballbar/formats/series_csv.hpp"
-#include "ballbar/formats/session_toml.hpp"
-#include "ballbar/formats/simulated_files.hpp"
+#include "ballbar/drift/drift.hpp"
+#include "ballbar/formats/machines/machine_toml.hpp"
+#include "ballbar/formats/machines/simulated_files.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/sessions/session_toml.hpp"
+#include "ballbar/formats/text/bytes.hpp"
 
 namespace ballbar {
 namespace {

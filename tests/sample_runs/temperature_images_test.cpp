@@ -8,12 +8,12 @@
 #include <set>
 #include <sstream>
 
-#include "ballbar/formats/bytes.hpp"
-#include "ballbar/formats/machine_toml.hpp"
-#include "ballbar/formats/picture_file.hpp"
-#include "ballbar/formats/series_csv.hpp"
-#include "ballbar/formats/shaft_images.hpp"
-#include "ballbar/mean_point.hpp"
+#include "ballbar/formats/machines/machine_toml.hpp"
+#include "ballbar/formats/machines/shaft_images.hpp"
+#include "ballbar/formats/pictures/picture_file.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/temperature/mean_point.hpp"
 
 namespace ballbar {
 namespace {

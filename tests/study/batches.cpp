@@ -17,11 +17,11 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/batch_selection.hpp"
+#include "ballbar/batches/batch_selection.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/formats/bytes.hpp"
-#include "ballbar/formats/runs_csv.hpp"
-#include "ballbar/formats/series_csv.hpp"
+#include "ballbar/formats/models/runs_csv.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/text/bytes.hpp"
 
 namespace {
 

@@ -13,8 +13,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "ballbar/circle_fit.hpp"
-#include "ballbar/simulate.hpp"
+#include "ballbar/circle/circle_fit.hpp"
+#include "ballbar/simulation/simulate.hpp"
 #include "ballbar/units.hpp"
 
 namespace {

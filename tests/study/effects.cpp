@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "../libballbar/effects/example_rows.hpp"
-#include "ballbar/fit.hpp"
-#include "ballbar/trace.hpp"
+#include "ballbar/circle/trace.hpp"
+#include "ballbar/fit/fit.hpp"
 
 namespace {
 

@@ -14,9 +14,9 @@
 #include <random>
 #include <string>
 
-#include "ballbar/comparison.hpp"
-#include "ballbar/five_point.hpp"
-#include "ballbar/simulate.hpp"
+#include "ballbar/drift/comparison.hpp"
+#include "ballbar/drift/five_point.hpp"
+#include "ballbar/simulation/simulate.hpp"
 
 namespace {
 

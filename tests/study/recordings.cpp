@@ -10,8 +10,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "../libballbar/made_recordings.hpp"
-#include "ballbar/diagnosis.hpp"
+#include "../libballbar/diagnosis/made_recordings.hpp"
+#include "ballbar/diagnosis/verdict/diagnosis.hpp"
 
 namespace {
 

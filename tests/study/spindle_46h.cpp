@@ -13,10 +13,10 @@
 #include <filesystem>
 #include <limits>
 
-#include "ballbar/fit.hpp"
-#include "ballbar/formats/bytes.hpp"
-#include "ballbar/formats/data_file.hpp"
-#include "ballbar/formats/model_toml.hpp"
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/formats/models/model_toml.hpp"
+#include "ballbar/formats/sessions/data_file.hpp"
+#include "ballbar/formats/text/bytes.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Every effect of the catalogue, one file each; effects.cpp lists them.
 #pragma once
 
-#include "ballbar/effect.hpp"
+#include "ballbar/effects/effect.hpp"
 
 namespace ballbar::catalogue {
 

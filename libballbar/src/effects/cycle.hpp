@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "ballbar/effect.hpp"
+#include "ballbar/effects/effect.hpp"
 #include "ballbar/units.hpp"
 
 namespace ballbar {

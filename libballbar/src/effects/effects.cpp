@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "catalogue.hpp"
+#include "effects/catalogue.hpp"
 
 namespace ballbar {
 namespace {

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ballbar/effect.hpp"
+#include "ballbar/effects/effect.hpp"
 
 namespace ballbar {
 

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <span>
 
-#include "ballbar/effect.hpp"
+#include "ballbar/effects/effect.hpp"
 
 namespace ballbar {
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "ballbar/effect.hpp"
+#include "ballbar/effects/effect.hpp"
 
 namespace ballbar {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "ballbar/effect.hpp"
+#include "ballbar/effects/effect.hpp"
 
 namespace ballbar {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "ballbar/effect.hpp"
+#include "ballbar/effects/effect.hpp"
 #include "example_rows.hpp"
 
 namespace ballbar {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/effect.hpp"
+#include "ballbar/effects/effect.hpp"
 
 namespace ballbar {
 

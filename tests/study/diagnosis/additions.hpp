@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "bank.hpp"
+#include "diagnosis/signatures/bank.hpp"
 
 namespace ballbar::study {
 

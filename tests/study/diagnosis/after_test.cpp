@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "ballbar/next_test.hpp"
+#include "ballbar/diagnosis/next_test/next_test.hpp"
+#include "diagnosis/next_test/planned_test.hpp"
+#include "numerics/simulate_noise.hpp"
 #include "outcome.hpp"
-#include "planned_test.hpp"
-#include "simulate_noise.hpp"
 
 namespace ballbar::study {
 namespace {

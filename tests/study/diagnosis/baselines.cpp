@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "additions.hpp"
-#include "best_subset.hpp"
+#include "diagnosis/search/best_subset.hpp"
 #include "f_test.hpp"
 #include "lasso.hpp"
 

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "blind_parts.hpp"
-#include "simulate_noise.hpp"
+#include "challenge/blind_parts.hpp"
+#include "numerics/simulate_noise.hpp"
 
 namespace ballbar::study {
 namespace {

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/diagnosis.hpp"
-#include "ballbar/fit.hpp"
-#include "ballbar/inject.hpp"
-#include "ballbar/model.hpp"
-#include "ballbar/noise.hpp"
+#include "ballbar/challenge/inject.hpp"
+#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/model/model.hpp"
+#include "ballbar/noise/noise.hpp"
 #include "records.hpp"
 
 namespace ballbar::study {

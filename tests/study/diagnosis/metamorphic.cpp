@@ -8,7 +8,7 @@
 #include <map>
 
 #include "cells.hpp"
-#include "simulate_noise.hpp"
+#include "numerics/simulate_noise.hpp"
 
 namespace ballbar::study {
 namespace {

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "additions.hpp"
-#include "candidates.hpp"
-#include "whitened.hpp"
+#include "diagnosis/verdict/candidates.hpp"
+#include "noise/whitened.hpp"
 
 namespace ballbar::study {
 

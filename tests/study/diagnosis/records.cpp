@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
-#include "ballbar/formats/bytes.hpp"
-#include "ballbar/formats/series_csv.hpp"
-#include "simulate_noise.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "numerics/simulate_noise.hpp"
 
 namespace ballbar::study {
 namespace {

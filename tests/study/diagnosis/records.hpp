@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/series.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace ballbar::study {
 

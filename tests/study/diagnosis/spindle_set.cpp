@@ -2,8 +2,8 @@
 
 #include <initializer_list>
 
-#include "ballbar/blind.hpp"
-#include "ballbar/virtual_spindle.hpp"
+#include "ballbar/challenge/blind.hpp"
+#include "ballbar/simulation/virtual_spindle.hpp"
 
 namespace ballbar::study {
 namespace {

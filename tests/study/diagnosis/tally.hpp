@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/blind.hpp"
+#include "ballbar/challenge/blind.hpp"
 #include "baselines.hpp"
 #include "cells.hpp"
 

@@ -1,0 +1,184 @@
+#include "batches/batches.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/models/runs_csv.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/nearest_name.hpp"
+#include "model/model_options.hpp"
+#include "terminal/progress.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kTold = 5;  // batches with steps
+
+// Throws Error where a batch has a temperature that the first has not: it would be forgotten silently.
+void expect_no_more(const Series& series, const BatchColumns& columns, const std::vector<std::string>& left_out,
+                    const std::string& first) {
+  for (const Column& column : series.columns) {
+    if (!is_sensor(column)) continue;
+    const auto is_it = [&](const std::string& name) { return name == column.name; };
+    if (std::any_of(columns.sensors.begin(), columns.sensors.end(), is_it)) continue;
+    if (std::any_of(left_out.begin(), left_out.end(), is_it)) continue;
+    throw Error(fmt::format("expected the temperatures of {}, found {} beside them.", first, column.name));
+  }
+}
+
+void take_out(std::vector<ListedRun>& runs, const std::vector<std::string>& without) {
+  const std::vector<ListedRun> all = runs;
+  for (const std::string& name : without) {
+    const auto same = [&](const ListedRun& run) { return run.name == name; };
+    if (std::none_of(all.begin(), all.end(), same)) {
+      std::vector<std::string_view> known;
+      known.reserve(all.size());
+      for (const ListedRun& run : all) known.emplace_back(run.name);
+      throw Error(fmt::format("--without {}: expected a batch of the list, found none of that name{}.", name,
+                              known.empty() ? "" : fmt::format("; the nearest is {}", nearest_name(name, known))));
+    }
+    std::erase_if(runs, same);
+  }
+}
+
+std::string some_of(const std::vector<std::string>& names) {
+  constexpr std::size_t kSome = 4;
+  if (names.size() <= kSome) return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + kSome, ", "), names.size() - kSome);
+}
+
+void tell_steps(const std::vector<Batch>& batches, const std::string& target, std::vector<std::string>& remarks) {
+  std::size_t more = 0;
+  for (const Batch& batch : batches) {
+    if (batch.steps.empty()) continue;
+    if (remarks.size() >= kTold) {
+      ++more;
+      continue;
+    }
+    const auto& [time_s, um] = batch.steps.front();
+    remarks.push_back(
+        fmt::format("{}: {} steps by {:.1f} um at {:.0f} s{}, as if a probe was touched. --without {} leaves it out.",
+                    batch.name, target, um, time_s, batch.steps.size() > 1 ? " and elsewhere" : "", batch.name));
+  }
+  if (more > 0) remarks.push_back(fmt::format("{} more batches with such steps.", more));
+}
+
+}  // namespace
+
+void add_batch_options(CLI::App& command, BatchOptions& options) {
+  command.add_option("RUNS", options.list, "list of the recorded batches: runs.csv")->required();
+  command.add_option("--target", options.target, "what to predict: a column in um")->required()->type_name("COLUMN");
+  command.add_option("--room", options.room, "column of the room's temperature, where its name does not say so")
+      ->type_name("COLUMN");
+  add_choice(command, "--inputs", {"temperature", "rise", "both"}, "temperature",
+             "what of a temperature is used: temperature itself, its rise since the batch began, or both",
+             [&](std::size_t at) { options.inputs = at; });
+  command.add_option("--without", options.without, "leave this batch out")->type_name("BATCH")->allow_extra_args(false);
+  command.add_option("--without-sensor", options.without_sensor, "leave this temperature out")
+      ->type_name("COLUMN")
+      ->allow_extra_args(false);
+  command.add_flag("--keep-broken", options.keep_broken, "use sensors that look broken all the same");
+}
+
+void add_choice(CLI::App& command, const std::string& name, std::vector<std::string> words,
+                const std::string& otherwise, const std::string& help, const std::function<void(std::size_t)>& at) {
+  const std::string all = fmt::format("{}", fmt::join(words, "|"));
+  command
+      .add_option_function<std::string>(
+          name,
+          [name, words, at](const std::string& found) {
+            const auto place = std::find(words.begin(), words.end(), found);
+            if (place == words.end()) {
+              throw CLI::ValidationError(
+                  name, fmt::format("expected one of {}, found {}", fmt::join(words, ", "), in_quotes(found)));
+            }
+            at(static_cast<std::size_t>(place - words.begin()));
+          },
+          help)
+      ->type_name(all)
+      ->default_str(otherwise);
+}
+
+void add_method_option(CLI::App& command, std::optional<std::size_t>& method, const std::string& otherwise) {
+  add_choice(command, "--method", {"pcr", "ridge", "pls", "ols"}, otherwise,
+             "principal components, ridge, partial least squares, or ordinary least squares",
+             [&](std::size_t at) { method = at; });
+}
+
+Series read_batch(const std::filesystem::path& path) {
+  return read_series(read_bytes(path, kLargestTable), path.string());
+}
+
+OpenedBatches open_batches(const BatchOptions& options) {
+  RunList list = open_runs(options.list);
+  take_out(list.runs, options.without);
+  std::vector<std::string> remarks;
+  std::erase_if(list.runs, [&](const ListedRun& run) {
+    std::error_code absent;  // then it is not the same file
+    if (options.job.empty() || !std::filesystem::equivalent(run.file, options.job, absent)) return false;
+    remarks.push_back(fmt::format("{} is the job itself: left out of the batches.", run.name));
+    return true;
+  });
+  if (list.runs.size() < 2) {
+    throw Error(fmt::format("{}: expected at least 2 batches, found {}.", options.list, list.runs.size()));
+  }
+  const ProgressLine progress;
+  OpenedBatches opened;
+  opened.remarks = std::move(remarks);
+  for (const ListedRun& run : list.runs) {
+    const std::string file = run.file.string();
+    if (opened.batches.size() % 20 == 0) {
+      show_progress(fmt::format("reading batch {} of {}", opened.batches.size() + 1, list.runs.size()));
+    }
+    const Series series = read_batch(run.file);
+    with_source(file, [&] {
+      if (opened.batches.empty()) {
+        opened.columns = batch_columns(series, static_cast<InputKind>(options.inputs), options.target, options.room);
+        const std::vector<std::string> all = opened.columns.sensors;
+        for (const std::string& sensor : options.without_sensor) {
+          std::erase(opened.columns.sensors, sensor);
+          if (std::find(all.begin(), all.end(), sensor) != all.end()) continue;
+          throw Error(fmt::format("--without-sensor {}: expected a temperature, found none of that name.", sensor));
+        }
+        if (opened.columns.sensors.empty()) {
+          throw Error("--without-sensor: expected a temperature to be left, found all left out.");
+        }
+      }
+      expect_no_more(series, opened.columns, options.without_sensor, list.runs.front().name);
+      opened.batches.push_back(batch_of(run.name, series, opened.columns));
+    });
+    opened.files.push_back(run.file);
+  }
+  opened.files.emplace_back(options.list);
+
+  tell_steps(opened.batches, opened.columns.target, opened.remarks);
+  std::vector<std::string> leave;
+  for (const std::string& sensor : constant_sensors(opened.batches, opened.columns)) {
+    opened.remarks.push_back(fmt::format("{} reads the same in all rows of all batches: left out.", sensor));
+    leave.push_back(sensor);
+  }
+  for (const BrokenSensor& broken : broken_sensors(opened.batches, opened.columns)) {
+    opened.remarks.push_back(fmt::format("{} is off by {:+.1f} K in {} of {} batches ({}): it looks broken, {}.",
+                                         broken.sensor, broken.off_K, broken.batches.size(), opened.batches.size(),
+                                         some_of(broken.batches), options.keep_broken ? "kept" : "left out"));
+    if (!options.keep_broken) leave.push_back(broken.sensor);
+  }
+  if (std::find(leave.begin(), leave.end(), opened.columns.room) != leave.end()) {
+    opened.remarks.push_back(
+        fmt::format("{} is the room by which batches are ranked: do not trust the ranking; name "
+                    "another by --room.",
+                    opened.columns.room));
+  }
+  FewerSensors fewer =
+      with_source(options.list, [&] { return without_sensors(std::move(opened.batches), opened.columns, leave); });
+  opened.columns = std::move(fewer.columns);
+  opened.batches = std::move(fewer.batches);
+  return opened;
+}
+
+}  // namespace ballbar

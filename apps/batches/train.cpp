@@ -1,0 +1,257 @@
+// `ballbar train RUNS --target COLUMN --out model.json`: a regression of thermal error on temperatures over batches.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/batches/batch_regression.hpp"
+#include "ballbar/batches/joined_batches.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/formats/models/batch_model_json.hpp"
+#include "ballbar/formats/models/model_toml.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "batches/batches.hpp"
+#include "commands.hpp"
+#include "model/model_options.hpp"
+#include "terminal/json_number.hpp"
+#include "terminal/out_files.hpp"
+#include "terminal/progress.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+constexpr std::size_t kWidest = 120;  // of a table
+
+struct Options {
+  BatchOptions batches;
+  std::optional<std::size_t> method;
+  std::optional<std::size_t> components;
+  std::optional<double> share, penalty_K2;
+  std::string model;  // of effects, to compare with
+  std::string out;
+  bool json = false;
+};
+
+// One method with the settings it is trained with.
+struct Contender {
+  RegressionSettings settings;
+  double held_out_um = 0.0;
+  double worst_um = 0.0;
+  std::string worst;
+  double rmse_um = 0.0;
+};
+
+Contender contender(const OpenedBatches& opened, const RegressionSettings& settings) {
+  const Eigen::VectorXd each = held_out_um(opened.batches, std::span(&settings, 1)).col(0);
+  Eigen::Index worst = 0;
+  const double most = each.maxCoeff(&worst);
+  const Moments all = merged(opened.batches);
+  return {settings, each.norm() / std::sqrt(static_cast<double>(each.size())), most,
+          opened.batches[static_cast<std::size_t>(worst)].name, rmse_um(all, regress(all, settings))};
+}
+
+void expect_fitting(const Options& options) {
+  const auto is = [&](RegressionMethod method) {
+    return !options.method || *options.method == static_cast<std::size_t>(method);
+  };
+  if (options.components && !is(RegressionMethod::pcr) && !is(RegressionMethod::pls)) {
+    throw Error("--components: expected --method pcr or pls with it.");
+  }
+  if (options.share && !is(RegressionMethod::pcr)) throw Error("--share: expected --method pcr with it.");
+  if (options.share && !std::isfinite(*options.share)) throw Error("--share: expected a number from 0 to 1.");
+  if (options.components && options.share) throw Error("expected --components or --share, found both.");
+  if (options.penalty_K2 && !is(RegressionMethod::ridge)) {
+    throw Error("--penalty: expected --method ridge with it.");
+  }
+}
+
+// As the command line says, by batches left out where it does not.
+RegressionSettings chosen_settings(const Options& options, RegressionMethod method, const OpenedBatches& opened) {
+  const bool asked = options.method == static_cast<std::size_t>(method);
+  if (asked && options.components) return {method, *options.components, 0.0};
+  if (asked && options.share) return {method, components_for(merged(opened.batches), *options.share), 0.0};
+  if (asked && options.penalty_K2) return {method, 0, *options.penalty_K2};
+  return choose_by_held_out(opened.batches, method).settings;
+}
+
+// The physical model in the same contest: fitted to all batches but one, the one predicted.
+Contender physical(const Options& options, const OpenedBatches& opened) {
+  Model model = read_model(read_bytes(options.model, kLargestText), options.model);
+  model.targets = {opened.columns.target};
+  const std::size_t count = opened.batches.size();
+  std::vector<Series> batches;
+  for (std::size_t k = 0; k < count; ++k) batches.push_back(read_batch(opened.files[k]));
+  FitOptions how;
+  how.white = true;
+  how.starts = 1;
+  Contender result;
+  double squares = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    show_progress(fmt::format("fitting {} without batch {} of {}", options.model, k + 1, count));
+    std::vector<Series> others = batches;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+    const Fit found = with_source(options.model, [&] { return fit(model, joined_batches(others, model), 0, how); });
+    const Series left_out = joined_batches({&batches[k], 1}, model);
+    const Prediction prediction = predict(model, found.parameters, left_out);
+    const std::vector<double>& measured = find_column(left_out, opened.columns.target)->values;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < measured.size(); ++i) sum += std::pow(measured[i] - prediction.predicted_um[i], 2);
+    const double mean = sum / static_cast<double>(measured.size());
+    squares += mean;
+    if (std::sqrt(mean) <= result.worst_um) continue;
+    result.worst_um = std::sqrt(mean);
+    result.worst = opened.batches[k].name;
+  }
+  result.held_out_um = std::sqrt(squares / static_cast<double>(count));
+  result.rmse_um = fit(model, joined_batches(batches, model), 0, how).rmse_um;
+  return result;
+}
+
+void expect_rows(const OpenedBatches& opened, const RegressionSettings& settings) {
+  std::size_t rows = 0;
+  for (const Batch& batch : opened.batches) rows += batch.rows;
+  if (rows > settings.components) return;
+  throw Error(
+      fmt::format("expected more rows than components, found {} rows and {} components.", rows, settings.components));
+}
+
+nlohmann::ordered_json json_of(const Contender& one, bool taken) {
+  nlohmann::ordered_json json;
+  json["method"] = name_of(one.settings.method);
+  json["components"] = one.settings.components;
+  json["penalty_K2"] = one.settings.penalty_K2;
+  json["held_out_um"] = number(one.held_out_um);
+  json["worst_um"] = number(one.worst_um);
+  json["worst_batch"] = one.worst;
+  json["rmse_um"] = number(one.rmse_um);
+  json["taken"] = taken;
+  return json;
+}
+
+void print_text(const Options& options, const OpenedBatches& opened, const std::vector<Contender>& contenders,
+                const std::optional<Contender>& effects, const BatchModel& model) {
+  std::size_t rows = 0;
+  for (const Batch& batch : opened.batches) rows += batch.rows;
+  fmt::print("{}\n{} from {} ({}), {} batches, {} rows\n\n", options.batches.list, model.columns.target,
+             fmt::format("{} temperatures", model.columns.sensors.size()),
+             model.columns.kind == InputKind::temperature ? "as they are"
+             : model.columns.kind == InputKind::rise      ? "their rise since each batch began"
+                                                          : "as they are, and their rise since each batch began",
+             opened.batches.size(), rows);
+  const Regression none{Eigen::VectorXd::Zero(opened.batches.front().moments.mean.size() - 1), 0.0};
+  double squares = 0.0;
+  for (const Batch& batch : opened.batches) squares += std::pow(rmse_um(batch.moments, none), 2);
+  fmt::print(
+      "{}",
+      wrapped(fmt::format(
+          "A batch that the model has not seen is predicted to {:.2f} um RMSE by {}, of "
+          "{:.2f} um without any model. 95 % of its errors are within ±{:.2f} um, if those of each batch are normal.",
+          model.held_out_rmse_um, label_of(model.settings),
+          std::sqrt(squares / static_cast<double>(opened.batches.size())), model.half_width_um)));
+  Table table({"method", "left out um", "worst um", "worst batch", "trained um"});
+  for (const Contender& one : contenders) {
+    table.add({label_of(one.settings) + (one.settings == model.settings ? " *" : ""), fixed(one.held_out_um, 2),
+               fixed(one.worst_um, 2), one.worst, fixed(one.rmse_um, 2)});
+  }
+  if (effects) {
+    table.add({options.model, fixed(effects->held_out_um, 2), fixed(effects->worst_um, 2), effects->worst,
+               fixed(effects->rmse_um, 2)});
+  }
+  fmt::print(
+      "\n{}{}", table.text(kWidest),
+      wrapped("* is written. left out: RMSE where each batch in turn is predicted by all the others; the settings "
+              "are chosen by it, so that it is a little too good."));
+  if (!opened.remarks.empty()) fmt::print("\n");
+  for (const std::string& remark : opened.remarks) fmt::print("{}", wrapped(remark));
+}
+
+// What is said of one method asks for it.
+std::optional<std::size_t> method_of(const Options& options) {
+  if (options.method) return options.method;
+  if (options.components || options.share) return static_cast<std::size_t>(RegressionMethod::pcr);
+  if (options.penalty_K2) return static_cast<std::size_t>(RegressionMethod::ridge);
+  return std::nullopt;
+}
+
+void run(const Options& given) {
+  expect_fitting(given);
+  Options options = given;
+  options.method = method_of(given);
+  const OpenedBatches opened = open_batches(options.batches);
+  std::vector<std::filesystem::path> inputs = opened.files;
+  if (!options.model.empty()) inputs.emplace_back(options.model);
+  expect_no_input({options.out}, inputs);
+  std::vector<Contender> contenders;
+  for (const RegressionMethod method :
+       {RegressionMethod::pcr, RegressionMethod::ridge, RegressionMethod::pls, RegressionMethod::ols}) {
+    const RegressionSettings settings = chosen_settings(options, method, opened);
+    expect_rows(opened, settings);
+    contenders.push_back(with_source(options.batches.list, [&] { return contender(opened, settings); }));
+  }
+  const Contender& best =
+      options.method ? contenders[*options.method]
+                     : *std::min_element(contenders.begin(), contenders.end(),
+                                         [](const auto& a, const auto& b) { return a.held_out_um < b.held_out_um; });
+  std::optional<Contender> effects;
+  if (!options.model.empty()) {
+    const ProgressLine progress;
+    effects = physical(options, opened);
+  }
+  const BatchModel model = trained(opened.batches, {}, opened.columns, best.settings,
+                                   [&](std::size_t k) { return read_batch(opened.files[k]); });
+  write_bytes(options.out, write_batch_model(model));
+  if (options.json) {
+    nlohmann::ordered_json json;
+    json["target"] = model.columns.target;
+    json["batches"] = opened.batches.size();
+    json["held_out_um"] = number(model.held_out_rmse_um);
+    json["half_width_um"] = number(model.half_width_um);
+    for (const Contender& one : contenders) json["methods"].push_back(json_of(one, &one == &best));
+    if (effects) {
+      json["effects"] = {{"model", options.model},
+                         {"held_out_um", number(effects->held_out_um)},
+                         {"worst_um", number(effects->worst_um)},
+                         {"worst_batch", effects->worst},
+                         {"rmse_um", number(effects->rmse_um)}};
+    }
+    json["remarks"] = opened.remarks;
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    print_text(options, opened, contenders, effects, model);
+  }
+  fmt::print(stderr, "wrote {}\n", options.out);
+}
+
+}  // namespace
+
+void add_train(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("train", "A regression of thermal error on temperatures over many tests");
+  add_batch_options(*command, options->batches);
+  add_method_option(*command, options->method, "the best by batches left out");
+  command->add_option("--components", options->components, "of pcr or pls; otherwise chosen by batches left out")
+      ->check(CLI::Range(1, 10000).description(""))
+      ->type_name("N");
+  command->add_option("--share", options->share, "pcr: the fewest components that explain this share of the inputs")
+      ->check(CLI::Range(0.0, 1.0).description(""))
+      ->type_name("0.99");
+  command->add_option("--penalty", options->penalty_K2, "of ridge, K^2 a row; otherwise chosen by batches left out")
+      ->check(CLI::Range(0.0, 1e9).description(""))
+      ->type_name("K2");
+  command->add_option("--model", options->model, "a model of effects, .toml, in the same contest; it is not written")
+      ->type_name("FILE");
+  command->add_option("--out", options->out, "write the model, .json")->required()->type_name("FILE");
+  command->add_flag("--json", options->json, "the comparison for a program");
+  command->footer(
+      "Example:\n"
+      "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --out model.json");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

@@ -1,0 +1,255 @@
+// `ballbar blind make` and `ballbar blind score`: hide effects in simulated data, and score who looks for them.
+#include "ballbar/challenge/blind.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <random>
+
+#include "ballbar/formats/text/bytes.hpp"
+#include "challenge/blind_files.hpp"
+#include "commands.hpp"
+#include "model/model_options.hpp"
+#include "terminal/progress.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostSets = 500;
+
+struct MakeOptions {
+  int count = 20;
+  std::string out;
+  std::string answers;
+  std::optional<std::int64_t> seed;
+  bool json = false;
+};
+
+struct ScoreOptions {
+  std::string folder;
+  std::string answers;
+  std::string by_hand;
+  bool json = false;
+};
+
+void show_progress_of(std::string_view what, std::size_t done, std::size_t of) {
+  show_progress(done == of ? "" : fmt::format("{} {} of {}", what, done, of));
+}
+
+fs::path answers_file(const std::string& folder, const std::string& answers) {
+  return answers.empty() ? fs::path(folder) / "answers.json" : fs::path(answers);
+}
+
+void make(const MakeOptions& options) {
+  std::uint64_t seed = 0;
+  if (options.seed) {
+    seed = static_cast<std::uint64_t>(*options.seed);
+  } else {
+    std::random_device random;
+    seed = (std::uint64_t{random()} << 31) ^ random();
+  }
+  const auto count = static_cast<std::size_t>(options.count);
+  const fs::path answers = answers_file(options.out, options.answers);
+  const std::string digest = write_blind(options.out, answers, count, seed,
+                                         [&](std::size_t done) { show_progress_of("making set", done, count); });
+  if (options.json) {
+    const nlohmann::ordered_json json = {
+        {"folder", options.out}, {"sets", count}, {"answers", answers.string()}, {"sha256", digest}};
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  fmt::print("written  {}: {} data set{}, what to do with them stands in README.txt\n", options.out, count,
+             count == 1 ? "" : "s");
+  fmt::print("answers  {}\n", answers.string());
+  fmt::print("sealed   SHA-256 {} in {}\n", digest, (fs::path(options.out) / "SEAL").string());
+}
+
+BlindVerdict diagnosed(const fs::path& folder) {
+  ModelOptions options;
+  options.data = {(folder / "data.csv").string()};
+  options.model = (folder / "model.toml").string();
+  const ModelData data = open_data(options);
+  return verdict_of(diagnose(open_model(options, data), data.series));
+}
+
+std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {
+  std::vector<std::string> texts;
+  texts.reserve(bounds.size());
+  for (const BoundEffect& bound : bounds) {
+    texts.push_back(bound.columns.empty() ? bound.effect->name : label_of(bound));
+  }
+  return fmt::format("{}", fmt::join(texts, between));
+}
+
+std::string said(const BlindVerdict& verdict) {
+  std::string text = labels(verdict.named, " and ");
+  if (!verdict.reported.empty()) text += (text.empty() ? "" : "; ") + labels(verdict.reported, " or ");
+  return text.empty() ? "-" : text;
+}
+
+std::string d_text(const BlindAnswer& answer) {
+  std::vector<std::string> texts;
+  for (const double d : answer.d) texts.push_back(fmt::format("{:.0f}", d));
+  return texts.empty() ? "-" : fmt::format("{}", fmt::join(texts, ", "));
+}
+
+void print_share(Table& table, const std::string& what, const Share& share) {
+  if (share.of == 0) {
+    table.add({what, "no set", "-", "-"});
+    return;
+  }
+  table.add({what, fmt::format("{} of {}", share.count, share.of),
+             fmt::format("{:.0f} %", 100.0 * static_cast<double>(share.count) / static_cast<double>(share.of)),
+             fmt::format("{:.0f} to {:.0f} %", 100.0 * share.low, 100.0 * share.high)});
+}
+
+void print_text(const std::vector<SealedSet>& sets, const std::vector<BlindVerdict>& verdicts,
+                const std::vector<BlindOutcome>& outcomes, const Scores& scores, const std::string& by_hand) {
+  Table table({"set", "kind", "truth", "d", "verdict", "effects said", "outcome"});
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const BlindAnswer& answer = sets[i].answer;
+    table.add({sets[i].name, std::string(name_of(answer.kind)), shortened(answer.what, 48), d_text(answer),
+               std::string(name_of(verdicts[i].verdict)), shortened(said(verdicts[i]), 52),
+               std::string(name_of(outcomes[i]))});
+  }
+  fmt::print("{} set{}, the seal is whole; verdicts {}\n\n{}\n", sets.size(), sets.size() == 1 ? "" : "s",
+             by_hand.empty() ? "by ballbar diagnose" : "of " + by_hand, table.left_aligned());
+  Table totals({"", "sets", "share", "95 % interval"});
+  print_share(totals, "false call where nothing is hidden", scores.false_calls);
+  print_share(totals, "right", scores.right);
+  print_share(totals, "wrong", scores.wrong);
+  print_share(totals, "truth named or in the reported set", scores.in_set);
+  print_share(totals, "false name for what the catalogue lacks", scores.false_names);
+  fmt::print("{}\n", totals.text());
+  fmt::print("{}", wrapped("Right: all that is hidden is named and nothing else is reported; where nothing is hidden, "
+                           "nothing found; for what the catalogue lacks, unexplained; where the data cannot tell, the "
+                           "truth in a set and nothing named. Wrong: another effect named, or something found where "
+                           "nothing is. d: root of the fall of chi^2 that finding the hidden signal brings. Intervals "
+                           "are Wilson's."));
+}
+
+nlohmann::ordered_json json_of(const std::vector<BoundEffect>& bounds) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const BoundEffect& bound : bounds) {
+    nlohmann::ordered_json columns = nlohmann::ordered_json::object();
+    for (std::size_t k = 0; k < bound.columns.size(); ++k) columns[bound.effect->inputs[k].role] = bound.columns[k];
+    list.push_back({{"effect", bound.effect->name}, {"columns", columns}});
+  }
+  return list;
+}
+
+nlohmann::ordered_json json_of(const Share& share) {
+  return {{"count", share.count}, {"of", share.of}, {"low", share.low}, {"high", share.high}};
+}
+
+void print_json(const std::vector<SealedSet>& sets, const std::vector<BlindVerdict>& verdicts,
+                const std::vector<BlindOutcome>& outcomes, const Scores& scores) {
+  nlohmann::ordered_json json = {{"sets", nlohmann::ordered_json::array()}};
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const BlindAnswer& answer = sets[i].answer;
+    json["sets"].push_back({{"set", sets[i].name},
+                            {"kind", name_of(answer.kind)},
+                            {"truth", answer.what},
+                            {"hidden", json_of(answer.hidden)},
+                            {"match", json_of(answer.match)},
+                            {"d", answer.d},
+                            {"amplitude_um", answer.amplitude_um},
+                            {"verdict", name_of(verdicts[i].verdict)},
+                            {"named", json_of(verdicts[i].named)},
+                            {"reported", json_of(verdicts[i].reported)},
+                            {"outcome", name_of(outcomes[i])}});
+  }
+  json["scores"] = {{"false_calls", json_of(scores.false_calls)},
+                    {"right", json_of(scores.right)},
+                    {"wrong", json_of(scores.wrong)},
+                    {"in_set", json_of(scores.in_set)},
+                    {"false_names", json_of(scores.false_names)}};
+  fmt::print("{}\n", json.dump(2));
+}
+
+void score(const ScoreOptions& options) {
+  const std::vector<SealedSet> sets = read_blind(options.folder, answers_file(options.folder, options.answers));
+  std::vector<BlindVerdict> verdicts;
+  if (!options.by_hand.empty()) {
+    verdicts = read_verdicts(read_bytes(options.by_hand, kLargestText), options.by_hand, sets);
+  } else {
+    for (const SealedSet& set : sets) {
+      verdicts.push_back(diagnosed(fs::path(options.folder) / set.name));
+      show_progress_of("diagnosed set", verdicts.size(), sets.size());
+    }
+  }
+  std::vector<BlindAnswer> answers;
+  std::vector<BlindOutcome> outcomes;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    answers.push_back(sets[i].answer);
+    outcomes.push_back(outcome_of(sets[i].answer, verdicts[i]));
+  }
+  const Scores scores = scores_of(answers, outcomes);
+  if (options.json) {
+    print_json(sets, verdicts, outcomes, scores);
+  } else {
+    print_text(sets, verdicts, outcomes, scores, options.by_hand);
+  }
+}
+
+void add_make(CLI::App& blind) {
+  const auto options = std::make_shared<MakeOptions>();
+  CLI::App* command = blind.add_subcommand("make", "Data sets in which effects may be hidden, with sealed answers");
+  command->add_option("--n", options->count, fmt::format("number of sets, 1 to {}; default 20", kMostSets))
+      ->check(CLI::Range(1, kMostSets))
+      ->type_name("N");
+  command->add_option("--out", options->out, "folder for the sets, new or empty")->type_name("DIR")->required();
+  command->add_option("--answers", options->answers, "file for the answers; without it DIR/answers.json")
+      ->type_name("FILE");
+  command
+      ->add_option("--seed", options->seed,
+                   "of all that is drawn, 0 or above; the same seed makes the same sets. Without it another each time")
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()))
+      ->type_name("N");
+  command->add_flag("--json", options->json, "the summary for a program");
+  command->footer(
+      "Example:\n"
+      "  ballbar blind make --n 20 --out blind-test\n"
+      "  ballbar blind score blind-test");
+  command->callback([options] { make(*options); });
+}
+
+void add_score(CLI::App& blind) {
+  const auto options = std::make_shared<ScoreOptions>();
+  CLI::App* command = blind.add_subcommand("score", "What a diagnosis finds in them, beside the sealed answers");
+  command->add_option("DIR", options->folder, "folder that blind make wrote")->required();
+  command->add_option("--answers", options->answers, "file of the answers; without it DIR/answers.json")
+      ->type_name("FILE");
+  command
+      ->add_option("--by-hand", options->by_hand,
+                   "your own verdicts instead of the program's: set,verdict,effects; see DIR/README.txt")
+      ->type_name("FILE");
+  command->add_flag("--json", options->json, "the result for a program");
+  command->footer(
+      "Example:\n"
+      "  ballbar blind make --n 20 --out blind-test\n"
+      "  ballbar blind score blind-test");
+  command->callback([options] { score(*options); });
+}
+
+}  // namespace
+
+void add_blind(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("blind", "Hide effects in simulated data, and score who looks for them");
+  command->require_subcommand(1);
+  add_make(*command);
+  add_score(*command);
+}
+
+}  // namespace ballbar::commands

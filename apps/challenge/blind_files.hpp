@@ -1,0 +1,43 @@
+// The files of a blind test: data sets for whoever is to find what is hidden, and the sealed answers.
+//
+//   DIR/01/data.csv, model.toml   the data and the model to start from, set after set
+//   DIR/README.txt                what to do
+//   DIR/SEAL                      "SHA256  answers.json", as sha256sum writes it: the digest of the answers
+//   DIR/answers.json              {"format": "ballbar-blind 1", "answers": BASE64}; in it the truth of every set and
+//                                 the digests of its files. May be kept elsewhere
+// Whoever has the answers' file can read them: the seal shows that nobody changed answers or data, it keeps no secret.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ballbar/challenge/blind.hpp"
+
+namespace ballbar {
+
+struct SealedSet {
+  std::string name;  // its folder: "01"
+  BlindAnswer answer;
+  std::string data_sha256, model_sha256;
+};
+
+// Makes the sets and writes them, all or nothing; returns the digest of the answers. `progress` is called with the
+// number of sets that are made. Throws Error where `folder` holds anything or `answers` exists.
+std::string write_blind(const std::filesystem::path& folder, const std::filesystem::path& answers, std::size_t count,
+                        std::uint64_t seed, const std::function<void(std::size_t)>& progress);
+
+// Throws Error: no answers or no SEAL, other answers than were sealed, other data or another model than were made.
+std::vector<SealedSet> read_blind(const std::filesystem::path& folder, const std::filesystem::path& answers);
+
+// A person's verdicts, one line a set: `set,verdict,effects` with that heading. Effects as on the command line, joined
+// by ";", behind `named` (what is missing) and `equivalent` (which of these it is); none behind the other verdicts.
+// Throws Error "name:line: ..." for anything else, a set that is not there, missing or twice. In the order of `sets`.
+std::vector<BlindVerdict> read_verdicts(std::string_view bytes, std::string_view name,
+                                        const std::vector<SealedSet>& sets);
+
+}  // namespace ballbar

@@ -1,0 +1,231 @@
+#include "compensate/compensate_replay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/compensation/replay.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/formats/series/drift_files.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/sessions/drift_data.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "compensate/offset_text.hpp"
+#include "terminal/json_number.hpp"
+#include "terminal/out_files.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Recorded {
+  std::vector<Series> signals;
+  Series measured;
+  std::string title;
+  std::vector<std::filesystem::path> files;
+};
+
+Recorded open_recorded(const std::string& path) {
+  DriftData source = open_drift_data(path);
+  Recorded recorded{{}, {}, path, source.files};
+  if (source.series) {
+    recorded.signals.push_back(*source.series);
+    recorded.measured = *source.series;
+    return recorded;
+  }
+  const SessionFiles& files = *source.session;
+  if (!files.session.title.empty()) recorded.title = files.session.title;
+  if (files.signals.empty()) {
+    throw Error(fmt::format("{}: expected a session with signals, which the model reads, found none.", path));
+  }
+  recorded.measured = series_of(drift_of(files.session, {}));
+  for (const std::filesystem::path& signal : files.signals) recorded.signals.push_back(open_series(signal));
+  return recorded;
+}
+
+double largest(const std::vector<double>& values) {
+  double most = 0.0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+std::string percent(const Reduction& reduction) {
+  if (!std::isfinite(reduction.share)) return "?";
+  return with_sigma(100.0 * reduction.share, 100.0 * reduction.sigma, 1);
+}
+
+std::string percent(double share) { return fixed(100.0 * share, 1); }
+
+// Where much was held: the gain is less than the model could give.
+std::string held_sentence(const ReplayedAxis& axis, std::size_t rows) {
+  const std::size_t held = rows - axis.rows_held[0];
+  if (100 * held < rows) return "";
+  const auto most = std::max_element(axis.rows_held.begin() + 1, axis.rows_held.end());
+  const Hold why = Hold(most - axis.rows_held.begin());
+  const std::string column = is_about_a_column(why) ? " of " + shortened(axis.most_held_by, 60) : "";
+  return fmt::format(" It was held in {} of {} rows, most of them for {}{}.", held, rows, name_of(why), column);
+}
+
+// Whether the parameters come from the data that they are judged by.
+bool in_sample(const CompensationOptions& options, const Recorded& recorded) {
+  return std::any_of(options.fit.begin(), options.fit.end(), [&](const std::string& path) {
+    std::error_code error;
+    for (const std::filesystem::path& file : recorded.files) {
+      if (std::filesystem::equivalent(file, path, error) ||
+          std::filesystem::equivalent(file.parent_path(), path, error))
+        return true;
+    }
+    return false;
+  });
+}
+
+std::string parameters_text(const CompensationOptions& options, const Recorded& recorded) {
+  if (options.fit.empty())
+    return "The parameters are those of the model's file: whether they were fitted to these data is not known here.";
+  if (in_sample(options, recorded)) {
+    return "The parameters were fitted to these same data: what a model gains on data it has seen says little of what "
+           "it gains on others.";
+  }
+  return fmt::format("The parameters were fitted to {} alone.", shortened(options.fit.front(), 60));
+}
+
+constexpr const char* kPaper =
+    "For comparison, Huang 2022, table 3, ten bores: axial {} %, radial {} % less, from its ten rows. The paper states "
+    "{} % and {} %; the means it prints give {} % and {} %: the axial one with compensation is not that of its rows.";
+
+// From the means that the paper prints.
+constexpr double kPrintedAxial = 1.0 - 0.005351 / 0.020322, kPrintedRadial = 1.0 - 0.002523 / 0.005435;
+
+std::string paper_text() {
+  return fmt::format(kPaper, percent(huang2022_axial_reduction()), percent(huang2022_radial_reduction()),
+                     percent(kHuang2022Axial), percent(kHuang2022Radial), percent(kPrintedAxial),
+                     percent(kPrintedRadial));
+}
+
+// "each value", "stretches of 40 values": as long as what is left stays alike.
+std::string stretches_text(const Replay& replay) {
+  std::size_t longest = 1;
+  for (const ReplayedAxis& axis : replay.axes) longest = std::max(longest, axis.reduction.stretch);
+  if (longest == 1) return "each value";
+  return fmt::format("stretches of up to {} values, over which what is left stays alike,", longest);
+}
+
+void print(const Replay& replay, const CompensationOptions& options, const Recorded& recorded) {
+  fmt::print("{}\n", recorded.title);
+  std::string conclusion;
+  for (const ReplayedAxis& axis : replay.axes) {
+    conclusion += fmt::format("{}{}: {} % less RMS, {} um instead of {} um.{}", conclusion.empty() ? "" : " ",
+                              axis.name, percent(axis.reduction), fixed(axis.reduction.after_um, 3),
+                              fixed(axis.reduction.before_um, 3), held_sentence(axis, replay.rows));
+  }
+  fmt::print("{} rows of signals, replayed as they came\n\n{}\n{}\n", replay.rows, wrapped(conclusion),
+             wrapped(parameters_text(options, recorded)));
+  Table table({"axis", "target", "values", "RMS before um", "after um", "less %", "largest before um", "after um",
+               "rows held"});
+  for (const ReplayedAxis& axis : replay.axes) {
+    const std::string held = held_text(axis.rows_held);
+    table.add({axis.name, axis.target, fmt::format("{}", axis.time_s.size() - 1), fixed(axis.reduction.before_um, 3),
+               fixed(axis.reduction.after_um, 3), percent(axis.reduction), fixed(largest(axis.before_um), 3),
+               fixed(largest(axis.after_um), 3), held.empty() ? "0" : held});
+  }
+  fmt::print(
+      "{}\n{}\n", table.text(120),
+      wrapped(fmt::format("Errors since the first value, which is left out. An error is met by the offset of the "
+                          "last row before it; nothing later is used. ± is one sigma by leaving out {} in turn.",
+                          stretches_text(replay))));
+  fmt::print("{}", wrapped(paper_text()));
+}
+
+Json json_of(const Reduction& reduction) {
+  return {{"rms_before_um", number(reduction.before_um)},
+          {"rms_after_um", number(reduction.after_um)},
+          {"reduction_percent", number(100.0 * reduction.share)},
+          {"reduction_sigma_percent", number(100.0 * reduction.sigma)},
+          {"stretch", reduction.stretch}};
+}
+
+Json json_of(const ReplayedAxis& axis) {
+  Json json{{"target", axis.target}, {"values", axis.time_s.size() - 1}};
+  json.update(json_of(axis.reduction));
+  json["largest_before_um"] = largest(axis.before_um);
+  json["largest_after_um"] = largest(axis.after_um);
+  Json held = Json::object();
+  for (std::size_t kind = 1; kind < kHoldKinds; ++kind) {
+    if (axis.rows_held[kind] > 0) held[std::string(name_of(Hold(kind)))] = axis.rows_held[kind];
+  }
+  json["rows_held"] = std::move(held);
+  if (!axis.most_held_by.empty()) json["most_held_by"] = axis.most_held_by;
+  json["rows_limited"] = axis.rows_limited;
+  return json;
+}
+
+Json paper_json(const Reduction& rows, double printed_means, double stated) {
+  return {{"reduction_percent", number(100.0 * rows.share)},
+          {"reduction_sigma_percent", number(100.0 * rows.sigma)},
+          {"of_printed_means_percent", number(100.0 * printed_means)},
+          {"stated_percent", number(100.0 * stated)}};
+}
+
+Json json_of(const Replay& replay, const CompensationOptions& options, const Recorded& recorded) {
+  Json json{{"rows", replay.rows},
+            {"in_sample", options.fit.empty() ? Json(nullptr) : Json(in_sample(options, recorded))},
+            {"axes", Json::object()}};
+  for (const ReplayedAxis& axis : replay.axes) json["axes"][axis.name] = json_of(axis);
+  json["huang2022_table_3"] = {{"axial", paper_json(huang2022_axial_reduction(), kPrintedAxial, kHuang2022Axial)},
+                               {"radial", paper_json(huang2022_radial_reduction(), kPrintedRadial, kHuang2022Radial)}};
+  return json;
+}
+
+// All axes on the times of all of them; a gap where one has no value.
+Series table_of(const Replay& replay) {
+  Series series;
+  for (const ReplayedAxis& axis : replay.axes) {
+    series.time_s.insert(series.time_s.end(), axis.time_s.begin(), axis.time_s.end());
+  }
+  std::sort(series.time_s.begin(), series.time_s.end());
+  series.time_s.erase(std::unique(series.time_s.begin(), series.time_s.end()), series.time_s.end());
+  const auto add = [&](const std::string& name, const ReplayedAxis& axis, const std::vector<double>& values) {
+    Column column{name, Role::measured, std::vector<double>(series.time_s.size(), std::nan(""))};
+    std::size_t i = 0;
+    for (std::size_t row = 0; row < series.time_s.size() && i < axis.time_s.size(); ++row) {
+      if (series.time_s[row] == axis.time_s[i]) column.values[row] = values[i++];
+    }
+    series.columns.push_back(std::move(column));
+  };
+  for (const ReplayedAxis& axis : replay.axes) {
+    add(axis.name + "_before_um", axis, axis.before_um);
+    add(axis.name + "_after_um", axis, axis.after_um);
+    add(axis.name + "_offset_um", axis, axis.offset_um);
+  }
+  return series;
+}
+
+}  // namespace
+
+void compensate_replay(const CompensationOptions& options, const ReplayOptions& replay) {
+  const Recorded recorded = open_recorded(replay.data);
+  std::vector<std::filesystem::path> inputs = recorded.files;
+  inputs.insert(inputs.end(), options.models.begin(), options.models.end());
+  expect_no_input(replay.out, inputs);
+  for (const std::string& path : replay.out) {
+    if (std::filesystem::path(path).extension() == ".csv") continue;
+    throw Error(fmt::format("--out {}: expected a name that ends in .csv.", path));
+  }
+  const std::vector<CompensatedAxis> axes = axes_of(options);
+  const Replay result =
+      with_source(replay.data, [&] { return replay_of(axes, options.limits, recorded.signals, recorded.measured); });
+  for (const std::string& path : replay.out) write_bytes(path, write_series(table_of(result)));
+  if (replay.json) {
+    fmt::print("{}\n", json_of(result, options, recorded).dump(-1, ' ', false, Json::error_handler_t::replace));
+  } else {
+    print(result, options, recorded);
+  }
+  for (const std::string& path : replay.out) fmt::print(stderr, "wrote {}\n", path);
+}
+
+}  // namespace ballbar

@@ -1,0 +1,220 @@
+#include "compensate/compensation_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "ballbar/formats/models/compensation_state.hpp"
+#include "ballbar/formats/models/model_toml.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/nearest_name.hpp"
+#include "predict/predict_batch.hpp"
+#include "terminal/remark.hpp"
+
+namespace ballbar {
+namespace {
+
+double clock_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+void expect_held(const Model& model, const std::string& file) {
+  for (const Term& term : model.terms) {
+    for (std::size_t k = 0; k < term.settings.size(); ++k) {
+      if (term.settings[k].held) continue;
+      throw Error(
+          fmt::format("{}: expected every parameter held, found {} of {} free; give the data to fit it to: "
+                      "--fit DATA.",
+                      file, term.effect->parameters[k].name, label_of(term)));
+    }
+  }
+}
+
+// Lowest and highest of each column that the model reads.
+std::vector<ColumnRange> ranges_of(const Model& model, const Series& data, const std::string& file) {
+  std::vector<ColumnRange> ranges;
+  for (const Term& term : model.terms) {
+    for (const std::string& name : term.columns) {
+      const auto same = [&](const ColumnRange& range) { return range.column == name; };
+      if (std::any_of(ranges.begin(), ranges.end(), same)) continue;
+      ColumnRange range{name, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+      const Column* column = find_column(data, name);
+      if (column == nullptr) {
+        std::vector<std::string_view> known;
+        for (const Column& other : data.columns) known.push_back(other.name);
+        throw Error(fmt::format("{}: expected the column {} in the data to fit it to, found none; the nearest is {}.",
+                                file, name, nearest_name(name, known)));
+      }
+      for (const double value : column->values) {
+        if (!std::isfinite(value)) continue;
+        range.low = std::min(range.low, value);
+        range.high = std::max(range.high, value);
+      }
+      if (range.low <= range.high) ranges.push_back(range);
+    }
+  }
+  return ranges;
+}
+
+Model fitted(Model model, const std::string& file, const CompensationOptions& options, const ModelData& data) {
+  ModelOptions how = options.fitting;
+  how.data = options.fit;
+  how.model = file;
+  const bool free = !model.constant_um || std::any_of(model.terms.begin(), model.terms.end(), [](const Term& term) {
+    return std::any_of(term.settings.begin(), term.settings.end(), [](const Setting& one) { return !one.held; });
+  });
+  if (free) {
+    const Fit fit = fit_of(how, model, data, 0);
+    model.constant_um = fit.parameters.front().value;
+    std::size_t parameter = 1;
+    for (Term& term : model.terms) {
+      for (Setting& setting : term.settings) {
+        setting.start = fit.parameters[parameter++].value;
+        setting.held = true;
+        setting.stated = true;
+      }
+    }
+  }
+  model.trained = ranges_of(model, data.series, file);
+  return model;
+}
+
+void add_limit(CLI::App& command, const std::string& name, double& limit, const std::string& what) {
+  command.add_option(name, limit, what)->capture_default_str()->type_name("NUMBER")->group("Limits");
+}
+
+}  // namespace
+
+void add_compensation_options(CLI::App& command, CompensationOptions& options) {
+  command.add_option("--model", options.models, "model.toml of one axis or more; may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->required();
+  command.add_option("--to", options.axes, "axis of each target, in order: z; default: the target's own name")
+      ->type_name("AXIS")
+      ->allow_extra_args(false);
+  command.add_option("--fit", options.fit, "fit what is free to DATA; their ranges are those trained on")
+      ->type_name("DATA")
+      ->allow_extra_args(false);
+  command
+      .add_option(
+          "--state", options.state,
+          "goes on from this file after a restart, and keeps it up to date; without it the first row is the zero")
+      ->type_name("FILE");
+  CompensationLimits& limits = options.limits;
+  add_limit(command, "--resolution-um", limits.resolution_um, "least increment of the control");
+  add_limit(command, "--hysteresis", limits.hysteresis, "of an increment beyond its half, before counts change");
+  add_limit(command, "--rate-um-per-s", limits.rate_um_per_s, "fastest change of an offset");
+  add_limit(command, "--step-um", limits.step_um, "largest change from one row to the next");
+  add_limit(command, "--largest-um", limits.largest_um, "largest offset");
+  add_limit(command, "--range-margin", limits.range_margin, "of the trained range, believed beyond it");
+  add_limit(command, "--spike-K", limits.spike_K, "largest change of a temperature at once");
+  add_limit(command, "--heating-K-per-s", limits.heating_K_per_s, "and with the time");
+  add_limit(command, "--stuck-s", limits.stuck_s, "longest time a temperature may stay the same; inf: not looked for");
+  add_limit(command, "--gap-s", limits.gap_s, "longest time between rows");
+}
+
+std::vector<CompensatedAxis> axes_of(const CompensationOptions& options) {
+  std::vector<CompensatedAxis> axes;
+  std::optional<ModelData> data;
+  if (!options.fit.empty()) {
+    ModelOptions how = options.fitting;
+    how.data = options.fit;
+    data = open_data(how);
+  }
+  for (const std::string& file : options.models) {
+    if (is_batch_model(file)) {
+      throw Error(
+          fmt::format("{}: expected a model of effects, whose memory runs live, found a regression over "
+                      "batches.",
+                      file));
+    }
+    const Model whole = read_model(read_bytes(file, kLargestText), file);
+    for (const std::string& target : whole.targets) {
+      Model model = whole;
+      model.targets = {target};
+      if (data) {
+        model = fitted(std::move(model), file, options, *data);
+      } else {
+        expect_held(model, file);
+      }
+      const std::size_t number = axes.size();
+      axes.push_back({number < options.axes.size() ? options.axes[number] : stem_of(target), std::move(model)});
+    }
+  }
+  if (!options.axes.empty() && options.axes.size() != axes.size()) {
+    throw Error(fmt::format("--to: expected as many axes as the models have targets, {}, found {}.", axes.size(),
+                            options.axes.size()));
+  }
+  for (const CompensatedAxis& axis : axes) {
+    const bool plain = !axis.name.empty() && std::all_of(axis.name.begin(), axis.name.end(), [](unsigned char c) {
+      return std::isalnum(c) != 0 || c == '_';
+    });
+    if (!plain) {
+      throw Error(
+          fmt::format("--to: expected a name of letters, digits and _ for an axis, found {}.", in_quotes(axis.name)));
+    }
+  }
+  return axes;
+}
+
+KeptState::KeptState(const std::string& file, const std::vector<CompensatedAxis>& axes, CompensatedAxes& machine)
+    : file_(file), counts_(axes.size(), 0) {
+  for (const CompensatedAxis& axis : axes) models_.push_back(write_model(axis.model));
+  if (file_.empty() || !std::filesystem::exists(file_)) return;
+  const StoredCompensation whole = read_compensation(read_bytes(file_, kLargestText), file_);
+  const std::vector<StoredAxis>& stored = whole.axes;
+  for (std::size_t a = 0; a < std::max(axes.size(), stored.size()); ++a) {
+    const std::string expected = a < axes.size() ? axes[a].name : "no other axis";
+    const std::string found = a < stored.size() ? stored[a].name : "none";
+    if (expected != found) {
+      throw Error(fmt::format("{}: expected the state of {}, found {}.", file_, expected, in_quotes(found)));
+    }
+    if (stored[a].model != models_[a]) {
+      throw Error(
+          fmt::format("{}: expected the state of {} with this model, found one with another. Without the file "
+                      "the offset begins at 0 again.",
+                      file_, expected));
+    }
+  }
+  for (std::size_t a = 0; a < stored.size(); ++a) {
+    with_source(file_, [&] { machine.axis(a).resume(stored[a].state, stored[a].live); });
+    counts_[a] = stored[a].state.counts;
+  }
+  signals_ = whole.signals;
+  resumed_ = true;
+}
+
+std::uint64_t KeptState::bytes_of(const std::optional<SignalsPlace>& signals) const {
+  const bool same = signals && signals_ && signals->file == signals_->file && signals->inode == signals_->inode;
+  return same ? signals_->bytes : 0;
+}
+
+void KeptState::keep(const CompensatedAxes& machine, const std::optional<SignalsPlace>& signals, double at_least_s) {
+  if (file_.empty()) return;
+  const double now_s = clock_s();
+  bool changed = !written_;
+  for (std::size_t a = 0; a < machine.size(); ++a) changed |= counts_[a] != machine.axis(a).state().counts;
+  if (!changed && now_s - written_s_ < at_least_s) return;
+  StoredCompensation stored{{}, signals};
+  for (std::size_t a = 0; a < machine.size(); ++a) {
+    const Compensator& axis = machine.axis(a);
+    stored.axes.push_back({machine.name(a), models_[a], axis.state(), axis.model().state()});
+    counts_[a] = axis.state().counts;
+  }
+  written_s_ = now_s;
+  try {
+    write_bytes(file_, write_compensation(stored));
+    written_ = true;
+    failed_ = false;
+  } catch (const Error& error) {
+    if (!written_) throw;
+    if (!failed_) remark(fmt::format("{} It goes on without.", error.what()));
+    failed_ = true;
+  }
+}
+
+}  // namespace ballbar

@@ -1,0 +1,60 @@
+// What runs live: models, their axes and the limits of the offsets. Shared by `ballbar compensate` and `ballbar-hal`.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballbar/compensation/compensated_axes.hpp"
+#include "ballbar/formats/models/compensation_state.hpp"
+#include "model/model_options.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace ballbar {
+
+struct CompensationOptions {
+  std::vector<std::string> models;  // files
+  std::vector<std::string> axes;    // names, one a target; empty: the targets' own
+  std::vector<std::string> fit;     // DATA
+  ModelOptions fitting;             // how
+  CompensationLimits limits;
+  std::string state;  // file; empty: none
+};
+
+void add_compensation_options(CLI::App& command, CompensationOptions& options);
+
+// One axis a target of the models, in order; with --fit fitted to DATA, its values held and its columns' ranges stated.
+// Throws Error, with the file: a parameter that is free without --fit, as many axes as targets not given.
+std::vector<CompensatedAxis> axes_of(const CompensationOptions& options);
+
+// The state's file, read at the start and written as the counts change.
+class KeptState {
+ public:
+  // Takes the axes to where the file says they stood; nothing where there is no file. Throws Error where it is that of
+  // other axes or models.
+  KeptState(const std::string& file, const std::vector<CompensatedAxis>& axes, CompensatedAxes& machine);
+
+  bool resumed() const { return resumed_; }
+
+  // How much of these signals had been taken when the state was written; 0 where it was of others.
+  std::uint64_t bytes_of(const std::optional<SignalsPlace>& signals) const;
+
+  // Writes where counts have changed since it was written last, or after `at_least_s` of real time. Throws Error where
+  // the first one cannot be written; later ones are said, once.
+  void keep(const CompensatedAxes& machine, const std::optional<SignalsPlace>& signals, double at_least_s);
+
+ private:
+  std::string file_;
+  std::vector<std::string> models_;
+  std::vector<std::int64_t> counts_;
+  std::optional<SignalsPlace> signals_;
+  double written_s_ = 0.0;
+  bool resumed_ = false;
+  bool written_ = false, failed_ = false;
+};
+
+}  // namespace ballbar

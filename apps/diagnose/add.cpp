@@ -1,0 +1,237 @@
+// `ballbar add EFFECT... --model M DATA`: a new revision of the model, earlier effects tested anew, a row in its
+// ledger.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/formats/models/model_history.hpp"
+#include "ballbar/formats/models/model_toml.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "commands.hpp"
+#include "diagnose/trial_text.hpp"
+#include "model/effect_options.hpp"
+#include "terminal/out_files.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+constexpr std::size_t kMostAdditions = 6;
+
+struct Options {
+  EffectOptions effect;
+  std::string out;
+  bool automatic = false;
+  bool prune = false;
+};
+
+// The model as it goes from revision to revision; written once, at the end.
+struct Story {
+  std::string bytes;
+  Model model;                  // opened: with the circles of recordings, with the target chosen
+  std::size_t not_in_file = 0;  // terms at the front of the model that the file does not name
+  std::vector<Trial> trials;
+};
+
+Story story_of(const Options& options, const ModelData& data) {
+  Story story;
+  story.bytes = read_bytes(options.effect.model.model, kLargestText);
+  story.model = open_model(options.effect.model, data);
+  expect_one_target(options.effect.model, story.model);
+  expect_to_fit(options.effect.model, story.model, data);
+  story.not_in_file = story.model.terms.size() - read_model(story.bytes, options.effect.model.model).terms.size();
+  static_cast<void>(read_ledger(story.bytes, options.effect.model.model));
+  return story;
+}
+
+// named: by which the terms were found; nullptr: they were chosen.
+void add_terms(const Options& options, const ModelData& data, const std::vector<Term>& terms, const Diagnosis* named,
+               Story& story) {
+  const ModelOptions& how = options.effect.model;
+  Trial tried = with_source(how.data.front(), [&] { return trial(story.model, terms, data.series); });
+  std::vector<std::size_t> removed;
+  if (options.prune) {
+    Pruned smaller = with_source(how.data.front(), [&] { return pruned(std::move(tried), data.series); });
+    tried = std::move(smaller.trial);
+    for (const std::size_t term : smaller.removed) removed.push_back(term - story.not_in_file);
+  }
+  if (named != nullptr) {
+    tried.after.verdict = name_of(Verdict::named);
+    tried.after.threshold = 0.0;
+    for (const Candidate& candidate : named->candidates) {
+      if (std::find(named->named.begin(), named->named.end(), candidate.bound) == named->named.end()) continue;
+      tried.after.threshold += std::max(kFewestEvidence, candidate.threshold);  // what a search shows by chance
+    }
+  }
+  tried.before.data = tried.after.data = how.data;
+  story.bytes = with_revision(story.bytes, how.model, terms, removed, tried.before, tried.after);
+  tried.after.revision = read_ledger(story.bytes, how.model).size() - 1;
+  story.model = tried.model;
+  story.trials.push_back(std::move(tried));
+}
+
+// A new effect may not read what the file is to explain beside the target chosen here.
+void expect_file_suits(const Options& options, const ModelData& data, const std::string& bytes) {
+  if (data.level == Level::recording) return;
+  Model file = read_model(bytes, options.effect.model.model);
+  std::erase_if(file.targets, [&](const std::string& target) { return find_column(data.series, target) == nullptr; });
+  if (!file.targets.empty()) with_source(options.effect.model.model, [&] { expect_suits(file, data.series); });
+}
+
+std::string either_text(const std::vector<std::vector<BoundEffect>>& groups) {
+  std::vector<std::string> texts;
+  for (const std::vector<BoundEffect>& group : groups) {
+    std::vector<std::string> labels;
+    labels.reserve(group.size());
+    for (const BoundEffect& bound : group) labels.push_back(label_of(bound));
+    texts.push_back(fmt::format("{}", fmt::join(labels, " or ")));
+  }
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+// Why the search goes no further.
+std::string stop_text(const Diagnosis& diagnosis) {
+  const std::string why = diagnosis.reasons.empty() ? "" : fmt::format(" {}", fmt::join(diagnosis.reasons, " "));
+  switch (diagnosis.verdict) {
+    case Verdict::nothing:
+      return std::isfinite(diagnosis.smallest_um)
+                 ? fmt::format("Stopped: no further effect is found; {} would have been from {:.3g} um.{}",
+                               label_of(diagnosis.smallest), diagnosis.smallest_um, why)
+                 : fmt::format("Stopped: no further effect is found.{}", why);
+    case Verdict::equivalent:
+      return fmt::format("Stopped: something real is left, and the data cannot name it: {}.{}",
+                         either_text(diagnosis.equivalent), why);
+    case Verdict::unexplained:
+      return fmt::format("Stopped: something real is left that no effect of the catalogue explains.{}", why);
+    default:
+      return fmt::format("Stopped: these data cannot test anything more.{}", why);
+  }
+}
+
+// With its held shapes (an exponent) where the search found them.
+Term as_diagnosed(const BoundEffect& bound, const Diagnosis& diagnosis, Level level) {
+  Term term = term_of(bound.effect->name, bound.columns, level);
+  const auto candidate = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                                      [&](const Candidate& one) { return one.bound == bound; });
+  if (candidate == diagnosis.candidates.end()) return term;
+  for (std::size_t k = 0; k < term.settings.size(); ++k) {
+    if (!term.settings[k].held) continue;
+    term.settings[k].start = candidate->parameters[k].value;
+    term.settings[k].stated = true;
+  }
+  return term;
+}
+
+// Effects that diagnose() names, until it names none. Returns why it stopped.
+std::string add_named(const Options& options, const ModelData& data, Story& story, Verdict& verdict) {
+  while (true) {
+    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "searching, {} revisions so far\n", story.trials.size());
+    DiagnosisOptions how;
+    how.motion = data.motion;
+    const Diagnosis diagnosis =
+        with_source(options.effect.model.data.front(), [&] { return diagnose(story.model, data.series, 0, how); });
+    verdict = diagnosis.verdict;
+    if (verdict != Verdict::named) return stop_text(diagnosis);
+    std::vector<Term> terms;
+    for (const BoundEffect& bound : diagnosis.named) {
+      terms.push_back(as_diagnosed(bound, diagnosis, story.model.level));
+    }
+    add_terms(options, data, terms, &diagnosis, story);
+    if (story.trials.size() < kMostAdditions) continue;
+    return fmt::format("Stopped after {} revisions: a model that grows further fits these data alone.", kMostAdditions);
+  }
+}
+
+std::string unneeded_text(const Trial& tried) {
+  const std::vector<std::string>& labels = tried.after.no_longer_needed;
+  if (labels.empty()) return "";
+  return fmt::format("{} {} no longer needed (p to stay {} or more): --prune takes {} out.", fmt::join(labels, ", "),
+                     labels.size() == 1 ? "is" : "are", kStays, labels.size() == 1 ? "it" : "them");
+}
+
+void print_text(const Story& story, const std::vector<LedgerRow>& rows, const std::string& stopped,
+                const std::string& title) {
+  fmt::print("{}\n\n", title);
+  for (const Trial& tried : story.trials) {
+    fmt::print("{}", wrapped(sentence(tried.after, &tried.before)));
+    if (tried.after.verdict != "named") fmt::print("{}", wrapped(conclusion(tried)));
+    const std::string unneeded = unneeded_text(tried);
+    if (!unneeded.empty()) fmt::print("{}", wrapped(unneeded));
+  }
+  if (!stopped.empty()) fmt::print("{}{}", story.trials.empty() ? "" : "\n", wrapped(stopped));
+  if (rows.empty()) return;
+  fmt::print("\nFamily-wise error spent: {}.\n", family_wise_text(family_wise_error(rows)));
+  if (!story.trials.empty()) fmt::print("\n{}", tables(story.trials.back()));
+}
+
+void run(Options options) {
+  split_words(options.effect, !options.automatic);
+  const ModelOptions& how = options.effect.model;
+  const ModelData data = open_data(how);
+  Story story = story_of(options, data);
+  if (!options.out.empty()) expect_no_input({options.out}, data.files);
+  const std::string out = options.out.empty() ? how.model : options.out;
+  std::string stopped;
+  Verdict verdict = Verdict::named;
+  if (options.automatic) {
+    stopped = add_named(options, data, story, verdict);
+  } else {
+    add_terms(options, data, terms_of(options.effect.effects, story.model, data), nullptr, story);
+  }
+  expect_file_suits(options, data, story.bytes);
+  const std::vector<LedgerRow> rows = read_ledger(story.bytes, how.model);
+  if (!story.trials.empty()) write_bytes(out, story.bytes);
+  if (options.effect.json) {
+    nlohmann::ordered_json json;
+    json["rows"] = nlohmann::ordered_json::array();
+    json["revisions"] = nlohmann::ordered_json::array();
+    for (const Trial& tried : story.trials) {
+      json["rows"].push_back(json_of(tried.after, &tried.before));
+      json["revisions"].push_back(json_of(tried));
+    }
+    if (options.automatic) json["stopped"] = {{"verdict", name_of(verdict)}, {"text", stopped}};
+    json["family_wise_error"] = family_wise_error(rows);
+    json["written"] = story.trials.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(out);
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    print_text(story, rows, stopped, data.title);
+  }
+  if (story.trials.empty()) {
+    fmt::print(stderr, "nothing added, nothing written\n");
+    return;
+  }
+  const std::vector<std::string> targets = read_model(story.bytes, how.model).targets;
+  if (targets.size() > 1) {
+    fmt::print(stderr, "the effects of {} hold for all its targets, {}; the row is of {}\n", out,
+               fmt::join(targets, ", "), story.trials.back().after.target);
+  }
+  fmt::print(stderr, "wrote {}\n", out);
+}
+
+}  // namespace
+
+void add_add(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("add", "A new revision of a model with more effects, and its ledger");
+  add_effect_options(
+      *command, options->effect,
+      "effects (none with --auto), NAME or NAME:ROLE=COLUMN,..., then series .csv, session, or recordings");
+  command->add_option("--out", options->out, "write the new revision there instead of into the model's file")
+      ->type_name("FILE");
+  command->add_flag("--auto", options->automatic, "add what diagnose names, until it names nothing more");
+  command->add_flag("--prune", options->prune, "take earlier effects out that are no longer needed");
+  command->footer(
+      "Example:\n"
+      "  ballbar add lagged_expansion:temperature=T16_degC sample-runs/spindle-46h/measured.csv \\\n"
+      "    --model sample-runs/spindle-46h/speed.toml --target ch3_um --out model.toml");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

@@ -1,0 +1,289 @@
+// `ballbar inject EFFECT --amplitude-um A DATA`: could this effect have been seen in these data?
+#include "ballbar/challenge/inject.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/nearest_name.hpp"
+#include "commands.hpp"
+#include "model/bound_to.hpp"
+#include "model/checked.hpp"
+#include "model/model_options.hpp"
+#include "terminal/json_number.hpp"
+#include "terminal/out_files.hpp"
+#include "terminal/progress.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+struct Options {
+  std::string effect;
+  double amplitude_um = 0.0;
+  ModelOptions model;
+  std::vector<std::string> shapes;
+  std::uint64_t seed = 1;
+  std::string out;
+  bool json = false;
+};
+
+struct Injected {
+  Injection injection;
+  double amplitude_um = 0.0;
+  Fit base;        // of the model, without it
+  double d = 0.0;  // of that amplitude, by the noise of that fit
+  Diagnosis without, with;
+  SmallestSeen smallest;
+};
+
+// --set NAME=VALUE
+void set_shape(Injection& injection, const std::string& text) {
+  const Effect& effect = *injection.bound.effect;
+  const std::size_t equals = text.find('=');
+  const std::string name = text.substr(0, equals);
+  std::vector<std::string_view> shapes;
+  for (const Parameter& parameter : effect.parameters) {
+    if (parameter.kind == ParameterKind::shape) shapes.emplace_back(parameter.name);
+  }
+  if (shapes.empty()) {
+    throw Error(
+        fmt::format("--set: expected no shape for {}, which has none, found {}.", effect.name, in_quotes(text)));
+  }
+  for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
+    const Parameter& parameter = effect.parameters[k];
+    if (parameter.kind != ParameterKind::shape || parameter.name != name) continue;
+    double value = 0.0;
+    const char* begin = text.data() + std::min(text.size(), name.size() + 1);
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (error != std::errc() || stop != end || !std::isfinite(value)) {
+      throw Error(fmt::format("--set: expected {}=NUMBER, found {}.", name, in_quotes(text)));
+    }
+    if (value < parameter.lower || value > parameter.upper) {
+      throw Error(fmt::format("--set: expected a value from {} to {} for {}, found {}.", parameter.lower,
+                              parameter.upper, name, value));
+    }
+    injection.parameters[k] = value;
+    return;
+  }
+  throw Error(fmt::format("--set: expected a shape of {}, {}, found {}; the nearest is {}.", effect.name,
+                          fmt::join(shapes, ", "), in_quotes(name), nearest_name(name, shapes)));
+}
+
+std::string shapes_text(const Injection& injection) {
+  std::vector<std::string> texts;
+  for (std::size_t k = 0; k < injection.parameters.size(); ++k) {
+    const Parameter& parameter = injection.bound.effect->parameters[k];
+    if (parameter.kind != ParameterKind::shape) continue;
+    texts.push_back(fmt::format("{} = {:g}", parameter.name, injection.parameters[k]));
+  }
+  return texts.empty() ? "" : fmt::format(" with {}", fmt::join(texts, ", "));
+}
+
+bool is_seen(Sight sight) { return sight == Sight::named || sight == Sight::in_set; }
+
+double amplitude_of(const Injected& result, double d) { return d / result.d * result.amplitude_um; }
+
+// Whole sentences.
+std::string answer_text(const Injected& result) {
+  const std::string label = label_of(result.injection.bound);
+  const Sight before = sight_of(result.without, result.injection.bound);
+  const Sight now = sight_of(result.with, result.injection.bound);
+  if (is_seen(before)) {
+    return fmt::format(
+        "These data already show {}: it is {} without anything added, so that what is added proves "
+        "nothing.",
+        label, name_of(before));
+  }
+  std::string text;
+  switch (now) {
+    case Sight::named:
+      text = "It would be named.";
+      break;
+    case Sight::in_set:
+      text = "It would be in the reported set, not named.";
+      break;
+    case Sight::candidate:
+      text = "It would lead the candidates, neither named nor in a reported set.";
+      break;
+    case Sight::unexplained:
+      text = before == Sight::unexplained ? "It would not be seen: something unexplained is there already."
+                                          : "It would show as something unexplained, not under its name.";
+      break;
+    case Sight::not_seen:
+      text = "It would not be seen.";
+      break;
+  }
+  const SmallestSeen& smallest = result.smallest;
+  if (!std::isfinite(smallest.seen_um)) {
+    text += fmt::format(" Up to {:.2g} um it is neither named nor in the set", smallest.not_seen_um);
+  } else if (smallest.not_seen_um > 0.0) {
+    text += fmt::format(" The smallest amplitude that is named or in the set lies between {:.2g} and {:.2g} um",
+                        smallest.not_seen_um, smallest.seen_um);
+  } else {
+    text += fmt::format(" The smallest amplitude that is named or in the set is at most {:.2g} um", smallest.seen_um);
+  }
+  text += fmt::format(" ({} diagnoses).", smallest.diagnoses);
+  if (smallest.seen_um < amplitude_of(result, 3.0)) text += " That is chance: the noise already has some of its shape.";
+  return text;
+}
+
+void print_text(const Injected& result, const std::string& title) {
+  fmt::print("{}\n{}\n\n", title, heading(result.base));
+  fmt::print(
+      "{}\n",
+      wrapped(fmt::format(
+          "Added: {}{}, {:g} um from its lowest to its highest value: d = {:.1f} beside the noise of the model's "
+          "residual. Detectable (d = 5) are {:.2g} um, identifiable (d = 7.5) {:.2g} um.",
+          label_of(result.injection.bound), shapes_text(result.injection), result.amplitude_um, result.d,
+          amplitude_of(result, 5.0), amplitude_of(result, 7.5))));
+  Table table({"", "verdict", label_of(result.injection.bound)});
+  const auto add = [&](const char* what, const Diagnosis& found) {
+    table.add(
+        {what, std::string(name_of(found.verdict)), std::string(name_of(sight_of(found, result.injection.bound)))});
+  };
+  add("as measured", result.without);
+  add("with it", result.with);
+  fmt::print("{}\n{}", table.left_aligned(), wrapped(answer_text(result)));
+}
+
+nlohmann::ordered_json json_of(const Diagnosis& found, const BoundEffect& bound) {
+  return {{"verdict", name_of(found.verdict)}, {"seen", name_of(sight_of(found, bound))}};
+}
+
+void print_json(const Injected& result) {
+  const BoundEffect& bound = result.injection.bound;
+  nlohmann::ordered_json columns = nlohmann::ordered_json::object(), shapes = nlohmann::ordered_json::object();
+  for (std::size_t k = 0; k < bound.columns.size(); ++k) columns[bound.effect->inputs[k].role] = bound.columns[k];
+  for (std::size_t k = 0; k < result.injection.parameters.size(); ++k) {
+    const Parameter& parameter = bound.effect->parameters[k];
+    if (parameter.kind == ParameterKind::shape) shapes[parameter.name] = result.injection.parameters[k];
+  }
+  const nlohmann::ordered_json json = {{"target", result.without.target},
+                                       {"effect", bound.effect->name},
+                                       {"columns", columns},
+                                       {"shapes", shapes},
+                                       {"amplitude_um", result.amplitude_um},
+                                       {"d", number(result.d)},
+                                       {"detectable_um", number(amplitude_of(result, 5.0))},
+                                       {"identifiable_um", number(amplitude_of(result, 7.5))},
+                                       {"without", json_of(result.without, bound)},
+                                       {"with", json_of(result.with, bound)},
+                                       {"answer", answer_text(result)},
+                                       {"smallest",
+                                        {{"not_seen_um", number(result.smallest.not_seen_um)},
+                                         {"seen_um", number(result.smallest.seen_um)},
+                                         {"diagnoses", result.smallest.diagnoses}}}};
+  fmt::print("{}\n", json.dump(2));
+}
+
+Injection injection(const Options& options, const Model& model, const ModelData& data) {
+  BoundEffect bound;
+  try {
+    bound = bound_to(effect_text(options.effect, data.level), data.series, model.targets.front());
+  } catch (const Error& error) {
+    throw Error(fmt::format("EFFECT: {}", error.what()));
+  }
+  for (const Term& term : model.terms) {
+    if (term.effect->name != bound.effect->name || term.columns != bound.columns) continue;
+    throw Error(fmt::format("EFFECT: expected an effect that the model lacks, found {}.", label_of(bound)));
+  }
+  Injection result = injection_of(bound, data.series);
+  for (const std::string& shape : options.shapes) set_shape(result, shape);
+  return result;
+}
+
+void show_progress_of(std::size_t diagnosis) { show_progress(fmt::format("diagnosis {}", diagnosis)); }
+
+void run(const Options& options) {
+  const ModelData data = open_data(options.model);
+  const Model model = open_model(options.model, data);
+  if (model.targets.size() != 1) {
+    throw Error(fmt::format("--target: expected one column to add to, found {}: {}.", model.targets.size(),
+                            fmt::join(model.targets, ", ")));
+  }
+  if (!options.out.empty()) {
+    std::vector<std::filesystem::path> inputs = data.files;
+    if (!options.model.model.empty()) inputs.emplace_back(options.model.model);
+    expect_no_input({options.out}, inputs);
+    if (data.level == Level::recording) throw Error("--out: expected a series or a session, found recordings.");
+  }
+  expect_to_fit(options.model, model, data);
+  const std::string& target = model.targets.front();
+  Injected result{injection(options, model, data), options.amplitude_um, {}, 0.0, {}, {}, {}};
+  const Series changed =
+      with_source("EFFECT", [&] { return injected(data.series, target, result.injection, options.amplitude_um); });
+  DiagnosisOptions how;
+  how.motion = data.motion;
+  how.seed = options.seed;
+  result.base = fit_of(options.model, model, data, 0);
+  const ProgressLine line;
+  show_progress_of(1);
+  result.without = diagnose(model, data.series, 0, how);
+  show_progress_of(2);
+  result.with = diagnose(model, changed, 0, how);
+  const std::vector<double> signal = signal_of(result.injection, data.series);
+  const double d_per_um = survival_of(signal, result.base, result.base.noise).d / range_of(signal);
+  result.d = options.amplitude_um * d_per_um;
+  result.smallest = {0.0, std::numeric_limits<double>::infinity(), 2};
+  if (!is_seen(sight_of(result.without, result.injection.bound))) {
+    const bool seen = is_seen(sight_of(result.with, result.injection.bound));
+    (seen ? result.smallest.seen_um : result.smallest.not_seen_um) = options.amplitude_um;
+    result.smallest =
+        smallest_seen(model, data.series, result.injection, d_per_um, result.smallest, how, show_progress_of);
+  }
+  show_progress({});
+  if (!options.out.empty()) {
+    const std::string label = fmt::format("# # INJECTED by ballbar inject, not measured: {:g} um of {} in {}.\n",
+                                          options.amplitude_um, label_of(result.injection.bound), target);
+    write_bytes(options.out, label + write_series(changed));
+  }
+  if (options.json) {
+    print_json(result);
+  } else {
+    print_text(result, data.title);
+  }
+  if (!options.out.empty()) fmt::print(stderr, "wrote {}\n", options.out);
+}
+
+}  // namespace
+
+void add_inject(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("inject", "Whether an effect could have been seen in data");
+  command->add_option("EFFECT", options->effect, "name, with columns where there is a choice: NAME:ROLE=COLUMN")
+      ->required();
+  command->add_option("--amplitude-um", options->amplitude_um, "its largest less its smallest value")
+      ->check(CLI::Validator(
+          [](const std::string& amplitude_um) {
+            const double value = std::strtod(amplitude_um.c_str(), nullptr);
+            return value > 0.0 && std::isfinite(value) ? "" : std::string("expected a finite amplitude above 0");
+          },
+          ""))
+      ->required();
+  add_model_options(*command, options->model, false);
+  command
+      ->add_option("--set", options->shapes, "a shape of it, NAME=VALUE, such as time_constant_s=1800; may be repeated")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--seed", options->seed, "of the random draws; the same seed gives the same result");
+  command->add_option("--out", options->out, "write the data with the effect added, .csv")->type_name("FILE");
+  command->add_flag("--json", options->json, "the result for a program");
+  command->footer(
+      "Example:\n"
+      "  ballbar inject lagged_expansion:temperature=T16_degC --amplitude-um 2 sample-runs/spindle-46h/measured.csv "
+      "--model sample-runs/spindle-46h/speed.toml --target ch5_um");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

@@ -1,0 +1,86 @@
+// `ballbar ledger --model M`: the story so far, one row a revision.
+#include "ballbar/revision/ledger.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "ballbar/formats/models/model_history.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "commands.hpp"
+#include "diagnose/trial_text.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+constexpr std::size_t kWidest = 120;  // of a table
+
+struct Options {
+  std::string model;
+  bool json = false;
+};
+
+std::string known(double value, int decimals) { return std::isfinite(value) ? fixed(value, decimals) : "-"; }
+
+Table table_of(const std::vector<LedgerRow>& rows) {
+  const bool several =
+      std::any_of(rows.begin(), rows.end(), [&](const LedgerRow& row) { return row.target != rows.front().target; });
+  std::vector<std::string> heading{"revision"};
+  if (several) heading.emplace_back("target");
+  heading.insert(heading.end(),
+                 {"parameters", "RMSE um", "x floor", "left out um", "evidence", "counts from", "verdict"});
+  Table table(heading);
+  for (const LedgerRow& row : rows) {
+    std::vector<std::string> cells{fmt::format("{} {}", row.revision, shortened(row.change, 60))};
+    if (several) cells.push_back(shortened(row.target, 16));
+    cells.insert(cells.end(), {fmt::format("{}", row.parameters), fixed(row.rmse_um, 3), known(row.times_floor, 2),
+                               known(row.held_out_um, 3), known(row.evidence, 1), known(row.threshold, 1),
+                               shortened(row.verdict, 20)});
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+void run(const Options& options) {
+  const std::vector<LedgerRow> rows = read_ledger(read_bytes(options.model, kLargestText), options.model);
+  const auto before = [&](std::size_t i) { return i > 0 ? &rows[i - 1] : nullptr; };
+  if (options.json) {
+    nlohmann::ordered_json json;
+    json["rows"] = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < rows.size(); ++i) json["rows"].push_back(json_of(rows[i], before(i)));
+    json["family_wise_error"] = family_wise_error(rows);
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  if (rows.empty()) {
+    fmt::print("{} has no ledger yet: `ballbar add` writes its first row.\n", options.model);
+    return;
+  }
+  const auto same = [&](const LedgerRow& row) { return row.target == rows.front().target; };
+  fmt::print("{}{}\n\n{}\n", options.model,
+             std::all_of(rows.begin(), rows.end(), same) ? ", " + shortened(rows.front().target, 40) : "",
+             table_of(rows).text(kWidest));
+  for (std::size_t i = 0; i < rows.size(); ++i) fmt::print("{}", wrapped(sentence(rows[i], before(i))));
+  fmt::print("\nFamily-wise error spent: {}.\n", family_wise_text(family_wise_error(rows)));
+}
+
+}  // namespace
+
+void add_ledger(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("ledger", "What a model went through: every revision and its error");
+  command->add_option("--model", options->model, "model.toml with a ledger")->type_name("FILE")->required();
+  command->add_flag("--json", options->json, "the rows for a program");
+  command->footer(
+      "Example, after `ballbar add ... --out model.toml`:\n"
+      "  ballbar ledger --model model.toml");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

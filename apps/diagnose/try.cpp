@@ -1,0 +1,47 @@
+// `ballbar try EFFECT... --model M DATA`: what an effect would change; nothing is saved.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "commands.hpp"
+#include "diagnose/trial_text.hpp"
+#include "model/checked.hpp"
+#include "model/effect_options.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+void run(EffectOptions options) {
+  split_words(options, true);
+  const ModelData data = open_data(options.model);
+  const Model model = open_model(options.model, data);
+  expect_one_target(options.model, model);
+  expect_to_fit(options.model, model, data);
+  const std::vector<Term> terms = terms_of(options.effects, model, data);
+  Trial tried = with_source(options.model.data.front(), [&] { return trial(model, terms, data.series); });
+  tried.after.data = options.model.data;
+  if (options.json) {
+    fmt::print("{}\n", json_of(tried).dump(2));
+    return;
+  }
+  fmt::print("{}\n{}\n\n{}\n{}\nNothing was saved; `ballbar add` saves it.\n", data.title, heading(tried.fit_after),
+             wrapped(conclusion(tried)), tables(tried));
+}
+
+}  // namespace
+
+void add_try(CLI::App& app) {
+  const auto options = std::make_shared<EffectOptions>();
+  CLI::App* command = app.add_subcommand("try", "Before and after an effect is added to a model; nothing is saved");
+  add_effect_options(*command, *options,
+                     "effects, NAME or NAME:ROLE=COLUMN,..., then series .csv, session, or recordings");
+  command->footer(
+      "Example:\n"
+      "  ballbar try lagged_expansion:temperature=T16_degC sample-runs/spindle-46h/measured.csv \\\n"
+      "    --model sample-runs/spindle-46h/speed.toml --target ch3_um");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

@@ -1,0 +1,207 @@
+#include "mean_point/mean_point_states.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/pictures/picture_file.hpp"
+#include "ballbar/formats/series/profile_csv.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/nearest_name.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kSame = 2.0;  // sigma: crossings not farther apart than that in T are one
+
+// By its ending, or by its first bytes.
+bool is_picture(const std::string& path, const std::string& bytes) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  for (const char* known : {".png", ".PNG", ".jpg", ".JPG", ".jpeg", ".JPEG"}) {
+    if (ending == known) return true;
+  }
+  return bytes.starts_with("\x89PNG") || bytes.starts_with("\xFF\xD8\xFF");
+}
+
+std::optional<PixelBox> box_of(const char* option, const std::string& stated) {
+  if (stated.empty()) return std::nullopt;
+  std::array<std::size_t, 4> numbers{};
+  const char* next = stated.data();
+  const char* const end = next + stated.size();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto [rest, error] = std::from_chars(next, end, numbers[i]);
+    const bool last = i + 1 == numbers.size();
+    if (error != std::errc{} || (last ? rest != end : rest == end || *rest != ',')) {
+      throw Error(fmt::format("{}: expected x,y,w,h, whole pixels from the top left corner, found {}.", option,
+                              in_quotes(stated)));
+    }
+    next = rest + 1;
+  }
+  return PixelBox{numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+// Empty where no map is named.
+std::vector<Colour> colours_of(const std::string& name) {
+  if (name.empty()) return {};
+  try {
+    return colour_map(name);
+  } catch (const Error& error) {
+    throw Error(fmt::format("--colours: {}", error.what()));
+  }
+}
+
+double of_picture(const char* option, const std::vector<double>& stated, std::size_t index, std::size_t pictures) {
+  if (stated.size() == 1) return stated.front();
+  if (stated.size() == pictures) return stated[index];
+  throw Error(fmt::format("{}: expected one temperature{}, found {}.", option,
+                          pictures == 1 ? "" : fmt::format(" for all pictures or one for each of {}", pictures),
+                          stated.empty() ? "none" : fmt::format("{}", stated.size())));
+}
+
+// step_degC is of the scale: it is in the sigma of T at each place, but does not make crossings one.
+void set_points(MeanPointState& state, double step_degC, double pixel_mm) {
+  state.mean_degC = mean_degC(state.profile);
+  state.points = mean_points(state.profile, same_degC(state.profile, state.mean_degC));
+  for (double& sigma : state.profile.sigma_degC) sigma = std::hypot(sigma, step_degC / std::sqrt(12.0));
+  std::stable_sort(state.points.begin(), state.points.end(), [](const MeanPoint& a, const MeanPoint& b) {
+    return std::abs(a.slope_degC_per_mm) < std::abs(b.slope_degC_per_mm);
+  });
+  // sigma of xi = sigma of T over its slope, with the region's edges to a pixel and the stretch over which T cannot be
+  // told from the mean.
+  for (const MeanPoint& point : state.points) {
+    const double along = sigma_at(state.profile, point.x_mm) / std::abs(point.slope_degC_per_mm);
+    state.sigma_mm.push_back(std::hypot(along, pixel_mm, 0.5 * (point.to_mm - point.from_mm)));
+    state.sigma_slope_degC_per_mm.push_back(sigma_of_slope_degC_per_mm(state.profile, point));
+  }
+}
+
+// What lies beyond the scale is not known: no sigma holds.
+void take_sigmas_away(MeanPointState& state) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  state.sigma_mean_degC = kUnknown;
+  state.sigma_mm.assign(state.points.size(), kUnknown);
+  state.sigma_slope_degC_per_mm.assign(state.points.size(), kUnknown);
+  state.profile.sigma_degC.clear();
+}
+
+std::size_t edge_of(const MeanPointOptions& options) {
+  if (!options.edge_px) return ImageOptions{}.edge_px;
+  if (*options.edge_px >= 0 && *options.edge_px <= kWidestEdge_px) return static_cast<std::size_t>(*options.edge_px);
+  throw Error(fmt::format("--edge-px: expected 0 to {} pixels, found {}.", kWidestEdge_px, *options.edge_px));
+}
+
+void expect_bounded(const char* option, double value, double largest, const char* unit) {
+  if (std::abs(value) <= largest) return;
+  throw Error(fmt::format("{}: expected -{:g} to {:g} {}, found {:g}.", option, largest, largest, unit, value));
+}
+
+void check_numbers(const MeanPointOptions& options) {
+  edge_of(options);
+  constexpr double kLargest_ppm_per_K = 1000.0;
+  if (options.start_degC) expect_bounded("--start-degC", *options.start_degC, kLargest_degC, "degC");
+  for (const double min : options.min_degC) expect_bounded("--min-degC", min, kLargest_degC, "degC");
+  for (const double max : options.max_degC) expect_bounded("--max-degC", max, kLargest_degC, "degC");
+  if (options.from_mm) expect_bounded("--from-mm", *options.from_mm, kLargestPlace_mm, "mm");
+  if (options.to_mm) expect_bounded("--to-mm", *options.to_mm, kLargestPlace_mm, "mm");
+  if (!(options.expansion_ppm_per_K > 0.0 && options.expansion_ppm_per_K <= kLargest_ppm_per_K)) {
+    throw Error(fmt::format("--expansion-ppm-per-K: expected more than 0, at most {:g} ppm/K, found {:g}.",
+                            kLargest_ppm_per_K, options.expansion_ppm_per_K));
+  }
+}
+
+MeanPointState state_of(const MeanPointOptions& options, const std::string& path, const std::string& bytes,
+                        std::size_t index) {
+  const double min = of_picture("--min-degC", options.min_degC, index, options.files.size());
+  const double max = of_picture("--max-degC", options.max_degC, index, options.files.size());
+  const std::optional<PixelBox> legend = box_of("--legend", options.legend);
+  MeanPointState state{path, {}, 0.0, 0.0, {}, {}, {}, PictureState{}};
+  PictureState& from = *state.from;
+  from.vertical = options.vertical;
+  from.picture = read_picture(bytes, path);
+  const std::vector<Colour> colours = colours_of(options.colours);
+  try {
+    from.scale = colours.empty() ? legend_scale(from.picture, *legend, min, max) : scale_of(colours, min, max);
+    ImageOptions how{box_of("--region", options.region), legend, edge_of(options)};
+    from.image = temperature_image(from.picture, from.scale, how);
+    from.columns =
+        image_profile(from.image, from.scale, options.from_mm.value_or(0.0), *options.to_mm, options.vertical);
+    from.areas = three_areas(from.picture, from.image, min, max, options.vertical);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", path, error.what()));
+  }
+  state.profile = from.columns.profile;
+  set_points(state, from.scale.step_degC, length_mm(state.profile) / static_cast<double>(from.columns.columns));
+  state.sigma_mean_degC = from.columns.sigma_mean_degC;
+  if (from.image.saturated_cold || from.image.saturated_hot) take_sigmas_away(state);
+  return state;
+}
+
+std::vector<MeanPointState> states_of_table(const MeanPointOptions& options, const std::string& bytes) {
+  const std::string& path = options.files.front();
+  const std::pair<const char*, bool> given[] = {
+      {"--from-mm", options.from_mm.has_value()}, {"--to-mm", options.to_mm.has_value()},
+      {"--min-degC", !options.min_degC.empty()},  {"--max-degC", !options.max_degC.empty()},
+      {"--legend", !options.legend.empty()},      {"--colours", !options.colours.empty()},
+      {"--region", !options.region.empty()},      {"--vertical", options.vertical},
+      {"--edge-px", options.edge_px.has_value()}};
+  for (const auto& [option, there] : given) {
+    if (there) throw Error(fmt::format("{}: expected a picture to use it with, found the table {}.", option, path));
+  }
+  std::vector<MeanPointState> states;
+  for (NamedProfile& named : read_profiles(bytes, path)) {
+    MeanPointState state{std::move(named.name), std::move(named.profile), 0.0, 0.0, {}, {}, {}, std::nullopt};
+    try {
+      state.sigma_mean_degC = sigma_of_mean_degC(state.profile);
+      set_points(state, 0.0, 0.0);
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}: {}", path, state.name, error.what()));
+    }
+    states.push_back(std::move(state));
+  }
+  return states;
+}
+
+}  // namespace
+
+double same_degC(const TemperatureProfile& profile, double level_degC) {
+  const std::vector<MeanPoint> crossings = points_at(profile, level_degC);
+  if (crossings.empty() || profile.sigma_degC.empty()) return 0.0;
+  return kSame * sigma_at(profile, crossings.front().x_mm);
+}
+
+std::vector<MeanPointState> mean_point_states(const MeanPointOptions& options) {
+  check_numbers(options);
+  std::vector<std::string> bytes;
+  std::size_t pictures = 0;
+  for (const std::string& path : options.files) {
+    bytes.push_back(read_bytes(path, kLargestPicture));
+    pictures += is_picture(path, bytes.back()) ? 1 : 0;
+  }
+  if (pictures == 0 && options.files.size() == 1) return states_of_table(options, bytes.front());
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    if (is_picture(options.files[i], bytes[i])) continue;
+    throw Error(
+        fmt::format("{}: expected pictures alone, PNG or JPEG, or one table alone, found one that is no picture.",
+                    options.files[i]));
+  }
+  if (!options.to_mm) {
+    throw Error("--to-mm: expected the place of the region's right edge (bottom with --vertical), found none.");
+  }
+  if (options.legend.empty() && options.colours.empty()) {
+    throw Error(
+        "--legend: expected the box of the colour scale in the picture, or --colours with a map, found neither.");
+  }
+  std::vector<MeanPointState> states;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    states.push_back(state_of(options, options.files[i], bytes[i], i));
+  }
+  return states;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,359 @@
+// `ballbar meanpoint FILE...`: where one sensor should sit so that it tells the axial elongation.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/effects/huang2022.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/formats/series/profile_csv.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "commands.hpp"
+#include "mean_point/mean_point_states.hpp"
+#include "mean_point/meanpoint_plot.hpp"
+#include "terminal/json_number.hpp"
+#include "terminal/out_files.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+  MeanPointOptions of;
+  std::string out, plot;
+  bool json = false;
+};
+
+// dL of the state since the start, for a mean and its sigma.
+double elongation_um(const Options& options, const MeanPointState& state, double rise_K) {
+  return mean_point_elongation_um(options.of.expansion_ppm_per_K, length_mm(state.profile), rise_K);
+}
+
+// A sigma of zero or none is not shown: a table does not state one.
+std::string value_text(double value, double sigma, int decimals) {
+  return std::isfinite(sigma) ? with_sigma(value, sigma, decimals) : fixed(value, decimals);
+}
+
+// Of the first state whose scale ends too early; empty where there is none.
+std::string saturation(const std::vector<MeanPointState>& states) {
+  for (const MeanPointState& state : states) {
+    if (!state.from || !(state.from->image.saturated_cold || state.from->image.saturated_hot)) continue;
+    const TemperatureImage& image = state.from->image;
+    const auto share = [&](std::size_t pixels) {
+      return fixed(100.0 * static_cast<double>(pixels) / static_cast<double>(image.used), 1);
+    };
+    const std::string in = states.size() > 1 ? fmt::format(" in {}", shortened(state.name, 40)) : "";
+    if (image.saturated_cold && image.saturated_hot) {
+      return fmt::format(
+          " {} % of the pixels{} crowd at the cold end of the scale and {} % at its hot end, and may be colder and "
+          "hotter than it reaches: the mean has no bound and the place may be another, so there is no sigma.",
+          share(image.at_cold_end), in, share(image.at_hot_end));
+    }
+    const bool hot = image.saturated_hot;
+    return fmt::format(
+        " {} % of the pixels{} crowd at the {} end of the scale and may be {} than it reaches: the mean is only {} "
+        "bound and the place may be another, so there is no sigma.",
+        share(hot ? image.at_hot_end : image.at_cold_end), in, hot ? "hot" : "cold", hot ? "hotter" : "colder",
+        hot ? "a lower" : "an upper");
+  }
+  return "";
+}
+
+std::string conclusion(const Options& options, const std::vector<MeanPointState>& states,
+                       const std::optional<BestPoint>& best) {
+  if (best) {
+    double largest = 0.0;
+    for (const double error : best->error_um) largest = std::max(largest, std::abs(error));
+    return fmt::format(
+        "One sensor for all {} states belongs at x = {} mm: what it reads tells the axial elongation to {} um (root "
+        "mean square over the states, at most {} um); each mm that it is off adds up to {} um.{}",
+        states.size(), fixed(best->x_mm, 2), fixed(best->rms_um, 2), fixed(largest, 2),
+        fixed(best->misplaced_um_per_mm, 3), saturation(states));
+  }
+  const MeanPointState& state = states.front();
+  std::string text =
+      fmt::format("The sensor belongs at x = {} mm: there the temperature is the mean of the whole length, {} degC.",
+                  value_text(state.points.front().x_mm, state.sigma_mm.front(), 2),
+                  value_text(state.mean_degC, state.sigma_mean_degC, 2));
+  if (options.of.start_degC) {
+    text += fmt::format(" Since {:g} degC the axial elongation is {} um.", *options.of.start_degC,
+                        value_text(elongation_um(options, state, state.mean_degC - *options.of.start_degC),
+                                   elongation_um(options, state, state.sigma_mean_degC), 2));
+  }
+  if (state.points.size() > 1) {
+    text += fmt::format(" There are {} such places; this one forgives a misplaced sensor most.", state.points.size());
+  }
+  return text + saturation(states);
+}
+
+void print_points(const Options& options, const MeanPointState& state) {
+  Table table({"mean-value point", "x mm", "dT/dx degC/mm", "sensor misplaced um/mm"});
+  for (std::size_t i = 0; i < state.points.size(); ++i) {
+    const MeanPoint& point = state.points[i];
+    table.add({fmt::format("{}", i + 1), value_text(point.x_mm, state.sigma_mm[i], 2),
+               value_text(point.slope_degC_per_mm, state.sigma_slope_degC_per_mm[i], 4),
+               fixed(misplacement_um_per_mm(state.profile, point, options.of.expansion_ppm_per_K), 3)});
+  }
+  fmt::print("{}\n", table.text());
+}
+
+// Where T(x) is a mean that was found another way; "-" where it is nowhere.
+std::string places_of(const MeanPointState& state, double level_degC) {
+  std::vector<std::string> places;
+  const TemperatureProfile& profile = state.from->columns.profile;  // its sigma is the scatter alone
+  for (const MeanPoint& point : points_at(profile, level_degC, same_degC(profile, level_degC))) {
+    places.push_back(fixed(point.x_mm, 2));
+  }
+  return places.empty() ? "-" : fmt::format("{}", fmt::join(places, ", "));
+}
+
+void print_ways(const Options& options, const MeanPointState& state) {
+  const ThreeAreas& areas = state.from->areas;
+  Table table({"mean temperature by", "degC", "elongation um", "x mm"});
+  const auto add = [&](const char* way, double mean, double sigma) {
+    const std::string elongation = options.of.start_degC
+                                       ? value_text(elongation_um(options, state, mean - *options.of.start_degC),
+                                                    elongation_um(options, state, sigma), 2)
+                                       : "-";
+    table.add({way, value_text(mean, sigma, 2), elongation, places_of(state, mean)});
+  };
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  add("each pixel's colour", state.mean_degC, state.sigma_mean_degC);
+  add("three areas (paper)", areas.mean_degC, kUnknown);
+  add("three areas, Otsu alone", areas.otsu_mean_degC, kUnknown);
+  fmt::print("{}\n", table.text());
+}
+
+void print_picture(const MeanPointState& state) {
+  const PictureState& from = *state.from;
+  const PixelBox& box = from.image.region;
+  const ThreeAreas& areas = from.areas;
+  const auto share = [&](std::size_t pixels) {
+    return fixed(100.0 * static_cast<double>(pixels) / static_cast<double>(box.width * box.height), 1);
+  };
+  const auto of_used = [&](std::size_t pixels) {
+    return fixed(100.0 * static_cast<double>(pixels) / static_cast<double>(from.image.used), 1);
+  };
+  fmt::print(
+      "{}", wrapped(fmt::format("Region {},{},{},{}: {} % of its pixels on the scale, {} % off it, {} % lines or "
+                                "letters, {} % at edges; {} of {} {} without pixels.",
+                                box.x, box.y, box.width, box.height, share(from.image.used),
+                                share(from.image.off_scale), share(from.image.contrasting), share(from.image.at_edges),
+                                from.columns.empty_columns, from.columns.columns, from.vertical ? "rows" : "columns")));
+  fmt::print("{}",
+             wrapped(fmt::format(
+                 "Scale: {} {} of {:.3g} degC; {}. Sigma: scatter within columns and the scale's step.",
+                 from.scale.colours.size(), from.scale.banded ? "bands" : "colours, steps", from.scale.step_degC,
+                 from.scale.banded ? "whether T goes beyond its end bands is not told"
+                                   : fmt::format("{} % of the pixels used are at its cold end, {} % at its hot end",
+                                                 of_used(from.image.at_cold_end), of_used(from.image.at_hot_end)))));
+  fmt::print(
+      "{}", wrapped(fmt::format(
+                "Three areas: hot {:.1f} %, middle {:.1f} %, cold {:.1f} % of the length, each at the middle of its "
+                "third of the scale, which the paper does not state; thresholds by Otsu and the triangle: red {} and "
+                "{}, blue {} and {}. They need a scale from blue to red and have no sigma; on pictures in jet of known "
+                "temperature they were off by up to 25 % of the scale, Otsu alone by up to 7 %.",
+                100.0 * areas.hot_share, 100.0 * areas.middle_share, 100.0 * areas.cold_share, areas.red_otsu,
+                areas.red_triangle, areas.blue_otsu, areas.blue_triangle)));
+}
+
+void print_states(const Options& options, const std::vector<MeanPointState>& states, const BestPoint& best) {
+  Table table({"state", "mean degC", "elongation um", "its own points x mm", "error at the best um"});
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const MeanPointState& state = states[k];
+    std::vector<std::string> places;
+    for (std::size_t i = 0; i < state.points.size(); ++i) {
+      places.push_back(value_text(state.points[i].x_mm, state.sigma_mm[i], 2));
+    }
+    table.add({shortened(state.name, 40), value_text(state.mean_degC, state.sigma_mean_degC, 2),
+               options.of.start_degC
+                   ? value_text(elongation_um(options, state, state.mean_degC - *options.of.start_degC),
+                                elongation_um(options, state, state.sigma_mean_degC), 2)
+                   : "-",
+               fmt::format("{}", fmt::join(places, ", ")), fixed(best.error_um[k], 2)});
+  }
+  fmt::print("{}\n", table.text(140));
+}
+
+void print_text(const Options& options, const std::vector<MeanPointState>& states,
+                const std::optional<BestPoint>& best) {
+  fmt::print("{}\n", wrapped(conclusion(options, states, best)));
+  if (best) {
+    print_states(options, states, *best);
+  } else {
+    print_points(options, states.front());
+    if (states.front().from) {
+      print_ways(options, states.front());
+      print_picture(states.front());
+    }
+  }
+  if (!options.of.start_degC) fmt::print("{}", wrapped("Elongation: not known without --start-degC."));
+  if (!states.front().from && states.front().profile.sigma_degC.empty()) {
+    fmt::print(
+        "{}", wrapped("No sigma: the table has no column NAME_sigma_degC, and one curve does not tell its own error."));
+  }
+  if (best) {
+    fmt::print("{}",
+               wrapped("No sigma of the one place: it hangs on which states there are, more than on the errors of "
+                       "each."));
+  }
+  fmt::print("{}", wrapped(fmt::format(
+                       "Taken as exact: length {:g} mm{}, expansion {:g} ppm/K{}{}.", length_mm(states.front().profile),
+                       states.front().from ? " and its ends" : "", options.of.expansion_ppm_per_K,
+                       options.of.start_degC ? fmt::format(", start {:g} degC", *options.of.start_degC) : "",
+                       states.front().from ? ", --min-degC and --max-degC" : "")));
+}
+
+ordered_json json_of(const PictureState& from) {
+  const PixelBox& box = from.image.region;
+  const ThreeAreas& areas = from.areas;
+  return {{"region", {box.x, box.y, box.width, box.height}},
+          {"pixels_used", from.image.used},
+          {"pixels_off_scale", from.image.off_scale},
+          {"pixels_contrasting", from.image.contrasting},
+          {"pixels_at_edges", from.image.at_edges},
+          {"pixels_at_cold_end", from.image.at_cold_end},
+          {"pixels_at_hot_end", from.image.at_hot_end},
+          {"saturated_cold", from.image.saturated_cold},
+          {"saturated_hot", from.image.saturated_hot},
+          {"columns", from.columns.columns},
+          {"empty_columns", from.columns.empty_columns},
+          {"scale_banded", from.scale.banded},
+          {"scale_step_degC", number(from.scale.step_degC)},
+          {"three_areas",
+           {{"mean_degC", number(areas.mean_degC)},
+            {"otsu_mean_degC", number(areas.otsu_mean_degC)},
+            {"hot_pixels", areas.hot},
+            {"middle_pixels", areas.middle},
+            {"cold_pixels", areas.cold},
+            {"hot_share", number(areas.hot_share)},
+            {"middle_share", number(areas.middle_share)},
+            {"cold_share", number(areas.cold_share)},
+            {"red_otsu", areas.red_otsu},
+            {"red_triangle", areas.red_triangle},
+            {"blue_otsu", areas.blue_otsu},
+            {"blue_triangle", areas.blue_triangle}}}};
+}
+
+ordered_json json_of(const Options& options, const std::vector<MeanPointState>& states,
+                     const std::optional<BestPoint>& best) {
+  ordered_json json{{"conclusion", conclusion(options, states, best)},
+                    {"expansion_ppm_per_K", number(options.of.expansion_ppm_per_K)},
+                    {"start_degC", options.of.start_degC ? number(*options.of.start_degC) : ordered_json()}};
+  if (best) {
+    json["best"] = {{"x_mm", number(best->x_mm)},
+                    {"rms_um", number(best->rms_um)},
+                    {"misplaced_um_per_mm", number(best->misplaced_um_per_mm)}};
+  }
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const MeanPointState& state = states[k];
+    ordered_json one{{"name", state.name},
+                     {"length_mm", number(length_mm(state.profile))},
+                     {"mean_degC", number(state.mean_degC)},
+                     {"sigma_mean_degC", number(state.sigma_mean_degC)}};
+    if (options.of.start_degC) {
+      one["elongation_um"] = number(elongation_um(options, state, state.mean_degC - *options.of.start_degC));
+      one["sigma_elongation_um"] = number(elongation_um(options, state, state.sigma_mean_degC));
+    }
+    for (std::size_t i = 0; i < state.points.size(); ++i) {
+      const MeanPoint& point = state.points[i];
+      one["mean_points"].push_back(
+          {{"x_mm", number(point.x_mm)},
+           {"sigma_mm", number(state.sigma_mm[i])},
+           {"slope_degC_per_mm", number(point.slope_degC_per_mm)},
+           {"sigma_slope_degC_per_mm", number(state.sigma_slope_degC_per_mm[i])},
+           {"misplaced_um_per_mm",
+            number(misplacement_um_per_mm(state.profile, point, options.of.expansion_ppm_per_K))}});
+    }
+    if (best) one["error_at_best_um"] = number(best->error_um[k]);
+    if (state.from) one["picture"] = json_of(*state.from);
+    json["states"].push_back(std::move(one));
+  }
+  return json;
+}
+
+void run(const Options& options) {
+  std::vector<std::string> outputs;
+  if (!options.plot.empty()) {
+    expect_meanpoint_plot(options.plot);
+    outputs.push_back(options.plot);
+  }
+  if (!options.out.empty()) {
+    if (!options.out.ends_with(".csv")) {
+      throw Error(fmt::format("--out {}: expected a name that ends in .csv.", options.out));
+    }
+    outputs.push_back(options.out);
+  }
+  expect_no_input(outputs, {options.of.files.begin(), options.of.files.end()});
+  const std::vector<MeanPointState> states = mean_point_states(options.of);
+  std::vector<NamedProfile> profiles;
+  std::vector<TemperatureProfile> plain;
+  for (const MeanPointState& state : states) {
+    profiles.push_back({!state.from          ? state.name
+                        : states.size() == 1 ? "T_degC"
+                                             : fmt::format("T{}_degC", profiles.size() + 1),
+                        state.profile});
+    plain.push_back(state.profile);
+  }
+  std::optional<BestPoint> best;
+  if (states.size() > 1) best = best_point(plain, options.of.expansion_ppm_per_K);
+  if (!options.out.empty()) write_bytes(options.out, write_profiles(profiles));
+  if (!options.plot.empty()) plot_meanpoint(states, best, conclusion(options, states, best), options.plot);
+  if (options.json) {
+    fmt::print("{}\n",
+               json_of(options, states, best).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  } else {
+    print_text(options, states, best);
+  }
+  for (const std::string& path : outputs) fmt::print(stderr, "wrote {}\n", path);
+}
+
+}  // namespace
+
+void add_meanpoint(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "meanpoint", "Where one temperature sensor tells the axial elongation, from pictures or a table");
+  MeanPointOptions& of = options->of;
+  command
+      ->add_option("FILE,--images", of.files,
+                   "pictures of temperature (PNG, JPEG) or one table .csv: x_mm and columns in degC")
+      ->required();
+  command->add_option("--start-degC", of.start_degC, "temperature at which the elongation is 0")->type_name("DEGC");
+  command->add_option("--expansion-ppm-per-K", of.expansion_ppm_per_K, "of the spindle; default: 11.7, steel")
+      ->type_name("PPM");
+  command->add_option("--out", options->out, "write T along x and its sigma, .csv")->type_name("FILE");
+  command->add_option("--plot", options->plot, "T along x, .svg; or the picture with what was found, .png")
+      ->type_name("FILE");
+  command->add_flag("--json", options->json, "the result for a program");
+  constexpr const char* kGroup = "Pictures";
+  const auto add = [&](const char* name, auto& value, const char* what, const char* type) {
+    return command->add_option(name, value, what)->group(kGroup)->type_name(type);
+  };
+  add("--from-mm", of.from_mm, "place of the region's left edge; default: 0", "MM");
+  add("--to-mm", of.to_mm, "place of its right edge", "MM");
+  add("--min-degC", of.min_degC, "cold end of the colour scale; once or one a picture", "DEGC");
+  add("--max-degC", of.max_degC, "hot end of it; once or one a picture", "DEGC");
+  add("--legend", of.legend, "the scale in the picture, inside its frame; the hot end at the top or at the right",
+      "X,Y,W,H");
+  add("--colours", of.colours,
+      "a known scale instead: jet, turbo, viridis, inferno, hot, gray and others; _r at the end reverses it", "NAME");
+  add("--region", of.region, "what to look at; default: all that is on the scale, without the legend", "X,Y,W,H");
+  add("--edge-px", of.edge_px, "pixels left out beside what is not on the scale; default: 3", "N");
+  command->add_flag("--vertical", of.vertical, "x runs from the region's top to its bottom")->group(kGroup);
+  command->footer(
+      "Examples:\n"
+      "  ballbar meanpoint shaft.png --to-mm 330 --min-degC 22 --max-degC 48 --legend 780,71,24,198 --plot marked.png\n"
+      "  ballbar meanpoint 2000rpm.jpg 6000rpm.jpg --colours jet --to-mm 165 --min-degC 22 --max-degC 40 48\n"
+      "  ballbar meanpoint shaft.csv --start-degC 22.5");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

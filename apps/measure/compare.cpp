@@ -1,0 +1,255 @@
+// `ballbar compare A B`: how well two drift series agree; a session: its ballbar against its five probes.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/drift/comparison.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/sessions/drift_data.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/units.hpp"
+#include "commands.hpp"
+#include "measure/comparison_json.hpp"
+#include "measure/comparison_plot.hpp"
+#include "measure/operands.hpp"
+#include "terminal/out_files.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+struct Options {
+  OperandOptions operands;
+  std::vector<std::string> match;
+  std::vector<std::string> out;
+  std::string plot;
+  std::optional<double> max_gap_s;
+  bool json = false;
+};
+
+std::string names_of(const MeasuredDrift& drift) {
+  std::vector<std::string> names;
+  for (const DriftAxis& axis : drift.axes) names.push_back(axis.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// "axial=-z": b's axis z, its sign changed, under the name that a has for it.
+DriftAxis matched(const MeasuredDrift& a, const MeasuredDrift& b, const std::string& stated) {
+  const std::size_t equals = std::min(stated.find('='), stated.size());
+  std::string name = stated.substr(std::min(equals + 1, stated.size()));
+  const bool minus = name.starts_with('-');
+  if (minus) name.erase(0, 1);
+  const DriftAxis* axis = find_axis(b, name);
+  if (find_axis(a, stated.substr(0, equals)) == nullptr || axis == nullptr) {
+    throw Error(fmt::format("--match {}: expected A=B or A=-B, A an axis of {} ({}) and B one of {} ({}), found {}.",
+                            stated, a.what, names_of(a), b.what, names_of(b),
+                            equals == stated.size() ? "no ="
+                            : axis == nullptr       ? fmt::format("\"{}\" for B", name)
+                                                    : fmt::format("\"{}\" for A", stated.substr(0, equals))));
+  }
+  DriftAxis renamed = *axis;
+  renamed.name = stated.substr(0, equals);
+  if (minus) {
+    for (double& value : renamed.value) value = -value;
+  }
+  return renamed;
+}
+
+// All of --match at once, so that x=y with y=-x turns the axes.
+void match(Operands& operands, const std::vector<std::string>& stated) {
+  std::vector<DriftAxis> axes;
+  axes.reserve(stated.size());
+  for (const std::string& one : stated) axes.push_back(matched(operands.a, operands.b, one));
+  for (DriftAxis& axis : axes) {
+    std::erase_if(operands.b.axes, [&](const DriftAxis& known) { return known.name == axis.name; });
+    operands.b.axes.push_back(std::move(axis));
+  }
+}
+
+constexpr const char* kNone = "-";
+
+std::string fixed(const std::optional<double>& value, int decimals, double scale = 1.0) {
+  return value ? fmt::format("{:.{}f}", *value * scale, decimals) : kNone;
+}
+
+std::string lag_text(const AxisComparison& axis) {
+  if (!axis.lag_s) return kNone;
+  return with_sigma(min_from_s(*axis.lag_s), min_from_s(*axis.lag_sigma_s), 2);
+}
+
+Table statistics(const Comparison& comparison) {
+  std::vector<std::string> heading{""};
+  for (const AxisComparison& axis : comparison.axes) heading.push_back(fmt::format("{} {}", axis.name, axis.unit));
+  Table table(heading);
+  const auto row = [&](const std::string& name, auto&& text_of) {
+    std::vector<std::string> cells{name};
+    for (const AxisComparison& axis : comparison.axes) cells.push_back(text_of(axis));
+    table.add(cells);
+  };
+  using A = const AxisComparison&;
+  row("agrees", [](A axis) -> std::string {
+    return axis.agreement == Agreement::agrees ? "yes" : axis.agreement == Agreement::disagrees ? "NO" : "cannot tell";
+  });
+  row("samples within 2 sigma", [](A axis) -> std::string {
+    return axis.counted == 0 ? kNone : fmt::format("{} of {}", axis.within, axis.counted);
+  });
+  row("mean relative deviation %", [](A axis) { return fixed(axis.mean_relative_deviation, 2, 100.0); });
+  row("  expected from sigma alone %", [](A axis) { return fixed(axis.expected_relative_deviation, 2, 100.0); });
+  row("  share explained by sigma %", [](A axis) { return fixed(axis.explained_share, 0, 100.0); });
+  row("mean deviation, % of range", [](A axis) { return fixed(axis.range_deviation, 2, 100.0); });
+  row("RMSE", [](A axis) { return fmt::format("{:.3f}", axis.rmse); });
+  row("largest deviation", [](A axis) { return fmt::format("{:.3f}", axis.largest); });
+  row("  at min", [](A axis) { return fmt::format("{:g}", min_from_s(axis.largest_s)); });
+  row("bias", [](A axis) { return fmt::format("{:.3f}", axis.bias); });
+  row("95 % limits of agreement, low", [](A axis) { return fixed(axis.limit_low, 3); });
+  row("95 % limits of agreement, high", [](A axis) { return fixed(axis.limit_high, 3); });
+  row("correlation", [](A axis) { return fixed(axis.correlation, 4); });
+  row("lag of best agreement min", lag_text);
+  return table;
+}
+
+// One sigma of a difference by source: root mean square over the samples, and share of the variance. Empty where no
+// source is known.
+std::string budget_text(const Comparison& comparison) {
+  std::vector<std::string> heading{"one sigma of a difference"}, sources;
+  for (const AxisComparison& axis : comparison.axes) {
+    heading.push_back(fmt::format("{} {}", axis.name, axis.unit));
+    for (const UncertaintyShare& share : axis.budget) {
+      if (std::find(sources.begin(), sources.end(), share.source) == sources.end()) sources.push_back(share.source);
+    }
+  }
+  if (sources.empty()) return {};
+  Table table(heading);
+  for (const std::string& source : sources) {
+    std::vector<std::string> cells{source};
+    for (const AxisComparison& axis : comparison.axes) {
+      const auto share = std::find_if(axis.budget.begin(), axis.budget.end(),
+                                      [&](const UncertaintyShare& s) { return s.source == source; });
+      const bool known = share != axis.budget.end() && !std::isnan(share->sigma);
+      cells.push_back(known ? fmt::format("{:.3f} ({:.0f} %)", share->sigma, 100.0 * share->variance) : kNone);
+    }
+    table.add(cells);
+  }
+  return table.text();
+}
+
+void print_text(const Operands& operands, const Comparison& comparison) {
+  const AxisComparison& axis = comparison.axes.front();
+  if (!operands.title.empty()) fmt::print("{}\n", operands.title);
+  fmt::print("{} against {}\n{} samples in common, {:g} to {:g} min, both as changes since {:g} min\n\n", comparison.a,
+             comparison.b, comparison.samples, min_from_s(axis.time_s.front()), min_from_s(axis.time_s.back()),
+             min_from_s(comparison.reference_s));
+  fmt::print("{}\n{}\n", wrapped(conclusion(comparison)), statistics(comparison).text());
+  const std::string budget = budget_text(comparison);
+  std::string legend = "Lag: positive where the first one is late.";
+  if (!budget.empty()) {
+    fmt::print("{}\n", budget);
+    legend =
+        "Root mean square over the samples, in brackets the share of the variance. A sample agrees if its "
+        "difference is at most 2 sigma. " +
+        legend;
+  }
+  fmt::print("{}", wrapped(legend));
+  if (comparison.left_out > 0) {
+    fmt::print("{} times fall into a gap and were left out (--max-gap).\n", comparison.left_out);
+  }
+  for (const std::string& remark : comparison.remarks) fmt::print("{}", wrapped(remark));
+}
+
+// NAME_a, NAME_b, NAME_difference and its sigma over the common times; an axis without a value there has a gap.
+Series differences(const Comparison& comparison) {
+  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+  Series series;
+  for (const AxisComparison& axis : comparison.axes) {
+    std::vector<double> merged;
+    std::set_union(series.time_s.begin(), series.time_s.end(), axis.time_s.begin(), axis.time_s.end(),
+                   std::back_inserter(merged));
+    series.time_s = std::move(merged);
+  }
+  for (const AxisComparison& axis : comparison.axes) {
+    const auto add = [&](const char* part, const std::vector<double>& values) {
+      Column column{fmt::format("{}_{}_{}", axis.name, part, axis.unit), Role::measured, {}};
+      std::size_t i = 0;
+      for (const double time_s : series.time_s) {
+        const bool there = i < axis.time_s.size() && axis.time_s[i] == time_s;
+        column.values.push_back(there ? values[i] : kGap);
+        i += there ? 1 : 0;
+      }
+      series.columns.push_back(std::move(column));
+    };
+    add("a", axis.a);
+    add("b", axis.b);
+    add("difference", axis.difference);
+    add("difference_sigma", axis.sigma);
+  }
+  return series;
+}
+
+void run(const Options& options) {
+  if (!options.plot.empty()) expect_svg(options.plot);
+  if (options.max_gap_s && !(*options.max_gap_s > 0.0)) {
+    throw Error(fmt::format("--max-gap: expected a time above 0, found {} s.", *options.max_gap_s));
+  }
+  for (const std::string& path : options.out) {
+    const std::string ending = std::filesystem::path(path).extension().string();
+    if (ending == ".csv") continue;
+    throw Error(
+        fmt::format("{}: expected a name that ends in .csv, found {}.", path, ending.empty() ? "no ending" : ending));
+  }
+  Operands operands = operands_of(options.operands);
+  std::vector<std::string> outputs = options.out;
+  if (!options.plot.empty()) outputs.push_back(options.plot);
+  expect_no_input(outputs, operands.files);
+  match(operands, options.match);
+  const Comparison comparison = compare(operands.a, operands.b, {options.operands.reference_s, options.max_gap_s});
+  for (const std::string& path : options.out) write_bytes(path, write_series(differences(comparison)));
+  if (!options.plot.empty()) plot_comparison(comparison, conclusion(comparison), options.plot);
+  if (options.json) {
+    fmt::print("{}\n", json_of(comparison).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  } else {
+    print_text(operands, comparison);
+  }
+  for (const std::string& path : outputs) fmt::print(stderr, "wrote {}\n", path);
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("compare", "How well two drift series agree, and within their uncertainty");
+  command->add_option("A", options->operands.a, "session, folder, drift .csv or five probes' .csv")->required();
+  command->add_option("B", options->operands.b, "what to compare it with; without it the session's own five probes");
+  command->add_option("--plot", options->plot, "picture of both and their difference, .svg")->type_name("FILE");
+  command->add_option("--out", options->out, "write both and their difference at the common times, .csv")
+      ->type_name("FILE");
+  const CLI::AsNumberWithUnit time(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
+                                   CLI::AsNumberWithUnit::CASE_SENSITIVE);
+  command
+      ->add_option("--reference", options->operands.reference_s,
+                   "time since which changes are taken; default: the first")
+      ->type_name("TIME")
+      ->transform(time);
+  command
+      ->add_option("--max-gap", options->max_gap_s,
+                   "no interpolation between rows farther apart; default: 4 times the usual step")
+      ->type_name("TIME")
+      ->transform(time);
+  command->add_option("--match", options->match, "axis of A and the axis of B it stands for, such as axial=-z")
+      ->type_name("A=B");
+  add_five_probe_options(*command, options->operands.probes);
+  command->add_flag("--json", options->json, "the comparison for a program");
+  command->footer(
+      "Examples:\n"
+      "  ballbar compare sample-runs/two-arcs-he2015/session.toml --plot agreement.svg\n"
+      "  ballbar compare sample-runs/two-arcs-he2015 sample-runs/two-arcs-he2015/five-probe.csv --from-plane-1 0");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

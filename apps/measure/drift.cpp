@@ -1,0 +1,229 @@
+// `ballbar drift SESSION`: the error time series, one row a test.
+#include "ballbar/drift/drift.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/series/drift_files.hpp"
+#include "ballbar/formats/sessions/drift_data.hpp"
+#include "ballbar/units.hpp"
+#include "commands.hpp"
+#include "measure/drift_text.hpp"
+#include "measure/five_probe_drift.hpp"
+#include "measure/five_probe_options.hpp"
+#include "terminal/out_files.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+struct Options {
+  std::string session;
+  std::vector<std::string> out;
+  std::optional<double> reference_s;
+  bool sequential = false;
+  bool equal_radii = false;
+  bool eq34 = false;
+  bool polar = false;
+  bool robust = false;
+  bool json = false;
+  bool five_probe = false;
+  FiveProbeOptions probes;
+};
+
+// Where one test found the spindle's ball, set-up errors included.
+std::string position_text(const Position& position) {
+  std::string text;
+  const auto add = [&](const char* name, const std::optional<Estimate>& part) {
+    if (part) text += fmt::format("{}{} {} um", text.empty() ? "" : ", ", name, with_sigma(*part));
+  };
+  add("x", position.x);
+  add("y", position.y);
+  add("z", position.z);
+  add("centre A", position.centre_a);
+  add("centre B", position.centre_b);
+  text += fmt::format(", radius {:.5f} mm", position.radius_mm);
+  if (position.length_mm) text += fmt::format(", axial length {:.5f} mm", *position.length_mm);
+  return text + " (set-up errors included).";
+}
+
+Table table_of(const DriftSeries& series) {
+  std::vector<std::string> heading{"time min"};
+  std::vector<DriftMember> columns;
+  for (const auto& quantities : {drift_quantities(), radius_quantities()}) {
+    for (const DriftQuantity& quantity : quantities) {
+      if (!any_has(series, quantity.member)) continue;
+      heading.push_back(fmt::format("{} um", quantity.name));
+      columns.push_back(quantity.member);
+    }
+  }
+  const bool corrected = series.method == Method::spindle_rotation;
+  if (corrected) heading.emplace_back("elongation correction um");
+  Table table(heading);
+  for (const DriftPoint& point : series.points) {
+    std::vector<std::string> row{fmt::format("{:8.1f}", min_from_s(point.time_s))};
+    for (const DriftMember member : columns) row.push_back(point.*member ? with_sigma(*(point.*member)) : "-");
+    if (corrected) row.push_back(fmt::format("{:.4f}", point.elongation_correction_um.value_or(0.0)));
+    table.add(row);
+  }
+  return table;
+}
+
+std::string way_of(const DriftSeries& series, const Options& options) {
+  std::string way(name_of(series.method));
+  if (series.method == Method::two_arcs) {
+    way += options.sequential ? ", sequential" : options.equal_radii ? ", joint with R_C = R_A" : ", joint";
+  }
+  if (series.method == Method::spindle_rotation) {
+    way += options.eq34 ? ", elongation corrected by eq. 34" : ", elongation corrected exactly";
+  }
+  if (options.polar) way += ", polar circles";
+  if (options.robust) way += ", robust";
+  return way;
+}
+
+void print_text(const Session& session, const DriftSeries& series, const Options& options) {
+  const std::string title = session.title.empty() ? options.session : session.title;
+  fmt::print("{}\n{}; {} test{} over {:g} min, reference at {:g} min\n\n", title, way_of(series, options),
+             series.points.size(), series.points.size() == 1 ? "" : "s",
+             min_from_s(series.points.back().time_s - series.points.front().time_s), min_from_s(series.reference_s));
+  if (series.points.size() == 1) {
+    fmt::print("One test gives a position, no drift: {}\n", position_text(series.positions.front()));
+    return;
+  }
+  fmt::print("Largest drift of the spindle relative to the table:\n");
+  for (const std::string& largest : largest_drifts(series)) fmt::print("  {}\n", largest);
+  fmt::print("\n{}\n", table_of(series).text());
+  for (const Position& position : series.positions) {
+    if (position.time_s == series.reference_s) fmt::print("Reference: {}\n", position_text(position));
+  }
+  fmt::print("{}",
+             wrapped("± is one sigma of the difference to the reference test; all rows share the reference's part. " +
+                     series.not_cancelled));
+  for (const Position& position : series.positions) {
+    if (position.discounted > 0) {
+      fmt::print("At {:g} min {} {} discounted.\n", min_from_s(position.time_s), position.discounted,
+                 position.discounted == 1 ? "reading was" : "readings were");
+    }
+  }
+}
+
+// The five probes of a series, or those of a session.
+void run_five_probe(const Options& options, DriftData data) {
+  const std::pair<bool, const char*> of_recordings[] = {{options.sequential, "--sequential"},
+                                                        {options.equal_radii, "--equal-radii"},
+                                                        {options.eq34, "--eq34"},
+                                                        {options.polar, "--polar"},
+                                                        {options.robust, "--robust"}};
+  for (const auto& [given, name] : of_recordings) {
+    if (given) throw Error(fmt::format("{}: expected recordings of a ballbar to fit, found five probes.", name));
+  }
+  FiveProbeReport report;
+  report.title = options.session;
+  BallPlace ball;
+  if (data.session) {
+    if (!data.session->five_probe) {
+      throw Error(
+          fmt::format("{}: expected [five_probe] in the session for --five-probe, found none.", options.session));
+    }
+    report.title = data.session->five_probe->string();
+    data.series = open_series(*data.session->five_probe);
+    ball = data.session->ball;
+  }
+  report.series = stated(*std::move(data.series), options.probes);
+  report.how = place_of(report.series, options.probes, ball);
+  report.how.reference_s = options.reference_s;
+  report.out = options.out;
+  report.json = options.json;
+  report_five_probe(report);
+}
+
+void run(const Options& options) {
+  DriftData data = open_drift_data(options.session);
+  expect_no_input(options.out, data.files);
+  if (data.series || options.five_probe) return run_five_probe(options, std::move(data));
+  if (options.probes.any()) {
+    throw Error(
+        fmt::format("{}: expected five probes, a series .csv or a session with --five-probe, for the options of "
+                    "five probes, found a session.",
+                    options.session));
+  }
+  const Session& session = data.session->session;
+  if (session.method != Method::two_arcs && (options.sequential || options.equal_radii)) {
+    throw Error(fmt::format("--{}: expected a session of method two_arcs, found {}.",
+                            options.sequential ? "sequential" : "equal-radii", name_of(session.method)));
+  }
+  if (session.method != Method::spindle_rotation && options.eq34) {
+    throw Error(
+        fmt::format("--eq34: expected a session of method spindle_rotation, found {}.", name_of(session.method)));
+  }
+  if (session.method == Method::two_arcs && options.polar) {
+    throw Error(
+        "--polar: expected a session of method circles or spindle_rotation, found two_arcs, which is always "
+        "fitted by the length equation.");
+  }
+  DriftOptions how;
+  how.reference_s = options.reference_s;
+  how.sequential = options.sequential;
+  how.equal_radii = options.equal_radii;
+  how.circle.model = options.polar ? CircleModel::polar : CircleModel::length_equation;
+  how.circle.robust = options.robust;
+  how.circle.elongation_form = options.eq34 ? ElongationForm::eq34 : ElongationForm::exact;
+  const DriftSeries series = drift_of(session, how);
+  for (const std::string& path : options.out) write_drift(series, path);
+  if (options.json) {
+    fmt::print("{}\n", json_of(series).dump(2));
+  } else {
+    print_text(session, series, options);
+  }
+  for (const Position& position : series.positions) {
+    if (!position.converged) {
+      fmt::print(stderr, "ballbar: the fit of the test at {:g} min did not converge.\n", min_from_s(position.time_s));
+    }
+  }
+  if (options.reference_s && *options.reference_s != series.reference_s) {
+    fmt::print(stderr, "ballbar: no test at {:g} s; the nearest one, at {:g} s, is the reference.\n",
+               *options.reference_s, series.reference_s);
+  }
+  for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
+}
+
+}  // namespace
+
+void add_drift(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("drift", "Drift of the spindle over a session, or of five probes");
+  command
+      ->add_option("SESSION", options->session, "session.toml, a folder of it or of .b5r files, or five probes' .csv")
+      ->required();
+  command->add_option("--out", options->out, "write the series: .csv, .json or .mat; may be repeated")
+      ->type_name("FILE");
+  command
+      ->add_option("--reference", options->reference_s,
+                   "test to which drift is taken: 3840, 3840s or 64min; default: first")
+      ->type_name("TIME")
+      ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
+                                        CLI::AsNumberWithUnit::CASE_SENSITIVE));
+  CLI::Option* sequential =
+      command->add_flag("--sequential", options->sequential, "two_arcs: path 1, then path 2 with its y (as the paper)");
+  command->add_flag("--equal-radii", options->equal_radii, "two_arcs: one radius for both arcs")->excludes(sequential);
+  command->add_flag("--eq34", options->eq34, "spindle_rotation: elongation correction r / cos(dL / r) - r");
+  command->add_flag("--polar", options->polar, "circles through the polar points, as instrument software does");
+  command->add_flag("--robust", options->robust, "discount outlying readings (Tukey's biweight)");
+  command->add_flag("--json", options->json, "the series for a program");
+  command->add_flag("--five-probe", options->five_probe, "of a session: its five probes instead of its recordings");
+  add_five_probe_options(*command, options->probes);
+  command->footer(
+      "Examples:\n"
+      "  ballbar drift sample-runs/two-arcs-he2015/session.toml --out drift.csv\n"
+      "  ballbar drift sample-runs/two-arcs-he2015/five-probe.csv --from-plane-1 25");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

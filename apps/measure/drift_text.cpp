@@ -1,0 +1,51 @@
+#include "measure/drift_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ballbar/units.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr DriftQuantity kDrift[] = {{"x", &DriftPoint::x},
+                                    {"y", &DriftPoint::y},
+                                    {"z", &DriftPoint::z},
+                                    {"radial", &DriftPoint::radial},
+                                    {"axial", &DriftPoint::axial}};
+constexpr DriftQuantity kRadii[] = {{"radius change", &DriftPoint::radius_change},
+                                    {"radius change A", &DriftPoint::radius_change_a}};
+
+std::string largest(const DriftSeries& series, const DriftQuantity& quantity) {
+  const DriftPoint* best = nullptr;
+  for (const DriftPoint& point : series.points) {
+    const auto& now = point.*quantity.member;
+    if (!now) continue;
+    if (best == nullptr || std::abs(now->value_um) > std::abs((best->*quantity.member)->value_um)) best = &point;
+  }
+  return fmt::format("{} {} um at {:g} min", quantity.name, with_sigma(*(best->*quantity.member)),
+                     min_from_s(best->time_s));
+}
+
+}  // namespace
+
+std::span<const DriftQuantity> drift_quantities() { return kDrift; }
+std::span<const DriftQuantity> radius_quantities() { return kRadii; }
+
+bool any_has(const DriftSeries& series, DriftMember member) {
+  return std::any_of(series.points.begin(), series.points.end(),
+                     [&](const DriftPoint& point) { return (point.*member).has_value(); });
+}
+
+std::vector<std::string> largest_drifts(const DriftSeries& series) {
+  std::vector<std::string> texts;
+  for (const DriftQuantity& quantity : kDrift) {
+    if (any_has(series, quantity.member)) texts.push_back(largest(series, quantity));
+  }
+  return texts;
+}
+
+}  // namespace ballbar

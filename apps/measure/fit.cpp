@@ -1,0 +1,223 @@
+// `ballbar fit FILE...`: circle or axial fit of each recording, ISO 230-4 of a pair, stored results beside.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/units.hpp"
+#include "commands.hpp"
+#include "measure/fitted.hpp"
+#include "terminal/out_files.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+struct Options {
+  std::vector<std::string> files;
+  std::string out;
+  bool polar = false;
+  bool robust = false;
+  bool json = false;
+};
+
+// The file's name where there are several; with one file it stands in the title.
+std::string name_of_row(const Fitted& fitted, const FittedRecording& one) {
+  const bool one_file = fitted.recordings.front().file == fitted.recordings.back().file;
+  const std::string_view what = one.circle ? name_of(one.recording.direction) : name_of(one.recording.kind);
+  return one_file ? std::string(what) : fmt::format("{} {}", one.file, what);
+}
+
+std::string circles_text(const Fitted& fitted) {
+  Table table(
+      {"recording", "plane", "arc deg", "readings", "centre A um", "centre B um", "radius mm", "G um", "rms um"});
+  bool any = false;
+  for (const FittedRecording& one : fitted.recordings) {
+    if (!one.circle) continue;
+    any = true;
+    const Circle& circle = *one.circle;
+    table.add({name_of_row(fitted, one), std::string(name_of(one.recording.plane)),
+               fmt::format("{:.1f}", circle.arc_deg), fmt::format("{}", circle.readings),
+               with_sigma(circle.centre_a_um, circle.sigma_centre_a_um(), 2),
+               with_sigma(circle.centre_b_um, circle.sigma_centre_b_um(), 2),
+               with_sigma(circle.radius_mm, mm_from_um(circle.sigma_radius_um()), 5),
+               with_sigma(one.circularity->circular_deviation_um, one.circularity->circular_deviation_sigma_um, 2),
+               fmt::format("{:.2f}", circle.rms_um)});
+  }
+  return any ? table.text() + '\n' : "";
+}
+
+std::string axial_text(const Fitted& fitted) {
+  Table table({"recording", "readings", "length mm", "rms um"});
+  bool any = false;
+  for (const FittedRecording& one : fitted.recordings) {
+    if (!one.axial) continue;
+    any = true;
+    table.add({name_of_row(fitted, one), fmt::format("{}", one.recording.length_mm.size()),
+               with_sigma(one.axial->length_mm, mm_from_um(one.axial->sigma_um), 5),
+               fmt::format("{:.2f}", one.axial->rms_um)});
+  }
+  return any ? table.text() + '\n' : "";
+}
+
+// What the numbers of one recording need said with them.
+std::string remarks_text(const FittedRecording& one, const std::string& name) {
+  const Circle& circle = *one.circle;
+  std::string text;
+  if (circle.arc_deg < 359.0) {
+    text += wrapped(fmt::format(
+        "{}: on a partial arc centre and radius move together; correlation of A with the radius {:.2f}, of B {:.2f}.",
+        name, circle.correlation_a_radius(), circle.correlation_b_radius()));
+  }
+  if (!std::isfinite(circle.sigma_radius_um())) {
+    text += wrapped(name + ": the readings do not determine the circle; it takes at least three different angles.");
+  }
+  if (!circle.discounted.empty()) {
+    text += fmt::format("{}: {} of {} readings discounted, counted from 1:", name, circle.discounted.size(),
+                        circle.readings);
+    constexpr std::size_t kListed = 10;
+    for (std::size_t i = 0; i < std::min(kListed, circle.discounted.size()); ++i) {
+      text += fmt::format(" {}", circle.discounted[i] + 1);
+    }
+    text += circle.discounted.size() > kListed ? " ... (all with --json);" : ";";
+    text += " G, F and rms are of all readings.\n";
+  }
+  if (!circle.converged) text += fmt::format("{}: the fit did not converge: {}\n", name, circle.outcome);
+  return text;
+}
+
+std::string sigma_text(const Fitted& fitted) {
+  double fewest = std::numeric_limits<double>::infinity();
+  double phi = 0.0;
+  for (const FittedRecording& one : fitted.recordings) {
+    if (one.circle && one.circle->autocorrelation > phi) {
+      phi = one.circle->autocorrelation;
+      fewest = std::min(fewest, one.circle->effective_readings);
+    }
+  }
+  std::string text = "G is the circular deviation. ± is one sigma from the residual";
+  if (phi > 0.0) {
+    text += fmt::format(
+        ", widened because the residual is not random from reading to reading (autocorrelation up to {:.3f}): the form "
+        "of the path counts as uncertainty, the readings of a recording as {:.0f} independent one{}",
+        phi, fewest, fewest < 1.5 ? "" : "s");
+  }
+  return wrapped(text + '.');
+}
+
+// To the digits the instrument's software prints: one less than ours.
+std::string stored_text(const Compared& result) {
+  return result.stored ? fmt::format("{:.{}f}", *result.stored, result.decimals - 1) : "-";
+}
+
+bool has_stored(const std::vector<Compared>& results) {
+  return std::any_of(results.begin(), results.end(), [](const Compared& result) { return result.stored.has_value(); });
+}
+
+// The runs of one `.b5r` side by side, ours and what the file stores.
+std::string runs_text(const std::vector<const FittedRecording*>& runs) {
+  std::vector<std::string> heading{fmt::format("stored in {}", runs.front()->file)};
+  for (const FittedRecording* run : runs) {
+    heading.push_back(fmt::format("{} ours", name_of(run->recording.direction)));
+    heading.emplace_back("stored");
+  }
+  Table table(heading);
+  for (std::size_t k = 0; k < runs.front()->results.size(); ++k) {
+    std::vector<std::string> row{runs.front()->results[k].label};
+    for (const FittedRecording* run : runs) {
+      const Compared& result = run->results[k];
+      row.push_back(fmt::format("{:.{}f}", result.ours, result.decimals));
+      row.push_back(stored_text(result));
+    }
+    table.add(row);
+  }
+  return table.text() + '\n';
+}
+
+std::string pair_text(const FittedPair& pair) {
+  const bool with_stored = has_stored(pair.results);
+  std::vector<std::string> heading{fmt::format("ISO 230-4, {}", pair.file), "ours"};
+  if (with_stored) heading.emplace_back("stored");
+  Table table(heading);
+  for (const Compared& result : pair.results) {
+    std::vector<std::string> row{result.label, fmt::format("{:.{}f}", result.ours, result.decimals)};
+    if (with_stored) row.push_back(stored_text(result));
+    table.add(row);
+  }
+  std::string text = table.text() + '\n';
+  for (const std::string& remark : pair.remarks) text += wrapped(remark);
+  return text;
+}
+
+std::string stored_runs_text(const Fitted& fitted) {
+  std::string text;
+  std::vector<const FittedRecording*> runs;
+  for (const FittedRecording& one : fitted.recordings) {
+    if (!has_stored(one.results)) continue;
+    if (!runs.empty() && runs.front()->file != one.file) {
+      text += runs_text(runs);
+      runs.clear();
+    }
+    runs.push_back(&one);
+  }
+  return runs.empty() ? text : text + runs_text(runs);
+}
+
+std::string text_of(const Fitted& fitted, const Options& options) {
+  const std::string circles = circles_text(fitted);
+  std::string text;
+  if (fitted.recordings.front().file == fitted.recordings.back().file) text += fitted.recordings.front().file + '\n';
+  if (!circles.empty()) {
+    text += fmt::format("Circles by {}{}\n", options.polar ? "the polar points" : "the length equation",
+                        options.robust ? ", robust" : "");
+  }
+  text += '\n' + circles + axial_text(fitted);
+  const std::string stored = stored_runs_text(fitted);
+  text += stored;
+  for (const FittedPair& pair : fitted.pairs) text += pair_text(pair);
+  if (!circles.empty()) text += sigma_text(fitted);
+  for (const FittedRecording& one : fitted.recordings) {
+    if (one.circle) text += remarks_text(one, name_of_row(fitted, one));
+  }
+  const bool none_discounted =
+      std::all_of(fitted.recordings.begin(), fitted.recordings.end(),
+                  [](const FittedRecording& one) { return !one.circle || one.circle->discounted.empty(); });
+  if (options.robust && none_discounted) text += "No reading was discounted.\n";
+  if (!stored.empty() && !options.polar) {
+    text += "The stored results are of the circle through the polar points; --polar fits that one.\n";
+  }
+  return text;
+}
+
+void run(const Options& options) {
+  CircleOptions how;
+  how.model = options.polar ? CircleModel::polar : CircleModel::length_equation;
+  how.robust = options.robust;
+  if (!options.out.empty()) expect_no_input({options.out}, {options.files.begin(), options.files.end()});
+  const Fitted fitted = fit_files(options.files, how);
+  const bool wants_json = options.json || !options.out.empty();
+  const std::string json = wants_json ? json_of(fitted).dump(2) + '\n' : std::string();
+  if (!options.out.empty()) write_bytes(options.out, json);
+  fmt::print("{}", options.json ? json : text_of(fitted, options));
+  if (!options.out.empty()) fmt::print(stderr, "wrote {}\n", options.out);
+}
+
+}  // namespace
+
+void add_fit(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("fit", "Circle or axial fit of each recording; ISO 230-4 of a CCW/CW pair");
+  command->add_option("FILE", options->files, ".b5r files or ballbar logs")->required();
+  command->add_flag("--polar", options->polar, "the circle through the polar points, as instrument software does");
+  command->add_flag("--robust", options->robust, "discount outlying readings (Tukey's biweight) and list them");
+  command->add_flag("--json", options->json, "the results for a program");
+  command->add_option("--out", options->out, "write the JSON to a file as well")->type_name("FILE");
+  command->footer("Example:\n  ballbar fit sample-runs/qc20-style-b5r/00.b5r");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

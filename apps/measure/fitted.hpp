@@ -1,0 +1,57 @@
+// What `ballbar fit` found in the files it was given: one entry a recording, one a CCW/CW pair.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballbar/circle/axial_length.hpp"
+#include "ballbar/circle/circle_fit.hpp"
+#include "ballbar/circle/circularity.hpp"
+#include "ballbar/formats/recordings/b5r.hpp"
+
+namespace ballbar {
+
+// A result under its name, beside what the file stores for it (circle through the polar points).
+struct Compared {
+  std::string key;    // in JSON: "g_ccw_um"
+  std::string label;  // on the terminal
+  int decimals = 2;
+  double ours = 0.0;
+  std::optional<double> stored;
+};
+
+struct FittedRecording {
+  std::string file;
+  std::size_t index = 0;  // within the file
+  std::string test_name;  // that a `.b5r` states
+  Recording recording;
+  std::optional<Circle> circle;            // kind circle
+  std::optional<Circularity> circularity;  //   "
+  std::optional<AxialLength> axial;        // kind axial
+  std::vector<Compared> results;           // with stored values where the file is a `.b5r`
+};
+
+struct FittedPair {
+  std::string file;               // of the first recording
+  std::size_t ccw = 0, cw = 0;    // places in Fitted::recordings
+  std::vector<Compared> results;  // ISO 230-4
+  std::vector<std::string> remarks;
+};
+
+struct Fitted {
+  std::vector<FittedRecording> recordings;
+  std::vector<FittedPair> pairs;
+};
+
+// Opens and fits every file. A pair is the two directions of one `.b5r`, or two logs that stand one after the
+// other and differ only in direction. Throws Error with the file's name.
+Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options);
+
+// The keys of `fit --json`, of one recording, of a pair, of all.
+nlohmann::ordered_json json_of(const FittedRecording& fitted);
+nlohmann::ordered_json json_of(const FittedPair& pair);
+nlohmann::ordered_json json_of(const Fitted& fitted);
+
+}  // namespace ballbar

@@ -1,0 +1,29 @@
+// The two drifts of a comparison.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballbar/drift/measured_drift.hpp"
+#include "measure/five_probe_options.hpp"
+
+namespace ballbar {
+
+struct OperandOptions {
+  std::string a, b;  // b empty: the five probes of session a
+  std::optional<double> reference_s;
+  FiveProbeOptions probes;
+};
+
+struct Operands {
+  MeasuredDrift a, b;
+  std::vector<std::filesystem::path> files;
+  std::string title;  // of a session with its own five probes; two files are named by what they are
+};
+
+// Throws Error where one is no drift, or there is no second one.
+Operands operands_of(const OperandOptions& options);
+
+}  // namespace ballbar

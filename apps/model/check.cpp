@@ -1,0 +1,180 @@
+// `ballbar check DATA --model M`: the model fitted, and where it fails.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "model/checked.hpp"
+#include "model/model_options.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+constexpr std::size_t kGroupsShown = 8;
+constexpr std::size_t kWidest = 120;  // of a table
+
+struct Options {
+  ModelOptions model;
+  bool json = false;
+};
+
+// The parameter that varies with it most, where that matters.
+std::string strongest_correlation(const Fit& fit, std::size_t k) {
+  const auto row = static_cast<Eigen::Index>(k);
+  double largest = 0.0;
+  std::size_t with = k;
+  for (std::size_t j = 0; j < fit.parameters.size(); ++j) {
+    const auto column = static_cast<Eigen::Index>(j);
+    const double scale = std::sqrt(fit.covariance(row, row) * fit.covariance(column, column));
+    if (j == k || !(scale > 0.0)) continue;
+    const double correlation = fit.covariance(row, column) / scale;
+    if (std::abs(correlation) > std::abs(largest)) {
+      largest = correlation;
+      with = j;
+    }
+  }
+  if (std::abs(largest) < 0.5) return "-";
+  const FittedParameter& other = fit.parameters[with];
+  if (other.name == "constant_um") return fmt::format("{:.2f} constant", largest);
+  const auto same = [&](const FittedParameter& parameter) { return parameter.name == other.name; };
+  const bool unique = std::count_if(fit.parameters.begin(), fit.parameters.end(), same) == 1;
+  return fmt::format("{:.2f} {}{}", largest, other.name, unique ? "" : ", " + shortened(other.effect, 24));
+}
+
+void add_parameters(Table& table, const Fit& fit, const std::string& target) {
+  for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
+    const FittedParameter& parameter = fit.parameters[k];
+    if (k == 0 && parameter.state == ParameterState::held && parameter.value == 0.0) continue;  // recordings have none
+    if (parameter.name == "recording") continue;  // the label has it: circle 1
+    std::vector<std::string> row{target + shortened(parameter.effect, 44), shortened(parameter.name, 30),
+                                 value_text(parameter), shortened(parameter.unit, 12)};
+    if (target.empty()) row.push_back(strongest_correlation(fit, k));
+    table.add(std::move(row));
+  }
+}
+
+Table parameter_table(const Fit& fit) {
+  Table table({"effect", "parameter", "value", "unit", "correlated most with"});
+  add_parameters(table, fit, "");
+  return table;
+}
+
+// Regimes and quadrants whole, then the groups that hold more of the misfit than their share of the rows.
+std::vector<Misfit> worth_showing(const Checked& checked) {
+  std::vector<Misfit> shown, rest;
+  for (const Misfit& misfit : checked.where) {
+    (misfit.what == "regime" || misfit.what == "quadrant" ? shown : rest).push_back(misfit);
+  }
+  const auto n = static_cast<double>(checked.fit.residual_um.size() - checked.fit.discounted.size());
+  const auto excess = [&](const Misfit& misfit) { return misfit.share / (static_cast<double>(misfit.n) / n); };
+  std::stable_sort(rest.begin(), rest.end(),
+                   [&](const Misfit& left, const Misfit& right) { return excess(left) > excess(right); });
+  rest.resize(std::min(rest.size(), kGroupsShown));
+  shown.insert(shown.end(), rest.begin(), rest.end());
+  return shown;
+}
+
+Table misfit_table(const Checked& checked) {
+  Table table({"where", "from", "to", "rows", "bias um", "RMSE um", "% of misfit"});
+  const int decimals = decimals_of(checked.fit.rmse_um);
+  for (const Misfit& misfit : worth_showing(checked)) {
+    table.add({shortened(misfit.what, 30), misfit.from, misfit.from == misfit.to ? "" : misfit.to,
+               fmt::format("{}", misfit.n), with_sigma(misfit.bias_um, misfit.bias_sigma_um, decimals),
+               fixed(misfit.rmse_um, decimals + 1), fmt::format("{:.0f}", 100.0 * misfit.share)});
+  }
+  return table;
+}
+
+std::string noise_text(const Noise& noise) {
+  if (!(noise.correlated_um > 0.0))
+    return fmt::format("Noise of the residual: white, {:.3g} um.", std::abs(noise.white_um));
+  const std::string white =
+      noise.white_um > 0.0005 * noise.correlated_um ? fmt::format("{:.3g} um white, ", noise.white_um) : "";
+  return fmt::format("Noise of the residual: {}{:.3g} um with a memory of {}.", white, noise.correlated_um,
+                     duration_text(noise.correlation_time_s));
+}
+
+std::string whiteness_text(const Whiteness& whiteness, std::size_t n) {
+  std::vector<std::string> lags;
+  for (std::size_t k = 0; k < std::min<std::size_t>(5, whiteness.autocorrelation.size()); ++k) {
+    lags.push_back(fixed(whiteness.autocorrelation[k], 2));
+  }
+  std::string text;
+  if (!lags.empty()) {
+    text = fmt::format(" Autocorrelation of the residual at lags 1 to {}: {}.", lags.size(), fmt::join(lags, ", "));
+  }
+  if (n < 16) return text;
+  const std::string p = whiteness.p < 0.001 ? "p < 0.001" : fmt::format("p = {:.3f}", whiteness.p);
+  return text + fmt::format(" Cumulated periodogram of the whitened residual: distance {:.3f}, {}.",
+                            whiteness.periodogram_distance, p);
+}
+
+void print_remarks(const Fit& fit) {
+  const std::size_t discounted = fit.discounted.size();
+  if (discounted > 0) fmt::print("{} {} discounted.\n", discounted, discounted == 1 ? "value was" : "values were");
+  for (const std::string& remark : fit.remarks) fmt::print("{}", wrapped(remark));
+}
+
+void print_text(const Checked& checked, const std::string& title) {
+  const Fit& fit = checked.fit;
+  fmt::print("{}\n{}\n\n", title, heading(fit));
+  print_sentences(checked);
+  fmt::print("\n{}\n{}", parameter_table(fit).text(kWidest), wrapped(floor_text(fit)));
+  if (!checked.where.empty()) fmt::print("\n{}", misfit_table(checked).text(kWidest));
+  fmt::print("\n{}", wrapped(noise_text(fit.noise) + whiteness_text(checked.whiteness, fit.residual_um.size())));
+  print_remarks(fit);
+}
+
+// Several targets: the sentences of each, and one table of all parameters.
+void print_targets(const std::vector<Checked>& all, const std::string& title) {
+  fmt::print("{}\n", title);
+  Table table({"target: effect", "parameter", "value", "unit"});
+  for (const Checked& checked : all) {
+    fmt::print("\n{}\n", heading(checked.fit));
+    print_sentences(checked);
+    print_remarks(checked.fit);
+    add_parameters(table, checked.fit, checked.fit.target + ": ");
+  }
+  fmt::print("\n{}\n--target {} shows one target in full.\n", table.text(kWidest), all.front().fit.target);
+}
+
+void run(const Options& options) {
+  const ModelData data = open_data(options.model);
+  const Model model = open_model(options.model, data);
+  std::vector<Checked> all;
+  for (std::size_t target = 0; target < model.targets.size(); ++target) {
+    all.push_back(checked(options.model, model, data, target));
+  }
+  if (options.json) {
+    nlohmann::ordered_json targets = nlohmann::ordered_json::array();
+    for (const Checked& checked : all) targets.push_back(json_of(checked));
+    const nlohmann::ordered_json several{{"targets", targets}};
+    fmt::print("{}\n", (targets.size() == 1 ? targets.front() : several).dump(2));
+  } else if (all.size() == 1) {
+    print_text(all.front(), data.title);
+  } else {
+    print_targets(all, data.title);
+  }
+}
+
+}  // namespace
+
+void add_check(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("check", "Fit a model, and show where it fails");
+  add_model_options(*command, options->model, false);
+  add_fit_options(*command, options->model);
+  command->add_flag("--json", options->json, "the result for a program");
+  command->footer(
+      "Example:\n"
+      "  ballbar check sample-runs/two-arcs-he2015 --model sample-runs/two-arcs-he2015/model.toml");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

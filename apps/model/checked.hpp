@@ -1,0 +1,38 @@
+// A model held against data, as `check` and `diagnose` show it.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/fit/residual.hpp"
+#include "model/model_options.hpp"
+
+namespace ballbar {
+
+struct Checked {
+  Fit fit;
+  std::vector<Misfit> where;
+  Whiteness whiteness;
+};
+Checked checked(const ModelOptions& options, const Model& model, const ModelData& data, std::size_t target);
+
+// "z_um, 6669 values over 27.8 h"
+std::string heading(const Fit& fit);
+
+// The three sentences, wrapped.
+void print_sentences(const Checked& checked);
+
+// RMSE, the floor and where it comes from, how many values are independent.
+std::string floor_text(const Fit& fit);
+
+// Enough that a residual of this size shows two digits.
+int decimals_of(double rmse_um);
+
+bool has_floor(const Fit& fit);
+
+// The keys of `check --json`.
+nlohmann::ordered_json json_of(const Checked& checked);
+
+}  // namespace ballbar

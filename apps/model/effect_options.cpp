@@ -1,0 +1,71 @@
+#include "model/effect_options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "ballbar/error.hpp"
+#include "ballbar/model/term_text.hpp"
+
+namespace ballbar {
+namespace {
+
+bool is_effect(const std::string& word) {
+  const std::string name = word.substr(0, word.find(':'));
+  if (find_effect(name, Level::series) != nullptr || find_effect(name, Level::recording) != nullptr) return true;
+  std::error_code absent;  // then it is no file
+  if (std::filesystem::exists(word, absent)) return false;
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return c == '_' || c == '-' || std::isalnum(static_cast<unsigned char>(c)) != 0;
+  });
+}
+
+}  // namespace
+
+void add_effect_options(CLI::App& command, EffectOptions& options, const std::string& words) {
+  add_model_options(command, options.model, true);
+  command.remove_option(command.get_option("DATA"));
+  command.add_option("EFFECT_AND_DATA", options.words, words)->required();
+  command.add_flag("--json", options.json, "the result for a program");
+}
+
+void split_words(EffectOptions& options, bool effects_wanted) {
+  for (const std::string& word : options.words)
+    (is_effect(word) ? options.effects : options.model.data).push_back(word);
+  if (effects_wanted && options.effects.empty()) {
+    throw CLI::ValidationError("EFFECT", fmt::format("expected an effect, found {} alone", options.model.data.front()));
+  }
+  if (!effects_wanted && !options.effects.empty()) {
+    throw CLI::ValidationError("EFFECT", fmt::format("expected none with --auto, found {}", options.effects.front()));
+  }
+  if (options.model.data.empty()) {
+    throw CLI::ValidationError("DATA", fmt::format("expected data after {}, found none", options.effects.back()));
+  }
+}
+
+void expect_one_target(const ModelOptions& options, const Model& model) {
+  if (model.targets.size() == 1) return;
+  throw Error(fmt::format("{}: expected one target, by which effects are judged, found {}; --target chooses one.",
+                          options.target.empty() ? options.model : "--target", fmt::join(model.targets, ", ")));
+}
+
+std::vector<Term> terms_of(const std::vector<std::string>& effects, const Model& model, const ModelData& data) {
+  Model larger = model;
+  std::vector<Term> terms;
+  for (const std::string& effect : effects) {
+    terms.push_back(term_from_text(effect, larger, data.series));
+    if (data.motion && !applies_to(*terms.back().effect, *data.motion)) {
+      throw Error(fmt::format("expected effects that act where {} drives the circle, found {}.", name_of(*data.motion),
+                              terms.back().effect->name));
+    }
+    larger.terms.push_back(terms.back());
+    expect_suits(larger, data.series);
+  }
+  return terms;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,32 @@
+// What `try` and `add` share: EFFECT..., the model's file, DATA, and one target.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ballbar/formats/sessions/data_file.hpp"
+#include "ballbar/model/model.hpp"
+#include "model/model_options.hpp"
+
+namespace ballbar {
+
+struct EffectOptions {
+  std::vector<std::string> words;  // EFFECT... DATA as they were given
+  std::vector<std::string> effects;
+  ModelOptions model;  // its data: the rest of the words
+  bool json = false;
+};
+
+void add_effect_options(CLI::App& command, EffectOptions& options, const std::string& words);
+
+// The words told apart: an EFFECT is a name of the catalogue, with or without columns, or any other plain word that is
+// no file. Throws CLI::ValidationError: no DATA; no EFFECT where one is wanted, or one where none is.
+void split_words(EffectOptions& options, bool effects_wanted);
+
+// Throws Error where the model has several targets and the command line does not choose one.
+void expect_one_target(const ModelOptions& options, const Model& model);
+
+// EFFECTs as terms, each beside those before it. Throws Error, where they do not suit the data or the model too.
+std::vector<Term> terms_of(const std::vector<std::string>& effects, const Model& model, const ModelData& data);
+
+}  // namespace ballbar

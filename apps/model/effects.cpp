@@ -1,0 +1,176 @@
+// `ballbar effects [NAME]`: the catalogue, or one effect's page. Printed from the code.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/effects/effect.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/model/expression.hpp"
+#include "ballbar/nearest_name.hpp"
+#include "commands.hpp"
+#include "terminal/json_number.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+constexpr std::size_t kMeaningWidth = 50;
+constexpr std::size_t kSummaryWidth = 62;
+
+struct Options {
+  std::string name;
+  bool json = false;
+};
+
+std::vector<const Effect*> all_effects() {
+  std::vector<const Effect*> all(effects().begin(), effects().end());
+  all.push_back(&expression_page());
+  return all;
+}
+
+const char* level_text(Level level) { return level == Level::series ? "on a drift series" : "on a recording"; }
+
+void print_list() {
+  for (const Level level : {Level::series, Level::recording}) {
+    Table table({level_text(level), "inputs", "adds"});
+    for (const Effect* effect : all_effects()) {
+      if (effect->level != level) continue;
+      std::vector<std::string> inputs;
+      for (const Input& input : effect->inputs) inputs.push_back(input.role);
+      const std::string none = effect == &expression_page() ? "any" : "time";
+      table.add_wrapped({effect->name, inputs.empty() ? none : fmt::format("{}", fmt::join(inputs, ", ")),
+                         effect->explanation.summary},
+                        kSummaryWidth);
+    }
+    fmt::print("{}\n", table.left_aligned());
+  }
+  fmt::print("ballbar effects NAME prints the page of one.\n");
+}
+
+void print_part(const char* heading, const std::string& text) {
+  if (!text.empty()) fmt::print("{}\n{}\n", heading, wrapped(text, 90));
+}
+
+std::string bound(double value) { return std::isfinite(value) ? fmt::format("{:g}", value) : "-"; }
+
+void print_page(const Effect& effect) {
+  const Explanation& page = effect.explanation;
+  fmt::print("{}, {}\n{}\n", effect.name, level_text(effect.level), wrapped(page.summary));
+  print_part("Cause", page.cause);
+  print_part("Formula", page.formula);
+  print_part("Signature", page.signature);
+  if (!effect.inputs.empty()) {
+    Table inputs({"input", "unit", "what"});
+    for (const Input& input : effect.inputs) {
+      inputs.add_wrapped({input.role, fmt::format("{}", fmt::join(input.units, ", ")), input.meaning}, kMeaningWidth);
+    }
+    fmt::print("{}", inputs.left_aligned());
+    const bool measured = effect.level == Level::series &&
+                          std::any_of(effect.inputs.begin(), effect.inputs.end(), [](const Input& input) {
+                            return std::find(input.units.begin(), input.units.end(), "um") != input.units.end();
+                          });
+    if (measured) {
+      fmt::print("{}",
+                 wrapped("A measured column is a straight line between its values, and outside them the nearest."));
+    }
+    fmt::print("\n");
+  }
+  if (!effect.parameters.empty()) {
+    Table parameters({"parameter", "unit", "start", "lowest", "highest", "what"});
+    for (const Parameter& parameter : effect.parameters) {
+      parameters.add_wrapped(
+          {parameter.name, parameter.unit, fmt::format("{:g}{}", parameter.start, parameter.held ? " held" : ""),
+           bound(parameter.lower), bound(parameter.upper), parameter.meaning},
+          kMeaningWidth);
+    }
+    fmt::print("{}\n", parameters.left_aligned());
+  }
+  print_part("Confused with", fmt::format("{}", fmt::join(page.confused_with, ", ")));
+  if (!page.becomes.empty()) print_part("Becomes", page.becomes + ", at the edge of its shapes");
+  print_part("Told apart by", page.separated_by);
+  print_part("Remedy", page.remedy);
+  print_part("Validity", page.validity);
+  print_part("Source", page.source);
+  if (effect.time_only) {
+    fmt::print("{}",
+               wrapped("It needs nothing but time: one run can be shaped like it, and never shows it as the cause."));
+  }
+}
+
+nlohmann::ordered_json json_of(const Effect& effect) {
+  const Explanation& page = effect.explanation;
+  nlohmann::ordered_json json{{"name", effect.name},
+                              {"level", effect.level == Level::series ? "series" : "recording"},
+                              {"summary", page.summary},
+                              {"cause", page.cause},
+                              {"formula", page.formula},
+                              {"signature", page.signature},
+                              {"confused_with", page.confused_with},
+                              {"becomes", page.becomes},
+                              {"separated_by", page.separated_by},
+                              {"remedy", page.remedy},
+                              {"validity", page.validity},
+                              {"source", page.source},
+                              {"time_only", effect.time_only}};
+  json["inputs"] = nlohmann::ordered_json::array();
+  for (const Input& input : effect.inputs) {
+    json["inputs"].push_back({{"role", input.role}, {"units", input.units}, {"meaning", input.meaning}});
+  }
+  json["parameters"] = nlohmann::ordered_json::array();
+  for (const Parameter& parameter : effect.parameters) {
+    json["parameters"].push_back({{"name", parameter.name},
+                                  {"unit", parameter.unit},
+                                  {"kind", parameter.kind == ParameterKind::gain ? "gain" : "shape"},
+                                  {"start", parameter.start},
+                                  {"lower", number(parameter.lower)},
+                                  {"upper", number(parameter.upper)},
+                                  {"held", parameter.held},
+                                  {"meaning", parameter.meaning}});
+  }
+  return json;
+}
+
+void run(const Options& options) {
+  std::vector<const Effect*> chosen;
+  std::vector<std::string_view> names;
+  for (const Effect* effect : all_effects()) {
+    names.push_back(effect->name);
+    if (options.name.empty() || effect->name == options.name) chosen.push_back(effect);
+  }
+  if (chosen.empty()) {
+    throw Error(
+        fmt::format("expected the name of an effect, found {}; the nearest is {}. ballbar effects lists "
+                    "all.",
+                    in_quotes(options.name), nearest_name(options.name, names)));
+  }
+  if (options.json) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const Effect* effect : chosen) json.push_back(json_of(*effect));
+    fmt::print("{}\n", json.dump(2));
+  } else if (options.name.empty()) {
+    print_list();
+  } else {
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      if (i > 0) fmt::print("\n");
+      print_page(*chosen[i]);
+    }
+  }
+}
+
+}  // namespace
+
+void add_effects(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("effects", "The catalogue of physical effects, or one effect's page");
+  command->add_option("NAME", options->name, "effect to explain");
+  command->add_flag("--json", options->json, "for a program");
+  command->footer("Example:\n  ballbar effects backlash_a");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

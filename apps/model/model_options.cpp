@@ -1,0 +1,144 @@
+#include "model/model_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+#include "ballbar/circle/trace.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/formats/models/model_toml.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/model/circle_model.hpp"
+#include "ballbar/nearest_name.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar {
+namespace {
+
+// As expect_suits, with the model's file; a model that is all held still predicts.
+void expect_model_suits(Model model, const ModelOptions& options, const ModelData& data) {
+  if (model.level == Level::series) model.constant_um.reset();
+  const auto expect_targets = [&] {
+    for (const std::string& target : model.targets) {
+      if (find_column(data.series, target) == nullptr || unit_of(target) == "um") continue;
+      throw Error(fmt::format("target: expected a column in um, found {}.", in_quotes(target)));
+    }
+    Model bare;
+    bare.targets = model.targets;
+    expect_suits(bare, data.series);
+  };
+  if (options.target.empty()) {
+    with_source(options.model.empty() ? options.data.front() : options.model, expect_targets);
+  } else {
+    try {
+      expect_targets();
+    } catch (const Error& error) {
+      throw Error(fmt::format("--{}", error.what()));  // --target: expected ...
+    }
+  }
+  with_source(options.model, [&] { expect_suits(model, data.series); });
+}
+
+}  // namespace
+
+void add_model_options(CLI::App& command, ModelOptions& options, bool model_required) {
+  command.add_option("DATA", options.data, "series .csv, session, or recordings (.b5r, logs)")->required();
+  CLI::Option* model =
+      command.add_option("--model", options.model, "model.toml: the effects to fit")
+          ->type_name("FILE")
+          ->check(CLI::Validator(
+              [](const std::string& name) { return std::string(name.empty() ? "expected a file, found no name" : ""); },
+              ""));
+  if (model_required) model->required();
+  command.add_option("--target", options.target, "column to explain instead of the model's own; may be repeated")
+      ->type_name("COLUMN")
+      ->allow_extra_args(false);
+  command.add_option("--max-gap", options.max_gap_s, "longest gap of a signal to interpolate over; default 10min")
+      ->type_name("TIME")
+      ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
+                                        CLI::AsNumberWithUnit::CASE_SENSITIVE))
+      ->check(CLI::Validator(
+          [](const std::string& seconds) {
+            const double max_gap_s = std::strtod(seconds.c_str(), nullptr);  // 0 where it is too small for a double
+            return max_gap_s > 0.0 && std::isfinite(max_gap_s) ? "" : std::string("expected a finite time above 0");
+          },
+          ""));
+}
+
+void add_fit_options(CLI::App& command, ModelOptions& options) {
+  command.add_flag("--robust", options.robust, "discount outlying values (Tukey's biweight)");
+  command.add_flag("--white", options.white, "ordinary least squares: no memory in the noise");
+}
+
+ModelData open_data(const ModelOptions& options) {
+  return open_model_data({options.data.begin(), options.data.end()}, {}, options.max_gap_s.value_or(kUsualGap_s));
+}
+
+Model open_model(const ModelOptions& options, const ModelData& data) {
+  Model model;
+  if (options.model.empty()) {
+    if (data.level == Level::recording) {
+      model = circles_of(data.series);
+      model.targets = data.targets;
+    } else {
+      model.targets = data.targets;
+    }
+  } else {
+    model = read_model(read_bytes(options.model, kLargestText), options.model);
+    if (model.level != data.level) {
+      throw Error(fmt::format("{}: expected a model of {}, found one of {}.", options.model,
+                              data.level == Level::recording ? "recordings (level = \"recording\")" : "a drift series",
+                              model.level == Level::recording ? "recordings" : "a drift series"));
+    }
+    for (const Term& term : model.terms) {
+      if (!data.motion || applies_to(*term.effect, *data.motion)) continue;
+      throw Error(fmt::format("{}: expected effects that act where {} drives the circle, found {}.", options.model,
+                              name_of(*data.motion), term.effect->name));
+    }
+    if (model.level == Level::recording) {
+      const Model base = circles_of(data.series);
+      const bool has_circle = std::any_of(model.terms.begin(), model.terms.end(),
+                                          [](const Term& term) { return term.effect->name == "circle"; });
+      if (!has_circle) model.terms.insert(model.terms.begin(), base.terms.begin(), base.terms.end());
+    }
+  }
+  if (!options.target.empty()) model.targets = options.target;
+  if (model.targets.empty())
+    throw Error(fmt::format("{}: expected a measured column to explain, found none.", data.title));
+  expect_model_suits(model, options, data);
+  return model;
+}
+
+void expect_to_fit(const ModelOptions& options, const Model& model, const ModelData& data) {
+  with_source(options.model, [&] { expect_suits(model, data.series); });
+}
+
+Fit fit_of(const ModelOptions& options, const Model& model, const ModelData& data, std::size_t target) {
+  expect_to_fit(options, model, data);
+  FitOptions how;
+  how.robust = options.robust;
+  how.white = options.white;
+  return with_source(options.data.front(), [&] { return fit(model, data.series, target, how); });
+}
+
+std::string value_text(const FittedParameter& parameter) {
+  if (parameter.state == ParameterState::held) return fmt::format("{:g} held", parameter.value);
+  if (parameter.state == ParameterState::undetermined) return "not determined";
+  const bool free = parameter.state == ParameterState::free;
+  if (!std::isfinite(parameter.sigma)) {
+    return fmt::format("{:.4g}{}", parameter.value, free ? ", sigma not known" : " on its bound");
+  }
+  if (parameter.sigma < 1e-6 * std::abs(parameter.value)) {
+    return fmt::format("{:.6g} ± {:.0e}", parameter.value, parameter.sigma);
+  }
+  // Two digits of sigma.
+  const int decimals =
+      parameter.sigma > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(parameter.sigma))), 0, 9) : 4;
+  return with_sigma(parameter.value, parameter.sigma, decimals);
+}
+
+}  // namespace ballbar

@@ -1,0 +1,62 @@
+// What the commands about models share: DATA, the model file, and how they are read.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballbar/error.hpp"
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/formats/sessions/data_file.hpp"
+#include "ballbar/model/model.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace ballbar {
+
+struct ModelOptions {
+  std::vector<std::string> data;
+  std::string model;                // file
+  std::vector<std::string> target;  // instead of the model's own
+  std::optional<double> max_gap_s;
+  bool robust = false;
+  bool white = false;
+};
+
+void add_model_options(CLI::App& command, ModelOptions& options, bool model_required);
+
+// --robust and --white, for the commands that print the fit.
+void add_fit_options(CLI::App& command, ModelOptions& options);
+
+constexpr double kUsualGap_s = 600.0;
+
+ModelData open_data(const ModelOptions& options);
+
+// The model of the file, its targets replaced where the command line says so; without a file a constant (or, on
+// recordings, a circle each). Throws Error: a model of drift for recordings or the other way round, one that does not
+// suit the data (expect_suits) with the file's name, a target that is not in um.
+Model open_model(const ModelOptions& options, const ModelData& data);
+
+// Throws Error, with the model's file, where nothing of it is free.
+void expect_to_fit(const ModelOptions& options, const Model& model, const ModelData& data);
+
+// fit() as the options say. Throws Error with the file that is at fault: the model's (expect_to_fit), or DATA's.
+Fit fit_of(const ModelOptions& options, const Model& model, const ModelData& data, std::size_t target);
+
+// What `work` returns; what it throws gets the source in front, "model.toml: ...", where there is one.
+template <class Work>
+auto with_source(const std::string& source, Work work) -> decltype(work()) {
+  if (source.empty()) return work();
+  try {
+    return work();
+  } catch (const Error& error) {
+    throw Error(source + ": " + error.what());
+  }
+}
+
+// "12.3 ± 0.4", "held", "not determined" with as many digits as sigma deserves.
+std::string value_text(const FittedParameter& parameter);
+
+}  // namespace ballbar

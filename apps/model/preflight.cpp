@@ -1,0 +1,185 @@
+// `ballbar preflight DATA`: what this data could show, before any residual.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/diagnosis/signatures/identifiability.hpp"
+#include "commands.hpp"
+#include "model/model_options.hpp"
+#include "model/untestable.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+constexpr std::size_t kTargetsShown = 6;
+constexpr std::size_t kColumnsWidth = 40, kListWidth = 19;
+constexpr std::size_t kWidest = 120;  // of a table
+
+struct Options {
+  ModelOptions model;
+  bool json = false;
+};
+
+const char* name_of(Testability testability) {
+  switch (testability) {
+    case Testability::testable:
+      return "testable";
+    case Testability::input_missing:
+      return "input missing";
+    case Testability::input_constant:
+      return "input constant";
+    case Testability::absorbed:
+      return "absorbed by the model";
+    case Testability::in_the_model:
+      return "in the model";
+    case Testability::other_motion:
+      return "other motion";
+  }
+  return "testable";
+}
+
+// "0.13": two decimals, more where that would leave nothing; a metre is never seen.
+std::string um_text(double value_um) {
+  if (value_um > 1e6) return "> 1e6";
+  return value_um < 0.095 ? fmt::format("{:.2g}", value_um) : fmt::format("{:.2f}", value_um);
+}
+
+std::string columns_text(const Prospect& prospect) {
+  if (prospect.columns.empty()) return "time";
+  const std::string more = prospect.bindings > 1 ? fmt::format(" (1 of {})", prospect.bindings) : "";
+  return shortened(fmt::format("{}", fmt::join(prospect.columns, ", ")), kColumnsWidth - more.size()) + more;
+}
+
+// Numbers of the rows of the table; names of effects that are not in it.
+std::string inseparable_text(const Prospect& prospect, const std::vector<const Prospect*>& rows) {
+  std::vector<std::string> texts;
+  for (const std::string& name : prospect.inseparable_from) {
+    const auto same = [&](const Prospect* row) { return row->effect->name == name; };
+    const auto row = std::find_if(rows.begin(), rows.end(), same);
+    texts.push_back(row == rows.end() ? name : fmt::format("{}", row - rows.begin() + 1));
+  }
+  return texts.empty() ? "-" : fmt::format("{}", fmt::join(texts, ", "));
+}
+
+void print_untestable(const Preflight& result) {
+  std::vector<Prospect> untestable;
+  std::copy_if(result.prospects.begin(), result.prospects.end(), std::back_inserter(untestable),
+               [](const Prospect& prospect) { return prospect.testability != Testability::testable; });
+  const auto reasons = by_reason(untestable);
+  if (!reasons.empty()) fmt::print("Not testable:\n");
+  for (const auto& [why, effects] : reasons) {
+    fmt::print("{}", wrapped(fmt::format("- {}: {}", why, fmt::join(effects, ", "))));
+  }
+}
+
+void print_text(const Preflight& result, const std::string& title) {
+  std::vector<const Prospect*> rows;
+  std::size_t apart = 0;
+  for (const Prospect& prospect : result.prospects) {
+    if (prospect.testability != Testability::testable) continue;
+    rows.push_back(&prospect);
+    if (prospect.inseparable_from.empty()) ++apart;
+  }
+  fmt::print("{}\n{}, {} values\n\n{} of {} effects could be seen here, {} of them could be told from all others.\n\n",
+             title, result.target, result.n, rows.size(), result.prospects.size(), apart);
+  Table table({"effect", "columns", "seen from um", "named from um", "own %", "inseparable from"});
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    table.add_wrapped({fmt::format("{:2} {}", i + 1, rows[i]->effect->name), columns_text(*rows[i]),
+                       um_text(rows[i]->detectable_um), um_text(rows[i]->identifiable_um),
+                       fmt::format("{:.0f}", 100.0 * rows[i]->surviving_share), inseparable_text(*rows[i], rows)},
+                      kListWidth);
+  }
+  if (!rows.empty()) fmt::print("{}\n", table.text(kWidest));
+  print_untestable(result);
+  fmt::print("\n{}", wrapped(fmt::format(
+                         "um: range (max - min) that the effect would add over these data, to be seen and to be named. "
+                         "own %: what of it the model cannot make already. Noise from: {}.",
+                         result.noise_source)));
+}
+
+// Effects by targets: the smallest that could be named.
+void print_targets(const std::vector<Preflight>& results, const std::string& title) {
+  std::vector<std::string> heading{"named from um"};
+  const std::size_t shown = std::min(results.size(), kTargetsShown);
+  for (std::size_t i = 0; i < shown; ++i) heading.push_back(results[i].target);
+  Table table(heading);
+  for (std::size_t k = 0; k < results.front().prospects.size(); ++k) {
+    std::vector<std::string> row{results.front().prospects[k].effect->name};
+    for (std::size_t i = 0; i < shown; ++i) {
+      const Prospect& prospect = results[i].prospects[k];
+      row.push_back(prospect.testability == Testability::testable ? um_text(prospect.identifiable_um) : "-");
+    }
+    if (std::any_of(row.begin() + 1, row.end(), [](const std::string& text) { return text != "-"; })) table.add(row);
+  }
+  fmt::print("{}\n{} targets{}\n\n{}\n", title, results.size(),
+             shown < results.size() ? fmt::format(", the first {} shown", shown) : "", table.text(kWidest));
+  print_untestable(results.front());
+  fmt::print("\n{}", wrapped(fmt::format(
+                         "um: range (max - min) that the effect would add over these data. Noise from: {}. --target {} "
+                         "shows one target in full: columns, and what is inseparable from what.",
+                         results.front().noise_source, results.front().target)));
+}
+
+nlohmann::ordered_json json_of(const Preflight& result) {
+  nlohmann::ordered_json json;
+  json["target"] = result.target;
+  json["n"] = result.n;
+  json["noise_source"] = result.noise_source;
+  json["effects"] = nlohmann::ordered_json::array();
+  for (const Prospect& prospect : result.prospects) {
+    nlohmann::ordered_json row{{"effect", prospect.effect->name},
+                               {"testability", name_of(prospect.testability)},
+                               {"columns", prospect.columns},
+                               {"bindings", prospect.bindings}};
+    if (prospect.testability == Testability::testable) {
+      row["surviving_share"] = prospect.surviving_share;
+      row["detectable_um"] = prospect.detectable_um;
+      row["identifiable_um"] = prospect.identifiable_um;
+      row["inseparable_from"] = prospect.inseparable_from;
+    } else {
+      row["why"] = prospect.why;
+    }
+    json["effects"].push_back(std::move(row));
+  }
+  return json;
+}
+
+void run(const Options& options) {
+  const ModelData data = open_data(options.model);
+  const Model model = open_model(options.model, data);
+  expect_to_fit(options.model, model, data);
+  std::vector<Preflight> results;
+  for (std::size_t target = 0; target < model.targets.size(); ++target) {
+    results.push_back(
+        with_source(options.model.data.front(), [&] { return preflight(model, data.series, target, data.motion); }));
+  }
+  if (options.json) {
+    nlohmann::ordered_json targets = nlohmann::ordered_json::array();
+    for (const Preflight& result : results) targets.push_back(json_of(result));
+    const nlohmann::ordered_json several{{"targets", targets}};
+    fmt::print("{}\n", (targets.size() == 1 ? targets.front() : several).dump(2));
+  } else if (results.size() == 1) {
+    print_text(results.front(), data.title);
+  } else {
+    print_targets(results, data.title);
+  }
+}
+
+}  // namespace
+
+void add_preflight(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("preflight", "What these data could show, before looking at any residual");
+  add_model_options(*command, options->model, false);
+  command->add_flag("--json", options->json, "the result for a program");
+  command->footer("Example:\n  ballbar preflight sample-runs/two-arcs-he2015 --target y_um");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

@@ -1,0 +1,15 @@
+// Why effects could not be tested, for the terminal.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ballbar/diagnosis/signatures/identifiability.hpp"
+
+namespace ballbar {
+
+// What several effects have in common once: each reason with their names, in the order of the prospects.
+std::vector<std::pair<std::string, std::vector<std::string>>> by_reason(const std::vector<Prospect>& untestable);
+
+}  // namespace ballbar

@@ -1,7 +1,0 @@
-#include "page_assets.hpp"
-
-namespace ballbar::page {
-
-const std::string_view kScript, kScriptHash, kStyle, kStyleHash, kPictures, kPicturesHash;
-
-}  // namespace ballbar::page

@@ -1,0 +1,187 @@
+// `ballbar predict DATA --model M`: the model's series, with each effect's contribution.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "commands.hpp"
+#include "model/model_options.hpp"
+#include "predict/predict_batch.hpp"
+#include "terminal/json_number.hpp"
+#include "terminal/out_files.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+constexpr std::size_t kWidest = 120;  // of a table
+
+struct Options {
+  ModelOptions model;
+  std::vector<std::string> on;
+  std::vector<std::string> out;
+  bool anyway = false;
+  bool json = false;
+};
+
+bool has_free(const Model& model) {
+  if (!model.constant_um && model.level == Level::series) return true;
+  return std::any_of(model.terms.begin(), model.terms.end(), [](const Term& term) {
+    return std::any_of(term.settings.begin(), term.settings.end(),
+                       [](const Setting& setting) { return !setting.held; });
+  });
+}
+
+std::vector<FittedParameter> held_parameters(const Model& model) {
+  std::vector<FittedParameter> parameters(1);
+  parameters[0].value = model.constant_um.value_or(0.0);
+  for (const Term& term : model.terms) {
+    for (const Setting& setting : term.settings) {
+      FittedParameter parameter;
+      parameter.value = setting.start;
+      parameters.push_back(parameter);
+    }
+  }
+  return parameters;
+}
+
+std::vector<Column> columns_of(const Model& model, const std::string& target, const Prediction& prediction,
+                               const Series& data) {
+  const std::string stem = stem_of(target);
+  std::vector<Column> columns;
+  columns.push_back({stem + "_model_um", Role::measured, prediction.predicted_um});
+  if (const Column* measured = find_column(data, target)) {
+    Column residual{stem + "_residual_um", Role::measured, measured->values};
+    for (std::size_t row = 0; row < residual.values.size(); ++row) residual.values[row] -= prediction.predicted_um[row];
+    columns.push_back(*measured);
+    columns.push_back(std::move(residual));
+  }
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    columns.push_back({fmt::format("{}_{}_{}_um", stem, t + 1, model.terms[t].effect->name), Role::measured,
+                       prediction.contribution_um[t]});
+  }
+  return columns;
+}
+
+// Root mean square of what is finite; NaN where nothing is.
+double rms(const std::vector<double>& values) {
+  double norm = 0.0;
+  std::size_t n = 0;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    norm = std::hypot(norm, value);  // whose square may be too large for a double
+    ++n;
+  }
+  return n > 0 ? norm / std::sqrt(static_cast<double>(n)) : std::numeric_limits<double>::quiet_NaN();
+}
+
+Table summary(const std::vector<Column>& columns) {
+  Table table({"column", "least um", "largest um", "at the end um", "rms um"});
+  for (const Column& column : columns) {
+    double low = std::numeric_limits<double>::infinity(), high = -low, last = 0.0;
+    for (const double value : column.values) {
+      if (!std::isfinite(value)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+      last = value;
+    }
+    if (low > high) continue;
+    table.add(
+        {shortened(column.name, 60), fixed(low, 3), fixed(high, 3), fixed(last, 3), fixed(rms(column.values), 3)});
+  }
+  return table;
+}
+
+void expect_csv(const std::vector<std::string>& out) {
+  for (const std::string& path : out) {
+    if (std::filesystem::path(path).extension() == ".csv") continue;
+    throw Error(fmt::format("--out {}: expected a name that ends in .csv.", path));
+  }
+}
+
+// A regression over batches has its own parameters, and is fitted to nothing here.
+void run_batch_model(const Options& options) {
+  if (options.model.data.size() != 1) {
+    throw Error(
+        fmt::format("expected one file of DATA for {}, found {}.", options.model.model, options.model.data.size()));
+  }
+  if (!options.on.empty()) throw Error("--on: expected a model of effects with it; a regression predicts DATA itself.");
+  if (!options.model.target.empty() || options.model.max_gap_s || options.model.robust || options.model.white) {
+    throw Error(
+        fmt::format("{}: expected neither --target, --max-gap, --robust nor --white: a regression has its target "
+                    "and is fitted to nothing here.",
+                    options.model.model));
+  }
+  expect_csv(options.out);
+  expect_no_input(options.out, {options.model.data.front(), options.model.model});
+  predict_batch({options.model.data.front(), options.model.model, options.out, options.anyway, options.json});
+}
+
+void run(const Options& options) {
+  if (is_batch_model(options.model.model)) return run_batch_model(options);
+  if (options.anyway) throw Error("--anyway: expected a model of train with it, a model of effects was given.");
+  const ModelData data = open_data(options.model);
+  const Model model = open_model(options.model, data);
+  ModelOptions elsewhere = options.model;
+  if (!options.on.empty()) elsewhere.data = options.on;
+  const ModelData other = options.on.empty() ? data : open_data(elsewhere);
+  std::vector<std::filesystem::path> inputs = data.files;
+  inputs.insert(inputs.end(), other.files.begin(), other.files.end());
+  inputs.emplace_back(options.model.model);
+  expect_no_input(options.out, inputs);
+  expect_csv(options.out);
+  Series series;
+  series.time_s = other.series.time_s;
+  for (std::size_t target = 0; target < model.targets.size(); ++target) {
+    const std::vector<FittedParameter> parameters =
+        has_free(model) ? fit_of(options.model, model, data, target).parameters : held_parameters(model);
+    const Prediction prediction =
+        with_source(elsewhere.data.front(), [&] { return predict(model, parameters, other.series); });
+    const std::vector<Column> columns = columns_of(model, model.targets[target], prediction, other.series);
+    series.columns.insert(series.columns.end(), columns.begin(), columns.end());
+  }
+  for (const std::string& path : options.out) write_bytes(path, write_series(series));
+  if (options.json) {
+    nlohmann::ordered_json json;
+    json["time_s"] = series.time_s;
+    for (const Column& column : series.columns) {
+      nlohmann::ordered_json values = nlohmann::ordered_json::array();
+      for (const double value : column.values) values.push_back(number(value));
+      json[column.name] = std::move(values);
+    }
+    fmt::print("{}\n", json.dump());
+  } else {
+    fmt::print("{}\n{}: {} rows over {}{}\n\n{}", other.title, options.model.model, series.time_s.size(),
+               duration_text(series.time_s.back() - series.time_s.front()),
+               options.on.empty() ? "" : fmt::format("\nfitted to {}", data.title),
+               summary(series.columns).text(kWidest));
+  }
+  for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
+}
+
+}  // namespace
+
+void add_predict(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("predict", "The model's series, with what each effect adds");
+  add_model_options(*command, options->model, true);
+  add_fit_options(*command, options->model);
+  command->add_option("--on", options->on, "other data to predict, with the parameters fitted to DATA")
+      ->type_name("DATA");
+  command->add_option("--out", options->out, "write the series, .csv")->type_name("FILE")->allow_extra_args(false);
+  command->add_flag("--anyway", options->anyway, "model of `train`: predict though a sensor looks broken");
+  command->add_flag("--json", options->json, "the series for a program");
+  command->footer(
+      "Example:\n"
+      "  ballbar predict sample-runs/two-arcs-he2015 --model sample-runs/two-arcs-he2015/model.toml --out y.csv");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

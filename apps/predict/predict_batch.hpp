@@ -1,0 +1,40 @@
+// `ballbar predict DATA --model model.json`: a regression over batches, on a file or on what comes by standard input.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ballbar/batches/batch_regression.hpp"
+#include "ballbar/series/series.hpp"
+
+namespace ballbar {
+
+struct BatchPredictOptions {
+  std::string data;  // "-": standard input
+  std::string model;
+  std::vector<std::string> out;
+  bool anyway = false;  // with sensors that look broken
+  bool json = false;
+};
+
+// "z_um" -> "z"
+std::string stem_of(const std::string& column);
+
+// What starts with a brace: a regression over batches rather than a model of effects.
+bool is_batch_model(const std::string& model);
+
+struct BatchJob {
+  std::string source;
+  BatchModel model;
+  Series data;
+  BatchPrediction prediction;
+  std::vector<std::string> warnings;  // whole sentences
+};
+
+// `data` "-": standard input. Throws Error where a sensor looks broken, unless `anyway`.
+BatchJob batch_job(const std::string& data, const std::string& model_file, bool anyway);
+
+// Prints and writes as `predict`. Throws Error where a sensor looks broken.
+void predict_batch(const BatchPredictOptions& options);
+
+}  // namespace ballbar

@@ -1,0 +1,7 @@
+#include "report/page_assets.hpp"
+
+namespace ballbar::page {
+
+const std::string_view kScript, kScriptHash, kStyle, kStyleHash, kPictures, kPicturesHash;
+
+}  // namespace ballbar::page

@@ -1,0 +1,377 @@
+// `ballbar report DATA --out page.html`: everything to look at, in one file.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/drift/comparison.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/formats/models/model_history.hpp"
+#include "ballbar/formats/sessions/drift_data.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "batches/batches.hpp"
+#include "commands.hpp"
+#include "diagnose/diagnosed.hpp"
+#include "measure/comparison_json.hpp"
+#include "measure/drift_text.hpp"
+#include "measure/fitted.hpp"
+#include "measure/operands.hpp"
+#include "model/model_options.hpp"
+#include "predict/predict_batch.hpp"
+#include "programs/finished.hpp"
+#include "report/page.hpp"
+#include "report/report_parts.hpp"
+#include "terminal/out_files.hpp"
+#include "terminal/progress.hpp"
+#include "terminal/text.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+enum class Format { html, svg, json };
+
+struct Options {
+  ModelOptions model;
+  std::string compare;
+  FiveProbeOptions probes;
+  DiagnoseOptions how;
+  bool diagnose = false;      // without a model too
+  bool no_diagnosis = false;  // with one neither
+  bool anyway = false;
+  std::string out;
+  Format format = Format::html;
+  PictureOptions pictures;
+  bool open = false;
+};
+
+// A report as it grows, with all files that it is made of.
+struct Made {
+  Json json;
+  std::vector<fs::path> files;
+
+  void conclude(const std::string& sentence) { json["summary"].push_back(sentence); }
+};
+
+// A page is mailed: where its files lay stays at home.
+std::string file_name(const fs::path& path) {
+  const fs::path name = path.has_filename() ? path.filename() : path.parent_path().filename();
+  return name.empty() || name == "." || name == ".." ? fs::absolute(path).lexically_normal().filename().string()
+                                                     : name.string();
+}
+
+void add_recordings(Made& made, const Options& options) {
+  const Fitted fitted = fit_files(options.model.data, {});
+  made.json["fit"] = recordings_part(fitted);
+  const std::string& test_name = fitted.recordings.front().test_name;
+  const bool one_name = std::all_of(fitted.recordings.begin(), fitted.recordings.end(),
+                                    [&](const FittedRecording& one) { return one.test_name == test_name; });
+  if (one_name && !test_name.empty()) {
+    made.json["title"] = test_name;
+  } else if (options.model.data.size() > 1) {
+    made.json["title"] = fmt::format("{} recordings of {} files", fitted.recordings.size(), options.model.data.size());
+  } else {
+    made.json["title"] = file_name(options.model.data.front());
+  }
+  made.files.insert(made.files.end(), options.model.data.begin(), options.model.data.end());
+}
+
+void add_session(Made& made, const SessionFiles& files, const Options& options) {
+  const std::string& path = options.model.data.front();
+  const Session& session = files.session;
+  made.json["title"] = session.title.empty() ? file_name(path) : session.title;
+  std::vector<std::string> recordings;
+  for (const TestFile& one : files.recordings) recordings.push_back(one.file.string());
+  made.json["fit"] = recordings_part(fit_files(recordings, {}), files);
+  const DriftSeries drift = drift_of(session);
+  made.json["drift"] = drift_part(drift);
+  for (const std::string& largest : largest_drifts(drift)) made.conclude(fmt::format("Largest drift: {}.", largest));
+  if (files.five_probe) {
+    const Series probes = open_series(*files.five_probe);
+    made.json["five_probe"] =
+        probes_part(five_point_of(probes, place_of(probes, options.probes, files.ball), file_name(*files.five_probe)));
+  }
+  for (const fs::path& signals : files.signals) {
+    made.json["signals"].push_back(signals_part(file_name(signals), open_series(signals)));
+  }
+}
+
+void add_series(Made& made, const Series& series, const Options& options) {
+  const std::string& path = options.model.data.front();
+  made.json["title"] = file_name(path);
+  if (is_five_probe(series) || options.probes.any()) {
+    const Series with = stated(series, options.probes);
+    made.json["five_probe"] = probes_part(five_point_of(with, place_of(with, options.probes), file_name(path)));
+  }
+  made.json["signals"].push_back(signals_part(file_name(path), series));
+}
+
+void add_comparison(Made& made, const Options& options) {
+  OperandOptions operands{.a = options.model.data.front(), .b = options.compare, .probes = options.probes};
+  const Operands both = operands_of(operands);
+  made.files.insert(made.files.end(), both.files.begin(), both.files.end());
+  const Comparison comparison = compare(both.a, both.b);
+  made.json["compare"] = json_of(comparison);
+  made.conclude(fmt::format("{} against {}: {}", comparison.a, comparison.b, conclusion(comparison)));
+}
+
+void overlay_effects(Made& made, const Fit& fit, const Model& model, const ModelData& data) {
+  if (data.level != Level::recording) return;
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    if (model.terms[t].effect->name == "circle") continue;  // drawn as itself
+    overlay(made.json["fit"]["recordings"], label_of(model.terms[t]), fit.contribution_um[t], fit, data.series);
+  }
+}
+
+void overlay_candidates(Made& made, const Diagnosed& found, const ModelData& data) {
+  if (data.level != Level::recording) return;
+  for (const Candidate& candidate : found.diagnosis.candidates) {
+    if (!candidate.in_best_set) continue;
+    const std::vector<double> curve = curve_of(candidate, found.checked.fit, data.series);
+    if (curve.empty()) continue;
+    overlay(made.json["fit"]["recordings"], "candidate " + label_of(candidate.bound), curve, found.checked.fit,
+            data.series);
+  }
+}
+
+void add_target(Made& made, const Options& options, const Model& model, const ModelData& data, std::size_t target) {
+  const auto add_checked = [&](const Checked& checked) {
+    made.json["check"]["targets"].push_back(check_part(checked, model, data));
+    const auto said = sentences(checked.fit, checked.where, checked.whiteness);
+    if (!said.empty()) made.conclude(fmt::format("{}: {}", model.targets[target], said.front()));
+    overlay_effects(made, checked.fit, model, data);
+  };
+  if (options.no_diagnosis) return add_checked(checked(options.model, model, data, target));
+  const Diagnosed found = diagnosed_of(options.model, options.how, model, data, target);
+  add_checked(found.checked);
+  made.json["diagnose"]["targets"].push_back(diagnosis_part(found, data));
+  made.conclude(fmt::format("{}: {}", model.targets[target], verdict_text(found.diagnosis)));
+  overlay_candidates(made, found, data);
+}
+
+// A target that cannot be fitted is said and left out.
+void add_model(Made& made, const Options& options) {
+  const ModelData data = open_data(options.model);
+  const Model model = open_model(options.model, data);
+  for (std::size_t target = 0; target < model.targets.size(); ++target) {
+    try {
+      add_target(made, options, model, data, target);
+    } catch (const Error& error) {  // the rest of the report is worth having
+      const std::string& name = model.targets[target];
+      made.conclude(fmt::format("{}: not {}: {}", name, options.no_diagnosis ? "fitted" : "diagnosed", error.what()));
+      if (options.no_diagnosis) continue;
+      made.json["diagnose"]["targets"].push_back({{"target", name}, {"not_diagnosed", error.what()}});
+    }
+  }
+  if (options.model.model.empty()) return;
+  made.files.emplace_back(options.model.model);
+  const auto rows = read_ledger(read_bytes(options.model.model, kLargestText), options.model.model);
+  if (!rows.empty()) made.json["ledger"] = ledger_part(rows);
+}
+
+void add_batch(Made& made, const Options& options) {
+  const BatchJob job = batch_job(options.model.data.front(), options.model.model, options.anyway);
+  made.json["batch"] = batch_part(job);
+  made.files.emplace_back(options.model.model);
+  made.conclude(fmt::format("{} by {} of {} batches.", job.model.columns.target, label_of(job.model.settings),
+                            job.model.batches.size()));
+  for (const std::string& warning : job.warnings) made.conclude(warning);
+}
+
+// An option that would do nothing is a mistake.
+void expect_use(const Options& options, bool of_recordings, bool of_batches) {
+  const bool has_model = !options.model.model.empty();
+  const bool fits = !of_batches && (has_model || options.diagnose);
+  const auto expect = [](bool used, const char* option, const char* with) {
+    if (!used) throw Error(fmt::format("{}: expected {} with it.", option, with));
+  };
+  expect(options.model.target.empty() || fits, "--target", "a model of effects or --diagnose");
+  expect(!options.model.robust || fits, "--robust", "a model of effects or --diagnose");
+  expect(!options.model.white || fits, "--white", "a model of effects or --diagnose");
+  expect(!options.no_diagnosis || fits, "--no-diagnosis", "a model of effects");
+  expect(!options.diagnose || !of_batches, "--diagnose", "a model of effects, not one of train,");
+  expect(!options.anyway || of_batches, "--anyway", "a model of train");
+  expect(!options.probes.any() || !of_recordings, "options of five probes", "a session or a series");
+}
+
+// SOURCE_DATE_EPOCH, where it is set: the same page from the same data on any day.
+std::string today() {
+  const char* stated = std::getenv("SOURCE_DATE_EPOCH");
+  const std::time_t now = stated != nullptr ? std::strtoll(stated, nullptr, 10) : std::time(nullptr);
+  return fmt::format("{:%F}", stated != nullptr ? fmt::gmtime(now) : fmt::localtime(now));
+}
+
+// Recordings are told from a session and a series by what open_model_data() makes of them.
+Made made_of(const Options& options) {
+  Made made;
+  made.json = {{"format", "ballbar-report 1"}, {"title", ""}, {"made_by", "ballbar " BALLBAR_VERSION}};
+  made.json["made_on"] = today();
+  made.json["files"] = Json::array();
+  made.json["summary"] = Json::array();
+  made.json["signals"] = Json::array();
+  const bool has_model = !options.model.model.empty();
+  const bool of_batches = has_model && is_batch_model(options.model.model);
+  const bool of_recordings = options.model.data.size() > 1 || is_recording_file(options.model.data.front());
+  expect_use(options, of_recordings, of_batches);
+  if (of_recordings) {
+    if (!options.compare.empty())
+      throw Error("--compare: expected a session or a series to compare, found recordings.");
+    if (of_batches) throw Error(options.model.model + ": expected a series to predict, found recordings.");
+    add_recordings(made, options);
+    if (has_model || options.diagnose) add_model(made, options);
+    return made;
+  }
+  const DriftData data = open_drift_data(options.model.data.front());
+  made.files = data.files;
+  if (data.session) {
+    add_session(made, *data.session, options);
+  } else {
+    add_series(made, *data.series, options);
+  }
+  if (!options.compare.empty() || (data.session && data.session->five_probe)) add_comparison(made, options);
+  if (of_batches) {
+    add_batch(made, options);
+  } else if (has_model || options.diagnose) {
+    add_model(made, options);
+  }
+  return made;
+}
+
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  for (char& letter : ending) letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  return ending;
+}
+
+void write_pictures(const Json& report, const Options& options) {
+  const std::vector<NamedPicture> pictures = pictures_of(report, options.pictures);
+  const bool one_file = ending_of(options.out) == ".svg";
+  if (one_file && pictures.size() != 1) {
+    std::string names;
+    for (const NamedPicture& picture : pictures) names += (names.empty() ? "" : ", ") + picture.name;
+    throw Error(fmt::format("--out {}: expected --picture with one of {}, or a folder for all.", options.out, names));
+  }
+  if (one_file) {
+    write_bytes(options.out, pictures.front().svg);
+    fmt::print("{}  {}\n", options.out, pictures.front().title);
+    return;
+  }
+  std::error_code error;
+  fs::create_directories(options.out, error);
+  if (error)
+    throw Error(fmt::format("--out {}: expected a folder to write to, found: {}.", options.out, error.message()));
+  for (const NamedPicture& picture : pictures) {
+    const fs::path path = fs::path(options.out) / (picture.name + ".svg");
+    write_bytes(path, picture.svg);
+    fmt::print("{}  {}\n", path.string(), picture.title);
+  }
+}
+
+void expect_out(const Options& options) {
+  if (options.out.empty()) {
+    throw Error(options.format == Format::svg
+                    ? "--format svg: expected --out with a folder, or a name that ends in .svg."
+                    : "expected --out with the name of the page, as in --out page.html.");
+  }
+  const std::string ending = ending_of(options.out);
+  const char* wanted = options.format == Format::html ? ".html" : options.format == Format::json ? ".json" : nullptr;
+  if (wanted != nullptr && ending != wanted) {
+    throw Error(fmt::format("--out {}: expected a name that ends in {}, found {}.", options.out, wanted,
+                            ending.empty() ? "no ending" : ending));
+  }
+  const PictureOptions& pictures = options.pictures;
+  if (options.format != Format::svg && !(pictures.names.empty() && pictures.choices.empty())) {
+    throw Error(fmt::format("--{}: expected --format svg with it; the page has all pictures.",
+                            pictures.names.empty() ? "choose" : "picture"));
+  }
+  if (!pictures.choices.empty() && pictures.names.size() != 1) {
+    throw Error("--choose: expected one --picture with it, whose choice it is.");
+  }
+  if (options.open && options.format != Format::html) throw Error("--open: expected a page to open, not --format.");
+  // Before a long diagnosis rather than after it.
+  const fs::path folder = fs::absolute(options.out).parent_path();
+  std::error_code error;
+  if (options.format != Format::svg && !fs::is_directory(folder, error)) {
+    throw Error(fmt::format("--out {}: expected a folder to write to, found none of that name.", options.out));
+  }
+  if (options.format != Format::json) expect_page();
+}
+
+void run(const Options& options) {
+  expect_out(options);
+  std::vector<fs::path> inputs(options.model.data.begin(), options.model.data.end());
+  for (const std::string& other : {options.model.model, options.compare}) {
+    if (!other.empty()) inputs.emplace_back(other);
+  }
+  expect_no_input({options.out}, inputs);
+  const Made made = [&] {
+    const ProgressLine line;
+    Made result = made_of(options);
+    std::vector<std::string> names;
+    for (const fs::path& file : result.files) names.push_back(file_name(file));
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    result.json["files"] = names;
+    return result;
+  }();
+  expect_no_input({options.out}, made.files);
+  if (options.format == Format::svg) return write_pictures(made.json, options);
+  const bool page = options.format == Format::html;
+  const std::string bytes =
+      page ? page_of(made.json) : made.json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  write_bytes(options.out, bytes);
+  for (const Json& sentence : made.json["summary"]) fmt::print("{}", wrapped(sentence.get<std::string>()));
+  fmt::print(stderr, "wrote {}\n", options.out);
+  if (options.open && !started({"xdg-open", fs::absolute(options.out).string()})) {
+    fmt::print(stderr, "ballbar: no program xdg-open to open it with; open {} in a browser.\n", options.out);
+  }
+}
+
+}  // namespace
+
+void add_report(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("report", "Everything to look at, in one page");
+  add_model_options(*command, options->model, false);
+  add_fit_options(*command, options->model);
+  command->add_option("--compare", options->compare, "another drift, or five probes, to compare DATA with")
+      ->type_name("DATA");
+  CLI::Option* diagnose =
+      command->add_flag("--diagnose", options->diagnose, "which effect is missing, without a model as well");
+  command->add_flag("--no-diagnosis", options->no_diagnosis, "with a model: where it fails, not what is missing")
+      ->excludes(diagnose);
+  command->add_flag("--anyway", options->anyway, "model of `train`: predict though a sensor looks broken");
+  command->add_option("--out", options->out, "page.html; with --format svg a folder or one .svg")->type_name("FILE");
+  add_choice(*command, "--format", {"html", "svg", "json"}, "html",
+             "html: the page; svg: its pictures, drawn by node; json: its data",
+             [options](std::size_t at) { options->format = static_cast<Format>(at); });
+  command->add_option("--picture", options->pictures.names, "with --format svg: only this one; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--choose", options->pictures.choices,
+                   "with --picture: what the page would choose in it, such as \"recording=64 min, XY CCW\"")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--width", options->pictures.width_px, "of --format svg, in pixels; default 900")
+      ->type_name("PX")
+      ->check(CLI::Range(300, 4000));
+  command->add_flag("--open", options->open, "open the page in a browser");
+  add_five_probe_options(*command, options->probes);
+  command->footer(
+      "Examples:\n"
+      "  ballbar report sample-runs/two-arcs-he2015 --model sample-runs/two-arcs-he2015/model.toml --out page.html\n"
+      "  ballbar report sample-runs/qc20-style-b5r/00.b5r --out page.html --open\n"
+      "  ballbar report sample-runs/two-arcs-he2015 --format svg --picture drift --out drift.svg");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

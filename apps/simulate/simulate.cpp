@@ -1,0 +1,125 @@
+// `ballbar simulate`: a virtual machine's session as files, the truth in a file of its own.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+
+#include "ballbar/formats/machines/machine_toml.hpp"
+#include "ballbar/formats/machines/shaft_images.hpp"
+#include "ballbar/formats/machines/simulated_files.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/units.hpp"
+#include "commands.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string machine;
+  std::string out;
+  std::string truth;
+  std::optional<std::int64_t> seed;
+  bool b5r = false;
+  bool force = false;
+  bool json = false;
+};
+
+// Beside the folder, not in it: whoever is given the run is not given the answer.
+fs::path truth_file(const Options& options) {
+  if (!options.truth.empty() || options.out.empty()) return options.truth;
+  fs::path folder = (fs::path(options.out) / "").lexically_normal().parent_path();  // no trailing slash
+  if (folder.empty() || folder.filename() == "." || folder.filename() == "..") {
+    folder = (fs::absolute(options.out) / "").lexically_normal().parent_path();
+  }
+  return folder.string() + "-truth.csv";
+}
+
+std::string_view method_name(const VirtualMachine& machine) {
+  return machine.series ? std::string_view("series") : name_of(machine.method);
+}
+
+void print_text(const VirtualMachine& machine, const SimulatedSession& simulated,
+                const std::vector<SimulatedFile>& files, const Options& options, const fs::path& truth) {
+  const std::vector<double>& time_s = machine.series ? simulated.series.time_s : machine.test_s;
+  fmt::print("simulated  {}, {} {}{} over {:g} min, seed {}\n", method_name(machine), time_s.size(),
+             machine.series ? "row" : "test", time_s.size() == 1 ? "" : "s", min_from_s(time_s.back() - time_s.front()),
+             machine.seed);
+  if (files.size() == 1) {
+    fmt::print("written    {}: {}\n", options.out, files.front().name);
+  } else {
+    fmt::print("written    {}: {} files, {} to {}\n", options.out, files.size(), files.front().name, files.back().name);
+  }
+  fmt::print("truth      {} (kept apart: no other command reads it)\n", truth.string());
+}
+
+void print_json(const VirtualMachine& machine, const SimulatedSession& simulated,
+                const std::vector<SimulatedFile>& files, const Options& options, const fs::path& truth) {
+  nlohmann::ordered_json json = {{"method", method_name(machine)}};
+  if (machine.series) {
+    json["rows"] = simulated.series.time_s.size();
+  } else {
+    json["tests"] = machine.test_s.size();
+  }
+  const nlohmann::ordered_json rest = {{"seed", machine.seed},
+                                       {"folder", options.out},
+                                       {"files", nlohmann::ordered_json::array()},
+                                       {"truth", truth.string()}};
+  json.update(rest);
+  for (const SimulatedFile& file : files) json["files"].push_back(file.name);
+  fmt::print("{}\n", json.dump(2));
+}
+
+void run(const Options& options) {
+  const std::string bytes = read_bytes(options.machine, kLargestText);
+  VirtualMachine machine = read_machine(bytes, options.machine);
+  const std::vector<ShaftImage> images = read_shaft_images(bytes, options.machine);
+  if (options.seed) machine.seed = static_cast<std::uint64_t>(*options.seed);
+  const SimulatedSession simulated = simulate(machine);
+  std::vector<SimulatedFile> files = simulated_files(simulated, options.b5r);
+  if (machine.spindle) {
+    for (SimulatedFile& image : shaft_image_files(images, *machine.spindle, simulated.profiles)) {
+      files.push_back(std::move(image));
+    }
+  }
+  const fs::path truth = truth_file(options);
+  write_simulated(files, simulated.truth, options.out, truth, options.force);
+  (options.json ? print_json : print_text)(machine, simulated, files, options, truth);
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("simulate", "Recordings, signals and five-probe readings of a virtual machine");
+  command->add_option("MACHINE", options->machine, "machine.toml: the virtual machine, its truth and its noise")
+      ->required();
+  command->add_option("--out", options->out, "folder for the session's files, new or empty")
+      ->type_name("DIR")
+      ->required();
+  command->add_option("--truth", options->truth, "file for the truth; without it DIR-truth.csv, beside DIR")
+      ->type_name("FILE");
+  command
+      ->add_option("--seed", options->seed,
+                   "of the noise, 0 or above, another for each machine; without it the machine's own")
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()))
+      ->type_name("N");
+  command->add_flag("--b5r", options->b5r, "method circles: .b5r files alone, without session.toml and signals");
+  command->add_flag("--force", options->force, "replace files of the same names");
+  command->add_flag("--json", options->json, "the summary for a program");
+  command->footer(
+      "Example:\n"
+      "  ballbar simulate sample-runs/two-arcs-he2015/machine.toml --out my-run\n"
+      "  ballbar drift my-run/session.toml");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

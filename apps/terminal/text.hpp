@@ -1,0 +1,42 @@
+// Tables for the terminal: aligned, with units in the heading.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ballbar/drift/drift.hpp"
+
+namespace ballbar {
+
+// First row is the heading. The first column is aligned to the left, the others to the right.
+class Table {
+ public:
+  explicit Table(std::vector<std::string> heading) : rows_{std::move(heading)} {}
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  void add_wrapped(std::vector<std::string> row, std::size_t width);  // the last cell goes on below itself
+  // Rows wider than `most` characters: the widest column is shortened, then the next.
+  std::string text(std::size_t most = 10000) const;
+  std::string left_aligned() const;  // all columns to the left: tables of words
+
+ private:
+  std::string aligned(bool numbers, std::size_t most) const;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+// "7.40 ± 0.02"; the sigma "?" where it is not known, "undetermined" where the readings do not determine it.
+std::string with_sigma(double value, double sigma, int decimals);
+std::string with_sigma(const Estimate& estimate, int decimals = 2);
+
+// "-0.00" is "0.00"; from 1e9 on "1.36e+12", whatever the decimals.
+std::string fixed(double value, int decimals);
+
+// "38.7 s" below two minutes, "164 min" above.
+std::string duration_text(double duration_s);
+
+// One line of at most `width` characters, with "..." where some were left out and ? for what a terminal would obey.
+std::string shortened(const std::string& text, std::size_t width);
+
+// Breaks at spaces so that no line is longer than `width`.
+std::string wrapped(const std::string& text, std::size_t width = 100);
+
+}  // namespace ballbar

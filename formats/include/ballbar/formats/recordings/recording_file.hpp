@@ -1,0 +1,22 @@
+// Opens a recording whatever its format: picked by content, never by the file's name.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "ballbar/circle/recording.hpp"
+#include "ballbar/formats/recordings/b5r.hpp"
+
+namespace ballbar {
+
+struct RecordingFile {
+  std::vector<Recording> recordings;  // two for most `.b5r`, one for a log
+  std::optional<B5r> b5r;             // stored results and equipment, where the file is a `.b5r`; its
+                                      // runs are moved to `recordings`
+};
+
+// Throws Error; lists the known formats if none fits.
+RecordingFile open_recording(const std::filesystem::path& path);
+
+}  // namespace ballbar

@@ -1,0 +1,30 @@
+// A drift series as bytes: CSV (a series), JSON and MATLAB .mat v5.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "ballbar/drift/drift.hpp"
+#include "ballbar/drift/measured_drift.hpp"
+#include "ballbar/series/series.hpp"
+#include "ballbar/series/speed_steps.hpp"
+
+namespace ballbar {
+
+// Columns x_um, x_sigma_um, ... as far as the method has them; gaps where one test lacks what others have.
+Series series_of(const DriftSeries& drift);
+
+// {"method","reference_s","points":[{"time_s","x_um","x_sigma_um",...}]}
+nlohmann::ordered_json json_of(const DriftSeries& drift);
+
+// {"method":"five_probe","reference_s","points":[...],"ranges":{axis:{...}},"steps":[...],"remarks":[...]} of five
+// probes, as text: there may be a million rows.
+std::string json_text(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps);
+
+// Writes by the extension: .csv, .json or .mat (one variable a column, same names). Throws Error for any other.
+void write_drift(const DriftSeries& drift, const std::filesystem::path& path);
+void write_drift(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps,
+                 const std::filesystem::path& path);  // of five probes
+
+}  // namespace ballbar

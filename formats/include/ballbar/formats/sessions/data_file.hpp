@@ -1,0 +1,33 @@
+// DATA of the commands that fit models: a series, a session with its signals, or recordings.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballbar/drift/drift.hpp"
+#include "ballbar/effects/effect.hpp"
+#include "ballbar/series/series.hpp"
+
+namespace ballbar {
+
+struct ModelData {
+  Level level = Level::series;
+  Series series;                             // target and inputs on one clock; recordings: trace_of them
+  std::vector<std::string> targets;          // what a model could explain: the measured columns, sigmas left out
+  std::vector<std::filesystem::path> files;  // all that were read
+  std::string title;
+  std::optional<Motion> motion;  // recordings: what drove all of them
+};
+
+// A file whose content is that of a recording, a .b5r or a log.
+bool is_recording_file(const std::filesystem::path& path);
+
+// A session: its drift (drift_of with the options) joined with its signals; a series: its gaps closed as `joined` does;
+// one or more recordings (.b5r, logs) of one plane: their trace. Throws Error for anything else, a mixture, or the same
+// file twice.
+ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,
+                          double max_gap_s);
+
+}  // namespace ballbar

@@ -1,0 +1,25 @@
+// What holds a drift: a session, a folder of recordings, or a series. Told by content, not by name.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "ballbar/formats/sessions/session_toml.hpp"
+#include "ballbar/series/series.hpp"
+
+namespace ballbar {
+
+// One of the two.
+struct DriftData {
+  std::optional<SessionFiles> session;
+  std::optional<Series> series;
+  std::vector<std::filesystem::path> files;  // all that were read
+};
+
+// Throws Error with what was found where the file is neither.
+DriftData open_drift_data(const std::filesystem::path& path);
+
+Series open_series(const std::filesystem::path& path);
+
+}  // namespace ballbar

@@ -1,0 +1,64 @@
+// Session `session.toml`: which files belong to which test of a warm-up series; or a folder of `.b5r`.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ballbar/drift/drift.hpp"
+
+namespace ballbar {
+
+// Where along the five-probe bar the ballbar's ball was, from plane 1 towards plane 2: ball_from_plane_1_mm and
+// ball_sigma_mm under [five_probe].
+struct BallPlace {
+  std::optional<double> from_plane_1_mm;
+  std::optional<double> sigma_mm;
+};
+
+// The session file as written: paths relative to its folder, nothing opened yet.
+struct SessionPlan {
+  struct Test {
+    double elapsed_s = 0.0;
+    std::string c_arc, a_arc, rotation, axial, circle;  // empty: not given
+    std::optional<double> axial_length_mm;
+  };
+  Method method = Method::circles;
+  std::string title;
+  double nominal_length_mm = 100.0;
+  bool spindle_above = true;
+  std::vector<Test> tests;
+  std::vector<std::string> signal_files;
+  std::optional<double> bar_expansion_ppm_per_K;
+  std::string five_probe_file;  // empty: none
+  BallPlace ball;               // of [five_probe]
+};
+
+// `name` stands in messages. Throws Error with name:line:column; refuses paths that are absolute or leave the folder.
+SessionPlan read_session_plan(std::string_view bytes, std::string_view name);
+
+std::string write_session_plan(const SessionPlan& plan);
+
+struct TestFile {
+  std::filesystem::path file;
+  std::size_t test = 0;  // of Session::tests
+};
+
+// Everything the plan names, read. A path may not leave the folder, not through a link either.
+struct SessionFiles {
+  Session session;
+  std::vector<std::filesystem::path> signals;
+  std::optional<std::filesystem::path> five_probe;
+  BallPlace ball;
+  std::vector<TestFile> recordings;          // in the order of the tests
+  std::vector<std::filesystem::path> files;  // all that make up the session, itself included
+};
+
+// A session.toml, or a folder: of a session.toml, else of `.b5r` files (each a test at its DATE_STARTED,
+// counted from the first; other files are ignored).
+SessionFiles open_session(const std::filesystem::path& path);
+
+}  // namespace ballbar

@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "ballbar/formats/machines/shaft_images.hpp"
+#include "text/path_inside.hpp"
+#include "text/toml_source.hpp"
+
+namespace ballbar {
+namespace {
+
+std::size_t count(const TomlTable& table, std::string_view key, std::size_t by_default) {
+  const std::optional<std::int64_t> read = integer(table, key);
+  if (!read) return by_default;
+  if (*read < 0) fail_kind(table, key, "a count not below 0");
+  return static_cast<std::size_t>(*read);
+}
+
+std::string file_name(const TomlTable& table, const std::vector<ShaftImage>& before) {
+  const std::string file = required(string, table, "file");
+  const std::filesystem::path path(file);
+  const std::string ending = path.extension().string();
+  if (!stays_inside(file) || path.has_parent_path() || path.stem().empty() || (ending != ".png" && ending != ".jpg")) {
+    fail_kind(table, "file", "a plain name that ends in .png or .jpg");
+  }
+  const auto same = [&](const ShaftImage& image) { return image.file == file; };
+  if (std::any_of(before.begin(), before.end(), same)) fail_kind(table, "file", "a name for each image");
+  return file;
+}
+
+// As [spindle] lists its times; a simulation that keeps no profile there has nothing to paint.
+double time_s(const TomlTable& table, const std::vector<double>& profile_min) {
+  const double time_min = required(number, table, "time_min");
+  if (std::find(profile_min.begin(), profile_min.end(), time_min) == profile_min.end()) {
+    fail_kind(table, "time_min", "one of the times of profile_min");
+  }
+  return time_min * 60.0;
+}
+
+ShaftImage read_image(const TomlTable& table, const std::vector<double>& profile_min,
+                      const std::vector<ShaftImage>& before) {
+  expect_keys(table, {"time_min", "file", "colours", "quality", "legend", "bands", "from_mm", "to_mm", "min_degC",
+                      "max_degC", "width_px", "height_px"});
+  ShaftImage image;
+  image.time_s = time_s(table, profile_min);
+  image.file = file_name(table, before);
+  const std::size_t quality = count(table, "quality", 80);
+  if (quality < 1 || quality > 100) fail_kind(table, "quality", "an integer from 1 to 100");
+  image.quality = static_cast<int>(quality);
+  ShaftPictureStyle& style = image.style;
+  style.colours = string(table, "colours").value_or(style.colours);
+  style.legend = boolean(table, "legend").value_or(style.legend);
+  style.bands = count(table, "bands", style.bands);
+  style.from_mm = number(table, "from_mm");
+  style.to_mm = number(table, "to_mm");
+  style.min_degC = number(table, "min_degC");
+  style.max_degC = number(table, "max_degC");
+  style.width_px = count(table, "width_px", style.width_px);
+  style.height_px = count(table, "height_px", style.height_px);
+  return image;
+}
+
+}  // namespace
+
+std::vector<ShaftImage> read_shaft_images(std::string_view bytes, std::string_view name) {
+  const TomlSource source = parse_toml(bytes, name);
+  const TomlTable root = root_of(source);
+  std::vector<ShaftImage> images;
+  const std::optional<TomlTable> spindle = subtable(root, "spindle");
+  if (!spindle) return images;
+  const std::vector<double> profile_min = numbers(*spindle, "profile_min").value_or(std::vector<double>{});
+  for (TomlTable& table : subtables(*spindle, "image")) {
+    table.label = fmt::format("[[spindle.image]] {}", images.size() + 1);
+    images.push_back(read_image(table, profile_min, images));
+  }
+  return images;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,224 @@
+#include "ballbar/formats/series/series_csv.hpp"
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "ballbar/error.hpp"
+#include "text/table.hpp"
+#include "text/toml_source.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::string_view kFormat = "ballbar-series 1";
+
+// Comments are TOML only where one of them is a line `# format =`; otherwise they are prose.
+bool has_format_line(std::string_view toml) {
+  while (!toml.empty()) {
+    std::string_view line = toml.substr(0, toml.find('\n'));
+    toml.remove_prefix(std::min(line.size() + 1, toml.size()));
+    const auto skip_blanks = [&] { line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size())); };
+    skip_blanks();
+    if (!line.starts_with("format")) continue;
+    line.remove_prefix(6);
+    skip_blanks();
+    if (line.starts_with('=')) return true;
+  }
+  return false;
+}
+
+struct SeriesHeader {
+  std::map<std::string, Role, std::less<>> roles;  // of the columns that state one
+  std::optional<FiveProbe> five_probe;
+};
+
+Role role_of(const TomlTable& column) {
+  std::vector<std::string_view> names;
+  for (int role = 0; role <= static_cast<int>(Role::measured); ++role)
+    names.push_back(name_of(static_cast<Role>(role)));
+  const std::optional<std::size_t> index = choice_index(column, "role", names);
+  if (!index) fail_missing(column, "role");
+  return static_cast<Role>(*index);
+}
+
+// The column whose name stands under the probe's key.
+std::optional<std::string> probe_column(const TomlTable& table, std::string_view probe,
+                                        const std::vector<std::string_view>& columns) {
+  std::optional<std::string> column = string(table, probe);
+  if (!column || std::find(columns.begin(), columns.end(), *column) != columns.end()) return column;
+  const std::string nearest = columns.empty() ? "" : fmt::format("; the nearest is {}", nearest_name(*column, columns));
+  fail_at_key(table, probe,
+              fmt::format("expected a column of readings for {}, found {}{}.", probe, in_quotes(*column), nearest));
+}
+
+// Which column a probe's readings stand in, where the file says so, and what else it states about the probes.
+FiveProbe five_probe_of(const TomlTable& table, const std::vector<std::string_view>& columns) {
+  std::vector<std::string_view> known{"spacing_mm", "plane_1_from_nose_mm", "resolution_um", "linearity_percent"};
+  known.insert(known.end(), kProbes.begin(), kProbes.end());
+  expect_keys(table, known);
+  FiveProbe probe;
+  probe.spacing_mm = positive(table, "spacing_mm");
+  probe.plane_1_from_nose_mm = number(table, "plane_1_from_nose_mm");
+  probe.resolution_um = positive(table, "resolution_um");
+  probe.linearity_percent = positive(table, "linearity_percent");
+  for (std::size_t i = 0; i < kProbes.size(); ++i) {
+    const std::optional<std::string> column = probe_column(table, kProbes[i], columns);
+    if (!column) continue;
+    probe.columns[i] = *column;
+    for (std::size_t before = 0; before < i; ++before) {
+      if (!has(table, kProbes[before]) || probe.columns[before] != probe.columns[i]) continue;
+      fail_at_key(table, kProbes[i],
+                  fmt::format("expected a column of its own for each probe, found {} for {} and {}.",
+                              in_quotes(probe.columns[i]), kProbes[before], kProbes[i]));
+    }
+  }
+  return probe;
+}
+
+SeriesHeader header_of(const TomlTable& header, const TableHead& head) {
+  expect_keys(header, {"format", "title", "method", "reference_s", "columns", "five_probe"});
+  const std::string_view formats[] = {kFormat};
+  choice_index(header, "format", formats);
+  string(header, "title");
+  string(header, "method");
+  number(header, "reference_s");
+  SeriesHeader result;
+  if (const auto columns = subtable(header, "columns")) {
+    std::vector<std::string_view> known;
+    for (const ColumnName& column : head.columns) known.push_back(column.name);
+    expect_keys(*columns, known);
+    for (const ColumnName& name : head.columns) {
+      const auto column = subtable(*columns, name.name);
+      if (!column) continue;
+      expect_keys(*column, {"role"});
+      result.roles.emplace(name.name, role_of(*column));
+    }
+  }
+  if (const auto five_probe = subtable(header, "five_probe")) {
+    std::vector<std::string_view> columns;  // the first is the time
+    for (std::size_t i = 1; i < head.columns.size(); ++i) columns.push_back(head.columns[i].name);
+    result.five_probe = five_probe_of(*five_probe, columns);
+  }
+  return result;
+}
+
+void expect_units(const SourceText& text, const TableHead& head, const SeriesHeader& header) {
+  const ColumnName& time = head.columns.front();
+  if (time.name != "time_s" && time.name != "time_min") {
+    fail_at(text, time.offset,
+            fmt::format("expected time_s or time_min as the first column, found {}.", in_quotes(time.name)));
+  }
+  for (std::size_t i = 1; i < head.columns.size(); ++i) {
+    const ColumnName& column = head.columns[i];
+    if (column.name == "time_s" || column.name == "time_min") {
+      fail_at(text, column.offset, fmt::format("expected one column of time, found {} too.", in_quotes(column.name)));
+    }
+    const auto role = header.roles.find(column.name);
+    const bool is_event = role != header.roles.end() && role->second == Role::event;
+    if (unit_of(column.name).empty() && !is_event) {
+      fail_at(text, column.offset,
+              fmt::format(
+                  "expected a name that ends in its unit, one of _um, _mm, _urad, _degC, _rpm, _A, _W, _K, found {}.",
+                  in_quotes(column.name)));
+    }
+  }
+  if (head.columns.size() < 2) fail_at(text, time.offset, "expected a column besides the time, found none.");
+}
+
+std::string header_of(const FiveProbe& probe) {
+  std::string out = "# [five_probe]\n";
+  const auto add = [&](std::string_view key, const std::optional<double>& value) {
+    if (value) out += fmt::format("# {} = {}\n", key, toml_number(*value));
+  };
+  add("spacing_mm", probe.spacing_mm);
+  add("plane_1_from_nose_mm", probe.plane_1_from_nose_mm);
+  add("resolution_um", probe.resolution_um);
+  add("linearity_percent", probe.linearity_percent);
+  const FiveProbe usual;
+  for (std::size_t i = 0; i < kProbes.size(); ++i) {
+    if (probe.columns[i] == usual.columns[i]) continue;
+    out += fmt::format("# {} = {}\n", kProbes[i], toml_quoted(probe.columns[i]));
+  }
+  return out;
+}
+
+}  // namespace
+
+Series read_series(std::string_view bytes, std::string_view name) {
+  const SourceText text = source_text(bytes, name);
+  const CommentBlock comments = comment_block(text);
+  const TableHead head = table_head(text, comments.end);
+  SeriesHeader header;
+  if (has_format_line(comments.toml)) {
+    const TomlSource source = parse_toml(comments.toml, name);
+    header = header_of(root_of(source), head);
+  }
+  expect_units(text, head, header);
+  std::vector<std::vector<double>> values = table_columns(text, head, true);
+  expect_rising(text, head, 0, values.front());
+
+  Series series;
+  series.five_probe = header.five_probe;
+  series.time_s = std::move(values.front());
+  if (head.columns.front().name == "time_min") {
+    for (double& time : series.time_s) time *= 60.0;
+    for (const std::size_t row : {std::size_t{0}, series.time_s.size() - 1}) {
+      if (!std::isfinite(series.time_s[row]))
+        fail_at_cell(text, head, row, 0, "a time that a double can hold in seconds");
+    }
+    expect_rising(text, head, 0, series.time_s);  // neighbouring doubles may have become one
+  }
+  for (std::size_t i = 1; i < head.columns.size(); ++i) {
+    const std::string& column = head.columns[i].name;
+    const auto role = header.roles.find(column);
+    series.columns.push_back(
+        {column, role != header.roles.end() ? role->second : role_from_unit(unit_of(column)), std::move(values[i])});
+  }
+  return series;
+}
+
+std::string series_header(const Series& series) {
+  std::string out = fmt::format("# format = \"{}\"\n", kFormat);
+  for (const Column& column : series.columns) {
+    const std::string_view unit = unit_of(column.name);
+    if (!unit.empty() && column.role == role_from_unit(unit)) continue;
+    out += fmt::format("# [columns.{}]\n# role = \"{}\"\n", toml_key(column.name), name_of(column.role));
+  }
+  if (series.five_probe) out += header_of(*series.five_probe);
+  out += "time_s";
+  for (const Column& column : series.columns) out += "," + column.name;
+  return out + "\n";
+}
+
+std::string write_rows(const Series& series, std::size_t begin, std::size_t end) {
+  constexpr std::size_t kLongestCell = 26;  // -1.2345678901234567e-308 and a comma
+  std::string out((end - begin) * (series.columns.size() + 1) * kLongestCell, '\0');
+  char* to = out.data();
+  for (std::size_t row = begin; row < end; ++row) {
+    to = fmt::format_to(to, FMT_COMPILE("{}"), series.time_s[row]);
+    for (const Column& column : series.columns) {
+      const double value = column.values[row];
+      *to++ = ',';
+      if (std::isfinite(value)) to = fmt::format_to(to, FMT_COMPILE("{}"), value);
+    }
+    *to++ = '\n';
+  }
+  out.resize(static_cast<std::size_t>(to - out.data()));
+  return out;
+}
+
+std::string write_series(const Series& series) {
+  constexpr std::size_t kRows = 4096;
+  std::string text = series_header(series);
+  for (std::size_t row = 0; row < series.time_s.size(); row += kRows) {
+    text += write_rows(series, row, std::min(row + kRows, series.time_s.size()));
+  }
+  return text;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,125 @@
+#include "ballbar/formats/sessions/data_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ballbar/circle/trace.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/formats/series/drift_files.hpp"
+#include "ballbar/formats/sessions/drift_data.hpp"
+#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/series/joined.hpp"
+#include "recordings/content.hpp"
+
+namespace ballbar {
+namespace {
+
+// An empty file and one of another kind, told here with all that would do.
+void expect_data(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return;  // a folder, or nothing: told by open_drift_data
+  const Content content = content_of(read_bytes(path, kLargestTable));
+  if (content == Content::series || content == Content::session) return;
+  throw Error(fmt::format("{}: expected a series .csv, a session.toml or recordings (.b5r, logs), found {}.",
+                          path.string(), description(content)));
+}
+
+std::vector<std::string> measured_names(const Series& series) {
+  std::vector<std::string> names;
+  for (const Column& column : series.columns) {
+    if (column.role == Role::measured && column.name.find("_sigma_") == std::string::npos) names.push_back(column.name);
+  }
+  return names;
+}
+
+// A file given twice, under whatever name, would count as two measurements.
+void expect_once(const std::vector<std::filesystem::path>& paths) {
+  for (auto path = paths.begin(); path != paths.end(); ++path) {
+    const auto before = std::find_if(paths.begin(), path, [&](const std::filesystem::path& other) {
+      std::error_code absent;  // told where it is opened
+      return std::filesystem::equivalent(*path, other, absent);
+    });
+    if (before == path) continue;
+    throw Error(fmt::format("{}: expected each file once, found it again{}.", path->string(),
+                            *before == *path ? "" : fmt::format(", the same as {}", before->string())));
+  }
+}
+
+// The axes of an effect on recordings are those of the plane.
+void expect_one_plane(const std::vector<Recording>& recordings, const std::filesystem::path& last) {
+  for (const Recording& recording : recordings) {
+    if (recording.plane == recordings.front().plane) continue;
+    throw Error(
+        fmt::format("{}: expected recordings of one plane, whose axes the effects are of, found {} after {}; "
+                    "each plane is diagnosed alone.",
+                    last.string(), name_of(recording.plane), name_of(recordings.front().plane)));
+  }
+}
+
+ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths) {
+  ModelData data;
+  data.level = Level::recording;
+  expect_once(paths);
+  std::vector<Recording> recordings;
+  for (const std::filesystem::path& path : paths) {
+    if (!is_recording_file(path)) {
+      throw Error(fmt::format("{}: expected a recording as the other files are, a .b5r or a log, found something else.",
+                              path.string()));
+    }
+    RecordingFile file = open_recording(path);
+    std::move(file.recordings.begin(), file.recordings.end(), std::back_inserter(recordings));
+    expect_one_plane(recordings, path);
+  }
+  data.title = paths.size() == 1 ? paths.front().string()
+                                 : fmt::format("{} recordings of {} files, {} to {}", recordings.size(), paths.size(),
+                                               paths.front().string(), paths.back().string());
+  const bool one = std::all_of(recordings.begin(), recordings.end(),
+                               [&](const Recording& r) { return r.motion == recordings.front().motion; });
+  if (one && !recordings.empty()) data.motion = recordings.front().motion;
+  data.series = trace_of(recordings);
+  data.targets = {"deviation_um"};
+  data.files = paths;
+  return data;
+}
+
+}  // namespace
+
+bool is_recording_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  const Content content = content_of(read_bytes(path, kLargestTable));
+  return content == Content::xml || content == Content::ballbar_log || content == Content::table;
+}
+
+ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,
+                          double max_gap_s) {
+  if (is_recording_file(paths.front())) return data_of_recordings(paths);
+  if (paths.size() > 1) {
+    throw Error(fmt::format("{}: expected one series or session, or recordings alone, found {} files.",
+                            paths.front().string(), paths.size()));
+  }
+  expect_data(paths.front());
+  const DriftData source = open_drift_data(paths.front());
+  ModelData data;
+  data.title = paths.front().string();
+  data.files = source.files;
+  std::vector<Series> parts;
+  if (source.series) {
+    parts.push_back(*source.series);
+  } else {
+    if (!source.session->session.title.empty()) data.title = source.session->session.title;
+    parts.push_back(series_of(drift_of(source.session->session, options)));
+    for (const std::filesystem::path& path : source.session->signals) parts.push_back(open_series(path));
+  }
+  try {
+    data.series = joined(parts, max_gap_s);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", paths.front().string(), error.what()));
+  }
+  data.targets = measured_names(data.series);
+  return data;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,42 @@
+// XML as checked values. Every error is one sentence with its place. No DTD, no entities of its own.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <pugixml.hpp>
+#include <string_view>
+
+#include "text/source_text.hpp"
+
+namespace ballbar {
+
+inline constexpr std::string_view kBlank = " \t\r\n";
+
+// Text of an element, trimmed, and where it stands.
+struct Text {
+  std::string_view value;
+  std::size_t offset = 0;
+};
+
+// Throws Error at a fault, an entity that XML does not define itself, or a document type.
+void parse_xml(const SourceText& text, pugi::xml_document& document);
+
+// Where the name of the element stands; 0 of a null node.
+std::size_t offset_of(pugi::xml_node node);
+
+// The child of that name. Throws Error where there are several, or where it is needed and missing.
+pugi::xml_node child_of(const SourceText& text, pugi::xml_node parent, const char* name, bool needed = true);
+
+// Empty for an empty or a null element. Throws Error where there are elements inside.
+Text text_of(const SourceText& text, pugi::xml_node node);
+
+// A finite number; `name` stands in the message.
+double number_of(const SourceText& text, const Text& found, std::string_view name);
+
+// Of the child of that name.
+double positive_in(const SourceText& text, pugi::xml_node parent, const char* name);
+std::optional<double> optional_number_in(const SourceText& text, pugi::xml_node parent, const char* name);
+double angle_in(const SourceText& text, pugi::xml_node parent, const char* name);       // deg, at most ten turns
+std::size_t index_in(const SourceText& text, pugi::xml_node parent, const char* name);  // from 0
+
+}  // namespace ballbar

@@ -1,0 +1,105 @@
+// Circle through the readings of one recording: centre, radius, and how well they are known.
+//
+// The length equation of recording.hpp is solved by Ceres for c = (a, b) and R, in all readings at once;
+// the algebraic circle (hyper) is the start. Instrument software reports another circle, the unweighted
+// geometric one through the polar points (L cos theta, L sin theta): `CircleModel::polar`. They differ by
+// about |c|^2 / 2R: nothing at 5 um of offset, 1.2 um at 0.5 mm on a 100 mm bar.
+//
+// Uncertainty. sigma of a reading comes from the residual; the covariance of a, b, R from Ceres. The
+// residual of a machine's circle is not white, so the covariance is that of ordinary least squares under
+// an autocorrelated residual,
+//
+//   C = s^2 H^-1 S H^-1,  H = sum J_i J_i',  S = sum_ij rho(|i-j|) J_i J_j',  rho(k) = q phi^k (k > 0),
+//
+// with phi and q from the residual's autocorrelation at lags 1 to 8 (ARMA(1,1): noise on top of a slow
+// residual), s^2 = residual sum of squares / (n - trace(H^-1 S)). White residual: phi = 0, C = s^2 H^-1.
+// A negative autocorrelation does not narrow the interval. Measured coverage of 95 % intervals: see
+// tests/study. Readings are taken as equally spaced in time for this.
+//
+// Throws Error: not a circle recording, fewer than 4 readings, arc under 5 deg, a reading shorter than
+// the height difference of the balls. Linear time, at most 64 bytes a reading besides the recording.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "ballbar/circle/elongation.hpp"
+#include "ballbar/circle/recording.hpp"
+
+namespace ballbar {
+
+enum class CircleModel { length_equation, polar };
+
+struct CircleOptions {
+  CircleModel model = CircleModel::length_equation;
+  bool robust = false;         // Tukey's biweight, 95 % efficient at normal noise; holds while less
+                               // than a quarter of the readings are off to one side
+  double elongation_um = 0.0;  // dL of the spindle during this recording; corrected inside the fit
+  ElongationForm elongation_form = ElongationForm::exact;
+};
+
+struct Circle {
+  CircleModel model = CircleModel::length_equation;
+  double centre_a_um = 0.0;  // c: from the fixed ball to the path's centre
+  double centre_b_um = 0.0;
+  double radius_mm = 0.0;                                    // R
+  Eigen::Matrix3d covariance_um2 = Eigen::Matrix3d::Zero();  // of (a, b, R); infinite where undetermined
+  double sigma_reading_um = 0.0;                             // from the residual
+  double rms_um = 0.0;                                       // of the residual
+  double autocorrelation = 0.0;                              // phi, 0 where the residual is white
+  double effective_readings = 0.0;        // n s^2(white) / s^2(autocorrelated) for the worst of a, b, R
+  double elongation_correction_um = 0.0;  // subtracted, by size
+  std::vector<std::size_t> discounted;    // robust: readings given less than a tenth of full weight
+  std::size_t readings = 0;
+  double arc_deg = 0.0;
+  bool converged = false;
+  std::string outcome;                // Ceres' own words
+  double height_mm = 0.0;             // h (+ dL) the fit used: the radii below need it
+  double length_correction_um = 0.0;  // subtracted from every length before use (eq34)
+
+  double sigma_centre_a_um() const;
+  double sigma_centre_b_um() const;
+  double sigma_radius_um() const;
+  double correlation_a_b() const;  // NaN where undetermined
+  double correlation_a_radius() const;
+  double correlation_b_radius() const;
+};
+
+Circle fit_circle(const Recording& recording, const CircleOptions& options = {});
+
+// Covariance of (a, b, R) of `now` minus those of `reference`, um^2. Where both recordings have the same angles in
+// the same order, it comes from the difference of the two residuals: what repeats from test to test - the
+// form of the path - cancels in the difference, and only what does not repeat makes it uncertain. Where
+// the angles differ, the sum of the two covariances.
+Eigen::Matrix3d covariance_of_change_um2(const Recording& now, const Circle& now_circle, const Recording& reference,
+                                         const Circle& reference_circle);
+
+// Radius of the path at each reading about the fitted centre, mm, n values: the r_i that solves the
+// length equation, or the distance of the polar point from the centre.
+Eigen::ArrayXd radii_mm(const Recording& recording, const Circle& circle);
+
+// What the fit leaves: reading minus fitted length, um, n values.
+Eigen::ArrayXd residual_um(const Recording& recording, const Circle& circle);
+
+// A circle in the plane, in the units of the points.
+struct PlaneCircle {
+  double centre_x = 0.0;
+  double centre_y = 0.0;
+  double radius = 0.0;
+  double rms = 0.0;       // of the distances of the points from the circle
+  bool converged = true;  // geometric fit only
+};
+
+// Algebraic circles: minimise sum (A z + B x + C y + D)^2, z = x^2 + y^2, under the constraint of the
+// name (Kasa: A = 1; Pratt: B^2 + C^2 - 4AD = 1; Taubin, hyper: Al-Sharadqah and Chernov 2009). QR and SVD;
+// no iteration. Throws Error for fewer than 3 points or points on one line.
+enum class Algebraic { kasa, pratt, taubin, hyper };
+PlaneCircle algebraic_circle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y, Algebraic method = Algebraic::hyper);
+
+// Geometric circle: least sum of squared distances, by Ceres from the algebraic start and, where the
+// points are nearly straight, from its mirror image too: the better one is returned.
+PlaneCircle geometric_circle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y);
+
+}  // namespace ballbar

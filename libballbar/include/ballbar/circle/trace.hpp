@@ -1,0 +1,31 @@
+// Ballbar recordings as one series, so that effects on a recording are fitted as effects on a drift are.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "ballbar/circle/recording.hpp"
+#include "ballbar/series/series.hpp"
+
+namespace ballbar {
+
+// Rows: all readings of all recordings, one recording after the other, in the order of their readings. Columns, which
+// effects bind by themselves:
+//   deviation_um      measured length less the nominal length
+//   angle_rad         theta, from +A towards +B
+//   direction         +1 CCW, -1 CW
+//   feed_mm_per_min   NaN where it is not stated
+//   radius_mm         nominal length
+//   height_mm         h of recording.hpp
+//   sweep_s           time since the middle of its recording's sweep, half way from the first reading to the last
+//   bar_degC          temperature of the bar, NaN where it is not stated
+//   recording         0, 1, 2 ...
+// Where a recording has no times, its n readings are at mid-sample of a sweep of nominal length times arc over feed;
+// one a second where the feed is not stated either. time_s starts at 0 and rises by the sweeps, put end to end 1 s
+// apart. Throws Error for an axial recording, and for times that do not rise. O(n), 80 bytes a reading.
+Series trace_of(std::span<const Recording> recordings);
+
+// The column of trace_of that an input's role stands for: "angle" -> "angle_rad"; empty for none.
+std::string_view trace_column(std::string_view role);
+
+}  // namespace ballbar

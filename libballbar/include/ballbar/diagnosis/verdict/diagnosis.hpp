@@ -1,0 +1,106 @@
+// Which physical effect a model lacks - or that the data cannot tell.
+//
+// A falling error proves fit, not cause: on records with a memory a random smooth signal also lowers it. So an effect
+// is named only where
+//   the search as a whole shows scores as large in less than 1 % of data sets without any effect (2000 draws of the
+//   noise, each from a noise that the data do not exclude),
+//   every set of up to three effects that explains the data nearly as well (2 ln L within 6 of the best) holds it,
+//   its fall of chi^2 is at least 25 (d >= 5), the same gain holds in every cycle, cycles left out are predicted
+//   better, it beats the best of 200 fakes of its own smoothness and the most likely smooth curve, what it leaves is
+//   noise, and it is driven by a logged input.
+// Evidence: 2 ln of the likelihood ratio, the noise estimated anew under each hypothesis. Sets of effects are searched
+// together, not one after the other.
+//
+// On recordings a cycle is a recording, of one alone a quarter of its sweep; fakes are curves over the angle, and an
+// effect that is one wave a turn has none: it is not tested against fakes.
+//
+// Of more than 1500 values of the target every second, third ... is searched; figures of the effects are of that
+// search. O(n) in rows, linear in signatures; 20 effects take about 1.3 s of processor time at 1500 rows, 4 s at 5000.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ballbar/circle/recording.hpp"
+#include "ballbar/diagnosis/signatures/identifiability.hpp"
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/fit/residual.hpp"
+#include "ballbar/model/model.hpp"
+#include "ballbar/series/series.hpp"
+
+namespace ballbar {
+
+enum class Verdict { named, equivalent, unexplained, untestable, nothing };
+std::string_view name_of(Verdict verdict);
+
+// An effect bound to columns.
+struct BoundEffect {
+  const Effect* effect = nullptr;
+  std::vector<std::string> columns;  // as effect->inputs
+  bool operator==(const BoundEffect&) const = default;
+};
+std::string label_of(const BoundEffect& bound);  // "lagged_expansion(T_air_degC)"
+
+// One effect added to the model alone, or, for those of the best set, beside the rest of that set.
+struct Candidate {
+  BoundEffect bound;
+  std::vector<FittedParameter> parameters;  // of this effect
+  double amplitude_um = 0.0;                // largest less smallest of what it adds
+  double amplitude_sigma_um = 0.0;
+  double rmse_after_um = 0.0;
+  double held_out_before_um = 0.0, held_out_after_um = 0.0;  // cycles left out, see confirmation
+  double evidence = 0.0;                                     // 2 ln L gained by it
+  double threshold = 0.0;                                    // of the evidence: the search exceeds it by chance in 1 %
+  double p_search = 1.0;            // share of data sets without any effect that show one as rare
+  double p_same_gain = 1.0;         // of gains as different from cycle to cycle
+  double best_fake_gain = 0.0;      // largest fall of chi^2 by a fake
+  std::optional<bool> beats_fakes;  // nothing: not tested, see confirmation
+  bool in_best_set = false;
+  bool minor = false;                         // below max(5 % of the RMSE, the tolerance)
+  std::vector<std::string> inseparable_from;  // labels
+  // Labels of effects that as fitted draw the same curve: at the edge of their shapes they become this one.
+  std::vector<std::string> also_drawn_by;
+};
+
+struct Diagnosis {
+  std::string target;
+  Fit base;
+  Verdict verdict = Verdict::nothing;
+  std::vector<BoundEffect> named;
+  std::vector<std::vector<BoundEffect>> equivalent;  // each: effects of which one is it
+  std::vector<Candidate> candidates;                 // the best set first, then its rivals; at most 12
+  // Unexplained: what it goes with, each alone beside the model; the lowest held-out RMSE first, at most 4.
+  std::vector<Candidate> goes_with;
+  double p_anything = 1.0;       // share of data sets without any effect with a best score as rare
+  double smooth_evidence = 0.0;  // 2 ln L gained by the most likely smooth curve
+  double best_fake_fall = 0.0;   // relative fall of the RMSE by the best of the fakes
+  double smallest_um = 0.0;      // amplitude that would have been found, of the effect that shows best
+  BoundEffect smallest;          // that effect
+  double rmse_after_um = 0.0;    // with the best set
+  std::size_t searched_effects = 0;
+  std::vector<Prospect> prospects;   // what the data could show, as preflight
+  std::vector<std::string> reasons;  // why not `named`; whole sentences
+};
+
+struct DiagnosisOptions {
+  std::optional<Motion> motion;  // of recordings
+  double tolerance_um = 0.0;     // smaller effects are called minor
+  std::size_t draws = 2000;
+  std::size_t fakes = 200;
+  std::uint64_t seed = 1;
+  std::size_t most_rows = 1500;      // values of the target searched
+  std::vector<std::string> without;  // names of effects that are not searched
+  // Told of every step before it begins, by the thread that asked: "testing 200 fakes of expansion(T_room_degC)".
+  std::function<void(std::string_view step)> progress;
+};
+
+// Throws Error as fit does.
+Diagnosis diagnose(const Model& model, const Series& data, std::size_t target = 0,
+                   const DiagnosisOptions& options = {});
+
+}  // namespace ballbar

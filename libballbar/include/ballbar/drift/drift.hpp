@@ -1,0 +1,116 @@
+// Drift of the spindle relative to the table over the tests of a session.
+//
+// Every test gives a position; drift is its change since the reference test, so that constant set-up
+// errors cancel:
+//   moving_ball = spindle (linear axes drive the circle)                       drift = +(c_t - c_0)
+//   moving_ball = table   (a rotary axis drives it, spindle ball near the axis) drift = -(c_t - c_0)
+//
+// two_arcs (He, Fu, Chen 2015). Spindle ball O = (x, y, z) from the point where the axes meet; the
+// table's ball travels about C (plane XY) and about A (plane YZ); h_C, h_A height differences, 0 as printed:
+//   L1^2 = (R_C cos t - x)^2 + (R_C sin t - y)^2 + (z - h_C)^2
+//   L2^2 = (R_A cos t - y)^2 + (R_A sin t - z)^2 + (x - h_A)^2
+// joint: both arcs in one Ceres problem, unknowns x, y, z, R_C, R_A, full covariance, each arc weighted
+// by its own noise. sequential, as the paper: arc 1 gives x, y; y goes into arc 2, which gives z (its sigma
+// carries that of y). robust: what each arc's own robust fit discounts is left out.
+//
+// spindle_rotation (Huang, Li, Zhao 2022). radial = |c_t - c_0|, the centre shift in the frame that turns
+// with the spindle; radius_change: change of the distance from the axis to the table's ball, the
+// fixed-frame drift along the bar; axial: elongation L_0 - L_t, positive towards the table
+// (spindle_above; the other way round otherwise), which also corrects the radial test.
+//
+// circles. One or more circle recordings a test (a `.b5r` has two, CCW and CW): the centres of one
+// plane are averaged, weighted equally, and give that plane's two axes. Each plane has its own reference
+// (tests may take the planes in turn); an axis that two planes of one test show is averaged.
+//
+// Every sigma is that of the difference to the reference test (covariance_of_change_um2 of circle_fit.hpp): a residual
+// that repeats from test to test cancels. The rows share the reference's part. The reference's own row
+// is 0 by definition with sigma 0. What is not cancelled by the set-up: drift of the table and of its
+// rotary axes, the bar's own growth, a ball moved between tests.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ballbar/circle/circle_fit.hpp"
+#include "ballbar/circle/recording.hpp"
+
+namespace ballbar {
+
+enum class Method { two_arcs, spindle_rotation, circles };
+
+struct SessionTest {
+  double elapsed_s = 0.0;
+  std::vector<Recording> circles;  // circles: one or more
+  std::optional<Recording> c_arc;  // two_arcs
+  std::optional<Recording> a_arc;
+  std::optional<Recording> rotation;  // spindle_rotation
+  std::optional<Recording> axial;     //   or
+  std::optional<double> axial_length_mm;
+  std::string name;  // for messages: the file the test came from
+};
+
+struct Session {
+  Method method = Method::circles;
+  std::string title;
+  double nominal_length_mm = 100.0;
+  std::optional<double> bar_expansion_ppm_per_K;  // of the bar, where it is known
+  bool spindle_above = true;
+  std::vector<SessionTest> tests;  // elapsed_s strictly rising
+};
+
+struct DriftOptions {
+  std::optional<double> reference_s;  // the test nearest to it is the reference; nothing: the first
+  bool sequential = false;            // two_arcs
+  bool equal_radii = false;           // two_arcs, joint: R_C = R_A
+  CircleOptions circle;               // robust, elongation_form; model not for two_arcs; elongation_um is
+                                      // set test by test
+};
+
+// A value and its standard uncertainty. sigma NaN: not known (a length read off a display); infinite:
+// the readings do not determine the value.
+struct Estimate {
+  double value_um = 0.0;
+  double sigma_um = 0.0;
+};
+
+struct DriftPoint {
+  double time_s = 0.0;
+  std::optional<Estimate> x, y, z;                 // two_arcs; circles as far as the plane goes
+  std::optional<Estimate> radial, axial;           // spindle_rotation
+  std::optional<Estimate> shift_a, shift_b;        // spindle_rotation: the components of radial, rotating frame
+  std::optional<Estimate> radius_change;           // circle, or path about C
+  std::optional<Estimate> radius_change_a;         // two_arcs: path about A
+  std::optional<double> elongation_correction_um;  // spindle_rotation: taken off the radial test
+  std::optional<double> correlation_y_z;           // two_arcs: of the test's own y and z
+};
+
+// Where the spindle ball was at each test, before the difference is taken (set-up errors included).
+struct Position {
+  double time_s = 0.0;
+  std::optional<Estimate> x, y, z;             // two_arcs: from the point where the axes meet
+  std::optional<Estimate> centre_a, centre_b;  // spindle_rotation and circles: c of the (first) plane
+  std::optional<double> length_mm;             // spindle_rotation: axial length
+  double radius_mm = 0.0;
+  std::size_t discounted = 0;  // robust: readings discounted in this test
+  bool converged = false;
+};
+
+struct DriftSeries {
+  Method method = Method::circles;
+  double reference_s = 0.0;
+  std::vector<DriftPoint> points;   // one a test, in the order of time
+  std::vector<Position> positions;  // same order
+  std::string not_cancelled;        // what set-up does not cancel, a sentence for the report
+};
+
+// Throws Error where a test lacks a recording its method needs, or a recording cannot be fitted; the
+// sentence names the test.
+DriftSeries drift_of(const Session& session, const DriftOptions& options = {});
+
+std::string_view name_of(Method method);
+std::optional<Method> method_from_name(std::string_view name);
+
+}  // namespace ballbar

@@ -1,0 +1,58 @@
+// A drift as measured, one list of values an axis, with its uncertainty split by source (a GUM budget).
+//
+// Every value is a change since the reference, and every sigma one standard uncertainty of that change. The
+// sources are taken as independent of one another, so that their variances add. At the reference itself
+// value and sigma are 0.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "ballbar/drift/drift.hpp"
+#include "ballbar/series/series.hpp"
+
+namespace ballbar {
+
+struct Contribution {
+  std::string source;         // "circle fits", "probe resolution"
+  std::vector<double> sigma;  // n rows, in the axis' unit; NaN: not known
+};
+
+struct DriftAxis {
+  std::string name;                  // "x", "tilt_a": the column's name without its unit
+  std::string unit;                  // "um", "urad"
+  std::vector<double> value;         // n rows; a gap is NaN
+  std::vector<Contribution> budget;  // empty: nothing is stated
+};
+
+struct MeasuredDrift {
+  std::string what;  // "ballbar, two_arcs", or the file: for reports
+  double reference_s = 0.0;
+  std::vector<double> time_s;  // n rows, strictly rising
+  std::vector<DriftAxis> axes;
+  std::vector<std::string> remarks;  // whole sentences: what is not known, what was assumed
+};
+
+// Root of the sum of the squares of what is known; NaN where nothing is.
+double sigma_of(const DriftAxis& axis, std::size_t row);
+
+// The axis of that name, or nullptr.
+const DriftAxis* find_axis(const MeasuredDrift& drift, std::string_view name);
+
+// x, y, z, radial and axial of a ballbar session, with the sources
+//   circle fits          the sigma of the drift series
+//   bar's thermal growth alpha L |T_t - T_0| / sqrt(3), where the recordings state the bar's temperature and the
+//                        session its expansion: limits of a rectangular distribution, because the readings are
+//                        not corrected for it. It is 0 for x, y, z and radial: a bar longer by the same amount at
+//                        all angles changes the fitted radius, not the centre. Axial drift takes all of it.
+MeasuredDrift measured(const DriftSeries& drift, const Session& session);
+
+// Every measured column (unit um, mm or urad) of a series, its sigma from the column NAME_sigma_UNIT.
+// Throws Error: no row.
+MeasuredDrift measured(const Series& series, std::string what);
+
+// Columns NAME_UNIT and, where any is known, NAME_sigma_UNIT.
+Series series_of(const MeasuredDrift& drift);
+
+}  // namespace ballbar

@@ -1,0 +1,16 @@
+// What a trace is without any effect.
+//
+// A centre for each recording: where a bar stands is set-up. A radius for each recording too, as long as they are all
+// driven at one feed; at feeds that differ by more than 5 %, of bars of one length, one radius for all, because what
+// the feed does to the radius (`dynamic_contraction`) would else be taken for set-up, one radius a recording.
+#pragma once
+
+#include "ballbar/model/model.hpp"
+#include "ballbar/series/series.hpp"
+
+namespace ballbar {
+
+// Of trace_of(); target deviation_um.
+Model circles_of(const Series& trace);
+
+}  // namespace ballbar

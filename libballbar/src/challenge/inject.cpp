@@ -1,0 +1,137 @@
+#include "ballbar/challenge/inject.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+#include "ballbar/error.hpp"
+#include "diagnosis/signatures/bank.hpp"
+
+namespace ballbar {
+
+Injection injection_of(const BoundEffect& bound, const Series& data) {
+  Injection injection{bound, {}};
+  bool has_gain = false;
+  for (const Parameter& parameter : bound.effect->parameters) {
+    double value = parameter.start;
+    if (parameter.kind == ParameterKind::gain) {
+      value = has_gain ? 0.0 : 1.0;
+      has_gain = true;
+    }
+    if (parameter.name == "onset_s" && value <= data.time_s.front()) {
+      value = 0.5 * (data.time_s.front() + data.time_s.back());
+    }
+    injection.parameters.push_back(value);
+  }
+  return injection;
+}
+
+std::vector<double> signal_of(const Injection& injection, const Series& data) {
+  const Effect& effect = *injection.bound.effect;
+  for (const std::string& column : injection.bound.columns) {
+    if (find_column(data, column) == nullptr) {
+      throw Error(fmt::format("expected the column {} for {}, found none.", column, effect.name));
+    }
+  }
+  const BoundInputs inputs = inputs_of(effect, injection.bound.columns, data);
+  if (inputs.has_gaps) {
+    throw Error(fmt::format("expected columns without gaps for {}, found a gap in them.", label_of(injection.bound)));
+  }
+  if (!inputs.usable) {
+    throw Error(fmt::format("expected columns that change for {}, found constant ones.", label_of(injection.bound)));
+  }
+  std::vector<double> signal(data.time_s.size());
+  effect.evaluate(inputs.rows, injection.parameters.data(), signal.data(), nullptr);
+  return signal;
+}
+
+double range_of(std::span<const double> values) {
+  if (values.empty()) return 0.0;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *high - *low;
+}
+
+Series injected(const Series& data, std::string_view target, const Injection& injection, double amplitude_um) {
+  std::vector<double> signal = signal_of(injection, data);
+  const double range = range_of(signal);
+  if (!(range > 0.0) || !std::isfinite(range)) {
+    throw Error(fmt::format("expected {} to move on these data, found that with these shapes it does not.",
+                            label_of(injection.bound)));
+  }
+  Series result = data;
+  const auto at = std::find_if(result.columns.begin(), result.columns.end(),
+                               [&](const Column& column) { return column.name == target; });
+  if (at == result.columns.end()) throw Error(fmt::format("expected the column {}, found none.", target));
+  for (std::size_t i = 0; i < signal.size(); ++i) at->values[i] += amplitude_um / range * signal[i];
+  return result;
+}
+
+Survival survival_of(std::span<const double> signal_um, const Fit& fit, const Noise& noise) {
+  const Whitening whitening(noise, fit.time_s, fit.sigma_um, fit.discounted);
+  Eigen::MatrixXd made = model_columns(fit);
+  for (Eigen::Index k = 0; k < made.cols(); ++k) whitening.apply(made.col(k).data(), 1, made.col(k).data(), 1);
+  const Eigen::MatrixXd basis = orthonormal(made);
+  Eigen::VectorXd white(static_cast<Eigen::Index>(fit.row.size()));
+  for (std::size_t i = 0; i < fit.row.size(); ++i) white[static_cast<Eigen::Index>(i)] = signal_um[fit.row[i]];
+  whitening.apply(white.data(), 1, white.data(), 1);
+  const Eigen::VectorXd left = white - basis * (basis.transpose() * white);
+  const double whole = white.squaredNorm();
+  return {{left.begin(), left.end()}, left.norm(), whole > 0.0 ? left.squaredNorm() / whole : 0.0};
+}
+
+Sight sight_of(const Diagnosis& diagnosis, const BoundEffect& bound) {
+  const auto holds = [&](const std::vector<BoundEffect>& bounds) {
+    return std::find(bounds.begin(), bounds.end(), bound) != bounds.end();
+  };
+  if (holds(diagnosis.named)) return Sight::named;
+  if (std::any_of(diagnosis.equivalent.begin(), diagnosis.equivalent.end(), holds)) return Sight::in_set;
+  const auto is_best = [&](const Candidate& candidate) { return candidate.in_best_set && candidate.bound == bound; };
+  const bool calls = diagnosis.verdict != Verdict::nothing && diagnosis.verdict != Verdict::untestable;
+  if (calls && std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(), is_best)) return Sight::candidate;
+  return diagnosis.verdict == Verdict::unexplained ? Sight::unexplained : Sight::not_seen;
+}
+
+std::string_view name_of(Sight sight) {
+  switch (sight) {
+    case Sight::named:
+      return "named";
+    case Sight::in_set:
+      return "in the reported set";
+    case Sight::candidate:
+      return "candidate";
+    case Sight::unexplained:
+      return "unexplained";
+    case Sight::not_seen:
+      break;
+  }
+  return "not seen";
+}
+
+SmallestSeen smallest_seen(const Model& model, const Series& data, const Injection& injection, double d_per_um,
+                           SmallestSeen known, const DiagnosisOptions& options,
+                           const std::function<void(std::size_t)>& progress) {
+  constexpr double kClose = 1.15;
+  constexpr int kMost = 6, kMostUpwards = 3;
+  int upwards = 0;
+  for (int tries = 0; tries < kMost && known.seen_um > kClose * known.not_seen_um; ++tries) {
+    const double detected_um = 5.0 / d_per_um, identified_um = 7.5 / d_per_um;
+    double try_um = std::sqrt(known.not_seen_um * known.seen_um);
+    if (!std::isfinite(known.seen_um)) {
+      if (++upwards > kMostUpwards) break;
+      try_um = identified_um > 1.5 * known.not_seen_um && std::isfinite(identified_um) ? identified_um
+                                                                                       : 2.0 * known.not_seen_um;
+    } else if (known.not_seen_um == 0.0) {
+      try_um = detected_um < 0.9 * known.seen_um ? detected_um : 0.5 * known.seen_um;
+    }
+    progress(known.diagnoses + 1);
+    const Diagnosis found = diagnose(model, injected(data, model.targets.front(), injection, try_um), 0, options);
+    const Sight sight = sight_of(found, injection.bound);
+    (sight == Sight::named || sight == Sight::in_set ? known.seen_um : known.not_seen_um) = try_um;
+    ++known.diagnoses;
+  }
+  return known;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,258 @@
+#include "ballbar/diagnosis/next_test/next_test.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "diagnosis/statistics/evidence.hpp"
+#include "diagnosis/next_test/candidate_rows.hpp"
+#include "diagnosis/next_test/open_question.hpp"
+#include "diagnosis/next_test/planned_test.hpp"
+#include "diagnosis/next_test/separation.hpp"
+#include "series/thinned.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kSeen = 5.0;
+constexpr double kUseless = 1.0;
+constexpr double kNamed = 7.5;
+constexpr double kImitated = 1.0, kNearlyImitated = 0.2;  // d, and d over that of the other order
+
+bool suits(const Model& model, const Series& data, const Diagnosis& diagnosis) {
+  const Fit& base = diagnosis.base;
+  std::size_t parameters = 1;
+  for (const Term& term : model.terms) {
+    parameters += term.settings.size();
+    for (const std::string& name : term.columns) {
+      if (find_column(data, name) == nullptr) return false;
+    }
+  }
+  const auto n = static_cast<Eigen::Index>(base.row.size());
+  return n > 2 && base.row.back() < data.time_s.size() && base.parameters.size() == parameters &&
+         base.jacobian.rows() == n && base.jacobian.cols() == static_cast<Eigen::Index>(parameters) &&
+         base.time_s.size() == base.row.size() && base.residual_um.size() == base.row.size() &&
+         base.jacobian.allFinite();
+}
+
+// Of the fit with the best set: the noise of the base fit holds what is missing in it.
+Noise noise_with_best_set(const CandidateRows& candidates, const Diagnosis& diagnosis, const Eigen::MatrixXd& columns,
+                          const Places& places) {
+  std::vector<Eigen::Index> added;
+  for (const Candidate& candidate : diagnosis.candidates) {
+    for (std::size_t k = 0; candidate.in_best_set && k < candidates.rivals.size(); ++k) {
+      const Rival& rival = candidates.rivals[k];
+      if (rival.only_once || !(rival.bound == candidate.bound)) continue;
+      added.insert(added.end(), places.free[k][0].begin(), places.free[k][0].end());
+    }
+  }
+  Eigen::MatrixXd best = columns(Eigen::all, added);
+  for (Eigen::Index k = 0; k < best.cols(); ++k) {
+    if (best.col(k).norm() > 0.0) best.col(k).normalize();
+  }
+  return explained(leftover_of(diagnosis.base), best, diagnosis.base.noise).noise;
+}
+
+// d of both orders: a true and b fitted, b true and a fitted.
+struct Orders {
+  double a_true = 0.0, b_true = 0.0;
+};
+
+Orders orders_of(const Eigen::MatrixXd& factor, const Places& places, const Pair& pair) {
+  const auto one_way = [&](std::size_t truth, std::size_t rival) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::vector<Eigen::Index>& free : places.free[rival]) {
+      std::vector<Eigen::Index> columns = places.shared;
+      columns.insert(columns.end(), free.begin(), free.end());
+      for (const std::size_t other : pair.others) {
+        columns.insert(columns.end(), places.free[other][0].begin(), places.free[other][0].end());
+      }
+      least = std::min(least, distance(factor, places.signal[truth], columns));
+    }
+    return least;
+  };
+  return {one_way(pair.a, pair.b), one_way(pair.b, pair.a)};
+}
+
+enum class Holds { neither, a_holds_b, b_holds_a };
+
+// A rival with more parameters that makes all that the other does, whatever is done: a lag of nothing is no lag.
+Holds holds(const Orders& orders, const Question& question, const Pair& pair) {
+  const auto count = [&](std::size_t rival) { return question.candidates.rivals[rival].free.size(); };
+  const auto imitated = [](double d, double other) { return d < std::max(kImitated, kNearlyImitated * other); };
+  if (count(pair.a) > count(pair.b) && imitated(orders.b_true, orders.a_true)) return Holds::a_holds_b;
+  if (count(pair.b) > count(pair.a) && imitated(orders.a_true, orders.b_true)) return Holds::b_holds_a;
+  return Holds::neither;
+}
+
+// The smaller of both orders; where one rival holds the other, of that which can be seen.
+double separation(const Orders& orders, Holds holds) {
+  if (holds == Holds::a_holds_b) return orders.a_true;
+  if (holds == Holds::b_holds_a) return orders.b_true;
+  return std::min(orders.a_true, orders.b_true);
+}
+
+// Columns of the pair that the list has.
+std::vector<std::size_t> listed(const std::vector<std::string>& list, const Question& question, const Pair& pair) {
+  std::vector<std::size_t> result;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    for (const std::size_t rival : {pair.a, pair.b}) {
+      const std::vector<std::string>& columns = question.candidates.rivals[rival].bound.columns;
+      if (std::find(columns.begin(), columns.end(), list[k]) == columns.end()) continue;
+      if (result.empty() || result.back() != k) result.push_back(k);
+    }
+  }
+  return result;
+}
+
+std::string d_text(double d) {
+  if (d > 1000.0) return "d above 1000";
+  return d >= 99.95 ? fmt::format("d = {:.0f}", d) : fmt::format("d = {:.1f}", d);
+}
+
+std::string interval_text(const Series& all, const std::string& target) {
+  std::vector<double> gaps_s;
+  double last_s = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double>& values = find_column(all, target)->values;
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    if (std::isnan(values[row])) continue;
+    if (!std::isnan(last_s)) gaps_s.push_back(all.time_s[row] - last_s);
+    last_s = all.time_s[row];
+  }
+  if (gaps_s.empty()) return {};
+  const auto middle = gaps_s.begin() + static_cast<std::ptrdiff_t>(gaps_s.size() / 2);
+  std::nth_element(gaps_s.begin(), middle, gaps_s.end());
+  const std::string every =
+      *middle < 600.0 ? fmt::format("{:.3g} s", *middle) : fmt::format("{:.3g} min", *middle / 60.0);
+  return fmt::format(", readings every {} as now", every);
+}
+
+struct Judged {
+  PlannedTest test;
+  double smallest = std::numeric_limits<double>::infinity();
+  double so_far = 0.0;      // of the same pair in the data
+  std::size_t hardest = 0;  // pair
+  Holds holds = Holds::neither;
+  std::size_t settled = 0;  // pairs with d of kNamed or more
+};
+
+bool better(const Judged& a, const Judged& b) {
+  const bool a_seen = a.smallest >= kSeen, b_seen = b.smallest >= kSeen;
+  if (a_seen != b_seen) return a_seen;
+  if (!a_seen && a.settled != b.settled) return a.settled > b.settled;
+  return a.smallest > b.smallest;
+}
+
+std::string pair_text(const Question& question, const Pair& pair, Holds holds) {
+  const std::string a = label_of(question.candidates.rivals[pair.a].bound),
+                    b = label_of(question.candidates.rivals[pair.b].bound);
+  if (question.candidates.rivals[pair.b].only_once) return fmt::format("show whether {} comes again", a);
+  if (holds == Holds::a_holds_b) return fmt::format("show whether {} is more than {}", a, b);
+  if (holds == Holds::b_holds_a) return fmt::format("show whether {} is more than {}", b, a);
+  return fmt::format("tell {} from {}", a, b);
+}
+
+std::string text_of(const Question& question, const Judged& judged, const std::string& interval) {
+  std::string text = judged.test.name + ": " + judged.test.doing + interval + ".";
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  const Pair& hardest = question.pairs[judged.hardest];
+  const double d = judged.smallest;
+  const std::string outcome =
+      fmt::format("{} ({}); the data so far have {}.", d_text(d),
+                  d < kSeen ? "5 is needed, 7.5 to name one" : "named from 7.5", d_text(judged.so_far));
+  const std::string pair = pair_text(question, hardest, judged.holds);
+  if (question.pairs.size() == 1) {
+    text += fmt::format(" It would {} with {}", pair, outcome);
+  } else {
+    text += fmt::format(" Of {} pairs of candidates it would settle {} (d of 7.5 or more); the hardest is to {}: {}",
+                        question.pairs.size(), judged.settled, pair, outcome);
+  }
+  std::vector<std::string> predicted, unknown;
+  for (const std::size_t k : listed(judged.test.forecast_columns, question, hardest)) {
+    predicted.push_back(judged.test.forecast[k]);
+  }
+  for (const std::size_t k : listed(judged.test.unknown, question, hardest)) unknown.push_back(judged.test.unknown[k]);
+  if (!predicted.empty()) text += fmt::format(" Predicted as in the data: {}.", fmt::join(predicted, ", "));
+  if (!unknown.empty()) {
+    text += fmt::format(" What {} would do in it is not known, so that nothing is promised.", fmt::join(unknown, ", "));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<NextTest> next_tests(const Model& model, const Series& all, const Diagnosis& diagnosis) {
+  std::vector<NextTest> result;
+  if (diagnosis.verdict == Verdict::nothing || find_column(all, diagnosis.target) == nullptr) return result;
+  const Series data = thinned(all, diagnosis.target, kMostTested);
+  if (!suits(model, data, diagnosis)) return result;
+  const Question question = question_of(model, data, diagnosis);
+  if (question.pairs.empty()) return result;
+
+  const CandidateRows& candidates = question.candidates;
+  const Fit& base = diagnosis.base;
+  const Places without_own = places_of(candidates, 0);
+  const std::optional<Eigen::MatrixXd> in_data = columns_in_data(candidates, 0);
+  if (!in_data) return result;
+  const Noise noise = noise_with_best_set(candidates, diagnosis, *in_data, without_own);
+  const Eigen::MatrixXd factor = whitened_factor(*in_data, Whitening(noise, base.time_s, base.sigma_um));
+  std::vector<Orders> so_far;
+  for (const Pair& pair : question.pairs) so_far.push_back(orders_of(factor, without_own, pair));
+  const auto model_width = static_cast<Eigen::Index>(without_own.shared.size());
+
+  std::vector<double> sigma = base.sigma_um;
+  std::sort(sigma.begin(), sigma.end());
+  std::vector<Judged> tests;
+  for (PlannedTest& test : model.level == Level::series ? drift_tests(data, diagnosis.target, base.row)
+                                                        : recording_tests(data, diagnosis.target, base.row)) {
+    if (test.rows.size() < 2) continue;
+    const Eigen::MatrixXd own = own_columns(candidates, test);
+    const std::optional<Eigen::MatrixXd> in_test = columns_in_test(candidates, test, own);
+    if (!in_test) continue;
+    std::vector<double> time_s;
+    for (const std::size_t row : test.rows) time_s.push_back(test.inputs.time_s[row]);
+    const std::vector<double> sigma_um(sigma.empty() ? 0 : time_s.size(),
+                                       sigma.empty() ? 0.0 : sigma[sigma.size() / 2]);
+    // The data have nothing of the test's own columns.
+    Eigen::MatrixXd before(factor.rows(), in_test->cols());
+    before << factor.leftCols(model_width), Eigen::MatrixXd::Zero(factor.rows(), own.cols()),
+        factor.rightCols(factor.cols() - model_width);
+    const Eigen::MatrixXd together = both(before, *in_test, Whitening(noise, time_s, sigma_um));
+    const Places places = places_of(candidates, own.cols());
+    Judged judged;
+    judged.test = std::move(test);
+    for (std::size_t k = 0; k < question.pairs.size(); ++k) {
+      const Pair& pair = question.pairs[k];
+      const bool known = listed(judged.test.unknown, question, pair).empty();
+      const Orders orders = known ? orders_of(together, places, pair) : so_far[k];
+      const Holds held = holds(orders, question, pair);
+      const double d = separation(orders, held);
+      if (d >= kNamed) ++judged.settled;
+      if (!(d < judged.smallest)) continue;
+      judged.smallest = d;
+      judged.so_far = separation(so_far[k], held);
+      judged.hardest = k;
+      judged.holds = held;
+    }
+    if (std::isfinite(judged.smallest)) tests.push_back(std::move(judged));
+  }
+  std::stable_sort(tests.begin(), tests.end(), better);
+  const std::string interval = model.level == Level::series ? interval_text(all, diagnosis.target) : std::string();
+  for (const Judged& judged : tests) {
+    std::string text = text_of(question, judged, interval);
+    if (result.empty() && judged.smallest < kUseless) {
+      text = fmt::format("None on the list would tell all of them apart: the best ({}) reaches {}, 5 is needed.",
+                         judged.test.name, d_text(judged.smallest));
+    } else if (result.empty() && judged.smallest < kSeen) {
+      text = "No test on the list tells all of them apart (d of 5 or more); the best is this. " + text;
+    }
+    result.push_back({judged.test.name, std::move(text), judged.smallest, judged.test.duration_s, judged.so_far});
+  }
+  return result;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,294 @@
+#include "diagnosis/signatures/bank.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "ballbar/model/measured_input.hpp"
+#include "effects/shape_grid.hpp"
+#include "model/bindings.hpp"
+#include "noise/whitened.hpp"
+#include "numerics/parallel.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kMostOnsets = 400;
+constexpr std::size_t kMostPeriods = 200;
+constexpr std::size_t kMostWaves = 400;  // of one shape on recordings
+constexpr double kSameAsExpansion = 0.99;
+constexpr double kNothingLeft = 1e-8;  // share of a column's square
+
+bool is_constant(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return !(*high > *low);
+}
+
+bool is_whole(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+// One column a gain, at the rows of the fit; none where a value is not finite or nothing varies.
+std::vector<Eigen::VectorXd> gains_of(const Effect& effect, const EffectRows& inputs, const std::vector<double>& point,
+                                      const std::vector<std::size_t>& rows) {
+  const std::size_t count = effect.parameters.size();
+  std::vector<double> values(inputs.time_s.size()), slopes(values.size() * count);
+  effect.evaluate(inputs, point.data(), values.data(), slopes.data());
+  std::vector<Eigen::VectorXd> gains;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (effect.parameters[k].kind != ParameterKind::gain) continue;
+    Eigen::VectorXd column(static_cast<Eigen::Index>(rows.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i) column[static_cast<Eigen::Index>(i)] = slopes[rows[i] * count + k];
+    if (!column.allFinite() || column.maxCoeff() - column.minCoeff() < 1e-12) continue;
+    gains.push_back(std::move(column));
+  }
+  return gains;
+}
+
+std::size_t gain_count(const Effect& effect) {
+  return static_cast<std::size_t>(
+      std::count_if(effect.parameters.begin(), effect.parameters.end(),
+                    [](const Parameter& parameter) { return parameter.kind == ParameterKind::gain; }));
+}
+
+// Play that never gives way holds the whole expansion back: it shows no loop and is expansion under another name.
+bool is_stuck(const Effect& effect, const EffectRows& inputs, const std::vector<std::size_t>& rows,
+              const Eigen::VectorXd& gain) {
+  if (effect.name != "play_hysteresis") return false;
+  Eigen::VectorXd input(gain.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) input[static_cast<Eigen::Index>(i)] = inputs.inputs[0][rows[i]];
+  const Eigen::VectorXd a = input.array() - input.mean(), b = gain.array() - gain.mean();
+  return std::abs(a.dot(b)) > kSameAsExpansion * a.norm() * b.norm();
+}
+
+std::vector<double> onsets(const EffectRows& rows, std::size_t most) {
+  std::vector<double> grid;
+  const std::size_t n = rows.time_s.size();
+  const std::size_t stride = 1 + n / most;
+  for (std::size_t row = std::max<std::size_t>(1, stride / 2); row < n; row += stride) {
+    grid.push_back(0.5 * (rows.time_s[row] + rows.time_s[row - 1]));
+  }
+  return grid;
+}
+
+}  // namespace
+
+BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& names, const Series& data) {
+  BoundInputs bound;
+  bound.rows.time_s = data.time_s;
+  std::size_t still = 0;
+  bool whole = true;
+  for (const std::string& name : names) {
+    const Column& column = *find_column(data, name);
+    bound.values.push_back(effect.level == Level::series ? input_values(data, column) : column.values);
+    const std::vector<double>& values = bound.values.back();
+    bound.has_gaps = bound.has_gaps || !is_whole(values);
+    whole = whole && is_whole(values);
+    if (effect.level == Level::series && is_constant(values)) still += column.role == Role::speed ? names.size() : 1;
+  }
+  bound.usable = whole && still == 0;
+  bound.is_half = whole && still > 0 && still < names.size();
+  for (const std::vector<double>& values : bound.values) bound.rows.inputs.emplace_back(values);
+  return bound;
+}
+
+std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows, const BankOptions& options) {
+  std::vector<double> first;
+  for (const Parameter& parameter : effect.parameters) {
+    first.push_back(parameter.kind == ParameterKind::gain ? 0.0 : parameter.start);
+  }
+  std::vector<std::vector<double>> points{first};
+  for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
+    const Parameter& parameter = effect.parameters[k];
+    if (parameter.kind == ParameterKind::gain || (parameter.held && parameter.grid.empty())) continue;
+    const std::size_t most = effect.level == Level::series ? kMostPeriods : kMostWaves;
+    std::vector<double> grid = shape_grid(effect, k, rows, parameter.lower, parameter.upper, most);
+    if (parameter.name == "onset_s") grid = onsets(rows, options.every_onset ? kMostOnsets : 7);
+    if (parameter.name == "frequency_Hz") std::erase_if(grid, [&](double f) { return f > options.highest_Hz; });
+    if (grid.empty()) continue;
+    std::vector<std::vector<double>> more;
+    for (const std::vector<double>& point : points) {
+      for (const double value : grid) {
+        more.push_back(point);
+        more.back()[k] = value;
+      }
+    }
+    points = std::move(more);
+  }
+  return points;
+}
+
+namespace {
+
+// An effect on columns, with the columns of each of its shapes.
+struct Shaped {
+  Family family;
+  BoundInputs bound;
+  std::vector<std::vector<double>> points;
+  std::vector<std::vector<Eigen::VectorXd>> gains;  // of each point
+};
+
+std::vector<Shaped> shaped_of(const Model& model, const Series& data, const BankOptions& options) {
+  std::vector<Shaped> result;
+  for (const Effect* effect : effects()) {
+    if (effect->level != model.level || effect->name == "circle") continue;
+    if (options.motion && !applies_to(*effect, *options.motion)) continue;
+    if (std::find(options.without.begin(), options.without.end(), effect->name) != options.without.end()) continue;
+    for (std::vector<std::string>& names : bindings_of(*effect, model, data)) {
+      const bool again = effect->name == "step" || effect->name == "thermostat_cycle";
+      if (has_term(model, *effect, names) && !again) continue;
+      BoundInputs bound = inputs_of(*effect, names, data);
+      if (!bound.usable && !bound.is_half) continue;
+      Shaped one{{effect, std::move(names), 0, 0}, std::move(bound), {}, {}};
+      one.points = shapes_of(*effect, one.bound.rows, options);
+      one.gains.resize(one.points.size());
+      result.push_back(std::move(one));
+    }
+  }
+  return result;
+}
+
+void evaluate(std::vector<Shaped>& all, const std::vector<std::size_t>& rows) {
+  std::vector<std::pair<Shaped*, std::size_t>> parts;
+  for (Shaped& one : all) {
+    for (std::size_t i = 0; i < one.points.size(); ++i) parts.emplace_back(&one, i);
+  }
+  in_parallel(parts.size(), [&](std::size_t k) {
+    auto& [one, i] = parts[k];
+    const Effect& effect = *one->family.effect;
+    std::vector<Eigen::VectorXd> gains = gains_of(effect, one->bound.rows, one->points[i], rows);
+    if (gains.empty() || is_stuck(effect, one->bound.rows, rows, gains.front())) return;
+    if (one->bound.is_half && gains.size() < gain_count(effect)) return;
+    one->gains[i] = std::move(gains);
+  });
+}
+
+}  // namespace
+
+Bank bank_of(const Model& model, const Series& data, const Fit& fit, BankOptions options) {
+  for (std::size_t i = 1; i < fit.time_s.size(); ++i) {
+    // The shortest step: one above half that rate would pass for a slow one.
+    options.highest_Hz = i == 1 ? 0.5 / (fit.time_s[1] - fit.time_s[0])
+                                : std::max(options.highest_Hz, 0.5 / (fit.time_s[i] - fit.time_s[i - 1]));
+  }
+  std::vector<Shaped> all = shaped_of(model, data, options);
+  evaluate(all, fit.row);
+  Bank bank;
+  std::vector<Eigen::VectorXd> columns;
+  for (Shaped& one : all) {
+    one.family.first = bank.signatures.size();
+    for (std::size_t i = 0; i < one.points.size(); ++i) {
+      std::vector<Eigen::VectorXd>& gains = one.gains[i];
+      if (gains.empty()) continue;
+      Signature signature{bank.families.size(), std::move(one.points[i]), static_cast<Eigen::Index>(columns.size()),
+                          static_cast<Eigen::Index>(gains.size()), gains.front().maxCoeff() - gains.front().minCoeff()};
+      for (Eigen::VectorXd& gain : gains) columns.push_back(std::move(gain));
+      bank.signatures.push_back(std::move(signature));
+      ++one.family.count;
+    }
+    if (one.family.count > 0) bank.families.push_back(std::move(one.family));
+  }
+  bank.columns.resize(static_cast<Eigen::Index>(fit.row.size()), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) bank.columns.col(static_cast<Eigen::Index>(k)) = columns[k];
+  return bank;
+}
+
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
+  if (columns.cols() == 0) return columns;
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+  return Eigen::MatrixXd(qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank()));
+}
+
+std::vector<Eigen::Index> used_parameters(const Fit& fit) {
+  std::vector<Eigen::Index> used;
+  for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
+    const auto index = static_cast<Eigen::Index>(k);
+    if (fit.parameters[k].state != ParameterState::held && fit.jacobian.col(index).norm() > 0.0) used.push_back(index);
+  }
+  return used;
+}
+
+Eigen::MatrixXd model_columns(const Fit& fit) {
+  const std::vector<Eigen::Index> used = used_parameters(fit);
+  Eigen::MatrixXd columns(fit.jacobian.rows(), static_cast<Eigen::Index>(used.size()));
+  for (std::size_t j = 0; j < used.size(); ++j) {
+    columns.col(static_cast<Eigen::Index>(j)) = fit.jacobian.col(used[j]).normalized();
+  }
+  return columns;
+}
+
+std::vector<double> model_reach_um(const Fit& fit) {
+  std::vector<double> reach;
+  for (const Eigen::Index index : used_parameters(fit)) {
+    const FittedParameter& parameter = fit.parameters[static_cast<std::size_t>(index)];
+    const bool gain = parameter.kind == ParameterKind::gain;
+    reach.push_back(gain ? std::numeric_limits<double>::infinity()
+                         : std::abs(parameter.value) * fit.jacobian.col(index).norm());
+  }
+  return reach;
+}
+
+namespace {
+
+// Columns of one signature, freed of the model, made orthonormal; where nothing is left of one, 0.
+void orthonormalise(const Signature& signature, const Eigen::MatrixXd& all, Eigen::Ref<Eigen::MatrixXd> left,
+                    double& share, double& norm) {
+  share = 1.0;
+  for (Eigen::Index j = 0; j < signature.width; ++j) {
+    for (Eigen::Index i = 0; i < j; ++i) left.col(j) -= left.col(i) * left.col(i).dot(left.col(j));
+    const double square = left.col(j).squaredNorm(), before = all.col(j).squaredNorm();
+    const double part = before > 0.0 ? square / before : 0.0;
+    share = std::min(share, part);
+    if (j == 0) norm = std::sqrt(square);
+    if (part > kNothingLeft) {
+      left.col(j) /= std::sqrt(square);
+    } else {
+      left.col(j).setZero();
+    }
+  }
+}
+
+}  // namespace
+
+Projected projected(const Bank& bank, const Eigen::VectorXd& residual_um, const Eigen::MatrixXd& basis,
+                    const Whitening& whitening) {
+  constexpr std::size_t kTogether = 64;  // signatures
+  Projected result;
+  result.model = orthonormal(whitened(whitening, basis));
+  result.residual = whitened(whitening, residual_um);
+  result.residual -= result.model * (result.model.transpose() * result.residual);
+  result.columns.resize(bank.columns.rows(), bank.columns.cols());
+  const std::size_t count = bank.signatures.size();
+  result.share.resize(count);
+  result.norm.resize(count);
+  in_parallel((count + kTogether - 1) / kTogether, [&](std::size_t batch) {
+    const std::size_t begin = batch * kTogether, end = std::min(count, begin + kTogether);
+    const Signature &front = bank.signatures[begin], &back = bank.signatures[end - 1];
+    const Eigen::Index first = front.first, width = back.first + back.width - first;
+    const Eigen::MatrixXd all = whitened(whitening, bank.columns.middleCols(first, width));
+    auto left = result.columns.middleCols(first, width);
+    const Eigen::MatrixXd made = result.model.transpose() * all;
+    left = all;
+    left.noalias() -= result.model * made;
+    for (std::size_t k = begin; k < end; ++k) {
+      const Signature& signature = bank.signatures[k];
+      orthonormalise(signature, all.middleCols(signature.first - first, signature.width),
+                     result.columns.middleCols(signature.first, signature.width), result.share[k], result.norm[k]);
+    }
+  });
+  return result;
+}
+
+Eigen::VectorXd scores(const Bank& bank, const Projected& projected, const Eigen::VectorXd& residual) {
+  const Eigen::VectorXd along = projected.columns.transpose() * residual;
+  Eigen::VectorXd result(static_cast<Eigen::Index>(bank.signatures.size()));
+  for (std::size_t k = 0; k < bank.signatures.size(); ++k) {
+    const Signature& signature = bank.signatures[k];
+    result[static_cast<Eigen::Index>(k)] = along.segment(signature.first, signature.width).squaredNorm();
+  }
+  return result;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,92 @@
+// What every effect of the catalogue could add to given data, ready to be held against a residual.
+//
+// A family is one effect bound to columns; each point of its grid of shapes is one signature: what a unit of each of
+// its gains adds, a column each. Whitened by the noise (noise.hpp) and freed of the columns of the model's Jacobian,
+// the columns of a signature are made orthonormal, so that
+//
+//   score = |U' r|^2     fall of chi^2 when this signature alone is added, r the whitened, projected residual
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballbar/circle/recording.hpp"
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/model/model.hpp"
+#include "ballbar/series/series.hpp"
+
+namespace ballbar {
+
+struct Family {
+  const Effect* effect = nullptr;
+  std::vector<std::string> columns;
+  std::size_t first = 0, count = 0;  // of Bank::signatures
+};
+
+struct Signature {
+  std::size_t family = 0;
+  std::vector<double> point;          // of all parameters: shapes as here, gains 0
+  Eigen::Index first = 0, width = 0;  // of Bank::columns
+  double range_um = 0.0;              // largest less smallest value of its first gain's column
+};
+
+struct Bank {
+  std::vector<Family> families;
+  std::vector<Signature> signatures;
+  Eigen::MatrixXd columns;  // n rows where the target has a value
+};
+
+struct BankOptions {
+  std::optional<Motion> motion;                                 // of recordings
+  bool every_onset = true;                                      // of a step: up to 400 of them; else 7
+  std::vector<std::string> without;                             // names of effects that are left out
+  double highest_Hz = std::numeric_limits<double>::infinity();  // bank_of: half the rate of the rows that are fitted
+};
+
+// Families of effects that are in the model on the same columns are left out, but for time-only ones with an onset or
+// a period, and those whose inputs are constant or have gaps; and shapes of play that the input
+// never moves.
+Bank bank_of(const Model& model, const Series& data, const Fit& fit, BankOptions options = {});
+
+// What an effect bound to these columns is evaluated on; `rows` points into `values`.
+struct BoundInputs {
+  std::vector<std::vector<double>> values;
+  EffectRows rows;
+  bool usable = true;    // whole, and on a series not constant
+  bool is_half = false;  // whole, but one of several temperatures stands still: a difference to it moves all the same
+  bool has_gaps = false;
+};
+BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& names, const Series& data);
+
+// Points of the grid of an effect's shapes on these rows, held ones that have a grid included.
+std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows, const BankOptions& options);
+
+struct Projected {
+  Eigen::VectorXd residual;   // r, n
+  Eigen::MatrixXd columns;    // U, as Bank::columns; 0 where nothing survives
+  std::vector<double> share;  // of each signature: |P W g|^2 / |W g|^2, of its weakest direction
+  std::vector<double> norm;   // |P W g| of its first column
+  Eigen::MatrixXd model;      // orthonormal basis of W J, n by p
+};
+
+// basis: columns that the model already makes, n by p, unweighted.
+Projected projected(const Bank& bank, const Eigen::VectorXd& residual_um, const Eigen::MatrixXd& basis,
+                    const Whitening& whitening);
+
+Eigen::VectorXd scores(const Bank& bank, const Projected& projected, const Eigen::VectorXd& residual);
+
+// Parameters that the fit was free in, by their place.
+std::vector<Eigen::Index> used_parameters(const Fit& fit);
+
+// Their columns of the Jacobian, scaled to unit length.
+Eigen::MatrixXd model_columns(const Fit& fit);
+
+// Of these columns: infinite for a gain; for a shape what it adds when it doubles.
+std::vector<double> model_reach_um(const Fit& fit);
+
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns);
+
+}  // namespace ballbar

@@ -1,0 +1,190 @@
+#include "ballbar/diagnosis/signatures/identifiability.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "diagnosis/signatures/bank.hpp"
+#include "diagnosis/signatures/prospects.hpp"
+#include "model/bindings.hpp"
+#include "numerics/parallel.hpp"
+#include "series/thinned.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kAbsorbed = 0.05;
+constexpr double kInseparable = 0.95;
+constexpr double kDetectable = 5.0;
+constexpr double kIdentifiable = 7.5;
+constexpr std::size_t kMostShapes = 12;  // of one family, compared with those of the others
+
+auto block(const Projected& seen, const Signature& signature) {
+  return seen.columns.middleCols(signature.first, signature.width);
+}
+
+// Smallest canonical correlation: 1 where one space holds the other.
+double coherence(const Eigen::MatrixXd& between) {
+  if (between.size() == 1) return std::abs(between(0, 0));
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(between);
+  return svd.singularValues()[svd.singularValues().size() - 1];
+}
+
+std::vector<std::size_t> some_shapes(const Family& family) {
+  std::vector<std::size_t> shapes;
+  const std::size_t stride = 1 + (family.count - 1) / kMostShapes;
+  for (std::size_t i = family.first; i < family.first + family.count; i += stride) shapes.push_back(i);
+  return shapes;
+}
+
+// Coherence that most of the shapes of `a` have with some shape of `b`: the lower median of the largest.
+double imitated(const Bank& bank, const Projected& seen, const Family& a, const Family& b) {
+  std::vector<double> largest;
+  const std::vector<std::size_t> others = some_shapes(b);
+  for (const std::size_t mine : some_shapes(a)) {
+    if (seen.share[mine] < kAbsorbed) continue;
+    double most = 0.0;
+    for (const std::size_t other : others) {
+      if (seen.share[other] < kAbsorbed) continue;
+      const Signature &one = bank.signatures[mine], &two = bank.signatures[other];
+      most = std::max(most, coherence(block(seen, one).transpose().lazyProduct(block(seen, two))));
+    }
+    largest.push_back(most);
+  }
+  if (largest.empty()) return 0.0;
+  const auto median = largest.begin() + static_cast<std::ptrdiff_t>((largest.size() - 1) / 2);
+  std::nth_element(largest.begin(), median, largest.end());
+  return std::min(1.0, *median);
+}
+
+// Range of the effect with d = 1, of the shape that shows best.
+double um_for_unit_d(const Bank& bank, const Projected& seen, const Family& family) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = family.first; i < family.first + family.count; ++i) {
+    if (seen.share[i] >= kAbsorbed) least = std::min(least, bank.signatures[i].range_um / seen.norm[i]);
+  }
+  return least;
+}
+
+bool takes(const Input& input, const Column& column) {
+  return std::find(input.units.begin(), input.units.end(), unit_of(column.name)) != input.units.end();
+}
+
+std::string roles_missing(const Effect& effect, const Series& data) {
+  std::vector<std::string> missing;
+  for (const Input& input : effect.inputs) {
+    const bool any = std::any_of(data.columns.begin(), data.columns.end(),
+                                 [&](const Column& column) { return takes(input, column); });
+    if (!any) missing.push_back(fmt::format("{} ({})", input.role, fmt::join(input.units, " or ")));
+  }
+  if (!missing.empty()) return fmt::format("no column for {}", fmt::join(missing, ", "));
+  if (effect.name == "bar_temperature") return "no column of the bar's temperature (its name holds \"bar\")";
+  if (effect.name == "clock_offset") return "the model reads no signal whose clock could be off";
+  return "there are too few columns of the kind";
+}
+
+// Why an effect that has columns is not in the bank.
+void say_unusable(Prospect& prospect, const Model& model, const Series& data,
+                  const std::vector<std::vector<std::string>>& bindings) {
+  const auto in_model = [&](const std::vector<std::string>& names) { return has_term(model, *prospect.effect, names); };
+  if (std::all_of(bindings.begin(), bindings.end(), in_model)) {
+    prospect.testability = Testability::in_the_model;
+    prospect.why = "it is in the model";
+    return;
+  }
+  const bool usable = std::any_of(bindings.begin(), bindings.end(), [&](const std::vector<std::string>& names) {
+    return inputs_of(*prospect.effect, names, data).usable;
+  });
+  if (usable) {
+    prospect.testability = Testability::absorbed;
+    prospect.why = "what it adds is made by the model already";
+    return;
+  }
+  prospect.testability = Testability::input_constant;
+  prospect.why = "its input does not change";
+  for (const std::vector<std::string>& names : bindings) {
+    if (inputs_of(*prospect.effect, names, data).has_gaps) prospect.why = "its input has gaps";
+  }
+}
+
+}  // namespace
+
+std::vector<Prospect> prospects_of(const Bank& bank, const Projected& seen, const Model& model, const Series& data,
+                                   std::optional<Motion> motion) {
+  std::vector<Prospect> prospects;
+  std::vector<const Family*> best;
+  for (const Effect* effect : effects()) {
+    if (effect->level != model.level || effect->name == "circle") continue;
+    Prospect prospect;
+    prospect.effect = effect;
+    const Family* chosen = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    const std::vector<std::vector<std::string>> bindings = bindings_of(*effect, model, data);
+    prospect.bindings = count_of_bindings(*effect, model, data);
+    for (const Family& family : bank.families) {
+      if (family.effect != effect) continue;
+      const double um = um_for_unit_d(bank, seen, family);
+      if (chosen == nullptr || um < least) chosen = &family;
+      least = std::min(least, um);
+    }
+    if (motion && !applies_to(*effect, *motion)) {
+      prospect.testability = Testability::other_motion;
+      prospect.why = fmt::format("it is not one of circles driven by {}", name_of(*motion));
+    } else if (bindings.empty()) {
+      prospect.testability = Testability::input_missing;
+      prospect.why = roles_missing(*effect, data);
+    } else if (chosen == nullptr) {
+      say_unusable(prospect, model, data, bindings);
+    } else if (!std::isfinite(least)) {
+      prospect.testability = Testability::absorbed;
+      prospect.why = "what it adds is made by the model already";
+    } else {
+      prospect.columns = chosen->columns;
+      prospect.detectable_um = kDetectable * least;
+      prospect.identifiable_um = kIdentifiable * least;
+      for (std::size_t i = chosen->first; i < chosen->first + chosen->count; ++i) {
+        prospect.surviving_share = std::max(prospect.surviving_share, seen.share[i]);
+      }
+    }
+    best.push_back(prospect.testability == Testability::testable ? chosen : nullptr);
+    prospects.push_back(std::move(prospect));
+  }
+  in_parallel(best.size(), [&](std::size_t i) {
+    for (std::size_t j = 0; j < best.size(); ++j) {
+      if (i == j || best[i] == nullptr || best[j] == nullptr) continue;
+      const std::string& name = prospects[j].effect->name;
+      prospects[i].imitated_by.push_back({name, imitated(bank, seen, *best[i], *best[j])});
+      if (prospects[i].imitated_by.back().coherence > kInseparable) prospects[i].inseparable_from.push_back(name);
+    }
+  });
+  return prospects;
+}
+
+Preflight preflight(const Model& model, const Series& data, std::size_t target, std::optional<Motion> motion) {
+  const Series rows = thinned(data, model.targets.at(target), kMostTested);
+  const Fit fitted = fit(model, rows, target);
+  Preflight result;
+  result.target = fitted.target;
+  const std::vector<double>& values = find_column(data, fitted.target)->values;
+  result.n = static_cast<std::size_t>(
+      std::count_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); }));
+  result.noise = fitted.noise;
+  result.noise_source = model.terms.empty() ? "target about its mean: every effect that is there counts as noise"
+                                            : "residual of the model";
+  BankOptions options;
+  options.motion = motion;
+  options.every_onset = false;
+  const Bank bank = bank_of(model, rows, fitted, options);
+  const Eigen::VectorXd residual =
+      Eigen::VectorXd::Map(fitted.residual_um.data(), static_cast<Eigen::Index>(fitted.residual_um.size()));
+  const Projected seen =
+      projected(bank, residual, model_columns(fitted), Whitening(fitted.noise, fitted.time_s, fitted.sigma_um));
+  result.prospects = prospects_of(bank, seen, model, rows, motion);
+  return result;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,42 @@
+// How likely a residual is under noise with a memory, once what a few columns can make is taken out of it.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/noise/noise.hpp"
+
+namespace ballbar {
+
+// What is left of a fit, on which everything that follows is linear.
+struct Leftover {
+  std::vector<double> time_s, sigma_um;  // sigma_um: stated, or empty
+  Eigen::VectorXd residual_um;           // n
+  Eigen::MatrixXd model;                 // n by p: columns that the model was free in
+  // p: how far a column's factor may go for the model to be linear: of a shape its own size. Empty: any
+  std::vector<double> reach_um = {};
+};
+Leftover leftover_of(const Fit& fit);
+
+// Columns J = [model, added] by generalised least squares, the noise by maximum likelihood, in turn. With fewer than 30
+// rows the noise is white; where sigma is stated it stays that of `start`, as so few rows tell less than what is
+// stated.
+struct Explained {
+  Noise noise;
+  double log_likelihood = 0.0;  // at the maximum over gains and noise
+  Eigen::VectorXd gains;        // of `added`
+  Eigen::VectorXd residual_um;
+};
+Explained explained(const Leftover& leftover, const Eigen::MatrixXd& added, const Noise& start, int rounds = 2);
+
+// As `explained`, but the noise by restricted maximum likelihood: that which a test should use.
+Noise restricted_noise(const Leftover& leftover, const Eigen::MatrixXd& added, const Eigen::VectorXd& residual_um);
+
+// Noises that the residual does not tell from `best`: draws from the restricted likelihood about it, each as likely as
+// its share. White noise: its variance with n - p degrees of freedom.
+std::vector<Noise> plausible_noises(const Leftover& leftover, const Eigen::MatrixXd& added, const Noise& best,
+                                    std::size_t count, std::uint64_t seed);
+
+}  // namespace ballbar

@@ -1,0 +1,33 @@
+// Fakes of an effect on a recording: curves over the angle as smooth as what it adds, and without its cause.
+//
+// What the effect adds is taken as a function of the angle, on each recording apart, and its phases are scrambled.
+// Recordings on which it adds the same share the phases: the fake of a squareness is the same both ways, that of a
+// play of the axis is another curve in each direction.
+//
+// An effect of one or two waves a turn has no fakes: turned by a random angle it is still nearly itself, or the effect
+// that stands beside it in the catalogue.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "diagnosis/surrogates/fakes.hpp"
+
+namespace ballbar {
+
+struct TracedEffect {
+  const Effect* effect = nullptr;
+  std::vector<std::string> columns;
+  std::vector<std::vector<double>> points;  // all parameters of each shape to be faked
+  Eigen::VectorXd added_um;                 // n: what the effect adds as it was fitted
+};
+
+// The best of `count`, fitted with as many gains as the effect. nullopt: more than 1 % of them are the effect itself
+// (coherence above 0.95, freed of the model), so that to beat them means nothing. rows: of the fit.
+std::optional<BestFake> best_trace_fake(const TracedEffect& traced, const Series& data,
+                                        const std::vector<std::size_t>& rows, const Leftover& leftover,
+                                        const Noise& noise, std::size_t count, std::uint64_t seed);
+
+}  // namespace ballbar

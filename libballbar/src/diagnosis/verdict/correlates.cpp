@@ -1,0 +1,87 @@
+#include "diagnosis/verdict/correlates.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "ballbar/error.hpp"
+#include "diagnosis/statistics/held_out.hpp"
+#include "diagnosis/verdict/candidates.hpp"
+#include "numerics/parallel.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kLess = 0.7;  // of the held-out RMSE
+constexpr std::size_t kFitted = 8;
+constexpr std::size_t kOfAnEffect = 2;
+constexpr std::size_t kShown = 4;
+constexpr std::size_t kRounds = 4;
+constexpr double kWorthAnotherRound = 0.01;  // ln L
+
+// The shape of every family that lowers the sum of squares most, the largest fall first. Least squares: a residual of
+// which no noise is known is not whitened.
+std::vector<std::size_t> by_fall(const Hypotheses& now) {
+  const Eigen::MatrixXd basis = orthonormal(now.leftover().model);
+  const Eigen::VectorXd r = now.leftover().residual_um - basis * (basis.transpose() * now.leftover().residual_um);
+  const auto fall = [&](std::size_t index) {
+    Eigen::MatrixXd columns = now.columns({index});
+    columns -= basis * (basis.transpose() * columns);
+    return (orthonormal(columns).transpose() * r).squaredNorm();
+  };
+  std::vector<std::pair<double, std::size_t>> best;
+  for (const Family& family : now.bank().families) {
+    if (family.effect->time_only) continue;
+    std::pair<double, std::size_t> most{0.0, family.first};
+    for (std::size_t i = family.first; i < family.first + family.count; ++i) most = std::max(most, {fall(i), i});
+    best.push_back(most);
+  }
+  std::stable_sort(best.begin(), best.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::map<const Effect*, std::size_t> taken;
+  std::vector<std::size_t> result;
+  for (const auto& [value, index] : best) {
+    if (result.size() < kFitted && ++taken[now.family(index).effect] <= kOfAnEffect) result.push_back(index);
+  }
+  return result;
+}
+
+// Fitted by the noise that is most likely beside it, as long as that makes it more likely.
+Refitted by_its_own_noise(const Hypotheses& now, std::size_t index, const Noise& noise) {
+  Refitted with = now.refitted({index}, noise);
+  for (std::size_t round = 0; round < kRounds; ++round) {
+    Refitted again = now.refitted_from(with, with.set);
+    if (!(again.log_likelihood > with.log_likelihood + kWorthAnotherRound)) break;
+    with = std::move(again);
+  }
+  return with;
+}
+
+}  // namespace
+
+std::vector<Candidate> correlates(const Hypotheses& now, const Noise& noise, const std::vector<std::size_t>& cycle) {
+  const double before = held_out(now.leftover(), noise, cycle, false).rmse_um;
+  const std::vector<std::size_t> tried = by_fall(now);
+  std::vector<std::optional<Candidate>> found(tried.size());
+  in_parallel(tried.size(), [&](std::size_t i) {
+    try {
+      const Refitted with = by_its_own_noise(now, tried[i], noise);
+      const double after = held_out(with.leftover, with.noise, cycle, false).rmse_um;
+      if (!(after < kLess * before)) return;
+      found[i] = candidate_of(now, with, 0);
+      found[i]->held_out_before_um = before;
+      found[i]->held_out_after_um = after;
+    } catch (const Error&) {
+      return;  // what cannot be fitted explains nothing
+    }
+  });
+  std::vector<Candidate> result;
+  for (std::optional<Candidate>& one : found) {
+    if (one) result.push_back(std::move(*one));
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.held_out_after_um < b.held_out_after_um; });
+  if (result.size() > kShown) result.erase(result.begin() + kShown, result.end());
+  return result;
+}
+
+}  // namespace ballbar

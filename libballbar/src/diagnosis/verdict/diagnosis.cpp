@@ -1,0 +1,84 @@
+#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "diagnosis/search/ground.hpp"
+#include "diagnosis/search/rival_sets.hpp"
+#include "diagnosis/signatures/prospects.hpp"
+#include "diagnosis/verdict/judgement.hpp"
+#include "series/thinned.hpp"
+
+namespace ballbar {
+namespace {
+
+// Nothing is said of effects that are not searched.
+std::vector<Prospect> prospects_but(const DiagnosisOptions& options, std::vector<Prospect> prospects) {
+  const auto left_out = [&](const std::string& name) {
+    return std::find(options.without.begin(), options.without.end(), name) != options.without.end();
+  };
+  std::erase_if(prospects, [&](const Prospect& one) { return left_out(one.effect->name); });
+  for (Prospect& prospect : prospects) {
+    std::erase_if(prospect.imitated_by, [&](const Likeness& likeness) { return left_out(likeness.with); });
+  }
+  return prospects;
+}
+
+}  // namespace
+
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::named:
+      return "named";
+    case Verdict::equivalent:
+      return "equivalent";
+    case Verdict::unexplained:
+      return "unexplained";
+    case Verdict::untestable:
+      return "untestable";
+    case Verdict::nothing:
+      return "nothing";
+  }
+  return "nothing";
+}
+
+std::string label_of(const BoundEffect& bound) {
+  // On recordings the columns are the trace's own.
+  if (bound.columns.empty() || bound.effect->level == Level::recording) return bound.effect->name;
+  return fmt::format("{}({})", bound.effect->name, fmt::join(bound.columns, ", "));
+}
+
+Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options) {
+  const Series rows = thinned(data, model.targets.at(target), options.most_rows);
+  Diagnosis result;
+  result.base = fit(model, rows, target);
+  result.target = result.base.target;
+  Hypotheses now(model, rows, target, result.base, options);
+  std::set<const Effect*> searched;
+  for (const Family& family : now.bank().families) searched.insert(family.effect);
+  result.searched_effects = searched.size();
+  const auto prospects_by = [&](const Projected& seen) {
+    return prospects_but(options, prospects_of(now.bank(), seen, model, rows, options.motion));
+  };
+  if (now.bank().families.empty() || now.largest_set() == 0) {
+    result.verdict = Verdict::untestable;
+    result.prospects = prospects_by(now.projected_by(result.base.noise));
+    result.reasons.emplace_back(now.bank().families.empty() ? "No effect of the catalogue can be tested on these data."
+                                                            : "There are too few values to test anything more.");
+    return result;
+  }
+  now.tell(fmt::format("searching {} shapes of {} effects", now.bank().signatures.size(), searched.size()));
+  const Ground ground = ground_of(now, result.base.noise, options);
+  result.prospects = prospects_by(ground.seen);
+  const Detected detection = detected(now, ground);
+  result.p_anything = detection.p_anything;
+  result.smallest_um = detection.smallest_um;
+  result.smallest = detection.smallest;
+  judge(now, rows, ground, rival_sets(now, ground), options, result);
+  return result;
+}
+
+}  // namespace ballbar

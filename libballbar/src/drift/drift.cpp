@@ -1,0 +1,50 @@
+#include "ballbar/drift/drift.hpp"
+
+#include "ballbar/error.hpp"
+#include "drift/drift_methods.hpp"
+
+namespace ballbar {
+
+std::size_t reference_index(const std::vector<double>& times_s, const std::optional<double>& wanted_s) {
+  std::size_t best = 0;
+  if (!wanted_s) return best;
+  for (std::size_t i = 1; i < times_s.size(); ++i) {
+    if (std::abs(times_s[i] - *wanted_s) < std::abs(times_s[best] - *wanted_s)) best = i;
+  }
+  return best;
+}
+
+DriftSeries drift_of(const Session& session, const DriftOptions& options) {
+  if (session.tests.empty()) throw Error("the session has no test; drift needs at least one");
+  std::vector<double> times_s;
+  for (const SessionTest& test : session.tests) times_s.push_back(test.elapsed_s);
+  const std::size_t reference = reference_index(times_s, options.reference_s);
+  DriftSeries series = session.method == Method::two_arcs ? drift_by_two_arcs(session, options, reference)
+                       : session.method == Method::spindle_rotation
+                           ? drift_by_spindle_rotation(session, options, reference)
+                           : drift_by_circles(session, options);
+  series.method = session.method;
+  series.reference_s = times_s[reference];
+  return series;
+}
+
+std::string_view name_of(Method method) {
+  switch (method) {
+    case Method::two_arcs:
+      return "two_arcs";
+    case Method::spindle_rotation:
+      return "spindle_rotation";
+    case Method::circles:
+      return "circles";
+  }
+  return "";
+}
+
+std::optional<Method> method_from_name(std::string_view name) {
+  for (const Method method : {Method::two_arcs, Method::spindle_rotation, Method::circles}) {
+    if (name == name_of(method)) return method;
+  }
+  return std::nullopt;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,153 @@
+#include "ballbar/drift/measured_drift.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "ballbar/error.hpp"
+#include "ballbar/units.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+constexpr std::string_view kSigma = "_sigma";
+
+// Bar's temperature of a test, from the first of its recordings that states one.
+std::optional<double> bar_temperature_degC(const SessionTest& test) {
+  for (const auto* recording : {&test.axial, &test.rotation, &test.c_arc, &test.a_arc}) {
+    if (*recording && (*recording)->bar_temperature_degC) return (*recording)->bar_temperature_degC;
+  }
+  for (const Recording& circle : test.circles) {
+    if (circle.bar_temperature_degC) return circle.bar_temperature_degC;
+  }
+  return std::nullopt;
+}
+
+// Standard uncertainty of the bar's growth since the reference, um; empty with a remark where it is not known.
+std::vector<double> bar_growth_sigma_um(const DriftSeries& drift, const Session& session,
+                                        std::vector<std::string>& remarks) {
+  if (!session.bar_expansion_ppm_per_K) {
+    remarks.emplace_back(
+        "The bar's thermal growth is not in the uncertainty: the session does not state its expansion "
+        "(expansion_ppm_per_K under [bar]).");
+    return {};
+  }
+  std::optional<double> reference_degC;
+  for (std::size_t i = 0; i < drift.points.size(); ++i) {
+    if (drift.points[i].time_s == drift.reference_s) reference_degC = bar_temperature_degC(session.tests[i]);
+  }
+  std::vector<double> sigma_um;
+  bool known = reference_degC.has_value();
+  for (const SessionTest& test : session.tests) {
+    const std::optional<double> now_degC = bar_temperature_degC(test);
+    known = known && now_degC.has_value();
+    if (!known) break;
+    const double growth_um = *session.bar_expansion_ppm_per_K * 1e-6 * um_from_mm(session.nominal_length_mm) *
+                             std::abs(*now_degC - *reference_degC);
+    sigma_um.push_back(growth_um / std::sqrt(3.0));
+  }
+  if (known) return sigma_um;
+  remarks.emplace_back(
+      "The bar's thermal growth is not in the uncertainty: not every test states the bar's temperature "
+      "(bar_temperature_degC).");
+  return {};
+}
+
+bool is_measured(const Column& column) {
+  const std::string_view unit = unit_of(column.name);
+  return column.role == Role::measured && (unit == "um" || unit == "mm" || unit == "urad");
+}
+
+}  // namespace
+
+double sigma_of(const DriftAxis& axis, std::size_t row) {
+  double variance = 0.0;
+  bool known = false;
+  for (const Contribution& contribution : axis.budget) {
+    const double sigma = contribution.sigma[row];
+    if (std::isnan(sigma)) continue;
+    known = true;
+    variance += sigma * sigma;
+  }
+  return known ? std::sqrt(variance) : kGap;
+}
+
+const DriftAxis* find_axis(const MeasuredDrift& drift, std::string_view name) {
+  const auto axis =
+      std::find_if(drift.axes.begin(), drift.axes.end(), [&](const DriftAxis& a) { return a.name == name; });
+  return axis == drift.axes.end() ? nullptr : &*axis;
+}
+
+MeasuredDrift measured(const DriftSeries& drift, const Session& session) {
+  constexpr std::pair<const char*, std::optional<Estimate> DriftPoint::*> kAxes[] = {{"x", &DriftPoint::x},
+                                                                                     {"y", &DriftPoint::y},
+                                                                                     {"z", &DriftPoint::z},
+                                                                                     {"radial", &DriftPoint::radial},
+                                                                                     {"axial", &DriftPoint::axial}};
+  MeasuredDrift result;
+  result.what = fmt::format("ballbar, {}", name_of(drift.method));
+  result.reference_s = drift.reference_s;
+  for (const DriftPoint& point : drift.points) result.time_s.push_back(point.time_s);
+  for (const auto& [name, member] : kAxes) {
+    DriftAxis axis{name, "um", {}, {}};
+    Contribution fits{"circle fits", {}};
+    bool any = false;
+    for (const DriftPoint& point : drift.points) {
+      const std::optional<Estimate>& estimate = point.*member;
+      any = any || estimate.has_value();
+      axis.value.push_back(estimate ? estimate->value_um : kGap);
+      fits.sigma.push_back(estimate ? estimate->sigma_um : kGap);
+    }
+    if (!any) continue;
+    const bool known = std::any_of(fits.sigma.begin(), fits.sigma.end(), [](double s) { return s > 0.0; });
+    if (known) axis.budget.push_back(std::move(fits));
+    if (axis.name == "axial") {
+      std::vector<double> growth_um = bar_growth_sigma_um(drift, session, result.remarks);
+      if (!growth_um.empty()) axis.budget.push_back({"bar's thermal growth", std::move(growth_um)});
+    } else if (session.bar_expansion_ppm_per_K) {
+      axis.budget.push_back({"bar's thermal growth", std::vector<double>(drift.points.size(), 0.0)});
+    }
+    result.axes.push_back(std::move(axis));
+  }
+  return result;
+}
+
+MeasuredDrift measured(const Series& series, std::string what) {
+  if (series.time_s.empty()) throw Error(fmt::format("expected rows, found none in {}.", what));
+  MeasuredDrift result;
+  result.what = std::move(what);
+  result.time_s = series.time_s;
+  result.reference_s = series.time_s.front();
+  for (const Column& column : series.columns) {
+    const std::string unit(unit_of(column.name));
+    if (!is_measured(column)) continue;
+    const std::string name = column.name.substr(0, column.name.size() - unit.size() - 1);
+    if (name.ends_with(kSigma)) continue;
+    DriftAxis axis{name, unit, column.values, {}};
+    if (const Column* sigma = find_column(series, fmt::format("{}{}_{}", name, kSigma, unit))) {
+      axis.budget.push_back({"sigma of " + result.what, sigma->values});
+    }
+    result.axes.push_back(std::move(axis));
+  }
+  return result;
+}
+
+Series series_of(const MeasuredDrift& drift) {
+  Series series;
+  series.time_s = drift.time_s;
+  for (const DriftAxis& axis : drift.axes) {
+    series.columns.push_back({fmt::format("{}_{}", axis.name, axis.unit), Role::measured, axis.value});
+    Column sigma{fmt::format("{}{}_{}", axis.name, kSigma, axis.unit), Role::measured, {}};
+    sigma.values.reserve(drift.time_s.size());
+    for (std::size_t row = 0; row < drift.time_s.size(); ++row) sigma.values.push_back(sigma_of(axis, row));
+    const bool known = std::any_of(sigma.values.begin(), sigma.values.end(), [](double s) { return !std::isnan(s); });
+    if (known) series.columns.push_back(std::move(sigma));
+  }
+  return series;
+}
+
+}  // namespace ballbar

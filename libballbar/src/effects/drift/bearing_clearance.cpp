@@ -1,0 +1,44 @@
+#include "../huang2022_clearance.hpp"
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// s c(dL)
+struct BearingClearance {
+  template <class T>
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
+    const std::span<const double> axial_um = rows.inputs[0];
+    return p[0] * huang2022_clearance_um(axial_um[i] - axial_um[0], p[1], p[2]);
+  }
+};
+
+}  // namespace
+
+const Effect kBearingClearance{
+    "bearing_clearance",
+    Level::series,
+    {.summary = "Elongation unloads the bearing and the rotor gets room.",
+     .cause = "The growing rotor pulls the balls of an angular contact bearing along its groove; contact angle and "
+              "preload fall and radial clearance opens.",
+     .formula = "gain c(dL), dL the axial drift since the first row, elongation positive: "
+                "alpha = arcsin(sin 18° - 0.8 dL / (ball_diameter (groove_factor - 0.5))), "
+                "theta = (180° - (18° - alpha)) / 2 - 72°, c = 0.8 dL tan theta; gain = 1 is the formula",
+     .signature = "A radial drift of about a quarter of the axial one, less than proportional.",
+     .confused_with = {"axial_crosstalk", "preload_loss", "expansion"},
+     .separated_by = "A light push in all radial directions at rest, cold and warm: clearance gives way in any "
+                     "direction. An inclined axis shifts always the same way and in proportion.",
+     .remedy = "Springs or hydraulics that keep the preload; cool the rotor; check the preload when warm.",
+     .validity = "Back-to-back pair with a contact angle of 18° at dL = 0; up to dL = 120 um, where the contact angle "
+                 "is 0 for the paper's bearing. Negative dL continues the formula: the bearing closes again. Where the "
+                 "arcsin has no value the contact angle stays at ±90°.",
+     .source = "Huang, Li, Zhao 2022, eq. 29 to 32; the paper's table 2 does not follow from them (huang2022.hpp)."},
+    {{"axial", {"um"}, "axial drift of the spindle, elongation positive"}},
+    {{"gain", "1", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "1 is the formula"},
+     {"ball_diameter_mm", "mm", ParameterKind::shape, 10.319, 1.0, 100.0, {}, "D_w", true},
+     {"groove_factor", "1", ParameterKind::shape, 0.53, 0.505, 0.6, {}, "f, groove radius over ball diameter", true}},
+    by_row<3>(BearingClearance{}),
+};
+
+}  // namespace ballbar::catalogue

@@ -1,0 +1,37 @@
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+#include "effects/speed.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// k n^p
+struct CentrifugalShift {
+  template <class T>
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
+    return p[0] * power_of_speed(rows.inputs[0][i], p[1]);
+  }
+};
+
+}  // namespace
+
+const Effect kCentrifugalShift{
+    "centrifugal_shift",
+    Level::series,
+    {.summary = "The rotor moves with speed, at once.",
+     .cause =
+         "Balls and rings under centrifugal load press outwards and move the rotor as far as the bearing has room.",
+     .formula = "gain n^exponent, n in krpm",
+     .signature = "A jump at every change of speed that goes back at once on a stop.",
+     .confused_with = {"speed_heating", "cooling_asymmetry", "viscosity_feedback"},
+     .separated_by = "A stop with readings every few seconds: this shift is gone at once, heat decays over minutes.",
+     .remedy = "Measure and compensate at working speed; check the preload of the bearings.",
+     .validity = "Shift within the room that the bearing has; no change of the bearing while it warms.",
+     .source = "Huang, Li, Zhao 2022, section 3.4: the lift was measured to go roughly with the square of the speed."},
+    {{"speed", {"rpm"}, "speed of the spindle"}},
+    {{"gain_um_per_krpm_p", "um/krpm^p", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "shift at 1000 rpm"},
+     {"exponent", "1", ParameterKind::shape, 2.0, 1.0, 3.0, {1.0, 1.5, 2.0, 2.5, 3.0}, "p, of the speed", true}},
+    by_row<2>(CentrifugalShift{}),
+};
+
+}  // namespace ballbar::catalogue

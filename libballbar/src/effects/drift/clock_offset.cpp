@@ -1,0 +1,66 @@
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// k (u(t - delta) - u(t)), u a straight line between the rows and constant before the first and after the last.
+struct ClockOffset {
+  template <class T>
+  void operator()(const EffectRows& rows, const T* p, T* out) const {
+    const std::span<const double> time_s = rows.time_s;
+    const std::span<const double> signal = rows.inputs[0];
+    const std::size_t n = signal.size();
+    std::size_t j = 0;  // t - delta rises from row to row, so j only moves on
+    for (std::size_t i = 0; i < n; ++i) {
+      const T at_s = time_s[i] - p[1];
+      T shifted(signal[0]);
+      if (at_s >= T(time_s[n - 1])) {
+        shifted = T(signal[n - 1]);
+      } else if (at_s > T(time_s[0])) {
+        while (at_s >= T(time_s[j + 1])) ++j;
+        shifted = signal[j] + (signal[j + 1] - signal[j]) / (time_s[j + 1] - time_s[j]) * (at_s - time_s[j]);
+      }
+      out[i] = p[0] * (shifted - signal[i]);
+    }
+  }
+};
+
+}  // namespace
+
+const Effect kClockOffset{
+    "clock_offset",
+    Level::series,
+    {.summary = "Two loggers' clocks disagree.",
+     .cause = "The signal was logged on another clock than the drift: its column is early or late.",
+     .formula =
+         "gain (u(t - offset) - u(t)); where another effect takes gain u(t), both together are gain u(t - offset)",
+     .signature = "Sharp errors of alternating sign wherever the signal changes fast, none where it is steady.",
+     .confused_with = {"lagged_expansion", "play_hysteresis", "gradient_bending"},
+     .separated_by = "A sharp event in both logs (a stop): a clock moves it as a whole, a lag rounds it.",
+     .remedy = "Set both clocks before the run, note one event by both, or log everything with one logger.",
+     .validity =
+         "Constant offset; rows closer than the offset. For an offset within which the signal is a straight line "
+         "only gain times offset is determined.",
+     .source = "A shift of the time axis, straight lines between the rows; no paper's equation."},
+    {{"signal", {"degC", "K", "um", "rpm", "W", "A"}, "signal whose clock is in doubt"}},
+    {{"gain_um_per_unit",
+      "um/unit",
+      ParameterKind::gain,
+      0.0,
+      -1000.0,
+      1000.0,
+      {},
+      "drift for each unit of the signal: that of the effect that uses it"},
+     {"offset_s",
+      "s",
+      ParameterKind::shape,
+      60.0,
+      -7200.0,
+      7200.0,
+      {-3600.0, -1200.0, -600.0, -180.0, -60.0, 60.0, 180.0, 600.0, 1200.0, 3600.0},
+      "how late the signal takes effect by the clock of the data"}},
+    evaluated_by<2>(ClockOffset{}),
+};
+
+}  // namespace ballbar::catalogue

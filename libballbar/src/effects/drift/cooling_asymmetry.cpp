@@ -1,0 +1,60 @@
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+#include "effects/low_pass.hpp"
+#include "effects/speed.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// k LP[n^a] with tau_on while the spindle turns and tau_off while it stands. Between two rows the speed is a straight
+// line, so it turns all the way unless both rows are at rest.
+struct CoolingAsymmetry {
+  template <class T>
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T* kept) const {
+    const T input = power_of_speed(rows.inputs[0][i], p[3]);
+    const bool turns = input > T(0.0) || (i > 0 && kept[1] > T(0.0));
+    const bool other_tau = turns != (kept[kLowPassKept] > T(0.0));
+    kept[kLowPassKept] = T(turns ? 1.0 : 0.0);
+    return p[0] * low_pass_at(rows, i, input, turns ? p[1] : p[2], other_tau, kept);
+  }
+};
+
+}  // namespace
+
+const Effect kCoolingAsymmetry{
+    "cooling_asymmetry",
+    Level::series,
+    {.summary = "Friction heat that comes faster than it goes.",
+     .cause = "A turning spindle moves the air, and its coolant may run only then: heat passes better than at rest.",
+     .formula = "gain LP[n^exponent], n in krpm, the low pass with time_constant_turning while the spindle turns and "
+                "time_constant_at_rest while it stands",
+     .signature = "An exponential after a start and a slower one after a stop.",
+     .confused_with = {"speed_heating", "lagged_expansion", "viscosity_feedback"},
+     .becomes = "speed_heating",
+     .separated_by = "One start and one stop, each followed until it settles: the two time constants are read apart.",
+     .remedy = "Let coolant and air run on at rest; warm up before work; compensate with both time constants.",
+     .validity = "Lumped body; the same end value for the same speed; two states, turning and at rest.",
+     .source = "Heat balance of a lumped body whose heat transfer has two values; no paper's equation."},
+    {{"speed", {"rpm"}, "speed of the spindle"}},
+    {{"gain_um_per_krpm_a", "um/krpm^a", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "drift in the end at 1000 rpm"},
+     {"time_constant_turning_s",
+      "s",
+      ParameterKind::shape,
+      1800.0,
+      10.0,
+      200000.0,
+      {180.0, 600.0, 1800.0, 5400.0, 16000.0},
+      "how slowly the body follows while the spindle turns"},
+     {"time_constant_at_rest_s",
+      "s",
+      ParameterKind::shape,
+      3600.0,
+      10.0,
+      200000.0,
+      {180.0, 600.0, 1800.0, 5400.0, 16000.0, 50000.0},
+      "how slowly the body follows while it stands"},
+     {"exponent", "1", ParameterKind::shape, 5.0 / 3.0, 0.5, 3.0, {1.0, 5.0 / 3.0, 2.0}, "a, of the speed", true}},
+    by_row<4, kLowPassKept + 1>(CoolingAsymmetry{}),
+};
+
+}  // namespace ballbar::catalogue

@@ -1,0 +1,48 @@
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+#include "effects/low_pass.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// k (LP_tau[T] - T_0)
+struct LaggedExpansion {
+  template <class T>
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T* kept) const {
+    const std::span<const double> temperature = rows.inputs[0];
+    return low_pass_at(rows, i, T(temperature[i] - temperature[0]), p[1], false, kept) * p[0];
+  }
+};
+
+}  // namespace
+
+const Effect kLaggedExpansion{
+    "lagged_expansion",
+    Level::series,
+    {.summary = "A body that follows a temperature slowly.",
+     .cause =
+         "Heat needs time to reach the body: the structure behind the sensor, the column that follows the room, the "
+         "housing that follows the coolant.",
+     .formula = "gain (LP_tau[T] - T0), LP_tau the first-order low pass",
+     .signature =
+         "Residual against temperature is a loop: small while it warms, large while it cools (or the other way).",
+     .confused_with = {"speed_heating", "day_cycle", "settling", "expansion"},
+     .becomes = "expansion",
+     .separated_by = "A step of this temperature alone: door, air conditioning or chiller, at constant speed.",
+     .remedy = "Move the sensor nearer to the body, shield it from draught, or compensate with the lag.",
+     .validity = "One dominant time constant; a thick wall has several.",
+     .source = "Heat balance of a lumped body; no paper's equation."},
+    {{"temperature", {"degC", "K"}, "temperature that the body follows"}},
+    {{"gain_um_per_K", "um/K", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "growth for each kelvin in the end"},
+     {"time_constant_s",
+      "s",
+      ParameterKind::shape,
+      1800.0,
+      10.0,
+      200000.0,
+      {60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0, 50000.0},
+      "how slowly the body follows"}},
+    by_row<2, kLowPassKept>(LaggedExpansion{}),
+};
+
+}  // namespace ballbar::catalogue

@@ -1,0 +1,35 @@
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// k t
+struct LinearDrift {
+  template <class T>
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
+    return p[0] * ((rows.time_s[i] - rows.time_s[0]) / 3600.0);
+  }
+};
+
+}  // namespace
+
+const Effect kLinearDrift{
+    "linear_drift",
+    Level::series,
+    {.summary = "A steady drift of the instrument or the set-up.",
+     .cause = "Amplifier, battery or mount change slowly and steadily, whatever the machine does.",
+     .formula = "rate t, t since the first row",
+     .signature = "The residual is a straight line over time.",
+     .confused_with = {"settling", "day_cycle", "step", "lagged_expansion"},
+     .separated_by = "A run of the same length with the machine at rest and warm: the instrument drifts the same.",
+     .remedy = "Let the instrument warm up; repeat the first test at the end; replace the battery.",
+     .validity = "Rate constant over the run.",
+     .source = "First order of any slow drift; no paper's equation."},
+    {},
+    {{"rate_um_per_h", "um/h", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "drift in an hour"}},
+    by_row<1>(LinearDrift{}),
+    true,
+};
+
+}  // namespace ballbar::catalogue

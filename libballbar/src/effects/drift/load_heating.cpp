@@ -1,0 +1,43 @@
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+#include "effects/low_pass.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// k LP_tau[P]
+struct LoadHeating {
+  template <class T>
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T* kept) const {
+    return low_pass_at(rows, i, T(rows.inputs[0][i]), p[1], false, kept) * p[0];
+  }
+};
+
+}  // namespace
+
+const Effect kLoadHeating{
+    "load_heating",
+    Level::series,
+    {.summary = "Heat of the motor under load.",
+     .cause = "A motor that cuts loses more power than one that turns free, and its heat reaches the spindle.",
+     .formula = "gain LP_tau[P], P the load in the unit of its column",
+     .signature = "An exponential after every change of load, at the same speed.",
+     .confused_with = {"speed_heating", "lagged_expansion", "viscosity_feedback"},
+     .separated_by = "Cutting against air-cutting at the same speed: speed_heating is the same in both.",
+     .remedy = "Cool the motor; spread heavy cuts; finish after a pause or compensate with the load.",
+     .validity = "Loss proportional to the load column; the loss of a current goes with its square, so give power.",
+     .source = "Heat balance of a lumped body; no paper's equation."},
+    {{"load", {"W", "A"}, "power or current of the spindle's motor"}},
+    {{"gain_um_per_unit", "um/unit", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "drift in the end for one W or A"},
+     {"time_constant_s",
+      "s",
+      ParameterKind::shape,
+      1800.0,
+      10.0,
+      200000.0,
+      {60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0},
+      "how slowly the warmed body follows"}},
+    by_row<2, kLowPassKept>(LoadHeating{}),
+};
+
+}  // namespace ballbar::catalogue

@@ -1,0 +1,54 @@
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// k max(0, u - u_0 - threshold)
+struct PreloadLoss {
+  template <class T>
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
+    const std::span<const double> signal = rows.inputs[0];
+    const T beyond = (signal[i] - signal[0]) - p[1];
+    return beyond > T(0.0) ? p[0] * beyond : T(0.0);
+  }
+};
+
+}  // namespace
+
+const Effect kPreloadLoss{
+    "preload_loss",
+    Level::series,
+    {.summary = "From one temperature or elongation on the preload is gone.",
+     .cause = "Growth uses up the preload of the bearing; from there on every further kelvin or micrometre is room for "
+              "the rotor.",
+     .formula = "gain max(0, u - u0 - threshold), u the signal, u0 its first value",
+     .signature = "Residual against the signal has a kink, at the same place while it warms and while it cools.",
+     .confused_with = {"bearing_clearance", "expansion", "play_hysteresis"},
+     .becomes = "expansion",
+     .separated_by = "Warm up and cool down twice past the kink: it stays where it is; a lag or play moves it.",
+     .remedy = "Set the preload again, or use springs; keep the spindle below the kink by cooling.",
+     .validity = "One bearing, one kink; linear on both sides. The place is u0 + threshold: compare that between runs.",
+     .source =
+         "Huang, Li, Zhao 2022, section 3.3, says that elongation uses up the preload; the kink follows from it."},
+    {{"signal", {"degC", "K", "um"}, "temperature of the bearing or axial drift"}},
+    {{"gain_um_per_unit",
+      "um/unit",
+      ParameterKind::gain,
+      0.0,
+      -1000.0,
+      1000.0,
+      {},
+      "drift for each K or um of the signal beyond the threshold"},
+     {"threshold_unit",
+      "unit",
+      ParameterKind::shape,
+      2.0,
+      0.0,
+      1000.0,
+      {},
+      "rise of the signal since the first row, in K or um, at which the preload is gone"}},
+    by_row<2>(PreloadLoss{}),
+};
+
+}  // namespace ballbar::catalogue

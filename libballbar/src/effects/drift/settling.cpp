@@ -1,0 +1,46 @@
+#include <cmath>
+
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// k (1 - exp(-t / tau))
+struct Settling {
+  template <class T>
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
+    using std::expm1;
+    return -p[0] * expm1(-(rows.time_s[i] - rows.time_s[0]) / p[1]);
+  }
+};
+
+}  // namespace
+
+const Effect kSettling{
+    "settling",
+    Level::series,
+    {.summary = "Creep of the mounting, or run-in, that happens once.",
+     .cause = "A magnet, a clamp or a fresh bearing comes to rest after it was set up.",
+     .formula = "gain (1 - exp(-t / time_constant)), t since the first row",
+     .signature = "An exponential from the first row on that no later change of speed starts again.",
+     .confused_with = {"linear_drift", "lagged_expansion", "speed_heating", "day_cycle", "step"},
+     .separated_by = "A second run without touching the set-up: settling does not come back, a lag does.",
+     .remedy = "Clean and reseat the mounts; wait before the first reading; discard the first rows.",
+     .validity = "One time constant; nothing moved since the first row.",
+     .source = "Exponential creep; no paper's equation."},
+    {},
+    {{"gain_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "shift in the end"},
+     {"time_constant_s",
+      "s",
+      ParameterKind::shape,
+      1800.0,
+      10.0,
+      200000.0,
+      {60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0},
+      "how slowly it settles"}},
+    by_row<2>(Settling{}),
+    true,
+};
+
+}  // namespace ballbar::catalogue

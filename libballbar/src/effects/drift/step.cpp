@@ -1,0 +1,38 @@
+#include "effects/step.hpp"
+
+#include <limits>
+
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+
+namespace ballbar::catalogue {
+
+const Effect kStep{
+    "step",
+    Level::series,
+    {.summary = "A jump at one moment.",
+     .cause = "A knock, a magnet that slips or a change of tool that nobody logged.",
+     .formula =
+         "gain H(t - onset), t as in the data; a row counts with the share of the time since the row before that "
+         "lies after the onset",
+     .signature = "The residual jumps once and stays.",
+     .confused_with = {"linear_drift", "settling", "preload_loss", "centrifugal_shift"},
+     .separated_by = "Repeat the run: a knock does not come again, a physical cause does, at the same state.",
+     .remedy = "Reseat the set-up and repeat; leave out the rows before or after; log events.",
+     .validity = "One jump; its moment is known to the distance of two measured rows at best.",
+     .source = "A shift of the set-up; no paper's equation."},
+    {},
+    {{"gain_um", "um", ParameterKind::gain, 0.0, -10000.0, 10000.0, {}, "height of the jump"},
+     {"onset_s",
+      "s",
+      ParameterKind::shape,
+      0.0,
+      -std::numeric_limits<double>::infinity(),
+      std::numeric_limits<double>::infinity(),
+      {},
+      "moment of the jump, in the time of the data; searched over all rows"}},
+    by_row<2>(Step{}),
+    true,
+};
+
+}  // namespace ballbar::catalogue

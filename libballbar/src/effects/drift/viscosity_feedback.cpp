@@ -1,0 +1,67 @@
+#include <cmath>
+
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+#include "effects/low_pass.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// k LP_tau[n exp(-b (T - T_0))]
+struct ViscosityFeedback {
+  template <class T>
+  T operator()(const EffectRows& rows, std::size_t i, const T* p, T* kept) const {
+    using std::exp;
+    const std::span<const double> temperature = rows.inputs[1];
+    const T friction = std::abs(rows.inputs[0][i]) / 1000.0 * exp(-p[2] * (temperature[i] - temperature[0]));
+    return low_pass_at(rows, i, friction, p[1], false, kept) * p[0];
+  }
+};
+
+}  // namespace
+
+const Effect kViscosityFeedback{
+    "viscosity_feedback",
+    Level::series,
+    {.summary = "Friction heat that falls as the lubricant warms.",
+     .cause = "Warm oil or grease is thinner: a cold bearing rubs more than a warm one at the same speed.",
+     .formula = "gain LP_tau[n exp(-viscosity_loss (T - T0))], n in krpm",
+     .signature =
+         "At constant speed the drift overshoots and comes back a little; a warm start drifts less than a cold "
+         "one.",
+     .confused_with = {"speed_heating", "cooling_asymmetry", "lagged_expansion"},
+     .becomes = "speed_heating",
+     .separated_by = "The same speed once from cold and once from warm: without feedback both add the same.",
+     .remedy = "Warm up before work; grease or oil with less change of viscosity; less grease.",
+     .validity = "Friction proportional to speed and viscosity; viscosity exponential over about 20 K around T0.",
+     .source = "Heat balance of a lumped body with a lubricant whose viscosity falls exponentially; no paper's "
+               "equation."},
+    {{"speed", {"rpm"}, "speed of the spindle"}, {"temperature", {"degC", "K"}, "temperature of the bearing"}},
+    {{"gain_um_per_krpm",
+      "um/krpm",
+      ParameterKind::gain,
+      0.0,
+      -1000.0,
+      1000.0,
+      {},
+      "drift in the end at 1000 rpm, lubricant at T0"},
+     {"time_constant_s",
+      "s",
+      ParameterKind::shape,
+      1800.0,
+      10.0,
+      200000.0,
+      {180.0, 600.0, 1800.0, 5400.0, 16000.0},
+      "how slowly the warmed body follows"},
+     {"viscosity_loss_per_K",
+      "1/K",
+      ParameterKind::shape,
+      0.03,
+      0.0,
+      0.2,
+      {0.01, 0.03, 0.06},
+      "relative loss of viscosity for each kelvin"}},
+    by_row<3, kLowPassKept>(ViscosityFeedback{}),
+};
+
+}  // namespace ballbar::catalogue

@@ -1,0 +1,69 @@
+#include <cmath>
+
+#include "ballbar/units.hpp"
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+#include "effects/recording_rows.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// (s sin(2 pi x / p) + c cos(2 pi x / p)) x / R, x the axis' position from the circle's centre
+struct CyclicError {
+  Axis axis;
+
+  template <class T>
+  void operator()(const EffectRows& rows, const T* p, T* out) const {
+    using std::cos, std::sin;
+    const std::span<const double> angle_rad = rows.inputs[0], radius_mm = rows.inputs[1];
+    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
+      const double position = state_of(axis, angle_rad[i], 1.0).position;
+      const T phase_rad = 2.0 * kPi * radius_mm[i] * position / p[2];
+      out[i] = position * (p[0] * sin(phase_rad) + p[1] * cos(phase_rad));
+    }
+  }
+};
+
+Effect cyclic_error(Axis axis) {
+  const bool a = axis == Axis::A;
+  return {
+      a ? "cyclic_error_a" : "cyclic_error_b",
+      Level::recording,
+      {.summary = a ? "Axis A has an error that repeats with every turn of its screw."
+                    : "Axis B has an error that repeats with every turn of its screw.",
+       .cause =
+           "A ball screw that runs out or wobbles, an encoder or coupling off centre, or interpolation of a scale.",
+       .formula = "(sine sin(2 pi x / pitch) + cosine cos(2 pi x / pitch)) x / R, x the position of the axis",
+       .signature =
+           "A wave that is fixed in the axis' position: long near the reversals, short where the axis is fast, "
+           "and nothing where it crosses the middle.",
+       .confused_with = {"vibration", "lobing", a ? "cyclic_error_b" : "cyclic_error_a"},
+       .separated_by = "Another feed: a cyclic error stays where it is, a vibration moves along the path.",
+       .remedy = "Bearing and alignment of the screw, coupling, mounting of the encoder.",
+       .validity = "Linear axes; one wave of one pitch, the same forwards and backwards.",
+       .source = "Periodic error along the axis; pitch and phase as AF_CYCLIC_PITCH and AF_CYCLIC_PHASE of measured "
+                 ".b5r files."},
+      {angle_input(), radius_input()},
+      {{"sine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "sine part of the axis' error"},
+       {"cosine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "cosine part of the axis' error"},
+       {"pitch_mm",
+        "mm",
+        ParameterKind::shape,
+        10.0,
+        0.5,
+        200.0,
+        {2.0,  3.0,  4.0,  5.0,  6.0,  8.0,  10.0, 12.0, 12.5, 14.0,
+         15.0, 16.0, 18.0, 20.0, 22.0, 25.0, 30.0, 32.0, 40.0, 50.0},
+        "travel from one wave to the next, usually the screw's lead"}},
+      evaluated_by<3>(CyclicError{axis}),
+      false,
+      {Motion::linear_axes},
+  };
+}
+
+}  // namespace
+
+const Effect kCyclicErrorA = cyclic_error(Axis::A);
+const Effect kCyclicErrorB = cyclic_error(Axis::B);
+
+}  // namespace ballbar::catalogue

@@ -1,0 +1,58 @@
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+#include "effects/recording_rows.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// The slide of one axis is pushed sideways, along the other axis, by + (u / 2) sign(v): along the bar that is
+// (u / 2) sign(v_A) sin theta for play of A and (u / 2) sign(v_B) cos theta for play of B.
+struct LateralPlay {
+  Axis axis;
+
+  template <class T>
+  void operator()(const EffectRows& rows, const T* p, T* out) const {
+    const std::span<const double> angle_rad = rows.inputs[0], direction = rows.inputs[1];
+    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
+      const AxisState state = state_of(axis, angle_rad[i], direction[i]);
+      out[i] = p[0] * (0.5 * state.velocity_sign * state.across);
+    }
+  }
+};
+
+Effect lateral_play(Axis axis) {
+  const bool a = axis == Axis::A;
+  return {
+      a ? "lateral_play_a" : "lateral_play_b",
+      Level::recording,
+      {.summary = a ? "Axis A moves sideways, along B, when it reverses."
+                    : "Axis B moves sideways, along A, when it reverses.",
+       .cause =
+           "Play or wear of the guideway: the drive is not in the middle of the slide, and each reversal pushes the "
+           "slide to the other flank.",
+       .formula = "(play / 2) sign(velocity of the axis) times the other axis' position over R",
+       .signature = "One direction is a little larger, the other a little smaller, most of all across the axis; a kink "
+                    "at the reversals, the same at every feed.",
+       .confused_with = {"scale_mismatch", a ? "lateral_play_b" : "lateral_play_a", "circle",
+                         a ? "backlash_b" : "backlash_a"},
+       .separated_by =
+           "Both directions with one set-up: play changes sign with the direction, scale does not. A single "
+           "direction shows play and scale alike.",
+       .remedy = "Adjust gibs or preload of the guideways; lubrication; look for wear.",
+       .validity = "Linear axes; play that is the same everywhere. Where every recording has a radius of its own, only "
+                   "the kink is left to tell it by.",
+       .source = "Kinematics of a slide between two flanks; size as AF_LATERAL_PLAY of measured .b5r files."},
+      {angle_input(), direction_input()},
+      {{"play_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "whole sideways movement at a reversal"}},
+      evaluated_by<1>(LateralPlay{axis}),
+      false,
+      {Motion::linear_axes},
+  };
+}
+
+}  // namespace
+
+const Effect kLateralPlayA = lateral_play(Axis::A);
+const Effect kLateralPlayB = lateral_play(Axis::B);
+
+}  // namespace ballbar::catalogue

@@ -1,0 +1,53 @@
+#include <cmath>
+
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+#include "effects/recording_rows.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// c cos k theta + s sin k theta
+struct Lobing {
+  template <class T>
+  void operator()(const EffectRows& rows, const T* p, T* out) const {
+    using std::cos, std::sin;
+    const std::span<const double> angle_rad = rows.inputs[0];
+    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
+      const T phase_rad = p[2] * angle_rad[i];
+      out[i] = p[0] * cos(phase_rad) + p[1] * sin(phase_rad);
+    }
+  }
+};
+
+}  // namespace
+
+const Effect kLobing{
+    "lobing",
+    Level::recording,
+    {.summary = "The path has three or more even lobes a turn.",
+     .cause = "Form of a ball or its cup, a part clamped in a three-jaw chuck, or the races and rollers of a bearing.",
+     .formula = "cosine cos(k theta) + sine sin(k theta), k lobes a turn",
+     .signature = "Even lobes of equal height, fixed in the angle, the same in both directions and at every feed.",
+     .confused_with = {"cyclic_error_a", "cyclic_error_b", "vibration", "straightness_a", "straightness_b"},
+     .separated_by = "Turn the ball in its cup and repeat: lobes of the ball turn with it. Another feed moves a "
+                     "vibration, another radius moves a cyclic error; lobes stay in number and height.",
+     .remedy = "Clean or replace ball and cup; check the chuck's jaws and the bearing.",
+     .validity = "Whole numbers of lobes, 3 to 15; one and two lobes are the circle and the oval.",
+     .source = "Harmonic of the radius; no paper's equation."},
+    {angle_input()},
+    {{"cosine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "part with a lobe along +A"},
+     {"sine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "part with no deviation along +A"},
+     {"lobes",
+      "1",
+      ParameterKind::shape,
+      3.0,
+      3.0,
+      15.0,
+      {3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0},
+      "lobes a turn, a whole number",
+      true}},
+    evaluated_by<3>(Lobing{}),
+};
+
+}  // namespace ballbar::catalogue

@@ -1,0 +1,29 @@
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+#include "effects/step.hpp"
+
+namespace ballbar::catalogue {
+
+// Over the time of the rows, the sweeps end to end.
+const Effect kMountingSlip{
+    "mounting_slip",
+    Level::recording,
+    {.summary = "The length steps at one reading and stays there.",
+     .cause = "A cup slips in its magnet, a chip gets under the foot, somebody knocks against the bar.",
+     .formula = "step where time > onset, else 0; time of the rows, the sweeps put end to end",
+     .signature = "A step at one place in one sweep, at no reversal, never again in the same place.",
+     .confused_with = {"sweep_drift", "backlash_a", "backlash_b"},
+     .separated_by =
+         "Repeat the test: a slip is not repeated. A step of play sits at the reversals of its axis in both "
+         "directions.",
+     .remedy = "Clean and seat the cups, tighten the mount, repeat the test.",
+     .validity = "One step, along the bar. A slip across the bar is a shift of the centre.",
+     .source = "Unit step; no paper's equation."},
+    {},
+    {{"step_um", "um", ParameterKind::gain, 0.0, -10000.0, 10000.0, {}, "length after less length before"},
+     {"onset_s", "s", ParameterKind::shape, 0.0, 0.0, 1e7, {}, "time of the slip"}},
+    by_row<2>(Step{}),
+    true,
+};
+
+}  // namespace ballbar::catalogue

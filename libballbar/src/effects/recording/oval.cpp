@@ -1,0 +1,46 @@
+#include <cmath>
+
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+#include "effects/recording_rows.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// c cos 2 theta + s sin 2 theta
+struct Oval {
+  template <class T>
+  void operator()(const EffectRows& rows, const T* p, T* out) const {
+    const std::span<const double> angle_rad = rows.inputs[0];
+    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
+      out[i] = p[0] * std::cos(2.0 * angle_rad[i]) + p[1] * std::sin(2.0 * angle_rad[i]);
+    }
+  }
+};
+
+}  // namespace
+
+const Effect kOval{
+    "oval",
+    Level::recording,
+    {.summary = "The path of a rotary axis or a spindle is an oval.",
+     .cause =
+         "The axis is tilted against the plane of the test, its bearing is out of round, or the spindle's rotor is.",
+     .formula = "cosine cos 2 theta + sine sin 2 theta",
+     .signature = "Two lobes a turn, fixed in the angle, the same in both directions.",
+     .confused_with = {"scale_mismatch", "squareness", "lobing"},
+     .separated_by = "Turn the part that carries the ball in its mount and repeat: form that belongs to the bearing "
+                     "stays, form that belongs to the part turns with it.",
+     .remedy = "Align the rotary axis with the linear axes; check the seat and the preload of its bearing.",
+     .validity = "Recordings driven by a rotary axis or a spindle. On linear axes the same form is scale_mismatch and "
+                 "squareness.",
+     .source = "Second harmonic of the radius; no paper's equation."},
+    {angle_input()},
+    {{"cosine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "half the difference of length along A and B"},
+     {"sine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "the same along the diagonals"}},
+    evaluated_by<2>(Oval{}),
+    false,
+    {Motion::rotary_axis, Motion::spindle},
+};
+
+}  // namespace ballbar::catalogue

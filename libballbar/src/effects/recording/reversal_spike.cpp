@@ -1,0 +1,72 @@
+#include <cmath>
+
+#include "ballbar/units.hpp"
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+#include "effects/recording_rows.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// h exp(- d / w), d the angle travelled since the axis reversed last: A reverses at 0 (h_pos) and 180 deg (h_neg), B at
+// 90 (h_pos) and 270 deg (h_neg). With phi the angle from the axis' own direction, d = (dir phi) mod 180 deg.
+struct ReversalSpike {
+  Axis axis;
+
+  template <class T>
+  void operator()(const EffectRows& rows, const T* p, T* out) const {
+    using std::exp;
+    const std::span<const double> angle_rad = rows.inputs[0], direction = rows.inputs[1];
+    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
+      const double phi_rad = angle_rad[i] - (axis == Axis::A ? 0.0 : kPi / 2.0);
+      const double half_turns = std::floor(direction[i] * phi_rad / kPi);
+      const double since_deg = deg_from_rad(direction[i] * phi_rad - half_turns * kPi);
+      const bool positive_end = std::fmod(std::abs(half_turns), 2.0) < 0.5;
+      out[i] = (positive_end ? p[0] : p[1]) * exp(-since_deg / p[2]);
+    }
+  }
+};
+
+Effect reversal_spike(Axis axis) {
+  const bool a = axis == Axis::A;
+  return {
+      a ? "reversal_spike_a" : "reversal_spike_b",
+      Level::recording,
+      {.summary = a ? "Axis A sticks for a moment when it reverses, at 0 and 180 deg."
+                    : "Axis B sticks for a moment when it reverses, at 90 and 270 deg.",
+       .cause =
+           "Friction changes sign when the axis reverses, and the control needs a moment to turn the torque round. "
+           "Until then the axis stands still and the path bulges.",
+       .formula = "height exp(- d / width), d the angle travelled since the reversal; one height for each end",
+       .signature = "A short peak outwards right after the reversal, on the other side of it in the other direction.",
+       .confused_with = {a ? "backlash_a" : "backlash_b", "vibration"},
+       .separated_by = "Two feeds: a spike becomes higher or wider with the feed, a step of backlash stays. Both "
+                       "directions place it on both sides of the reversal.",
+       .remedy = "Friction compensation of the control (quadrant error compensation); lubrication and preload of the "
+                 "guideways.",
+       .validity = "Linear axes; a spike of one exponential. Some spikes rise before they fall.",
+       .source = "Description of the form, no paper's equation; heights as AF_REVERSAL_SPIKES_POS and _NEG, outwards "
+                 "positive."},
+      {angle_input(), direction_input()},
+      {{"height_pos_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "height after the reversal at the + end"},
+       {"height_neg_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "height after the reversal at the - end"},
+       {"width_deg",
+        "deg",
+        ParameterKind::shape,
+        3.0,
+        0.2,
+        30.0,
+        {0.5, 1.0, 2.0, 4.0, 8.0},
+        "angle over which it falls to 37 %"}},
+      evaluated_by<3>(ReversalSpike{axis}),
+      false,
+      {Motion::linear_axes},
+  };
+}
+
+}  // namespace
+
+const Effect kReversalSpikeA = reversal_spike(Axis::A);
+const Effect kReversalSpikeB = reversal_spike(Axis::B);
+
+}  // namespace ballbar::catalogue

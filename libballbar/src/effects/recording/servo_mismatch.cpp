@@ -1,0 +1,44 @@
+#include <cmath>
+
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+#include "effects/recording_rows.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// dir (V / 2) dt sin 2 theta, V in mm/s = um/ms
+struct ServoMismatch {
+  template <class T>
+  void operator()(const EffectRows& rows, const T* p, T* out) const {
+    const std::span<const double> angle_rad = rows.inputs[0], direction = rows.inputs[1], feed = rows.inputs[2];
+    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
+      const double feed_um_per_ms = feed[i] / 60.0;
+      out[i] = p[0] * (direction[i] * feed_um_per_ms / 2.0 * std::sin(2.0 * angle_rad[i]));
+    }
+  }
+};
+
+}  // namespace
+
+const Effect kServoMismatch{
+    "servo_mismatch",
+    Level::recording,
+    {.summary = "One axis follows its command later than the other.",
+     .cause = "The position loops of the two axes have different gains, or one has a delay that the other has not.",
+     .formula = "dir (V / 2) delay sin 2 theta, delay = delay of A less delay of B",
+     .signature = "An oval along the diagonals that turns with the direction and grows with the feed.",
+     .confused_with = {"squareness", "backlash_a", "backlash_b"},
+     .separated_by = "Both directions, and two feeds in the order A-B-B-A: only a servo mismatch changes sign with the "
+                     "direction and doubles with the feed.",
+     .remedy = "Match the gains of the position loops: raise the gain of the axis that lags or lower the other.",
+     .validity = "Linear axes; a delay that is small against the time of a turn.",
+     .source = "Kinematics: a at t - t_a, b at t - t_b; sign and size as AF_SERVO_MISMATCH of measured .b5r files."},
+    {angle_input(), direction_input(), feed_input()},
+    {{"delay_ms", "ms", ParameterKind::gain, 0.0, -100.0, 100.0, {}, "delay of A less delay of B"}},
+    evaluated_by<1>(ServoMismatch{}),
+    false,
+    {Motion::linear_axes},
+};
+
+}  // namespace ballbar::catalogue

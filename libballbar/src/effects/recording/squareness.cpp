@@ -1,0 +1,50 @@
+#include <cmath>
+
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+#include "effects/recording_rows.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// - (R / 2) g sin 2 theta, g the angle between +A and +B less a right angle; um/m of mm are nm
+struct Squareness {
+  template <class T>
+  void operator()(const EffectRows& rows, const T* p, T* out) const {
+    const std::span<const double> angle_rad = rows.inputs[0], radius_mm = rows.inputs[1];
+    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
+      out[i] = p[0] * (-1e-3 * radius_mm[i] / 2.0 * std::sin(2.0 * angle_rad[i]));
+    }
+  }
+};
+
+}  // namespace
+
+const Effect kSquareness{
+    "squareness",
+    Level::recording,
+    {.summary = "The two axes are not at a right angle.",
+     .cause = "Guideways that were not aligned, a bent or settled bed, a column that leans as it warms.",
+     .formula = "- (R / 2) squareness sin 2 theta, positive where the angle from +A to +B is more than 90 deg",
+     .signature = "An oval along the diagonals, the same in both directions and at every feed.",
+     .confused_with = {"servo_mismatch", "oval", "scale_mismatch"},
+     .separated_by = "Both directions: a servo mismatch turns its oval with the direction, squareness does not. One "
+                     "direction alone cannot tell them apart.",
+     .remedy = "Align the guideways or enter the squareness compensation; check levelling and foundation first.",
+     .validity = "Linear axes, the area of the test only; bent guideways show another angle elsewhere.",
+     .source = "Kinematics: b moves A by - g b; sign and size as AF_SQUARENESS of measured .b5r files."},
+    {angle_input(), radius_input()},
+    {{"squareness_um_per_m",
+      "um/m",
+      ParameterKind::gain,
+      0.0,
+      -10000.0,
+      10000.0,
+      {},
+      "angle from +A to +B less a right angle"}},
+    evaluated_by<1>(Squareness{}),
+    false,
+    {Motion::linear_axes},
+};
+
+}  // namespace ballbar::catalogue

@@ -1,0 +1,39 @@
+#include "ballbar/units.hpp"
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+#include "effects/recording_rows.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// k (t - t_mid)
+struct SweepDrift {
+  template <class T>
+  void operator()(const EffectRows& rows, const T* p, T* out) const {
+    const std::span<const double> sweep_s = rows.inputs[0];
+    for (std::size_t i = 0; i < sweep_s.size(); ++i) out[i] = p[0] * min_from_s(sweep_s[i]);
+  }
+};
+
+}  // namespace
+
+const Effect kSweepDrift{
+    "sweep_drift",
+    Level::recording,
+    {.summary = "The length grows or shrinks during the sweep: the figure does not close.",
+     .cause = "The bar, its set-up or the machine warms up while the circle is driven.",
+     .formula = "rate t, t from the middle of the sweep",
+     .signature = "A full turn ends higher or lower than it began, in both directions in the same sense of time.",
+     .confused_with = {"mounting_slip", "centre_drift", "circle"},
+     .separated_by = "Repeat the test after a rest: drift fades as temperatures settle, a slip is not repeated. A "
+                     "slower feed lets more of it happen.",
+     .remedy = "Let bar and machine come to temperature, then test; keep hands and draught from the bar.",
+     .validity = "A rate that is the same in all the sweeps. Without times or feed, one reading a second is assumed.",
+     .source = "First term of any slow drift; no paper's equation."},
+    {sweep_input()},
+    {{"rate_um_per_min", "um/min", ParameterKind::gain, 0.0, -10000.0, 10000.0, {}, "growth of the length"}},
+    evaluated_by<1>(SweepDrift{}),
+    true,
+};
+
+}  // namespace ballbar::catalogue

@@ -1,0 +1,64 @@
+#include <cmath>
+
+#include "ballbar/units.hpp"
+#include "effects/catalogue.hpp"
+#include "effects/evaluate.hpp"
+#include "effects/recording_rows.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// s sin(2 pi f t) + c cos(2 pi f t), t from the middle of the sweep; s and c of the direction, as no two sweeps start
+// at the same phase.
+struct Vibration {
+  template <class T>
+  void operator()(const EffectRows& rows, const T* p, T* out) const {
+    using std::cos, std::sin;
+    const std::span<const double> sweep_s = rows.inputs[0], direction = rows.inputs[1], recording = rows.inputs[2];
+    for (std::size_t i = 0; i < sweep_s.size(); ++i) {
+      out[i] = T(0.0);
+      if (!belongs_to(p[5], recording[i])) continue;
+      const T* gain = direction[i] > 0.0 ? p : p + 2;
+      const T phase_rad = (2.0 * kPi * sweep_s[i]) * p[4];
+      out[i] = gain[0] * sin(phase_rad) + gain[1] * cos(phase_rad);
+    }
+  }
+};
+
+// Every 0.1 Hz: a sweep of 10 s tells frequencies apart that are 0.1 Hz apart.
+std::vector<double> frequencies_Hz() {
+  std::vector<double> grid;
+  for (int tenth = 10; tenth <= 300; ++tenth) grid.push_back(tenth / 10.0);
+  return grid;
+}
+
+}  // namespace
+
+const Effect kVibration{
+    "vibration",
+    Level::recording,
+    {.summary = "The machine shakes at one frequency while it travels.",
+     .cause = "A servo loop near its limit of stability, a pump, a fan, a motor with cogging, or a neighbour of the "
+              "machine.",
+     .formula = "sine sin(2 pi f t) + cosine cos(2 pi f t), t from the middle of the sweep; one pair a direction",
+     .signature = "Waves of one length all along the path, whatever the axes do; their number changes with the feed.",
+     .confused_with = {"cyclic_error_a", "cyclic_error_b", "lobing"},
+     .separated_by = "Another feed: at twice the feed there are half as many waves. What is fixed in the machine's "
+                     "position stays where it was.",
+     .remedy = "Tune the servo loop; stop pumps and fans one after the other and look again; check the foundation.",
+     .validity =
+         "One frequency, constant over the sweep, from 1 Hz (what is slower is the form of the path) to half the "
+         "rate of the readings. Two sweeps in one "
+         "direction have different phases: use one vibration for each and name its `recording`.",
+     .source = "Sinusoid in time; no paper's equation."},
+    {sweep_input(), direction_input(), recording_input()},
+    {{"sine_ccw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "sine part in CCW recordings"},
+     {"cosine_ccw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "cosine part in CCW recordings"},
+     {"sine_cw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "sine part in CW recordings"},
+     {"cosine_cw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "cosine part in CW recordings"},
+     {"frequency_Hz", "Hz", ParameterKind::shape, 5.0, 1.0, 500.0, frequencies_Hz(), "of the vibration"},
+     {"recording", "1", ParameterKind::shape, -1.0, -1.0, 1e6, {}, "which recording it belongs to; -1: all", true}},
+    evaluated_by<6>(Vibration{}),
+};
+
+}  // namespace ballbar::catalogue

@@ -1,0 +1,205 @@
+#include "ballbar/fit/fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ballbar/error.hpp"
+#include "fit/fit_rounds.hpp"
+#include "fit/fit_uncertainty.hpp"
+#include "fit/kept_rows.hpp"
+#include "fit/robust_weights.hpp"
+#include "fit/series_cost.hpp"
+#include "fit/starts.hpp"
+#include "model/model_rows.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr std::size_t kFewestForNoise = 30;  // below, the residual is taken as white
+
+Bounds bounds_of(const Model& model, const ModelRows& rows) {
+  const Eigen::Index count = rows.parameters();
+  Bounds bounds{Eigen::VectorXd::Constant(count, -kInfinite), Eigen::VectorXd::Constant(count, kInfinite),
+                std::vector<bool>(static_cast<std::size_t>(count), false)};
+  bounds.held[0] = model.constant_um.has_value() || model.level == Level::recording;
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    for (std::size_t k = 0; k < model.terms[t].settings.size(); ++k) {
+      const Setting& setting = model.terms[t].settings[k];
+      const Eigen::Index index = rows.offset(t) + static_cast<Eigen::Index>(k);
+      bounds.lower[index] = setting.lower;
+      bounds.upper[index] = setting.upper;
+      bounds.held[static_cast<std::size_t>(index)] = setting.held;
+    }
+  }
+  return bounds;
+}
+
+std::vector<std::size_t> rows_with_value(const Column& target) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < target.values.size(); ++row) {
+    if (!std::isnan(target.values[row])) rows.push_back(row);
+  }
+  return rows;
+}
+
+// Sigma of the target at the rows; empty where the data have none, or where a row has none or 0 (a reference's own
+// row is 0 by definition: it gets the smallest of the others).
+std::vector<double> stated_sigma_um(const Series& data, const std::string& target,
+                                    const std::vector<std::size_t>& rows) {
+  const std::string unit(unit_of(target));
+  const std::string name = fmt::format("{}_sigma_{}", target.substr(0, target.size() - unit.size() - 1), unit);
+  const Column* column = find_column(data, name);
+  if (column == nullptr) return {};
+  double smallest = kInfinite;
+  for (const std::size_t row : rows) {
+    if (column->values[row] > 0.0) smallest = std::min(smallest, column->values[row]);
+  }
+  if (!std::isfinite(smallest)) return {};
+  std::vector<double> sigma_um;
+  for (const std::size_t row : rows) {
+    const double sigma = column->values[row];
+    if (std::isnan(sigma)) return {};
+    sigma_um.push_back(sigma > 0.0 ? sigma : smallest);
+  }
+  return sigma_um;
+}
+
+std::vector<FittedParameter> parameters_of(const Model& model, const Eigen::VectorXd& values) {
+  std::vector<FittedParameter> parameters{
+      {"constant", "constant_um", "um", values[0], kUnknown, {}, ParameterKind::gain}};
+  Eigen::Index index = 1;
+  for (const Term& term : model.terms) {
+    for (const Parameter& parameter : term.effect->parameters) {
+      parameters.push_back(
+          {label_of(term), parameter.name, parameter.unit, values[index++], kUnknown, {}, parameter.kind});
+    }
+  }
+  return parameters;
+}
+
+Eigen::VectorXd values_of(const std::vector<FittedParameter>& parameters) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(parameters.size()));
+  for (std::size_t k = 0; k < parameters.size(); ++k) values[static_cast<Eigen::Index>(k)] = parameters[k].value;
+  return values;
+}
+
+}  // namespace
+
+Fit fit(const Model& model, const Series& data, std::size_t target, const FitOptions& options) {
+  expect_suits(model, data);
+  Fit result;
+  result.target = model.targets.at(target);
+  const Column& column = *find_column(data, result.target);
+  result.row = rows_with_value(column);
+  if (result.row.size() < 3) {
+    throw Error(fmt::format("expected at least 3 values of {}, found {}.", result.target, result.row.size()));
+  }
+  const auto n = static_cast<Eigen::Index>(result.row.size());
+  for (const std::size_t row : result.row) {
+    result.time_s.push_back(data.time_s[row]);
+    result.measured_um.push_back(column.values[row]);
+  }
+  result.sigma_um = stated_sigma_um(data, result.target, result.row);
+  const Eigen::VectorXd measured = Eigen::VectorXd::Map(result.measured_um.data(), n);
+
+  const ModelRows rows(model, data, result.row);
+  const Bounds bounds = bounds_of(model, rows);
+  const auto free = static_cast<std::size_t>(std::count(bounds.held.begin(), bounds.held.end(), false));
+  const Problem problem{rows, measured, bounds, free};
+  Weighting plain{Eigen::VectorXd::Ones(n)};
+  for (std::size_t i = 0; i < result.sigma_um.size(); ++i)
+    plain.row[static_cast<Eigen::Index>(i)] /= result.sigma_um[i];
+  Solved best{best_of(problem, plain, starts(model, rows, measured, plain.row, options.starts)), plain, {}};
+  if (options.robust) {
+    best = reweighted(
+        problem, [&](const auto&) { return plain; }, std::move(best));
+  }
+  std::size_t kept = result.row.size() - best.discounted.size();
+  const bool with_noise = options.noise || (!options.white && kept >= kFewestForNoise && kept > 2 * free);
+  bool misfit = false;
+  if (options.noise) {
+    result.noise = *options.noise;
+    best.weighting = {Eigen::VectorXd::Ones(n), Whitening(result.noise, result.time_s, result.sigma_um)};
+    best.minimum = best_of(problem, best.weighting, {best.minimum.parameters});
+  } else if (with_noise) {
+    Whitened refitted = whitened(problem, result, best, options.robust);
+    best = std::move(refitted.solved);
+    result.noise = refitted.noise;
+    misfit = refitted.misfit;
+    kept = result.row.size() - best.discounted.size();
+  }
+
+  Eigen::MatrixXd jacobian;
+  const Eigen::VectorXd predicted = rows.sum(best.minimum.parameters, &jacobian);
+  const Eigen::VectorXd residual = measured - predicted;
+  result.parameters = parameters_of(model, best.minimum.parameters);
+  result.predicted_um = vector_of(predicted);
+  result.residual_um = vector_of(residual);
+  for (std::size_t t = 0; t < rows.terms(); ++t) {
+    result.contribution_um.push_back(vector_of(rows.term(t, best.minimum.parameters.data() + rows.offset(t), nullptr)));
+  }
+  result.discounted = best.discounted;
+  result.converged = best.minimum.converged;
+  const std::vector<double> kept_um = without(result.residual_um, result.discounted);
+  const std::vector<double> kept_sigma_um = without(result.sigma_um, result.discounted);
+  const std::vector<double> kept_time_s = without(result.time_s, result.discounted);
+  result.rmse_um = rms_of(kept_um);
+  if (!with_noise) result.noise = white_noise(kept_um, kept_sigma_um, free);
+
+  if (misfit) {
+    Weighting counted = plain;
+    for (const std::size_t row : result.discounted) counted.row[static_cast<Eigen::Index>(row)] = 0.0;
+    add_uncertainty_under_noise(result, weighted(counted, jacobian), bounds, counted.row);
+  } else {
+    // The scatter that is left, for the parameters spent; never below what was stated.
+    best.weighting.discount.resize(0);
+    const double spent = std::max(1.0, static_cast<double>(kept) - static_cast<double>(free));
+    double variance = with_noise ? 1.0 : 2.0 * best.minimum.cost / spent;
+    if (options.robust) variance = robust_variance(weighted(best.weighting, residual), free);
+    if (!result.sigma_um.empty()) variance = std::max(1.0, variance);
+    if (result.sigma_um.empty() && kept < free + kFewestLeft) variance = kUnknown;
+    add_uncertainty(result, weighted(best.weighting, jacobian), bounds, variance);
+  }
+  result.jacobian = std::move(jacobian);
+  result.n_effective = effective_samples(result.noise, kept_time_s, kept_sigma_um);
+  std::vector<double> speed_rpm;
+  const auto speed = std::find_if(data.columns.begin(), data.columns.end(),
+                                  [](const Column& candidate) { return candidate.role == Role::speed; });
+  if (speed != data.columns.end()) {
+    for (const std::size_t row : result.row) speed_rpm.push_back(speed->values[row]);
+  }
+  result.floor = floor_of(kept_time_s, without(result.measured_um, result.discounted), kept_sigma_um,
+                          without(speed_rpm, result.discounted), result.noise);
+  if (misfit) {
+    result.remarks.push_back(
+        fmt::format("The residual has a memory of {:.0f} min. It is taken as what the model lacks rather than noise: "
+                    "the parameters "
+                    "are those of {}, their sigma is widened for that memory.",
+                    result.noise.correlation_time_s / 60.0, options.robust ? "a robust fit" : "least squares"));
+  }
+  add_remarks(result, free);
+  return result;
+}
+
+Prediction predict(const Model& model, const std::vector<FittedParameter>& parameters, const Series& data) {
+  std::vector<std::size_t> all(data.time_s.size());
+  for (std::size_t row = 0; row < all.size(); ++row) all[row] = row;
+  const ModelRows rows(model, data, std::move(all));
+  const Eigen::VectorXd values = values_of(parameters);
+  if (values.size() != rows.parameters()) {
+    throw Error(fmt::format("expected {} parameters of the model, found {}.", rows.parameters(), values.size()));
+  }
+  Prediction prediction;
+  prediction.predicted_um = vector_of(rows.sum(values, nullptr));
+  for (std::size_t t = 0; t < rows.terms(); ++t) {
+    prediction.contribution_um.push_back(vector_of(rows.term(t, values.data() + rows.offset(t), nullptr)));
+  }
+  return prediction;
+}
+
+}  // namespace ballbar

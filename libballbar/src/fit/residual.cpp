@@ -1,0 +1,266 @@
+#include "ballbar/fit/residual.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ballbar/units.hpp"
+#include "fit/kept_rows.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kFewest = 3;
+constexpr std::size_t kParts = 5;  // of a signal's values
+
+// Rows of the fit that belong together.
+struct Group {
+  std::string what, from, to;
+  std::vector<std::size_t> rows;
+};
+
+class Groups {
+ public:
+  explicit Groups(const Fit& fit) : fit_(fit) {
+    for (const double r : fit.residual_um) squares_ += r * r;
+  }
+
+  void add(const Group& group) {
+    if (group.rows.size() < kFewest) return;
+    Misfit misfit{group.what, group.from, group.to, group.rows.size()};
+    std::vector<double> time_s, sigma_um;
+    double squares = 0.0;
+    for (const std::size_t row : group.rows) {
+      const double r = fit_.residual_um[row];
+      misfit.bias_um += r / static_cast<double>(misfit.n);
+      squares += r * r;
+      time_s.push_back(fit_.time_s[row]);
+      if (!fit_.sigma_um.empty()) sigma_um.push_back(fit_.sigma_um[row]);
+    }
+    misfit.bias_sigma_um = sigma_of_mean(fit_.noise, time_s, sigma_um);
+    misfit.rmse_um = std::sqrt(squares / static_cast<double>(misfit.n));
+    misfit.share = squares_ > 0.0 ? squares / squares_ : 0.0;
+    misfits_.push_back(std::move(misfit));
+  }
+
+  std::vector<Misfit> taken() && { return std::move(misfits_); }
+
+ private:
+  const Fit& fit_;
+  double squares_ = 0.0;
+  std::vector<Misfit> misfits_;
+};
+
+void by_regime(const Fit& fit, const Series& data, Groups& groups) {
+  const auto speed = std::find_if(data.columns.begin(), data.columns.end(),
+                                  [](const Column& column) { return column.role == Role::speed; });
+  if (speed == data.columns.end()) return;
+  const std::vector<Regime> regime = regimes(data.time_s, *speed);
+  if (regime.empty()) return;
+  for (const Regime each :
+       {Regime::standstill, Regime::after_change, Regime::warming, Regime::steady, Regime::cooling}) {
+    Group group{"regime", std::string(name_of(each)), std::string(name_of(each)), {}};
+    for (std::size_t i = 0; i < fit.row.size(); ++i) {
+      if (regime[fit.row[i]] == each) group.rows.push_back(i);
+    }
+    groups.add(group);
+  }
+}
+
+// Four digits, or as many as a tenth of the whole needs: a clock may have started long before.
+std::string printed_time(double time_s, double whole_s) {
+  const bool in_s = whole_s < 600.0;
+  const double time = in_s ? time_s : min_from_s(time_s);
+  const std::string number =
+      std::abs(time) < 1000.0 ? fmt::format("{:.4g}", time) : fmt::format("{:.12g}", std::round(10.0 * time) / 10.0);
+  return fmt::format("{} {}", number, in_s ? "s" : "min");
+}
+
+void by_time(const Fit& fit, Groups& groups) {
+  constexpr std::size_t kTenths = 10;
+  const double begin_s = fit.time_s.front(), whole_s = fit.time_s.back() - begin_s;
+  const auto at = [&](std::size_t tenth) { return begin_s + whole_s * static_cast<double>(tenth) / kTenths; };
+  for (std::size_t tenth = 0; tenth < kTenths; ++tenth) {
+    Group group{"time", printed_time(at(tenth), whole_s), printed_time(at(tenth + 1), whole_s), {}};
+    for (std::size_t i = 0; i < fit.time_s.size(); ++i) {
+      const bool last = tenth + 1 == kTenths;
+      if (fit.time_s[i] >= at(tenth) && (last || fit.time_s[i] < at(tenth + 1))) group.rows.push_back(i);
+    }
+    groups.add(group);
+  }
+}
+
+void by_signal(const Fit& fit, const Column& column, Groups& groups) {
+  const std::string unit(unit_of(column.name));
+  const auto printed = [&](double value) { return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit); };
+  std::vector<double> sorted;
+  for (const std::size_t row : fit.row) {
+    if (!std::isnan(column.values[row])) sorted.push_back(column.values[row]);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<double> bounds = sorted;  // group k: [bounds k, bounds k + 1), the last one with its end
+  bounds.erase(std::unique(bounds.begin(), bounds.end()), bounds.end());
+  if (bounds.size() < 2) return;
+  const bool by_value = bounds.size() <= kParts;
+  if (!by_value) {
+    bounds.clear();
+    for (std::size_t k = 0; k <= kParts; ++k) bounds.push_back(sorted[(sorted.size() - 1) * k / kParts]);
+    bounds.erase(std::unique(bounds.begin(), bounds.end()), bounds.end());
+  }
+  for (std::size_t k = 0; k + (by_value ? 0 : 1) < bounds.size(); ++k) {
+    const double low = bounds[k], high = by_value ? low : bounds[k + 1];
+    Group group{column.name, printed(low), printed(high), {}};
+    const bool end = by_value || k + 2 == bounds.size();
+    for (std::size_t i = 0; i < fit.row.size(); ++i) {
+      const double value = column.values[fit.row[i]];
+      if (value >= low && (value < high || (end && value == high))) group.rows.push_back(i);
+    }
+    groups.add(group);
+  }
+}
+
+void by_angle(const Fit& fit, const Series& data, const Column& angle, Groups& groups) {
+  const Column* direction = find_column(data, "direction");
+  const std::vector<double> ways = direction == nullptr ? std::vector<double>{0.0} : std::vector<double>{1.0, -1.0};
+  for (const auto& [what, width_deg] : {std::pair{"angle", 30}, std::pair{"quadrant", 90}}) {
+    for (const double way : ways) {
+      const std::string name = way == 0.0 ? std::string(what) : fmt::format("{}, {}", what, way > 0.0 ? "CCW" : "CW");
+      for (int low = 0; low < 360; low += width_deg) {
+        Group group{name, fmt::format("{} deg", low), fmt::format("{} deg", low + width_deg), {}};
+        for (std::size_t i = 0; i < fit.row.size(); ++i) {
+          const std::size_t row = fit.row[i];
+          if (way != 0.0 && direction->values[row] != way) continue;
+          const double deg = deg_from_rad(angle.values[row]);
+          const double turned = deg - 360.0 * std::floor(deg / 360.0);
+          if (turned >= low && turned < low + width_deg) group.rows.push_back(i);
+        }
+        groups.add(group);
+      }
+    }
+  }
+}
+
+// "-3.1 ± 0.4": two digits of sigma where its first is 1, else one.
+std::string with_sigma(double value, double sigma) {
+  if (!(sigma > 0.0) || !std::isfinite(sigma)) return fmt::format("{:.3g}", value);
+  const int exponent = static_cast<int>(std::floor(std::log10(sigma)));
+  const bool one = sigma / std::pow(10.0, exponent) < 1.95;
+  const int decimals = std::clamp(-exponent + (one ? 1 : 0), 0, 6);
+  return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sigma, decimals);
+}
+
+// Three digits, whole micrometres above 1000; what is absurd gets an exponent.
+std::string digits(double value_um) {
+  return value_um < 999.5 || value_um >= 1e9 ? fmt::format("{:.3g}", value_um) : fmt::format("{:.0f}", value_um);
+}
+
+std::string of_floor(const Fit& fit) {
+  const double floor_um = fit.floor.rms_um;
+  if (!(floor_um > 0.0) || fit.floor.source.empty()) {
+    return fmt::format("The model leaves {} um; what a true model could leave at least is not known.",
+                       digits(fit.rmse_um));
+  }
+  const double ratio = fit.rmse_um / floor_um;
+  if (ratio < 1.05) {
+    return fmt::format("The model leaves {} um, as little as the floor of {} um ({}).", digits(fit.rmse_um),
+                       digits(floor_um), fit.floor.source);
+  }
+  const std::string times =
+      ratio < 1e6 ? fmt::format("{:.{}f}", ratio, ratio < 2.0 ? 2 : 1) : fmt::format("{:.1e}", ratio);
+  return fmt::format("The model leaves {} um, {} times the floor of {} um ({}).", digits(fit.rmse_um), times,
+                     digits(floor_um), fit.floor.source);
+}
+
+std::string place_of(const Misfit& group) {
+  const auto range = [&] {
+    if (group.from == group.to) return "at " + group.from;
+    const std::size_t unit = group.from.rfind(' '), other = group.to.rfind(' ');
+    const bool same =
+        unit != std::string::npos && other != std::string::npos && group.from.substr(unit) == group.to.substr(other);
+    return fmt::format("from {} to {}", same ? group.from.substr(0, unit) : group.from, group.to);
+  };
+  if (group.what == "time") return range();
+  if (group.what == "regime") {
+    if (group.from == name_of(Regime::after_change)) return group.from;
+    if (group.from == name_of(Regime::standstill)) return "at standstill";
+    return group.from == name_of(Regime::steady) ? "at steady speed" : "while " + group.from;
+  }
+  return fmt::format("where {} is {}", group.what, range());
+}
+
+// What is above the group's own share of the readings, and worth a sentence.
+std::string of_place(const Fit& fit, const std::vector<Misfit>& where) {
+  constexpr double kWorthIt = 0.1;
+  const auto n = static_cast<double>(fit.residual_um.size());
+  const auto above = [&](const Misfit& group) { return group.share - static_cast<double>(group.n) / n; };
+  const Misfit* worst = nullptr;
+  for (const Misfit& group : where) {
+    if (worst == nullptr || above(group) > above(*worst)) worst = &group;
+  }
+  if (worst == nullptr || above(*worst) < kWorthIt) return "It fails nowhere more than elsewhere.";
+  return fmt::format("It fails most {}: {:.0f} % of the misfit in {:.0f} % of the readings, bias {} um.",
+                     place_of(*worst), 100.0 * worst->share, 100.0 * static_cast<double>(worst->n) / n,
+                     with_sigma(worst->bias_um, worst->bias_sigma_um));
+}
+
+std::string duration(double time_s) {
+  if (time_s < 90.0) return fmt::format("{:.2g} s", time_s);
+  const double time_min = min_from_s(time_s);
+  return time_min < 100.0 ? fmt::format("{:.2g} min", time_min) : fmt::format("{:.1f} h", time_min / 60.0);
+}
+
+std::string of_rest(const Fit& fit, const Whiteness& whiteness) {
+  constexpr std::size_t kFewestForWhiteness = 16;
+  constexpr double kNotNoise = 0.01, kMemory = 0.1;  // of the variance
+  const std::size_t n = fit.residual_um.size();
+  if (n < kFewestForWhiteness) {
+    return fmt::format("With {} readings it cannot be said whether what is left is noise.", n);
+  }
+  if (whiteness.p < kNotNoise) {
+    const Noise noise = fit.noise.correlated_um > 0.0 ? fit.noise : noise_of(fit.time_s, fit.residual_um, fit.sigma_um);
+    const std::string p = whiteness.p < 0.001 ? "p < 0.001" : fmt::format("p = {:.3f}", whiteness.p);
+    if (!(noise.correlated_um > 0.0)) return fmt::format("The residual is not noise ({}).", p);
+    return fmt::format("The residual is not noise ({}): something with a memory of about {} is left.", p,
+                       duration(noise.correlation_time_s));
+  }
+  const double memory_um2 = fit.noise.correlated_um * fit.noise.correlated_um;
+  const double white_um2 = fit.noise.white_um * fit.noise.white_um;
+  if (memory_um2 > kMemory * (memory_um2 + white_um2)) {
+    return fmt::format(
+        "What is left has a memory of about {}: noise of that kind, or an effect that the model does not have (p = "
+        "{:.2f}).",
+        duration(fit.noise.correlation_time_s), whiteness.p);
+  }
+  return fmt::format("What is left is as noise would be (p = {:.2f}).", whiteness.p);
+}
+
+}  // namespace
+
+std::vector<Misfit> where_it_fails(const Fit& fit, const Series& data) {
+  if (fit.residual_um.empty()) return {};
+  if (!fit.discounted.empty()) return where_it_fails(kept_of(fit), data);
+  Groups groups(fit);
+  by_regime(fit, data, groups);
+  by_time(fit, groups);
+  if (const Column* angle = find_column(data, "angle_rad")) {
+    by_angle(fit, data, *angle, groups);
+  } else {
+    for (const Column& column : data.columns) {
+      if (column.role != Role::measured && column.role != Role::event) by_signal(fit, column, groups);
+    }
+  }
+  return std::move(groups).taken();
+}
+
+bool is_adequate(const Fit& fit, const Whiteness& whiteness) {
+  return !fit.floor.source.empty() && fit.rmse_um <= 1.2 * fit.floor.rms_um && whiteness.p >= 0.01;
+}
+
+std::vector<std::string> sentences(const Fit& fit, const std::vector<Misfit>& where, const Whiteness& whiteness) {
+  if (!fit.discounted.empty()) return sentences(kept_of(fit), where, whiteness);
+  return {of_floor(fit), of_place(fit, where), of_rest(fit, whiteness)};
+}
+
+}  // namespace ballbar

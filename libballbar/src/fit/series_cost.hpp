@@ -1,0 +1,42 @@
+// The one cost of all models of a series: target less model, weighted or whitened, in one Ceres problem.
+//
+// n rows enter through the Gram matrix of [J r] alone, as in least_squares.hpp: Ceres gets its triangular factor
+// [U q; 0 e], P + 1 residuals, and takes the steps that all n would give. The rows are made, whitened and summed block
+// by block, in buffers that are used again.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "ballbar/noise/noise.hpp"
+#include "model/model_rows.hpp"
+
+namespace ballbar {
+
+// How residuals are made comparable: a weight a row, then the filter of the noise, then a robust fit's discount.
+struct Weighting {
+  Eigen::VectorXd row;  // n; 1 over sigma, or 1 where the filter knows sigma
+  std::optional<Whitening> whitening = {};
+  Eigen::VectorXd discount = {};  // n square roots of robust weights; empty: none
+};
+
+Eigen::VectorXd weighted(const Weighting& weighting, const Eigen::VectorXd& residual);
+Eigen::MatrixXd weighted(const Weighting& weighting, const Eigen::MatrixXd& jacobian);
+
+struct Bounds {
+  Eigen::VectorXd lower, upper;  // of all parameters
+  std::vector<bool> held;
+};
+
+struct Minimum {
+  Eigen::VectorXd parameters;
+  double cost = 0.0;  // half the sum of squares; infinite: the model has no finite values there
+  bool converged = false;
+};
+
+// A positive parameter whose bounds are more than a factor of 100 apart moves by its logarithm.
+Minimum minimise(const ModelRows& rows, const Eigen::VectorXd& target_um, const Weighting& weighting,
+                 const Bounds& bounds, const Eigen::VectorXd& start, int most_iterations = 100);
+
+}  // namespace ballbar

@@ -1,0 +1,308 @@
+#include "ballbar/noise/noise.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "ballbar/units.hpp"
+#include "noise/kalman.hpp"
+#include "noise/memory_limit.hpp"
+#include "numerics/nelder_mead.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kFewest = 8.0;
+constexpr double kWorthIt = 2.0;  // gain of ln L by two parameters
+const double kLogTwoPi = std::log(2.0 * kPi);
+
+NoiseVariances variances_of(const Noise& noise) {
+  return {noise.white_um * noise.white_um, noise.correlated_um * noise.correlated_um, noise.correlation_time_s};
+}
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+double log_likelihood(const Kalman::Sums& sums, double n) {
+  return -0.5 * (n * kLogTwoPi + sums.log_variances + sums.squares);
+}
+
+// An orthonormal basis of the columns.
+RowMajor basis_of(const Eigen::MatrixXd& columns) {
+  if (columns.cols() == 0) return {columns.rows(), 0};
+  const Eigen::VectorXd norm = columns.colwise().norm().transpose().cwiseMax(1e-300);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns * norm.cwiseInverse().asDiagonal());
+  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+}
+
+// Noise in unknowns that any number suits and that the likelihood depends on evenly:
+//   x = ln theta,  y = ln w^2 / (q^2 (1 - a^2)), a the decay in a usual step: white against what is new of s in a step,
+//   z = ln (w^2 + q^2)
+struct Likelihood {
+  Kalman kalman;
+  std::span<const double> residual_um;
+  RowMajor fitted;       // orthonormal columns
+  double degrees = 0.0;  // of freedom: n less the fitted columns
+  bool stated = false;
+  double shortest_s = 0.0, longest_s = 0.0;  // bounds of theta
+  double mean_square = 0.0;
+  RowMajor innovations = {};  // a block of rows, used again
+
+  Likelihood(std::span<const double> time_s, std::span<const double> residual, std::span<const double> sigma_um,
+             RowMajor fitted_columns)
+      : kalman(time_s, sigma_um),
+        residual_um(residual),
+        fitted(std::move(fitted_columns)),
+        degrees(static_cast<double>(residual.size()) - static_cast<double>(fitted.cols())),
+        stated(!sigma_um.empty()) {
+    if (time_s.empty()) return;
+    const auto [first, last] = std::minmax_element(time_s.begin(), time_s.end());
+    longest_s = *last - *first;
+    shortest_s = std::max(kalman.shortest_step_s() / 3.0, 1e-6 * longest_s);
+    for (const double value : residual) mean_square += value * value / degrees;
+    mean_square = std::max(mean_square, kLeastVariance_um2);
+  }
+
+  NoiseVariances at(double x, double y, double z) const {
+    const double theta_s = std::exp(std::clamp(x, std::log(shortest_s), std::log(longest_s)));
+    const double fresh = -std::expm1(-2.0 * kalman.usual_step_s() / theta_s);
+    const double ratio = std::exp(y) * fresh;  // w^2 / q^2
+    const double total = std::exp(z);
+    return {total * ratio / (1.0 + ratio), total / (1.0 + ratio), theta_s};
+  }
+
+  // Restricted to what the fitted columns X leave: G = X' C^-1 X and g = X' C^-1 r take g' G^-1 g from the squares and
+  // add ln det G to the variances.
+  Kalman::Sums sums(const NoiseVariances& noise) {
+    kalman.set(noise);
+    Kalman::Sums sums = kalman.sums(residual_um);
+    const Eigen::Index p = fitted.cols();
+    if (p == 0) return sums;
+    constexpr Eigen::Index kBlockRows = 256;
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(p + 1, p + 1);
+    Eigen::RowVectorXd predicted = Eigen::RowVectorXd::Zero(p + 1);
+    innovations.resize(std::min(kBlockRows, fitted.rows()), p + 1);
+    for (Eigen::Index first = 0; first < fitted.rows(); first += kBlockRows) {
+      const Eigen::Index rows = std::min(kBlockRows, fitted.rows() - first);
+      auto block = innovations.topRows(rows);
+      block.leftCols(p) = fitted.middleRows(first, rows);
+      block.col(p) = Eigen::VectorXd::Map(residual_um.data() + first, rows);
+      for (Eigen::Index i = 0; i < rows; ++i) {
+        predicted *= kalman.decay()[first + i];
+        block.row(i) -= predicted;
+        predicted += kalman.gain()[first + i] * block.row(i);
+        block.row(i) *= std::sqrt(kalman.weight()[first + i]);
+      }
+      gram.selfadjointView<Eigen::Upper>().rankUpdate(block.transpose());
+    }
+    const Eigen::MatrixXd g = gram.topLeftCorner(p, p).selfadjointView<Eigen::Upper>();
+    const Eigen::LLT<Eigen::MatrixXd> factor(g);
+    const Eigen::VectorXd right = gram.col(p).head(p);
+    const Eigen::VectorXd diagonal = factor.matrixLLT().diagonal();
+    sums.log_variances += 2.0 * diagonal.array().log().sum();
+    sums.squares -= right.dot(factor.solve(right));
+    return sums;
+  }
+
+  double log_likelihood_of(const NoiseVariances& noise) { return log_likelihood(sums(noise), degrees); }
+
+  // Without stated sigma the total variance of largest likelihood is sum(v^2 / S) / n times the one of gains `noise`.
+  NoiseVariances scaled(NoiseVariances noise) {
+    const double factor = sums(noise).squares / degrees;
+    return {noise.white * factor, noise.correlated * factor, noise.time_s};
+  }
+
+  double log_likelihood_scaled(const NoiseVariances& noise) {
+    const Kalman::Sums sum = sums(noise);
+    return -0.5 * (degrees * (kLogTwoPi + 1.0 + std::log(sum.squares / degrees)) + sum.log_variances);
+  }
+};
+
+// How far a value is outside [low, high].
+double outside(double value, double low, double high) { return std::max({0.0, low - value, value - high}); }
+
+NoiseVariances white(Likelihood& likelihood) {
+  NoiseVariances none{0.0, 0.0, 0.0};
+  if (!likelihood.stated) return {likelihood.mean_square, 0.0, 0.0};
+  const double largest = std::log(likelihood.mean_square);
+  const auto cost = [&](const std::array<double, 1>& z) {
+    return -likelihood.log_likelihood_of({std::exp(std::min(z[0], largest + 3.0)), 0.0, 0.0});
+  };
+  Minimum<1> best{{largest}, std::numeric_limits<double>::infinity()};
+  for (const double down : {0.0, 1.0, 2.0, 4.0, 8.0}) {
+    const double value = cost({largest - down});
+    if (value < best.value) best = {{largest - down}, value};
+  }
+  best = nelder_mead<1>(cost, best.x, {0.5}, 1e-7, 100);
+  // A white part that a thousandth of the stated one hides, or that does not help, is none.
+  if (-likelihood.log_likelihood_of(none) <= best.value + 1e-3) return none;
+  return {std::exp(best.x[0]), 0.0, 0.0};
+}
+
+// Minus the likelihood of a noise with a memory in the unknowns x, y and, where sigma is stated, z.
+struct Cost {
+  static constexpr double kLeastWhite = -8.0, kMostWhite = 10.0;  // y
+  Likelihood& likelihood;
+
+  double at(const std::array<double, 3>& p) const {
+    const auto [x, y, z] = p;
+    const double out = outside(x, std::log(likelihood.shortest_s), std::log(likelihood.longest_s)) +
+                       outside(y, kLeastWhite, kMostWhite);
+    if (!likelihood.stated) return out * out - likelihood.log_likelihood_scaled(likelihood.at(x, y, 0.0));
+    const double size = std::log(likelihood.mean_square), far = outside(z, size - 12.0, size + 4.0);
+    return out * out + far * far - likelihood.log_likelihood_of(likelihood.at(x, y, z));
+  }
+
+  Minimum<3> down_from(const std::array<double, 3>& start) const {
+    if (likelihood.stated) {
+      return nelder_mead<3>([&](const auto& p) { return at(p); }, start, {0.6, 0.6, 0.3}, 1e-4, 200);
+    }
+    const Minimum<2> plane = nelder_mead<2>(
+        [&](const auto& p) {
+          return at({p[0], p[1], 0.0});
+        },
+        {start[0], start[1]}, {0.6, 0.6}, 1e-4, 120);
+    return {{plane.x[0], plane.x[1], 0.0}, plane.value};
+  }
+};
+
+// From the two best of a grid of starts the way down.
+Minimum<3> best_of_grid(Likelihood& likelihood) {
+  constexpr int kTimes = 6;
+  const Cost cost{likelihood};
+  const double low = std::log(likelihood.shortest_s), high = std::log(likelihood.longest_s);
+  const double size = std::log(likelihood.mean_square);
+  const std::vector<double> sizes =
+      likelihood.stated ? std::vector<double>{size - 1.5, size} : std::vector<double>{0.0};
+  std::vector<Minimum<3>> starts;
+  for (int i = 0; i < kTimes; ++i) {
+    const double x = low + (high - low) * (i + 0.5) / kTimes;
+    for (const double y : {-5.0, -1.5, 0.5, 2.5, 4.5}) {
+      for (const double z : sizes) starts.push_back({{x, y, z}, cost.at({x, y, z})});
+    }
+  }
+  std::stable_sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  const Minimum<3> first = cost.down_from(starts[0].x), second = cost.down_from(starts[1].x);
+  return second.value < first.value ? second : first;
+}
+
+// Where columns were fitted, the largest of the plain likelihood, which costs less, is the start for the restricted
+// one.
+NoiseVariances with_memory(Likelihood& likelihood, Likelihood& plain) {
+  Minimum<3> best = best_of_grid(plain);
+  if (likelihood.fitted.cols() > 0) best = Cost{likelihood}.down_from(best.x);
+  NoiseVariances noise = likelihood.at(best.x[0], best.x[1], best.x[2]);
+  if (!likelihood.stated) noise = likelihood.scaled(noise);
+  // No white part where none is needed.
+  NoiseVariances pure{0.0, noise.white + noise.correlated, noise.time_s};
+  if (!likelihood.stated) pure = likelihood.scaled(pure);
+  return likelihood.log_likelihood_of(pure) >= likelihood.log_likelihood_of(noise) - 1e-3 ? pure : noise;
+}
+
+}  // namespace
+
+Noise noise_of(std::span<const double> time_s, std::span<const double> residual_um, std::span<const double> sigma_um,
+               const Eigen::MatrixXd& fitted) {
+  return noise_of(time_s, residual_um, sigma_um, fitted, std::numeric_limits<double>::infinity());
+}
+
+Noise noise_of(std::span<const double> time_s, std::span<const double> residual_um, std::span<const double> sigma_um,
+               const Eigen::MatrixXd& fitted, double longest_memory_s) {
+  if (residual_um.empty()) return {};
+  RowMajor columns = basis_of(fitted);
+  if (static_cast<std::size_t>(columns.cols()) >= residual_um.size()) columns = RowMajor(fitted.rows(), 0);
+  std::vector<double> left_um(residual_um.begin(), residual_um.end());
+  if (columns.cols() > 0) {
+    Eigen::Map<Eigen::VectorXd> left(left_um.data(), columns.rows());
+    left -= columns * (columns.transpose() * left).eval();
+  }
+  Likelihood likelihood(time_s, left_um, sigma_um, std::move(columns));
+  likelihood.longest_s = std::max(likelihood.shortest_s, std::min(likelihood.longest_s, longest_memory_s));
+  NoiseVariances noise = white(likelihood);
+  const bool enough = likelihood.degrees >= kFewest && likelihood.kalman.usual_step_s() > 0.0 &&
+                      likelihood.mean_square > kLeastVariance_um2;
+  if (enough) {
+    Likelihood plain(time_s, left_um, sigma_um, RowMajor(0, 0));
+    plain.longest_s = likelihood.longest_s;
+    const NoiseVariances other = with_memory(likelihood, plain);
+    if (likelihood.log_likelihood_of(other) > likelihood.log_likelihood_of(noise) + kWorthIt) noise = other;
+  }
+  Noise result{std::sqrt(noise.white), std::sqrt(noise.correlated), noise.correlated > 0.0 ? noise.time_s : 0.0, 0.0};
+  result.log_likelihood = log_likelihood(result, time_s, residual_um, sigma_um);
+  return result;
+}
+
+double log_likelihood(const Noise& noise, std::span<const double> time_s, std::span<const double> residual_um,
+                      std::span<const double> sigma_um) {
+  Kalman kalman(time_s, sigma_um);
+  kalman.set(variances_of(noise));
+  return log_likelihood(kalman.sums(residual_um), static_cast<double>(residual_um.size()));
+}
+
+Whitening::Whitening(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um,
+                     std::span<const std::size_t> left_out) {
+  Kalman kalman(time_s, sigma_um, left_out);
+  kalman.set(variances_of(noise));
+  decay_.assign(kalman.decay().begin(), kalman.decay().end());
+  gain_.assign(kalman.gain().begin(), kalman.gain().end());
+  const Eigen::ArrayXd scale = kalman.weight().sqrt();
+  scale_.assign(scale.begin(), scale.end());
+}
+
+void Whitening::apply(const double* column, std::size_t stride, double* out, std::size_t out_stride) const {
+  double s = 0.0;
+  for (std::size_t i = 0; i < decay_.size(); ++i) {
+    s *= decay_[i];
+    const double innovation = column[i * stride] - s;
+    s += gain_[i] * innovation;
+    out[i * out_stride] = scale_[i] * innovation;
+  }
+}
+
+void Whitening::apply(std::size_t first, RowMajorBlock block, Eigen::Ref<Eigen::RowVectorXd> state) const {
+  for (Eigen::Index i = 0; i < block.rows(); ++i) {
+    const std::size_t row = first + static_cast<std::size_t>(i);
+    state *= decay_[row];
+    block.row(i) -= state;
+    state += gain_[row] * block.row(i);
+    block.row(i) *= scale_[row];
+  }
+}
+
+double effective_samples(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um) {
+  const std::size_t n = time_s.size();
+  if (n == 0) return 0.0;
+  const Whitening whitening(noise, time_s, sigma_um);
+  std::vector<double> ones(n, 1.0);
+  whitening.apply(ones.data(), 1, ones.data(), 1);
+  double information = 0.0, inverse_variances = 0.0;
+  const NoiseVariances variances = variances_of(noise);
+  for (std::size_t i = 0; i < n; ++i) {
+    information += ones[i] * ones[i];
+    const double stated = sigma_um.empty() ? 0.0 : sigma_um[i] * sigma_um[i];
+    inverse_variances += 1.0 / std::max(variances.white + variances.correlated + stated, kLeastVariance_um2);
+  }
+  return information * static_cast<double>(n) / inverse_variances;
+}
+
+// n^2 var = sum_i (w^2 + sigma_i^2 + q^2) + 2 q^2 sum_(j<i) exp(-(t_i - t_j) / theta); the inner sum is a recursion.
+double sigma_of_mean(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um) {
+  const std::size_t n = time_s.size();
+  if (n == 0) return 0.0;
+  const NoiseVariances variances = variances_of(noise);
+  double sum = 0.0, earlier = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double stated = sigma_um.empty() ? 0.0 : sigma_um[i] * sigma_um[i];
+    sum += variances.white + stated + variances.correlated;
+    if (i == 0 || !(variances.correlated > 0.0)) continue;
+    const double step_s = time_s[i] - time_s[i - 1];
+    earlier = step_s < 0.0 ? 0.0 : (earlier + 1.0) * std::exp(-step_s / noise.correlation_time_s);
+    sum += 2.0 * variances.correlated * earlier;
+  }
+  return std::sqrt(sum) / static_cast<double>(n);
+}
+
+}  // namespace ballbar

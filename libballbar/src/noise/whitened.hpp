@@ -1,0 +1,19 @@
+// Columns by the filter of the noise.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "ballbar/noise/noise.hpp"
+
+namespace ballbar {
+
+Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::Ref<const Eigen::MatrixXd>& columns);
+
+// White noise with no reading beyond 4 sigma (by the median absolute deviation): what counts on many readings stays,
+// what a few make alone does not.
+Eigen::VectorXd clipped(Eigen::VectorXd white);
+
+// Student's t with 4 degrees of freedom is more likely than the normal distribution, each of its own most likely width.
+bool has_heavy_tails(const Eigen::VectorXd& white);
+
+}  // namespace ballbar

@@ -1,0 +1,108 @@
+#include "ballbar/revision/ledger.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/statistics/held_out.hpp"
+#include "diagnosis/statistics/likely.hpp"
+#include "series/thinned.hpp"
+
+namespace ballbar {
+namespace {
+
+// "12.3", "0.31", "120": three digits.
+std::string um_text(double value) {
+  if (!(std::abs(value) > 0.0)) return "0";
+  const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 6);
+  return fmt::format("{:.{}f}", value, decimals);
+}
+
+std::string times_text(double value) { return fmt::format("{:.{}f}", value, value < 10.0 ? 2 : 1); }
+
+// "12.3 -> 3.1", or what is known of it.
+template <class Text>
+std::string change_text(double before, double after, Text text) {
+  return std::isfinite(before) ? fmt::format("{} -> {}", text(before), text(after)) : text(after);
+}
+
+std::string needed_text(const std::vector<std::string>& labels, std::string_view what) {
+  if (labels.empty()) return "";
+  return fmt::format("; {} {} {}", fmt::join(labels, ", "), labels.size() == 1 ? "is" : "are", what);
+}
+
+// "added A, B and took out C"
+std::string done_text(const std::string& change) {
+  std::vector<std::string> added, removed;
+  std::size_t begin = 0;
+  while (begin < change.size()) {
+    std::size_t end = change.size();
+    for (const std::string_view next : {", + ", ", - "}) end = std::min(end, change.find(next, begin));
+    const std::string part = change.substr(begin, end - begin);
+    if (part.starts_with("+ ")) added.push_back(part.substr(2));
+    if (part.starts_with("- ")) removed.push_back(part.substr(2));
+    begin = end + 2;
+  }
+  std::vector<std::string> done;
+  if (!added.empty()) done.push_back(fmt::format("added {}", fmt::join(added, ", ")));
+  if (!removed.empty()) done.push_back(fmt::format("took out {}", fmt::join(removed, ", ")));
+  return done.empty() ? change : fmt::format("{}", fmt::join(done, " and "));
+}
+
+}  // namespace
+
+LedgerRow row_of(const Fit& fit, const Likely& seen) {
+  LedgerRow row;
+  row.level = seen.of_recordings ? Level::recording : Level::series;
+  row.target = fit.target;
+  row.parameters = static_cast<std::size_t>(
+      std::count_if(fit.parameters.begin(), fit.parameters.end(),
+                    [](const FittedParameter& parameter) { return parameter.state != ParameterState::held; }));
+  row.rmse_um = fit.rmse_um;
+  if (!fit.floor.source.empty() && fit.floor.rms_um > 0.0) row.times_floor = fit.rmse_um / fit.floor.rms_um;
+  row.held_out_um = held_out(seen.leftover, seen.noise, seen.cycle, seen.of_recordings).rmse_um;
+  return row;
+}
+
+LedgerRow row_of(const Model& model, const Series& data, std::size_t target) {
+  const Series seen = thinned(data, model.targets.at(target), kMostTested);
+  return row_of(fit(model, data, target), seen_of(model, seen, target).likely);
+}
+
+double family_wise_error(std::span<const LedgerRow> rows) {
+  const auto additions = std::count_if(rows.begin(), rows.end(), [](const LedgerRow& row) {
+    return row.change.find("+ ") == 0 || row.change.find(", + ") != std::string::npos;
+  });
+  return kErrorOfASearch * static_cast<double>(additions);
+}
+
+std::string sentence(const LedgerRow& row, const LedgerRow* before) {
+  const bool same = before != nullptr && before->target == row.target && before->data == row.data;
+  const LedgerRow none{.rmse_um = LedgerRow::kUnknown};
+  const LedgerRow& from = same ? *before : none;
+  std::string text = row.revision == 0 ? "The model started with"
+                                       : fmt::format("Revision {} {}:", row.revision, done_text(row.change));
+  text += fmt::format(" RMSE {} um", change_text(from.rmse_um, row.rmse_um, um_text));
+  if (std::isfinite(row.times_floor)) {
+    text += fmt::format(" ({} times the floor)", change_text(from.times_floor, row.times_floor, times_text));
+  }
+  if (std::isfinite(row.held_out_um)) {
+    text += fmt::format(", left-out {} {} um", row.level == Level::recording ? "recordings" : "cycles",
+                        change_text(from.held_out_um, row.held_out_um, um_text));
+  }
+  if (std::isfinite(row.evidence)) {
+    text += fmt::format("; evidence {:.1f}", row.evidence);
+    if (std::isfinite(row.threshold)) text += fmt::format(", which counts from {:.1f}", row.threshold);
+  }
+  if (std::isfinite(row.best_fake_fall)) {
+    text += fmt::format("{} a fake effect would have bought up to {:.0f} %",
+                        std::isfinite(row.evidence) ? ", and" : ";", 100.0 * row.best_fake_fall);
+  }
+  text += needed_text(row.still_needed, "still needed");
+  text += needed_text(row.no_longer_needed, "no longer needed");
+  return text + '.';
+}
+
+}  // namespace ballbar

@@ -1,0 +1,61 @@
+#include "ballbar/series/series.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace ballbar {
+namespace {
+
+constexpr std::array<std::string_view, 8> kUnits = {"um", "mm", "urad", "degC", "rpm", "A", "W", "K"};
+
+constexpr std::array<std::pair<Role, std::string_view>, 10> kRoles = {{
+    {Role::structure, "structure"},
+    {Role::ambient, "ambient"},
+    {Role::coolant, "coolant"},
+    {Role::bearing, "bearing"},
+    {Role::mean_point, "mean_point"},
+    {Role::housing, "housing"},
+    {Role::speed, "speed"},
+    {Role::load, "load"},
+    {Role::event, "event"},
+    {Role::measured, "measured"},
+}};
+
+}  // namespace
+
+std::string_view unit_of(std::string_view column_name) {
+  const std::size_t underscore = column_name.rfind('_');
+  if (underscore == std::string_view::npos || underscore == 0) return {};
+  const std::string_view end = column_name.substr(underscore + 1);
+  const auto* unit = std::find(kUnits.begin(), kUnits.end(), end);
+  return unit == kUnits.end() ? std::string_view{} : *unit;
+}
+
+Role role_from_unit(std::string_view unit) {
+  if (unit == "rpm") return Role::speed;
+  if (unit == "degC") return Role::structure;
+  if (unit == "um" || unit == "mm" || unit == "urad") return Role::measured;
+  if (unit == "A" || unit == "W") return Role::load;
+  return Role::event;
+}
+
+std::string_view name_of(Role role) {
+  const auto* entry = std::find_if(kRoles.begin(), kRoles.end(), [&](const auto& pair) { return pair.first == role; });
+  return entry->second;
+}
+
+std::optional<Role> role_from_name(std::string_view name) {
+  for (const auto& [role, role_name] : kRoles) {
+    if (role_name == name) return role;
+  }
+  return std::nullopt;
+}
+
+const Column* find_column(const Series& series, std::string_view name) {
+  const auto column =
+      std::find_if(series.columns.begin(), series.columns.end(), [&](const Column& c) { return c.name == name; });
+  return column == series.columns.end() ? nullptr : &*column;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,59 @@
+#include "ballbar/series/speed_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "numerics/median.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kShortest_s = 60.0;
+constexpr double kTolerance = 0.02;  // of the largest speed
+
+double median_of_known(const std::vector<double>& values, std::size_t begin, std::size_t end) {
+  std::vector<double> known;
+  for (std::size_t row = begin; row < end; ++row) {
+    if (!std::isnan(values[row])) known.push_back(values[row]);
+  }
+  return known.empty() ? std::numeric_limits<double>::quiet_NaN() : median(std::move(known));
+}
+
+}  // namespace
+
+std::vector<SpeedStep> speed_steps(const std::vector<double>& time_s, const Column& speed) {
+  const std::vector<double>& rpm = speed.values;
+  double largest = 0.0;
+  for (const double value : rpm) largest = std::fmax(largest, std::abs(value));  // a gap does not count
+  std::vector<std::size_t> starts{0};
+  std::vector<double> firsts;  // value that each finished step began with, its ramp left out
+  double first = rpm.empty() ? 0.0 : rpm.front();
+  std::size_t changed = 0;  // row of the last change of speed
+  for (std::size_t row = 1; row < rpm.size(); ++row) {
+    if (std::isnan(first)) first = rpm[row];
+    if (!(std::abs(rpm[row] - first) > kTolerance * largest)) continue;
+    if (time_s[row] - time_s[changed] >= kShortest_s) {
+      starts.push_back(row);
+      firsts.push_back(first);
+    } else if (!firsts.empty() && time_s[row] - time_s[starts.back()] < kShortest_s &&
+               std::abs(rpm[row] - firsts.back()) <= kTolerance * largest) {
+      first = firsts.back();
+      starts.pop_back();
+      firsts.pop_back();
+      changed = starts.back();
+      continue;
+    }
+    changed = row;
+    first = rpm[row];
+  }
+  std::vector<SpeedStep> steps;
+  for (std::size_t i = 0; i < starts.size() && !rpm.empty(); ++i) {
+    const std::size_t end = i + 1 < starts.size() ? starts[i + 1] : rpm.size();
+    steps.push_back({median_of_known(rpm, starts[i], end), starts[i], end});
+  }
+  return steps;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,62 @@
+#include "mean_point/meanpoint_plot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace ballbar {
+namespace {
+
+// T falls from 40 to 20 over 10 mm: mean 30 at 5 mm.
+MeanPointState falling() {
+  MeanPointState state;
+  state.name = "a 'name'\n`x`";
+  state.profile = {{0, 10}, {40, 20}, {}};
+  state.mean_degC = 30.0;
+  state.points = mean_points(state.profile);
+  return state;
+}
+
+TEST(meanpoint_plot, script_holds_the_numbers_and_no_name_as_it_is) {
+  const std::string script = meanpoint_script({falling(), falling()}, BestPoint{7.5, 0.0, {}}, "heading");
+  EXPECT_NE(script.find("$T0 << EOD\n0 40\n10 20\nEOD\n$M0 << EOD\n0 30\n10 30\nEOD\n$P0 << EOD\n5 30\nEOD\n"),
+            std::string::npos)
+      << script;
+  EXPECT_NE(script.find("set arrow from 7.5,graph 0 to 7.5,graph 1"), std::string::npos);
+  EXPECT_EQ(script.find('`'), std::string::npos);
+  EXPECT_EQ(script.find("name'\n"), std::string::npos);
+}
+
+// A region of 20 by 11 pixels at (4, 5) in 30 by 40, the scale 20 to 40 degC. The mean point is at 5 of 10 mm, column
+// 4 + 10 - 0.5, drawn on 14 (lround away from zero: 9.5 is 10) and one to each side, 12 rows beyond the region; T is 40
+// at the left, in the region's first row.
+TEST(meanpoint_plot, marks_stand_where_they_belong) {
+  MeanPointState state = falling();
+  state.from = PictureState{};
+  state.from->picture = {30, 40, std::vector<std::uint8_t>(3 * 30 * 40, 100)};
+  state.from->scale = {{{0, 0, 0}, {1, 1, 1}}, {20.0, 40.0}, false, 20.0};
+  state.from->image.region = {4, 5, 20, 11};
+  const Colour plain{100, 100, 100}, magenta{230, 0, 230}, black{0, 0, 0}, white{255, 255, 255};
+  const Picture across = marked_picture(state);
+  EXPECT_EQ(colour_at(across, 14, 0), magenta);
+  EXPECT_EQ(colour_at(across, 13, 27), magenta);
+  EXPECT_EQ(colour_at(across, 14, 29), plain);
+  EXPECT_EQ(colour_at(across, 17, 0), plain);
+  EXPECT_EQ(colour_at(across, 4, 5), black);    // T(0) = 40
+  EXPECT_EQ(colour_at(across, 23, 15), black);  // T(10) = 20
+  EXPECT_EQ(colour_at(across, 14, 10), black);  // T(5) = 30, over the mean point's line
+  EXPECT_EQ(colour_at(across, 23, 9), plain);
+  EXPECT_EQ(colour_at(across, 24, 8), magenta);  // the region's frame
+  EXPECT_EQ(colour_at(across, 4, 8), white);     // the curve's rim
+
+  // Turned: along is down; T = 40 at the top left, the scale's cold end at the right.
+  state.from->vertical = true;
+  state.from->image.region = {4, 5, 11, 20};
+  const Picture down = marked_picture(state);
+  EXPECT_EQ(colour_at(down, 4, 5), black);
+  EXPECT_EQ(colour_at(down, 14, 24), black);
+  EXPECT_EQ(colour_at(down, 0, 15), magenta);
+}
+
+}  // namespace
+}  // namespace ballbar

@@ -1,0 +1,124 @@
+// Effects hidden in made recordings: what two directions and two feeds tell apart, and what one does not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "ballbar/diagnosis/next_test/next_test.hpp"
+#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "made_recordings.hpp"
+
+namespace ballbar {
+namespace {
+
+made::Plan plan_of(std::vector<made::Sweep> sweeps, std::size_t readings) {
+  made::Plan plan;
+  plan.sweeps = std::move(sweeps);
+  plan.readings = readings;
+  plan.detectability = 15.0;
+  return plan;
+}
+
+DiagnosisOptions quick() {
+  DiagnosisOptions options;
+  options.motion = Motion::linear_axes;
+  options.draws = 400;
+  options.fakes = 50;
+  return options;
+}
+
+Diagnosis of(const made::Plan& plan, const char* effect, std::uint64_t seed = 1) {
+  const Effect* hidden = effect == nullptr ? nullptr : find_effect(effect, Level::recording);
+  const Series trace = made::recordings(plan, hidden, seed);
+  return diagnose(circles_of(trace), trace, 0, quick());
+}
+
+std::string named(const Diagnosis& found) {
+  std::string names;
+  for (const BoundEffect& bound : found.named) names += (names.empty() ? "" : " ") + label_of(bound);
+  return names;
+}
+
+bool is_in(const std::vector<std::vector<BoundEffect>>& groups, std::string_view effect) {
+  return std::any_of(groups.begin(), groups.end(), [&](const std::vector<BoundEffect>& group) {
+    return std::any_of(group.begin(), group.end(), [&](const BoundEffect& b) { return b.effect->name == effect; });
+  });
+}
+
+TEST(DiagnosisOfRecordings, two_feeds_name_squareness) {
+  EXPECT_EQ(named(of(plan_of(made::two_feeds(), 60), "squareness")), "squareness");
+}
+
+TEST(DiagnosisOfRecordings, two_feeds_name_a_servo_mismatch) {
+  EXPECT_EQ(named(of(plan_of(made::two_feeds(), 60), "servo_mismatch")), "servo_mismatch");
+}
+
+// It moves the radius alone: at one feed set-up does the same.
+TEST(DiagnosisOfRecordings, two_feeds_name_dynamic_contraction) {
+  EXPECT_EQ(named(of(plan_of(made::two_feeds(), 60), "dynamic_contraction")), "dynamic_contraction");
+}
+
+TEST(DiagnosisOfRecordings, one_feed_cannot_show_dynamic_contraction) {
+  const Diagnosis found = of(plan_of(made::both_ways(), 120), "dynamic_contraction");
+  EXPECT_EQ(found.verdict, Verdict::nothing);
+  const auto at = std::find_if(found.prospects.begin(), found.prospects.end(),
+                               [](const Prospect& prospect) { return prospect.effect->name == "dynamic_contraction"; });
+  ASSERT_NE(at, found.prospects.end());
+  EXPECT_NE(at->testability, Testability::testable);
+}
+
+TEST(DiagnosisOfRecordings, both_ways_name_backlash_and_it_beats_its_fakes) {
+  const Diagnosis found = of(plan_of(made::both_ways(), 120), "backlash_a");
+  EXPECT_EQ(named(found), "backlash_a");
+  ASSERT_FALSE(found.candidates.empty());
+  EXPECT_EQ(found.candidates.front().beats_fakes, true);
+  EXPECT_GT(found.best_fake_fall, 0.0);
+}
+
+TEST(DiagnosisOfRecordings, a_wave_of_two_a_turn_has_no_fakes) {
+  const Diagnosis found = of(plan_of(made::both_ways(), 120), "scale_mismatch");
+  EXPECT_EQ(named(found), "scale_mismatch");
+  ASSERT_FALSE(found.candidates.empty());
+  EXPECT_EQ(found.candidates.front().beats_fakes, std::nullopt);
+}
+
+TEST(DiagnosisOfRecordings, one_direction_never_tells_squareness_from_a_servo_mismatch) {
+  for (const char* effect : {"squareness", "servo_mismatch"}) {
+    const Series trace = made::recordings(plan_of(made::one_way(), 200), find_effect(effect, Level::recording), 1);
+    const Model model = circles_of(trace);
+    const Diagnosis found = diagnose(model, trace, 0, quick());
+    EXPECT_EQ(found.verdict, Verdict::equivalent) << effect;
+    EXPECT_TRUE(is_in(found.equivalent, "squareness")) << effect;
+    EXPECT_TRUE(is_in(found.equivalent, "servo_mismatch")) << effect;
+    const std::vector<NextTest> tests = next_tests(model, trace, found);
+    ASSERT_FALSE(tests.empty());
+    EXPECT_TRUE(tests.front().name == "the other direction" || tests.front().name.ends_with("the feed"))
+        << tests.front().name;
+    EXPECT_GT(tests.front().separation, 7.5);
+  }
+}
+
+TEST(DiagnosisOfRecordings, nothing_hidden_is_nothing) {
+  int called = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const Diagnosis found = of(plan_of(made::both_ways(), 100), nullptr, seed);
+    EXPECT_TRUE(found.named.empty()) << seed;
+    called += found.verdict == Verdict::nothing ? 0 : 1;
+  }
+  EXPECT_EQ(called, 0);
+}
+
+TEST(CirclesOf, has_one_radius_at_several_feeds) {
+  const auto radii = [](const std::vector<made::Sweep>& sweeps) {
+    made::Plan plan;
+    plan.sweeps = sweeps;
+    plan.readings = 36;
+    const Model model = circles_of(made::circles(plan));
+    return std::count_if(model.terms.begin(), model.terms.end(),
+                         [](const Term& term) { return !term.settings.at(2).held; });
+  };
+  EXPECT_EQ(radii(made::both_ways()), 2);
+  EXPECT_EQ(radii(made::two_feeds()), 1);
+}
+
+}  // namespace
+}  // namespace ballbar

@@ -1,0 +1,36 @@
+#include "model/bindings.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "ballbar/diagnosis/signatures/identifiability.hpp"
+
+namespace ballbar {
+namespace {
+
+Series thermometers(int count) {
+  Series data;
+  data.time_s = {0.0, 60.0};
+  for (int k = 0; k < count; ++k) {
+    data.columns.push_back({fmt::format("T{}_degC", k), Role::structure, {20.0 + k, 20.0 + k}});
+  }
+  return data;
+}
+
+TEST(bindings, the_warmer_column_is_the_hot_one) {
+  using Binding = std::vector<std::string>;
+  const Effect& bending = *find_effect("gradient_bending", Level::series);
+  EXPECT_EQ(bindings_of(bending, {}, thermometers(3)),
+            (std::vector<Binding>{{"T1_degC", "T0_degC"}, {"T2_degC", "T0_degC"}, {"T2_degC", "T1_degC"}}));
+}
+
+// 33 thermometers make 33 * 32 / 2 pairs.
+TEST(bindings, are_counted_beyond_those_that_are_searched) {
+  const Effect& bending = *find_effect("gradient_bending", Level::series);
+  const Series data = thermometers(33);
+  EXPECT_EQ(count_of_bindings(bending, {}, data), 528U);
+  EXPECT_EQ(bindings_of(bending, {}, data).size(), kMostBindings);
+}
+
+}  // namespace
+}  // namespace ballbar

@@ -1,0 +1,125 @@
+// Effects added for a try, and earlier ones tested anew.
+#include "ballbar/revision/trial.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace ballbar {
+namespace {
+
+// z = 10 T + e, e orthogonal to 1 and to T. With the effect RSS = 4; without it the part of T about its mean stays too,
+// 6 * 5^2 + 4 = 154. Fewer than 8 values: white noise with variance RSS / n, 2 ln L = -n ln(RSS / n) + constant.
+Series six_values() {
+  Series data;
+  data.time_s = {0.0, 60.0, 120.0, 180.0, 240.0, 300.0};
+  data.columns = {{"T_degC", Role::structure, {0.0, 1.0, 0.0, 1.0, 0.0, 1.0}},
+                  {"z_um", Role::measured, {1.0, 11.0, -1.0, 9.0, 0.0, 10.0}}};
+  return data;
+}
+
+Model constant() {
+  Model model;
+  model.targets = {"z_um"};
+  return model;
+}
+
+TEST(Trial, six_values_by_hand) {
+  const Trial found = trial(constant(), {term_of("expansion", {"T_degC"})}, six_values());
+  EXPECT_NEAR(found.before.rmse_um, std::sqrt(154.0 / 6.0), 1e-6);
+  EXPECT_NEAR(found.after.rmse_um, std::sqrt(4.0 / 6.0), 1e-6);
+  EXPECT_EQ(found.before.parameters, 1u);
+  EXPECT_EQ(found.after.parameters, 2u);
+  EXPECT_EQ(found.after.change, "+ expansion(T_degC)");
+  EXPECT_TRUE(found.earlier.empty());
+  ASSERT_EQ(found.added.size(), 1u);
+  EXPECT_NEAR(found.added[0].amplitude_um, 10.0, 1e-6);
+  EXPECT_NEAR(found.added[0].evidence, 6.0 * std::log(154.0 / 4.0), 1e-4);  // 21.9
+  EXPECT_NEAR(found.after.evidence, found.added[0].evidence, 1e-12);
+  ASSERT_FALSE(found.added[0].doubts.empty());
+  EXPECT_EQ(found.added[0].doubts[0], "its evidence is below 25 (d = 5)");
+  EXPECT_EQ(found.after.verdict, "not supported");
+}
+
+// chi^2 with one degree of freedom: p = erfc(sqrt(evidence / 2)).
+TEST(Trial, stays_by_chi_squared) {
+  Model model = constant();
+  model.terms.push_back(term_of("expansion", {"T_degC"}));
+  const std::vector<Stay> found = stays(model, 1, six_values());
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].label, "expansion(T_degC)");
+  EXPECT_EQ(found[0].parameters, 1u);
+  EXPECT_NEAR(found[0].p, std::erfc(std::sqrt(3.0 * std::log(154.0 / 4.0))), 1e-9);
+  EXPECT_TRUE(found[0].needed);
+}
+
+TEST(Trial, held_effects_are_not_tested) {
+  Model model = constant();
+  model.terms.push_back(term_of("expansion", {"T_degC"}));
+  model.terms[0].settings[0] = {true, 10.0, -1e9, 1e9, true};
+  EXPECT_TRUE(stays(model, 1, six_values()).empty());
+}
+
+// With the constant held nothing is free without the effect: the residual is then 10 T + e whole, 300 + 4 + 2 * 10 * 0.
+TEST(Trial, nothing_free_without_the_effect) {
+  Model model = constant();
+  model.constant_um = 0.0;
+  model.terms.push_back(term_of("expansion", {"T_degC"}));
+  const std::vector<Stay> found = stays(model, 1, six_values());
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].evidence, 6.0 * std::log(304.0 / 4.0), 1e-4);
+}
+
+// 300 rows of 5 steps of the speed; z follows the room, nothing else.
+Series warm_up() {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  Series data;
+  Column speed{"speed_rpm", Role::speed, {}}, room{"T_room_degC", Role::ambient, {}},
+      oil{"T_oil_degC", Role::coolant, {}}, z{"z_um", Role::measured, {}};
+  for (int i = 0; i < 300; ++i) {
+    data.time_s.push_back(60.0 * i);
+    speed.values.push_back(i / 60 % 2 == 0 ? 0.0 : 1000.0 * (1 + i / 120));
+    room.values.push_back(20.0 + std::sin(i / 17.0));
+    oil.values.push_back(25.0 + std::cos(i / 29.0));
+    z.values.push_back(4.0 * room.values.back() + 0.2 * normal(random));
+  }
+  data.columns = {speed, room, oil, z};
+  return data;
+}
+
+TEST(Trial, of_what_is_there) {
+  const Trial found = trial(constant(), {term_of("expansion", {"T_room_degC"})}, warm_up());
+  EXPECT_EQ(found.after.verdict, "supported");
+  EXPECT_TRUE(found.added[0].doubts.empty());
+  EXPECT_GT(found.added[0].gain, found.added[0].best_fake_gain);
+  EXPECT_LT(found.after.held_out_um, found.before.held_out_um);
+  EXPECT_NEAR(found.after.rmse_um, 0.2, 0.03);  // the noise: 300 values, 4 % of sigma
+}
+
+TEST(Trial, of_what_is_not) {
+  Model model = constant();
+  model.terms.push_back(term_of("expansion", {"T_room_degC"}));
+  const Trial found = trial(model, {term_of("expansion", {"T_oil_degC"})}, warm_up());
+  EXPECT_EQ(found.after.verdict, "not supported");
+  EXPECT_EQ(found.after.still_needed, std::vector<std::string>{"expansion(T_room_degC)"});
+}
+
+TEST(Trial, pruned_of_what_is_not_needed) {
+  Model model = constant();
+  model.terms.push_back(term_of("linear_drift", {}));
+  model.terms.push_back(term_of("expansion", {"T_oil_degC"}));
+  const Series data = warm_up();
+  const Trial tried = trial(model, {term_of("expansion", {"T_room_degC"})}, data);
+  EXPECT_EQ(tried.after.no_longer_needed.size(), 2u);
+  const Pruned smaller = pruned(tried, data);
+  EXPECT_EQ(smaller.removed, (std::vector<std::size_t>{0, 1}));
+  ASSERT_EQ(smaller.trial.model.terms.size(), 1u);
+  EXPECT_EQ(smaller.trial.after.parameters, 2u);
+  EXPECT_TRUE(smaller.trial.after.no_longer_needed.empty());
+  EXPECT_TRUE(smaller.trial.after.change.starts_with("+ expansion(T_room_degC), - "));
+}
+
+}  // namespace
+}  // namespace ballbar

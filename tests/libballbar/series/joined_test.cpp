@@ -1,0 +1,102 @@
+// A drift and its signals on their own clocks become one series.
+#include "ballbar/series/joined.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "ballbar/error.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+
+Series drift() { return {{60.0, 600.0, 1500.0}, {{"x_um", Role::measured, {0.0, 3.0, 5.0}}}, std::nullopt}; }
+
+Series signals() {
+  return {{0.0, 400.0, 800.0, 1200.0},
+          {{"T_degC", Role::structure, {20.0, 24.0, kGap, 28.0}},
+           {"speed_rpm", Role::speed, {0.0, 8000.0, 8000.0, 0.0}},
+           {"door", Role::event, {0.0, 1.0, kGap, 0.0}}},
+          std::nullopt};
+}
+
+void expect_values(const Series& series, std::string_view name, const std::vector<double>& expected) {
+  const Column* column = find_column(series, name);
+  ASSERT_NE(column, nullptr) << name;
+  ASSERT_EQ(column->values.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    if (std::isnan(expected[i])) {
+      EXPECT_TRUE(std::isnan(column->values[i])) << name << " row " << i;
+    } else {
+      EXPECT_NEAR(column->values[i], expected[i], 1e-12) << name << " row " << i;
+    }
+  }
+}
+
+// Rows at 0, 60, 400, 600, 800, 1200 s; 1500 s is outside the signals. T at 60 s: 20 + 4 * 60 / 400; at 600 s, across
+// the gap at 800 s: 24 + 4 * 200 / 800; speed at 60 s: 8000 * 60 / 400.
+TEST(Joined, signals_are_lines_and_measured_values_stand_where_they_are) {
+  const Series series = joined({drift(), signals()}, 800.0);
+  EXPECT_EQ(series.time_s, (std::vector<double>{0.0, 60.0, 400.0, 600.0, 800.0, 1200.0}));
+  expect_values(series, "x_um", {kGap, 0.0, kGap, 3.0, kGap, kGap});
+  expect_values(series, "T_degC", {20.0, 20.6, 24.0, 25.0, 26.0, 28.0});
+  expect_values(series, "speed_rpm", {0.0, 1200.0, 8000.0, 8000.0, 8000.0, 0.0});
+  expect_values(series, "door", {0.0, 0.0, 1.0, 1.0, 1.0, 0.0});
+}
+
+TEST(Joined, one_part_without_signals_is_itself) {
+  const Series series = joined({drift()}, 60.0);
+  EXPECT_EQ(series.time_s, drift().time_s);
+  expect_values(series, "x_um", {0.0, 3.0, 5.0});
+}
+
+// A gap outside the common time is nobody's: T ends the time at 400 s, speed's long gap is after it.
+TEST(Joined, gaps_outside_the_common_time_do_not_matter) {
+  const Series a{{0.0, 100.0, 400.0}, {{"T_degC", Role::structure, {1.0, 2.0, 3.0}}}, std::nullopt};
+  const Series b{{0.0, 400.0, 9000.0}, {{"speed_rpm", Role::speed, {1.0, 1.0, 1.0}}}, std::nullopt};
+  EXPECT_EQ(joined({a, b}, 400.0).time_s, (std::vector<double>{0.0, 100.0, 400.0}));
+}
+
+// Joining in any order gives the same values; joining again changes nothing.
+TEST(Joined, order_does_not_matter_and_again_changes_nothing) {
+  const Series one = joined({drift(), signals()}, 800.0), other = joined({signals(), drift()}, 800.0);
+  EXPECT_EQ(one.time_s, other.time_s);
+  const Series again = joined({one}, 800.0);
+  for (const Column& column : one.columns) {
+    expect_values(other, column.name, column.values);
+    expect_values(again, column.name, column.values);
+  }
+}
+
+std::string message_of(const std::vector<Series>& parts, double max_gap_s) {
+  try {
+    joined(parts, max_gap_s);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Joined, says_what_is_wrong) {
+  EXPECT_EQ(message_of({drift(), drift()}, 800.0), "expected every column once, found x_um twice.");
+  EXPECT_EQ(message_of({drift(), signals()}, 600.0),
+            "expected values of T_degC at most 10 min apart, found none between 6.67 and 20 min.");
+  EXPECT_EQ(message_of({drift(), signals()}, 20.0),
+            "expected values of T_degC at most 20 s apart, found none between 0 and 400 s.");
+  Series empty = signals();
+  empty.columns[0].values.assign(4, kGap);
+  EXPECT_EQ(message_of({drift(), empty}, 800.0), "expected values of T_degC, found none.");
+  Series late = drift();
+  late.time_s = {6000.0, 7200.0, 9000.0};
+  EXPECT_EQ(message_of({late, signals()}, 800.0),
+            "expected times in common, found x_um from 100 to 150 min and signals from 0 to 20 min.");
+  const Series never{{6000.0, 9000.0}, {{"U_degC", Role::structure, {1.0, 1.0}}}, std::nullopt};
+  EXPECT_EQ(message_of({signals(), never}, 800.0),
+            "expected times in common, found T_degC from 0 to 20 min, U_degC from 100 to 150 min.");
+}
+
+}  // namespace
+}  // namespace ballbar
