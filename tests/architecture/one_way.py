@@ -1,0 +1,63 @@
+"""Includes go one way: libballbar, formats, apps, and within each the rooms in the order in which CMake lists them.
+The modules of the page import no circle.
+
+    python3 one_way.py SOURCE_FOLDER
+"""
+import graphlib
+import pathlib
+import re
+import sys
+
+source = pathlib.Path(sys.argv[1])
+wrong = []
+
+rooms = []  # ("libballbar", "numerics"), lowest first
+for part in ("libballbar", "formats", "apps"):
+    for folder in re.findall(r"^ *room\([\w-]+ (\S+)", (source / part / "CMakeLists.txt").read_text(), re.M):
+        room = (part, re.sub(r"^src(/|$)|^\.$", "", folder))
+        if room not in rooms:
+            rooms.append(room)
+
+
+def room_of(part, folder):
+    """The room of a file, nested ones first; None of one in no room."""
+    while (part, folder) not in rooms and folder:
+        folder = folder.rpartition("/")[0]
+    return rooms.index((part, folder)) if (part, folder) in rooms else None
+
+
+def included(part, file):
+    """(part, folder) of what an include in quotes names."""
+    public = re.match(r"ballbar/(formats/)?(?:(.*)/)?[^/]*$", file)
+    if public:
+        return ("formats" if public[1] else "libballbar"), public[2] or ""
+    return part, file.rpartition("/")[0]
+
+
+for part in ("libballbar", "formats", "apps"):
+    for path in sorted(source.glob(f"{part}/**/*.[ch]pp")):
+        inside = re.sub(r"^(src|include/ballbar(/formats)?)/?", "", path.parent.relative_to(source / part).as_posix())
+        own = room_of(part, "" if inside == "." else inside)
+        if own is None:
+            wrong.append(f"{path.relative_to(source)}: its folder is no room of {part}/CMakeLists.txt")
+            continue
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            include = re.match(r'#include "(.+)"', line)
+            other = room_of(*included(part, include[1])) if include else own
+            if other is None or other > own:
+                wrong.append(f"{path.relative_to(source)}:{number}: {'/'.join(rooms[own]).strip('/')} may not include "
+                             f"{include[1]}: expected a file of its own room or of one listed before it")
+
+page = source / "apps/page/src"
+imports = {}
+for path in page.rglob("*.ts"):
+    names = re.findall(r'(?:from|import) "(\.[^"]*)"', path.read_text(encoding="utf-8"))
+    imports[path.resolve()] = {(path.parent / f"{name}.ts").resolve() for name in names if not name.endswith(".css")}
+try:
+    graphlib.TopologicalSorter(imports).prepare()
+except graphlib.CycleError as error:
+    circle = " -> ".join(path.relative_to(page.resolve()).as_posix() for path in reversed(error.args[1]))
+    wrong.append(f"apps/page/src: expected no circle of imports, found {circle}")
+
+print("\n".join(wrong + [f"{len(rooms)} rooms, {len(imports)} modules of the page, {len(wrong)} against the order"]))
+sys.exit(1 if wrong or not rooms or not imports else 0)
