@@ -4,13 +4,12 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <vector>
+
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 double size_of(double error_um, ErrorSize size) {
   return size == ErrorSize::mean_of_sizes ? std::abs(error_um) : error_um * error_um;

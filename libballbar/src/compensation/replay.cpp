@@ -8,25 +8,24 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 // The latest value of a column of one of the signals.
 struct Feed {
   const Series* series = nullptr;
   const std::vector<double>* values = nullptr;
   std::size_t next = 0;
-  double latest = kNotKnown, latest_s = kNotKnown;
+  double latest = kUnknown, latest_s = kUnknown;
 
   double at(double time_s, double longest_s) {
     for (; next < series->time_s.size() && series->time_s[next] <= time_s; ++next) {
       latest = (*values)[next];
       latest_s = series->time_s[next];
     }
-    return time_s - latest_s <= longest_s ? latest : kNotKnown;
+    return time_s - latest_s <= longest_s ? latest : kUnknown;
   }
 };
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <span>
 #include <tuple>
@@ -15,11 +14,11 @@
 #include "ballbar/units.hpp"
 #include "drift/best_lag.hpp"
 #include "numerics/interpolation.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kChance = 0.01;
 
 void expect_comparable(const MeasuredDrift& a, const MeasuredDrift& b) {

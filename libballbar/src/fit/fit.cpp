@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "ballbar/error.hpp"
 #include "fit/fit_rounds.hpp"
@@ -14,12 +13,11 @@
 #include "fit/series_cost.hpp"
 #include "fit/starts.hpp"
 #include "model/model_rows.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t kFewestForNoise = 30;  // below, the residual is taken as white
 
 Bounds bounds_of(const Model& model, const ModelRows& rows) {

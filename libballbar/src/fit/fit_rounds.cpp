@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "ballbar/error.hpp"
 #include "fit/kept_rows.hpp"
 #include "fit/robust_weights.hpp"
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr int kRobustRounds = 8;
 constexpr int kNoiseRounds = 2, kRobustNoiseRounds = 4;
 constexpr int kMostSteps = 100;

@@ -5,14 +5,13 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
+
+#include "numerics/not_finite.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kNoInformation = 1e-11;  // eigenvalue of the scaled information, of the largest
 
 bool on_bound(double value, double bound, double start) {

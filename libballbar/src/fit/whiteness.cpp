@@ -9,7 +9,7 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kFewest = 16, kLags = 10, kLargestFactor = 100;
+constexpr std::size_t kFewestRows = 16, kLags = 10, kLargestFactor = 100;
 constexpr double kNothing_um = 1e-9;  // rounding
 
 std::size_t largest_prime_factor(std::size_t n) {
@@ -50,7 +50,7 @@ Whiteness whiteness(const Fit& fit) {
   if (!fit.discounted.empty()) return whiteness(kept_of(fit));
   Whiteness result{autocorrelation(fit.residual_um)};
   std::size_t n = fit.residual_um.size();
-  if (n < kFewest) return result;
+  if (n < kFewestRows) return result;
   const auto is_nothing = [](double residual_um) { return std::abs(residual_um) < kNothing_um; };
   if (std::all_of(fit.residual_um.begin(), fit.residual_um.end(), is_nothing)) return result;
   std::vector<double> white(n);

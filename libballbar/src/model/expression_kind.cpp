@@ -10,7 +10,7 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kRows = 12;
+constexpr std::size_t kMadeUpRows = 12;
 constexpr int kDraws = 2;
 constexpr double kTolerance = 1e-9;  // of the values: rounding only
 
@@ -27,7 +27,7 @@ class Random {
 // Values as a column of that name could have.
 std::vector<double> made_up(const std::string& column, Random& random) {
   const std::string_view unit = unit_of(column);
-  std::vector<double> values(kRows);
+  std::vector<double> values(kMadeUpRows);
   for (double& value : values) {
     value = unit == "degC"  ? random.between(15.0, 40.0)
             : unit == "rpm" ? random.between(0.0, 20000.0)
@@ -41,7 +41,7 @@ class Prober {
   Prober(const std::vector<Parameter>& parameters, std::span<const Input> inputs, const Values& values)
       : parameters_(parameters), values_(values) {
     double now_s = 0.0;
-    for (std::size_t i = 0; i < kRows; ++i) time_s_.push_back(now_s += random_.between(1.0, 600.0));
+    for (std::size_t i = 0; i < kMadeUpRows; ++i) time_s_.push_back(now_s += random_.between(1.0, 600.0));
     for (const Input& input : inputs) inputs_.push_back(made_up(input.role, random_));
     rows_.time_s = time_s_;
     for (const std::vector<double>& input : inputs_) rows_.inputs.emplace_back(input);
@@ -64,7 +64,7 @@ class Prober {
       for (const double q : tried) {
         p[k] = q;
         const std::vector<double> at_q = run(p);
-        for (std::size_t i = 0; i < kRows; ++i) {
+        for (std::size_t i = 0; i < kMadeUpRows; ++i) {
           const double off = at_q[i] - at_0[i] - q * (at_1[i] - at_0[i]);
           const double size = std::abs(at_q[i]) + (1.0 + std::abs(q)) * (std::abs(at_0[i]) + std::abs(at_1[i]));
           if (!(std::abs(off) <= kTolerance * size)) return false;
@@ -85,7 +85,7 @@ class Prober {
       const std::vector<double> here_0 = at(0.0), here_1 = at(1.0);
       for (const std::size_t gain : gains) p[gain] = random_.between(-3.0, 3.0);
       const std::vector<double> there_0 = at(0.0), there_1 = at(1.0);
-      for (std::size_t i = 0; i < kRows; ++i) {
+      for (std::size_t i = 0; i < kMadeUpRows; ++i) {
         const double off = (there_1[i] - there_0[i]) - (here_1[i] - here_0[i]);
         const double size = std::abs(there_1[i]) + std::abs(there_0[i]) + std::abs(here_1[i]) + std::abs(here_0[i]);
         if (!(std::abs(off) <= kTolerance * size)) return false;
@@ -107,7 +107,7 @@ class Prober {
   }
 
   std::vector<double> run(const std::vector<double>& p) {
-    std::vector<double> out(kRows);
+    std::vector<double> out(kMadeUpRows);
     values_(rows_, p.data(), out.data());
     return out;
   }

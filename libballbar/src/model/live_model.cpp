@@ -11,7 +11,7 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kRows = 3;
+constexpr std::size_t kRowsKept = 3;
 
 void expect_runs_live(const Model& model) {
   if (model.level != Level::series) {
@@ -40,21 +40,22 @@ LiveModel::LiveModel(const Model& model) : constant_um_(model.constant_um.value_
     state_.kept.resize(state_.kept.size() + live.evaluate.kept);
     terms_.push_back(std::move(live));
   }
-  state_.inputs.resize(kRows * columns_.size());
+  state_.inputs.resize(kRowsKept * columns_.size());
   before_ = state_;
 }
 
 double LiveModel::next(double time_s, std::span<const double> values) {
   assert(values.size() == columns_.size());
   before_ = state_;  // sizes are alike: no memory
-  const std::size_t row = std::min(state_.rows, kRows - 1);
-  if (state_.rows == kRows) {
+  const std::size_t row = std::min(state_.rows, kRowsKept - 1);
+  if (state_.rows == kRowsKept) {
     state_.time_s[1] = state_.time_s[2];
-    for (std::size_t c = 0; c < columns_.size(); ++c) state_.inputs[c * kRows + 1] = state_.inputs[c * kRows + 2];
+    for (std::size_t c = 0; c < columns_.size(); ++c)
+      state_.inputs[c * kRowsKept + 1] = state_.inputs[c * kRowsKept + 2];
   }
   state_.rows = row + 1;
   state_.time_s[row] = time_s;
-  for (std::size_t c = 0; c < columns_.size(); ++c) state_.inputs[c * kRows + row] = values[c];
+  for (std::size_t c = 0; c < columns_.size(); ++c) state_.inputs[c * kRowsKept + row] = values[c];
   const double value_um = value_at(row);
   if (!std::isfinite(value_um)) std::swap(state_, before_);
   return value_um;
@@ -65,7 +66,7 @@ double LiveModel::value_at(std::size_t row) {
   for (LiveTerm& term : terms_) {
     term.rows.time_s = {state_.time_s.data(), state_.rows};
     for (std::size_t k = 0; k < term.column.size(); ++k) {
-      term.rows.inputs[k] = {state_.inputs.data() + term.column[k] * kRows, state_.rows};
+      term.rows.inputs[k] = {state_.inputs.data() + term.column[k] * kRowsKept, state_.rows};
     }
     sum_um += term.evaluate.row(term.rows, row, term.parameters.data(), state_.kept.data() + term.kept);
   }
@@ -79,7 +80,7 @@ void LiveModel::resume(const State& state) {
                     "{} and {}.",
                     state_.inputs.size(), state_.kept.size(), state.inputs.size(), state.kept.size()));
   }
-  bool rises = state.rows <= kRows;
+  bool rises = state.rows <= kRowsKept;
   for (std::size_t i = 1; rises && i < state.rows; ++i) rises = state.time_s[i] > state.time_s[i - 1];
   if (!rises) throw Error("expected a state of at most 3 rows whose times rise, found another.");
   state_ = state;

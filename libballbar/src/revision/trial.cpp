@@ -7,12 +7,13 @@
 #include <cmath>
 #include <unsupported/Eigen/SpecialFunctions>
 
+#include "diagnosis/signatures/bank.hpp"
 #include "diagnosis/statistics/confirmation.hpp"
 #include "diagnosis/statistics/held_out.hpp"
 #include "diagnosis/statistics/likely.hpp"
 #include "diagnosis/surrogates/fakes.hpp"
 #include "diagnosis/surrogates/trace_fakes.hpp"
-#include "diagnosis/signatures/bank.hpp"
+#include "numerics/not_finite.hpp"
 #include "series/cycles.hpp"
 #include "series/thinned.hpp"
 
@@ -20,7 +21,6 @@ namespace ballbar {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 std::size_t free_parameters(const Term& term) {
   return static_cast<std::size_t>(

@@ -16,12 +16,12 @@
 namespace ballbar {
 namespace {
 
-struct Named {
+struct Measurement {
   std::string_view name;
   double value;
 };
 
-void expect_not_negative(std::initializer_list<Named> numbers) {
+void expect_measurable(std::initializer_list<Measurement> numbers) {
   for (const auto& [name, value] : numbers) {
     if (std::isfinite(value) && value >= 0.0) continue;
     throw Error(fmt::format("spindle: expected a number not below 0 for {}, found {}.", name, value));
@@ -111,11 +111,11 @@ FiniteVolumeSpindle varied(const FiniteVolumeSpindle& spindle, double spread, st
 namespace simulation {
 
 void check(const SpindleMeasurement& measurement, const Series& sensors) {
-  expect_not_negative({{"noise_um", measurement.noise_um},
-                       {"memory_um", measurement.memory_um},
-                       {"resolution_um", measurement.resolution_um},
-                       {"temperature_noise_K", measurement.temperature_noise_K},
-                       {"temperature_resolution_K", measurement.temperature_resolution_K}});
+  expect_measurable({{"noise_um", measurement.noise_um},
+                     {"memory_um", measurement.memory_um},
+                     {"resolution_um", measurement.resolution_um},
+                     {"temperature_noise_K", measurement.temperature_noise_K},
+                     {"temperature_resolution_K", measurement.temperature_resolution_K}});
   if (!(std::isfinite(measurement.memory_s) && measurement.memory_s > 0.0)) {
     throw Error(fmt::format("spindle: expected a number above 0 for memory_s, found {}.", measurement.memory_s));
   }
