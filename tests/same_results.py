@@ -26,14 +26,7 @@ kRenamed = {  # old key: new key
     "best_fake_fall": "best_surrogate_fall",
     "best_fake_um": "best_surrogate_um",
     "fakes": "surrogates",
-    "held_out": "cross_validation",
-    "held_out_um": "cross_validated_um",
-    "held_out_before_um": "cross_validated_before_um",
-    "held_out_after_um": "cross_validated_after_um",
-    "held_out_rmse_um": "cross_validated_rmse_um",
     "p_stay": "p_drop",
-    "separation": "discrimination",
-    "separation_so_far": "discrimination_so_far",
 }
 kGone = set()  # old keys that are no more
 

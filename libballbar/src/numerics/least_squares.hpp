@@ -24,6 +24,8 @@
 
 namespace ballbar::least_squares {
 
+// P, the number of parameters, is fixed where it is known when compiling; Eigen::Dynamic does the same, slower.
+
 // Ceres stores matrices by rows; Eigen wants a single column by columns.
 template <int R, int C>
 using CeresMatrix = Eigen::Matrix<double, R, C, C == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
@@ -68,62 +70,67 @@ Eigen::Matrix<double, N, N> triangular_factor(const Eigen::Matrix<double, N, N>&
 }
 
 template <int P, class Rows>
-class CondensedCost final : public ceres::SizedCostFunction<P + 1, P> {
+class CondensedCost final : public ceres::CostFunction {
  public:
   CondensedCost(const Rows& rows, const Unknowns<P>& unknowns, const ceres::LossFunction* loss, double scale)
-      : rows_(rows), unknowns_(unknowns), loss_(loss), scale_(scale) {}
+      : rows_(rows), unknowns_(unknowns), size_(unknowns.origin.size()), loss_(loss), scale_(scale) {
+    set_num_residuals(static_cast<int>(size_) + 1);
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(size_));
+  }
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const Eigen::Map<const Eigen::Vector<double, P>> s(parameters[0]);
+    const Eigen::Map<const Eigen::Vector<double, P>> s(parameters[0], size_);
     const Eigen::Vector<double, P> p = unknowns_.at(s);
     const bool with_jacobian = jacobians != nullptr && jacobians[0] != nullptr;
     if (with_jacobian && s == last_s_) return hand_over(residuals, jacobians[0]);
-    Eigen::Matrix<double, P + 1, P + 1> gram = Eigen::Matrix<double, P + 1, P + 1>::Zero();
-    Eigen::Matrix<double, P + 1, P + 1> basis = Eigen::Matrix<double, P + 1, P + 1>::Identity();
-    basis.template topLeftCorner<P, P>() = unknowns_.basis;
+    Square gram = Square::Zero(size_ + 1, size_ + 1), basis = Square::Identity(size_ + 1, size_ + 1);
+    basis.topLeftCorner(size_, size_) = unknowns_.basis;
     double sum_squares = 0.0;
-    RowBlock<P> orthonormal(kBlockRows, P + 1);
+    RowBlock<P> orthonormal(kBlockRows, size_ + 1);
     for_each_block<P>(rows_, p, [&](Eigen::Index, auto& part) {
       if (loss_ != nullptr) discount(part, *loss_, scale_);
       if (!with_jacobian) {
-        sum_squares += part.col(P).squaredNorm();
+        sum_squares += part.col(size_).squaredNorm();
         return;
       }
       auto block = orthonormal.topRows(part.rows());
       block.noalias() = part.lazyProduct(basis);
-      for (int i = 0; i <= P; ++i) {
-        for (int j = i; j <= P; ++j) gram(i, j) += block.col(i).dot(block.col(j));
+      for (Eigen::Index i = 0; i <= size_; ++i) {
+        for (Eigen::Index j = i; j <= size_; ++j) gram(i, j) += block.col(i).dot(block.col(j));
       }
     });
     if (!with_jacobian) {
-      Eigen::Map<Eigen::Vector<double, P + 1>> f(residuals);
+      Eigen::Map<Eigen::Vector<double, kAndOne<P>>> f(residuals, size_ + 1);
       f.setZero();
-      f[P] = std::sqrt(sum_squares);
+      f[size_] = std::sqrt(sum_squares);
       return std::isfinite(sum_squares);
     }
     if (!gram.allFinite()) return false;
     last_s_ = s;
-    last_factor_ = triangular_factor<P + 1>(gram);
+    last_factor_ = triangular_factor<kAndOne<P>>(gram);
     return hand_over(residuals, jacobians[0]);
   }
 
  private:
+  using Square = Eigen::Matrix<double, kAndOne<P>, kAndOne<P>>;
+
   bool hand_over(double* residuals, double* jacobian) const {
-    Eigen::Map<Eigen::Vector<double, P + 1>> f(residuals);
-    Eigen::Map<CeresMatrix<P + 1, P>> j(jacobian);
-    f = last_factor_.col(P);
-    j = last_factor_.template leftCols<P>();
+    Eigen::Map<Eigen::Vector<double, kAndOne<P>>> f(residuals, size_ + 1);
+    Eigen::Map<CeresMatrix<kAndOne<P>, P>> j(jacobian, size_ + 1, size_);
+    f = last_factor_.col(size_);
+    j = last_factor_.leftCols(size_);
     return true;
   }
 
   const Rows& rows_;
   const Unknowns<P>& unknowns_;
+  Eigen::Index size_;
   const ceres::LossFunction* loss_;
   double scale_;
   // The last Jacobian: the solver, the last steps and the covariance ask for it at the same point.
   mutable Eigen::Vector<double, P> last_s_ =
-      Eigen::Vector<double, P>::Constant(std::numeric_limits<double>::quiet_NaN());
-  mutable Eigen::Matrix<double, P + 1, P + 1> last_factor_;
+      Eigen::Vector<double, P>::Constant(unknowns_.origin.size(), std::numeric_limits<double>::quiet_NaN());
+  mutable Square last_factor_;
 };
 
 template <int P>
@@ -145,20 +152,22 @@ enum class Basis { scaled, orthonormal };
 template <int P, class Rows>
 Unknowns<P> unknowns_at(const Rows& rows, const Eigen::Vector<double, P>& p0, Basis basis, bool& determined) {
   const EveryNth<Rows> some{rows, (rows.size() + kEnoughReadings - 1) / kEnoughReadings};
-  Eigen::Matrix<double, Eigen::Dynamic, P> jacobian(some.size(), P);
+  const Eigen::Index size = p0.size();
+  Eigen::Matrix<double, Eigen::Dynamic, P> jacobian(some.size(), size);
   const auto take = [&](Eigen::Index first, const auto& part) {
-    jacobian.middleRows(first, part.rows()) = part.template leftCols<P>();
+    jacobian.middleRows(first, part.rows()) = part.leftCols(size);
   };
   some.step == 1 ? for_each_block<P>(rows, p0, take) : for_each_block<P>(some, p0, take);
   const Eigen::Vector<double, P> norm = jacobian.colwise().norm().cwiseMax(1e-300);
   jacobian *= norm.cwiseInverse().asDiagonal();
   const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, P>> qr(jacobian);
   Unknowns<P> unknowns{p0, norm.cwiseInverse().asDiagonal()};
-  const double smallest = jacobian.rows() < P ? 0.0 : std::abs(qr.matrixQR()(P - 1, P - 1));
+  const double smallest = jacobian.rows() < size ? 0.0 : std::abs(qr.matrixQR()(size - 1, size - 1));
   determined = smallest > 1e-13 * qr.maxPivot() && norm.minCoeff() > 1e-150 && norm.allFinite();
   if (determined && basis == Basis::orthonormal) {
     const Eigen::Matrix<double, P, P> inverse =
-        qr.matrixQR().topRows(P).template triangularView<Eigen::Upper>().solve(Eigen::Matrix<double, P, P>::Identity());
+        qr.matrixQR().topRows(size).template triangularView<Eigen::Upper>().solve(
+            Eigen::Matrix<double, P, P>::Identity(size, size));
     unknowns.basis = norm.cwiseInverse().asDiagonal() * (qr.colsPermutation() * inverse);
   }
   return unknowns;
@@ -173,13 +182,13 @@ bool take_out_the_rest(const Cost& cost, Eigen::Vector<double, P>& s) {
   double size = last;
   double norm = 0.0;
   for (int step = 0; step < 200; ++step) {
-    Eigen::Vector<double, P + 1> f;
-    CeresMatrix<P + 1, P> jacobian;
+    Eigen::Vector<double, kAndOne<P>> f(s.size() + 1);
+    CeresMatrix<kAndOne<P>, P> jacobian(s.size() + 1, s.size());
     const double* parameters[] = {s.data()};
     double* jacobians[] = {jacobian.data()};
     if (!cost.Evaluate(parameters, f.data(), jacobians)) return false;
     const Eigen::Vector<double, P> change =
-        jacobian.template topRows<P>().template triangularView<Eigen::Upper>().solve(-f.template head<P>());
+        jacobian.topRows(s.size()).template triangularView<Eigen::Upper>().solve(-f.head(s.size()));
     size = change.norm();
     norm = f.norm();
     if (!(size < 0.99 * last) || size <= 1e-11 * norm) break;
@@ -203,7 +212,7 @@ Solution<P> minimise_once(const Rows& rows, const Eigen::Vector<double, P>& p0, 
   ceres::Problem::Options problem_options;
   problem_options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem problem(problem_options);
-  Eigen::Vector<double, P> s = Eigen::Vector<double, P>::Zero();
+  Eigen::Vector<double, P> s = Eigen::Vector<double, P>::Zero(p0.size());
   problem.AddResidualBlock(&cost, nullptr, s.data());
 
   ceres::Solver::Options options;
@@ -228,8 +237,8 @@ Solution<P> minimise_once(const Rows& rows, const Eigen::Vector<double, P>& p0, 
   solution.sum_squares = 2.0 * summary.final_cost;
   moved = s.norm() / std::sqrt(std::max(solution.sum_squares, std::numeric_limits<double>::min()));
   if (!settle) return solution;
-  Eigen::Vector<double, P + 1> f;
-  CeresMatrix<P + 1, P> jacobian;
+  Eigen::Vector<double, kAndOne<P>> f(s.size() + 1);
+  CeresMatrix<kAndOne<P>, P> jacobian(s.size() + 1, s.size());
   const double* at[] = {s.data()};
   double* jacobians[] = {jacobian.data()};
   solution.determined = cost.Evaluate(at, f.data(), jacobians);  // Ceres' covariance does not survive a failure
@@ -241,7 +250,7 @@ Solution<P> minimise_once(const Rows& rows, const Eigen::Vector<double, P>& p0, 
   covariance_options.null_space_rank = -1;  // a pseudo-inverse instead of a message on the terminal
   ceres::Covariance covariance(covariance_options);
   const std::vector<std::pair<const double*, const double*>> blocks{{s.data(), s.data()}};
-  CeresMatrix<P, P> inverse;
+  CeresMatrix<P, P> inverse(s.size(), s.size());
   solution.determined = covariance.Compute(blocks, &problem) &&
                         covariance.GetCovarianceBlock(s.data(), s.data(), inverse.data()) &&
                         inverse.diagonal().minCoeff() > 0.0;

@@ -14,13 +14,17 @@ namespace ballbar::least_squares {
 
 inline constexpr Eigen::Index kBlockRows = 256;
 
+// One more than P, which may be Eigen::Dynamic.
 template <int P>
-using RowBlock = Eigen::Matrix<double, Eigen::Dynamic, P + 1>;
+inline constexpr int kAndOne = P == Eigen::Dynamic ? Eigen::Dynamic : P + 1;
+
+template <int P>
+using RowBlock = Eigen::Matrix<double, Eigen::Dynamic, kAndOne<P>>;
 
 // Calls use(first, block) over all readings, block after block.
 template <int P, class Rows, class Use>
 void for_each_block(const Rows& rows, const Eigen::Vector<double, P>& p, Use use) {
-  RowBlock<P> block(std::min<Eigen::Index>(kBlockRows, rows.size()), P + 1);
+  RowBlock<P> block(std::min<Eigen::Index>(kBlockRows, rows.size()), p.size() + 1);
   for (Eigen::Index first = 0; first < rows.size(); first += kBlockRows) {
     const Eigen::Index count = std::min(kBlockRows, rows.size() - first);
     auto part = block.topRows(count);
