@@ -14,12 +14,12 @@
 #include <string>
 #include <vector>
 
-#include "hal/axis.hpp"
-#include "hal/axis_letters.hpp"
 #include "ballbar/compensation/compensated_axes.hpp"
 #include "ballbar/error.hpp"
 #include "batches/batches.hpp"
 #include "compensate/compensation_options.hpp"
+#include "hal/axis.hpp"
+#include "hal/axis_letters.hpp"
 #include "hal/component.hpp"
 
 namespace ballbar::hal {

@@ -8,13 +8,13 @@
 #include <random>
 
 #include "ballbar/error.hpp"
+#include "diagnosis/search/best_subset.hpp"
+#include "diagnosis/search/search_null.hpp"
+#include "diagnosis/signatures/bank.hpp"
 #include "diagnosis/statistics/confirmation.hpp"
 #include "diagnosis/statistics/evidence.hpp"
 #include "diagnosis/statistics/held_out.hpp"
 #include "diagnosis/statistics/smooth_rival.hpp"
-#include "diagnosis/search/best_subset.hpp"
-#include "diagnosis/search/search_null.hpp"
-#include "diagnosis/signatures/bank.hpp"
 #include "noise/whitened.hpp"
 #include "numerics/parallel.hpp"
 #include "series/cycles.hpp"

@@ -8,11 +8,11 @@
 #include <limits>
 #include <utility>
 
-#include "diagnosis/statistics/evidence.hpp"
 #include "diagnosis/next_test/candidate_rows.hpp"
 #include "diagnosis/next_test/open_question.hpp"
 #include "diagnosis/next_test/planned_test.hpp"
 #include "diagnosis/next_test/separation.hpp"
+#include "diagnosis/statistics/evidence.hpp"
 #include "series/thinned.hpp"
 
 namespace ballbar {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
-#include "diagnosis/statistics/likely.hpp"
 #include "diagnosis/search/best_subset.hpp"
+#include "diagnosis/statistics/likely.hpp"
 #include "numerics/parallel.hpp"
 
 namespace ballbar {

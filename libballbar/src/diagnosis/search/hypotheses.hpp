@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "diagnosis/statistics/evidence.hpp"
 #include "diagnosis/search/search_null.hpp"
 #include "diagnosis/signatures/bank.hpp"
+#include "diagnosis/statistics/evidence.hpp"
 
 namespace ballbar {
 

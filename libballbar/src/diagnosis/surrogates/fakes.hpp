@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "diagnosis/statistics/evidence.hpp"
 #include "diagnosis/signatures/bank.hpp"
+#include "diagnosis/statistics/evidence.hpp"
 
 namespace ballbar {
 

@@ -7,11 +7,11 @@
 
 #include "ballbar/challenge/inject.hpp"
 #include "ballbar/revision/trial.hpp"
+#include "diagnosis/search/rival_sets.hpp"
 #include "diagnosis/statistics/confirmation.hpp"
 #include "diagnosis/statistics/held_out.hpp"
 #include "diagnosis/statistics/outliers.hpp"
 #include "diagnosis/statistics/smooth_rival.hpp"
-#include "diagnosis/search/rival_sets.hpp"
 #include "diagnosis/verdict/candidates.hpp"
 #include "diagnosis/verdict/correlates.hpp"
 #include "series/cycles.hpp"
