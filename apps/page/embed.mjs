@@ -23,7 +23,7 @@ const literal = (bytes) => {
 };
 
 const assets = { kScript: "page.js", kStyle: "page.css", kPictures: "pictures.js" };
-let text = '// Made by embed.mjs.\n#include "report/page_assets.hpp"\n\nnamespace ballbar::page {\n';
+let text = '// Made by embed.mjs.\n#include "page/page_assets.hpp"\n\nnamespace ballbar::page {\n';
 for (const [name, file] of Object.entries(assets)) {
   const bytes = readFileSync(join(folder, file));
   if (/<\/(script|style)/i.test(bytes)) throw new Error(`${file} would end its own element in the page`);

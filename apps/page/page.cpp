@@ -1,4 +1,4 @@
-#include "report/page.hpp"
+#include "page/page.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,8 +7,8 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "page/page_assets.hpp"
 #include "programs/finished.hpp"
-#include "report/page_assets.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,4 +1,4 @@
-#include "report/page_assets.hpp"
+#include "page/page_assets.hpp"
 
 namespace ballbar::page {
 
