@@ -59,8 +59,6 @@ std::string percent(const Reduction& reduction) {
   return with_sigma(100.0 * reduction.share, 100.0 * reduction.sigma, 1);
 }
 
-std::string percent(double share) { return fixed(100.0 * share, 1); }
-
 // Where much was held: the gain is less than the model could give.
 std::string held_sentence(const ReplayedAxis& axis, std::size_t rows) {
   const std::size_t held = rows - axis.rows_held[0];
@@ -94,19 +92,6 @@ std::string parameters_text(const CompensationOptions& options, const Recorded& 
   return fmt::format("The parameters were fitted to {} alone.", shortened(options.fit.front(), 60));
 }
 
-constexpr const char* kPaper =
-    "For comparison, Huang 2022, table 3, ten bores: axial {} %, radial {} % less, from its ten rows. The paper states "
-    "{} % and {} %; the means it prints give {} % and {} %: the axial one with compensation is not that of its rows.";
-
-// From the means that the paper prints.
-constexpr double kPrintedAxial = 1.0 - 0.005351 / 0.020322, kPrintedRadial = 1.0 - 0.002523 / 0.005435;
-
-std::string paper_text() {
-  return fmt::format(kPaper, percent(huang2022_axial_reduction()), percent(huang2022_radial_reduction()),
-                     percent(kHuang2022Axial), percent(kHuang2022Radial), percent(kPrintedAxial),
-                     percent(kPrintedRadial));
-}
-
 // "each value", "stretches of 40 values": as long as what is left stays alike.
 std::string stretches_text(const Replay& replay) {
   std::size_t longest = 1;
@@ -134,11 +119,10 @@ void print(const Replay& replay, const CompensationOptions& options, const Recor
                fixed(largest(axis.after_um), 3), held.empty() ? "0" : held});
   }
   fmt::print(
-      "{}\n{}\n", table.text(120),
+      "{}\n{}", table.text(120),
       wrapped(fmt::format("Errors since the first value, which is left out. An error is met by the offset of the "
                           "last row before it; nothing later is used. ± is one sigma by leaving out {} in turn.",
                           stretches_text(replay))));
-  fmt::print("{}", wrapped(paper_text()));
 }
 
 Json json_of(const Reduction& reduction) {
@@ -164,20 +148,11 @@ Json json_of(const ReplayedAxis& axis) {
   return json;
 }
 
-Json paper_json(const Reduction& rows, double printed_means, double stated) {
-  return {{"reduction_percent", number(100.0 * rows.share)},
-          {"reduction_sigma_percent", number(100.0 * rows.sigma)},
-          {"of_printed_means_percent", number(100.0 * printed_means)},
-          {"stated_percent", number(100.0 * stated)}};
-}
-
 Json json_of(const Replay& replay, const CompensationOptions& options, const Recorded& recorded) {
   Json json{{"rows", replay.rows},
             {"in_sample", options.fit.empty() ? Json(nullptr) : Json(in_sample(options, recorded))},
             {"axes", Json::object()}};
   for (const ReplayedAxis& axis : replay.axes) json["axes"][axis.name] = json_of(axis);
-  json["huang2022_table_3"] = {{"axial", paper_json(huang2022_axial_reduction(), kPrintedAxial, kHuang2022Axial)},
-                               {"radial", paper_json(huang2022_radial_reduction(), kPrintedRadial, kHuang2022Radial)}};
   return json;
 }
 

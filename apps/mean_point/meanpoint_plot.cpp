@@ -3,25 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/pictures/picture_file.hpp"
 #include "ballbar/formats/text/bytes.hpp"
-#include "programs/gnuplot.hpp"
-#include "terminal/text.hpp"
+#include "page/page.hpp"
+#include "terminal/json_number.hpp"
 
 namespace ballbar {
 namespace {
 
-// Colours that all kinds of colour vision tell apart (Okabe, Ito 2008).
-constexpr std::array<const char*, 6> kLines{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
 constexpr Colour kBlack{0, 0, 0}, kWhite{255, 255, 255}, kMagenta{230, 0, 230};
-constexpr std::size_t kMostSamples = 2000;  // of a curve
-constexpr int kBeyond = 12;                 // pixels that a mean-value point's line reaches out of the region
+constexpr int kBeyond = 12;  // pixels that a mean-value point's line reaches out of the region
 
 std::string ending_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
@@ -116,46 +112,27 @@ void draw_points(Canvas& canvas, const MeanPointState& state) {
 
 void expect_meanpoint_plot(const std::string& path) {
   const std::string ending = ending_of(path);
-  if (ending == ".svg" || ending == ".png") return;
+  if (ending == ".png") return;
+  if (ending == ".svg") return expect_page("--plot");
   throw Error(fmt::format("--plot {}: expected a name that ends in .svg or .png, found {}.", path,
                           ending.empty() ? "no ending" : ending));
 }
 
-std::string meanpoint_script(const std::vector<MeanPointState>& states, const std::optional<BestPoint>& best,
-                             const std::string& heading) {
-  std::string script =
-      "set encoding utf8\n"
-      "set terminal svg size 900,560 noenhanced font 'sans-serif,13' name 'ballbar' background 'white'\n"
-      "set border 3 lc rgb '#444444'\nset tics nomirror out scale 0.6 textcolor rgb 'black'\n"
-      "set grid lc rgb '#E4E4E4' lw 1 lt 1\nset xlabel 'x in mm'\nset ylabel 'temperature in degC'\n"
-      "set key outside below horizontal maxrows 4\n";
-  std::istringstream lines(wrapped(heading, 110));
-  std::string title;
-  for (std::string line; std::getline(lines, line);)
-    title += (title.empty() ? "" : " . \"\\n\" . ") + gnuplot_quoted(line);
-  script += "set title " + title + "\n";
-  std::string plots;
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    const MeanPointState& state = states[k];
-    const std::size_t n = state.profile.x_mm.size(), step = n / kMostSamples + 1;
-    script += fmt::format("$T{} << EOD\n", k);
-    for (std::size_t i = 0; i < n; i += i + 1 < n ? std::min(step, n - 1 - i) : 1) {
-      script += fmt::format("{:.9g} {:.9g}\n", state.profile.x_mm[i], state.profile.degC[i]);
-    }
-    script += fmt::format("EOD\n$M{0} << EOD\n{1:.9g} {3:.9g}\n{2:.9g} {3:.9g}\nEOD\n$P{0} << EOD\n", k,
-                          state.profile.x_mm.front(), state.profile.x_mm.back(), state.mean_degC);
-    for (const MeanPoint& point : state.points) script += fmt::format("{:.9g} {:.9g}\n", point.x_mm, state.mean_degC);
-    script += "EOD\n";
-    const char* colour = kLines[k % kLines.size()];
-    plots += fmt::format(
-        "{0}$T{1} with lines lw 2 lc rgb '{2}' title {3}, $M{1} with lines dt 2 lc rgb '{2}' notitle, "
-        "$P{1} with points pt 7 ps 0.9 lc rgb '{2}' notitle",
-        k == 0 ? "" : ", ", k, colour, gnuplot_quoted(shortened(state.name, 50)));
+nlohmann::ordered_json mean_point_part(const std::vector<MeanPointState>& states, const std::optional<BestPoint>& best,
+                                       const std::string& conclusion) {
+  nlohmann::ordered_json part{{"conclusion", conclusion}};
+  if (best) part["best"] = {{"x_mm", number(best->x_mm)}};
+  part["states"] = nlohmann::ordered_json::array();
+  for (const MeanPointState& state : states) {
+    nlohmann::ordered_json one{{"name", state.name},
+                               {"mean_degC", number(state.mean_degC)},
+                               {"mean_points", nlohmann::ordered_json::array()},
+                               {"x_mm", state.profile.x_mm},
+                               {"degC", state.profile.degC}};
+    for (const MeanPoint& point : state.points) one["mean_points"].push_back({{"x_mm", number(point.x_mm)}});
+    part["states"].push_back(std::move(one));
   }
-  if (best) {
-    script += fmt::format("set arrow from {0:.9g},graph 0 to {0:.9g},graph 1 nohead lw 2 lc rgb 'black'\n", best->x_mm);
-  }
-  return script + "plot " + plots + "\n";
+  return part;
 }
 
 Picture marked_picture(const MeanPointState& state) {
@@ -168,10 +145,10 @@ Picture marked_picture(const MeanPointState& state) {
 }
 
 void plot_meanpoint(const std::vector<MeanPointState>& states, const std::optional<BestPoint>& best,
-                    const std::string& heading, const std::string& path) {
+                    const std::string& conclusion, const std::string& path) {
   expect_meanpoint_plot(path);
   if (ending_of(path) == ".svg") {
-    write_bytes(path, svg_by_gnuplot(meanpoint_script(states, best, heading)));
+    write_bytes(path, plot_of({{"mean_point", mean_point_part(states, best, conclusion)}}, conclusion));
     return;
   }
   if (states.size() != 1 || !states.front().from) {

@@ -1,6 +1,7 @@
 // Pictures of `ballbar meanpoint`.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,19 +11,20 @@
 
 namespace ballbar {
 
-// Throws Error where the name ends in neither .svg nor .png; to be called before the work is done.
+// Throws Error where the name ends in neither .svg nor .png, or in .svg and the program was built without the page; to
+// be called before the work is done.
 void expect_meanpoint_plot(const std::string& path);
 
-// .svg: T(x) of all states by gnuplot, each mean a dashed line, each mean-value point a dot; the best place of several
-// states a line. .png: the one picture with its region, the borders of the three areas, T(x) (the scale's span over the
-// height of the region) and lines at the mean-value points. Throws Error: no gnuplot, several pictures or a table for a
-// .png, the file cannot be written.
+// .svg: T(x) of all states, each mean a dashed line, each mean-value point a dot; the best place of several states a
+// line; drawn by the code of the page. .png: the one picture with its region, the borders of the three areas, T(x) (the
+// scale's span over the height of the region) and lines at the mean-value points. Throws Error: no node, several
+// pictures or a table for a .png, the file cannot be written.
 void plot_meanpoint(const std::vector<MeanPointState>& states, const std::optional<BestPoint>& best,
-                    const std::string& heading, const std::string& path);
+                    const std::string& conclusion, const std::string& path);
 
-// The gnuplot script of the .svg and the picture of the .png.
-std::string meanpoint_script(const std::vector<MeanPointState>& states, const std::optional<BestPoint>& best,
-                             const std::string& heading);
+// The data of the .svg, a part of a report, and the picture of the .png.
+nlohmann::ordered_json mean_point_part(const std::vector<MeanPointState>& states, const std::optional<BestPoint>& best,
+                                       const std::string& conclusion);
 Picture marked_picture(const MeanPointState& state);
 
 }  // namespace ballbar

@@ -17,8 +17,8 @@
 #include "ballbar/units.hpp"
 #include "commands.hpp"
 #include "measure/comparison_json.hpp"
-#include "measure/comparison_plot.hpp"
 #include "measure/operands.hpp"
+#include "page/page.hpp"
 #include "terminal/out_files.hpp"
 #include "terminal/text.hpp"
 
@@ -192,17 +192,22 @@ Series differences(const Comparison& comparison) {
   return series;
 }
 
+void expect_ending(const std::string& path, const char* wanted) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending == wanted) return;
+  throw Error(fmt::format("{}: expected a name that ends in {}, found {}.", path, wanted,
+                          ending.empty() ? "no ending" : ending));
+}
+
 void run(const Options& options) {
-  if (!options.plot.empty()) expect_svg(options.plot);
+  if (!options.plot.empty()) {
+    expect_ending(options.plot, ".svg");
+    expect_page("--plot");
+  }
   if (options.max_gap_s && !(*options.max_gap_s > 0.0)) {
     throw Error(fmt::format("--max-gap: expected a time above 0, found {} s.", *options.max_gap_s));
   }
-  for (const std::string& path : options.out) {
-    const std::string ending = std::filesystem::path(path).extension().string();
-    if (ending == ".csv") continue;
-    throw Error(
-        fmt::format("{}: expected a name that ends in .csv, found {}.", path, ending.empty() ? "no ending" : ending));
-  }
+  for (const std::string& path : options.out) expect_ending(path, ".csv");
   Operands operands = operands_of(options.operands);
   std::vector<std::string> outputs = options.out;
   if (!options.plot.empty()) outputs.push_back(options.plot);
@@ -210,7 +215,9 @@ void run(const Options& options) {
   match(operands, options.match);
   const Comparison comparison = compare(operands.a, operands.b, {options.operands.reference_s, options.max_gap_s});
   for (const std::string& path : options.out) write_bytes(path, write_series(differences(comparison)));
-  if (!options.plot.empty()) plot_comparison(comparison, conclusion(comparison), options.plot);
+  if (!options.plot.empty()) {
+    write_bytes(options.plot, plot_of({{"compare", json_of(comparison)}}, conclusion(comparison)));
+  }
   if (options.json) {
     fmt::print("{}\n", json_of(comparison).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   } else {

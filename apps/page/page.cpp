@@ -60,13 +60,37 @@ std::string title_of(const Json& report) {
   return title.get<std::string>();
 }
 
+// Of a function in node.
+std::string as_argument(const Json& report) {
+  return fmt::format("JSON.parse({})", as_script(Json(report.dump(-1, ' ', true, Json::error_handler_t::replace))));
+}
+
+// What a function of apps/page/src/pictures.ts answers. Throws Error, beginning with `option`.
+Json drawn(const std::string& option, std::string_view function, const std::string& arguments) {
+  std::string script(page::kPictures);
+  script += fmt::format("\n;process.stdout.write(JSON.stringify(ballbar_pictures.{}({})));\n", function, arguments);
+  const Finished node = finished(option, {"node", "-"}, script, "NODE_OPTIONS=");
+  if (node.not_found) {
+    throw Error(fmt::format(
+        "{}: expected the program node to draw with, found none; on Debian it is in the package nodejs.", option));
+  }
+  Json answer = Json::parse(node.out, nullptr, false);
+  if (node.signal != 0 || node.status != 0 || !answer.is_object()) {
+    throw Error(fmt::format("{}: expected pictures from node, found it ended with {} {}: {}", option,
+                            node.signal != 0 ? "signal" : "status", node.signal != 0 ? node.signal : node.status,
+                            node.err.substr(0, 400)));
+  }
+  return answer;
+}
+
 }  // namespace
 
-void expect_page() {
+void expect_page(std::string_view option) {
   if (!page::kScript.empty()) return;
-  throw Error(
-      "this ballbar was built without its page: expected node and npm when it was built; on Debian install nodejs and "
-      "npm, then run cmake -S . -B build -DBALLBAR_PAGE=ON && cmake --build build.");
+  throw Error(fmt::format(
+      "{}{}this ballbar was built without its page: expected node and npm when it was built; on Debian install nodejs "
+      "and npm, then run cmake -S . -B build -DBALLBAR_PAGE=ON && cmake --build build.",
+      option, option.empty() ? "" : ": "));
 }
 
 std::string page_of(const Json& report) {
@@ -83,21 +107,9 @@ std::string page_of(const Json& report) {
 }
 
 std::vector<NamedPicture> pictures_of(const Json& report, const PictureOptions& options) {
-  std::string script(page::kPictures);
-  script += fmt::format("\n;process.stdout.write(JSON.stringify(ballbar_pictures.draw(JSON.parse({}),{},{},{})));\n",
-                        as_script(Json(report.dump(-1, ' ', true, Json::error_handler_t::replace))),
-                        as_script(Json(options.names)), as_script(Json(options.choices)), options.width_px);
-  const Finished node = finished("--format svg", {"node", "-"}, script, "NODE_OPTIONS=");
-  if (node.not_found) {
-    throw Error(
-        "--format svg: expected the program node to draw with, found none; on Debian it is in the package nodejs.");
-  }
-  const Json answer = Json::parse(node.out, nullptr, false);
-  if (node.signal != 0 || node.status != 0 || !answer.is_object()) {
-    throw Error(fmt::format("--format svg: expected pictures from node, found it ended with {} {}: {}",
-                            node.signal != 0 ? "signal" : "status", node.signal != 0 ? node.signal : node.status,
-                            node.err.substr(0, 400)));
-  }
+  const Json answer = drawn("--format svg", "draw",
+                            fmt::format("{},{},{},{}", as_argument(report), as_script(Json(options.names)),
+                                        as_script(Json(options.choices)), options.width_px));
   if (answer.contains("option")) {
     const auto known = answer["expected"].get<std::vector<std::string>>();
     throw Error(fmt::format(
@@ -111,6 +123,14 @@ std::vector<NamedPicture> pictures_of(const Json& report, const PictureOptions& 
         {one["name"].get<std::string>(), one["title"].get<std::string>(), one["svg"].get<std::string>()});
   }
   return pictures;
+}
+
+std::string plot_of(const Json& parts, const std::string& conclusion) {
+  Json report{{"title", ""}, {"summary", {conclusion}}, {"signals", Json::array()}};
+  report.update(parts);
+  const Json answer =
+      drawn("--plot", "draw_sheet", fmt::format("{},{}", as_argument(report), PictureOptions{}.width_px));
+  return answer["drawn"][0]["svg"].get<std::string>();
 }
 
 }  // namespace ballbar

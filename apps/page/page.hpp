@@ -4,12 +4,14 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ballbar {
 
-// Throws Error where the program was built without the page; to be called before the work is done.
-void expect_page();
+// Throws Error, beginning with `option` if there is one, where the program was built without the page; to be called
+// before the work is done.
+void expect_page(std::string_view option = {});
 
 // Nothing of the data becomes markup, and the page's content security policy lets nothing run or load but its own
 // script.
@@ -28,5 +30,9 @@ struct PictureOptions {
 // The pictures of the page by node, run as a process. Throws Error: no node; a name or a choice that this report does
 // not have, with those that it has.
 std::vector<NamedPicture> pictures_of(const nlohmann::ordered_json& report, const PictureOptions& options);
+
+// For --plot: all pictures of these parts of a report in one .svg, one below the other, under the conclusion. By node
+// too.
+std::string plot_of(const nlohmann::ordered_json& parts, const std::string& conclusion);
 
 }  // namespace ballbar

@@ -1,8 +1,8 @@
 // Reads an SVG file as a person does who has a ruler: marks and lines in pixels, and from the numbers written at the
 // axes what they mean.
 
-// { texts: [{ text, x, y, anchor }], paths: [{ stroke, fill, x, y, points }] }, all in pixels of the whole drawing; x, y
-// of a path is its middle. `page` shows it, so it must be one that a browser can.
+// { texts: [{ text, x, y, anchor }], paths: [{ stroke, fill, x, y, points }], polygons: [{ fill, points }] }, all in
+// pixels of the whole drawing; x, y of a path is its middle. `page` shows it, so it must be one that a browser can.
 export const drawing = async (page, path) => {
   await page.goto(`file://${path}`);
   return page.evaluate(() => {
@@ -29,6 +29,10 @@ export const drawing = async (page, path) => {
         legend: one.getAttribute("ecmeta_ssr_type") === "legend",
         points: points(one),
         ...middle(one),
+      })),
+      polygons: all("polygon").map((one) => ({
+        fill: one.getAttribute("fill"),
+        points: [...one.points].map(({ x, y }) => placed(one, x, y)),
       })),
     };
   });

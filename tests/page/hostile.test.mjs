@@ -4,8 +4,9 @@ import assert from "node:assert/strict";
 import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
 import { figure, launched, opened, saved, seen } from "./browser.mjs";
-import { folder, of_run, report } from "./reports.mjs";
+import { folder, of_run, report, run } from "./reports.mjs";
 
 const image = "<img src=x onerror=alert(1)>";
 const script = "</script><script>alert(2)</script>";
@@ -146,3 +147,27 @@ for (const [what, make, shown] of cases) {
     await close_paper();
   });
 }
+
+test("hostile text in --plot", async () => {
+  const path = (name) => join(folder, `${image}${rich}${turned}${name}`);
+  const names = [`${script.replaceAll("/", "")}_um`, `${image}_um`, `${rich}${turned}_um`, `${long}_um`, "'&\u001b><b>_um"];
+  for (const name of ["a.csv", "b.csv"]) writeFileSync(path(name), series(names, 20));
+  writeFileSync(path("shaft.csv"), `x_mm,${script.replaceAll("/", "")}_degC,${rich}${turned}_degC,${long}_degC\n0,50,40,30\n99,20,21,22\n`);
+  run("compare", path("a.csv"), path("b.csv"), "--plot", path("compare.svg"));
+  run("meanpoint", path("shaft.csv"), "--plot", path("meanpoint.svg"));
+  const page = await browser.newPage();
+  const asked = [];
+  page.on("request", (request) => asked.push(request.url()));
+  page.on("dialog", (dialog) => asked.push(dialog.message()));
+  for (const name of ["compare.svg", "meanpoint.svg"]) {
+    const text = readFileSync(path(name), "utf8");
+    const url = pathToFileURL(path(name)).href;
+    assert.doesNotMatch(text, /<(img|script|foreignObject|b)\b|[\u200B-\u200F\u202A-\u202E]|N{400}|>rich</);
+    await page.goto(url);
+    assert.equal(await page.evaluate(() => document.querySelectorAll("parsererror, script, image, a, foreignObject").length), 0, name);
+    const shown = await page.evaluate(() => document.documentElement.textContent);
+    assert.ok(shown.includes("alert(2)"), `${name}: the name that is markup is not shown`);
+    assert.deepEqual(asked.splice(0), [url]);
+  }
+  await page.close();
+});

@@ -1,12 +1,12 @@
 // What is drawn, read out and saved is what the other commands print and what the files hold. Drawings are measured in
 // the saved SVG: the numbers at its axes tell what a pixel means, and a mark may be one pixel beside its place.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { launched, opened, figure, saved, seen } from "./browser.mjs";
 import { axes, drawing, lines, marks } from "./drawing.mjs";
-import { folder, json_of, of_run, report, two_arcs } from "./reports.mjs";
+import { folder, json_of, of_run, report, run as ballbar, two_arcs } from "./reports.mjs";
 import { session } from "./session.mjs";
 
 const run = of_run("two-arcs-he2015");
@@ -181,6 +181,71 @@ test("comparison: both series and their difference are those of `compare --json`
   lie_at(lines(drawn, upper, await colour("comparison-y", "b"))[0], min(points), of(points, "b_um"), upper, "b");
   const [dashed] = lines(drawn, lower, await colour("comparison-y", "difference"));
   lie_at(dashed, min(points), of(points, "difference_um"), lower, "difference");
+});
+
+// Beside the ball x and y disagree, z agrees.
+test("compare --plot: in one file all axes, their differences, the band of two sigma, the stretch of disagreement", async () => {
+  const beside = ["compare", run, "--from-plane-1", "0"];
+  const file = join(folder, "agreement.svg");
+  ballbar(...beside, "--plot", file);
+  const compared = Object.entries(json_of(...beside).axes);
+  const drawn = await drawing(paper, file);
+  assert.deepEqual(compared.map(([name, axis]) => [name, axis.deviation !== undefined]), [["x", true], ["y", true], ["z", false]]);
+  const filled = (fill) => drawn.polygons.filter((one) => one.fill === fill);
+  const [bands, stretches] = [filled("#5c6670"), filled("rgb(213,60,0)")];
+  assert.equal(bands.length, 3);
+  assert.equal(stretches.length, 4); // in both plots of x and of y
+  for (const [k, [name, { points, deviation }]] of compared.entries()) {
+    const [upper, lower] = [axes(drawn, 2 * k), axes(drawn, 2 * k + 1)];
+    const hue = await colour(`comparison-${name}`, "a");
+    // The difference has marks of the same colour, below the axis.
+    const least = Math.min(...of(points, "a_um"), ...of(points, "b_um")) - upper.y.per_px;
+    lie_at(marks(drawn, upper, hue).filter(([, value]) => value > least), min(points), of(points, "a_um"), upper, `a of ${name}`);
+    lie_at(lines(drawn, upper, await colour(`comparison-${name}`, "b"))[0], min(points), of(points, "b_um"), upper, `b of ${name}`);
+    lie_at(lines(drawn, lower, hue)[0], min(points), of(points, "difference_um"), lower, `difference of ${name}`);
+    const sigma = points.map(({ sigma_um }) => 2 * sigma_um);
+    const around = [...sigma, ...sigma.map((one) => -one).reverse()];
+    const rim = bands[k].points.map(([x, y]) => [lower.x.at(x), lower.y.at(y)]);
+    lie_at(rim, [...min(points), ...min(points).reverse()], around, lower, `band of ${name}`);
+    if (!deviation) continue;
+    for (const stretch of stretches.slice(2 * k, 2 * k + 2)) {
+      const ends = stretch.points.map(([x]) => upper.x.at(x));
+      close_to([Math.min(...ends), Math.max(...ends)], [deviation.from_s / 60, deviation.to_s / 60], `stretch of ${name}`, 1);
+    }
+  }
+});
+
+test("compare --plot: of 50 000 values the largest is drawn, in a small file", async () => {
+  const [a, b, file] = ["a.csv", "b.csv", "many.svg"].map((name) => join(folder, name));
+  const table = (value) => `time_s,x_um\n${Array.from({ length: 50_000 }, (_, i) => `${60 * i},${value(i)}`).join("\n")}\n`;
+  writeFileSync(a, table((i) => (i === 12_345 ? 9 : i % 2 === 0 ? 1 : -1)));
+  writeFileSync(b, table(() => 0.5));
+  ballbar("compare", a, b, "--plot", file);
+  const drawn = await drawing(paper, file);
+  const scale = axes(drawn);
+  const [x, value] = lines(drawn, scale, await colour("comparison-x", "a"))[0].reduce((most, one) => (one[1] > most[1] ? one : most));
+  close_to([x], [12_345], "time of the largest", 2 * scale.x.per_px);
+  close_to([value], [9], "the largest", scale.y.per_px);
+  assert.ok(statSync(file).size < 400_000, `${statSync(file).size} bytes`);
+});
+
+test("meanpoint --plot: profiles, means, mean-value points and the best place of several states", async () => {
+  const [data, file] = ["shaft.csv", "shaft.svg"].map((name) => join(folder, name));
+  writeFileSync(data, "x_mm,T_cold_degC,T_warm_degC\n0,30,50\n40,28,41\n100,21,20\n");
+  ballbar("meanpoint", data, "--plot", file);
+  const { states, best } = json_of("meanpoint", data);
+  const drawn = await drawing(paper, file);
+  const scale = axes(drawn);
+  for (const [k, [values, hue]] of [[[30, 28, 21], "#0072b2"], [[50, 41, 20], "#d55e00"]].entries()) {
+    const { mean_degC, mean_points } = states[k];
+    const [profile, mean] = lines(drawn, scale, hue);
+    lie_at(profile, [0, 40, 100], values, scale, "profile");
+    lie_at(mean, [0, 100], [mean_degC, mean_degC], scale, "mean");
+    lie_at(marks(drawn, scale, hue), mean_points.map(({ x_mm }) => x_mm), mean_points.map(() => mean_degC), scale, "point");
+  }
+  const [upright] = drawn.paths.filter((one) => one.stroke === "#1b1f24" && one.points.length === 2 && one.points[0][0] === one.points[1][0]);
+  close_to([scale.x.at(upright.x)], [best.x_mm], "best place", scale.x.per_px);
+  assert.ok(drawn.texts.some(({ text }) => text === `best place, ${best.x_mm.toFixed(2)} mm`));
 });
 
 test("signals: CSV and SVG have the readings of signals.csv", async () => {

@@ -90,27 +90,25 @@ const faults = async (name) => {
     }
     return count;
   };
-  // A change is drawn with the next frame, and what is much in parts, a frame each.
-  const settled = async () => {
+  // A change is drawn with the next frame, and what is much in parts, a frame each; then the chart says so.
+  let finished = false;
+  figure.chart().on("finished", () => (finished = true));
+  const drawn_after = async (change) => {
+    finished = false;
+    change();
     await frame();
-    let before = pixels();
-    for (let k = 0; k < 60; ++k) {
-      await frame();
-      const now = pixels();
-      if (differing(now, before) === 0) return now;
-      before = now;
-    }
-    found.push("is drawn for ever");
-    return before;
+    for (let k = 0; k < 60 && !finished; ++k) await frame();
+    if (!finished) found.push("is not drawn, or for ever");
+    return pixels();
   };
   const numbers_in = (data) => (data ?? []).flat(3).filter((one) => Number.isFinite(one?.value ?? one) || Array.isArray(one?.value)).length;
 
-  const look = async (what) => {
+  const look = async (what, change) => {
+    const drawn = await drawn_after(change);
     const state = figure.state();
     const option = picture.draw(state);
     const series = [option.series].flat();
     if (series.reduce((sum, one) => sum + numbers_in(one?.data), 0) === 0) found.push(`${what}: nothing to draw`);
-    const drawn = await settled();
     if (drawn.length === 0) found.push(`${what}: no plot`);
     drawn.forEach((plot, k) => coloured(plot) < 20 && found.push(`${what}: plot ${k} is empty`));
     const { columns } = picture.numbers(state);
@@ -118,9 +116,10 @@ const faults = async (name) => {
     if (columns.length < 2 || Math.min(...rows) < 1) found.push(`${what}: no numbers`);
     if (new Set(rows).size > 1) found.push(`${what}: columns of ${rows} rows`);
     if (new Set(columns.map((column) => column.name)).size < columns.length) found.push(`${what}: columns of the same name`);
+    return drawn;
   };
 
-  await look("at first");
+  let before = await look("at first", figure.redraw);
   const selects = [...element.querySelectorAll(".choice select")];
   if (selects.length !== picture.choices.length) found.push(`${selects.length} lists for ${picture.choices.length} choices`);
   for (const [k, select] of selects.entries()) {
@@ -128,10 +127,11 @@ const faults = async (name) => {
     const at_first = select.value;
     const sample = new Set([values[0], values[values.length >> 1], values[values.length - 1]]);
     sample.delete(at_first);
-    for (const value of [...sample, at_first]) {
-      select.value = value;
-      select.dispatchEvent(new Event("change", { bubbles: true }));
-      await look(`${picture.choices[k].key} ${value}`);
+    for (const value of sample.size > 0 ? [...sample, at_first] : []) {
+      before = await look(`${picture.choices[k].key} ${value}`, () => {
+        select.value = value;
+        select.dispatchEvent(new Event("change", { bubbles: true }));
+      });
     }
   }
 
@@ -139,14 +139,12 @@ const faults = async (name) => {
   for (const k of new Set([0, boxes().length - 1])) {
     if (!boxes()[k]) continue;
     const name = boxes()[k].closest("label").textContent;
-    const before = await settled();
     const on = boxes()[k].checked;
-    boxes()[k].click();
-    const between = await settled();
+    const between = await drawn_after(() => boxes()[k].click());
     if (boxes()[k].checked === on) found.push(`${name}: its box does not change`);
     if (differing(between, before) === 0) found.push(`${name}: switched, the picture is the same`);
-    boxes()[k].click();
-    if (differing(await settled(), before) > 0) found.push(`${name}: switched twice, the picture is another`);
+    const after = await drawn_after(() => boxes()[k].click());
+    if (differing(after, before) > 0) found.push(`${name}: switched twice, the picture is another`);
   }
   return found;
 };

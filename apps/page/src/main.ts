@@ -1,6 +1,6 @@
 // The page: conclusions first, then the sections.
 import { appearance } from "./page/appearance";
-import { element, text_in } from "./page/elements";
+import { element, text_in } from "./elements/elements";
 import type { Section } from "./picture";
 import type { Report } from "./report";
 import { section_of } from "./page/section";

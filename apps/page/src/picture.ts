@@ -11,12 +11,15 @@ export interface Look {
   still: boolean;
 }
 
+// Of an x axis: from, to.
+export type Range = readonly [number, number];
+
 export interface State {
   look: Look;
   chosen: Readonly<Record<string, string>>; // of the choices, by key
   hidden: ReadonlySet<string>; // toggles that are off, by key
-  window: readonly [number, number] | null; // of the x axis, in the unit of the table's first column; null: all
-  stretch: readonly [number, number] | null; // selected, same unit; stretch.ts adds its band
+  window: Range | null; // of the x axis, in the unit of the table's first column; null: all
+  stretch: Range | null; // selected, same unit; stretch.ts adds its band
 }
 
 // One of several: a recording, an axis to plot against.

@@ -2,6 +2,7 @@
 import type { Picture, State } from "./picture";
 import type { Report } from "./report";
 import { sections_of } from "./sections";
+import { sheet } from "./figure/sheet";
 import { initial_state, kCaption_px, svg_file } from "./figure/still";
 
 interface Drawn {
@@ -48,4 +49,10 @@ const draw = (report: Report, names: readonly string[], choices: readonly string
   return { drawn };
 };
 
-(globalThis as unknown as Record<string, unknown>)["ballbar_pictures"] = { draw };
+// All of them in one file, under the report's conclusions.
+const draw_sheet = (report: Report, width_px: number): Answer => {
+  const pictures = sections_of(report).flatMap((section) => [...section.pictures]);
+  return { drawn: [{ name: "sheet", title: report.title, svg: sheet(report.summary, pictures, width_px) }] };
+};
+
+(globalThis as unknown as Record<string, unknown>)["ballbar_pictures"] = { draw, draw_sheet };

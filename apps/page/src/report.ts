@@ -234,6 +234,20 @@ export interface BatchPart {
   warnings: string[];
 }
 
+// Temperature along a spindle, and where it is its mean (`ballbar meanpoint`).
+export interface MeanPointState {
+  name: string; // the picture's file or the table's column
+  mean_degC: number;
+  mean_points: { x_mm: number }[];
+  x_mm: number[]; // rising
+  degC: Num[];
+}
+export interface MeanPointPart {
+  conclusion: string;
+  best?: { x_mm: number }; // one place for all states
+  states: MeanPointState[];
+}
+
 export interface Report {
   format: "ballbar-report 1";
   title: string;
@@ -250,4 +264,5 @@ export interface Report {
   diagnose?: { targets: Diagnosed[] };
   ledger?: LedgerPart;
   batch?: BatchPart;
+  mean_point?: MeanPointPart;
 }

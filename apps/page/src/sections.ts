@@ -4,6 +4,7 @@ import { comparison_section } from "./comparison/comparison";
 import { diagnosis_sections } from "./diagnosis/diagnosis";
 import { drift_section } from "./drift/drift";
 import { ledger_section } from "./diagnosis/ledger";
+import { mean_point_section } from "./mean_point/mean_point";
 import { model_sections } from "./model/model";
 import type { Section } from "./picture";
 import { recordings_section } from "./recordings/recordings";
@@ -17,4 +18,5 @@ export const sections_of = (report: Report): Section[] => [
   ...diagnosis_sections(report),
   ...ledger_section(report),
   ...batch_section(report),
+  ...mean_point_section(report),
 ];

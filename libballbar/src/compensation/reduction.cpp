@@ -1,7 +1,6 @@
 #include "ballbar/compensation/reduction.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <vector>
@@ -61,26 +60,6 @@ double jackknife(std::span<const double> before_um, std::span<const double> afte
   return std::sqrt((groups - 1.0) / groups * square);
 }
 
-constexpr std::array<Huang2022Bore, 10> kTable3{{{29.979709, 175.005271, 29.994545, 175.002451},
-                                                 {29.979625, 175.005322, 29.994471, 175.002513},
-                                                 {29.979721, 175.005288, 29.994516, 175.002462},
-                                                 {29.979711, 175.005158, 29.994528, 175.002381},
-                                                 {29.979906, 175.005952, 29.994661, 175.002736},
-                                                 {29.979535, 175.005573, 29.994345, 175.002616},
-                                                 {29.979431, 175.005482, 29.994239, 175.002561},
-                                                 {29.979607, 175.005467, 29.994404, 175.002478},
-                                                 {29.979782, 175.005441, 29.994567, 175.002537},
-                                                 {29.979756, 175.005393, 29.994632, 175.002493}}};
-
-Reduction of_table(double Huang2022Bore::*before_mm, double Huang2022Bore::*after_mm, double nominal_mm) {
-  std::vector<double> before_um, after_um;
-  for (const Huang2022Bore& bore : kTable3) {
-    before_um.push_back(1e3 * (bore.*before_mm - nominal_mm));
-    after_um.push_back(1e3 * (bore.*after_mm - nominal_mm));
-  }
-  return reduction_of(before_um, after_um, ErrorSize::mean_of_sizes);
-}
-
 }  // namespace
 
 Reduction reduction_of(std::span<const double> before_um, std::span<const double> after_um, ErrorSize size) {
@@ -91,16 +70,6 @@ Reduction reduction_of(std::span<const double> before_um, std::span<const double
   const std::size_t stretch = stretch_of(after_um);
   return {squares ? std::sqrt(before / n) : before / n, squares ? std::sqrt(after / n) : after / n,
           share_of(before, after, size), jackknife(before_um, after_um, size, stretch), stretch};
-}
-
-std::span<const Huang2022Bore> huang2022_table_3() { return kTable3; }
-
-Reduction huang2022_axial_reduction() {
-  return of_table(&Huang2022Bore::depth_before_mm, &Huang2022Bore::depth_after_mm, kHuang2022Depth_mm);
-}
-
-Reduction huang2022_radial_reduction() {
-  return of_table(&Huang2022Bore::diameter_before_mm, &Huang2022Bore::diameter_after_mm, kHuang2022Diameter_mm);
 }
 
 }  // namespace ballbar

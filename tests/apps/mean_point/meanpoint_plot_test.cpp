@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
+
+#include "ballbar/error.hpp"
 
 namespace ballbar {
 namespace {
@@ -10,21 +13,31 @@ namespace {
 // T falls from 40 to 20 over 10 mm: mean 30 at 5 mm.
 MeanPointState falling() {
   MeanPointState state;
-  state.name = "a 'name'\n`x`";
+  state.name = "a";
   state.profile = {{0, 10}, {40, 20}, {}};
   state.mean_degC = 30.0;
   state.points = mean_points(state.profile);
   return state;
 }
 
-TEST(meanpoint_plot, script_holds_the_numbers_and_no_name_as_it_is) {
-  const std::string script = meanpoint_script({falling(), falling()}, BestPoint{7.5, 0.0, {}}, "heading");
-  EXPECT_NE(script.find("$T0 << EOD\n0 40\n10 20\nEOD\n$M0 << EOD\n0 30\n10 30\nEOD\n$P0 << EOD\n5 30\nEOD\n"),
-            std::string::npos)
-      << script;
-  EXPECT_NE(script.find("set arrow from 7.5,graph 0 to 7.5,graph 1"), std::string::npos);
-  EXPECT_EQ(script.find('`'), std::string::npos);
-  EXPECT_EQ(script.find("name'\n"), std::string::npos);
+TEST(meanpoint_plot, data_of_the_drawing_are_the_profile_its_mean_and_its_points) {
+  EXPECT_EQ(mean_point_part({falling()}, {}, "why").dump(),
+            R"({"conclusion":"why","states":[{"name":"a","mean_degC":30.0,"mean_points":[{"x_mm":5.0}],)"
+            R"("x_mm":[0.0,10.0],"degC":[40.0,20.0]}]})");
+  EXPECT_EQ(mean_point_part({falling(), falling()}, BestPoint{7.5, 0.0, {}}, "")["best"].dump(), R"({"x_mm":7.5})");
+}
+
+// This program is linked without the page.
+TEST(meanpoint_plot, svg_needs_the_page_and_png_does_not) {
+  try {
+    expect_meanpoint_plot("shaft.svg");
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "--plot: this ballbar was built without its page: expected node and npm when it was built; on Debian "
+                 "install nodejs and npm, then run cmake -S . -B build -DBALLBAR_PAGE=ON && cmake --build build.");
+  }
+  EXPECT_NO_THROW(expect_meanpoint_plot("shaft.png"));
 }
 
 // A region of 20 by 11 pixels at (4, 5) in 30 by 40, the scale 20 to 40 degC. The mean point is at 5 of 10 mm, column

@@ -2,7 +2,7 @@
 import { curve } from "../drawing/curve";
 import { decimated, first_at } from "../drawing/decimate";
 import { place_of } from "../drift/drift_axes";
-import type { Picture, State, Toggle } from "../picture";
+import type { Picture, Range, State, Toggle } from "../picture";
 import { kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
 import { reading_in } from "../drawing/reading";
 import type { ComparedAxis, Num } from "../report";
@@ -11,7 +11,6 @@ import { plain, slug } from "../drawing/text";
 import { base, curve_colour, legend, minutes, tooltip } from "../drawing/theme";
 import { time_axis, value_axis } from "../drawing/time_axis";
 import { unit_shown, words } from "../drawing/units";
-import type { Range } from "../figure/window";
 
 const kHeight_px = 440;
 const kMarked = 300; // points of a; more are a line
@@ -25,6 +24,19 @@ export interface Compared {
   b: string;
   whole_min: Range;
 }
+
+const band_of_sigma: Toggle = {
+  key: "sigma",
+  label: "± 2 standard deviations",
+  colour: (dark) => (dark ? "#9aa3ad" : "#5c6670"),
+  mark: "band",
+  on: true,
+};
+
+const band = (points: readonly Uncertain[], dark: boolean): Record<string, unknown> => ({
+  ...sigma_band(points, band_of_sigma.colour(dark)),
+  name: band_of_sigma.label,
+});
 
 // The stretch with the largest difference beyond two standard deviations, in both plots.
 const disagreement = (axis: ComparedAxis, whole_min: Range, dark: boolean): Record<string, unknown> => {
@@ -46,17 +58,12 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
   const quantity = plain(words(name), 40);
   const written = unit_shown(unit);
   const place = place_of(name, k);
+  const has_sigma = sigma.some((value) => value !== null);
   const toggles: Toggle[] = [
     { key: "a", label: `A: ${plain(a, 60)}`, colour: (dark) => curve_colour(place, dark), mark: "dot", on: true },
     { key: "b", label: `B: ${plain(b, 60)}`, colour: (dark) => curve_colour(place + 3, dark), mark: "line", on: true },
     { key: "difference", label: "A less B", colour: (dark) => curve_colour(place, dark), mark: "dashed", on: true },
-    {
-      key: "sigma",
-      label: "± 2 standard deviations",
-      colour: (dark) => (dark ? "#9aa3ad" : "#5c6670"),
-      mark: "band",
-      on: true,
-    },
+    ...(has_sigma ? [band_of_sigma] : []),
   ];
 
   const upper = (state: State): Record<string, unknown>[] => {
@@ -84,7 +91,7 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
 
   const lower = (state: State): Record<string, unknown>[] => {
     const { dark, width_px } = state.look;
-    const [line, band] = [toggles[2] as Toggle, toggles[3] as Toggle];
+    const line = toggles[2] as Toggle;
     const points = decimated(time_min, difference, state.window, width_px);
     const sigma_at = (x: number): Num => sigma[first_at(time_min, x)] ?? null;
     const around_zero: Uncertain[] = points.map(([x]) => [x, 0, twice(sigma_at(x))]);
@@ -93,7 +100,7 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
       z: 3,
     });
     const drawn = [
-      ...(state.hidden.has("sigma") ? [] : [{ ...sigma_band(around_zero, band.colour(dark)), name: band.label }]),
+      ...(state.hidden.has("sigma") || !has_sigma ? [] : [band(around_zero, dark)]),
       ...(state.hidden.has("difference") ? [] : [dashed]),
       { type: "line", name: "", data: [], ...disagreement(axis, whole_min, dark) },
     ];
@@ -132,7 +139,7 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
     title: `Comparison in ${quantity}`,
     about:
       `${verdict(axis)} Above: both as changes since the same time. ` +
-      "Below: A less B, and twice the standard deviation of the difference around zero." +
+      `Below: A less B${has_sigma ? ", and twice the standard deviation of the difference around zero" : ""}.` +
       (axis.deviation ? " Shaded: the stretch of the largest disagreement." : ""),
     height_px: kHeight_px,
     zoom: "time",
@@ -153,9 +160,10 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
 
 const twice = (value: Num): Num => (value === null ? null : 2 * value);
 
-const verdict = (axis: ComparedAxis): string =>
-  ({
-    agrees: "A and B agree within their uncertainty.",
-    disagrees: "A and B disagree beyond their uncertainty.",
-    "cannot tell": "Whether A and B agree cannot be told from these data.",
-  })[axis.agreement] ?? "";
+const verdict = (axis: ComparedAxis): string => {
+  if (axis.agreement === "cannot tell") return "Whether A and B agree cannot be told from these data.";
+  const within = `${String(axis["within_2_sigma"])} of ${String(axis["samples"])} samples are within two standard deviations`;
+  return axis.agreement === "agrees"
+    ? `A and B agree within their uncertainty: ${within}.`
+    : `A and B disagree beyond their uncertainty: ${within}.`;
+};

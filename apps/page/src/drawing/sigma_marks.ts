@@ -5,8 +5,24 @@ import type { Num } from "../report";
 // [x, value, sigma]
 export type Uncertain = readonly [number, Num, Num];
 
-const known = (points: readonly Uncertain[]): [number, number, number][] =>
+// [x, from, to]
+type Reach = [number, number, number];
+
+const known = (points: readonly Uncertain[]): Reach[] =>
   points.flatMap(([x, value, sigma]) => (value === null || sigma === null ? [] : [[x, value - sigma, value + sigma]]));
+
+// Between the points where it is not known.
+const stretches_of = (points: readonly Uncertain[]): Reach[][] => {
+  const stretches: Reach[][] = [];
+  let before = false;
+  for (const point of points) {
+    const reach = known([point]);
+    if (before) stretches[stretches.length - 1]?.push(...reach);
+    else if (reach.length > 0) stretches.push(reach);
+    before = reach.length > 0;
+  }
+  return stretches;
+};
 
 const kCap_px = 4;
 
@@ -44,7 +60,7 @@ export const sigma_bars = (points: readonly Uncertain[], colour: string): Record
   },
 });
 
-// One shape, so one item of data: how far it reaches.
+// One item of data: how far all of it reaches.
 export const sigma_band = (points: readonly Uncertain[], colour: string): Record<string, unknown> => {
   const ends = known(points);
   const least = ends.reduce((sofar, [, low]) => Math.min(sofar, low), Infinity);
@@ -57,9 +73,12 @@ export const sigma_band = (points: readonly Uncertain[], colour: string): Record
     data: ends.length > 0 ? [[first, last, least, most]] : [],
     encode: { x: [0, 1], y: [2, 3] },
     renderItem: (_: CustomSeriesRenderItemParams, api: CustomSeriesRenderItemAPI) => {
-      const upper = ends.map(([x, , high]) => api.coord([x, high]));
-      const lower = ends.map(([x, low]) => api.coord([x, low])).reverse();
-      return { type: "polygon", shape: { points: [...upper, ...lower] }, style: { fill: colour, opacity: 0.18 } };
+      const children = stretches_of(points).map((stretch) => {
+        const upper = stretch.map(([x, , high]) => api.coord([x, high]));
+        const lower = stretch.map(([x, low]) => api.coord([x, low])).reverse();
+        return { type: "polygon", shape: { points: [...upper, ...lower] }, style: { fill: colour, opacity: 0.18 } };
+      });
+      return { type: "group", children };
     },
   };
 };

@@ -8,16 +8,18 @@ export const without_turns = (text: string): string => text.replace(/[\u061c\u20
 export const micrometres = (sentence: string): string =>
   sentence.replace(/(?<=[\d±]\s)um(?![\w-]|\.\w)|(?<=[\s(])um(?=\/K\b| RMS\b)/g, "µm");
 
+// Without what is no letter, which a file of XML may not even hold.
+const on_one_line = (text: string): string =>
+  without_turns(text)
+    .replace(/[\u0000-\u001f\u007f-\u009f\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\uffff]+/g, " ")
+    .replace(/\s+/g, " ")
+    .trim();
+
 // For a picture or a table: on one line, without the marks that ECharts reads as rich text, without characters that turn
 // the direction of writing.
 export const plain = (text: string, most: number): string => {
   const begin = text.slice(0, 8 * most + 64); // more is never shown; names may be very long
-  const clean = without_turns(begin)
-    .replace(/[\u0000-\u001f\u007f-\u009f\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\uffff]+/g, " ")
-    .replace(/\{/g, "(")
-    .replace(/\}/g, ")")
-    .replace(/\s+/g, " ")
-    .trim();
+  const clean = on_one_line(begin).replace(/\{/g, "(").replace(/\}/g, ")");
   const characters = Array.from(clean);
   return characters.length > most ? `${characters.slice(0, most - 1).join("")}…` : clean;
 };
@@ -27,6 +29,34 @@ export const clamped = (text: string, most: number): string => {
   const clean = without_turns(text);
   const characters = Array.from(clean.slice(0, 2 * most + 2));
   return characters.length > most ? `${characters.slice(0, most - 1).join("")}…` : clean;
+};
+
+// Letters of Chinese, Japanese and Korean are twice as wide as others.
+const columns = (text: string): number => Array.from(text).reduce((sum, letter) => sum + (letter >= "\u2e80" ? 2 : 1), 0);
+
+// The first letters that fit.
+const start_of = (text: string, most_columns: number): string => {
+  let start = "";
+  for (const letter of text) {
+    if (start !== "" && columns(start) + columns(letter) > most_columns) break;
+    start += letter;
+  }
+  return start;
+};
+
+// A paragraph in lines of so many columns; what is too long for a line is cut, and the last line ends where no more fit.
+export const wrapped = (text: string, most_columns: number, most_lines: number): string[] => {
+  const lines: string[] = [];
+  let rest = on_one_line(text.slice(0, 2 * most_columns * most_lines));
+  while (rest !== "" && lines.length < most_lines) {
+    let line = start_of(rest, most_columns);
+    const space = line.lastIndexOf(" ");
+    if (line.length < rest.length && rest[line.length] !== " " && space > 0) line = line.slice(0, space);
+    rest = rest.slice(line.length).trim();
+    lines.push(line);
+  }
+  const last = lines.pop() ?? "";
+  return rest === "" ? [...lines, ...(last === "" ? [] : [last])] : [...lines, `${start_of(last, most_columns - 1)}…`];
 };
 
 // Part of the name of a file.

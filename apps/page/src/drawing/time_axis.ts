@@ -1,7 +1,6 @@
 // The axis of time that all pictures of a section have in common, so that they stand below one another.
-import type { Look } from "../picture";
+import type { Look, Range } from "../picture";
 import { axis, shown } from "./theme";
-import type { Range } from "../figure/window";
 
 // From the first to the last time of all clocks, with a little room for the marks at the ends.
 export const whole_min = (clocks_min: readonly (readonly number[])[]): Range => {

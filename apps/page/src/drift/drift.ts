@@ -1,7 +1,7 @@
 // The drift of the spindle over time, and what was recorded beside it.
 import { axes_of_points, axes_of_probes, axis_curve, type DriftAxis } from "./drift_axes";
 import { largest_table, points_table } from "./drift_tables";
-import type { Picture, Section, TextTable } from "../picture";
+import type { Picture, Range, Section, TextTable } from "../picture";
 import type { DriftPart, ProbesPart, Report } from "../report";
 import { measured_pictures, signal_pictures, signals_of } from "./signals";
 import { capital } from "../drawing/text";
@@ -9,7 +9,6 @@ import { minutes, shown } from "../drawing/theme";
 import { time_curves } from "./time_curves";
 import { whole_min } from "../drawing/time_axis";
 import { words } from "../drawing/units";
-import type { Range } from "../figure/window";
 
 const span_min = (axes: readonly DriftAxis[]): number => {
   const clock = axes[0]?.time_min ?? [];

@@ -1,11 +1,10 @@
 // What was recorded beside the drift: one picture a unit, each column on the clock of its file.
-import type { Picture } from "../picture";
+import type { Picture, Range } from "../picture";
 import type { Column, Report } from "../report";
 import { clamped, plain, slug } from "../drawing/text";
 import { minutes } from "../drawing/theme";
 import { time_curves, type TimeCurve } from "./time_curves";
 import { split_name, words } from "../drawing/units";
-import type { Range } from "../figure/window";
 
 interface Signal {
   column: Column;

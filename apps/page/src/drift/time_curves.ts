@@ -2,7 +2,7 @@
 import { on_one_clock } from "./clocks";
 import { curve } from "../drawing/curve";
 import { decimated, first_at } from "../drawing/decimate";
-import type { Picture, State, Toggle } from "../picture";
+import type { Picture, Range, State, Toggle } from "../picture";
 import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
 import { reading_in } from "../drawing/reading";
 import type { Num } from "../report";
@@ -10,7 +10,6 @@ import { sigma_band, sigma_bars, type Uncertain } from "../drawing/sigma_marks";
 import { base, curve_colour, dashes, legend, tooltip } from "../drawing/theme";
 import { time_axis, value_axis } from "../drawing/time_axis";
 import { unit_shown } from "../drawing/units";
-import type { Range } from "../figure/window";
 
 const kMarked = 150; // points; of more the marks would hide the curve
 

@@ -16,7 +16,7 @@ import {
 } from "echarts/components";
 import { init, use, type ECharts, type EChartsCoreOption } from "echarts/core";
 import { CanvasRenderer, SVGRenderer } from "echarts/renderers";
-import type { Range } from "./window";
+import type { Range } from "../picture";
 
 use([BarChart, CustomChart, HeatmapChart, LineChart, ScatterChart]);
 use([AxisPointerComponent, GraphicComponent, GridComponent, LegendComponent, PolarComponent, TitleComponent]);

@@ -1,5 +1,5 @@
 // What of a picture can be chosen and switched off. The switches are its legend.
-import { element } from "../page/elements";
+import { element } from "../elements/elements";
 import { mark_of } from "./mark";
 import type { Choice, Picture, State, Toggle } from "../picture";
 import { clamped } from "../drawing/text";

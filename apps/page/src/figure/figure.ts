@@ -2,17 +2,16 @@
 import { canvas_of, chart_in, px_at, x_at, x_extent, type Chart } from "./charts";
 import { controls_of } from "./controls";
 import { next_row, row_said } from "./cursor";
-import { button, element } from "../page/elements";
+import { button, element } from "../elements/elements";
 import { save_csv, save_png, save_svg } from "./files";
 import { kKeys, listen_to_keys } from "./keyboard";
 import { numbers_table } from "./numbers_table";
-import type { Numbers, Picture, State } from "../picture";
+import type { Numbers, Picture, Range, State } from "../picture";
 import { listen_to_pointer } from "./pointer";
-import type { Shared } from "../page/shared";
+import type { PageState } from "./page_state";
 import { drawn, initial_state, stilled } from "./still";
 import { stretch_panel } from "./stretch_panel";
 import type { View } from "./view";
-import type { Range } from "./window";
 
 const kPaper_px = 680; // the width between the margins of a sheet
 const kPaper_pixels = 2; // of the canvas for one of the page, in print
@@ -33,8 +32,8 @@ export interface Figure {
   printed(): void; // and taken away
 }
 
-export const figure_of = (picture: Picture, shared: Shared): Figure => {
-  let state = initial_state(picture, shared.dark(), 0);
+export const figure_of = (picture: Picture, page: PageState): Figure => {
+  let state = initial_state(picture, page.dark(), 0);
   let chart: Chart | null = null;
   let whole: Range | null = null;
   let whole_for = ""; // the choices that `whole` belongs to
@@ -75,7 +74,7 @@ export const figure_of = (picture: Picture, shared: Shared): Figure => {
   };
 
   const see = (window: Range | null): void => {
-    if (picture.zoom === "time") shared.see_time(window);
+    if (picture.zoom === "time") page.see_time(window);
     else if (picture.zoom === "own") change({ window });
   };
 
@@ -133,7 +132,7 @@ export const figure_of = (picture: Picture, shared: Shared): Figure => {
     table.update();
   };
 
-  const window_now = (): Range | null => (picture.zoom === "time" ? shared.time_window() : state.window);
+  const window_now = (): Range | null => (picture.zoom === "time" ? page.time_window() : state.window);
 
   const draw_now = (): void => {
     cancelAnimationFrame(awaited);
@@ -144,7 +143,7 @@ export const figure_of = (picture: Picture, shared: Shared): Figure => {
     state = {
       ...state,
       window: window_now(),
-      look: { dark: shared.dark(), width_px, height_px: picture.height_px, still: false },
+      look: { dark: page.dark(), width_px, height_px: picture.height_px, still: false },
     };
     chart ??= chart_in(canvas, width_px, picture.height_px);
     if (chart.getWidth() !== width_px) chart.resize({ width: width_px, height: picture.height_px });
@@ -184,19 +183,19 @@ export const figure_of = (picture: Picture, shared: Shared): Figure => {
       view.hover(x);
       chart.dispatchAction({ type: "showTip", x: px_at(chart, x), y: 0.3 * picture.height_px });
     }
-    shared.say(row_said(all, row));
+    page.say(row_said(all, row));
   };
 
   const view: View = {
     box,
-    whole: () => (picture.zoom === "time" ? shared.time_whole() : picture.zoom === "own" ? whole : null),
+    whole: () => (picture.zoom === "time" ? page.time_whole() : picture.zoom === "own" ? whole : null),
     window: () => state.window,
     selecting: () => selecting,
     x_at: (px) => (chart ? x_at(chart, px) : NaN),
     in_plot: (x, y) => [0, 1, 2, 3].some((gridIndex) => chart?.containPixel({ gridIndex }, [x, y]) ?? false),
     see,
     select,
-    hover: (x) => (picture.zoom === "time" ? shared.hover_time(x) : point(x)),
+    hover: (x) => (picture.zoom === "time" ? page.hover_time(x) : point(x)),
   };
   listen_to_pointer(view);
   listen_to_keys(view, step);

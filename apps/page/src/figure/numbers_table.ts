@@ -1,8 +1,8 @@
 // The numbers behind a picture, as a table that is made when it is opened and only then.
 import { rows_of } from "./csv";
-import { element } from "../page/elements";
+import { element } from "../elements/elements";
 import type { Numbers } from "../picture";
-import { table_of } from "../page/table";
+import { table_of } from "../elements/table";
 import { shown } from "../drawing/theme";
 
 const kRows = 200;

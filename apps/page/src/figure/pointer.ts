@@ -1,7 +1,8 @@
 // Mouse, pen and fingers on a chart: a drag moves, two fingers or the wheel zoom, a double click shows all, a drag with
 // shift selects a stretch. The wheel alone scrolls the page until the chart has the focus.
+import type { Range } from "../picture";
 import type { View } from "./view";
-import { ordered, panned, zoomed, type Range } from "./window";
+import { ordered, panned, zoomed } from "./window";
 
 interface Drag {
   kind: "move" | "select" | "pinch";

@@ -44,7 +44,7 @@ export const caption_of = (picture: Picture, state: State): string => {
   return clamped([picture.title, ...chosen].join(", "), 110);
 };
 
-const escaped = (text: string): string => text.replace(/[&<>"']/g, (letter) => `&#${letter.charCodeAt(0)};`);
+export const escaped = (text: string): string => text.replace(/[&<>"']/g, (letter) => `&#${letter.charCodeAt(0)};`);
 
 // A light SVG file of this size, caption included.
 export const svg_file = (picture: Picture, state: State, width_px: number, height_px: number): string => {

@@ -1,12 +1,11 @@
 // A stretch of the x axis, from and to, with what the numbers are within it.
-import { button, element } from "../page/elements";
-import type { Numbers } from "../picture";
+import { button, element } from "../elements/elements";
+import type { Numbers, Range } from "../picture";
 import { statistics_within } from "./statistics";
-import { table_of } from "../page/table";
+import { table_of } from "../elements/table";
 import { capital } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { split_name, words } from "../drawing/units";
-import type { Range } from "./window";
 
 export interface StretchPanel {
   element: HTMLElement;

@@ -1,5 +1,5 @@
 // What pointer and keys need of a figure, and what they may change in it.
-import type { Range } from "./window";
+import type { Range } from "../picture";
 
 export interface View {
   box: HTMLElement; // of the chart

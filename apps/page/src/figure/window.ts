@@ -1,5 +1,5 @@
 // The part of the x axis that is seen. Pure arithmetic; `all` is the whole axis.
-export type Range = readonly [number, number];
+import type { Range } from "../picture";
 
 // Within the whole axis; all of it is no window at all, so that a picture drawn without one looks the same.
 export const within = (window: Range, all: Range): Range | null => {

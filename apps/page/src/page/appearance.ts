@@ -1,5 +1,5 @@
 // Light or dark: as the system has it, until the reader says otherwise. Paper is always light.
-import { button } from "./elements";
+import { button } from "../elements/elements";
 import type { Shared } from "./shared";
 
 const kKey = "ballbar-theme";

@@ -1,5 +1,5 @@
 // Parts of a section that are folded until they are wanted: by a click, by a link to the section, or on paper.
-import { element } from "./elements";
+import { element } from "../elements/elements";
 
 export const folded = (id: string, parts: readonly HTMLElement[]): HTMLDetailsElement => {
   const made = element("details", {}, element("summary", {}, "Pictures and tables"), ...parts);

@@ -1,11 +1,11 @@
 // A section of the page: sentences first, then pictures, tables and lists.
 import { choosing_rows } from "./choosing_rows";
-import { element, text_in } from "./elements";
+import { element, text_in } from "../elements/elements";
 import { figure_of } from "../figure/figure";
 import { folded } from "./folded";
 import type { Section, TextTable } from "../picture";
 import type { Shared } from "./shared";
-import { table_of } from "./table";
+import { table_of } from "../elements/table";
 
 const kUnfolded = 3; // sections of a kind, as models of a target each; more are opened if wanted
 

@@ -1,19 +1,14 @@
 // What the figures of a page have in common: light or dark, and the window of those over time.
 import type { Figure } from "../figure/figure";
-import type { Range } from "../figure/window";
 import { without_turns } from "../drawing/text";
+import type { PageState } from "../figure/page_state";
+import type { Range } from "../picture";
 
-export interface Shared {
+export interface Shared extends PageState {
   readonly figures: ReadonlyMap<string, Figure>;
-  dark(): boolean;
-  time_window(): Range | null;
-  time_whole(): Range | null; // of all figures over time that are drawn
   add(figure: Figure): void;
   nth(kind: string): number; // section of this kind, from 1
-  see_time(window: Range | null): void;
-  hover_time(x: number | null): void;
   look(dark: boolean): void;
-  say(text: string): void; // to those who listen
 }
 
 export const shared_by_figures = (voice: HTMLElement): Shared => {

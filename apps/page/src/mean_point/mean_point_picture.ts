@@ -1,0 +1,107 @@
+// Temperature along a spindle, of one state or several: the mean of each dashed, a dot where T is that mean. Of several
+// states an upright line at the one place that serves them all best.
+import { curve } from "../drawing/curve";
+import { decimated } from "../drawing/decimate";
+import { hover_text } from "../drawing/hover";
+import type { Numbers, Picture, State, Toggle } from "../picture";
+import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
+import type { MeanPointPart, MeanPointState, Num } from "../report";
+import { plain } from "../drawing/text";
+import { axis, base, colours, curve_colour, legend, shown, tooltip } from "../drawing/theme";
+import { time_limits, x_axis } from "../drawing/two_grids";
+
+type Series = Record<string, unknown>;
+
+const toggle_of = ({ name }: MeanPointState, k: number): Toggle => ({
+  key: `state${k}`,
+  label: plain(name, 50),
+  colour: (dark) => curve_colour(k, dark),
+  mark: "line",
+  on: true,
+});
+
+// No curve of its own, so that it is there whatever is switched off.
+const best_place = (x_mm: number, colour: string): Series => ({
+  type: "line",
+  name: "",
+  data: [],
+  silent: true,
+  tooltip: { show: false },
+  markLine: {
+    symbol: "none",
+    silent: true,
+    label: { formatter: `best place, ${shown(x_mm, 2)} mm`, color: colour },
+    lineStyle: { color: colour, type: "solid", width: 2 },
+    data: [{ xAxis: x_mm }],
+  },
+});
+
+// All places of all states, each once, rising; a state has a gap where it was not read.
+const numbers_of = (states: readonly MeanPointState[]): Numbers => {
+  const places = [...new Set(states.flatMap(({ x_mm }) => x_mm))].sort((a, b) => a - b);
+  const columns = states.map(({ x_mm, degC }, k) => {
+    const at = new Map(x_mm.map((x, i): [number, Num] => [x, degC[i] ?? null]));
+    return { name: `T${states.length > 1 ? k + 1 : ""}_degC`, values: places.map((x) => at.get(x) ?? null) };
+  });
+  return { columns: [{ name: "x_mm", values: places }, ...columns] };
+};
+
+export const mean_point_picture = ({ states, best }: MeanPointPart): Picture => {
+  const toggles = states.map(toggle_of);
+  const ends = states.flatMap(({ x_mm }) => [x_mm[0] ?? 0, x_mm[x_mm.length - 1] ?? 0]);
+  const whole = time_limits([Math.min(...ends), Math.max(...ends)]);
+
+  const drawn_state = ({ x_mm, degC, mean_degC, mean_points }: MeanPointState, k: number, state: State): Series[] => {
+    const { look, window, hidden } = state;
+    const { key, label, colour } = toggles[k] as Toggle;
+    if (hidden.has(key)) return [];
+    const mine = colour(look.dark);
+    const mean = [x_mm[0], x_mm[x_mm.length - 1]].map((x): [number, Num] => [x ?? 0, mean_degC]);
+    return [
+      curve(label, mine, "solid", 1.8, decimated(x_mm, degC, window, look.width_px)),
+      curve("", mine, "dashed", 1.4, mean, { silent: true }),
+      {
+        type: "scatter",
+        name: "",
+        data: mean_points.map((point) => [point.x_mm, mean_degC]),
+        symbolSize: 9,
+        itemStyle: { color: mine },
+        silent: true,
+        z: 4,
+      },
+    ];
+  };
+
+  const draw = (state: State): Series => {
+    const { look, window } = state;
+    const series = states.flatMap((one, k) => drawn_state(one, k, state));
+    const top = top_px(look, toggles.map(({ label }) => label)) + (best ? 16 : 0);
+    return {
+      ...base(look),
+      grid: { left: kLeft_px, right: kRight_px, top, bottom: kBottom_px },
+      legend: legend(state, toggles),
+      tooltip: {
+        ...tooltip(look),
+        trigger: "axis",
+        formatter: hover_text({ drawn: series, x: 0, y: 1, head: (at) => `${shown(at, 1)} mm`, unit: "°C" }),
+      },
+      xAxis: x_axis(look, "x, mm", window, whole),
+      yAxis: axis(look, "temperature, °C", "y"),
+      series: [...series, ...(best ? [best_place(best.x_mm, colours(look.dark).ink)] : [])],
+    };
+  };
+
+  return {
+    name: "mean-point",
+    title: "Temperature along the spindle",
+    about:
+      "Dashed: the mean over the whole length. Dots: where the temperature is its mean, the places for a sensor." +
+      (best ? " The upright line: the one place that serves all states best." : ""),
+    height_px: 440,
+    zoom: "own",
+    choices: [],
+    toggles: () => toggles,
+    draw,
+    numbers: () => numbers_of(states),
+  };
+};

@@ -1,0 +1,61 @@
+#include "programs/finished.hpp"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <csignal>
+#include <string>
+
+namespace ballbar {
+namespace {
+
+Finished shell(const std::string& command, std::string_view in = {}) {
+  return finished("--plot", {"sh", "-c", command}, in);
+}
+
+TEST(finished, tells_what_was_written_and_how_it_ended) {
+  const Finished said = shell("cat; echo wrong >&2; exit 3", "text");
+  EXPECT_EQ(said.out, "text");
+  EXPECT_EQ(said.err, "wrong\n");
+  EXPECT_EQ(said.status, 3);
+  EXPECT_EQ(said.signal, 0);
+  EXPECT_FALSE(said.not_found);
+  EXPECT_EQ(shell("kill -9 $$").signal, SIGKILL);
+}
+
+TEST(finished, a_program_that_is_not_there_is_no_error) {
+  EXPECT_TRUE(finished("--plot", {"ballbar-has-no-such-program"}, "text").not_found);
+}
+
+// More than a pipe holds (64 KiB) both ways, and back before all is read.
+TEST(finished, long_texts_do_not_block) {
+  const std::string in(300000, 'a');
+  EXPECT_EQ(shell("head -c 250000 /dev/zero | tr '\\0' b; cat", in).out, std::string(250000, 'b') + in);
+}
+
+TEST(finished, arguments_are_not_read_by_a_shell) {
+  EXPECT_EQ(finished("--plot", {"printf", "%s", "$(echo x) `y` '\"; z"}, "").out, "$(echo x) `y` '\"; z");
+}
+
+TEST(finished, the_environment_is_ours_but_for_what_is_left_out) {
+  setenv("BALLBAR_TEST_A", "1", 1);
+  setenv("BALLBAR_TEST_B", "2", 1);
+  const Finished said =
+      finished("--plot", {"sh", "-c", "echo \"$BALLBAR_TEST_A,$BALLBAR_TEST_B\""}, "", "BALLBAR_TEST_A=");
+  EXPECT_EQ(said.out, ",2\n");
+  unsetenv("BALLBAR_TEST_A");
+  unsetenv("BALLBAR_TEST_B");
+}
+
+// One that ends before it reads is no SIGPIPE here, and the caller's choice stays.
+TEST(finished, signals_stay_as_they_are) {
+  struct sigaction before {};
+  struct sigaction after {};
+  sigaction(SIGPIPE, nullptr, &before);
+  EXPECT_EQ(shell("exit 0", std::string(300000, 'a')).status, 0);
+  sigaction(SIGPIPE, nullptr, &after);
+  EXPECT_EQ(before.sa_handler, after.sa_handler);
+}
+
+}  // namespace
+}  // namespace ballbar
