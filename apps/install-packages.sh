@@ -11,7 +11,7 @@ command -v node >/dev/null && command -v npm >/dev/null && page= || page='nodejs
 build="$page g++ make cmake libeigen3-dev libceres-dev libfmt-dev libpugixml-dev libtomlplusplus-dev
   nlohmann-json3-dev libcli11-dev libmatio-dev libmuparser-dev libssl-dev
   libopencv-imgcodecs-dev libopencv-imgproc-dev"
-test='libgtest-dev librapidcheck-dev python3 python3-sklearn chromium
+test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium
   linuxcnc-uspace linuxcnc-uspace-dev'
 bench='libbenchmark-dev python3 python3-numpy python3-scipy python3-sklearn'
 check='git clang clang-format clang-tidy libclang-rt-14-dev'

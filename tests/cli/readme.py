@@ -1,10 +1,12 @@
-"""Holds README.md, or another page, to what the program does. Its fenced blocks:
+"""Holds README.md, or another page, to what the program does, and its links to what is there. Its fenced blocks:
 
     ```csv cold.csv          a plain name: the block is a file of that name
     ```cpp tests/x/main.cpp  a path: the block must stand in that file
     ```console               lines `$ command` (a closing backslash continues) are run, in a folder that has
                              the files above, those of tests/cli/readme/ and sample-runs/; `ballbar` is the
                              program built. The lines below each are its output; `...` stands for any lines.
+    ```console numpy,pandas  passed over where Debian's python3 lacks one of these modules
+    ```console CASE          not run: its command and output stand in that case of tests/cli/cases
 
     python3 readme.py PROGRAM SOURCE_FOLDER SCRATCH [PAGE] [--update]
 
@@ -22,17 +24,48 @@ program, source, scratch = (pathlib.Path(argument).resolve() for argument in sys
 update = "--update" in sys.argv[4:]
 page = next((argument for argument in sys.argv[4:] if argument != "--update"), "README.md")
 readme = source / page
+cases = source / "tests" / "cli" / "cases"
 
 
 def run(command):
-    environment = dict(os.environ, LC_ALL="C", PATH=f"{program.parent}:{os.environ['PATH']}")
+    # Debian's own python3 first: modules are installed for that one.
+    environment = dict(os.environ, LC_ALL="C", PATH=f"{program.parent}:/usr/bin:{os.environ['PATH']}")
     return subprocess.run(["sh", "-c", command], cwd=scratch, env=environment, stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True).stdout.splitlines()
 
 
+def pattern_of(expected):
+    return "".join(r"(?s:.*)" if line == "..." else re.escape(line + "\n") for line in expected)
+
+
 def same(expected, came):
-    pattern = "".join(r"(?s:.*)" if line == "..." else re.escape(line + "\n") for line in expected)
-    return re.fullmatch(pattern, "".join(line + "\n" for line in came)) is not None
+    return re.fullmatch(pattern_of(expected), "".join(line + "\n" for line in came)) is not None
+
+
+def stands_in_case(name, command, expected):
+    text = {what: (cases / name / what).read_text(encoding="utf-8") for what in ("command", "stdout")}
+    return command + "\n" in text["command"] and re.search("(?m)^" + pattern_of(expected), text["stdout"]) is not None
+
+
+def lacking(modules):
+    return "".join(run("python3 -c 'from importlib.util import find_spec\n"
+                       f"print(*[name for name in \"{modules}\".split(\",\") if not find_spec(name)])'"))
+
+
+def anchors(path):
+    """Those that a page's headings make."""
+    text = re.sub(r"(?ms)^```.*?^```$", "", path.read_text(encoding="utf-8"))
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in re.findall(r"(?m)^#+ (.*)$", text)}
+
+
+def links_of(lines):
+    """(link, whether something is there) of all that stay in the repository."""
+    links = re.findall(r"\]\(([^)\s]+)\)", re.sub(r"`[^`\n]*`", "", "\n".join(lines)))
+    for link in links:
+        name, _, anchor = link.partition("#")
+        target = readme.parent / name if name else readme
+        if "://" not in link:
+            yield link, target.exists() and (not anchor or anchor in anchors(target))
 
 
 def steps_of(block):
@@ -67,19 +100,38 @@ scratch.mkdir(parents=True)
 (scratch / "sample-runs").symlink_to(source / "sample-runs")
 shutil.copytree(source / "tests" / "cli" / "readme", scratch, dirs_exist_ok=True)
 
-wrong = commands = 0
+wrong = commands = held = links = 0
 for language, name, block in pieces:
-    if not name:
+    if not name or language == "console":
         continue
     text = "".join(line + "\n" for line in block)
     if "/" not in name:
         (scratch / name).write_text(text, encoding="utf-8")
-    elif text not in (source / name).read_text(encoding="utf-8"):
+        continue
+    held += 1
+    if text not in (source / name).read_text(encoding="utf-8"):
         wrong += 1
         print(f"{page}: the block of {name} does not stand in that file")
 
+for language, _, lines in pieces:
+    for link, whole in links_of(lines) if language is None else []:
+        links += 1
+        if not whole:
+            wrong += 1
+            print(f"{page}: nothing is at {link}")
+
 for language, name, block in pieces:
     if language != "console":
+        continue
+    if name and (cases / name).is_dir():
+        held += 1
+        for command, expected in steps_of(block):
+            if not stands_in_case(name, "\n".join(command)[2:], expected):
+                wrong += 1
+                print(f"{page}: the block of the case {name} is not what stands there")
+        continue
+    if name and lacking(name):
+        print(f"{page}: passed over what needs {name}")
         continue
     rewritten = []
     for command, expected in steps_of(block):
@@ -94,8 +146,8 @@ for language, name, block in pieces:
         rewritten += command + came
     block[:] = rewritten
 
-print(f"{page}: {commands} commands run, {wrong} differences")
+print(f"{page}: {commands} commands run, {held} blocks and {links} links held, {wrong} differences")
 if update:
     readme.write_text("".join(line + "\n" for _, _, lines in pieces for line in lines), encoding="utf-8")
-elif wrong or not commands:
+elif wrong or not commands + held + links:
     raise SystemExit(1)

@@ -20,7 +20,8 @@ for name in "$@"; do
   sh tests/cli/case.sh "$program" "$source" "$name" "$scratch" --update
 done
 if [ $readme = yes ]; then
-  for page in README.md sample-runs/batches-tan2024/README.md sample-runs/hidden-effect/README.md sample-runs/spindle-46h/README.md; do
+  while read -r page; do
     python3 tests/cli/readme.py "$program" "$source" "$scratch/readme" "$page" --update
-  done
+  done < tests/cli/readme-pages.txt
+  "$(dirname "$program")/../tests/formats/format_keys" formats/README.md --update
 fi

@@ -10,6 +10,21 @@
 namespace ballbar {
 namespace {
 
+constexpr Key kKeys[] = {
+    {"time_min", "min", "one of the times of `profile_min`; needed"},
+    {"file", "text", "a plain name that ends in .png or .jpg; needed"},
+    {"colours", "text", "colour map, as `meanpoint --colours` knows them; default \"jet\""},
+    {"quality", "number", "of a .jpg, 1 to 100; default 80"},
+    {"legend", "true or false", "whether a scale is drawn; default true"},
+    {"bands", "number", "steps of the scale, 2 to 64; 0, the default: smooth"},
+    {"from_mm", "mm", "where the part that is shown begins, from the shaft's rear end; default: all of it"},
+    {"to_mm", "mm", "where it ends"},
+    {"min_degC", "degC", "cold end of the scale; default: the coldest of the part, rounded down to whole degC"},
+    {"max_degC", "degC", "hot end; default: the hottest, rounded up"},
+    {"width_px", "pixels", "200 to 4000; default 640"},
+    {"height_px", "pixels", "100 to 4000; default 180"},
+};
+
 std::size_t count(const TomlTable& table, std::string_view key, std::size_t by_default) {
   const std::optional<std::int64_t> read = integer(table, key);
   if (!read) return by_default;
@@ -40,8 +55,7 @@ double time_s(const TomlTable& table, const std::vector<double>& profile_min) {
 
 ShaftImage read_image(const TomlTable& table, const std::vector<double>& profile_min,
                       const std::vector<ShaftImage>& before) {
-  expect_keys(table, {"time_min", "file", "colours", "quality", "legend", "bands", "from_mm", "to_mm", "min_degC",
-                      "max_degC", "width_px", "height_px"});
+  expect_keys(table, kKeys);
   ShaftImage image;
   image.time_s = time_s(table, profile_min);
   image.file = file_name(table, before);
@@ -62,6 +76,8 @@ ShaftImage read_image(const TomlTable& table, const std::vector<double>& profile
 }
 
 }  // namespace
+
+std::vector<KeyTable> image_keys() { return {{"`[[spindle.image]]`", kKeys}}; }
 
 std::vector<ShaftImage> read_shaft_images(std::string_view bytes, std::string_view name) {
   const TomlSource source = parse_toml(bytes, name);

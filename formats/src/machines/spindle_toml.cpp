@@ -10,6 +10,34 @@ namespace {
 
 constexpr double kMinute_s = 60.0;
 
+constexpr Key kKeys[] = {
+    {"time_min", "min, list", "from these times on, rising; needed"},
+    {"speed_rpm", "rpm, list", "this speed; needed"},
+    {"load_W", "W, list", "and this cutting power; default: none"},
+    {"end_min", "min", "when it ends; method \"series\" needs it, a session ends with its last test"},
+    {"room_min", "min, list", "times of the room's temperature, straight lines between them"},
+    {"room_degC", "degC, list", "at these times; default: 20 degC"},
+    {"off", "texts",
+     "mechanisms left out: \"viscosity\", \"convection\", \"asymmetry\", \"rings\", \"centrifugal\", \"thermostat\", "
+     "\"coolant\", \"room\", \"structure\""},
+    {"interval_s", "s", "from row to row; default 15"},
+    {"step_s", "s", "longest step of the calculation; default 15"},
+    {"profile_min", "min, list", "when the temperature along the shaft is kept; default: never"},
+    {"image", "tables", "pictures of that"},
+    {"body", "table", "numbers of the spindle"},
+    {"measured", "table", "how it is measured"},
+};
+constexpr Key kMeasuredKeys[] = {
+    {"noise_um", "um", "of x, y, z: standard deviation from row to row; default 0.15"},
+    {"tail_freedom", "1", "that noise is Student's t with so many degrees of freedom; 0, the default: normal"},
+    {"memory_um", "um", "standard deviation of an AR(1) noise beside it; default 0"},
+    {"memory_s", "s", "its correlation time; default 600"},
+    {"resolution_um", "um", "of x, y, z; default 0.05"},
+    {"temperature_noise_K", "K", "standard deviation; default 0.03"},
+    {"temperature_resolution_K", "K", "default 0.1"},
+    {"not_logged", "texts", "columns of sensors that are left out"},
+};
+
 void take_bounded(double& value, const TomlTable& table, std::string_view key, Bound bound) {
   const std::optional<double> read = bound == Bound::positive ? positive(table, key) : number(table, key);
   if (!read) return;
@@ -98,8 +126,7 @@ FiniteVolumeSpindle read_body(const TomlTable& table) {
 }
 
 SpindleMeasurement read_measurement(const TomlTable& table) {
-  expect_keys(table, {"noise_um", "tail_freedom", "memory_um", "memory_s", "resolution_um", "temperature_noise_K",
-                      "temperature_resolution_K", "not_logged"});
+  expect_keys(table, kMeasuredKeys);
   SpindleMeasurement measured;
   take_bounded(measured.noise_um, table, "noise_um", Bound::not_negative);
   take_bounded(measured.tail_freedom, table, "tail_freedom", Bound::not_negative);
@@ -120,9 +147,10 @@ std::optional<TomlTable> inner(const TomlTable& table, std::string_view key) {
 
 }  // namespace
 
+std::vector<KeyTable> spindle_keys() { return {{"`[spindle]`", kKeys}, {"`[spindle.measured]`", kMeasuredKeys}}; }
+
 VirtualSpindle read_spindle(const TomlTable& table, std::optional<double> default_end_s) {
-  expect_keys(table, {"time_min", "speed_rpm", "load_W", "end_min", "room_min", "room_degC", "off", "interval_s",
-                      "step_s", "profile_min", "image", "body", "measured"});
+  expect_keys(table, kKeys);
   VirtualSpindle spindle;
   take_bounded(spindle.clock.interval_s, table, "interval_s", Bound::positive);
   take_bounded(spindle.clock.step_s, table, "step_s", Bound::positive);

@@ -16,6 +16,24 @@
 namespace ballbar {
 namespace {
 
+constexpr Key kKeys[] = {
+    {"revision", "number", "0 is the model as it started; rises by one"},
+    {"change", "text", "\"start\", \"+ effect\" or \"- effect\""},
+    {"target", "text", "column that the figures are of"},
+    {"data", "texts", "files, as they were named on the command line"},
+    {"parameters", "number", "how many parameters are free"},
+    {"rmse_um", "um", "root mean square of what the model leaves"},
+    {"times_floor", "1", "that over the floor; absent where the floor is not known"},
+    {"held_out_um", "um", "the same where cycles, or recordings, are left out and predicted from the others"},
+    {"evidence", "1", "2 ln of the likelihood ratio gained by the change"},
+    {"threshold", "1", "from which that counts"},
+    {"best_fake_fall", "1", "share by which the best of 200 fakes lowers the RMSE"},
+    {"verdict", "text", "\"start\", \"named\", \"supported\", \"time only\" or \"not supported\""},
+    {"still_needed", "texts", "earlier effects that are needed beside the new one"},
+    {"no_longer_needed", "texts", "earlier effects that are not"},
+    {"effects_before", "text", "the effects as they stood before, to the letter: `undo` puts them back"},
+};
+
 // Of the text without its byte order mark.
 struct Places {
   std::size_t effects = 0;         // the end of what stands before the first effect, its comments and blank lines
@@ -57,9 +75,7 @@ double measure(const TomlTable& table, std::string_view key, std::optional<doubl
 }
 
 LedgerRow row_at(const TomlTable& table, std::size_t place) {
-  expect_keys(
-      table, {"revision", "change", "target", "data", "parameters", "rmse_um", "times_floor", "held_out_um", "evidence",
-              "threshold", "best_fake_fall", "verdict", "still_needed", "no_longer_needed", "effects_before"});
+  expect_keys(table, kKeys);
   LedgerRow row;
   const std::int64_t revision = required(integer, table, "revision");
   if (revision != static_cast<std::int64_t>(place)) {
@@ -154,6 +170,8 @@ std::string cut(std::string_view text, const Places& places, std::span<const std
 }
 
 }  // namespace
+
+std::vector<KeyTable> history_keys() { return {{"`[[history]]`", kKeys}}; }
 
 std::vector<LedgerRow> read_ledger(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);

@@ -26,6 +26,36 @@ constexpr std::string_view kRecordingTarget = "deviation_um";
 constexpr std::size_t kMostEffects = 100;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+constexpr Key kRootKeys[] = {
+    {"format", "text", "\"ballbar-model 1\"; needed"},
+    {"target", "text or texts",
+     "column to explain, or several, each by its own fit; recordings: `deviation_um`; a series needs it"},
+    {"level", "text", "\"series\", the default, or \"recording\""},
+    {"constant_um", "um", "series: the constant is held there; without it, it is free"},
+    {"trained", "table", "`NAME = [lowest, highest]` of each column while the model was fitted; above the effects"},
+    {"effect", "tables", "an effect each; at most 100"},
+    {"history", "tables", "the ledger, which `add` and `undo` write; below the effects"},
+};
+constexpr Key kNameKeys[] = {
+    {"name", "text", "which effect, as `ballbar effects` lists it; needed"},
+};
+constexpr Key kFormulaKeys[] = {
+    {"name", "text", "\"expression\""},
+    {"formula", "text", "in um; `ballbar effects expression` says what may stand in it; needed"},
+};
+constexpr Key kSettingKeys[] = {
+    {"start", "its unit", "where the fit starts; default: the catalogue's"},
+    {"lower", "its unit", "lowest value; default: the catalogue's"},
+    {"upper", "its unit", "highest value; default: the catalogue's"},
+};
+constexpr Key kOwnSettingKeys[] = {
+    {"start", "its unit", "where the fit starts; needed"},
+    {"lower", "its unit", "lowest value; default: none"},
+    {"upper", "its unit", "highest value; default: none"},
+    {"unit", "text", "stands in the results; default \"1\""},
+    {"held", "true or false", "true: it stays at its start; default false"},
+};
+
 // A finite number, or the infinity of that side.
 std::optional<double> bound(const TomlTable& table, std::string_view key, double infinity) {
   const toml::node* node = table.table->get(key);
@@ -59,9 +89,7 @@ Setting setting_at(const TomlTable& table, const std::string& key, Setting setti
     fail_kind(table, key, "a number, which is held, or { start, lower, upper }, which is free from there,");
   }
   const TomlTable free = *subtable(table, key);
-  std::vector<std::string_view> known{"start", "lower", "upper"};
-  if (own) known.insert(known.end(), {"unit", "held"});
-  expect_keys(free, known);
+  expect_keys(free, own ? std::span<const Key>(kOwnSettingKeys) : kSettingKeys);
   setting.held = own && boolean(free, "held").value_or(false);
   if (own) unit = string(free, "unit").value_or("1");
   setting.lower = bound(free, "lower", -kInfinity).value_or(setting.lower);
@@ -104,7 +132,7 @@ Term catalogue_term(const TomlTable& table, const std::string& name, Level level
     fail_at_key(table, "name", error.what());
   }
   const Effect& effect = *term.effect;
-  std::vector<std::string_view> known{"name"};
+  std::vector<std::string_view> known = names_of(kNameKeys);
   for (const Input& input : effect.inputs) known.push_back(input.role);
   for (const Parameter& parameter : effect.parameters) known.push_back(parameter.name);
   expect_keys(table, known);
@@ -145,7 +173,7 @@ Term own_term(const TomlTable& table, Level level) {
   } catch (const Error& error) {
     fail_at_key(table, "formula", error.what());
   }
-  std::vector<std::string_view> known{"name", "formula"};
+  std::vector<std::string_view> known = names_of(kFormulaKeys);
   known.insert(known.end(), names.begin(), names.end());
   expect_in_formula(table, names);
   expect_keys(table, known);
@@ -220,7 +248,7 @@ std::vector<ColumnRange> trained_at(const TomlTable& root) {
 Model model_of(const TomlTable& root) {
   const std::string_view formats[] = {kFormat};
   if (!choice_index(root, "format", formats)) fail_missing(root, "format");
-  expect_keys(root, {"format", "target", "level", "constant_um", "trained", "effect", "history"});
+  expect_keys(root, kRootKeys);
   Model model;
   const std::string_view levels[] = {"series", "recording"};
   if (choice_index(root, "level", levels).value_or(0) == 1) model.level = Level::recording;
@@ -283,6 +311,14 @@ std::string effect_text(const Term& term) {
 }
 
 }  // namespace
+
+std::vector<KeyTable> model_keys() {
+  return {{"", kRootKeys},
+          {"`[[effect]]`, beside its inputs and parameters", kNameKeys},
+          {"A parameter of it, where it is free", kSettingKeys},
+          {"`[[effect]]` with a formula, beside the parameters of that", kFormulaKeys},
+          {"A parameter of the formula", kOwnSettingKeys}};
+}
 
 Model read_model(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);

@@ -16,25 +16,41 @@ namespace {
 
 constexpr std::string_view kFormat = "ballbar-log 1";
 
+constexpr Key kKeys[] = {
+    {"format", "text", "\"ballbar-log 1\"; needed"},
+    {"kind", "text", "\"circle\", or \"axial\": a bar along the spindle's axis, without angle; needed"},
+    {"motion", "text", "what drives the circle: \"linear_axes\", \"rotary_axis\" or \"spindle\"; a circle needs it"},
+    {"plane", "text", "\"XY\", \"YZ\" or \"ZX\"; a circle needs it"},
+    {"moving_ball", "text", "which ball travels, \"spindle\" or \"table\"; a circle needs it"},
+    {"nominal_length_mm", "mm", "of the bar, above 0; needed"},
+    {"direction", "text", "\"CCW\" or \"CW\", as the angles run; a circle needs it"},
+    {"elapsed_s", "s", "start of the test from the session's own zero"},
+    {"started", "date and time", "start on the machine's clock, 2015-03-02T09:00:00, no zone"},
+    {"feed_mm_per_min", "mm/min", "feed on the path, above 0"},
+    {"height_offset_mm", "mm", "height of the moving ball over the fixed one, along the plane's normal; default 0"},
+    {"bar_temperature_degC", "degC", "temperature of the bar"},
+};
+constexpr std::string_view kOnlyOfCircles[] = {"motion", "plane", "moving_ball"};
+
 Recording header_of(const TomlTable& header) {
   const std::string_view formats[] = {kFormat};
   if (!choice_index(header, "format", formats)) fail_missing(header, "format");
   Recording recording;
   recording.kind = required_choice(header, "kind", {Kind::circle, Kind::axial});
   if (recording.kind == Kind::circle) {
-    expect_keys(header, {"format", "kind", "motion", "plane", "moving_ball", "nominal_length_mm", "direction",
-                         "elapsed_s", "started", "feed_mm_per_min", "height_offset_mm", "bar_temperature_degC"});
+    expect_keys(header, kKeys);
     recording.motion = required_choice(header, "motion", {Motion::linear_axes, Motion::rotary_axis, Motion::spindle});
     recording.plane = required_choice(header, "plane", {Plane::XY, Plane::YZ, Plane::ZX});
     recording.moving_ball = required_choice(header, "moving_ball", {MovingBall::spindle, MovingBall::table});
     recording.direction = required_choice(header, "direction", {Direction::CCW, Direction::CW});
   } else {
-    for (const std::string_view key : {"motion", "plane", "moving_ball"}) {
+    std::vector<std::string_view> known = names_of(kKeys);
+    for (const std::string_view key : kOnlyOfCircles) {
       if (has(header, key))
         fail_at_key(header, key, fmt::format("expected no {} in an axial log, found one; only a circle has it.", key));
+      std::erase(known, key);
     }
-    expect_keys(header, {"format", "kind", "nominal_length_mm", "direction", "elapsed_s", "started", "feed_mm_per_min",
-                         "height_offset_mm", "bar_temperature_degC"});
+    expect_keys(header, known);
     recording.direction = choice(header, "direction", {Direction::CCW, Direction::CW}).value_or(Direction::CCW);
   }
   recording.nominal_length_mm = required(positive, header, "nominal_length_mm");
@@ -107,6 +123,8 @@ double written_deg(double angle_rad) {
 }
 
 }  // namespace
+
+std::vector<KeyTable> log_keys() { return {{"", kKeys}}; }
 
 Recording read_ballbar_log(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);

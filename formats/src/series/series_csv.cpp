@@ -17,6 +17,31 @@ namespace {
 
 constexpr std::string_view kFormat = "ballbar-series 1";
 
+constexpr Key kRootKeys[] = {
+    {"format", "text", "\"ballbar-series 1\"; without it the comments are prose"},
+    {"title", "text", "what the series is; for people"},
+    {"method", "text", "how it came about; `drift --out` writes it"},
+    {"reference_s", "s", "the row that its changes are from; `drift --out` writes it"},
+    {"columns", "tables", "what a name does not tell: `[columns.NAME]`, a table a column"},
+    {"five_probe", "table", "what is known of five probes"},
+};
+constexpr Key kColumnKeys[] = {
+    {"role", "text",
+     "what the column is; else the unit of its name tells: \"structure\", \"ambient\", \"coolant\", \"bearing\", "
+     "\"mean_point\", \"housing\", \"speed\", \"load\", \"event\", \"measured\"; needed"},
+};
+constexpr Key kFiveProbeKeys[] = {
+    {"spacing_mm", "mm", "distance of the planes 1 and 2, above 0; without it there is no tilt"},
+    {"plane_1_from_nose_mm", "mm", "distance of plane 1 from the nose, for `--from-nose`"},
+    {"resolution_um", "um", "step of a probe's reading, above 0"},
+    {"linearity_percent", "%", "limit of a probe's error, percent of the reading, above 0"},
+    {kProbes[0], "text", "name of the column of that probe; default X1_um"},
+    {kProbes[1], "text", "default X2_um"},
+    {kProbes[2], "text", "default Y1_um"},
+    {kProbes[3], "text", "default Y2_um"},
+    {kProbes[4], "text", "default Z_um"},
+};
+
 // Comments are TOML only where one of them is a line `# format =`; otherwise they are prose.
 bool has_format_line(std::string_view toml) {
   while (!toml.empty()) {
@@ -58,9 +83,7 @@ std::optional<std::string> probe_column(const TomlTable& table, std::string_view
 
 // Which column a probe's readings stand in, where the file says so, and what else it states about the probes.
 FiveProbe five_probe_of(const TomlTable& table, const std::vector<std::string_view>& columns) {
-  std::vector<std::string_view> known{"spacing_mm", "plane_1_from_nose_mm", "resolution_um", "linearity_percent"};
-  known.insert(known.end(), kProbes.begin(), kProbes.end());
-  expect_keys(table, known);
+  expect_keys(table, kFiveProbeKeys);
   FiveProbe probe;
   probe.spacing_mm = positive(table, "spacing_mm");
   probe.plane_1_from_nose_mm = number(table, "plane_1_from_nose_mm");
@@ -81,7 +104,7 @@ FiveProbe five_probe_of(const TomlTable& table, const std::vector<std::string_vi
 }
 
 SeriesHeader header_of(const TomlTable& header, const TableHead& head) {
-  expect_keys(header, {"format", "title", "method", "reference_s", "columns", "five_probe"});
+  expect_keys(header, kRootKeys);
   const std::string_view formats[] = {kFormat};
   choice_index(header, "format", formats);
   string(header, "title");
@@ -95,7 +118,7 @@ SeriesHeader header_of(const TomlTable& header, const TableHead& head) {
     for (const ColumnName& name : head.columns) {
       const auto column = subtable(*columns, name.name);
       if (!column) continue;
-      expect_keys(*column, {"role"});
+      expect_keys(*column, kColumnKeys);
       result.roles.emplace(name.name, role_of(*column));
     }
   }
@@ -148,6 +171,10 @@ std::string header_of(const FiveProbe& probe) {
 }
 
 }  // namespace
+
+std::vector<KeyTable> series_keys() {
+  return {{"", kRootKeys}, {"`[columns.NAME]`", kColumnKeys}, {"`[five_probe]`", kFiveProbeKeys}};
+}
 
 Series read_series(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);

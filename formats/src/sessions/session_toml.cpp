@@ -13,6 +13,47 @@ namespace {
 
 constexpr std::string_view kFormat = "ballbar-session 1";
 
+constexpr Key kRootKeys[] = {
+    {"format", "text", "\"ballbar-session 1\"; needed"},
+    {"method", "text", "\"circles\", \"two_arcs\" or \"spindle_rotation\"; needed"},
+    {"title", "text", "stands above the results"},
+    {"spindle_above", "true or false",
+     "`spindle_rotation`: growth of the spindle shortens the axial bar; false: the ball is on the far side; default "
+     "true"},
+    {"bar", "table", "the bar; needed"},
+    {"test", "tables", "a test each, in the order of time; at least one"},
+    {"signals", "table", "what else was logged"},
+    {"five_probe", "table", "readings of five probes in the same session"},
+};
+constexpr Key kBarKeys[] = {
+    {"nominal_length_mm", "mm", "nominal length, above 0; needed"},
+    {"expansion_ppm_per_K", "ppm/K",
+     "thermal expansion; where the logs state the bar's temperature, `compare` counts it as uncertainty"},
+};
+constexpr Key kTestKeys[] = {
+    {"elapsed_s", "s", "when the test began, from the session's own zero; rises from test to test; needed"},
+};
+constexpr Key kCirclesKeys[] = {
+    {"circle", "path", "recording of the circle; needed"},
+};
+constexpr Key kTwoArcsKeys[] = {
+    {"c_arc", "path", "recording of the arc about the rotary axis C; needed"},
+    {"a_arc", "path", "recording of the arc about the rotary axis A; needed"},
+};
+constexpr Key kRotationKeys[] = {
+    {"rotation", "path", "recording while the spindle turns; needed"},
+    {"axial", "path", "axial recording; this or the next"},
+    {"axial_length_mm", "mm", "one length of the axial bar, above 0"},
+};
+constexpr Key kSignalsKeys[] = {
+    {"files", "paths", "series of temperatures, speed and the like; needed"},
+};
+constexpr Key kFiveProbeKeys[] = {
+    {"file", "path", "the series of the probes; needed"},
+    {"ball_from_plane_1_mm", "mm", "where along their bar the ball was, from plane 1 towards plane 2"},
+    {"ball_sigma_mm", "mm", "how well that is known, one sigma"},
+};
+
 // Lexically; open_session looks at links too.
 void expect_inside(const TomlTable& table, std::string_view key, const std::string& path,
                    std::optional<std::size_t> element = std::nullopt) {
@@ -30,9 +71,8 @@ std::string path_at(const TomlTable& table, std::string_view key) {
 
 // The keys of a test that belong to each method.
 std::vector<std::string_view> keys_of(Method method) {
-  if (method == Method::two_arcs) return {"c_arc", "a_arc"};
-  if (method == Method::spindle_rotation) return {"rotation", "axial", "axial_length_mm"};
-  return {"circle"};
+  if (method == Method::two_arcs) return names_of(kTwoArcsKeys);
+  return names_of(method == Method::spindle_rotation ? std::span<const Key>(kRotationKeys) : kCirclesKeys);
 }
 
 SessionPlan::Test test_of(const TomlTable& table, Method method) {
@@ -46,7 +86,7 @@ SessionPlan::Test test_of(const TomlTable& table, Method method) {
     }
   }
   std::vector<std::string_view> known = keys_of(method);
-  known.push_back("elapsed_s");
+  for (const Key& key : kTestKeys) known.push_back(key.name);
   expect_keys(table, known);
   SessionPlan::Test test;
   test.elapsed_s = required(number, table, "elapsed_s");
@@ -69,20 +109,31 @@ SessionPlan::Test test_of(const TomlTable& table, Method method) {
 
 }  // namespace
 
+std::vector<KeyTable> session_keys() {
+  return {{"", kRootKeys},
+          {"`[bar]`", kBarKeys},
+          {"`[[test]]`", kTestKeys},
+          {"`[[test]]` of `circles`", kCirclesKeys},
+          {"`[[test]]` of `two_arcs`", kTwoArcsKeys},
+          {"`[[test]]` of `spindle_rotation`", kRotationKeys},
+          {"`[signals]`", kSignalsKeys},
+          {"`[five_probe]`", kFiveProbeKeys}};
+}
+
 SessionPlan read_session_plan(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);
   const TomlSource source = parse_toml(text.bytes, name);
   const TomlTable root = root_of(source);
   const std::string_view formats[] = {kFormat};
   if (!choice_index(root, "format", formats)) fail_missing(root, "format");
-  expect_keys(root, {"format", "method", "title", "spindle_above", "bar", "test", "signals", "five_probe"});
+  expect_keys(root, kRootKeys);
 
   SessionPlan plan;
   plan.method = required_choice(root, "method", {Method::two_arcs, Method::spindle_rotation, Method::circles});
   plan.title = string(root, "title").value_or("");
   plan.spindle_above = boolean(root, "spindle_above").value_or(true);
   const TomlTable bar = required(subtable, root, "bar");
-  expect_keys(bar, {"nominal_length_mm", "expansion_ppm_per_K"});
+  expect_keys(bar, kBarKeys);
   plan.bar_expansion_ppm_per_K = number(bar, "expansion_ppm_per_K");
   plan.nominal_length_mm = required(positive, bar, "nominal_length_mm");
   for (const TomlTable& table : subtables(root, "test")) {
@@ -96,13 +147,13 @@ SessionPlan read_session_plan(std::string_view bytes, std::string_view name) {
   }
   if (plan.tests.empty()) fail_at_key(root, "test", "expected at least one [[test]], found none.");
   if (const auto signals = subtable(root, "signals")) {
-    expect_keys(*signals, {"files"});
+    expect_keys(*signals, kSignalsKeys);
     plan.signal_files = required(strings, *signals, "files");
     for (std::size_t i = 0; i < plan.signal_files.size(); ++i)
       expect_inside(*signals, "files", plan.signal_files[i], i);
   }
   if (const auto five_probe = subtable(root, "five_probe")) {
-    expect_keys(*five_probe, {"file", "ball_from_plane_1_mm", "ball_sigma_mm"});
+    expect_keys(*five_probe, kFiveProbeKeys);
     if (!has(*five_probe, "file")) fail_missing(*five_probe, "file");
     plan.five_probe_file = path_at(*five_probe, "file");
     plan.ball = {number(*five_probe, "ball_from_plane_1_mm"), positive(*five_probe, "ball_sigma_mm")};

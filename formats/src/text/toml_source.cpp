@@ -133,9 +133,7 @@ void expect_keys(const TomlTable& table, std::span<const std::string_view> known
                    nearest_name(first->str(), known)));
 }
 
-void expect_keys(const TomlTable& table, std::initializer_list<std::string_view> known) {
-  expect_keys(table, std::span(known.begin(), known.size()));
-}
+void expect_keys(const TomlTable& table, std::span<const Key> known) { expect_keys(table, names_of(known)); }
 
 bool has(const TomlTable& table, std::string_view key) { return table.table->contains(key); }
 

@@ -3,7 +3,7 @@
 //
 //   const TomlSource source = parse_toml(bytes, name);
 //   const TomlTable root = root_of(source);
-//   expect_keys(root, {"plane", "title"});
+//   expect_keys(root, kKeys);
 //   const Plane plane = choice(root, "plane", {Plane::XY, Plane::YZ, Plane::ZX}).value_or(Plane::XY);
 //   const double feed_mm_per_min = required(positive, root, "feed_mm_per_min");
 //
@@ -38,6 +38,8 @@ namespace ballbar {
 #include <string_view>
 #include <vector>
 
+#include "ballbar/formats/text/keys.hpp"
+
 namespace ballbar {
 
 struct TomlSource {
@@ -60,7 +62,7 @@ TomlTable root_of(TomlSource&&) = delete;
 
 // Throws Error at the first key that is not in `known`, with the nearest known name.
 void expect_keys(const TomlTable& table, std::span<const std::string_view> known);
-void expect_keys(const TomlTable& table, std::initializer_list<std::string_view> known);
+void expect_keys(const TomlTable& table, std::span<const Key> known);
 
 bool has(const TomlTable& table, std::string_view key);
 std::optional<std::string> string(const TomlTable& table, std::string_view key);

@@ -2,18 +2,9 @@
 // other files (shaft_picture.hpp paints them).
 //
 //   [[spindle.image]]
-//   time_min = 240        # one of [spindle]'s profile_min
-//   file = "jet.jpg"      # a plain name that ends in .png or .jpg
-//   colours = "jet"       # jet | turbo | viridis | inferno | gray ..., as colour_map has them
-//   quality = 80          # of a .jpg, 1 to 100
-//   legend = true
-//   bands = 9             # steps of the scale, as finite-element programs draw it; default 0: smooth
-//   from_mm = 190         # part of the shaft, from its rear end; default: all of it
-//   to_mm = 520
-//   min_degC = 20         # of the scale; default: the part's field rounded outwards to whole degC
-//   max_degC = 40
-//   width_px = 640
-//   height_px = 180
+//   time_min = 240
+//   file = "jet.jpg"
+//   colours = "jet"       # all keys: image_keys() of keys.hpp
 //
 // Read by ballbar::formats; painted by ballbar::images.
 //

@@ -1,0 +1,35 @@
+// The keys that the text formats know, with unit and meaning. The readers refuse every other key by these lists, and
+// the tables of formats/README.md are made from them.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace ballbar {
+
+struct Key {
+  std::string_view name;
+  std::string_view holds;  // a unit, or what else stands there: "text", "true or false", "table"
+  std::string_view meaning;
+};
+
+// The keys of one table of a file. Names of keys and tables in these texts stand in `backquotes`, as on the page.
+struct KeyTable {
+  std::string_view table;  // "`[bar]`"; empty: of the file itself
+  std::span<const Key> keys;
+};
+
+std::vector<std::string_view> names_of(std::span<const Key> keys);
+
+// By format, in the order of the file.
+std::vector<KeyTable> session_keys();  // session.toml
+std::vector<KeyTable> log_keys();      // header of a ballbar log
+std::vector<KeyTable> series_keys();   // header of a series
+std::vector<KeyTable> model_keys();    // model .toml; the keys of an effect are its roles and parameters
+std::vector<KeyTable> history_keys();  // [[history]] of a model
+std::vector<KeyTable> machine_keys();  // machine.toml, but for [spindle], [[spindle.image]] and [spindle.body]
+std::vector<KeyTable> spindle_keys();  // [spindle], [spindle.measured]
+std::vector<KeyTable> image_keys();    // [[spindle.image]]
+
+}  // namespace ballbar
