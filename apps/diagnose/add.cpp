@@ -116,8 +116,8 @@ std::string stop_text(const Diagnosis& diagnosis) {
 }
 
 // With its held shapes (an exponent) where the search found them.
-Term as_diagnosed(const BoundEffect& bound, const Diagnosis& diagnosis, Level level) {
-  Term term = term_of(bound.effect->name, bound.columns, level);
+Term as_diagnosed(const BoundEffect& bound, const Diagnosis& diagnosis) {
+  Term term = term_of(*bound.effect, bound.columns);
   const auto candidate = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
                                       [&](const Candidate& one) { return one.bound == bound; });
   if (candidate == diagnosis.candidates.end()) return term;
@@ -141,7 +141,7 @@ std::string add_named(const Options& options, const ModelData& data, Story& stor
     if (verdict != Verdict::named) return stop_text(diagnosis);
     std::vector<Term> terms;
     for (const BoundEffect& bound : diagnosis.named) {
-      terms.push_back(as_diagnosed(bound, diagnosis, story.model.level));
+      terms.push_back(as_diagnosed(bound, diagnosis));
     }
     add_terms(options, data, terms, &diagnosis, story);
     if (story.trials.size() < kMostAdditions) continue;

@@ -73,7 +73,7 @@ Table parameter_table(const Trial& trial) {
   for (std::size_t k = 0; k < trial.fit_after.parameters.size(); ++k) {
     const FittedParameter& after = trial.fit_after.parameters[k];
     if (k == 0 && after.state == ParameterState::held && after.value == 0.0) continue;  // recordings have none
-    if (after.name == "recording") continue;
+    if (after.shape_of == ShapeOf::recording) continue;
     const auto same = [&](const FittedParameter& p) { return p.effect == after.effect && p.name == after.name; };
     const std::vector<FittedParameter>& all = trial.fit_before.parameters;
     const auto before = std::find_if(all.begin(), all.end(), same);

@@ -51,7 +51,7 @@ void add_parameters(Table& table, const Fit& fit, const std::string& target) {
   for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
     const FittedParameter& parameter = fit.parameters[k];
     if (k == 0 && parameter.state == ParameterState::held && parameter.value == 0.0) continue;  // recordings have none
-    if (parameter.name == "recording") continue;  // the label has it: circle 1
+    if (parameter.shape_of == ShapeOf::recording) continue;  // the label has it: circle 1
     std::vector<std::string> row{target + shortened(parameter.effect, 44), shortened(parameter.name, 30),
                                  value_text(parameter), shortened(parameter.unit, 12)};
     if (target.empty()) row.push_back(strongest_correlation(fit, k));

@@ -28,7 +28,8 @@ struct Options {
 };
 
 std::vector<const Effect*> all_effects() {
-  std::vector<const Effect*> all(effects().begin(), effects().end());
+  std::vector<const Effect*> all;
+  for (const auto& effect : built_in_catalogue()) all.push_back(effect.get());
   all.push_back(&expression_page());
   return all;
 }
@@ -91,7 +92,7 @@ void print_page(const Effect& effect) {
     fmt::print("{}\n", parameters.left_aligned());
   }
   print_part("Confused with", fmt::format("{}", fmt::join(page.confused_with, ", ")));
-  if (!page.becomes.empty()) print_part("Becomes", page.becomes + ", at the edge of its shapes");
+  if (!effect.rules.becomes.empty()) print_part("Becomes", effect.rules.becomes + ", at the edge of its shapes");
   print_part("Told apart by", page.separated_by);
   print_part("Remedy", page.remedy);
   print_part("Validity", page.validity);
@@ -111,7 +112,7 @@ nlohmann::ordered_json json_of(const Effect& effect) {
                               {"formula", page.formula},
                               {"signature", page.signature},
                               {"confused_with", page.confused_with},
-                              {"becomes", page.becomes},
+                              {"becomes", effect.rules.becomes},
                               {"separated_by", page.separated_by},
                               {"remedy", page.remedy},
                               {"validity", page.validity},

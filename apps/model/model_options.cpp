@@ -101,9 +101,9 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
     }
     if (model.level == Level::recording) {
       const Model base = circles_of(data.series);
-      const bool has_circle = std::any_of(model.terms.begin(), model.terms.end(),
-                                          [](const Term& term) { return term.effect->name == "circle"; });
-      if (!has_circle) model.terms.insert(model.terms.begin(), base.terms.begin(), base.terms.end());
+      const bool has_base = std::any_of(model.terms.begin(), model.terms.end(),
+                                        [](const Term& term) { return term.effect->rules.is_base; });
+      if (!has_base) model.terms.insert(model.terms.begin(), base.terms.begin(), base.terms.end());
     }
   }
   if (!options.target.empty()) model.targets = options.target;

@@ -126,7 +126,7 @@ void add_comparison(Made& made, const Options& options) {
 void overlay_effects(Made& made, const Fit& fit, const Model& model, const ModelData& data) {
   if (data.level != Level::recording) return;
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
-    if (model.terms[t].effect->name == "circle") continue;  // drawn as itself
+    if (model.terms[t].effect->rules.is_base) continue;  // drawn as itself
     overlay(made.json["fit"]["recordings"], label_of(model.terms[t]), fit.contribution_um[t], fit, data.series);
   }
 }

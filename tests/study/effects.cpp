@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
   bool failed = false;
   std::size_t all_covered = 0, all_counted = 0;
   fmt::print("{:<22} {:<26} {:>9} {:>10} {:>9}\n", "effect", "parameter", "covered %", "median err", "counted");
-  for (const Effect* effect : effects()) {
+  for (const auto& effect : built_in_catalogue()) {
     const Case made = case_of(*effect);
     std::map<std::size_t, Tally> tallies;
     for (int seed = 0; seed < seeds; ++seed) {

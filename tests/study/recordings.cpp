@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
     fmt::print("{:<20} {:>6} {:>6} {:>6} {:>12} {:>8}   of {}\n", name, "right", "wrong", "in set", "unexplained",
                "nothing", seeds);
     Tally all;
-    for (const Effect* effect : effects()) {
+    for (const auto& effect : built_in_catalogue()) {
       if (effect->level != Level::recording || effect->name == "circle") continue;
       const Tally one = tally(plan, effect, seeds);
       all.n += one.n;

@@ -173,24 +173,25 @@ std::string cut(std::string_view text, const Places& places, std::span<const std
 
 std::vector<KeyTable> history_keys() { return {{"`[[history]]`", kKeys}}; }
 
-std::vector<LedgerRow> read_ledger(std::string_view bytes, std::string_view name) {
+std::vector<LedgerRow> read_ledger(std::string_view bytes, std::string_view name, const Catalogue& catalogue) {
   const SourceText text = source_text(bytes, name);
-  static_cast<void>(read_model(bytes, name));
+  static_cast<void>(read_model(bytes, name, catalogue));
   const TomlSource source = parse_toml(text.bytes, name);
   return ledger_of(root_of(source));
 }
 
 std::string with_revision(std::string_view bytes, std::string_view name, std::span<const Term> added,
-                          std::span<const std::size_t> removed, const LedgerRow& start, LedgerRow row) {
+                          std::span<const std::size_t> removed, const LedgerRow& start, LedgerRow row,
+                          const Catalogue& catalogue) {
   const SourceText text = source_text(bytes, name);
-  static_cast<void>(read_model(bytes, name));
+  static_cast<void>(read_model(bytes, name, catalogue));
   const TomlSource source = parse_toml(text.bytes, name);
   const Places places = places_of(text.bytes, root_of(source));
   const std::size_t rows = ledger_of(root_of(source)).size();
   const std::string before(text.bytes.substr(places.effects, places.history - places.effects));
   std::string result =
       std::string(bytes.substr(0, bytes.size() - text.bytes.size())) + cut(text.bytes, places, removed);
-  for (const Term& term : added) result = with_effect(result, name, term);
+  for (const Term& term : added) result = with_effect(result, name, term, catalogue);
   const auto append = [&](const LedgerRow& more, const std::string* effects_before) {
     if (!result.ends_with('\n')) result += '\n';
     result += '\n' + row_text(more, effects_before);
@@ -202,13 +203,13 @@ std::string with_revision(std::string_view bytes, std::string_view name, std::sp
   }
   row.revision = std::max<std::size_t>(1, rows);
   append(row, &before);
-  static_cast<void>(read_ledger(result, name));
+  static_cast<void>(read_ledger(result, name, catalogue));
   return result;
 }
 
-std::string without_last_revision(std::string_view bytes, std::string_view name) {
+std::string without_last_revision(std::string_view bytes, std::string_view name, const Catalogue& catalogue) {
   const SourceText text = source_text(bytes, name);
-  static_cast<void>(read_model(bytes, name));
+  static_cast<void>(read_model(bytes, name, catalogue));
   const TomlSource source = parse_toml(text.bytes, name);
   const TomlTable root = root_of(source);
   const Places places = places_of(text.bytes, root);
@@ -228,8 +229,8 @@ std::string without_last_revision(std::string_view bytes, std::string_view name)
     result += '\n';
   }
   try {
-    static_cast<void>(read_model(result, "the text"));
-    static_cast<void>(read_ledger(result, "the text"));
+    static_cast<void>(read_model(result, "the text", catalogue));
+    static_cast<void>(read_ledger(result, "the text", catalogue));
   } catch (const Error& error) {
     fail_at_key(last, "effects_before",
                 fmt::format("expected the effects as they were, found a fault: {}", error.what()));

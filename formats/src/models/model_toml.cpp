@@ -124,10 +124,10 @@ std::string column_at(const TomlTable& table, const Effect& effect, const std::s
                             roles.size() == 1 ? "which is" : "which are", fmt::join(roles, ", "), role, table.label));
 }
 
-Term catalogue_term(const TomlTable& table, const std::string& name, Level level) {
+Term catalogue_term(const TomlTable& table, const std::string& name, Level level, const Catalogue& catalogue) {
   Term term;
   try {
-    term = term_of(name, {}, level);
+    term = term_of(name, {}, level, catalogue);
   } catch (const Error& error) {
     fail_at_key(table, "name", error.what());
   }
@@ -245,7 +245,7 @@ std::vector<ColumnRange> trained_at(const TomlTable& root) {
   return trained;
 }
 
-Model model_of(const TomlTable& root) {
+Model model_of(const TomlTable& root, const Catalogue& catalogue) {
   const std::string_view formats[] = {kFormat};
   if (!choice_index(root, "format", formats)) fail_missing(root, "format");
   expect_keys(root, kRootKeys);
@@ -266,7 +266,7 @@ Model model_of(const TomlTable& root) {
   for (const TomlTable& table : tables) {
     const std::string name = required(string, table, "name");
     model.terms.push_back(name == "expression" ? own_term(table, model.level)
-                                               : catalogue_term(table, name, model.level));
+                                               : catalogue_term(table, name, model.level, catalogue));
   }
   subtables(root, "history");  // whatever its rows say
   return model;
@@ -320,10 +320,10 @@ std::vector<KeyTable> model_keys() {
           {"A parameter of the formula", kOwnSettingKeys}};
 }
 
-Model read_model(std::string_view bytes, std::string_view name) {
+Model read_model(std::string_view bytes, std::string_view name, const Catalogue& catalogue) {
   const SourceText text = source_text(bytes, name);
   const TomlSource source = parse_toml(text.bytes, name);
-  return model_of(root_of(source));
+  return model_of(root_of(source), catalogue);
 }
 
 std::string write_model(const Model& model) {
@@ -342,11 +342,11 @@ std::string write_model(const Model& model) {
   return out;
 }
 
-std::string with_effect(std::string_view bytes, std::string_view name, const Term& term) {
+std::string with_effect(std::string_view bytes, std::string_view name, const Term& term, const Catalogue& catalogue) {
   const SourceText text = source_text(bytes, name);
   const TomlSource source = parse_toml(text.bytes, name);
   const TomlTable root = root_of(source);
-  static_cast<void>(model_of(root));
+  static_cast<void>(model_of(root, catalogue));
   const std::vector<TomlTable> effects = subtables(root, "effect");
   if (!effects.empty() && !has_header(text.bytes, effects[0])) {
     fail_at_table(effects[0], "expected effects as tables [[effect]], to which one can be added, found an array.");

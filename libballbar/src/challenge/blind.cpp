@@ -71,21 +71,33 @@ std::vector<double> noise_um(std::size_t n, const Scatter& scatter, Random& rand
   return values;
 }
 
+// What the sets are written with, as a user writes a model.
+Term friction_heat(const Catalogue& catalogue) {
+  return term_of("speed_heating", {"speed_rpm"}, Level::series, catalogue);
+}
+
+Term expansion_of(const std::string& column, const Catalogue& catalogue) {
+  return term_of("expansion", {column}, Level::series, catalogue);
+}
+
 // What a user believes: friction heat, a warm spindle, or both.
-Model usual_model(std::string target, Random& random) {
+Model usual_model(std::string target, const Catalogue& catalogue, Random& random) {
   Model model;
   model.targets = {std::move(target)};
-  if (!blind::chance(random, 0.3)) model.terms.push_back(term_of("speed_heating", {"speed_rpm"}));
-  if (model.terms.empty() || blind::chance(random, 0.4)) model.terms.push_back(term_of("expansion", {"T_front_degC"}));
+  if (!blind::chance(random, 0.3)) model.terms.push_back(friction_heat(catalogue));
+  if (model.terms.empty() || blind::chance(random, 0.4)) {
+    model.terms.push_back(expansion_of("T_front_degC", catalogue));
+  }
   return model;
 }
+
+BoundEffect bound_of(const Term& term) { return {term.effect.get(), term.columns}; }
 
 // A constant and 5 to 30 um of every effect.
 std::vector<double> clean_of(const Model& model, const Series& logged, Random& random) {
   std::vector<double> clean(logged.time_s.size(), blind::between(random, -5.0, 5.0));
   for (const Term& term : model.terms) {
-    const Injection injection =
-        blind::drawn_injection({find_effect(term.effect->name, Level::series), term.columns}, logged, random);
+    const Injection injection = blind::drawn_injection(bound_of(term), logged, random);
     const std::vector<double> signal = signal_of(injection, logged);
     const double scale = blind::between(random, 5.0, 30.0) / range_of(signal);
     for (std::size_t i = 0; i < clean.size(); ++i) clean[i] += scale * signal[i];
@@ -138,22 +150,24 @@ bool hide(BlindSet& set, std::size_t count, const Fit& base, const Noise& noise,
 // Two sensors that log the same; a load in proportion to the only speed; a difference to a constant room.
 enum class Twins { sensors, load, room };
 
-std::optional<Hidden> twin_effect(Twins twins, const Series& logged, Random& random) {
+std::optional<Hidden> twin_effect(Twins twins, const Catalogue& catalogue, const Series& logged, Random& random) {
+  const auto of = [&](std::string_view effect, std::vector<std::string> columns) {
+    return bound_of(term_of(effect, std::move(columns), Level::series, catalogue));
+  };
   BoundEffect bound;
   if (twins == Twins::sensors) {
-    const std::string effect = blind::chance(random, 0.5) ? "expansion" : "lagged_expansion";
-    bound = {find_effect(effect, Level::series), {"T_head_degC"}};
+    bound = blind::chance(random, 0.5) ? bound_of(expansion_of("T_head_degC", catalogue))
+                                       : of("lagged_expansion", {"T_head_degC"});
   } else if (twins == Twins::load) {
     const bool by_load = blind::chance(random, 0.5);
-    bound = by_load ? BoundEffect{find_effect("load_heating", Level::series), {"load_W"}}
-                    : BoundEffect{find_effect("speed_heating", Level::series), {"speed_rpm"}};
+    bound = by_load ? of("load_heating", {"load_W"}) : bound_of(friction_heat(catalogue));
   } else {
-    bound = {find_effect("gradient_bending", Level::series), {"T_front_degC", "T_room_degC"}};
+    bound = of("gradient_bending", {"T_front_degC", "T_room_degC"});
   }
   Injection injection = blind::drawn_injection(bound, logged, random);
   if (twins != Twins::room) return Hidden{label_of(bound), bound, {}, signal_of(injection, logged)};
   // The room does not move: the same as the other temperature alone.
-  const BoundEffect alone{find_effect("lagged_expansion", Level::series), {"T_front_degC"}};
+  const BoundEffect alone = of("lagged_expansion", {"T_front_degC"});
   return Hidden{label_of(bound), bound, {}, signal_of({alone, injection.parameters}, logged)};
 }
 
@@ -173,7 +187,7 @@ std::vector<double> sum_of_others(const Series& causes, std::string_view target,
   return sum;
 }
 
-bool fill(BlindSet& set, BlindKind kind, Random& random) {
+bool fill(BlindSet& set, BlindKind kind, const Catalogue& catalogue, Random& random) {
   set.answer.kind = kind;
   const std::string target = blind::chance(random, 0.5) ? "y_um" : "z_um";
   const Twins twins = blind::one_of(random, std::array{Twins::sensors, Twins::load, Twins::room});
@@ -188,8 +202,8 @@ bool fill(BlindSet& set, BlindKind kind, Random& random) {
 
   if (kind == BlindKind::spindle) {
     set.model.targets = {target};
-    set.model.terms = {term_of("speed_heating", {"speed_rpm"})};
-    for (const Hidden& cause : blind::drawn_causes(workshop, target, random)) {
+    set.model.terms = {friction_heat(catalogue)};
+    for (const Hidden& cause : blind::drawn_causes(catalogue, workshop, target, random)) {
       const Fit base = base_fit(set.model, set.data, sum_of_others(workshop.causes, target, cause));
       set.clean_um = base.predicted_um;
       bool offered = false;
@@ -202,12 +216,12 @@ bool fill(BlindSet& set, BlindKind kind, Random& random) {
     }
     if (set.hidden_um.empty()) return false;
   } else {
-    set.model = usual_model(target, random);
+    set.model = usual_model(target, catalogue, random);
     if (kind == BlindKind::inseparable && twins == Twins::load) {
-      set.model.terms = {term_of("expansion", {"T_room_degC"})};
+      set.model.terms = {expansion_of("T_room_degC", catalogue)};
     }
     if (kind == BlindKind::inseparable && twins == Twins::room) {
-      set.model.terms = {term_of("speed_heating", {"speed_rpm"})};
+      set.model.terms = {friction_heat(catalogue)};
     }
     if (kind == BlindKind::inseparable && twins == Twins::sensors) log_twice(set.data, workshop.sensors);
     set.clean_um = clean_of(set.model, set.data, random);
@@ -215,8 +229,8 @@ bool fill(BlindSet& set, BlindKind kind, Random& random) {
     const std::size_t count = kind == BlindKind::nothing ? 0 : kind == BlindKind::two ? 2 : 1;
     const auto next = [&]() -> std::optional<Hidden> {
       if (kind == BlindKind::outside) return blind::drawn_outsider(workshop.sensors, random);
-      if (kind == BlindKind::inseparable) return twin_effect(twins, set.data, random);
-      return blind::drawn_effect(set.model, set.data, random);
+      if (kind == BlindKind::inseparable) return twin_effect(twins, catalogue, set.data, random);
+      return blind::drawn_effect(catalogue, set.model, set.data, random);
     };
     if (!hide(set, count, base, noise, random, next)) return false;
   }
@@ -255,12 +269,12 @@ BlindKind blind_kind(std::uint64_t seed) {
   return kKinds.back().kind;
 }
 
-BlindSet blind_set(BlindKind kind, std::uint64_t seed) {
+BlindSet blind_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogue) {
   // A draw in which nothing can be hidden (all at rest, say) is drawn again.
   for (std::uint64_t attempt = 0;; ++attempt) {
     Random random = simulation::stream_of(seed, simulation::Stream::blind_set, attempt);
     BlindSet set;
-    if (fill(set, kind, random)) return set;
+    if (fill(set, kind, catalogue, random)) return set;
   }
 }
 

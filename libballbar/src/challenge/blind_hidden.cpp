@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 
 #include "challenge/blind_parts.hpp"
 #include "diagnosis/signatures/bank.hpp"
@@ -8,10 +8,6 @@
 
 namespace ballbar::blind {
 namespace {
-
-constexpr std::array kDriven{"expansion",          "lagged_expansion", "centrifugal_shift", "cooling_asymmetry",
-                             "viscosity_feedback", "load_heating",     "gradient_bending",  "bearing_rings",
-                             "preload_loss",       "play_hysteresis"};
 
 const std::vector<double>& values_of(const Series& series, std::string_view column) {
   return find_column(series, column)->values;
@@ -45,41 +41,68 @@ std::vector<double> squared_rate(const Series& sensors, std::string_view column)
   return signal;
 }
 
-std::vector<BoundEffect> expansions_of(std::initializer_list<const char*> columns) {
-  std::vector<BoundEffect> bounds;
-  for (const char* column : columns) {
-    bounds.push_back({find_effect("expansion", Level::series), {column}});
-    bounds.push_back({find_effect("lagged_expansion", Level::series), {column}});
+// A cause as a column of Workshop::causes, and the sensors of the parts that make it.
+struct SpindlePart {
+  std::string_view column;
+  SpindleCause cause;
+  std::vector<std::string> sensors;
+};
+
+std::vector<SpindlePart> parts_of(std::string_view target) {
+  const std::vector<std::string> structure{"T_head_degC", "T_column_degC", "T_room_degC"};
+  const std::vector<std::string> housing{"T_front_degC", "T_rear_degC", "T_motor_degC", "T_housing_degC",
+                                         "T_coolant_degC"};
+  if (target == "y_um") {
+    std::vector<std::string> bending = housing;
+    bending.emplace_back("T_head_degC");
+    return {{"y_structure_um", SpindleCause::structure, structure}, {"y_bending_um", SpindleCause::bending, bending}};
   }
-  return bounds;
+  return {{"z_centrifugal_um", SpindleCause::centrifugal, {}},
+          {"z_rings_um", SpindleCause::rings, {"T_front_degC", "T_rear_degC"}},
+          {"z_housing_um", SpindleCause::housing, housing},
+          {"z_structure_um", SpindleCause::structure, structure}};
 }
 
-BoundEffect on_any(std::string_view effect) { return {find_effect(effect, Level::series), {}}; }
-
-// The table of blind.hpp.
-std::vector<BoundEffect> match_of(std::string_view cause) {
-  std::vector<BoundEffect> match;
-  if (cause == "z_centrifugal_um") return {on_any("centrifugal_shift")};
-  if (cause == "z_rings_um") {
-    match = expansions_of({"T_front_degC", "T_rear_degC"});
-    for (const char* effect : {"bearing_rings", "cooling_asymmetry", "viscosity_feedback"}) {
-      match.push_back(on_any(effect));
-    }
-  } else if (cause == "z_housing_um") {
-    match = expansions_of({"T_front_degC", "T_rear_degC", "T_motor_degC", "T_housing_degC", "T_coolant_degC"});
-  } else if (cause == "z_structure_um" || cause == "y_structure_um") {
-    constexpr std::array kStructure{"T_head_degC", "T_column_degC", "T_room_degC"};
-    match = expansions_of({kStructure[0], kStructure[1], kStructure[2]});
-    for (const char* hot : kStructure) {
-      for (const char* cold : kStructure) {
-        if (hot != cold) match.push_back({find_effect("gradient_bending", Level::series), {hot, cold}});
+// Every choice of different sensors for so many inputs, the last of them fastest.
+std::vector<std::vector<std::string>> choices_of(const std::vector<std::string>& sensors, std::size_t inputs) {
+  std::vector<std::vector<std::string>> choices{{}};
+  for (std::size_t k = 0; k < inputs; ++k) {
+    std::vector<std::vector<std::string>> longer;
+    for (const std::vector<std::string>& choice : choices) {
+      for (const std::string& sensor : sensors) {
+        if (std::find(choice.begin(), choice.end(), sensor) != choice.end()) continue;
+        longer.push_back(choice);
+        longer.back().push_back(sensor);
       }
     }
-  } else {
-    match = expansions_of(
-        {"T_front_degC", "T_rear_degC", "T_motor_degC", "T_housing_degC", "T_coolant_degC", "T_head_degC"});
-    match.push_back(on_any("gradient_bending"));
+    choices = std::move(longer);
   }
+  return choices;
+}
+
+// Those of few inputs first, choice of sensors by choice; last those that match on any columns, by
+// name.
+std::vector<BoundEffect> match_of(const Catalogue& catalogue, const SpindlePart& part) {
+  const auto explains = [&](const Effect& effect, bool on_its_sensors) {
+    return effect.level == Level::series &&
+           std::any_of(effect.rules.explains.begin(), effect.rules.explains.end(), [&](const ExplainedCause& one) {
+             return one.cause == part.cause && one.on_its_sensors == on_its_sensors;
+           });
+  };
+  std::vector<BoundEffect> match;
+  for (std::size_t inputs = 1; inputs <= part.sensors.size(); ++inputs) {
+    for (const std::vector<std::string>& choice : choices_of(part.sensors, inputs)) {
+      for (const auto& effect : catalogue) {
+        if (explains(*effect, true) && effect->inputs.size() == inputs) match.push_back({effect.get(), choice});
+      }
+    }
+  }
+  const auto on_any = static_cast<std::ptrdiff_t>(match.size());
+  for (const auto& effect : catalogue) {
+    if (explains(*effect, false)) match.push_back({effect.get(), {}});
+  }
+  std::sort(match.begin() + on_any, match.end(),
+            [](const BoundEffect& a, const BoundEffect& b) { return a.effect->name < b.effect->name; });
   return match;
 }
 
@@ -87,16 +110,14 @@ std::vector<BoundEffect> match_of(std::string_view cause) {
 
 Injection drawn_injection(const BoundEffect& bound, const Series& logged, Random& random) {
   Injection injection = injection_of(bound, logged);
+  const BoundInputs inputs = inputs_of(*bound.effect, bound.columns, logged);
   for (std::size_t k = 0; k < injection.parameters.size(); ++k) {
     const Parameter& parameter = bound.effect->parameters[k];
     double& value = injection.parameters[k];
     if (parameter.kind == ParameterKind::gain) {
       value = chance(random, 0.5) ? 1.0 : -1.0;
-    } else if (parameter.name == "threshold_unit" || parameter.name == "half_width_unit") {
-      const std::vector<double>& moves = values_of(logged, bound.columns.front());
-      const double rise = *std::max_element(moves.begin(), moves.end()) - moves.front();
-      value = parameter.name == "threshold_unit" ? between(random, 0.2, 0.7) * rise
-                                                 : between(random, 0.05, 0.2) * range_of(moves);
+    } else if (parameter.usual_on) {
+      value = parameter.usual_on(inputs.rows, simulation::uniform(random));
     } else if (!parameter.held && parameter.grid.size() > 2) {
       const double low = std::max(parameter.grid[1], 1e-9), high = parameter.grid[parameter.grid.size() - 2];
       value = low < high ? log_between(random, low, high) : low;
@@ -105,8 +126,14 @@ Injection drawn_injection(const BoundEffect& bound, const Series& logged, Random
   return injection;
 }
 
-std::optional<Hidden> drawn_effect(const Model& model, const Series& logged, Random& random) {
-  const Effect& effect = *find_effect(one_of(random, kDriven), Level::series);
+std::optional<Hidden> drawn_effect(const Catalogue& catalogue, const Model& model, const Series& logged,
+                                   Random& random) {
+  std::vector<const Effect*> hidden;
+  for (const auto& effect : catalogue) {
+    if (effect->level == Level::series && effect->rules.hidden_in_challenges) hidden.push_back(effect.get());
+  }
+  if (hidden.empty()) return std::nullopt;
+  const Effect& effect = *one_of(random, hidden);
   const std::vector<std::vector<std::string>> bindings = bindings_of(effect, model, logged);
   if (bindings.empty()) return std::nullopt;
   const BoundEffect bound{&effect, one_of(random, bindings)};
@@ -146,15 +173,16 @@ Hidden drawn_outsider(const Series& sensors, Random& random) {
   return {fmt::format("a resonance at {:g} rpm", at_rpm), std::nullopt, {}, std::move(signal)};
 }
 
-std::vector<Hidden> drawn_causes(const Workshop& workshop, std::string_view target, Random& random) {
-  std::vector<std::string> names{"z_centrifugal_um", "z_rings_um", "z_housing_um", "z_structure_um"};
-  if (target == "y_um") names = {"y_structure_um", "y_bending_um"};
-  for (std::size_t i = names.size(); i > 1; --i) std::swap(names[i - 1], names[index_below(random, i)]);
+std::vector<Hidden> drawn_causes(const Catalogue& catalogue, const Workshop& workshop, std::string_view target,
+                                 Random& random) {
+  std::vector<SpindlePart> parts = parts_of(target);
+  for (std::size_t i = parts.size(); i > 1; --i) std::swap(parts[i - 1], parts[index_below(random, i)]);
   std::vector<Hidden> causes;
-  causes.reserve(names.size());
-  for (const std::string& name : names) {
-    causes.push_back({fmt::format("{} of a finite-volume spindle", name.substr(0, name.size() - 3)), std::nullopt,
-                      match_of(name), values_of(workshop.causes, name)});
+  causes.reserve(parts.size());
+  for (const SpindlePart& part : parts) {
+    const std::string_view name = part.column.substr(0, part.column.size() - 3);  // without its unit
+    causes.push_back({fmt::format("{} of a finite-volume spindle", name), std::nullopt, match_of(catalogue, part),
+                      values_of(workshop.causes, part.column)});
   }
   return causes;
 }

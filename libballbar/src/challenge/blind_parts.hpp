@@ -44,8 +44,7 @@ enum class Plan { usual, one_speed, constant_room };
 // T_room_degC and T_front_degC; in constant_room T_room_degC is constant.
 Workshop workshop_of(Plan kind, Random& random);
 
-// Parameters between the second and the last but one point of their grid, evenly in the logarithm, gains 1 or -1.
-// Thresholds and half-widths by how far the input moves.
+// Usual shapes of the effect on these rows (Parameter::usual_on), gains 1 or -1.
 Injection drawn_injection(const BoundEffect& bound, const Series& logged, Random& random);
 
 struct Hidden {
@@ -57,12 +56,14 @@ struct Hidden {
 };
 
 // An effect of the catalogue that the logged columns drive and the model lacks; nothing where the draw does not suit.
-std::optional<Hidden> drawn_effect(const Model& model, const Series& logged, Random& random);
+std::optional<Hidden> drawn_effect(const Catalogue& catalogue, const Model& model, const Series& logged,
+                                   Random& random);
 
 // Beyond the catalogue. Evaluated on the true sensors.
 Hidden drawn_outsider(const Series& sensors, Random& random);
 
 // Causes of the spindle that may be hidden in that target, in drawn order.
-std::vector<Hidden> drawn_causes(const Workshop& workshop, std::string_view target, Random& random);
+std::vector<Hidden> drawn_causes(const Catalogue& catalogue, const Workshop& workshop, std::string_view target,
+                                 Random& random);
 
 }  // namespace ballbar::blind

@@ -20,7 +20,7 @@ Injection injection_of(const BoundEffect& bound, const Series& data) {
       value = has_gain ? 0.0 : 1.0;
       has_gain = true;
     }
-    if (parameter.name == "onset_s" && value <= data.time_s.front()) {
+    if (parameter.shape_of == ShapeOf::onset && value <= data.time_s.front()) {
       value = 0.5 * (data.time_s.front() + data.time_s.back());
     }
     injection.parameters.push_back(value);

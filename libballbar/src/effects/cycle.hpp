@@ -8,6 +8,7 @@
 
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/units.hpp"
+#include "effects/grids.hpp"
 
 namespace ballbar {
 
@@ -22,5 +23,10 @@ struct Cycle {
     return p[0] * cos(phase) + p[1] * sin(phase);
   }
 };
+
+// As many as the length of the rows tells apart.
+inline std::vector<double> cycle_periods(const EffectRows& rows, double lower, double upper, std::size_t most) {
+  return wave_lengths(lower, upper, range_in(rows.time_s), most);
+}
 
 }  // namespace ballbar

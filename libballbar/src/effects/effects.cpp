@@ -1,73 +1,31 @@
-// The one list of effects.
 #include <algorithm>
-#include <array>
 
-#include "effects/catalogue.hpp"
+#include "ballbar/effects/effect.hpp"
 
 namespace ballbar {
-namespace {
 
-constexpr std::array kEffects = {
-    // on a drift series
-    &catalogue::kExpansion,
-    &catalogue::kLaggedExpansion,
-    &catalogue::kSpeedHeating,
-    &catalogue::kCentrifugalShift,
-    &catalogue::kCoolingAsymmetry,
-    &catalogue::kViscosityFeedback,
-    &catalogue::kLoadHeating,
-    &catalogue::kGradientBending,
-    &catalogue::kBearingRings,
-    &catalogue::kBearingClearance,
-    &catalogue::kPreloadLoss,
-    &catalogue::kAxialCrosstalk,
-    &catalogue::kPlayHysteresis,
-    &catalogue::kThermostatCycle,
-    &catalogue::kDayCycle,
-    &catalogue::kSettling,
-    &catalogue::kLinearDrift,
-    &catalogue::kStep,
-    &catalogue::kBarTemperature,
-    &catalogue::kClockOffset,
-    // on a recording
-    &catalogue::kCircle,
-    &catalogue::kScaleMismatch,
-    &catalogue::kSquareness,
-    &catalogue::kServoMismatch,
-    &catalogue::kDynamicContraction,
-    &catalogue::kBacklashA,
-    &catalogue::kBacklashB,
-    &catalogue::kReversalSpikeA,
-    &catalogue::kReversalSpikeB,
-    &catalogue::kLateralPlayA,
-    &catalogue::kLateralPlayB,
-    &catalogue::kCyclicErrorA,
-    &catalogue::kCyclicErrorB,
-    &catalogue::kVibration,
-    &catalogue::kStraightnessA,
-    &catalogue::kStraightnessB,
-    &catalogue::kOval,
-    &catalogue::kLobing,
-    &catalogue::kSweepDrift,
-    &catalogue::kCentreDrift,
-    &catalogue::kMountingSlip,
-    &catalogue::kBarTemperatureOfRecording,
-};
-
-}  // namespace
+std::vector<double> grid_of(const Parameter& parameter, const EffectRows& rows, double lower, double upper,
+                            std::size_t most) {
+  std::vector<double> grid = parameter.grid_on ? parameter.grid_on(rows, lower, upper, most) : parameter.grid;
+  std::erase_if(grid, [&](double value) { return value < lower || value > upper; });
+  return grid;
+}
 
 bool applies_to(const Effect& effect, Motion motion) {
   return effect.motions.empty() ||
          std::find(effect.motions.begin(), effect.motions.end(), motion) != effect.motions.end();
 }
 
-std::span<const Effect* const> effects() { return kEffects; }
+const Effect* find_effect(std::string_view name, Level level, const Catalogue& catalogue) {
+  const auto effect = std::find_if(catalogue.begin(), catalogue.end(),
+                                   [&](const auto& one) { return one->name == name && one->level == level; });
+  return effect == catalogue.end() ? nullptr : effect->get();
+}
 
-const Effect* find_effect(std::string_view name, Level level) {
-  const auto* const effect = std::find_if(kEffects.begin(), kEffects.end(), [&](const Effect* candidate) {
-    return candidate->name == name && candidate->level == level;
-  });
-  return effect == kEffects.end() ? nullptr : *effect;
+const Effect* base_effect(Level level, const Catalogue& catalogue) {
+  const auto effect = std::find_if(catalogue.begin(), catalogue.end(),
+                                   [&](const auto& one) { return one->rules.is_base && one->level == level; });
+  return effect == catalogue.end() ? nullptr : effect->get();
 }
 
 }  // namespace ballbar

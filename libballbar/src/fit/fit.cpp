@@ -73,8 +73,14 @@ std::vector<FittedParameter> parameters_of(const Model& model, const Eigen::Vect
   Eigen::Index index = 1;
   for (const Term& term : model.terms) {
     for (const Parameter& parameter : term.effect->parameters) {
-      parameters.push_back(
-          {label_of(term), parameter.name, parameter.unit, values[index++], kUnknown, {}, parameter.kind});
+      parameters.push_back({label_of(term),
+                            parameter.name,
+                            parameter.unit,
+                            values[index++],
+                            kUnknown,
+                            {},
+                            parameter.kind,
+                            parameter.shape_of});
     }
   }
   return parameters;

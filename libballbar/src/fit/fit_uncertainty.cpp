@@ -104,7 +104,7 @@ void add(Fit& result, const Eigen::MatrixXd& jacobian, const Bounds& bounds, dou
 
 void widen_onsets(Fit& result) {
   for (FittedParameter& parameter : result.parameters) {
-    if (parameter.name != "onset_s" || parameter.state == ParameterState::held) continue;
+    if (parameter.shape_of != ShapeOf::onset || parameter.state == ParameterState::held) continue;
     const auto after = std::lower_bound(result.time_s.begin(), result.time_s.end(), parameter.value);
     if (after == result.time_s.begin() || after == result.time_s.end()) continue;
     const double between_s = *after - *(after - 1);

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "effects/shape_grid.hpp"
-
 namespace ballbar {
 namespace {
 
@@ -38,9 +36,8 @@ Points grid_of(const Term& term, const EffectRows& rows) {
     const Parameter& parameter = term.effect->parameters[k];
     const Setting& setting = term.settings[k];
     if (parameter.kind == ParameterKind::gain || setting.held || setting.stated) continue;
-    std::vector<double> grid =
-        shape_grid(*term.effect, k, rows, setting.lower, setting.upper, kMostPoints / points.size());
-    if (grid.empty() && parameter.name == "onset_s") {
+    std::vector<double> grid = grid_of(parameter, rows, setting.lower, setting.upper, kMostPoints / points.size());
+    if (grid.empty() && parameter.shape_of == ShapeOf::onset) {
       const std::size_t stride = 1 + rows.time_s.size() / kCoarseOnsets;
       for (std::size_t row = stride; row < rows.time_s.size(); row += stride) grid.push_back(rows.time_s[row]);
     }
@@ -50,10 +47,11 @@ Points grid_of(const Term& term, const EffectRows& rows) {
   return points;
 }
 
-// The onset of a step is found from the row next to it alone: every row about the coarse one.
+// An onset is found from the row next to it alone: every row about the coarse one.
 Points finer(const Term& term, const EffectRows& rows, const std::vector<double>& point) {
   for (std::size_t k = 0; k < term.settings.size(); ++k) {
-    if (term.effect->parameters[k].name != "onset_s" || term.settings[k].held || term.settings[k].stated) continue;
+    const bool is_onset = term.effect->parameters[k].shape_of == ShapeOf::onset;
+    if (!is_onset || term.settings[k].held || term.settings[k].stated) continue;
     const std::size_t stride = 1 + rows.time_s.size() / kCoarseOnsets;
     const auto at = std::lower_bound(rows.time_s.begin(), rows.time_s.end(), point[k]);
     const auto middle = static_cast<std::size_t>(at - rows.time_s.begin());

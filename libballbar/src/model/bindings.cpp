@@ -38,12 +38,9 @@ bool suits(const Effect& effect, const Input& input, const Column& column, const
   if (std::find(input.units.begin(), input.units.end(), unit) == input.units.end()) return false;
   if (column.name.find("_sigma_") != std::string::npos) return false;
   if (std::find(model.targets.begin(), model.targets.end(), column.name) != model.targets.end()) return false;
-  if (effect.name == "clock_offset" && !is_read(model, column.name)) return false;
-  if (unit == "um") return is_axial(data, column.name);
-  if (effect.name == "bar_temperature") return column.name.find("bar") != std::string::npos;
-  const bool elsewhere = column.role == Role::ambient || column.role == Role::coolant;
-  if (effect.name == "bearing_rings" || effect.name == "viscosity_feedback") return unit == "rpm" || !elsewhere;
-  return true;
+  if (input.of_another_effect && !is_read(model, column.name)) return false;
+  if (input.accepts) return input.accepts(column);
+  return unit != "um" || is_axial(data, column.name);
 }
 
 using Take = std::function<bool(const std::vector<std::string>&)>;
@@ -71,7 +68,7 @@ void visit_bindings(const Effect& effect, const Model& model, const Series& data
   std::map<std::string, double> means;
   std::vector<std::vector<const Column*>> choices(effect.inputs.size());
   for (const Column& column : data.columns) {
-    if (effect.name == "gradient_bending") means[column.name] = mean_of(column);
+    if (effect.rules.first_input_warmest) means[column.name] = mean_of(column);
     for (std::size_t k = 0; k < choices.size(); ++k) {
       if (suits(effect, effect.inputs[k], column, model, data)) choices[k].push_back(&column);
     }

@@ -11,11 +11,8 @@
 namespace ballbar {
 
 // All choices of different columns for the inputs of an effect, each as Effect::inputs; on recordings the trace's own
-// columns. An input in um is an axial drift: z_um, axial_um or the Z of five probes. The target and sigmas are no
-// inputs. bar_temperature reads columns with "bar" in their name alone, clock_offset those that the model reads: on any
-// other column they would be expansion and a lag under another name. Room and coolant are not the temperature of a
-// bearing (bearing_rings, viscosity_feedback).
-// At most kMostBindings (identifiability.hpp).
+// columns. What an input takes is said there (Input). The target and sigmas are no inputs. At most kMostBindings
+// (identifiability.hpp).
 std::vector<std::vector<std::string>> bindings_of(const Effect& effect, const Model& model, const Series& data);
 
 // All of them.

@@ -2,23 +2,35 @@
 
 #include <algorithm>
 
+#include "ballbar/error.hpp"
+
 namespace ballbar {
 namespace {
 
 constexpr double kAnotherFeed = 1.05;  // times the slowest
 
-void hold(Term& term, std::string_view parameter, double value) {
-  for (std::size_t k = 0; k < term.settings.size(); ++k) {
-    if (term.effect->parameters[k].name != parameter) continue;
-    term.settings[k].start = value;
-    term.settings[k].held = true;
-  }
+void hold(Setting& setting, double value) {
+  setting.start = value;
+  setting.held = true;
 }
 
-Term circle_of(double recording) {
-  Term circle = term_of("circle", {}, Level::recording);
-  hold(circle, "recording", recording);
+Term circle_of(const Effect& base, double recording) {
+  Term circle = term_of(base, {});
+  for (std::size_t k = 0; k < circle.settings.size(); ++k) {
+    if (base.parameters[k].shape_of == ShapeOf::recording) hold(circle.settings[k], recording);
+  }
   return circle;
+}
+
+// Its gains that are one for all recordings, or those that are not, at 0.
+void hold_gains(Term& circle, bool one_for_all) {
+  const std::vector<std::string>& names = circle.effect->rules.one_for_all;
+  for (std::size_t k = 0; k < circle.settings.size(); ++k) {
+    const Parameter& parameter = circle.effect->parameters[k];
+    if (parameter.kind != ParameterKind::gain) continue;
+    const bool is_named = std::find(names.begin(), names.end(), parameter.name) != names.end();
+    if (is_named == one_for_all) hold(circle.settings[k], 0.0);
+  }
 }
 
 bool has_one_radius(const Series& trace) {
@@ -32,7 +44,9 @@ bool has_one_radius(const Series& trace) {
 
 }  // namespace
 
-Model circles_of(const Series& trace) {
+Model circles_of(const Series& trace, const Catalogue& catalogue) {
+  const Effect* base = base_effect(Level::recording, catalogue);
+  if (base == nullptr) throw Error("expected a catalogue with the base of recordings, found none in it.");
   Model model;
   model.level = Level::recording;
   model.targets = {"deviation_um"};
@@ -40,13 +54,12 @@ Model circles_of(const Series& trace) {
   const std::vector<double>& recording = find_column(trace, "recording")->values;
   const double last = *std::max_element(recording.begin(), recording.end());
   for (double number = 0.0; number <= last; number += 1.0) {
-    model.terms.push_back(circle_of(number));
-    if (one_radius) hold(model.terms.back(), "radius_um", 0.0);
+    model.terms.push_back(circle_of(*base, number));
+    if (one_radius) hold_gains(model.terms.back(), true);
   }
   if (one_radius) {
-    model.terms.push_back(circle_of(-1.0));
-    hold(model.terms.back(), "centre_a_um", 0.0);
-    hold(model.terms.back(), "centre_b_um", 0.0);
+    model.terms.push_back(circle_of(*base, -1.0));
+    hold_gains(model.terms.back(), false);
   }
   return model;
 }

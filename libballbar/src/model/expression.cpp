@@ -20,6 +20,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kMostParameters = 20;
+constexpr std::string_view kOnset = "onset_s";  // the name of a parameter that is one
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // What each name of the formula stands for.
@@ -237,6 +238,9 @@ std::shared_ptr<const Effect> expression_of(std::string_view formula, std::vecto
                [&](const EffectRows& rows, const double* p, double* values) { program.run(rows, p, values); });
   } catch (const mu::Parser::exception_type& error) {
     throw Error(fmt::format("formula: expected one that muParser takes, found what it says of it: {}", error.GetMsg()));
+  }
+  for (Parameter& parameter : parameters) {
+    if (parameter.name == kOnset) parameter.shape_of = ShapeOf::onset;
   }
   effect->evaluate = evaluated_by(std::move(bound), parameters);
   effect->parameters = std::move(parameters);

@@ -153,7 +153,7 @@ std::vector<std::string> shapes_stated(const Term& term) {
   for (std::size_t k = 0; k < term.settings.size(); ++k) {
     const Parameter& parameter = term.effect->parameters[k];
     const Setting& setting = term.settings[k];
-    if (parameter.kind == ParameterKind::gain || parameter.name == "recording") continue;
+    if (parameter.kind == ParameterKind::gain || parameter.shape_of == ShapeOf::recording) continue;
     if (setting.stated) {
       stated.push_back(fmt::format("{} = {}", parameter.name, setting.start));
     } else if (setting.lower != parameter.lower || setting.upper != parameter.upper) {
@@ -167,7 +167,8 @@ std::vector<std::string> shapes_stated(const Term& term) {
 std::string once(const Term& term) {
   std::vector<std::string_view> shapes;
   for (const Parameter& parameter : term.effect->parameters) {
-    if (parameter.kind == ParameterKind::shape && parameter.name != "recording") shapes.push_back(parameter.name);
+    const bool tells = parameter.kind == ParameterKind::shape && parameter.shape_of != ShapeOf::recording;
+    if (tells) shapes.push_back(parameter.name);
   }
   if (term.effect->name == "expression") return "each formula once";
   if (!term.effect->inputs.empty() && term.effect->level == Level::series)
@@ -178,19 +179,19 @@ std::string once(const Term& term) {
 
 }  // namespace
 
-Term term_of(std::string_view effect_name, std::vector<std::string> columns, Level level) {
+Term term_of(std::string_view effect_name, std::vector<std::string> columns, Level level, const Catalogue& catalogue) {
   if (effect_name == "expression") {
     throw Error("expression: expected an effect of the catalogue, found one that needs a formula.");
   }
-  const Effect* effect = find_effect(effect_name, level);
+  const Effect* effect = find_effect(effect_name, level, catalogue);
   if (effect == nullptr) {
     std::vector<std::string_view> known;
-    for (const Effect* candidate : effects()) {
+    for (const auto& candidate : catalogue) {
       if (candidate->level == level) known.push_back(candidate->name);
     }
     const std::string expected = fmt::format("expected an effect on {}, one of {}, found {}", level_name(level),
                                              listed(known), in_quotes(effect_name));
-    if (find_effect(effect_name, other_than(level)) != nullptr) {
+    if (find_effect(effect_name, other_than(level), catalogue) != nullptr) {
       throw Error(fmt::format("{}, which is one on {}.", expected, level_name(other_than(level))));
     }
     if (known.empty()) {
@@ -199,11 +200,17 @@ Term term_of(std::string_view effect_name, std::vector<std::string> columns, Lev
     }
     throw Error(fmt::format("{}; the nearest is {}.", expected, nearest_name(effect_name, known)));
   }
-  if (level == Level::recording && columns.empty()) {
-    for (const Input& input : effect->inputs) columns.emplace_back(trace_column(input.role));
+  Term term = term_of(*effect, std::move(columns));
+  term.effect = *std::find_if(catalogue.begin(), catalogue.end(), [&](const auto& one) { return one.get() == effect; });
+  return term;
+}
+
+Term term_of(const Effect& effect, std::vector<std::string> columns) {
+  if (effect.level == Level::recording && columns.empty()) {
+    for (const Input& input : effect.inputs) columns.emplace_back(trace_column(input.role));
   }
-  Term term{std::shared_ptr<const Effect>(std::shared_ptr<const Effect>{}, effect), std::move(columns), {}};
-  for (const Parameter& parameter : effect->parameters) {
+  Term term{std::shared_ptr<const Effect>(std::shared_ptr<const Effect>{}, &effect), std::move(columns), {}};
+  for (const Parameter& parameter : effect.parameters) {
     term.settings.push_back({parameter.held, parameter.start, parameter.lower, parameter.upper, false});
   }
   return term;
@@ -213,7 +220,7 @@ std::string label_of(const Term& term) {
   const Effect& effect = *term.effect;
   if (effect.name == "expression") return fmt::format("expression({})", effect.explanation.formula);
   for (std::size_t k = 0; k < effect.parameters.size() && k < term.settings.size(); ++k) {
-    if (effect.parameters[k].name != "recording" || term.settings[k].start < 0.0) continue;
+    if (effect.parameters[k].shape_of != ShapeOf::recording || term.settings[k].start < 0.0) continue;
     return fmt::format("{} {:g}", effect.name, term.settings[k].start + 1.0);
   }
   if (term.columns.empty() || effect.level == Level::recording) {

@@ -102,9 +102,9 @@ void expect_in_data(const Effect& effect, const std::vector<Choice>& choices, co
 
 }  // namespace
 
-EffectText effect_text(std::string_view text, Level level) {
+EffectText effect_text(std::string_view text, Level level, const Catalogue& catalogue) {
   const std::size_t colon = text.find(':');
-  EffectText result{term_of(text.substr(0, colon), {}, level).effect.get(), {}};
+  EffectText result{term_of(text.substr(0, colon), {}, level, catalogue).effect.get(), {}};
   if (colon == std::string_view::npos) return result;
   const std::string_view rest = text.substr(colon + 1);
   if (level == Level::recording) {
@@ -115,9 +115,9 @@ EffectText effect_text(std::string_view text, Level level) {
   return result;
 }
 
-Term term_from_text(std::string_view text, const Model& model, const Series& data) {
-  const auto [named, choices] = effect_text(text, model.level);
-  Term term = term_of(named->name, {}, model.level);
+Term term_from_text(std::string_view text, const Model& model, const Series& data, const Catalogue& catalogue) {
+  const auto [named, choices] = effect_text(text, model.level, catalogue);
+  Term term = term_of(named->name, {}, model.level, catalogue);
   const Effect& effect = *term.effect;
   if (effect.inputs.empty() || model.level == Level::recording) return term;
   expect_in_data(effect, choices, data);

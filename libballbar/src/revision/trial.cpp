@@ -159,7 +159,7 @@ std::vector<Stay> stays(const Model& model, std::size_t count, const Tested& who
     stay.term = t;
     stay.label = label_of(term);
     stay.parameters = free_parameters(term);
-    if (stay.parameters == 0 || (term.effect->name == "circle" && model.level == Level::recording)) continue;
+    if (stay.parameters == 0 || term.effect->rules.is_base) continue;
     stay.evidence = evidence_of(whole.likely, likely_without(model, whole, t));
     stay.p = upper_tail(stay.evidence, stay.parameters);
     stay.needed = stay.p < kStays;

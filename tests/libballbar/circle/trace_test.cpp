@@ -98,7 +98,7 @@ TEST(trace_of, refuses_an_axial_recording_and_times_that_do_not_rise) {
 // Every input of every effect on a recording finds its column, with a unit that the effect takes.
 TEST(trace_column, serves_every_effect_on_a_recording) {
   const Series trace = trace_of(std::vector{quarters(Direction::CCW)});
-  for (const Effect* effect : effects()) {
+  for (const auto& effect : built_in_catalogue()) {
     if (effect->level != Level::recording) continue;
     for (const Input& input : effect->inputs) {
       const std::string_view name = trace_column(input.role);

@@ -68,7 +68,7 @@ TEST(BankOfRecordings, has_no_frequency_above_half_the_rate_of_the_rows) {
   const Effect* vibration = find_effect("vibration", Level::recording);
   const auto highest_Hz = [&](std::size_t most) {
     const Series trace = thinned(all, "deviation_um", most);
-    const Bank bank = bank_of(circles_of(trace), trace, fit(circles_of(trace), trace));
+    const Bank bank = bank_of(built_in_catalogue(), circles_of(trace), trace, fit(circles_of(trace), trace));
     double highest = 0.0;
     for (const Signature& signature : bank.signatures) {
       if (bank.families[signature.family].effect == vibration) highest = std::max(highest, signature.point[4]);

@@ -32,7 +32,10 @@ struct Columns {
 Columns columns_of(const DataSet& set) {
   const Fit base = fit(set.model, set.data, 0, {.white = true});
   Columns columns{
-      bank_of(set.model, set.data, base, {.motion = {}, .every_onset = false, .without = {}}), {}, 0.0, 0.0};
+      bank_of(built_in_catalogue(), set.model, set.data, base, {.motion = {}, .every_onset = false, .without = {}}),
+      {},
+      0.0,
+      0.0};
   // RMSE of the base model as noise: falls are in its squares.
   const Noise noise{base.sigma_um.empty() ? base.rmse_um : 0.0, 0.0, 0.0, 0.0};
   const Eigen::MatrixXd model = model_columns(base);

@@ -20,8 +20,8 @@ bool becomes_true(const DataSet& set, const BoundEffect& rival) {
 }  // namespace
 
 Oracle oracle(const DataSet& set) {
-  const Bank bank =
-      bank_of(set.model, set.data, set.base, {.motion = {}, .every_onset = true, .without = set.options.without});
+  const Bank bank = bank_of(built_in_catalogue(), set.model, set.data, set.base,
+                            {.motion = {}, .every_onset = true, .without = set.options.without});
   const auto n = static_cast<Eigen::Index>(set.base.row.size());
   const Whitening whitening(set.noise, set.base.time_s, set.base.sigma_um);
   const Projected seen = projected(bank, Eigen::VectorXd::Zero(n), model_columns(set.base), whitening);

@@ -10,22 +10,21 @@
 // base model makes more than 95 % are not hidden.
 //
 //   nothing       nothing hidden
-//   one, two      effects of the catalogue, shapes drawn off its grid; driven by inputs that are logged. Effects of
-//   time
-//                 alone are not hidden: they are never named from one run
+//   one, two      effects of the catalogue that are for it (EffectRules::hidden_in_challenges), shapes drawn off their
+//                 grid; driven by inputs that are logged. Effects of time alone are not hidden: they are never named
+//                 from one run
 //   outside       what the catalogue does not have: speed times the room's temperature, an unlogged machine that
 //                 switches on and off, the square of a temperature's rate, a resonance at one speed
 //   inseparable   no diagnosis could tell: two sensors that log the same, a load that is proportional to the speed of
 //                 a plan with one speed, a difference of temperatures to a room that is constant
 //   spindle       a cause of the finite-volume spindle that the base model lacks, scaled; the base model's part is its
-//                 best fit to the other causes. Effects that match (expansions: expansion and lagged_expansion):
-//     z_centrifugal              centrifugal_shift
-//     z_rings                    bearing_rings; expansions of T_front_degC, T_rear_degC; cooling_asymmetry,
-//                                viscosity_feedback
-//     z_housing                  expansions of T_front_degC, T_rear_degC, T_motor_degC, T_housing_degC, T_coolant_degC
-//     z_structure, y_structure   expansions of T_head_degC, T_column_degC, T_room_degC; gradient_bending of two of them
-//     y_bending                  gradient_bending; expansions of T_front_degC, T_rear_degC, T_motor_degC,
-//                                T_housing_degC, T_coolant_degC, T_head_degC
+//                 best fit to the other causes. The effects that match say so themselves (EffectRules::explains), on
+//                 any columns or on different ones of the cause's sensors:
+//     z_centrifugal              none
+//     z_rings                    T_front_degC, T_rear_degC
+//     z_housing                  T_front_degC, T_rear_degC, T_motor_degC, T_housing_degC, T_coolant_degC
+//     z_structure, y_structure   T_head_degC, T_column_degC, T_room_degC
+//     y_bending                  T_front_degC, T_rear_degC, T_motor_degC, T_housing_degC, T_coolant_degC, T_head_degC
 #pragma once
 
 #include <cstddef>
@@ -68,8 +67,9 @@ struct BlindSet {
   Noise noise;                                 // the true one, rounding included
 };
 
-// The same kind and seed give the same set.
-BlindSet blind_set(BlindKind kind, std::uint64_t seed);
+// The same kind, seed and catalogue give the same set, which refers to the catalogue's effects. What the base models
+// and the inseparable pairs are made of is found in it by name; throws Error where it is not there.
+BlindSet blind_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogue = built_in_catalogue());
 
 // What was said of a set.
 struct BlindVerdict {

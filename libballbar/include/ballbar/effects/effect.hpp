@@ -1,8 +1,10 @@
 // One physical effect: what it adds to a measured series, and what a user should know about it.
 //
-// An effect is one constant value in one file of src/effects; effects() is the one list of them. The same kind
-// serves a drift series (inputs: speed, temperatures ...) and a ballbar recording turned into a series (inputs:
-// angle, direction, feed ...; see trace.hpp). A model is a sum of effects and a constant (model.hpp).
+// An effect is one constant value in one file of src/effects, and all that is known of it stands there: fits, searches
+// and tests ask the value, none knows an effect or a parameter by its name. The same kind serves a drift series
+// (inputs: speed, temperatures ...) and a ballbar recording turned into a series (inputs: angle, direction, feed ...;
+// see trace.hpp). A model is a sum of effects and a constant (model.hpp). A catalogue is a list of effects: the
+// built-in one, or a user's own, which may hold effects of both.
 //
 // Values are in um, one a row of the data, evaluated over the whole series at once, so that an effect with memory
 // is one recursion, O(n). A `gain` enters linearly and starts at 0, where the effect is off; a `shape` (time
@@ -11,17 +13,41 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "ballbar/circle/recording.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace ballbar {
 
 enum class Level { series, recording };
 enum class ParameterKind { gain, shape };
+
+// The rows an effect is evaluated on: n times and, in the order of Effect::inputs, n values of each input.
+struct EffectRows {
+  std::span<const double> time_s;  // rising
+  std::vector<std::span<const double>> inputs;
+};
+
+// What a shape says.
+enum class ShapeOf {
+  curve,      // a time constant, an exponent, a width ...
+  onset,      // a moment in the time of the data, s: searched from row to row, and no better known than their distance
+  recording,  // the number of the recording that a term belongs to, 0, 1 ...; -1: all. Held; a term's label tells it
+};
+
+// Starts to try on given rows, in the parameter's unit, within [lower, upper] and at most `most`. Of what repeats,
+// every half of what the length of the rows can resolve: a sinusoid is found only from a start that near.
+using GridOnRows =
+    std::function<std::vector<double>(const EffectRows& rows, double lower, double upper, std::size_t most)>;
+
+// A usual value on given rows, in the parameter's unit; share 0 to 1: the least to the largest of them.
+using UsualOnRows = std::function<double(const EffectRows& rows, double share)>;
 
 struct Parameter {
   std::string name;  // ends in its unit: "gain_um_per_K", "time_constant_s"
@@ -33,13 +59,28 @@ struct Parameter {
   std::vector<double> grid;  // shape: starts to try, rising; empty: start alone
   std::string meaning;
   bool held = false;  // a model that does not name it keeps it at `start`
+  ShapeOf shape_of = ShapeOf::curve;
+  GridOnRows grid_on = {};    // in place of `grid`, where starts depend on the rows
+  UsualOnRows usual_on = {};  // shape: for blind challenges; empty: evenly in the logarithm from the grid's second
+                              // value to its last but one
 };
 
-// A column that the effect reads. `role` is its key in a model file: temperature = "T_air_degC".
+// Starts to try on these rows: of `grid_on` or of `grid`, those from `lower` to `upper`. Empty: the parameter's start
+// alone.
+std::vector<double> grid_of(const Parameter& parameter, const EffectRows& rows, double lower, double upper,
+                            std::size_t most);
+
+// A column that the effect reads. `role` is its key in a model file: temperature = "T_air_degC". Where a user names no
+// column, and in a search, the role takes every column in one of the units but the target and sigmas that is accepted;
+// on recordings the trace's own.
 struct Input {
   std::string role;
   std::vector<std::string> units;  // accepted, as columns end: {"degC", "K"}
   std::string meaning;
+  // Empty: any column; in um those of an axial drift alone (z_um, axial_um, the Z of five probes).
+  std::function<bool(const Column& column)> accepts = {};
+  bool of_another_effect = false;  // accepts only columns that an effect of the model reads
+  std::string none_accepted = {};  // a phrase where units suit, and no column is accepted: "no column of the bar"
 };
 
 // The page that `ballbar effects NAME` prints; whole sentences.
@@ -49,17 +90,10 @@ struct Explanation {
   std::string formula;                     // as evaluated, in the letters of the parameters
   std::string signature;                   // how it looks in a residual
   std::vector<std::string> confused_with;  // names of effects
-  std::string becomes = {};                // effect of its inputs, or of some, that it is at the edge of its shapes
   std::string separated_by;                // the test that tells them apart
   std::string remedy;                      // in the workshop
   std::string validity;
   std::string source;
-};
-
-// The rows an effect is evaluated on: n times and, in the order of Effect::inputs, n values of each input.
-struct EffectRows {
-  std::span<const double> time_s;  // rising
-  std::vector<std::span<const double>> inputs;
 };
 
 // values: n. derivatives: n times the number of parameters, row by row; nullptr: not wanted.
@@ -81,6 +115,30 @@ struct Evaluate {
   }
 };
 
+// What moves the finite-volume spindle of blind challenges (blind.hpp).
+enum class SpindleCause { centrifugal, rings, housing, structure, bending };
+
+// A cause that the effect explains rightly: on the sensors of the parts that make it, or on any columns.
+struct ExplainedCause {
+  SpindleCause cause = SpindleCause::centrifugal;
+  bool on_its_sensors = false;
+};
+
+// What searches, tests and challenges are told of an effect.
+struct EffectRules {
+  bool is_base = false;  // in every model of its level: not searched, not tested by leaving it out
+  // Of a base: names of its gains that recordings with one bar share, where they differ in feed.
+  std::vector<std::string> one_for_all = {};
+  bool may_repeat = false;           // searched beside itself on the same columns, with another onset or period
+  bool first_input_warmest = false;  // on average; the other way round is the same with another sign
+  // Shapes with which what its first gain adds goes with its first input, |cosine| about their means above this, are
+  // left out: there it is another effect.
+  std::optional<double> same_as_input = std::nullopt;
+  std::string becomes = {};           // effect of its inputs, or of some, that it is at the edge of its shapes
+  bool hidden_in_challenges = false;  // one that blind challenges hide
+  std::vector<ExplainedCause> explains = {};
+};
+
 struct Effect {
   std::string name;
   Level level = Level::series;
@@ -90,15 +148,22 @@ struct Effect {
   Evaluate evaluate;
   bool time_only = false;            // needs no input but time: never named as a cause from one run
   std::vector<Motion> motions = {};  // recordings it applies to, by what drives the circle; empty: any
+  EffectRules rules = {};
 };
 
 // Whether it acts in recordings that `motion` drives.
 bool applies_to(const Effect& effect, Motion motion);
 
-// All of the catalogue, drift series first, in the order of the documentation.
-std::span<const Effect* const> effects();
+// Effects to choose from. Values: a copy has the same effects, and adding to it changes no other.
+using Catalogue = std::vector<std::shared_ptr<const Effect>>;
+
+// Every effect of src/effects, drift series first, in the order of the documentation.
+const Catalogue& built_in_catalogue();
 
 // The effect of that name, or nullptr. `level` decides where both have one (bar_temperature).
-const Effect* find_effect(std::string_view name, Level level);
+const Effect* find_effect(std::string_view name, Level level, const Catalogue& catalogue = built_in_catalogue());
+
+// The effect that every model of this level has; nullptr: none.
+const Effect* base_effect(Level level, const Catalogue& catalogue);
 
 }  // namespace ballbar

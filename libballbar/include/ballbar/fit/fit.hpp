@@ -33,6 +33,7 @@ struct FittedParameter {
   double sigma = 0.0;  // NaN: held, on a bound, or too few values to tell it; infinite: undetermined
   ParameterState state = ParameterState::free;
   ParameterKind kind = ParameterKind::gain;
+  ShapeOf shape_of = ShapeOf::curve;
 };
 
 struct FitOptions {

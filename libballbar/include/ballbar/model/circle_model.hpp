@@ -10,7 +10,8 @@
 
 namespace ballbar {
 
-// Of trace_of(); target deviation_um.
-Model circles_of(const Series& trace);
+// Of trace_of(); target deviation_um. The terms are those of the catalogue's base effect on recordings: its gains that
+// are one for all (EffectRules::one_for_all) are the radius, the others the centre. Throws Error where it has none.
+Model circles_of(const Series& trace, const Catalogue& catalogue = built_in_catalogue());
 
 }  // namespace ballbar

@@ -22,7 +22,7 @@ struct Setting {
 };
 
 struct Term {
-  std::shared_ptr<const Effect> effect;  // of the catalogue, or a user's expression
+  std::shared_ptr<const Effect> effect;  // of a catalogue, or a user's expression
   std::vector<std::string> columns;      // of the data, as effect->inputs
   std::vector<Setting> settings;         // as effect->parameters
 };
@@ -42,7 +42,11 @@ struct Model {
 };
 
 // An effect of the catalogue with its own settings. Throws Error for a name that is not in it, with the nearest name.
-Term term_of(std::string_view effect_name, std::vector<std::string> columns, Level level = Level::series);
+Term term_of(std::string_view effect_name, std::vector<std::string> columns, Level level = Level::series,
+             const Catalogue& catalogue = built_in_catalogue());
+
+// The effect, which must outlive the term, with its own settings.
+Term term_of(const Effect& effect, std::vector<std::string> columns);
 
 // "lagged_expansion(T_air_degC)"; "expression(k * T_air_degC)" keeps its formula; "circle 2" is that of the second
 // recording. Where no column tells one from another, a shape that the model states does: "step(onset_s = 3600)".

@@ -21,11 +21,12 @@ struct EffectText {
 };
 
 // Throws Error: an unknown effect or role (with the nearest name), a role twice, columns on recordings.
-EffectText effect_text(std::string_view text, Level level);
+EffectText effect_text(std::string_view text, Level level, const Catalogue& catalogue = built_in_catalogue());
 
-// The effect with the catalogue's settings. Columns that are not named are found where only one choice that is not in
+// The effect with its own settings. Columns that are not named are found where only one choice that is not in
 // the model yet goes with those that are. Throws Error: an unknown effect, role or column (with the nearest name), a
 // role twice, no column that suits, several choices (listed), columns on recordings, which bind by themselves.
-Term term_from_text(std::string_view text, const Model& model, const Series& data);
+Term term_from_text(std::string_view text, const Model& model, const Series& data,
+                    const Catalogue& catalogue = built_in_catalogue());
 
 }  // namespace ballbar

@@ -63,8 +63,8 @@ struct Trial {
 // Throws Error as fit does.
 Trial trial(const Model& model, const std::vector<Term>& added, const Series& data, std::size_t target = 0);
 
-// Every effect among the first `count` terms of the model. Circles of recordings and effects that are all held are not
-// tested.
+// Every effect among the first `count` terms of the model. The circles of recordings, their base, and effects that are
+// all held are not tested.
 std::vector<Stay> stays(const Model& model, std::size_t count, const Series& data, std::size_t target = 0);
 
 // Without effects that are not needed, the least needed one first and the rest tested anew. Of the terms from `earlier`

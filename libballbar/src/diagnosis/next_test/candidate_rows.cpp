@@ -55,7 +55,15 @@ std::optional<Evaluated> in_test(const Effect& effect, const std::vector<std::st
   return evaluated(effect, inputs, parameters, test.rows);
 }
 
-bool is_circle(const Term& term) { return term.effect->name == "circle"; }
+bool is_base(const Term& term) { return term.effect->rules.is_base; }
+
+std::vector<std::size_t> gains_of(const Effect& effect) {
+  std::vector<std::size_t> gains;
+  for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
+    if (effect.parameters[k].kind == ParameterKind::gain) gains.push_back(k);
+  }
+  return gains;
+}
 
 }  // namespace
 
@@ -80,7 +88,7 @@ std::optional<Rival> rival_of(const Candidate& candidate, const Series& data, st
   // No lag at all, the longest one: where effects become each other.
   for (const std::size_t k : rival.free) {
     const Parameter& parameter = effect->parameters[k];
-    if (parameter.kind != ParameterKind::shape || parameter.name == "onset_s") continue;
+    if (parameter.kind != ParameterKind::shape || parameter.shape_of == ShapeOf::onset) continue;
     for (const double bound : {parameter.lower, parameter.upper}) {
       if (!std::isfinite(bound)) continue;
       rival.points.push_back(rival.parameters);
@@ -166,21 +174,19 @@ std::optional<Eigen::MatrixXd> columns_in_data(const CandidateRows& candidates, 
 Eigen::MatrixXd own_columns(const CandidateRows& candidates, const PlannedTest& test) {
   const auto n = static_cast<Eigen::Index>(test.rows.size());
   const std::vector<Term>& terms = candidates.model->terms;
-  if (candidates.model->level == Level::series || std::none_of(terms.begin(), terms.end(), is_circle)) {
-    return Eigen::MatrixXd::Ones(n, 1);
+  const auto first = std::find_if(terms.begin(), terms.end(), is_base);
+  if (candidates.model->level == Level::series || first == terms.end()) return Eigen::MatrixXd::Ones(n, 1);
+  const Effect& circle = *first->effect;
+  std::size_t offset = 1;
+  for (auto term = terms.begin(); term != first; ++term) offset += term->settings.size();
+  std::vector<double> parameters;
+  for (std::size_t k = 0; k < circle.parameters.size(); ++k) {
+    parameters.push_back(candidates.base->parameters[offset + k].value);
   }
-  const Effect& circle = *find_effect("circle", Level::recording);
-  std::vector<std::string> columns;
-  std::vector<double> parameters;  // of the first circle of the model
-  Eigen::Index offset = 1;
-  for (const Term& term : terms) {
-    for (std::size_t k = 0; is_circle(term) && parameters.size() < circle.parameters.size(); ++k) {
-      columns = term.columns;
-      parameters.push_back(candidates.base->parameters[static_cast<std::size_t>(offset) + k].value);
-    }
-    offset += static_cast<Eigen::Index>(term.settings.size());
-  }
-  const bool one_for_all = parameters[3] < -0.5;
+  const auto place = std::find_if(circle.parameters.begin(), circle.parameters.end(),
+                                  [](const Parameter& parameter) { return parameter.shape_of == ShapeOf::recording; });
+  const bool one_for_all = place == circle.parameters.end() ||
+                           parameters[static_cast<std::size_t>(place - circle.parameters.begin())] < -0.5;
   if (one_for_all && !test.new_set_up) return Eigen::MatrixXd(n, 0);
   std::set<double> numbers{-1.0};
   if (!one_for_all) {
@@ -189,11 +195,14 @@ Eigen::MatrixXd own_columns(const CandidateRows& candidates, const PlannedTest& 
   }
   Eigen::MatrixXd result(n, 0);
   for (const double number : numbers) {
-    parameters[3] = number;
-    const std::optional<Evaluated> values = in_test(circle, columns, parameters, test, *candidates.data);
+    if (place != circle.parameters.end()) {
+      parameters[static_cast<std::size_t>(place - circle.parameters.begin())] = number;
+    }
+    const std::optional<Evaluated> values = in_test(circle, first->columns, parameters, test, *candidates.data);
     if (!values) continue;
-    Eigen::MatrixXd more(n, result.cols() + 3);
-    more << result, values->slopes.leftCols(3);
+    const Eigen::MatrixXd slopes = values->slopes(Eigen::all, gains_of(circle));
+    Eigen::MatrixXd more(n, result.cols() + slopes.cols());
+    more << result, slopes;
     result = std::move(more);
   }
   return result;

@@ -23,7 +23,7 @@ Hypotheses::Hypotheses(const Model& model, const Series& data, std::size_t targe
   BankOptions searched;
   searched.motion = options.motion;
   searched.without = options.without;
-  bank_ = bank_of(model, data, base, searched);
+  bank_ = bank_of(options.catalogue, model, data, base, searched);
 }
 
 std::size_t Hypotheses::largest_set() const {
@@ -78,7 +78,7 @@ void Hypotheses::fit_by(const Noise& noise, Refitted& refitted) const {
 }
 
 Term Hypotheses::term_at(std::size_t index) const {
-  Term term = term_of(family(index).effect->name, family(index).columns, model_.level);
+  Term term = term_of(*family(index).effect, family(index).columns);
   for (std::size_t k = 0; k < term.settings.size(); ++k) {
     if (term.effect->parameters[k].kind != ParameterKind::shape) continue;
     Setting& setting = term.settings[k];

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "ballbar/model/measured_input.hpp"
-#include "effects/shape_grid.hpp"
 #include "model/bindings.hpp"
 #include "noise/whitened.hpp"
 #include "numerics/parallel.hpp"
@@ -18,8 +17,7 @@ namespace {
 constexpr std::size_t kMostOnsets = 400;
 constexpr std::size_t kMostPeriods = 200;
 constexpr std::size_t kMostWaves = 400;  // of one shape on recordings
-constexpr double kSameAsExpansion = 0.99;
-constexpr double kNothingLeft = 1e-8;  // share of a column's square
+constexpr double kNothingLeft = 1e-8;    // share of a column's square
 
 bool is_constant(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -53,14 +51,14 @@ std::size_t gain_count(const Effect& effect) {
                     [](const Parameter& parameter) { return parameter.kind == ParameterKind::gain; }));
 }
 
-// Play that never gives way holds the whole expansion back: it shows no loop and is expansion under another name.
-bool is_stuck(const Effect& effect, const EffectRows& inputs, const std::vector<std::size_t>& rows,
-              const Eigen::VectorXd& gain) {
-  if (effect.name != "play_hysteresis") return false;
+// With this shape it is another effect of its first input.
+bool is_same_as_input(const Effect& effect, const EffectRows& inputs, const std::vector<std::size_t>& rows,
+                      const Eigen::VectorXd& gain) {
+  if (!effect.rules.same_as_input) return false;
   Eigen::VectorXd input(gain.size());
   for (std::size_t i = 0; i < rows.size(); ++i) input[static_cast<Eigen::Index>(i)] = inputs.inputs[0][rows[i]];
   const Eigen::VectorXd a = input.array() - input.mean(), b = gain.array() - gain.mean();
-  return std::abs(a.dot(b)) > kSameAsExpansion * a.norm() * b.norm();
+  return std::abs(a.dot(b)) > *effect.rules.same_as_input * a.norm() * b.norm();
 }
 
 std::vector<double> onsets(const EffectRows& rows, std::size_t most) {
@@ -104,9 +102,9 @@ std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRow
     const Parameter& parameter = effect.parameters[k];
     if (parameter.kind == ParameterKind::gain || (parameter.held && parameter.grid.empty())) continue;
     const std::size_t most = effect.level == Level::series ? kMostPeriods : kMostWaves;
-    std::vector<double> grid = shape_grid(effect, k, rows, parameter.lower, parameter.upper, most);
-    if (parameter.name == "onset_s") grid = onsets(rows, options.every_onset ? kMostOnsets : 7);
-    if (parameter.name == "frequency_Hz") std::erase_if(grid, [&](double f) { return f > options.highest_Hz; });
+    std::vector<double> grid = grid_of(parameter, rows, parameter.lower, parameter.upper, most);
+    if (parameter.shape_of == ShapeOf::onset) grid = onsets(rows, options.every_onset ? kMostOnsets : 7);
+    if (parameter.unit == "Hz") std::erase_if(grid, [&](double f) { return f > options.highest_Hz; });
     if (grid.empty()) continue;
     std::vector<std::vector<double>> more;
     for (const std::vector<double>& point : points) {
@@ -130,18 +128,18 @@ struct Shaped {
   std::vector<std::vector<Eigen::VectorXd>> gains;  // of each point
 };
 
-std::vector<Shaped> shaped_of(const Model& model, const Series& data, const BankOptions& options) {
+std::vector<Shaped> shaped_of(const Catalogue& catalogue, const Model& model, const Series& data,
+                              const BankOptions& options) {
   std::vector<Shaped> result;
-  for (const Effect* effect : effects()) {
-    if (effect->level != model.level || effect->name == "circle") continue;
+  for (const auto& effect : catalogue) {
+    if (effect->level != model.level || effect->rules.is_base) continue;
     if (options.motion && !applies_to(*effect, *options.motion)) continue;
     if (std::find(options.without.begin(), options.without.end(), effect->name) != options.without.end()) continue;
     for (std::vector<std::string>& names : bindings_of(*effect, model, data)) {
-      const bool again = effect->name == "step" || effect->name == "thermostat_cycle";
-      if (has_term(model, *effect, names) && !again) continue;
+      if (has_term(model, *effect, names) && !effect->rules.may_repeat) continue;
       BoundInputs bound = inputs_of(*effect, names, data);
       if (!bound.usable && !bound.is_half) continue;
-      Shaped one{{effect, std::move(names), 0, 0}, std::move(bound), {}, {}};
+      Shaped one{{effect.get(), std::move(names), 0, 0}, std::move(bound), {}, {}};
       one.points = shapes_of(*effect, one.bound.rows, options);
       one.gains.resize(one.points.size());
       result.push_back(std::move(one));
@@ -159,7 +157,7 @@ void evaluate(std::vector<Shaped>& all, const std::vector<std::size_t>& rows) {
     auto& [one, i] = parts[k];
     const Effect& effect = *one->family.effect;
     std::vector<Eigen::VectorXd> gains = gains_of(effect, one->bound.rows, one->points[i], rows);
-    if (gains.empty() || is_stuck(effect, one->bound.rows, rows, gains.front())) return;
+    if (gains.empty() || is_same_as_input(effect, one->bound.rows, rows, gains.front())) return;
     if (one->bound.is_half && gains.size() < gain_count(effect)) return;
     one->gains[i] = std::move(gains);
   });
@@ -167,13 +165,13 @@ void evaluate(std::vector<Shaped>& all, const std::vector<std::size_t>& rows) {
 
 }  // namespace
 
-Bank bank_of(const Model& model, const Series& data, const Fit& fit, BankOptions options) {
+Bank bank_of(const Catalogue& catalogue, const Model& model, const Series& data, const Fit& fit, BankOptions options) {
   for (std::size_t i = 1; i < fit.time_s.size(); ++i) {
     // The shortest step: one above half that rate would pass for a slow one.
     options.highest_Hz = i == 1 ? 0.5 / (fit.time_s[1] - fit.time_s[0])
                                 : std::max(options.highest_Hz, 0.5 / (fit.time_s[i] - fit.time_s[i - 1]));
   }
-  std::vector<Shaped> all = shaped_of(model, data, options);
+  std::vector<Shaped> all = shaped_of(catalogue, model, data, options);
   evaluate(all, fit.row);
   Bank bank;
   std::vector<Eigen::VectorXd> columns;

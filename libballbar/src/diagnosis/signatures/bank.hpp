@@ -1,4 +1,4 @@
-// What every effect of the catalogue could add to given data, ready to be held against a residual.
+// What every effect of a catalogue could add to given data, ready to be held against a residual.
 //
 // A family is one effect bound to columns; each point of its grid of shapes is one signature: what a unit of each of
 // its gains adds, a column each. Whitened by the noise (noise.hpp) and freed of the columns of the model's Jacobian,
@@ -41,15 +41,16 @@ struct Bank {
 
 struct BankOptions {
   std::optional<Motion> motion;                                 // of recordings
-  bool every_onset = true;                                      // of a step: up to 400 of them; else 7
+  bool every_onset = true;                                      // up to 400 of them; else 7
   std::vector<std::string> without;                             // names of effects that are left out
   double highest_Hz = std::numeric_limits<double>::infinity();  // bank_of: half the rate of the rows that are fitted
 };
 
-// Families of effects that are in the model on the same columns are left out, but for time-only ones with an onset or
-// a period, and those whose inputs are constant or have gaps; and shapes of play that the input
-// never moves.
-Bank bank_of(const Model& model, const Series& data, const Fit& fit, BankOptions options = {});
+// Of the effects of the catalogue on the model's level. Families that are in the model on the same columns are left
+// out, but for effects that may repeat, and those whose inputs are constant or have gaps; and shapes with which an
+// effect is another one (EffectRules::same_as_input).
+Bank bank_of(const Catalogue& catalogue, const Model& model, const Series& data, const Fit& fit,
+             BankOptions options = {});
 
 // What an effect bound to these columns is evaluated on; `rows` points into `values`.
 struct BoundInputs {

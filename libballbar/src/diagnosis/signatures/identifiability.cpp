@@ -82,8 +82,9 @@ std::string roles_missing(const Effect& effect, const Series& data) {
     if (!any) missing.push_back(fmt::format("{} ({})", input.role, fmt::join(input.units, " or ")));
   }
   if (!missing.empty()) return fmt::format("no column for {}", fmt::join(missing, ", "));
-  if (effect.name == "bar_temperature") return "no column of the bar's temperature (its name holds \"bar\")";
-  if (effect.name == "clock_offset") return "the model reads no signal whose clock could be off";
+  for (const Input& input : effect.inputs) {
+    if (!input.none_accepted.empty()) return input.none_accepted;
+  }
   return "there are too few columns of the kind";
 }
 
@@ -113,20 +114,20 @@ void say_unusable(Prospect& prospect, const Model& model, const Series& data,
 
 }  // namespace
 
-std::vector<Prospect> prospects_of(const Bank& bank, const Projected& seen, const Model& model, const Series& data,
-                                   std::optional<Motion> motion) {
+std::vector<Prospect> prospects_of(const Catalogue& catalogue, const Bank& bank, const Projected& seen,
+                                   const Model& model, const Series& data, std::optional<Motion> motion) {
   std::vector<Prospect> prospects;
   std::vector<const Family*> best;
-  for (const Effect* effect : effects()) {
-    if (effect->level != model.level || effect->name == "circle") continue;
+  for (const auto& effect : catalogue) {
+    if (effect->level != model.level || effect->rules.is_base) continue;
     Prospect prospect;
-    prospect.effect = effect;
+    prospect.effect = effect.get();
     const Family* chosen = nullptr;
     double least = std::numeric_limits<double>::infinity();
     const std::vector<std::vector<std::string>> bindings = bindings_of(*effect, model, data);
     prospect.bindings = count_of_bindings(*effect, model, data);
     for (const Family& family : bank.families) {
-      if (family.effect != effect) continue;
+      if (family.effect != effect.get()) continue;
       const double um = um_for_unit_d(bank, seen, family);
       if (chosen == nullptr || um < least) chosen = &family;
       least = std::min(least, um);
@@ -164,7 +165,8 @@ std::vector<Prospect> prospects_of(const Bank& bank, const Projected& seen, cons
   return prospects;
 }
 
-Preflight preflight(const Model& model, const Series& data, std::size_t target, std::optional<Motion> motion) {
+Preflight preflight(const Model& model, const Series& data, std::size_t target, std::optional<Motion> motion,
+                    const Catalogue& catalogue) {
   const Series rows = thinned(data, model.targets.at(target), kMostTested);
   const Fit fitted = fit(model, rows, target);
   Preflight result;
@@ -178,12 +180,12 @@ Preflight preflight(const Model& model, const Series& data, std::size_t target, 
   BankOptions options;
   options.motion = motion;
   options.every_onset = false;
-  const Bank bank = bank_of(model, rows, fitted, options);
+  const Bank bank = bank_of(catalogue, model, rows, fitted, options);
   const Eigen::VectorXd residual =
       Eigen::VectorXd::Map(fitted.residual_um.data(), static_cast<Eigen::Index>(fitted.residual_um.size()));
   const Projected seen =
       projected(bank, residual, model_columns(fitted), Whitening(fitted.noise, fitted.time_s, fitted.sigma_um));
-  result.prospects = prospects_of(bank, seen, model, rows, motion);
+  result.prospects = prospects_of(catalogue, bank, seen, model, rows, motion);
   return result;
 }
 

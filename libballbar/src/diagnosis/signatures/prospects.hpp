@@ -9,8 +9,8 @@
 
 namespace ballbar {
 
-// One an effect of the catalogue at the model's level (the circle is the base of every recording), in its order.
-std::vector<Prospect> prospects_of(const Bank& bank, const Projected& seen, const Model& model, const Series& data,
-                                   std::optional<Motion> motion);
+// One an effect of the catalogue at the model's level, but for the base that every model has, in its order.
+std::vector<Prospect> prospects_of(const Catalogue& catalogue, const Bank& bank, const Projected& seen,
+                                   const Model& model, const Series& data, std::optional<Motion> motion);
 
 }  // namespace ballbar

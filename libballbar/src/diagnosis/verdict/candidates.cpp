@@ -137,7 +137,7 @@ Confirmed confirmed(const Hypotheses& now, const Series& data, const Refitted& w
 }
 
 bool becomes(const BoundEffect& rich, const BoundEffect& plain) {
-  return rich.effect->explanation.becomes == plain.effect->name &&
+  return rich.effect->rules.becomes == plain.effect->name &&
          std::all_of(plain.columns.begin(), plain.columns.end(), [&](const std::string& name) {
            return std::find(rich.columns.begin(), rich.columns.end(), name) != rich.columns.end();
          });

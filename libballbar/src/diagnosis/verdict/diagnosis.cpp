@@ -61,7 +61,7 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   for (const Family& family : now.bank().families) searched.insert(family.effect);
   result.searched_effects = searched.size();
   const auto prospects_by = [&](const Projected& seen) {
-    return prospects_but(options, prospects_of(now.bank(), seen, model, rows, options.motion));
+    return prospects_but(options, prospects_of(options.catalogue, now.bank(), seen, model, rows, options.motion));
   };
   if (now.bank().families.empty() || now.largest_set() == 0) {
     result.verdict = Verdict::untestable;

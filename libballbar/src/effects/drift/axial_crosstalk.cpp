@@ -1,4 +1,3 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 
 namespace ballbar::catalogue {
@@ -15,7 +14,7 @@ struct AxialCrosstalk {
 
 }  // namespace
 
-const Effect kAxialCrosstalk{
+extern const Effect kAxialCrosstalk{
     "axial_crosstalk",
     Level::series,
     {.summary = "Elongation of an inclined spindle shows as radial drift.",

@@ -1,4 +1,3 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 
 namespace ballbar::catalogue {
@@ -14,7 +13,7 @@ struct BarTemperature {
 
 }  // namespace
 
-const Effect kBarTemperature{
+extern const Effect kBarTemperature{
     "bar_temperature",
     Level::series,
     {.summary = "The gauge itself grows.",
@@ -28,7 +27,12 @@ const Effect kBarTemperature{
                "expansion.",
      .validity = "Bar of one temperature. A fitted expansion far from its material's is something else.",
      .source = "Definition of the expansion coefficient, at the reference temperature of 20 °C."},
-    {{"temperature", {"degC"}, "temperature of the bar"}},
+    {{"temperature",
+      {"degC"},
+      "temperature of the bar",
+      [](const Column& column) { return column.name.find("bar") != std::string::npos; },
+      false,
+      "no column of the bar's temperature (its name holds \"bar\")"}},
     {{"expansion_ppm_per_K",
       "ppm/K",
       ParameterKind::gain,

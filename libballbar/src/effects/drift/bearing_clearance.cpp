@@ -1,5 +1,4 @@
 #include "../huang2022_clearance.hpp"
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 
 namespace ballbar::catalogue {
@@ -16,7 +15,7 @@ struct BearingClearance {
 
 }  // namespace
 
-const Effect kBearingClearance{
+extern const Effect kBearingClearance{
     "bearing_clearance",
     Level::series,
     {.summary = "Elongation unloads the bearing and the rotor gets room.",

@@ -1,5 +1,5 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
+#include "effects/inside.hpp"
 
 namespace ballbar::catalogue {
 namespace {
@@ -18,7 +18,7 @@ struct BearingRings {
 
 }  // namespace
 
-const Effect kBearingRings{
+extern const Effect kBearingRings{
     "bearing_rings",
     Level::series,
     {.summary = "Rings of unequal growth open or close the bearing.",
@@ -37,13 +37,16 @@ const Effect kBearingRings{
      .validity = "Each ring of one temperature, free of contact forces; ceramic balls, which hardly grow.",
      .source = "Huang, Li, Zhao 2022, eq. 15, 17 and 18 with one temperature for each ring (huang2022.hpp); radii and "
                "expansion are those of the paper's bearing."},
-    {{"inner", {"degC", "K"}, "temperature of the inner ring"},
-     {"outer", {"degC", "K"}, "temperature of the outer ring"}},
+    {{"inner", {"degC", "K"}, "temperature of the inner ring", is_inside},
+     {"outer", {"degC", "K"}, "temperature of the outer ring", is_inside}},
     {{"gain", "1", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "1 is the formula"},
      {"inner_radius_mm", "mm", ParameterKind::shape, 27.34, 1.0, 1000.0, {}, "r_B, raceway of the inner ring", true},
      {"outer_radius_mm", "mm", ParameterKind::shape, 37.66, 1.0, 1000.0, {}, "r_C, raceway of the outer ring", true},
      {"expansion_ppm_per_K", "ppm/K", ParameterKind::shape, 13.6, 1.0, 30.0, {}, "alpha of the rings", true}},
     by_row<4>(BearingRings{}),
+    false,
+    {},
+    {.hidden_in_challenges = true, .explains = {{SpindleCause::rings}}},
 };
 
 }  // namespace ballbar::catalogue

@@ -1,4 +1,3 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/speed.hpp"
 
@@ -15,7 +14,7 @@ struct CentrifugalShift {
 
 }  // namespace
 
-const Effect kCentrifugalShift{
+extern const Effect kCentrifugalShift{
     "centrifugal_shift",
     Level::series,
     {.summary = "The rotor moves with speed, at once.",
@@ -32,6 +31,9 @@ const Effect kCentrifugalShift{
     {{"gain_um_per_krpm_p", "um/krpm^p", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "shift at 1000 rpm"},
      {"exponent", "1", ParameterKind::shape, 2.0, 1.0, 3.0, {1.0, 1.5, 2.0, 2.5, 3.0}, "p, of the speed", true}},
     by_row<2>(CentrifugalShift{}),
+    false,
+    {},
+    {.hidden_in_challenges = true, .explains = {{SpindleCause::centrifugal}}},
 };
 
 }  // namespace ballbar::catalogue

@@ -1,4 +1,3 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 
 namespace ballbar::catalogue {
@@ -28,7 +27,7 @@ struct ClockOffset {
 
 }  // namespace
 
-const Effect kClockOffset{
+extern const Effect kClockOffset{
     "clock_offset",
     Level::series,
     {.summary = "Two loggers' clocks disagree.",
@@ -43,7 +42,12 @@ const Effect kClockOffset{
          "Constant offset; rows closer than the offset. For an offset within which the signal is a straight line "
          "only gain times offset is determined.",
      .source = "A shift of the time axis, straight lines between the rows; no paper's equation."},
-    {{"signal", {"degC", "K", "um", "rpm", "W", "A"}, "signal whose clock is in doubt"}},
+    {{"signal",
+      {"degC", "K", "um", "rpm", "W", "A"},
+      "signal whose clock is in doubt",
+      {},
+      true,
+      "the model reads no signal whose clock could be off"}},
     {{"gain_um_per_unit",
       "um/unit",
       ParameterKind::gain,

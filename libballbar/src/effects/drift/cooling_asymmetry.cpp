@@ -1,4 +1,3 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/low_pass.hpp"
 #include "effects/speed.hpp"
@@ -21,7 +20,7 @@ struct CoolingAsymmetry {
 
 }  // namespace
 
-const Effect kCoolingAsymmetry{
+extern const Effect kCoolingAsymmetry{
     "cooling_asymmetry",
     Level::series,
     {.summary = "Friction heat that comes faster than it goes.",
@@ -30,7 +29,6 @@ const Effect kCoolingAsymmetry{
                 "time_constant_at_rest while it stands",
      .signature = "An exponential after a start and a slower one after a stop.",
      .confused_with = {"speed_heating", "lagged_expansion", "viscosity_feedback"},
-     .becomes = "speed_heating",
      .separated_by = "One start and one stop, each followed until it settles: the two time constants are read apart.",
      .remedy = "Let coolant and air run on at rest; warm up before work; compensate with both time constants.",
      .validity = "Lumped body; the same end value for the same speed; two states, turning and at rest.",
@@ -55,6 +53,9 @@ const Effect kCoolingAsymmetry{
       "how slowly the body follows while it stands"},
      {"exponent", "1", ParameterKind::shape, 5.0 / 3.0, 0.5, 3.0, {1.0, 5.0 / 3.0, 2.0}, "a, of the speed", true}},
     by_row<4, kLowPassKept + 1>(CoolingAsymmetry{}),
+    false,
+    {},
+    {.becomes = "speed_heating", .hidden_in_challenges = true, .explains = {{SpindleCause::rings}}},
 };
 
 }  // namespace ballbar::catalogue

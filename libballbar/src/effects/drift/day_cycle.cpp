@@ -1,10 +1,9 @@
-#include "effects/catalogue.hpp"
 #include "effects/cycle.hpp"
 #include "effects/evaluate.hpp"
 
 namespace ballbar::catalogue {
 
-const Effect kDayCycle{
+extern const Effect kDayCycle{
     "day_cycle",
     Level::series,
     {.summary = "Day and night that nobody logged.",
@@ -19,7 +18,17 @@ const Effect kDayCycle{
     {},
     {{"cosine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "part that is largest at the first row"},
      {"sine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "part that is 0 at the first row and rises"},
-     {"period_s", "s", ParameterKind::shape, 86400.0, 43200.0, 172800.0, {}, "24 h", true}},
+     {"period_s",
+      "s",
+      ParameterKind::shape,
+      86400.0,
+      43200.0,
+      172800.0,
+      {},
+      "24 h",
+      true,
+      ShapeOf::curve,
+      cycle_periods}},
     by_row<3>(Cycle{}),
     true,
 };

@@ -1,5 +1,5 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
+#include "effects/expansion_causes.hpp"
 
 namespace ballbar::catalogue {
 namespace {
@@ -15,7 +15,7 @@ struct Expansion {
 
 }  // namespace
 
-const Effect kExpansion{
+extern const Effect kExpansion{
     "expansion",
     Level::series,
     {.summary = "Free expansion with one temperature.",
@@ -33,6 +33,9 @@ const Effect kExpansion{
     {{"temperature", {"degC", "K"}, "temperature of the body"}},
     {{"gain_um_per_K", "um/K", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "growth for each kelvin: alpha L"}},
     by_row<1>(Expansion{}),
+    false,
+    {},
+    {.hidden_in_challenges = true, .explains = expansion_causes()},
 };
 
 }  // namespace ballbar::catalogue

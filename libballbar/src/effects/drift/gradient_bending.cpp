@@ -1,4 +1,3 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/low_pass.hpp"
 
@@ -18,7 +17,7 @@ struct GradientBending {
 
 }  // namespace
 
-const Effect kGradientBending{
+extern const Effect kGradientBending{
     "gradient_bending",
     Level::series,
     {.summary = "A wall warmer on one side bends.",
@@ -46,6 +45,11 @@ const Effect kGradientBending{
       {0.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0},
       "how slowly the wall follows; 0: at once"}},
     by_row<2, kLowPassKept>(GradientBending{}),
+    false,
+    {},
+    {.first_input_warmest = true,
+     .hidden_in_challenges = true,
+     .explains = {{SpindleCause::structure, true}, {SpindleCause::bending}}},
 };
 
 }  // namespace ballbar::catalogue

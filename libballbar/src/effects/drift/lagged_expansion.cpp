@@ -1,5 +1,5 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
+#include "effects/expansion_causes.hpp"
 #include "effects/low_pass.hpp"
 
 namespace ballbar::catalogue {
@@ -16,7 +16,7 @@ struct LaggedExpansion {
 
 }  // namespace
 
-const Effect kLaggedExpansion{
+extern const Effect kLaggedExpansion{
     "lagged_expansion",
     Level::series,
     {.summary = "A body that follows a temperature slowly.",
@@ -27,7 +27,6 @@ const Effect kLaggedExpansion{
      .signature =
          "Residual against temperature is a loop: small while it warms, large while it cools (or the other way).",
      .confused_with = {"speed_heating", "day_cycle", "settling", "expansion"},
-     .becomes = "expansion",
      .separated_by = "A step of this temperature alone: door, air conditioning or chiller, at constant speed.",
      .remedy = "Move the sensor nearer to the body, shield it from draught, or compensate with the lag.",
      .validity = "One dominant time constant; a thick wall has several.",
@@ -43,6 +42,9 @@ const Effect kLaggedExpansion{
       {60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0, 50000.0},
       "how slowly the body follows"}},
     by_row<2, kLowPassKept>(LaggedExpansion{}),
+    false,
+    {},
+    {.becomes = "expansion", .hidden_in_challenges = true, .explains = expansion_causes()},
 };
 
 }  // namespace ballbar::catalogue

@@ -1,4 +1,3 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 
 namespace ballbar::catalogue {
@@ -14,7 +13,7 @@ struct LinearDrift {
 
 }  // namespace
 
-const Effect kLinearDrift{
+extern const Effect kLinearDrift{
     "linear_drift",
     Level::series,
     {.summary = "A steady drift of the instrument or the set-up.",

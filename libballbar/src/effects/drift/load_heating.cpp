@@ -1,4 +1,3 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/low_pass.hpp"
 
@@ -15,7 +14,7 @@ struct LoadHeating {
 
 }  // namespace
 
-const Effect kLoadHeating{
+extern const Effect kLoadHeating{
     "load_heating",
     Level::series,
     {.summary = "Heat of the motor under load.",
@@ -38,6 +37,9 @@ const Effect kLoadHeating{
       {60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0},
       "how slowly the warmed body follows"}},
     by_row<2, kLowPassKept>(LoadHeating{}),
+    false,
+    {},
+    {.hidden_in_challenges = true},
 };
 
 }  // namespace ballbar::catalogue

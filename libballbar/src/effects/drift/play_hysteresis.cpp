@@ -1,5 +1,7 @@
-#include "effects/catalogue.hpp"
+#include <array>
+
 #include "effects/evaluate.hpp"
+#include "effects/grids.hpp"
 
 namespace ballbar::catalogue {
 namespace {
@@ -19,9 +21,20 @@ struct PlayHysteresis {
   }
 };
 
+constexpr double kSameAsExpansion = 0.99;  // play that never gives way holds the whole expansion back and shows no loop
+
+// Shares of the range of the signal, of which half would be stuck.
+std::vector<double> half_widths(const EffectRows& rows, double, double, std::size_t) {
+  return shares_of(range_in(rows.inputs[0]), std::array{0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45});
+}
+
+double usual_half_width(const EffectRows& rows, double share) {
+  return (0.05 + (0.2 - 0.05) * share) * range_in(rows.inputs[0]);
+}
+
 }  // namespace
 
-const Effect kPlayHysteresis{
+extern const Effect kPlayHysteresis{
     "play_hysteresis",
     Level::series,
     {.summary = "Stick and slip at a joint.",
@@ -30,7 +43,6 @@ const Effect kPlayHysteresis{
                 "first row",
      .signature = "Residual against the signal is a loop of constant width, however slow or fast the signal changes.",
      .confused_with = {"lagged_expansion", "gradient_bending", "preload_loss"},
-     .becomes = "expansion",
      .separated_by =
          "Warm and cool once fast and once slowly: the loop of a lag shrinks when slow, that of play stays.",
      .remedy = "Tighten the joint to its torque; guide it so that it can slide without sticking; oil it.",
@@ -52,8 +64,15 @@ const Effect kPlayHysteresis{
       0.0,
       1000.0,
       {},
-      "half the width of the loop, in K or um of the signal"}},
+      "half the width of the loop, in K or um of the signal",
+      false,
+      ShapeOf::curve,
+      half_widths,
+      usual_half_width}},
     by_row<2, 1>(PlayHysteresis{}),
+    false,
+    {},
+    {.same_as_input = kSameAsExpansion, .becomes = "expansion", .hidden_in_challenges = true},
 };
 
 }  // namespace ballbar::catalogue

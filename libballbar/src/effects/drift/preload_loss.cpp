@@ -1,5 +1,7 @@
-#include "effects/catalogue.hpp"
+#include <array>
+
 #include "effects/evaluate.hpp"
+#include "effects/grids.hpp"
 
 namespace ballbar::catalogue {
 namespace {
@@ -14,9 +16,19 @@ struct PreloadLoss {
   }
 };
 
+// Shares of the way up: places of the kink.
+std::vector<double> thresholds(const EffectRows& rows, double, double, std::size_t) {
+  return shares_of(rise_in(rows.inputs[0]), std::array{0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45,
+                                                       0.5,  0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95});
+}
+
+double usual_threshold(const EffectRows& rows, double share) {
+  return (0.2 + (0.7 - 0.2) * share) * rise_in(rows.inputs[0]);
+}
+
 }  // namespace
 
-const Effect kPreloadLoss{
+extern const Effect kPreloadLoss{
     "preload_loss",
     Level::series,
     {.summary = "From one temperature or elongation on the preload is gone.",
@@ -25,7 +37,6 @@ const Effect kPreloadLoss{
      .formula = "gain max(0, u - u0 - threshold), u the signal, u0 its first value",
      .signature = "Residual against the signal has a kink, at the same place while it warms and while it cools.",
      .confused_with = {"bearing_clearance", "expansion", "play_hysteresis"},
-     .becomes = "expansion",
      .separated_by = "Warm up and cool down twice past the kink: it stays where it is; a lag or play moves it.",
      .remedy = "Set the preload again, or use springs; keep the spindle below the kink by cooling.",
      .validity = "One bearing, one kink; linear on both sides. The place is u0 + threshold: compare that between runs.",
@@ -47,8 +58,15 @@ const Effect kPreloadLoss{
       0.0,
       1000.0,
       {},
-      "rise of the signal since the first row, in K or um, at which the preload is gone"}},
+      "rise of the signal since the first row, in K or um, at which the preload is gone",
+      false,
+      ShapeOf::curve,
+      thresholds,
+      usual_threshold}},
     by_row<2>(PreloadLoss{}),
+    false,
+    {},
+    {.becomes = "expansion", .hidden_in_challenges = true},
 };
 
 }  // namespace ballbar::catalogue

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 
 namespace ballbar::catalogue {
@@ -17,7 +16,7 @@ struct Settling {
 
 }  // namespace
 
-const Effect kSettling{
+extern const Effect kSettling{
     "settling",
     Level::series,
     {.summary = "Creep of the mounting, or run-in, that happens once.",

@@ -1,4 +1,3 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/low_pass.hpp"
 #include "effects/speed.hpp"
@@ -16,7 +15,7 @@ struct SpeedHeating {
 
 }  // namespace
 
-const Effect kSpeedHeating{
+extern const Effect kSpeedHeating{
     "speed_heating",
     Level::series,
     {.summary = "Friction heat with no sensor near it.",

@@ -2,12 +2,11 @@
 
 #include <limits>
 
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 
 namespace ballbar::catalogue {
 
-const Effect kStep{
+extern const Effect kStep{
     "step",
     Level::series,
     {.summary = "A jump at one moment.",
@@ -30,9 +29,13 @@ const Effect kStep{
       -std::numeric_limits<double>::infinity(),
       std::numeric_limits<double>::infinity(),
       {},
-      "moment of the jump, in the time of the data; searched over all rows"}},
+      "moment of the jump, in the time of the data; searched over all rows",
+      false,
+      ShapeOf::onset}},
     by_row<2>(Step{}),
     true,
+    {},
+    {.may_repeat = true},
 };
 
 }  // namespace ballbar::catalogue

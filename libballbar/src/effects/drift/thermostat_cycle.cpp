@@ -1,10 +1,9 @@
-#include "effects/catalogue.hpp"
 #include "effects/cycle.hpp"
 #include "effects/evaluate.hpp"
 
 namespace ballbar::catalogue {
 
-const Effect kThermostatCycle{
+extern const Effect kThermostatCycle{
     "thermostat_cycle",
     Level::series,
     {.summary = "On and off of a chiller or heater that nobody logged.",
@@ -28,9 +27,14 @@ const Effect kThermostatCycle{
       180.0,
       3600.0,
       {180.0, 236.0, 310.0, 407.0, 535.0, 702.0, 922.0, 1211.0, 1590.0, 2088.0, 2742.0, 3600.0},
-      "of the thermostat"}},
+      "of the thermostat",
+      false,
+      ShapeOf::curve,
+      cycle_periods}},
     by_row<3>(Cycle{}),
     true,
+    {},
+    {.may_repeat = true},
 };
 
 }  // namespace ballbar::catalogue

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
+#include "effects/inside.hpp"
 #include "effects/low_pass.hpp"
 
 namespace ballbar::catalogue {
@@ -20,7 +20,7 @@ struct ViscosityFeedback {
 
 }  // namespace
 
-const Effect kViscosityFeedback{
+extern const Effect kViscosityFeedback{
     "viscosity_feedback",
     Level::series,
     {.summary = "Friction heat that falls as the lubricant warms.",
@@ -30,13 +30,13 @@ const Effect kViscosityFeedback{
          "At constant speed the drift overshoots and comes back a little; a warm start drifts less than a cold "
          "one.",
      .confused_with = {"speed_heating", "cooling_asymmetry", "lagged_expansion"},
-     .becomes = "speed_heating",
      .separated_by = "The same speed once from cold and once from warm: without feedback both add the same.",
      .remedy = "Warm up before work; grease or oil with less change of viscosity; less grease.",
      .validity = "Friction proportional to speed and viscosity; viscosity exponential over about 20 K around T0.",
      .source = "Heat balance of a lumped body with a lubricant whose viscosity falls exponentially; no paper's "
                "equation."},
-    {{"speed", {"rpm"}, "speed of the spindle"}, {"temperature", {"degC", "K"}, "temperature of the bearing"}},
+    {{"speed", {"rpm"}, "speed of the spindle"},
+     {"temperature", {"degC", "K"}, "temperature of the bearing", is_inside}},
     {{"gain_um_per_krpm",
       "um/krpm",
       ParameterKind::gain,
@@ -62,6 +62,9 @@ const Effect kViscosityFeedback{
       {0.01, 0.03, 0.06},
       "relative loss of viscosity for each kelvin"}},
     by_row<3, kLowPassKept>(ViscosityFeedback{}),
+    false,
+    {},
+    {.becomes = "speed_heating", .hidden_in_challenges = true, .explains = {{SpindleCause::rings}}},
 };
 
 }  // namespace ballbar::catalogue

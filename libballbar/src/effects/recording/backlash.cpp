@@ -1,4 +1,3 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/recording_rows.hpp"
 
@@ -50,7 +49,7 @@ Effect backlash(Axis axis) {
 
 }  // namespace
 
-const Effect kBacklashA = backlash(Axis::A);
-const Effect kBacklashB = backlash(Axis::B);
+extern const Effect kBacklashA = backlash(Axis::A);
+extern const Effect kBacklashB = backlash(Axis::B);
 
 }  // namespace ballbar::catalogue

@@ -1,4 +1,3 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/recording_rows.hpp"
 
@@ -16,7 +15,7 @@ struct BarTemperatureOfRecording {
 
 }  // namespace
 
-const Effect kBarTemperatureOfRecording{
+extern const Effect kBarTemperatureOfRecording{
     "bar_temperature",
     Level::recording,
     {.summary = "The bar is not at 20 degC, so that it reads the distance wrongly.",

@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include "ballbar/units.hpp"
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/recording_rows.hpp"
 
@@ -21,7 +20,7 @@ struct CentreDrift {
 
 }  // namespace
 
-const Effect kCentreDrift{
+extern const Effect kCentreDrift{
     "centre_drift",
     Level::recording,
     {.summary = "The centre wanders during the sweep.",

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/recording_rows.hpp"
 
@@ -29,7 +28,7 @@ struct Circle {
 
 }  // namespace
 
-const Effect kCircle{
+extern const Effect kCircle{
     "circle",
     Level::recording,
     {.summary = "Centre and radius of the path: the base of every model of a recording.",
@@ -49,8 +48,20 @@ const Effect kCircle{
     {{"centre_a_um", "um", ParameterKind::gain, 0.0, -5000.0, 5000.0, {}, "from the fixed ball to the path's centre"},
      {"centre_b_um", "um", ParameterKind::gain, 0.0, -5000.0, 5000.0, {}, "the same along B"},
      {"radius_um", "um", ParameterKind::gain, 0.0, -5000.0, 5000.0, {}, "path's radius less the nominal length"},
-     {"recording", "1", ParameterKind::shape, -1.0, -1.0, 1e6, {}, "which recording it belongs to; -1: all", true}},
+     {"recording",
+      "1",
+      ParameterKind::shape,
+      -1.0,
+      -1.0,
+      1e6,
+      {},
+      "which recording it belongs to; -1: all",
+      true,
+      ShapeOf::recording}},
     evaluated_by<4>(Circle{}),
+    false,
+    {},
+    {.is_base = true, .one_for_all = {"radius_um"}},
 };
 
 }  // namespace ballbar::catalogue

@@ -1,8 +1,9 @@
+#include <algorithm>
 #include <cmath>
 
 #include "ballbar/units.hpp"
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
+#include "effects/grids.hpp"
 #include "effects/recording_rows.hpp"
 
 namespace ballbar::catalogue {
@@ -23,6 +24,15 @@ struct CyclicError {
     }
   }
 };
+
+constexpr double kFinest_mm = 2.0;  // searched
+
+// Over the travel from end to end.
+std::vector<double> pitches(const EffectRows& rows, double lower, double upper, std::size_t most) {
+  const std::span<const double> radius_mm = rows.inputs[1];
+  const double travel_mm = 2.0 * *std::max_element(radius_mm.begin(), radius_mm.end());
+  return wave_lengths(std::max(lower, kFinest_mm), upper, travel_mm, most);
+}
 
 Effect cyclic_error(Axis axis) {
   const bool a = axis == Axis::A;
@@ -52,9 +62,12 @@ Effect cyclic_error(Axis axis) {
         10.0,
         0.5,
         200.0,
-        {2.0,  3.0,  4.0,  5.0,  6.0,  8.0,  10.0, 12.0, 12.5, 14.0,
-         15.0, 16.0, 18.0, 20.0, 22.0, 25.0, 30.0, 32.0, 40.0, 50.0},
-        "travel from one wave to the next, usually the screw's lead"}},
+        {kFinest_mm, 3.0,  4.0,  5.0,  6.0,  8.0,  10.0, 12.0, 12.5, 14.0,
+         15.0,       16.0, 18.0, 20.0, 22.0, 25.0, 30.0, 32.0, 40.0, 50.0},
+        "travel from one wave to the next, usually the screw's lead",
+        false,
+        ShapeOf::curve,
+        pitches}},
       evaluated_by<3>(CyclicError{axis}),
       false,
       {Motion::linear_axes},
@@ -63,7 +76,7 @@ Effect cyclic_error(Axis axis) {
 
 }  // namespace
 
-const Effect kCyclicErrorA = cyclic_error(Axis::A);
-const Effect kCyclicErrorB = cyclic_error(Axis::B);
+extern const Effect kCyclicErrorA = cyclic_error(Axis::A);
+extern const Effect kCyclicErrorB = cyclic_error(Axis::B);
 
 }  // namespace ballbar::catalogue

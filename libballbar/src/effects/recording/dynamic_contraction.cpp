@@ -1,4 +1,3 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/recording_rows.hpp"
 
@@ -16,7 +15,7 @@ struct DynamicContraction {
 
 }  // namespace
 
-const Effect kDynamicContraction{
+extern const Effect kDynamicContraction{
     "dynamic_contraction",
     Level::recording,
     {.summary = "The circle shrinks with the square of the feed.",

@@ -1,4 +1,3 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/recording_rows.hpp"
 
@@ -52,7 +51,7 @@ Effect lateral_play(Axis axis) {
 
 }  // namespace
 
-const Effect kLateralPlayA = lateral_play(Axis::A);
-const Effect kLateralPlayB = lateral_play(Axis::B);
+extern const Effect kLateralPlayA = lateral_play(Axis::A);
+extern const Effect kLateralPlayB = lateral_play(Axis::B);
 
 }  // namespace ballbar::catalogue

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/recording_rows.hpp"
 
@@ -22,7 +21,7 @@ struct Lobing {
 
 }  // namespace
 
-const Effect kLobing{
+extern const Effect kLobing{
     "lobing",
     Level::recording,
     {.summary = "The path has three or more even lobes a turn.",

@@ -1,11 +1,10 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/step.hpp"
 
 namespace ballbar::catalogue {
 
 // Over the time of the rows, the sweeps end to end.
-const Effect kMountingSlip{
+extern const Effect kMountingSlip{
     "mounting_slip",
     Level::recording,
     {.summary = "The length steps at one reading and stays there.",
@@ -21,7 +20,7 @@ const Effect kMountingSlip{
      .source = "Unit step; no paper's equation."},
     {},
     {{"step_um", "um", ParameterKind::gain, 0.0, -10000.0, 10000.0, {}, "length after less length before"},
-     {"onset_s", "s", ParameterKind::shape, 0.0, 0.0, 1e7, {}, "time of the slip"}},
+     {"onset_s", "s", ParameterKind::shape, 0.0, 0.0, 1e7, {}, "time of the slip", false, ShapeOf::onset}},
     by_row<2>(Step{}),
     true,
 };

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/recording_rows.hpp"
 
@@ -20,7 +19,7 @@ struct Oval {
 
 }  // namespace
 
-const Effect kOval{
+extern const Effect kOval{
     "oval",
     Level::recording,
     {.summary = "The path of a rotary axis or a spindle is an oval.",

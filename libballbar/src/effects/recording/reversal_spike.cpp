@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include "ballbar/units.hpp"
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/recording_rows.hpp"
 
@@ -66,7 +65,7 @@ Effect reversal_spike(Axis axis) {
 
 }  // namespace
 
-const Effect kReversalSpikeA = reversal_spike(Axis::A);
-const Effect kReversalSpikeB = reversal_spike(Axis::B);
+extern const Effect kReversalSpikeA = reversal_spike(Axis::A);
+extern const Effect kReversalSpikeB = reversal_spike(Axis::B);
 
 }  // namespace ballbar::catalogue

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/recording_rows.hpp"
 
@@ -20,7 +19,7 @@ struct ScaleMismatch {
 
 }  // namespace
 
-const Effect kScaleMismatch{
+extern const Effect kScaleMismatch{
     "scale_mismatch",
     Level::recording,
     {.summary = "One axis measures longer than the other.",

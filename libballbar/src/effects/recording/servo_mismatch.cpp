@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/recording_rows.hpp"
 
@@ -21,7 +20,7 @@ struct ServoMismatch {
 
 }  // namespace
 
-const Effect kServoMismatch{
+extern const Effect kServoMismatch{
     "servo_mismatch",
     Level::recording,
     {.summary = "One axis follows its command later than the other.",

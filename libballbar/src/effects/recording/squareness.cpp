@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/recording_rows.hpp"
 
@@ -20,7 +19,7 @@ struct Squareness {
 
 }  // namespace
 
-const Effect kSquareness{
+extern const Effect kSquareness{
     "squareness",
     Level::recording,
     {.summary = "The two axes are not at a right angle.",

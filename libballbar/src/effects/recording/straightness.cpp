@@ -1,4 +1,3 @@
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/recording_rows.hpp"
 
@@ -49,7 +48,7 @@ Effect straightness(Axis axis) {
 
 }  // namespace
 
-const Effect kStraightnessA = straightness(Axis::A);
-const Effect kStraightnessB = straightness(Axis::B);
+extern const Effect kStraightnessA = straightness(Axis::A);
+extern const Effect kStraightnessB = straightness(Axis::B);
 
 }  // namespace ballbar::catalogue

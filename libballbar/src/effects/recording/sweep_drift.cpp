@@ -1,5 +1,4 @@
 #include "ballbar/units.hpp"
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
 #include "effects/recording_rows.hpp"
 
@@ -17,7 +16,7 @@ struct SweepDrift {
 
 }  // namespace
 
-const Effect kSweepDrift{
+extern const Effect kSweepDrift{
     "sweep_drift",
     Level::recording,
     {.summary = "The length grows or shrinks during the sweep: the figure does not close.",

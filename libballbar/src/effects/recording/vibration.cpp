@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ballbar/units.hpp"
-#include "effects/catalogue.hpp"
 #include "effects/evaluate.hpp"
+#include "effects/grids.hpp"
 #include "effects/recording_rows.hpp"
 
 namespace ballbar::catalogue {
@@ -32,9 +34,22 @@ std::vector<double> frequencies_Hz() {
   return grid;
 }
 
+double shortest_step_s(std::span<const double> time_s) {
+  double shortest_s = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < time_s.size(); ++i) shortest_s = std::min(shortest_s, time_s[i] - time_s[i - 1]);
+  return shortest_s;
+}
+
+// Those that the longest sweep tells apart, no higher than half the rate of the rows.
+std::vector<double> searched_Hz(const EffectRows& rows, double, double, std::size_t most) {
+  const std::vector<double> all_Hz = frequencies_Hz();
+  const double highest_Hz = std::min(all_Hz.back(), 0.5 / shortest_step_s(rows.time_s));
+  return wave_numbers(all_Hz.front(), highest_Hz, range_in(rows.inputs[0]), most);
+}
+
 }  // namespace
 
-const Effect kVibration{
+extern const Effect kVibration{
     "vibration",
     Level::recording,
     {.summary = "The machine shakes at one frequency while it travels.",
@@ -56,8 +71,18 @@ const Effect kVibration{
      {"cosine_ccw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "cosine part in CCW recordings"},
      {"sine_cw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "sine part in CW recordings"},
      {"cosine_cw_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "cosine part in CW recordings"},
-     {"frequency_Hz", "Hz", ParameterKind::shape, 5.0, 1.0, 500.0, frequencies_Hz(), "of the vibration"},
-     {"recording", "1", ParameterKind::shape, -1.0, -1.0, 1e6, {}, "which recording it belongs to; -1: all", true}},
+     {"frequency_Hz", "Hz", ParameterKind::shape, 5.0, 1.0, 500.0, frequencies_Hz(), "of the vibration", false,
+      ShapeOf::curve, searched_Hz},
+     {"recording",
+      "1",
+      ParameterKind::shape,
+      -1.0,
+      -1.0,
+      1e6,
+      {},
+      "which recording it belongs to; -1: all",
+      true,
+      ShapeOf::recording}},
     evaluated_by<6>(Vibration{}),
 };
 

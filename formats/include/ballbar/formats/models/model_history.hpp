@@ -37,19 +37,23 @@
 
 namespace ballbar {
 
-// Rows of the ledger; none where there is no history. Throws Error with name:line:column.
-std::vector<LedgerRow> read_ledger(std::string_view bytes, std::string_view name);
+// Rows of the ledger of a model with effects of the catalogue; none where there is no history. Throws Error with
+// name:line:column.
+std::vector<LedgerRow> read_ledger(std::string_view bytes, std::string_view name,
+                                   const Catalogue& catalogue = built_in_catalogue());
 
 // The text with one more revision: `removed` effects (numbers of the file's own, rising) taken out with the comments
 // directly above them, `added` ones after the others (with_effect), and its row. Where there is no history yet,
 // `start` goes before it as revision 0. The row's number is given here. Comments and all else stay as they are. Throws
 // Error as read_model and read_ledger, where effects or history are arrays, or where effects stand below the history.
 std::string with_revision(std::string_view bytes, std::string_view name, std::span<const Term> added,
-                          std::span<const std::size_t> removed, const LedgerRow& start, LedgerRow row);
+                          std::span<const std::size_t> removed, const LedgerRow& start, LedgerRow row,
+                          const Catalogue& catalogue = built_in_catalogue());
 
 // The text before the last revision: effects to the letter as they were, its row gone; with the first revision all of
 // the history, so that the bytes are those before it. Comments elsewhere stay. Throws Error as with_revision, and where
 // there is nothing to take back.
-std::string without_last_revision(std::string_view bytes, std::string_view name);
+std::string without_last_revision(std::string_view bytes, std::string_view name,
+                                  const Catalogue& catalogue = built_in_catalogue());
 
 }  // namespace ballbar

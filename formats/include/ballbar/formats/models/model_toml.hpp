@@ -29,16 +29,17 @@
 
 namespace ballbar {
 
-// `name` stands in messages. Throws Error with name:line:column: what is not TOML, an unknown key, effect, role or
-// parameter (with the nearest name), a missing role, a value of another type, bounds crossed or a start outside them, a
-// fault in a formula. Whether columns are in the data is for expect_suits.
-Model read_model(std::string_view bytes, std::string_view name);
+// With effects of the catalogue. `name` stands in messages. Throws Error with name:line:column: what is not TOML, an
+// unknown key, effect, role or parameter (with the nearest name), a missing role, a value of another type, bounds
+// crossed or a start outside them, a fault in a formula. Whether columns are in the data is for expect_suits.
+Model read_model(std::string_view bytes, std::string_view name, const Catalogue& catalogue = built_in_catalogue());
 
 // What reads back to the same model, without comments and history.
 std::string write_model(const Model& model);
 
 // To change a file that a user wrote: its text with one more [[effect]] after the others, before any [[history]];
 // comments, order and all else stay as they are. `name` stands in messages; throws Error as read_model.
-std::string with_effect(std::string_view bytes, std::string_view name, const Term& term);
+std::string with_effect(std::string_view bytes, std::string_view name, const Term& term,
+                        const Catalogue& catalogue = built_in_catalogue());
 
 }  // namespace ballbar

@@ -1,6 +1,6 @@
 // What data could show, told before any residual is looked at.
 //
-// For every effect of the catalogue and every column it could read: its signature g (what a unit gain adds, at each
+// For every effect of a catalogue and every column it could read: its signature g (what a unit gain adds, at each
 // point of its shape grid) is whitened by the noise, W g, and freed of all that the model can already make, the columns
 // of W J. What survives decides:
 //
@@ -61,6 +61,6 @@ struct Preflight {
 // there counts as noise, which is pessimistic. Throws Error as fit does. motion: what drove the recordings; effects of
 // other motions do not apply.
 Preflight preflight(const Model& model, const Series& data, std::size_t target = 0,
-                    std::optional<Motion> motion = std::nullopt);
+                    std::optional<Motion> motion = std::nullopt, const Catalogue& catalogue = built_in_catalogue());
 
 }  // namespace ballbar

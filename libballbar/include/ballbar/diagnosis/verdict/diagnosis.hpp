@@ -88,8 +88,9 @@ struct Diagnosis {
 };
 
 struct DiagnosisOptions {
-  std::optional<Motion> motion;  // of recordings
-  double tolerance_um = 0.0;     // smaller effects are called minor
+  Catalogue catalogue = built_in_catalogue();  // searched; a diagnosis refers to its effects
+  std::optional<Motion> motion;                // of recordings
+  double tolerance_um = 0.0;                   // smaller effects are called minor
   std::size_t draws = 2000;
   std::size_t fakes = 200;
   std::uint64_t seed = 1;
