@@ -9,7 +9,7 @@ set -eu
 # Node.js comes with npm from elsewhere too, and then Debian's own two exclude it.
 command -v node >/dev/null && command -v npm >/dev/null && page= || page='nodejs npm'
 build="$page g++ make cmake libeigen3-dev libceres-dev libfmt-dev libpugixml-dev libtomlplusplus-dev
-  nlohmann-json3-dev libcli11-dev libmatio-dev libmuparser-dev libssl-dev
+  nlohmann-json3-dev libcli11-dev libmatio-dev libmuparser-dev libssl-dev libboost-dev
   libopencv-imgcodecs-dev libopencv-imgproc-dev"
 test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium
   linuxcnc-uspace linuxcnc-uspace-dev'

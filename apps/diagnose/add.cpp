@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_history.hpp"
@@ -134,7 +135,7 @@ std::string add_named(const Options& options, const ModelData& data, Story& stor
   while (true) {
     if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "searching, {} revisions so far\n", story.trials.size());
     DiagnosisOptions how;
-    how.motion = data.motion;
+    how.search.motion = data.motion;
     const Diagnosis diagnosis =
         with_source(options.effect.model.data.front(), [&] { return diagnose(story.model, data.series, 0, how); });
     verdict = diagnosis.verdict;

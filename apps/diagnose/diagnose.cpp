@@ -98,9 +98,9 @@ std::string untestable_text(const Diagnosis& found) {
 std::string not_searched_text(const Diagnosis& found) {
   std::vector<std::string> texts;
   for (const Prospect& prospect : found.prospects) {
-    if (prospect.bindings <= kMostBindings) continue;
+    if (prospect.bindings <= prospect.searched) continue;
     texts.push_back(fmt::format("{} on {} of {} choices of columns", prospect.effect->name,
-                                prospect.bindings - kMostBindings, prospect.bindings));
+                                prospect.bindings - prospect.searched, prospect.bindings));
   }
   return fmt::format("{}", fmt::join(texts, "; "));
 }

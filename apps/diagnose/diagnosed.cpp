@@ -149,9 +149,10 @@ nlohmann::ordered_json json_of(const Diagnosed& diagnosed) {
   }
   json["not_searched"] = nlohmann::ordered_json::array();
   for (const Prospect& prospect : found.prospects) {
-    if (prospect.bindings <= kMostBindings) continue;
-    json["not_searched"].push_back(
-        {{"effect", prospect.effect->name}, {"choices_of_columns", prospect.bindings}, {"searched", kMostBindings}});
+    if (prospect.bindings <= prospect.searched) continue;
+    json["not_searched"].push_back({{"effect", prospect.effect->name},
+                                    {"choices_of_columns", prospect.bindings},
+                                    {"searched", prospect.searched}});
   }
   json["reasons"] = found.reasons;
   json["next_test"] = nullptr;
@@ -172,11 +173,11 @@ Diagnosed diagnosed_of(const ModelOptions& options, const DiagnoseOptions& how_t
   Diagnosed diagnosed;
   diagnosed.checked = checked(options, model, data, target);
   DiagnosisOptions how;
-  how.motion = data.motion;
+  how.search.motion = data.motion;
   how.tolerance_um = how_to.tolerance_um;
-  how.seed = how_to.seed;
+  how.search.seed = how_to.seed;
   how.most_rows = how_to.most_rows;
-  how.progress = tell;
+  how.search.progress = tell;
   diagnosed.fakes = how.fakes;
   diagnosed.diagnosis = diagnose(model, data.series, target, how);
   tell("predicting what the next tests would tell");

@@ -15,6 +15,7 @@
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/bytes.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "ballbar/numerics/range.hpp"
 #include "commands.hpp"
 #include "model/bound_to.hpp"
 #include "model/checked.hpp"
@@ -224,8 +225,8 @@ void run(const Options& options) {
   const Series changed =
       with_source("EFFECT", [&] { return injected(data.series, target, result.injection, options.amplitude_um); });
   DiagnosisOptions how;
-  how.motion = data.motion;
-  how.seed = options.seed;
+  how.search.motion = data.motion;
+  how.search.seed = options.seed;
   result.base = fit_of(options.model, model, data, 0);
   const ProgressLine line;
   show_progress_of(1);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/fit/residual.hpp"
 #include "model/checked.hpp"
 #include "model/model_options.hpp"
@@ -46,7 +47,7 @@ Table figures(const Trial& trial) {
 Table added_table(const Trial& trial) {
   Table table({"added", "amplitude um", "evidence", "counts from", "fall %", "best fake's %"});
   const double fall = 1.0 - trial.after.rmse_um / trial.before.rmse_um;
-  for (const Tried& tried : trial.added) {
+  for (const Candidate& tried : trial.added) {
     table.add({shortened(tried.label, 44),
                std::isfinite(tried.amplitude_sigma_um)
                    ? with_sigma(tried.amplitude_um, tried.amplitude_sigma_um, digits_of(tried.amplitude_um))
@@ -106,7 +107,7 @@ nlohmann::ordered_json figures_json(const LedgerRow& row) {
 
 std::string conclusion(const Trial& trial) {
   std::vector<std::string> labels, doubts;
-  for (const Tried& tried : trial.added) {
+  for (const Candidate& tried : trial.added) {
     labels.push_back(tried.label);
     if (tried.doubts.empty()) continue;
     doubts.push_back(
@@ -157,7 +158,7 @@ nlohmann::ordered_json json_of(const Trial& trial) {
   json["verdict"] = trial.after.verdict;
   json["effects"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < trial.added.size(); ++i) {
-    const Tried& tried = trial.added[i];
+    const Candidate& tried = trial.added[i];
     const Term& term = trial.model.terms[trial.model.terms.size() - trial.added.size() + i];
     nlohmann::ordered_json columns = nlohmann::ordered_json::object();
     for (std::size_t k = 0; k < term.columns.size(); ++k) columns[term.effect->inputs[k].role] = term.columns[k];
@@ -169,7 +170,7 @@ nlohmann::ordered_json json_of(const Trial& trial) {
                                {"threshold", kFewestEvidence},
                                {"best_fake_fall", number(tried.best_fake_fall)},
                                {"p_same_gain", number(tried.p_same_gain)},
-                               {"time_only", tried.time_only},
+                               {"time_only", term.effect->time_only},
                                {"doubts", tried.doubts},
                                {"parameters", parameters_of(tried.label, trial.fit_after)}});
   }

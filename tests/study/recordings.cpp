@@ -26,10 +26,10 @@ Tally tally(const made::Plan& plan, const Effect* effect, int seeds) {
   for (int seed = 1; seed <= seeds; ++seed) {
     const Series trace = made::recordings(plan, effect, static_cast<std::uint64_t>(seed));
     DiagnosisOptions options;
-    options.motion = Motion::linear_axes;
-    options.seed = static_cast<std::uint64_t>(seed);
+    options.search.motion = Motion::linear_axes;
+    options.search.seed = static_cast<std::uint64_t>(seed);
     if (effect != nullptr && effect->motions == std::vector{Motion::rotary_axis, Motion::spindle}) {
-      options.motion = Motion::rotary_axis;
+      options.search.motion = Motion::rotary_axis;
     }
     const Diagnosis found = diagnose(circles_of(trace), trace, 0, options);
     ++tally.n;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ballbar/effects/effect.hpp"
+#include "ballbar/numerics/range.hpp"
 #include "challenge/blind_parts.hpp"
 
 namespace ballbar {
@@ -63,10 +64,11 @@ double innovation(const Scatter& scatter, Random& random) {
 
 std::vector<double> noise_um(std::size_t n, const Scatter& scatter, Random& random) {
   std::vector<double> values;
-  double last = simulation::normal(random);
+  simulation::Ar1 memory(1.0, scatter.phi);
+  double last = memory.next(random);
   for (std::size_t i = 0; i < n; ++i) {
     values.push_back(scatter.sigma_um * last);
-    last = scatter.phi * last + std::sqrt(1.0 - scatter.phi * scatter.phi) * innovation(scatter, random);
+    last = memory.next(innovation(scatter, random));
   }
   return values;
 }

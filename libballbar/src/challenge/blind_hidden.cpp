@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ballbar/numerics/range.hpp"
 #include "challenge/blind_parts.hpp"
 #include "diagnosis/signatures/bank.hpp"
 #include "model/bindings.hpp"

@@ -6,8 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/error.hpp"
+#include "ballbar/numerics/range.hpp"
 #include "diagnosis/signatures/bank.hpp"
+#include "fit/linearised_fit.hpp"
+#include "noise/whitened.hpp"
+#include "numerics/orthonormal.hpp"
 
 namespace ballbar {
 
@@ -47,12 +52,6 @@ std::vector<double> signal_of(const Injection& injection, const Series& data) {
   return signal;
 }
 
-double range_of(std::span<const double> values) {
-  if (values.empty()) return 0.0;
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return *high - *low;
-}
-
 Series injected(const Series& data, std::string_view target, const Injection& injection, double amplitude_um) {
   std::vector<double> signal = signal_of(injection, data);
   const double range = range_of(signal);
@@ -70,13 +69,11 @@ Series injected(const Series& data, std::string_view target, const Injection& in
 
 Survival survival_of(std::span<const double> signal_um, const Fit& fit, const Noise& noise) {
   const Whitening whitening(noise, fit.time_s, fit.sigma_um, fit.discounted);
-  Eigen::MatrixXd made = model_columns(fit);
-  for (Eigen::Index k = 0; k < made.cols(); ++k) whitening.apply(made.col(k).data(), 1, made.col(k).data(), 1);
-  const Eigen::MatrixXd basis = orthonormal(made);
+  const Eigen::MatrixXd basis = orthonormal(whitened(whitening, model_columns(fit)));
   Eigen::VectorXd white(static_cast<Eigen::Index>(fit.row.size()));
   for (std::size_t i = 0; i < fit.row.size(); ++i) white[static_cast<Eigen::Index>(i)] = signal_um[fit.row[i]];
   whitening.apply(white.data(), 1, white.data(), 1);
-  const Eigen::VectorXd left = white - basis * (basis.transpose() * white);
+  const Eigen::VectorXd left = freed(white, basis);
   const double whole = white.squaredNorm();
   return {{left.begin(), left.end()}, left.norm(), whole > 0.0 ? left.squaredNorm() / whole : 0.0};
 }
@@ -116,7 +113,7 @@ SmallestSeen smallest_seen(const Model& model, const Series& data, const Injecti
   constexpr int kMost = 6, kMostUpwards = 3;
   int upwards = 0;
   for (int tries = 0; tries < kMost && known.seen_um > kClose * known.not_seen_um; ++tries) {
-    const double detected_um = 5.0 / d_per_um, identified_um = 7.5 / d_per_um;
+    const double detected_um = kDetectable / d_per_um, identified_um = kIdentifiable / d_per_um;
     double try_um = std::sqrt(known.not_seen_um * known.seen_um);
     if (!std::isfinite(known.seen_um)) {
       if (++upwards > kMostUpwards) break;

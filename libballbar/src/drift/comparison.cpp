@@ -15,6 +15,7 @@
 #include "drift/best_lag.hpp"
 #include "numerics/interpolation.hpp"
 #include "numerics/not_finite.hpp"
+#include "numerics/tails.hpp"
 
 namespace ballbar {
 namespace {
@@ -96,20 +97,6 @@ std::optional<double> correlation(const std::vector<double>& a, const std::vecto
   return ab / std::sqrt(aa * bb);
 }
 
-// P(at least k of n) of a binomial variable; above 1000 by the normal distribution.
-double binomial_tail(std::size_t k, std::size_t n, double p) {
-  const auto dk = static_cast<double>(k), dn = static_cast<double>(n);
-  if (k == 0) return 1.0;
-  if (n > 1000) return 0.5 * std::erfc((dk - 0.5 - dn * p) / std::sqrt(2.0 * dn * p * (1.0 - p)));
-  double below = 0.0;
-  for (std::size_t i = 0; i < k; ++i) {
-    const auto di = static_cast<double>(i);
-    below += std::exp(std::lgamma(dn + 1.0) - std::lgamma(di + 1.0) - std::lgamma(dn - di + 1.0) + di * std::log(p) +
-                      (dn - di) * std::log1p(-p));
-  }
-  return std::max(0.0, 1.0 - below);
-}
-
 // P(at least k of n samples beyond 2 sigma) where half of each variance is an error that all share: that of the zero.
 // The shared part c is integrated over; beyond 2 sigma is then |sqrt(1/2) c + sqrt(1/2) e| > 2 of the own part e.
 double chance_of_beyond(std::size_t k, std::size_t n) {
@@ -121,7 +108,7 @@ double chance_of_beyond(std::size_t k, std::size_t n) {
     const double above = 0.5 * std::erfc((2.0 - std::sqrt(0.5) * c) / std::sqrt(0.5) / std::numbers::sqrt2);
     const double below = 0.5 * std::erfc((2.0 + std::sqrt(0.5) * c) / std::sqrt(0.5) / std::numbers::sqrt2);
     const double p = std::clamp(above + below, 1e-12, 1.0 - 1e-12);
-    probability += density * kStep * binomial_tail(k, n, p);
+    probability += density * kStep * binomial_upper_tail(k, n, p);
   }
   return probability;
 }

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "ballbar/circle/trace.hpp"
-#include "ballbar/diagnosis/signatures/identifiability.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,6 +1,7 @@
 // Which columns of the data an effect could read.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,10 @@
 
 namespace ballbar {
 
+inline constexpr std::size_t kMostBindings = 512;  // choices of columns of one effect that are searched
+
 // All choices of different columns for the inputs of an effect, each as Effect::inputs; on recordings the trace's own
-// columns. What an input takes is said there (Input). The target and sigmas are no inputs. At most kMostBindings
-// (identifiability.hpp).
+// columns. What an input takes is said there (Input). The target and sigmas are no inputs. At most kMostBindings.
 std::vector<std::vector<std::string>> bindings_of(const Effect& effect, const Model& model, const Series& data);
 
 // All of them.

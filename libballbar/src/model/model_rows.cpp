@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/model/measured_input.hpp"
+#include "effects/effect_at.hpp"
 
 namespace ballbar {
 namespace {
@@ -65,20 +67,16 @@ void ModelRows::evaluate(const Eigen::VectorXd& parameters, bool with_slopes, Ev
 }
 
 Eigen::VectorXd ModelRows::term(std::size_t term, const double* parameters, Eigen::MatrixXd* derivatives) const {
-  const std::size_t count = effects_[term]->parameters.size();
-  std::vector<double> values(all_rows_);
-  std::vector<double> slopes(derivatives != nullptr ? all_rows_ * count : 0);
-  effects_[term]->evaluate(inputs_[term], parameters, values.data(), slopes.empty() ? nullptr : slopes.data());
-  const auto n = static_cast<Eigen::Index>(rows_.size());
-  Eigen::VectorXd result(n);
-  if (derivatives != nullptr) derivatives->resize(n, static_cast<Eigen::Index>(count));
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const std::size_t row = rows_[static_cast<std::size_t>(i)];
-    result[i] = values[row];
-    for (std::size_t k = 0; derivatives != nullptr && k < count; ++k) {
-      (*derivatives)(i, static_cast<Eigen::Index>(k)) = slopes[row * count + k];
-    }
+  const Effect& effect = *effects_[term];
+  if (derivatives != nullptr) {
+    EffectAt at = effect_at(effect, inputs_[term], {parameters, parameters + effect.parameters.size()}, rows_);
+    *derivatives = std::move(at.slopes);
+    return std::move(at.values);
   }
+  std::vector<double> values(all_rows_);
+  effect.evaluate(inputs_[term], parameters, values.data(), nullptr);
+  Eigen::VectorXd result(static_cast<Eigen::Index>(rows_.size()));
+  for (std::size_t i = 0; i < rows_.size(); ++i) result[static_cast<Eigen::Index>(i)] = values[rows_[i]];
   return result;
 }
 

@@ -11,6 +11,10 @@ constexpr double kSameStep = 1e-9;  // relative: rounding of times
 
 }  // namespace
 
+NoiseVariances variances_of(const Noise& noise) {
+  return {noise.white_um * noise.white_um, noise.correlated_um * noise.correlated_um, noise.correlation_time_s};
+}
+
 Kalman::Kalman(std::span<const double> time_s, std::span<const double> sigma_um,
                std::span<const std::size_t> left_out) {
   const auto n = static_cast<Eigen::Index>(time_s.size());

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "ballbar/noise/noise.hpp"
+
 namespace ballbar {
 
 inline constexpr double kLeastVariance_um2 = 1e-18;
@@ -16,6 +18,19 @@ struct NoiseVariances {
   double correlated = 0.0;
   double time_s = 0.0;
 };
+NoiseVariances variances_of(const Noise& noise);
+
+using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// One row of several columns becomes its innovations times `scale`; predicted: s before this row, the last one's decay
+// not yet in it, one a column.
+template <class Row, class Predicted>
+void filter_row(double decay, double gain, double scale, Row&& row, Predicted&& predicted) {
+  predicted *= decay;
+  row -= predicted;
+  predicted += gain * row;
+  row *= scale;
+}
 
 class Kalman {
  public:

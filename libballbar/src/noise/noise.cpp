@@ -1,7 +1,5 @@
 #include "ballbar/noise/noise.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "ballbar/units.hpp"
 #include "noise/kalman.hpp"
 #include "noise/memory_limit.hpp"
+#include "noise/restricted_likelihood.hpp"
 #include "numerics/nelder_mead.hpp"
 
 namespace ballbar {
@@ -20,103 +19,51 @@ constexpr double kFewest = 8.0;
 constexpr double kWorthIt = 2.0;  // gain of ln L by two parameters
 const double kLogTwoPi = std::log(2.0 * kPi);
 
-NoiseVariances variances_of(const Noise& noise) {
-  return {noise.white_um * noise.white_um, noise.correlated_um * noise.correlated_um, noise.correlation_time_s};
-}
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 double log_likelihood(const Kalman::Sums& sums, double n) {
   return -0.5 * (n * kLogTwoPi + sums.log_variances + sums.squares);
-}
-
-// An orthonormal basis of the columns.
-RowMajor basis_of(const Eigen::MatrixXd& columns) {
-  if (columns.cols() == 0) return {columns.rows(), 0};
-  const Eigen::VectorXd norm = columns.colwise().norm().transpose().cwiseMax(1e-300);
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns * norm.cwiseInverse().asDiagonal());
-  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
 }
 
 // Noise in unknowns that any number suits and that the likelihood depends on evenly:
 //   x = ln theta,  y = ln w^2 / (q^2 (1 - a^2)), a the decay in a usual step: white against what is new of s in a step,
 //   z = ln (w^2 + q^2)
 struct Likelihood {
-  Kalman kalman;
-  std::span<const double> residual_um;
-  RowMajor fitted;       // orthonormal columns
+  RestrictedLikelihood restricted;
   double degrees = 0.0;  // of freedom: n less the fitted columns
   bool stated = false;
   double shortest_s = 0.0, longest_s = 0.0;  // bounds of theta
   double mean_square = 0.0;
-  RowMajor innovations = {};  // a block of rows, used again
 
   Likelihood(std::span<const double> time_s, std::span<const double> residual, std::span<const double> sigma_um,
-             RowMajor fitted_columns)
-      : kalman(time_s, sigma_um),
-        residual_um(residual),
-        fitted(std::move(fitted_columns)),
-        degrees(static_cast<double>(residual.size()) - static_cast<double>(fitted.cols())),
+             RowMajorMatrix fitted)
+      : restricted(time_s, residual, sigma_um, std::move(fitted)),
+        degrees(static_cast<double>(residual.size()) - static_cast<double>(restricted.columns())),
         stated(!sigma_um.empty()) {
     if (time_s.empty()) return;
     const auto [first, last] = std::minmax_element(time_s.begin(), time_s.end());
     longest_s = *last - *first;
-    shortest_s = std::max(kalman.shortest_step_s() / 3.0, 1e-6 * longest_s);
+    shortest_s = std::max(restricted.kalman().shortest_step_s() / 3.0, 1e-6 * longest_s);
     for (const double value : residual) mean_square += value * value / degrees;
     mean_square = std::max(mean_square, kLeastVariance_um2);
   }
 
   NoiseVariances at(double x, double y, double z) const {
     const double theta_s = std::exp(std::clamp(x, std::log(shortest_s), std::log(longest_s)));
-    const double fresh = -std::expm1(-2.0 * kalman.usual_step_s() / theta_s);
+    const double fresh = -std::expm1(-2.0 * restricted.kalman().usual_step_s() / theta_s);
     const double ratio = std::exp(y) * fresh;  // w^2 / q^2
     const double total = std::exp(z);
     return {total * ratio / (1.0 + ratio), total / (1.0 + ratio), theta_s};
   }
 
-  // Restricted to what the fitted columns X leave: G = X' C^-1 X and g = X' C^-1 r take g' G^-1 g from the squares and
-  // add ln det G to the variances.
-  Kalman::Sums sums(const NoiseVariances& noise) {
-    kalman.set(noise);
-    Kalman::Sums sums = kalman.sums(residual_um);
-    const Eigen::Index p = fitted.cols();
-    if (p == 0) return sums;
-    constexpr Eigen::Index kBlockRows = 256;
-    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(p + 1, p + 1);
-    Eigen::RowVectorXd predicted = Eigen::RowVectorXd::Zero(p + 1);
-    innovations.resize(std::min(kBlockRows, fitted.rows()), p + 1);
-    for (Eigen::Index first = 0; first < fitted.rows(); first += kBlockRows) {
-      const Eigen::Index rows = std::min(kBlockRows, fitted.rows() - first);
-      auto block = innovations.topRows(rows);
-      block.leftCols(p) = fitted.middleRows(first, rows);
-      block.col(p) = Eigen::VectorXd::Map(residual_um.data() + first, rows);
-      for (Eigen::Index i = 0; i < rows; ++i) {
-        predicted *= kalman.decay()[first + i];
-        block.row(i) -= predicted;
-        predicted += kalman.gain()[first + i] * block.row(i);
-        block.row(i) *= std::sqrt(kalman.weight()[first + i]);
-      }
-      gram.selfadjointView<Eigen::Upper>().rankUpdate(block.transpose());
-    }
-    const Eigen::MatrixXd g = gram.topLeftCorner(p, p).selfadjointView<Eigen::Upper>();
-    const Eigen::LLT<Eigen::MatrixXd> factor(g);
-    const Eigen::VectorXd right = gram.col(p).head(p);
-    const Eigen::VectorXd diagonal = factor.matrixLLT().diagonal();
-    sums.log_variances += 2.0 * diagonal.array().log().sum();
-    sums.squares -= right.dot(factor.solve(right));
-    return sums;
-  }
-
-  double log_likelihood_of(const NoiseVariances& noise) { return log_likelihood(sums(noise), degrees); }
+  double log_likelihood_of(const NoiseVariances& noise) { return log_likelihood(restricted.sums(noise), degrees); }
 
   // Without stated sigma the total variance of largest likelihood is sum(v^2 / S) / n times the one of gains `noise`.
   NoiseVariances scaled(NoiseVariances noise) {
-    const double factor = sums(noise).squares / degrees;
+    const double factor = restricted.sums(noise).squares / degrees;
     return {noise.white * factor, noise.correlated * factor, noise.time_s};
   }
 
   double log_likelihood_scaled(const NoiseVariances& noise) {
-    const Kalman::Sums sum = sums(noise);
+    const Kalman::Sums sum = restricted.sums(noise);
     return -0.5 * (degrees * (kLogTwoPi + 1.0 + std::log(sum.squares / degrees)) + sum.log_variances);
   }
 };
@@ -193,7 +140,7 @@ Minimum<3> best_of_grid(Likelihood& likelihood) {
 // one.
 NoiseVariances with_memory(Likelihood& likelihood, Likelihood& plain) {
   Minimum<3> best = best_of_grid(plain);
-  if (likelihood.fitted.cols() > 0) best = Cost{likelihood}.down_from(best.x);
+  if (likelihood.restricted.columns() > 0) best = Cost{likelihood}.down_from(best.x);
   NoiseVariances noise = likelihood.at(best.x[0], best.x[1], best.x[2]);
   if (!likelihood.stated) noise = likelihood.scaled(noise);
   // No white part where none is needed.
@@ -212,8 +159,8 @@ Noise noise_of(std::span<const double> time_s, std::span<const double> residual_
 Noise noise_of(std::span<const double> time_s, std::span<const double> residual_um, std::span<const double> sigma_um,
                const Eigen::MatrixXd& fitted, double longest_memory_s) {
   if (residual_um.empty()) return {};
-  RowMajor columns = basis_of(fitted);
-  if (static_cast<std::size_t>(columns.cols()) >= residual_um.size()) columns = RowMajor(fitted.rows(), 0);
+  RowMajorMatrix columns = unit_basis(fitted);
+  if (static_cast<std::size_t>(columns.cols()) >= residual_um.size()) columns = RowMajorMatrix(fitted.rows(), 0);
   std::vector<double> left_um(residual_um.begin(), residual_um.end());
   if (columns.cols() > 0) {
     Eigen::Map<Eigen::VectorXd> left(left_um.data(), columns.rows());
@@ -222,10 +169,10 @@ Noise noise_of(std::span<const double> time_s, std::span<const double> residual_
   Likelihood likelihood(time_s, left_um, sigma_um, std::move(columns));
   likelihood.longest_s = std::max(likelihood.shortest_s, std::min(likelihood.longest_s, longest_memory_s));
   NoiseVariances noise = white(likelihood);
-  const bool enough = likelihood.degrees >= kFewest && likelihood.kalman.usual_step_s() > 0.0 &&
+  const bool enough = likelihood.degrees >= kFewest && likelihood.restricted.kalman().usual_step_s() > 0.0 &&
                       likelihood.mean_square > kLeastVariance_um2;
   if (enough) {
-    Likelihood plain(time_s, left_um, sigma_um, RowMajor(0, 0));
+    Likelihood plain(time_s, left_um, sigma_um, RowMajorMatrix(0, 0));
     plain.longest_s = likelihood.longest_s;
     const NoiseVariances other = with_memory(likelihood, plain);
     if (likelihood.log_likelihood_of(other) > likelihood.log_likelihood_of(noise) + kWorthIt) noise = other;
@@ -265,10 +212,7 @@ void Whitening::apply(const double* column, std::size_t stride, double* out, std
 void Whitening::apply(std::size_t first, RowMajorBlock block, Eigen::Ref<Eigen::RowVectorXd> state) const {
   for (Eigen::Index i = 0; i < block.rows(); ++i) {
     const std::size_t row = first + static_cast<std::size_t>(i);
-    state *= decay_[row];
-    block.row(i) -= state;
-    state += gain_[row] * block.row(i);
-    block.row(i) *= scale_[row];
+    filter_row(decay_[row], gain_[row], scale_[row], block.row(i), state);
   }
 }
 

@@ -14,7 +14,7 @@ Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::Ref<const Eige
   constexpr Eigen::Index kTogether = 8, kBlockRows = 256;
   const Eigen::Index n = columns.rows();
   Eigen::MatrixXd out(n, columns.cols());
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> block(std::min(kBlockRows, n), kTogether);
+  RowMajorMatrix block(std::min(kBlockRows, n), kTogether);
   Eigen::Index k = 0;
   for (; k + kTogether <= columns.cols(); k += kTogether) {
     Eigen::RowVectorXd state = Eigen::RowVectorXd::Zero(kTogether);
@@ -27,6 +27,22 @@ Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::Ref<const Eige
   }
   for (; k < columns.cols(); ++k) whitening.apply(columns.col(k).data(), 1, out.col(k).data(), 1);
   return out;
+}
+
+Colouring::Colouring(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um)
+    : kalman_(time_s, sigma_um) {
+  kalman_.set(variances_of(noise));
+  sigma_um_ = kalman_.weight().rsqrt();
+}
+
+void Colouring::apply(Eigen::VectorXd& white) const {
+  double s = 0.0;
+  for (Eigen::Index i = 0; i < white.size(); ++i) {
+    const double innovation = sigma_um_[i] * white[i];
+    s *= kalman_.decay()[i];
+    white[i] = s + innovation;
+    s += kalman_.gain()[i] * innovation;
+  }
 }
 
 Eigen::VectorXd clipped(Eigen::VectorXd white) {

@@ -2,12 +2,25 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
 #include "ballbar/noise/noise.hpp"
+#include "noise/kalman.hpp"
 
 namespace ballbar {
 
 Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::Ref<const Eigen::MatrixXd>& columns);
+
+// Paths of a noise from white numbers, one a row: the filter run the other way.
+class Colouring {
+ public:
+  Colouring(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um);
+  void apply(Eigen::VectorXd& white) const;
+
+ private:
+  Kalman kalman_;
+  Eigen::ArrayXd sigma_um_;  // of the innovations
+};
 
 // White noise with no reading beyond 4 sigma (by the median absolute deviation): what counts on many readings stays,
 // what a few make alone does not.

@@ -40,8 +40,9 @@ void fill_normal(std::span<double> out, std::mt19937_64& random) {
 }
 
 // e_0 = sigma w_0,  e_i = phi e_(i-1) + sqrt(1 - phi^2) sigma w_i
-double Ar1::next(std::mt19937_64& random) {
-  const double white = sigma_ * normal(random);
+double Ar1::next(std::mt19937_64& random) { return next(sigma_ * normal(random)); }
+
+double Ar1::next(double white) {
   last_ = started_ ? phi_ * last_ + std::sqrt(1.0 - phi_ * phi_) * white : white;
   started_ = true;
   return last_;

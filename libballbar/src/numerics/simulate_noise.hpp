@@ -39,6 +39,8 @@ class Ar1 {
  public:
   Ar1(double sigma, double phi) : sigma_(sigma), phi_(phi) {}
   double next(std::mt19937_64& random);
+  // From a number of any distribution with mean 0 and standard deviation `sigma`.
+  double next(double white);
 
  private:
   double sigma_;

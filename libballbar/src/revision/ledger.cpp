@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "diagnosis/statistics/held_out.hpp"
 #include "diagnosis/statistics/likely.hpp"
+#include "revision/ledger_row.hpp"
 #include "series/thinned.hpp"
 
 namespace ballbar {
@@ -53,7 +55,7 @@ std::string done_text(const std::string& change) {
 
 }  // namespace
 
-LedgerRow row_of(const Fit& fit, const Likely& seen) {
+LedgerRow row_of(const Fit& fit, const NoiseFit& seen) {
   LedgerRow row;
   row.level = seen.of_recordings ? Level::recording : Level::series;
   row.target = fit.target;
@@ -68,7 +70,7 @@ LedgerRow row_of(const Fit& fit, const Likely& seen) {
 
 LedgerRow row_of(const Model& model, const Series& data, std::size_t target) {
   const Series seen = thinned(data, model.targets.at(target), kMostTested);
-  return row_of(fit(model, data, target), seen_of(model, seen, target).likely);
+  return row_of(fit(model, data, target), noise_fit(model, seen, target));
 }
 
 double family_wise_error(std::span<const LedgerRow> rows) {

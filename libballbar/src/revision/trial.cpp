@@ -5,16 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unsupported/Eigen/SpecialFunctions>
+#include <optional>
+#include <utility>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "diagnosis/signatures/bank.hpp"
-#include "diagnosis/statistics/confirmation.hpp"
-#include "diagnosis/statistics/held_out.hpp"
 #include "diagnosis/statistics/likely.hpp"
-#include "diagnosis/surrogates/fakes.hpp"
-#include "diagnosis/surrogates/trace_fakes.hpp"
+#include "diagnosis/verdict/named_test.hpp"
 #include "numerics/not_finite.hpp"
-#include "series/cycles.hpp"
+#include "numerics/tails.hpp"
+#include "revision/ledger_row.hpp"
 #include "series/thinned.hpp"
 
 namespace ballbar {
@@ -33,125 +33,75 @@ bool has_free(const Model& model) {
                      [](const Term& term) { return free_parameters(term) > 0; });
 }
 
-// What tests look at.
-struct Tested {
-  const Series& data;
-  std::size_t target;
-  Fit fit;
-  Likely likely;
-};
-
-Tested tested(const Model& model, const Series& data, std::size_t target) {
-  Seen seen = seen_of(model, data, target);
-  return {data, target, std::move(seen.fit), std::move(seen.likely)};
-}
-
 // The model without one of its terms, at its most likely: fitted anew, or from where the whole model is and by its
 // noise, whichever is better.
-Likely likely_without(const Model& model, const Tested& whole, std::size_t term) {
+NoiseFit likely_without(const Model& model, const Series& data, std::size_t target, const NoiseFit& whole,
+                        std::size_t term) {
   const auto drop = [&](Model rest) {
     rest.terms.erase(rest.terms.begin() + static_cast<std::ptrdiff_t>(term));
     return rest;
   };
   if (!has_free(drop(model))) {
-    Likely rest = whole.likely;
+    NoiseFit rest = whole;
     const std::vector<double>& added = whole.fit.contribution_um[term];
     rest.leftover.residual_um += Eigen::VectorXd::Map(added.data(), static_cast<Eigen::Index>(added.size()));
     rest.leftover.model.resize(rest.leftover.residual_um.size(), 0);
     const Explained explained_rest =
-        explained(rest.leftover, Eigen::MatrixXd(rest.leftover.residual_um.size(), 0), whole.likely.noise);
+        explained(rest.leftover, Eigen::MatrixXd(rest.leftover.residual_um.size(), 0), whole.noise);
     rest.noise = explained_rest.noise;
     rest.log_likelihood = explained_rest.log_likelihood;
     return rest;
   }
-  const Model from_there = drop(from_where_it_is(model, whole.fit));
-  Seen rest = seen_by(whole.likely.noise, from_there, whole.data, whole.target);
-  Seen anew = seen_of(drop(model), whole.data, whole.target);
-  return anew.likely.log_likelihood > rest.likely.log_likelihood ? anew.likely : rest.likely;
+  NoiseFit rest = noise_fit_by(whole.noise, drop(from_where_it_is(model, whole.fit)), data, target);
+  NoiseFit anew = noise_fit(drop(model), data, target);
+  return anew.log_likelihood > rest.log_likelihood ? anew : rest;
 }
 
 // 2 ln L lost. The larger model is at least as likely, wherever the search for its shapes ended.
-double evidence_of(const Likely& with, const Likely& without) {
+double evidence_of(const NoiseFit& with, const NoiseFit& without) {
   return std::max(0.0, 2.0 * (with.log_likelihood - without.log_likelihood));
 }
 
-// Chance of a chi^2 as large.
-double upper_tail(double chi2, std::size_t degrees) {
-  return chi2 > 0.0 ? Eigen::numext::igammac(0.5 * static_cast<double>(degrees), 0.5 * chi2) : 1.0;
-}
-
-// The model's fakes of one of its terms; nothing where it cannot be faked.
-std::optional<BestFake> fake_of(const Model& model, std::size_t place, const Tested& whole, const Likely& without) {
-  const Term& term = model.terms[place];
-  const Effect& effect = *term.effect;
-  if (effect.time_only || effect.inputs.empty()) return std::nullopt;
-  const BoundInputs inputs = inputs_of(effect, term.columns, whole.data);
+// Of the grid of its shapes; nullopt where it cannot be faked.
+std::optional<BestFake> fake_of(const WithAndWithout& models) {
+  const Term& term = models.model.terms[models.term];
+  const BoundEffect bound{term.effect.get(), term.columns};
+  if (bound.effect->time_only || bound.effect->inputs.empty()) return std::nullopt;
+  const BoundInputs inputs = inputs_of(*bound.effect, bound.columns, models.data);
   if (!inputs.usable) return std::nullopt;
-  if (effect.level == Level::recording) {
-    TracedEffect traced{&effect, term.columns, {{}}, {}};
-    const std::size_t first = first_parameter(model, place);
-    for (std::size_t k = 0; k < term.settings.size(); ++k) {
-      traced.points.front().push_back(whole.fit.parameters[first + k].value);
-    }
-    const std::vector<double>& added = whole.fit.contribution_um[place];
-    traced.added_um = Eigen::VectorXd::Map(added.data(), static_cast<Eigen::Index>(added.size()));
-    return best_trace_fake(traced, whole.data, whole.fit.row, without.leftover, whole.likely.noise, kFakes, kSeed);
-  }
-  Bank bank;
-  for (std::vector<double>& point : shapes_of(effect, inputs.rows, {})) {
-    Signature signature;
-    signature.point = std::move(point);
-    bank.signatures.push_back(std::move(signature));
-  }
-  if (bank.signatures.empty()) return std::nullopt;
-  const Family family{&effect, term.columns, 0, bank.signatures.size()};
-  return best_fake(family, bank, whole.data, without.leftover, whole.likely.noise, kFakes, kSeed);
+  const bool of_recordings = bound.effect->level == Level::recording;
+  return fake_of(models, bound,
+                 of_recordings ? std::vector<std::vector<double>>{} : shapes_of(*bound.effect, inputs.rows, {}), kFakes,
+                 kSeed);
 }
 
-Tried tried_of(const Model& model, const Fit& all, const Tested& whole, std::size_t place) {
-  const Term& term = model.terms[place];
-  Tried tried;
-  tried.label = label_of(term);
-  tried.time_only = term.effect->time_only;
-  const auto [low, high] = std::minmax_element(all.contribution_um[place].begin(), all.contribution_um[place].end());
-  tried.amplitude_um = *high - *low;
-  double relative = kUnknown;
-  for (std::size_t k = 0; k < term.settings.size(); ++k) {
-    const FittedParameter& fitted = all.parameters[first_parameter(model, place) + k];
-    if (term.effect->parameters[k].kind != ParameterKind::gain || fitted.value == 0.0) continue;
-    if (!std::isfinite(fitted.sigma)) continue;
-    const double one = std::abs(fitted.sigma / fitted.value);
-    relative = std::isfinite(relative) ? std::min(relative, one) : one;
-  }
-  tried.amplitude_sigma_um = relative * tried.amplitude_um;
-  const Likely without = likely_without(model, whole, place);
-  tried.evidence = evidence_of(whole.likely, without);
-  const Eigen::MatrixXd gains = gain_columns(whole.fit, model, place);
-  const std::vector<std::size_t> told = cycles_that_tell(whole.data, whole.fit.row, whole.likely.cycle, gains);
-  tried.p_same_gain = p_same_gain(whole.likely.leftover, gains, whole.likely.noise, told);
-  tried.held_out_um = held_out(without.leftover, whole.likely.noise, told, whole.likely.of_recordings).rmse_um;
-  const double held_out_with_um =
-      held_out(whole.likely.leftover, whole.likely.noise, told, whole.likely.of_recordings).rmse_um;
-  tried.gain = chi2(without.leftover, whole.likely.noise) - chi2(whole.likely.leftover, whole.likely.noise);
-  if (const std::optional<BestFake> fake = fake_of(model, place, whole, without)) {
-    tried.best_fake_gain = fake->gain;
-    tried.best_fake_fall = fake->fall;
-  }
-  if (tried.evidence < kFewestEvidence) tried.doubts.emplace_back("its evidence is below 25 (d = 5)");
+// all: fitted to all rows.
+Candidate tested(const Model& model, const Fit& all, const Series& data, std::size_t target, const NoiseFit& whole,
+                 std::size_t place) {
+  const NoiseFit without = likely_without(model, data, target, whole, place);
+  const WithAndWithout models{data, model, place, whole, without};
+  const CycleTests tests = cycle_tests(models);
+  Candidate candidate = candidate_of(model, all, place);
+  candidate.evidence = evidence_of(whole, without);
+  candidate.threshold = kFewestEvidence;
+  candidate.p_same_gain = tests.p_same_gain;
+  candidate.rmse_after_um = all.rmse_um;
+  candidate.held_out_before_um = tests.before.rmse_um;
+  candidate.held_out_after_um = tests.after.rmse_um;
+  candidate.gain = gain_of(models);
+  candidate = beside_fake(std::move(candidate), fake_of(models));
   const bool of_recordings = model.level == Level::recording;
-  if (tried.p_same_gain < kSameGain) {
-    tried.doubts.emplace_back(of_recordings ? "its gain differs from recording to recording"
-                                            : "its gain differs from cycle to cycle");
+  if (candidate.evidence < kFewestEvidence) candidate.doubts.emplace_back(kTooLittleEvidence);
+  if (candidate.p_same_gain < kSameGain) candidate.doubts.push_back(gain_differs(of_recordings));
+  if (!(candidate.held_out_after_um < candidate.held_out_before_um)) {
+    candidate.doubts.push_back(not_predicted_better(of_recordings));
   }
-  if (!(held_out_with_um < tried.held_out_um)) {
-    tried.doubts.emplace_back(of_recordings ? "recordings left out are not predicted better"
-                                            : "cycles left out are not predicted better");
-  }
-  if (tried.best_fake_gain >= tried.gain) tried.doubts.emplace_back("a fake of the same smoothness does as well");
-  return tried;
+  if (candidate.beats_fakes && !*candidate.beats_fakes) candidate.doubts.emplace_back(kFakeDoesAsWell);
+  return candidate;
 }
 
-std::vector<Stay> stays(const Model& model, std::size_t count, const Tested& whole) {
+std::vector<Stay> stays(const Model& model, std::size_t count, const Series& data, std::size_t target,
+                        const NoiseFit& whole) {
   std::vector<Stay> result;
   for (std::size_t t = 0; t < count; ++t) {
     const Term& term = model.terms[t];
@@ -160,18 +110,18 @@ std::vector<Stay> stays(const Model& model, std::size_t count, const Tested& who
     stay.label = label_of(term);
     stay.parameters = free_parameters(term);
     if (stay.parameters == 0 || term.effect->rules.is_base) continue;
-    stay.evidence = evidence_of(whole.likely, likely_without(model, whole, t));
-    stay.p = upper_tail(stay.evidence, stay.parameters);
+    stay.evidence = evidence_of(whole, likely_without(model, data, target, whole, t));
+    stay.p = chi2_upper_tail(stay.evidence, stay.parameters);
     stay.needed = stay.p < kStays;
     result.push_back(std::move(stay));
   }
   return result;
 }
 
-std::string verdict_of(const std::vector<Tried>& added) {
+std::string verdict_of(const std::vector<Candidate>& added) {
   const auto any = [&](auto is) { return std::any_of(added.begin(), added.end(), is); };
-  if (any([](const Tried& tried) { return !tried.doubts.empty(); })) return "not supported";
-  return any([](const Tried& tried) { return tried.time_only; }) ? "time only" : "supported";
+  if (any([](const Candidate& one) { return !one.doubts.empty(); })) return "not supported";
+  return any([](const Candidate& one) { return one.bound.effect->time_only; }) ? "time only" : "supported";
 }
 
 void tell_earlier(const std::vector<Stay>& earlier, LedgerRow& row) {
@@ -184,7 +134,7 @@ void tell_earlier(const std::vector<Stay>& earlier, LedgerRow& row) {
 
 std::vector<Stay> stays(const Model& model, std::size_t count, const Series& data, std::size_t target) {
   const Series seen = thinned(data, model.targets.at(target), kMostTested);
-  return stays(model, count, tested(model, seen, target));
+  return stays(model, count, seen, target, noise_fit(model, seen, target));
 }
 
 Trial trial(const Model& model, const std::vector<Term>& added, const Series& data, std::size_t target) {
@@ -194,23 +144,23 @@ Trial trial(const Model& model, const std::vector<Term>& added, const Series& da
   result.model.terms.insert(result.model.terms.end(), added.begin(), added.end());
   result.fit_before = fit(model, data, target);
   result.fit_after = fit(result.model, data, target);
-  const Tested base = tested(model, seen, target);
-  const Tested whole = tested(result.model, seen, target);
-  result.before = row_of(result.fit_before, base.likely);
-  result.after = row_of(result.fit_after, whole.likely);
+  const NoiseFit base = noise_fit(model, seen, target);
+  const NoiseFit whole = noise_fit(result.model, seen, target);
+  result.before = row_of(result.fit_before, base);
+  result.after = row_of(result.fit_after, whole);
   std::vector<std::string> changes;
   for (std::size_t t = model.terms.size(); t < result.model.terms.size(); ++t) {
-    result.added.push_back(tried_of(result.model, result.fit_after, whole, t));
+    result.added.push_back(tested(result.model, result.fit_after, seen, target, whole, t));
     changes.push_back("+ " + result.added.back().label);
     const double fall = result.added.back().best_fake_fall;
     if (std::isfinite(fall) && !(result.after.best_fake_fall >= fall)) result.after.best_fake_fall = fall;
   }
   // Alone it is that of its own test, which looks for the smaller model from both sides.
-  result.after.evidence = added.size() == 1 ? result.added.front().evidence : evidence_of(whole.likely, base.likely);
+  result.after.evidence = added.size() == 1 ? result.added.front().evidence : evidence_of(whole, base);
   result.after.threshold = kFewestEvidence * static_cast<double>(added.size());
   result.after.change = fmt::format("{}", fmt::join(changes, ", "));
   result.after.verdict = verdict_of(result.added);
-  result.earlier = stays(result.model, model.terms.size(), whole);
+  result.earlier = stays(result.model, model.terms.size(), seen, target, whole);
   tell_earlier(result.earlier, result.after);
   return result;
 }
@@ -236,7 +186,7 @@ Pruned pruned(Trial trial, const Series& data, std::size_t target) {
   std::sort(result.removed.begin(), result.removed.end());
   if (result.removed.empty()) return result;
   now.fit_after = fit(now.model, data, target);
-  const LedgerRow figures = row_of(now.fit_after, seen_of(now.model, seen, target).likely);
+  const LedgerRow figures = row_of(now.fit_after, noise_fit(now.model, seen, target));
   now.after.parameters = figures.parameters;
   now.after.rmse_um = figures.rmse_um;
   now.after.times_floor = figures.times_floor;

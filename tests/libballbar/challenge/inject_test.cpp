@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
+#include "ballbar/numerics/range.hpp"
 
 namespace ballbar {
 namespace {

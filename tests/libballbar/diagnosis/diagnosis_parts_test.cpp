@@ -42,8 +42,9 @@ Bank bank_with(const Eigen::MatrixXd& columns) {
   Bank bank;
   bank.columns = columns;
   for (Eigen::Index k = 0; k < columns.cols(); ++k) {
-    bank.families.push_back(
-        {find_effect("expansion", Level::series), {"T" + std::to_string(k) + "_degC"}, static_cast<std::size_t>(k), 1});
+    bank.families.push_back({{find_effect("expansion", Level::series), {"T" + std::to_string(k) + "_degC"}},
+                             static_cast<std::size_t>(k),
+                             1});
     bank.signatures.push_back({static_cast<std::size_t>(k), {0.0}, k, 1, 1.0});
   }
   return bank;
@@ -93,7 +94,7 @@ TEST(SearchNull, one_signature_is_chi2) {
   const Noise noise{0.3, 0.0, 0.0, 0.0};
   const Projected seen = projected(bank, leftover.residual_um, leftover.model, Whitening(noise, leftover.time_s, {}));
   const SearchNull null = search_null(bank, seen, leftover, noise, {noise}, 20000, 1);
-  const Effect& effect = *bank.families[0].effect;
+  const Effect& effect = *bank.families[0].bound.effect;
   EXPECT_NEAR(null.p_of_effect(effect, 2.706), 0.1, 0.01);
   EXPECT_NEAR(null.p_of_effect(effect, 6.635), 0.01, 0.004);
   EXPECT_NEAR(null.p_search(effect, 6.635), 0.01, 0.004);
@@ -116,7 +117,7 @@ TEST(SearchNull, noise_with_a_memory_is_drawn_as_it_is) {
   const Whitening whitening(noise, leftover.time_s, leftover.sigma_um);
   const Projected seen = projected(bank, leftover.residual_um, leftover.model, whitening);
   const SearchNull null = search_null(bank, seen, leftover, noise, {noise}, 20000, 1);
-  const Effect& effect = *bank.families[0].effect;
+  const Effect& effect = *bank.families[0].bound.effect;
   EXPECT_NEAR(null.p_of_effect(effect, 2.706), 0.1, 0.01);
   EXPECT_NEAR(null.p_of_effect(effect, 6.635), 0.01, 0.004);
   // Noise of twice the size: scores are four times as large.

@@ -20,8 +20,8 @@ made::Plan plan_of(std::vector<made::Sweep> sweeps, std::size_t readings) {
 
 DiagnosisOptions quick() {
   DiagnosisOptions options;
-  options.motion = Motion::linear_axes;
-  options.draws = 400;
+  options.search.motion = Motion::linear_axes;
+  options.search.draws = 400;
   options.fakes = 50;
   return options;
 }

@@ -86,7 +86,7 @@ TEST(Diagnosis, names_nothing_whose_curves_nearly_cancel) {
   const std::vector<double>& room = find_column(data, "T_room_degC")->values;
   for (std::size_t i = 0; i < kRows; ++i) data.columns.back().values[i] += 20.0 * (room[i] - 22.0);
   DiagnosisOptions options;
-  options.draws = 500;
+  options.search.draws = 500;
   options.fakes = 20;
   const Diagnosis found = diagnose(by_speed(), data, 0, options);
   EXPECT_TRUE(found.named.empty());
@@ -98,8 +98,8 @@ TEST(Diagnosis, nothing_hidden_is_nothing) {
   int called = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     DiagnosisOptions options;
-    options.seed = seed;
-    options.draws = 500;
+    options.search.seed = seed;
+    options.search.draws = 500;
     options.fakes = 20;
     const Diagnosis found = diagnose(by_speed(), made(0.0, seed), 0, options);
     called += found.verdict == Verdict::nothing ? 0 : 1;
@@ -111,9 +111,9 @@ TEST(Diagnosis, nothing_hidden_is_nothing) {
 
 TEST(Diagnosis, says_nothing_of_an_effect_that_is_not_searched) {
   DiagnosisOptions options;
-  options.draws = 500;
+  options.search.draws = 500;
   options.fakes = 20;
-  options.without = {"lagged_expansion"};
+  options.search.without = {"lagged_expansion"};
   const Diagnosis found = diagnose(by_speed(), made(3.0, 1), 0, options);
   const auto is_it = [](const auto& one) { return one.effect->name == "lagged_expansion"; };
   EXPECT_TRUE(std::none_of(found.named.begin(), found.named.end(), is_it));
@@ -125,9 +125,9 @@ TEST(Diagnosis, says_nothing_of_an_effect_that_is_not_searched) {
 TEST(Diagnosis, tells_what_it_does) {
   std::vector<std::string> steps;
   DiagnosisOptions options;
-  options.draws = 500;
+  options.search.draws = 500;
   options.fakes = 20;
-  options.progress = [&](std::string_view step) { steps.emplace_back(step); };
+  options.search.progress = [&](std::string_view step) { steps.emplace_back(step); };
   const Diagnosis found = diagnose(by_speed(), made(3.0, 1), 0, options);
   ASSERT_GE(steps.size(), 5U);
   EXPECT_TRUE(std::regex_match(steps[0], std::regex("searching [0-9]+ shapes of [0-9]+ effects"))) << steps[0];
@@ -135,7 +135,7 @@ TEST(Diagnosis, tells_what_it_does) {
   EXPECT_TRUE(std::regex_match(steps[2], std::regex("fitting [0-9]+ sets of effects"))) << steps[2];
   EXPECT_EQ(steps.back(), "testing 20 fakes of " + label_of(found.candidates.front().bound));
   // Telling changes nothing.
-  options.progress = {};
+  options.search.progress = {};
   EXPECT_EQ(diagnose(by_speed(), made(3.0, 1), 0, options).p_anything, found.p_anything);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <random>
 
+#include "diagnosis/signatures/bank.hpp"
 #include "diagnosis/statistics/held_out.hpp"
 #include "diagnosis/surrogates/fakes.hpp"
 #include "diagnosis/surrogates/trace_fakes.hpp"
@@ -71,7 +72,7 @@ TEST(BankOfRecordings, has_no_frequency_above_half_the_rate_of_the_rows) {
     const Bank bank = bank_of(built_in_catalogue(), circles_of(trace), trace, fit(circles_of(trace), trace));
     double highest = 0.0;
     for (const Signature& signature : bank.signatures) {
-      if (bank.families[signature.family].effect == vibration) highest = std::max(highest, signature.point[4]);
+      if (bank.families[signature.family].bound.effect == vibration) highest = std::max(highest, signature.point[4]);
     }
     return highest;
   };
@@ -100,7 +101,7 @@ Faked faked(const char* effect, const std::vector<made::Sweep>& sweeps, double s
   leftover.residual_um = scale * added;
   for (double& value : leftover.residual_um) value += normal(random);
   leftover.model = Eigen::MatrixXd(added.size(), 0);
-  const TracedEffect traced{term.effect.get(), term.columns, {parameters}, added};
+  const FakedEffect traced{{term.effect.get(), term.columns}, {parameters}, added};
   return {best_trace_fake(traced, trace, all_rows(trace), leftover, {1.0, 0.0, 0.0, 0.0}, 200, 1),
           std::pow(leftover.residual_um.dot(added), 2)};
 }

@@ -106,7 +106,7 @@ Model by_room() {
 
 DiagnosisOptions quick(const Catalogue& catalogue) {
   DiagnosisOptions options;
-  options.catalogue = catalogue;
+  options.search.catalogue = catalogue;
   options.draws = 500;
   options.fakes = 100;
   return options;

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "ballbar/diagnosis/signatures/identifiability.hpp"
-
 namespace ballbar {
 namespace {
 

@@ -3,11 +3,13 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "numerics/orthonormal.hpp"
+
 namespace ballbar::study {
 
 std::vector<double> falls(const Bank& bank, const Projected& seen, const Eigen::MatrixXd& beside,
                           const Eigen::VectorXd& target) {
-  constexpr double kNothingLeft = 1e-6;
+  constexpr double kNothing = 1e-6;
   const Eigen::VectorXd along = seen.columns.transpose() * target;
   const Eigen::MatrixXd inside = beside.transpose() * seen.columns;
   std::vector<double> result;
@@ -16,7 +18,7 @@ std::vector<double> falls(const Bank& bank, const Projected& seen, const Eigen::
     const auto b = inside.middleCols(signature.first, signature.width);
     const Eigen::MatrixXd g = Eigen::MatrixXd::Identity(signature.width, signature.width) - b.transpose() * b;
     const Eigen::LDLT<Eigen::MatrixXd> solver(g);
-    const bool is_new = solver.vectorD().minCoeff() > kNothingLeft;
+    const bool is_new = solver.vectorD().minCoeff() > kNothing;
     result.push_back(is_new ? std::min(c.dot(solver.solve(c)), target.squaredNorm()) : 0.0);
   }
   return result;
@@ -26,10 +28,6 @@ Eigen::MatrixXd with_signature(const Eigen::MatrixXd& beside, const Projected& s
   Eigen::MatrixXd all(beside.rows(), beside.cols() + signature.width);
   all << beside, seen.columns.middleCols(signature.first, signature.width);
   return orthonormal(all);
-}
-
-Eigen::VectorXd freed(const Eigen::MatrixXd& basis, const Eigen::VectorXd& column) {
-  return column - basis * (basis.transpose() * column);
 }
 
 std::size_t freedom_of(const Effect& effect) {

@@ -17,8 +17,6 @@ std::vector<double> falls(const Bank& bank, const Projected& seen, const Eigen::
 // `beside` and the columns of one more signature, orthonormal.
 Eigen::MatrixXd with_signature(const Eigen::MatrixXd& beside, const Projected& seen, const Signature& signature);
 
-Eigen::VectorXd freed(const Eigen::MatrixXd& basis, const Eigen::VectorXd& column);
-
 // Free parameters of an effect: gains and the shapes that a search moves.
 std::size_t freedom_of(const Effect& effect);
 

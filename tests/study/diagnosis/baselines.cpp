@@ -8,6 +8,7 @@
 #include "diagnosis/search/best_subset.hpp"
 #include "f_test.hpp"
 #include "lasso.hpp"
+#include "numerics/orthonormal.hpp"
 
 namespace ballbar::study {
 namespace {
@@ -22,10 +23,10 @@ struct Columns {
 
   BoundEffect bound(std::size_t signature) const {
     const Family& family = bank.families[bank.signatures[signature].family];
-    return {family.effect, family.columns};
+    return family.bound;
   }
   double freedom(std::size_t signature) const {
-    return static_cast<double>(freedom_of(*bank.families[bank.signatures[signature].family].effect));
+    return static_cast<double>(freedom_of(*bank.families[bank.signatures[signature].family].bound.effect));
   }
 };
 
@@ -76,7 +77,7 @@ std::vector<BoundEffect> greedy(const Columns& columns, Worth worth) {
     selected.push_back(columns.bound(best));
     parameters += columns.freedom(best);
     beside = with_signature(beside, columns.seen, columns.bank.signatures[best]);
-    left = freed(beside, columns.seen.residual);
+    left = freed(columns.seen.residual, beside);
   }
   return selected;
 }

@@ -22,7 +22,7 @@ Random random_of(std::uint64_t seed) { return Random(seed * 7919 + 13); }
 DataSet set_on(const Record& record, std::vector<Injection> believed, const Scatter& scatter, std::size_t count,
                double d, Random& random, std::uint64_t seed) {
   DataSet set = data_set(record, std::move(believed), scatter);
-  set.options.seed = seed;
+  set.options.search.seed = seed;
   if (!hide_effects(set, count, d, random)) throw std::runtime_error("too few effects can be hidden.");
   finish(set, random);
   return set;
@@ -57,7 +57,7 @@ enum class Outside { driven, time, left_out };
 std::optional<Outcome> outside(Outside what, std::uint64_t seed) {
   Random random = random_of(seed);
   DataSet set = data_set(rich_record(), friction_heat(), {});
-  set.options.seed = seed;
+  set.options.search.seed = seed;
   constexpr double kD = 40.0;
   switch (what) {
     case Outside::driven:
@@ -69,7 +69,7 @@ std::optional<Outcome> outside(Outside what, std::uint64_t seed) {
     case Outside::left_out: {
       const std::string name = kLeftOut[(seed - 1) % kLeftOut.size()];
       if (!hide_effects(set, 1, kD, random, name)) return std::nullopt;
-      set.options.without = {name};
+      set.options.search.without = {name};
       break;
     }
   }
@@ -80,7 +80,7 @@ std::optional<Outcome> outside(Outside what, std::uint64_t seed) {
 std::optional<Outcome> logged_twice(std::uint64_t seed) {
   Random random = random_of(seed);
   DataSet set = data_set(rich_record(), friction_heat(), {});
-  set.options.seed = seed;
+  set.options.search.seed = seed;
   const std::string twice = seed % 2 == 0 ? "T_room_degC" : "T_housing_degC";
   if (!hide_effects(set, 1, 10.0, random, {}, twice)) return std::nullopt;
   finish(set, random);
@@ -92,7 +92,7 @@ std::optional<Outcome> logged_twice(std::uint64_t seed) {
 Outcome constant_room(std::uint64_t seed) {
   Random random = random_of(seed);
   DataSet set = data_set(with_constant_room(rich_record()), friction_heat(), {});
-  set.options.seed = seed;
+  set.options.search.seed = seed;
   const BoundEffect truth{find_effect("gradient_bending", Level::series), {"T_bearing_degC", "T_room_degC"}};
   const BoundEffect alone{find_effect("lagged_expansion", Level::series), {"T_bearing_degC"}};
   while (!hide_effect(set, alone, 10.0, random)) continue;
@@ -105,7 +105,7 @@ Outcome constant_room(std::uint64_t seed) {
 DataSet one_speed_set(std::uint64_t seed) {
   Random random = random_of(seed);
   DataSet set = data_set(one_speed_record(), {{{find_effect("expansion", Level::series), {"T_room_degC"}}, {3.0}}}, {});
-  set.options.seed = seed;
+  set.options.search.seed = seed;
   const BoundEffect by_speed{find_effect("speed_heating", Level::series), {"speed_rpm"}};
   const BoundEffect by_load{find_effect("load_heating", Level::series), {"load_W"}};
   while (!hide_effect(set, seed % 2 == 0 ? by_speed : by_load, 10.0, random)) continue;
@@ -117,7 +117,7 @@ DataSet one_speed_set(std::uint64_t seed) {
 std::optional<Outcome> after_tests(DataSet set, std::size_t most) {
   Diagnosis found = diagnose(set.model, set.data, 0, set.options);
   if (found.equivalent.empty()) return std::nullopt;
-  Random random = random_of(set.options.seed + 5000);
+  Random random = random_of(set.options.search.seed + 5000);
   for (std::size_t k = 0; k < most && !found.equivalent.empty(); ++k) {
     std::optional<DataSet> again = after_proposed_test(set, found, random);
     if (!again) break;

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "ballbar/numerics/range.hpp"
 #include "challenge/blind_parts.hpp"
 #include "numerics/simulate_noise.hpp"
 

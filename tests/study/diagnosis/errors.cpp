@@ -17,7 +17,7 @@ DataSet on_other_duty(const DataSet& set) {
   for (const Hidden& hidden : set.hidden) {
     other.hidden.push_back({hidden.injection, hidden.what, signal_of(*hidden.injection, other.data)});
   }
-  Random random(set.options.seed + 77);
+  Random random(set.options.search.seed + 77);
   finish(other, random);
   return other;
 }

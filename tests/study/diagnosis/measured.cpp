@@ -22,7 +22,7 @@ DataSet measured_set(std::uint64_t seed) {
     if (heating.effect->parameters[k].name == "exponent") heating.settings[k].start = 2.0;
   }
   set.model.terms.push_back(std::move(heating));
-  set.options.seed = seed;
+  set.options.search.seed = seed;
   return set;
 }
 

@@ -4,8 +4,9 @@
 #include <limits>
 
 #include "additions.hpp"
-#include "diagnosis/verdict/candidates.hpp"
+#include "diagnosis/search/nested_effects.hpp"
 #include "noise/whitened.hpp"
+#include "numerics/orthonormal.hpp"
 
 namespace ballbar::study {
 
@@ -21,7 +22,7 @@ bool becomes_true(const DataSet& set, const BoundEffect& rival) {
 
 Oracle oracle(const DataSet& set) {
   const Bank bank = bank_of(built_in_catalogue(), set.model, set.data, set.base,
-                            {.motion = {}, .every_onset = true, .without = set.options.without});
+                            {.motion = {}, .every_onset = true, .without = set.options.search.without});
   const auto n = static_cast<Eigen::Index>(set.base.row.size());
   const Whitening whitening(set.noise, set.base.time_s, set.base.sigma_um);
   const Projected seen = projected(bank, Eigen::VectorXd::Zero(n), model_columns(set.base), whitening);
@@ -35,11 +36,11 @@ Oracle oracle(const DataSet& set) {
     Eigen::MatrixXd others(n, signals.cols() - 1);
     others << signals.leftCols(m), signals.rightCols(signals.cols() - 1 - m);
     others = orthonormal(others);
-    const Eigen::VectorXd target = freed(others, signals.col(m));
+    const Eigen::VectorXd target = freed(Eigen::VectorXd(signals.col(m)), others);
     const std::vector<double> fall = falls(bank, seen, others, target);
     for (std::size_t k = 0; k < fall.size(); ++k) {
       const Family& family = bank.families[bank.signatures[k].family];
-      const BoundEffect rival{family.effect, family.columns};
+      const BoundEffect& rival = family.bound;
       const double loss = target.squaredNorm() - fall[k];
       if (loss < smallest.loss && !is_true(set, rival) && !becomes_true(set, rival)) smallest = {loss, label_of(rival)};
     }

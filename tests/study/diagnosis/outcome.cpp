@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "ballbar/numerics/range.hpp"
 #include "baselines.hpp"
 #include "errors.hpp"
 #include "oracle.hpp"
@@ -116,8 +117,8 @@ void print(const DataSet& set, const Diagnosis& found, const Outcome& outcome) {
                      : outcome.wrong                  ? "WRONG"
                      : outcome.in_set.value_or(false) ? "inset"
                                                       : "miss ";
-  fmt::print("{:4} {} truth [{}] {} named [{}] equivalent [{}] p {:.4f} smooth {:.1f}\n", set.options.seed, word, truth,
-             name_of(found.verdict), labels(found.named), equivalent, found.p_anything, found.smooth_evidence);
+  fmt::print("{:4} {} truth [{}] {} named [{}] equivalent [{}] p {:.4f} smooth {:.1f}\n", set.options.search.seed, word,
+             truth, name_of(found.verdict), labels(found.named), equivalent, found.p_anything, found.smooth_evidence);
   if (outcome.loss) fmt::print("       loss {:.1f} by {}\n", *outcome.loss, outcome.rival);
   if (outcome.training)
     fmt::print("       training {:.3f} other duty {:.3f}\n", *outcome.training, *outcome.other_duty);

@@ -42,13 +42,13 @@ DataSet spindle_cause(std::uint64_t seed) {
   set.data = std::move(blind.data);
   set.model = std::move(blind.model);
   set.hidden.push_back({std::nullopt, blind.answer.what, blind.hidden_um.front(), blind.answer.match});
-  set.options.seed = seed;
+  set.options.search.seed = seed;
   return set;
 }
 
 DataSet whole_spindle(std::uint64_t seed) {
   DataSet set;
-  set.options.seed = seed;
+  set.options.search.seed = seed;
   set.model.targets = {"z_um"};
   set.model.terms = {term_of("speed_heating", {"speed_rpm"})};
   add_expansions(set.also_true, {"T_front_degC", "T_rear_degC", "T_motor_degC", "T_housing_degC", "T_coolant_degC"});

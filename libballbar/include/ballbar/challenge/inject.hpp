@@ -28,9 +28,6 @@ Injection injection_of(const BoundEffect& bound, const Series& data);
 // What it adds, um, one a row of the data. Throws Error where a column is missing, has gaps or does not move.
 std::vector<double> signal_of(const Injection& injection, const Series& data);
 
-// Largest less smallest value.
-double range_of(std::span<const double> values);
-
 // The data with `amplitude_um` as the range of the signal added to the target; gaps stay. Throws Error where the signal
 // does not move, or the target is not there.
 Series injected(const Series& data, std::string_view target, const Injection& injection, double amplitude_um);

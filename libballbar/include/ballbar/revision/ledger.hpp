@@ -39,8 +39,6 @@ struct LedgerRow {
 // every second, third ... value. The rest is as of a model that starts.
 LedgerRow row_of(const Model& model, const Series& data, std::size_t target = 0);
 
-constexpr double kErrorOfASearch = 0.01;
-
 // Chance that anything at all was added by chance: the sum of the thresholds, 0.01 for every revision that adds an
 // effect. Effects taken out cost nothing; what was taken back is not in the ledger and not in the sum.
 double family_wise_error(std::span<const LedgerRow> rows);

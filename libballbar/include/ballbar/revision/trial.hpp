@@ -12,35 +12,16 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "ballbar/diagnosis/verdict/candidate.hpp"
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/revision/ledger.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
-
-constexpr double kFewestEvidence = 25.0;
-constexpr double kStays = 0.001;
-constexpr std::size_t kFakes = 200;
-
-// One added effect beside the model and all else that is added. NaN: not known.
-struct Tried {
-  std::string label;
-  double amplitude_um = 0.0;        // largest less smallest of what it adds
-  double amplitude_sigma_um = 0.0;  // NaN: not determined
-  double evidence = 0.0;
-  double p_same_gain = 1.0;  // of gains as different from cycle to cycle
-  double held_out_um = 0.0;  // without it, by the noise with it
-  double gain = 0.0;         // fall of chi^2 by the noise with it
-  double best_fake_gain = std::numeric_limits<double>::quiet_NaN();
-  double best_fake_fall = std::numeric_limits<double>::quiet_NaN();  // of the RMSE, relative
-  bool time_only = false;
-  std::vector<std::string> doubts;  // why it is not supported, phrases: "its evidence is below 25 (d = 5)"
-};
 
 // An effect of the model, tested by leaving it out.
 struct Stay {
@@ -55,8 +36,8 @@ struct Stay {
 struct Trial {
   Model model;  // with the effects added
   Fit fit_before, fit_after;
-  LedgerRow before, after;  // after: with change, evidence, verdict, what is still needed
-  std::vector<Tried> added;
+  LedgerRow before, after;       // after: with change, evidence, verdict, what is still needed
+  std::vector<Candidate> added;  // each beside the rest of the model
   std::vector<Stay> earlier;
 };
 

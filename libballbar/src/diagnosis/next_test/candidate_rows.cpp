@@ -4,47 +4,27 @@
 #include <cmath>
 #include <set>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "diagnosis/signatures/bank.hpp"
+#include "effects/effect_at.hpp"
+#include "fit/linearised_fit.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr double kBetween_s = 12.0 * 3600.0;
-
-struct Evaluated {
-  Eigen::VectorXd values;  // n
-  Eigen::MatrixXd slopes;  // n by all parameters
-};
-
-Evaluated evaluated(const Effect& effect, const EffectRows& inputs, const std::vector<double>& parameters,
-                    const std::vector<std::size_t>& rows) {
-  const std::size_t count = effect.parameters.size();
-  std::vector<double> values(inputs.time_s.size()), slopes(inputs.time_s.size() * count);
-  effect.evaluate(inputs, parameters.data(), values.data(), slopes.data());
-  Evaluated result;
-  result.values.resize(static_cast<Eigen::Index>(rows.size()));
-  result.slopes.resize(result.values.size(), static_cast<Eigen::Index>(count));
-  for (Eigen::Index i = 0; i < result.values.size(); ++i) {
-    const std::size_t row = rows[static_cast<std::size_t>(i)];
-    result.values[i] = values[row];
-    for (std::size_t k = 0; k < count; ++k) result.slopes(i, static_cast<Eigen::Index>(k)) = slopes[row * count + k];
-  }
-  return result;
-}
 
 bool goes_on(const Effect& effect, const PlannedTest& test) {
   return effect.time_only && effect.inputs.empty() && !test.new_set_up;
 }
 
 // nullopt where the test has not the effect's columns.
-std::optional<Evaluated> in_test(const Effect& effect, const std::vector<std::string>& columns,
-                                 const std::vector<double>& parameters, const PlannedTest& test, const Series& data) {
+std::optional<EffectAt> in_test(const Effect& effect, const std::vector<std::string>& columns,
+                                const std::vector<double>& parameters, const PlannedTest& test, const Series& data) {
   if (goes_on(effect, test)) {
     std::vector<double> time_s = data.time_s;
     std::vector<std::size_t> rows;
     for (const std::size_t row : test.rows) rows.push_back(data.time_s.size() + row);
-    for (const double since_s : test.inputs.time_s) time_s.push_back(data.time_s.back() + kBetween_s + since_s);
-    return evaluated(effect, {time_s, {}}, parameters, rows);
+    for (const double since_s : test.inputs.time_s) time_s.push_back(data.time_s.back() + kUntilTest_s + since_s);
+    return effect_at(effect, {time_s, {}}, parameters, rows);
   }
   EffectRows inputs{test.inputs.time_s, {}};
   for (const std::string& name : columns) {
@@ -52,7 +32,7 @@ std::optional<Evaluated> in_test(const Effect& effect, const std::vector<std::st
     if (column == nullptr) return std::nullopt;
     inputs.inputs.emplace_back(column->values);
   }
-  return evaluated(effect, inputs, parameters, test.rows);
+  return effect_at(effect, inputs, parameters, test.rows);
 }
 
 bool is_base(const Term& term) { return term.effect->rules.is_base; }
@@ -140,10 +120,10 @@ Eigen::Index width_of(const CandidateRows& candidates, Eigen::Index own) {
 // at: the effect's values with given parameters, nullopt where it has none; false then.
 template <class At>
 bool put(const Rival& rival, const At& at, Eigen::Index& column, Eigen::MatrixXd& result) {
-  const auto slopes = [&](const Evaluated& values, const std::vector<std::size_t>& by) {
+  const auto slopes = [&](const EffectAt& values, const std::vector<std::size_t>& by) {
     for (const std::size_t k : by) result.col(column++) = values.slopes.col(static_cast<Eigen::Index>(k));
   };
-  const std::optional<Evaluated> fitted = at(rival.parameters);
+  const std::optional<EffectAt> fitted = at(rival.parameters);
   if (!fitted) return false;
   result.col(column++) = fitted->values;
   slopes(*fitted, rival.free);
@@ -163,7 +143,7 @@ std::optional<Eigen::MatrixXd> columns_in_data(const CandidateRows& candidates, 
   for (const Rival& rival : candidates.rivals) {
     const BoundInputs inputs = inputs_of(*rival.bound.effect, rival.bound.columns, *candidates.data);
     const auto at = [&](const std::vector<double>& parameters) {
-      return std::optional(evaluated(*rival.bound.effect, inputs.rows, parameters, base.row));
+      return std::optional(effect_at(*rival.bound.effect, inputs.rows, parameters, base.row));
     };
     put(rival, at, column, result);
   }
@@ -198,7 +178,7 @@ Eigen::MatrixXd own_columns(const CandidateRows& candidates, const PlannedTest& 
     if (place != circle.parameters.end()) {
       parameters[static_cast<std::size_t>(place - circle.parameters.begin())] = number;
     }
-    const std::optional<Evaluated> values = in_test(circle, first->columns, parameters, test, *candidates.data);
+    const std::optional<EffectAt> values = in_test(circle, first->columns, parameters, test, *candidates.data);
     if (!values) continue;
     const Eigen::MatrixXd slopes = values->slopes(Eigen::all, gains_of(circle));
     Eigen::MatrixXd more(n, result.cols() + slopes.cols());
@@ -219,7 +199,7 @@ std::optional<Eigen::MatrixXd> columns_in_test(const CandidateRows& candidates, 
     for (std::size_t k = 0; k < term.settings.size(); ++k) {
       parameters.push_back(base.parameters[static_cast<std::size_t>(offset) + k].value);
     }
-    const std::optional<Evaluated> values = in_test(*term.effect, term.columns, parameters, test, *candidates.data);
+    const std::optional<EffectAt> values = in_test(*term.effect, term.columns, parameters, test, *candidates.data);
     if (!values) return std::nullopt;
     all.middleCols(offset, values->slopes.cols()) = values->slopes;
     offset += values->slopes.cols();
@@ -230,7 +210,7 @@ std::optional<Eigen::MatrixXd> columns_in_test(const CandidateRows& candidates, 
   for (Eigen::Index k = 0; k < own.cols(); ++k) result.col(column++) = own.col(k);
   for (const Rival& rival : candidates.rivals) {
     const auto at = [&](const std::vector<double>& parameters) {
-      std::optional<Evaluated> values =
+      std::optional<EffectAt> values =
           in_test(*rival.bound.effect, rival.bound.columns, parameters, test, *candidates.data);
       if (values && rival.only_once) {
         values->values.setZero();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/model/measured_input.hpp"
 #include "diagnosis/next_test/input_forecast.hpp"
 #include "diagnosis/next_test/planned_test.hpp"
@@ -13,7 +14,6 @@
 namespace ballbar {
 namespace {
 
-constexpr double kBelieved = 0.5;  // R2 of a prediction
 constexpr double kSignals_s = 60.0;
 constexpr double kMostReadings = 1500.0;
 constexpr double kRepeated_s = 4.0 * 3600.0;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "diagnosis/next_test/candidate_rows.hpp"
 #include "diagnosis/next_test/open_question.hpp"
 #include "diagnosis/next_test/planned_test.hpp"
@@ -17,11 +18,6 @@
 
 namespace ballbar {
 namespace {
-
-constexpr double kSeen = 5.0;
-constexpr double kUseless = 1.0;
-constexpr double kNamed = 7.5;
-constexpr double kImitated = 1.0, kNearlyImitated = 0.2;  // d, and d over that of the other order
 
 bool suits(const Model& model, const Series& data, const Diagnosis& diagnosis) {
   const Fit& base = diagnosis.base;
@@ -137,11 +133,11 @@ struct Judged {
   double so_far = 0.0;      // of the same pair in the data
   std::size_t hardest = 0;  // pair
   Holds holds = Holds::neither;
-  std::size_t settled = 0;  // pairs with d of kNamed or more
+  std::size_t settled = 0;  // pairs with d of kIdentifiable or more
 };
 
 bool better(const Judged& a, const Judged& b) {
-  const bool a_seen = a.smallest >= kSeen, b_seen = b.smallest >= kSeen;
+  const bool a_seen = a.smallest >= kDetectable, b_seen = b.smallest >= kDetectable;
   if (a_seen != b_seen) return a_seen;
   if (!a_seen && a.settled != b.settled) return a.settled > b.settled;
   return a.smallest > b.smallest;
@@ -163,7 +159,7 @@ std::string text_of(const Question& question, const Judged& judged, const std::s
   const double d = judged.smallest;
   const std::string outcome =
       fmt::format("{} ({}); the data so far have {}.", d_text(d),
-                  d < kSeen ? "5 is needed, 7.5 to name one" : "named from 7.5", d_text(judged.so_far));
+                  d < kDetectable ? "5 is needed, 7.5 to name one" : "named from 7.5", d_text(judged.so_far));
   const std::string pair = pair_text(question, hardest, judged.holds);
   if (question.pairs.size() == 1) {
     text += fmt::format(" It would {} with {}", pair, outcome);
@@ -231,7 +227,7 @@ std::vector<NextTest> next_tests(const Model& model, const Series& all, const Di
       const Orders orders = known ? orders_of(together, places, pair) : so_far[k];
       const Holds held = holds(orders, question, pair);
       const double d = separation(orders, held);
-      if (d >= kNamed) ++judged.settled;
+      if (d >= kIdentifiable) ++judged.settled;
       if (!(d < judged.smallest)) continue;
       judged.smallest = d;
       judged.so_far = separation(so_far[k], held);
@@ -247,7 +243,7 @@ std::vector<NextTest> next_tests(const Model& model, const Series& all, const Di
     if (result.empty() && judged.smallest < kUseless) {
       text = fmt::format("None on the list would tell all of them apart: the best ({}) reaches {}, 5 is needed.",
                          judged.test.name, d_text(judged.smallest));
-    } else if (result.empty() && judged.smallest < kSeen) {
+    } else if (result.empty() && judged.smallest < kDetectable) {
       text = "No test on the list tells all of them apart (d of 5 or more); the best is this. " + text;
     }
     result.push_back({judged.test.name, std::move(text), judged.smallest, judged.test.duration_s, judged.so_far});

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+
 namespace ballbar {
 namespace {
-
-constexpr std::size_t kMostPoints = 60;  // of the shapes of all candidates
 
 bool in(const std::vector<BoundEffect>& group, const BoundEffect& bound) {
   return std::find(group.begin(), group.end(), bound) != group.end();
@@ -35,7 +35,7 @@ Question question_of(const Model& model, const Series& data, const Diagnosis& di
   Question question{{&model, &data, &diagnosis.base, {}}, {}};
   std::vector<Rival>& rivals = question.candidates.rivals;
   std::vector<std::size_t> best_set;
-  const std::size_t points = kMostPoints / std::max<std::size_t>(4, diagnosis.candidates.size());
+  const std::size_t points = kComparedPoints / std::max<std::size_t>(4, diagnosis.candidates.size());
   for (const Candidate& candidate : diagnosis.candidates) {
     std::optional<Rival> rival = rival_of(candidate, data, points);
     if (!rival) continue;

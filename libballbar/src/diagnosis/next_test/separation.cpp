@@ -2,8 +2,8 @@
 
 #include <Eigen/QR>
 
-#include "diagnosis/signatures/bank.hpp"
 #include "noise/whitened.hpp"
+#include "numerics/orthonormal.hpp"
 
 namespace ballbar {
 namespace {
@@ -35,9 +35,8 @@ double distance(const Eigen::MatrixXd& factor, Eigen::Index signal, const std::v
   for (Eigen::Index k = 0; k < basis.cols(); ++k) basis.col(k).normalize();
   basis = orthonormal(basis);
   const Eigen::VectorXd a = factor.col(signal);
-  const Eigen::VectorXd left = a - basis * (basis.transpose() * a);
   // Twice, for the digits that the first lost.
-  return (left - basis * (basis.transpose() * left)).norm();
+  return freed(freed(a, basis), basis).norm();
 }
 
 }  // namespace ballbar

@@ -8,16 +8,12 @@
 #include <numeric>
 #include <string>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "numerics/orthonormal.hpp"
 #include "numerics/parallel.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr double kSameDirection = 0.98;  // coherence beyond which two signatures are not fitted together
-constexpr std::size_t kPairs = 25;
-constexpr std::size_t kFamiliesOfAnEffect = 6;
-constexpr std::size_t kShapesOfAFamily = 6;
-constexpr std::size_t kKept = 40;
 
 class Search {
  public:
@@ -25,7 +21,7 @@ class Search {
     along_ = projected.columns.transpose() * projected.residual;
     scores_ = scores(bank, projected, projected.residual);
     for (const Family& family : bank.families) {
-      threshold_.push_back(null != nullptr ? null->threshold(*family.effect) : 10.0);
+      threshold_.push_back(null != nullptr ? null->threshold(*family.bound.effect) : kPriceInSearch);
     }
   }
 
@@ -75,7 +71,7 @@ class Search {
   std::vector<std::size_t> reduced() const {
     std::map<std::string, std::vector<std::size_t>> of_effect;  // by name
     for (const std::size_t best : best_of_every_family()) {
-      of_effect[bank_.families[at(best).family].effect->name].push_back(best);
+      of_effect[bank_.families[at(best).family].bound.effect->name].push_back(best);
     }
     std::vector<std::size_t> result;
     for (auto& [effect, bests] : of_effect) {
@@ -191,7 +187,7 @@ std::vector<Subset> best_pairs(const Search& search, const std::vector<std::size
   pairs.reserve(best.size());
   for (auto& [families, subset] : best) pairs.push_back(std::move(subset));
   std::stable_sort(pairs.begin(), pairs.end(), better);
-  pairs.resize(std::min(pairs.size(), kPairs));
+  pairs.resize(std::min(pairs.size(), kPairsOfFamilies));
   in_parallel(pairs.size(), [&](std::size_t k) {
     Subset& pair = pairs[k];
     if (pair.signatures.size() < 2) return;
@@ -245,13 +241,13 @@ std::vector<Subset> best_subsets(const Bank& bank, const Projected& projected, c
     in_parallel(more.size(), [&](std::size_t k) {
       if (pairs[k].signatures.size() < 2) return;
       more[k] = with_one_more(search, pairs[k], reduced);
-      keep_best(search, more[k], 4);
+      keep_best(search, more[k], kTriplesOfAPair);
     });
     for (std::vector<Subset>& some : more) std::move(some.begin(), some.end(), std::back_inserter(triples));
     std::move(pairs.begin(), pairs.end(), std::back_inserter(all));
     std::move(triples.begin(), triples.end(), std::back_inserter(all));
   }
-  keep_best(search, all, kKept);
+  keep_best(search, all, kSubsetsKept);
   return all;
 }
 

@@ -8,10 +8,12 @@
 
 namespace ballbar {
 
+using Set = std::vector<std::size_t>;  // signatures
+
 struct Subset {
-  std::vector<std::size_t> signatures;  // of different families
-  double gain = 0.0;                    // b' G^-1 b, fall of chi^2
-  double net = 0.0;                     // gain less the threshold of every effect in it
+  Set signatures;     // of different families
+  double gain = 0.0;  // b' G^-1 b, fall of chi^2
+  double net = 0.0;   // gain less the threshold of every effect in it
 };
 
 // All singles; all pairs of the strongest shapes of the strongest families of every effect, then of all shapes of the

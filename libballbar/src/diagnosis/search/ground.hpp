@@ -7,7 +7,8 @@
 namespace ballbar {
 
 struct Ground {
-  Guess first;                  // the set by which the noise is told
+  Set first;                    // by which the noise is told
+  Evaluations evaluated;        // on the way
   Noise noise;                  // beside it
   Noise base_noise;             // most likely for the model alone
   double log_likelihood = 0.0;  // of the model alone
@@ -15,7 +16,7 @@ struct Ground {
   Projected seen;
   SearchNull null;
 };
-Ground ground_of(Hypotheses& now, const Noise& start, const DiagnosisOptions& options);
+Ground ground_of(const Hypotheses& now, const Noise& start, const SearchOptions& options);
 
 // By the best score of the search; readings far from the others count less where the noise has heavy tails.
 struct Detected {

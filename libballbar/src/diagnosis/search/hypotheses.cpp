@@ -3,22 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/error.hpp"
-#include "diagnosis/search/best_subset.hpp"
-#include "diagnosis/statistics/likely.hpp"
+#include "numerics/orthonormal.hpp"
 #include "numerics/parallel.hpp"
 
 namespace ballbar {
-namespace {
-
-constexpr double kWorthRefitting = 12.0;  // 2 ln L
-constexpr std::size_t kSearchRounds = 3;
-constexpr std::size_t kMostSwaps = 20;  // of one of the set
-
-}  // namespace
-
 Hypotheses::Hypotheses(const Model& model, const Series& data, std::size_t target, const Fit& base,
-                       const DiagnosisOptions& options)
+                       const SearchOptions& options)
     : model_(model), data_(data), target_(target), progress_(options.progress), leftover_(leftover_of(base)) {
   BankOptions searched;
   searched.motion = options.motion;
@@ -29,7 +21,7 @@ Hypotheses::Hypotheses(const Model& model, const Series& data, std::size_t targe
 std::size_t Hypotheses::largest_set() const {
   const auto n = static_cast<std::size_t>(leftover_.residual_um.size());
   const auto p = static_cast<std::size_t>(leftover_.model.cols());
-  return n <= p ? 0 : std::min<std::size_t>(3, (n - p) / 4);
+  return n <= p ? 0 : std::min(kLargestSet, (n - p) / kValuesForAnEffect);
 }
 
 Eigen::MatrixXd Hypotheses::columns(const Set& set) const {
@@ -49,36 +41,31 @@ Projected Hypotheses::projected_by(const Noise& noise) const {
                    Whitening(noise, leftover_.time_s, leftover_.sigma_um));
 }
 
-const Explained& Hypotheses::evaluated(const Set& set, const Noise& start) {
-  Set key = set;
-  std::sort(key.begin(), key.end());
-  const auto known = evaluated_.find(key);
-  if (known != evaluated_.end()) return known->second;
-  return evaluated_.emplace(std::move(key), explained(leftover_, columns(set), start)).first->second;
+const Explained& evaluation_of(const Evaluations& known, Set set) {
+  std::sort(set.begin(), set.end());
+  return known.at(set);
 }
 
-void Hypotheses::evaluate(const std::vector<Set>& sets, const Noise& start) {
+Evaluations Hypotheses::evaluated(Evaluations known, const std::vector<Set>& sets, const Noise& start) const {
   std::vector<Set> keys;
   for (Set key : sets) {
     std::sort(key.begin(), key.end());
-    const bool known = evaluated_.count(key) > 0 || std::find(keys.begin(), keys.end(), key) != keys.end();
-    if (!known) keys.push_back(std::move(key));
+    const bool there = known.count(key) > 0 || std::find(keys.begin(), keys.end(), key) != keys.end();
+    if (!there) keys.push_back(std::move(key));
   }
   std::vector<Explained> found(keys.size());
   in_parallel(keys.size(), [&](std::size_t i) { found[i] = explained(leftover_, columns(keys[i]), start); });
-  for (std::size_t i = 0; i < keys.size(); ++i) evaluated_.emplace(std::move(keys[i]), std::move(found[i]));
+  for (std::size_t i = 0; i < keys.size(); ++i) known.emplace(std::move(keys[i]), std::move(found[i]));
+  return known;
 }
 
-void Hypotheses::fit_by(const Noise& noise, Refitted& refitted) const {
-  Seen seen = seen_by(noise, refitted.model, data_, target_);
-  refitted.fit = std::move(seen.fit);
-  refitted.leftover = std::move(seen.likely.leftover);
-  refitted.noise = seen.likely.noise;
-  refitted.log_likelihood = seen.likely.log_likelihood;
+SubsetFit Hypotheses::fitted(Set set, Model model, const Noise& noise) const {
+  NoiseFit likely = noise_fit_by(noise, model, data_, target_);
+  return {std::move(set), std::move(model), std::move(likely), 0.0};
 }
 
 Term Hypotheses::term_at(std::size_t index) const {
-  Term term = term_of(*family(index).effect, family(index).columns);
+  Term term = term_of(*bound(index).effect, bound(index).columns);
   for (std::size_t k = 0; k < term.settings.size(); ++k) {
     if (term.effect->parameters[k].kind != ParameterKind::shape) continue;
     Setting& setting = term.settings[k];
@@ -88,53 +75,47 @@ Term Hypotheses::term_at(std::size_t index) const {
   return term;
 }
 
-Refitted Hypotheses::refitted(const Set& set, const Noise& noise) const {
-  Refitted result{set, model_, {}, {}, {}, 0.0, 0.0};
-  for (const std::size_t index : set) result.model.terms.push_back(term_at(index));
-  fit_by(noise, result);
-  return result;
+SubsetFit Hypotheses::refitted(const Set& set, const Noise& noise) const {
+  Model model = model_;
+  for (const std::size_t index : set) model.terms.push_back(term_at(index));
+  return fitted(set, std::move(model), noise);
 }
 
-Refitted Hypotheses::refitted_from(const Refitted& near, const Set& set) const {
-  Refitted result{set, from_where_it_is(near.model, near.fit), {}, {}, {}, 0.0, 0.0};
-  std::vector<Term> shared(result.model.terms.begin() + static_cast<std::ptrdiff_t>(model_.terms.size()),
-                           result.model.terms.end());
-  result.model.terms.resize(model_.terms.size());
+SubsetFit Hypotheses::refitted_from(const SubsetFit& near, const Set& set) const {
+  Model model = from_where_it_is(near.model, near.likely.fit);
+  std::vector<Term> shared(model.terms.begin() + static_cast<std::ptrdiff_t>(model_.terms.size()), model.terms.end());
+  model.terms.resize(model_.terms.size());
   for (const std::size_t index : set) {
     const auto at =
         std::find_if(near.set.begin(), near.set.end(), [&](std::size_t other) { return bound(other) == bound(index); });
-    result.model.terms.push_back(at == near.set.end() ? term_at(index)
-                                                      : shared[static_cast<std::size_t>(at - near.set.begin())]);
+    model.terms.push_back(at == near.set.end() ? term_at(index)
+                                               : shared[static_cast<std::size_t>(at - near.set.begin())]);
   }
-  fit_by(near.noise, result);
-  return result;
+  return fitted(set, std::move(model), near.likely.noise);
 }
 
-Refitted Hypotheses::without(const Refitted& whole, std::size_t place) const {
-  Refitted result{whole.set, from_where_it_is(whole.model, whole.fit), {}, {}, {}, 0.0, 0.0};
-  result.set.erase(result.set.begin() + static_cast<std::ptrdiff_t>(place));
-  result.model.terms.erase(result.model.terms.begin() + static_cast<std::ptrdiff_t>(model_.terms.size() + place));
-  fit_by(whole.noise, result);
-  return result;
+SubsetFit Hypotheses::without(const SubsetFit& whole, std::size_t place) const {
+  Set set = whole.set;
+  set.erase(set.begin() + static_cast<std::ptrdiff_t>(place));
+  Model model = from_where_it_is(whole.model, whole.likely.fit);
+  model.terms.erase(model.terms.begin() + static_cast<std::ptrdiff_t>(model_.terms.size() + place));
+  return fitted(std::move(set), std::move(model), whole.likely.noise);
 }
 
-Guess first_guess(Hypotheses& now, const Noise& base_noise, double base_log_likelihood) {
-  constexpr double kPrice = 14.0;  // of an effect, before its threshold is known
+FirstGuess first_guess(const Hypotheses& now, const Noise& base_noise, Evaluations known) {
   Noise white = base_noise;
   white.white_um =
       std::sqrt(base_noise.white_um * base_noise.white_um + base_noise.correlated_um * base_noise.correlated_um);
   white.correlated_um = 0.0;
   std::vector<Noise> starts{base_noise};
   if (base_noise.correlated_um > 0.0) starts.push_back(white);
-  Guess guess{{}, base_noise};
-  double most = 2.0 * base_log_likelihood;
   if (now.has_few_rows() && !now.leftover().sigma_um.empty()) {
     // What is stated, nothing more; all is judged by it.
-    now.forget();
-    guess.noise = {};
-    starts = {guess.noise};
-    most = 2.0 * now.evaluated({}, guess.noise).log_likelihood;
+    starts = {Noise{}};
+    known = now.evaluated({}, {{}}, starts.front());
   }
+  Set best;
+  double most = 2.0 * evaluation_of(known, best).log_likelihood;
   for (std::size_t round = 0; round < kSearchRounds && !starts.empty(); ++round) {
     const std::vector<Noise> from = std::move(starts);
     starts.clear();
@@ -145,21 +126,20 @@ Guess first_guess(Hypotheses& now, const Noise& base_noise, double base_log_like
       std::map<std::size_t, std::size_t> taken;
       std::vector<Set> sets;
       for (const Subset& subset : best_subsets(now.bank(), seen, nullptr, now.largest_set())) {
-        if (++taken[subset.signatures.size()] <= 5) sets.push_back(subset.signatures);
+        if (++taken[subset.signatures.size()] <= kBestOfEverySize) sets.push_back(subset.signatures);
       }
-      now.evaluate(sets, start);
+      known = now.evaluated(std::move(known), sets, start);
       for (const Set& set : sets) {
-        const Explained& found = now.evaluated(set, start);
-        const double value = 2.0 * found.log_likelihood - kPrice * static_cast<double>(set.size());
-        if (value <= most + 0.5) continue;
+        const double value = 2.0 * evaluation_of(known, set).log_likelihood - kPrice * static_cast<double>(set.size());
+        if (value <= most + kClearlyMore) continue;
         most = value;
-        guess = {set, found.noise};
+        best = set;
         better = true;
       }
     }
-    if (better) starts.push_back(guess.noise);
+    if (better) starts.push_back(evaluation_of(known, best).noise);
   }
-  return guess;
+  return {std::move(best), std::move(known)};
 }
 
 std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& set) {
@@ -174,14 +154,14 @@ std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& 
       basis = std::move(more);
     }
     basis = orthonormal(basis);
-    const Eigen::VectorXd left = seen.residual - basis * (basis.transpose() * seen.residual);
+    const Eigen::VectorXd left = freed(seen.residual, basis);
     const Eigen::VectorXd along = seen.columns.transpose() * left;
     const Eigen::MatrixXd inside = basis.transpose() * seen.columns;
     const auto gain = [&](std::size_t index) {
       double sum = 0.0;
       for (Eigen::Index j = now.at(index).first; j < now.at(index).first + now.at(index).width; ++j) {
         const double survives = 1.0 - inside.col(j).squaredNorm();
-        if (survives > 0.04) sum += along[j] * along[j] / survives;
+        if (survives > kSurvives) sum += along[j] * along[j] / survives;
       }
       return sum;
     };
@@ -195,7 +175,7 @@ std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& 
       for (std::size_t i = family.first; i < family.first + family.count; ++i) {
         if (gain(i) > gain(best)) best = i;
       }
-      if (!(gain(best) > 0.0) || gain(best) < 0.8 * own - kWorthRefitting) continue;
+      if (!(gain(best) > 0.0) || gain(best) < kNearlyAsMuch * own - kWorthRefitting) continue;
       Set swapped = others;
       swapped.push_back(best);
       places.emplace_back(gain(best), std::move(swapped));
@@ -207,20 +187,20 @@ std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& 
   return result;
 }
 
-std::vector<std::size_t> in_place_of(const Hypotheses& now, const Refitted& whole, std::size_t place,
+std::vector<std::size_t> in_place_of(const Hypotheses& now, const SubsetFit& whole, std::size_t place,
                                      const SearchNull& null) {
-  constexpr std::size_t kMost = 8;
-  Refitted without;
+  SubsetFit without;
   try {
     without = now.without(whole, place);
   } catch (const Error&) {
     return {};
   }
-  const Whitening whitening(whole.noise, without.leftover.time_s, without.leftover.sigma_um);
-  const Projected seen = projected(now.bank(), without.leftover.residual_um, without.leftover.model, whitening);
+  const Leftover& leftover = without.likely.leftover;
+  const Whitening whitening(whole.likely.noise, leftover.time_s, leftover.sigma_um);
+  const Projected seen = projected(now.bank(), leftover.residual_um, leftover.model, whitening);
   const Eigen::VectorXd score = scores(now.bank(), seen, seen.residual);
   const auto net = [&](std::size_t index) {
-    return score[static_cast<Eigen::Index>(index)] - null.threshold(*now.family(index).effect);
+    return score[static_cast<Eigen::Index>(index)] - null.threshold(*now.bound(index).effect);
   };
   std::vector<std::size_t> best;
   double own = 0.0;
@@ -237,7 +217,8 @@ std::vector<std::size_t> in_place_of(const Hypotheses& now, const Refitted& whol
   }
   std::stable_sort(best.begin(), best.end(), [&](std::size_t a, std::size_t b) { return net(a) > net(b); });
   std::size_t taken = 0;
-  while (taken < std::min(best.size(), kMost) && net(best[taken]) > 0.8 * own - kWorthRefitting) ++taken;
+  while (taken < std::min(best.size(), kMostInPlace) && net(best[taken]) > kNearlyAsMuch * own - kWorthRefitting)
+    ++taken;
   best.resize(taken);
   return best;
 }

@@ -8,38 +8,39 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/diagnosis/search/search_options.hpp"
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/model/bound_effect.hpp"
+#include "diagnosis/search/best_subset.hpp"
 #include "diagnosis/search/search_null.hpp"
 #include "diagnosis/signatures/bank.hpp"
 #include "diagnosis/statistics/evidence.hpp"
+#include "diagnosis/statistics/likely.hpp"
 
 namespace ballbar {
 
-inline constexpr Eigen::Index kFewestForNoise = 30;  // rows; with fewer the noise is not estimated anew for every set
+// Sets on the grid of shapes, each by its rising signatures.
+using Evaluations = std::map<Set, Explained>;
+const Explained& evaluation_of(const Evaluations& known, Set set);
 
-using Set = std::vector<std::size_t>;  // signatures
-
-struct Refitted {
+// Terms of a set added to the model and fitted.
+struct SubsetFit {
   Set set;
   Model model;
-  Fit fit;
-  Leftover leftover;
-  Noise noise;  // most likely
-  double log_likelihood = 0.0;
+  NoiseFit likely;
   double penalised = 0.0;  // 2 ln L less thresholds
 };
 
 // Everything the steps of a diagnosis share: data flows in once, figures are looked up. Refers to model and data.
 class Hypotheses {
  public:
-  Hypotheses(const Model& model, const Series& data, std::size_t target, const Fit& base,
-             const DiagnosisOptions& options);
+  Hypotheses(const Model& model, const Series& data, std::size_t target, const Fit& base, const SearchOptions& options);
 
   const Bank& bank() const { return bank_; }
   const Leftover& leftover() const { return leftover_; }
   const Signature& at(std::size_t index) const { return bank_.signatures[index]; }
   const Family& family(std::size_t index) const { return bank_.families[at(index).family]; }
-  BoundEffect bound(std::size_t index) const { return {family(index).effect, family(index).columns}; }
+  const BoundEffect& bound(std::size_t index) const { return family(index).bound; }
   const Model& model() const { return model_; }
   bool has_few_rows() const { return leftover_.residual_um.size() < kFewestForNoise; }
 
@@ -54,30 +55,26 @@ class Hypotheses {
   Eigen::MatrixXd columns(const Set& set) const;
   Projected projected_by(const Noise& noise) const;
 
-  // On the grid, remembered. The noise from which an evaluation starts matters for few rows alone: then all that was
-  // evaluated before has to be forgotten.
-  const Explained& evaluated(const Set& set, const Noise& start);
-  // Many at a time, to be looked up.
-  void evaluate(const std::vector<Set>& sets, const Noise& start);
-  void forget() { evaluated_.clear(); }
+  // `known`, and those of the sets that are not in it. The noise from which an evaluation starts matters for few rows
+  // alone: then none by another is to be known.
+  Evaluations evaluated(Evaluations known, const std::vector<Set>& sets, const Noise& start) const;
 
   // Terms of the set added to the model, shapes free from their grid point, held ones held there; fitted. Throws Error
   // as fit does.
-  Refitted refitted(const Set& set, const Noise& noise) const;
+  SubsetFit refitted(const Set& set, const Noise& noise) const;
 
   // The same by the noise of another fitted set, what the two share from where that has it: a grid point far from the
   // truth would end in a hollow of its own.
-  Refitted refitted_from(const Refitted& near, const Set& set) const;
+  SubsetFit refitted_from(const SubsetFit& near, const Set& set) const;
 
   // Without the effect at `place` of the set, by the noise with it: the shapes of the model start from where they are.
-  Refitted without(const Refitted& whole, std::size_t place) const;
+  SubsetFit without(const SubsetFit& whole, std::size_t place) const;
 
  private:
   // The effect with its shapes at this point of the grid.
   Term term_at(std::size_t index) const;
 
-  // Fits refitted.model: all but set and model of `refitted` becomes new.
-  void fit_by(const Noise& noise, Refitted& refitted) const;
+  SubsetFit fitted(Set set, Model model, const Noise& noise) const;
 
   const Model& model_;
   const Series& data_;
@@ -85,23 +82,22 @@ class Hypotheses {
   std::function<void(std::string_view)> progress_;
   Leftover leftover_;
   Bank bank_;
-  std::map<Set, Explained> evaluated_;
 };
 
 // The set by which the noise is told: from the base residual and from the residual of the best sets found so far,
-// whichever makes the data most likely. Empty: the model alone.
-struct Guess {
+// whichever makes the data most likely. Empty: the model alone. With all that was evaluated on the way.
+struct FirstGuess {
   Set set;
-  Noise noise;
+  Evaluations evaluated;
 };
-Guess first_guess(Hypotheses& now, const Noise& base_noise, double base_log_likelihood);
+FirstGuess first_guess(const Hypotheses& now, const Noise& base_noise, Evaluations known);
 
 // The best shape of every family in the place of one of the set, where it explains nearly as much.
 std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& set);
 
 // The best shapes of other families, at most 8, that in the place of one of a fitted set would explain nearly as much,
 // thresholds taken off: by the residual without it, freed of what the others can make with their shapes free.
-std::vector<std::size_t> in_place_of(const Hypotheses& now, const Refitted& whole, std::size_t place,
+std::vector<std::size_t> in_place_of(const Hypotheses& now, const SubsetFit& whole, std::size_t place,
                                      const SearchNull& null);
 
 bool has(const Hypotheses& now, const Set& set, const BoundEffect& bound);

@@ -6,25 +6,18 @@
 #include <optional>
 #include <string>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/error.hpp"
 #include "diagnosis/search/best_subset.hpp"
-#include "diagnosis/verdict/candidates.hpp"
+#include "diagnosis/search/nested_effects.hpp"
 #include "numerics/parallel.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kNearlyAsGood = 6.0;        // 2 ln L, less thresholds or of sets of one size
-constexpr double kThreeNearlyAsGood = 12.0;  // 2 ln L less thresholds of sets of three
-constexpr double kFarFromGood = 40.0;        // 2 ln L less thresholds: not worth another fit
-constexpr double kWorthRefitting = 12.0;     // 2 ln L
-constexpr double kGridError = 0.1;           // share of the evidence that a point of a grid may lack
-constexpr std::size_t kRefitted = 14;        // sets of one effect; half as many more for every other one
-constexpr std::size_t kRounds = 2;
-
 double thresholds(const Hypotheses& now, const SearchNull& null, const Set& set) {
   double sum = 0.0;
-  for (const std::size_t index : set) sum += null.threshold(*now.family(index).effect);
+  for (const std::size_t index : set) sum += null.threshold(*now.bound(index).effect);
   return sum;
 }
 
@@ -46,7 +39,7 @@ class Fitted {
       fresh.push_back(set);
     }
     if (!fresh.empty()) now_.tell(fmt::format("fitting {} sets of effects", fresh.size()));
-    std::vector<std::optional<Refitted>> fitted(fresh.size());
+    std::vector<std::optional<SubsetFit>> fitted(fresh.size());
     in_parallel(fresh.size(), [&](std::size_t i) {
       try {
         fitted[i] = judged(now_.refitted(fresh[i], ground_.noise));
@@ -54,21 +47,21 @@ class Fitted {
         return;  // a set that cannot be fitted explains nothing
       }
     });
-    for (std::optional<Refitted>& one : fitted) {
+    for (std::optional<SubsetFit>& one : fitted) {
       if (one) refits_.push_back(std::move(*one));
     }
   }
 
-  void again_from(const Refitted& near) {
+  void again_from(const SubsetFit& near) {
     in_parallel(refits_.size(), [&](std::size_t i) {
-      Refitted& other = refits_[i];
+      SubsetFit& other = refits_[i];
       if (other.penalised < near.penalised - kFarFromGood) return;
       const bool shares = std::any_of(other.set.begin(), other.set.end(),
                                       [&](std::size_t index) { return has(now_, near.set, now_.bound(index)); });
       if (!shares) return;
       try {
-        Refitted again = judged(now_.refitted_from(near, other.set));
-        if (again.log_likelihood > other.log_likelihood) other = std::move(again);
+        SubsetFit again = judged(now_.refitted_from(near, other.set));
+        if (again.likely.log_likelihood > other.likely.log_likelihood) other = std::move(again);
       } catch (const Error&) {
         return;  // from there it has no fit
       }
@@ -77,48 +70,57 @@ class Fitted {
 
   void sort() {
     std::stable_sort(refits_.begin(), refits_.end(),
-                     [](const Refitted& a, const Refitted& b) { return a.penalised > b.penalised; });
+                     [](const SubsetFit& a, const SubsetFit& b) { return a.penalised > b.penalised; });
   }
 
-  std::vector<Refitted>& refits() { return refits_; }
+  std::vector<SubsetFit>& refits() { return refits_; }
 
  private:
-  Refitted judged(Refitted refitted) const {
-    refitted.penalised = 2.0 * refitted.log_likelihood - thresholds(now_, ground_.null, refitted.set);
+  SubsetFit judged(SubsetFit refitted) const {
+    refitted.penalised = 2.0 * refitted.likely.log_likelihood - thresholds(now_, ground_.null, refitted.set);
     return refitted;
   }
 
   const Hypotheses& now_;
   const Ground& ground_;
-  std::vector<Refitted> refits_;
+  std::vector<SubsetFit> refits_;
   std::vector<std::vector<std::string>> done_;
 };
 
 // By the grid, the most likely first.
-std::vector<Set> worth_a_look(Hypotheses& now, const Ground& ground) {
-  constexpr std::size_t kMost = 20;
+struct WorthALook {
+  std::vector<Set> sets;
+  Evaluations evaluated;
+};
+
+// On the grid: 2 ln L less what a search without any effect finds.
+double penalised(const Hypotheses& now, const Ground& ground, const Evaluations& evaluated, const Set& set) {
+  return 2.0 * evaluation_of(evaluated, set).log_likelihood - thresholds(now, ground.null, set);
+}
+
+WorthALook worth_a_look(const Hypotheses& now, const Ground& ground) {
   std::vector<Set> sets;
   for (const Subset& subset : best_subsets(now.bank(), ground.seen, &ground.null, now.largest_set())) {
     sets.push_back(subset.signatures);
-    if (sets.size() == kMost) break;
+    if (sets.size() == kWorthALook) break;
   }
-  if (!ground.first.set.empty()) sets.push_back(ground.first.set);
-  if (sets.empty()) return sets;
-  now.evaluate(sets, ground.noise);
+  if (!ground.first.empty()) sets.push_back(ground.first);
+  if (sets.empty()) return {};
+  Evaluations evaluated = now.evaluated(ground.evaluated, sets, ground.noise);
   const auto by_likelihood = [&](const Set& a, const Set& b) {
-    return penalised(now, ground, a) > penalised(now, ground, b);
+    return penalised(now, ground, evaluated, a) > penalised(now, ground, evaluated, b);
   };
   std::stable_sort(sets.begin(), sets.end(), by_likelihood);
   for (Set& swapped : swaps(now, ground.seen, sets.front())) sets.push_back(std::move(swapped));
-  now.evaluate(sets, ground.noise);
+  evaluated = now.evaluated(std::move(evaluated), sets, ground.noise);
   std::stable_sort(sets.begin(), sets.end(), by_likelihood);
-  return sets;
+  return {std::move(sets), std::move(evaluated)};
 }
 
 // In the place of each effect of the best set others: a grid point far from the truth ends in a hollow of its own.
 void add_in_place(const Hypotheses& now, const Ground& ground, Fitted& fitted) {
-  for (std::size_t round = 0; round < kRounds; ++round) {
-    const Refitted whole = fitted.refits().front();
+  for (std::size_t round = 0; round < kInPlaceRounds; ++round) {
+    const SubsetFit whole = fitted.refits().front();
     std::vector<std::vector<std::size_t>> others(whole.set.size());
     in_parallel(others.size(), [&](std::size_t out) { others[out] = in_place_of(now, whole, out, ground.null); });
     std::vector<Set> swapped;
@@ -138,7 +140,7 @@ void add_in_place(const Hypotheses& now, const Ground& ground, Fitted& fitted) {
 // The best set without each of its effects: what a point of the grid lacked another effect may have filled in, which
 // with free shapes is not needed.
 void add_with_fewer(Fitted& fitted) {
-  const std::vector<Refitted>& refits = fitted.refits();
+  const std::vector<SubsetFit>& refits = fitted.refits();
   for (std::size_t before = 0; before != refits.size() && refits.front().set.size() > 1;) {
     before = refits.size();
     const Set whole = refits.front().set;
@@ -154,27 +156,24 @@ void add_with_fewer(Fitted& fitted) {
 
 }  // namespace
 
-double penalised(Hypotheses& now, const Ground& ground, const Set& set) {
-  return 2.0 * now.evaluated(set, ground.noise).log_likelihood - thresholds(now, ground.null, set);
-}
-
-bool is_open_between(const Refitted& best, const Refitted& other) {
+bool is_open_between(const SubsetFit& best, const SubsetFit& other) {
   const double nearly = best.set.size() < 3 ? kNearlyAsGood : kThreeNearlyAsGood;
   return other.penalised > best.penalised - nearly ||
-         (other.set.size() == best.set.size() && 2.0 * (best.log_likelihood - other.log_likelihood) < kNearlyAsGood);
+         (other.set.size() == best.set.size() &&
+          2.0 * (best.likely.log_likelihood - other.likely.log_likelihood) < kNearlyAsGood);
 }
 
-std::vector<Refitted> rival_sets(Hypotheses& now, const Ground& ground) {
-  const std::vector<Set> sets = worth_a_look(now, ground);
+std::vector<SubsetFit> rival_sets(const Hypotheses& now, const Ground& ground) {
+  const auto [sets, evaluated] = worth_a_look(now, ground);
   if (sets.empty()) return {};
-  const double gained = 2.0 * (now.evaluated(sets.front(), ground.noise).log_likelihood - ground.log_likelihood);
+  const double gained = 2.0 * (evaluation_of(evaluated, sets.front()).log_likelihood - ground.log_likelihood);
   const double allowance = kWorthRefitting + kGridError * std::max(0.0, gained);
-  const std::size_t most = kRefitted * (sets.front().size() + 1) / 2;
+  const std::size_t most = kMostRefitted * (sets.front().size() + 1) / 2;
   Fitted fitted(now, ground);
-  std::vector<Refitted>& refits = fitted.refits();
+  std::vector<SubsetFit>& refits = fitted.refits();
   std::vector<Set> tried;
   for (const Set& set : sets) {
-    if (penalised(now, ground, set) < penalised(now, ground, sets.front()) - allowance) break;
+    if (penalised(now, ground, evaluated, set) < penalised(now, ground, evaluated, sets.front()) - allowance) break;
     tried.push_back(set);
   }
   fitted.add(tried, most);

@@ -12,13 +12,10 @@ namespace ballbar {
 // best one anew from where that has them, in the place of each of its effects the others, and it without each. What
 // draws the same curve as another with more shapes stands before it. The others sorted by 2 ln L less the thresholds;
 // empty where none can be fitted.
-std::vector<Refitted> rival_sets(Hypotheses& now, const Ground& ground);
+std::vector<SubsetFit> rival_sets(const Hypotheses& now, const Ground& ground);
 
 // Whether the data leave open which of the two it is: less than 6 of 2 ln L less thresholds apart, 12 for sets of
 // three, of which there are far more; or so near in 2 ln L that thresholds alone would decide.
-bool is_open_between(const Refitted& best, const Refitted& other);
-
-// On the grid, or fitted: 2 ln L less what a search without any effect finds.
-double penalised(Hypotheses& now, const Ground& ground, const Set& set);
+bool is_open_between(const SubsetFit& best, const SubsetFit& other);
 
 }  // namespace ballbar

@@ -4,37 +4,13 @@
 #include <cmath>
 #include <optional>
 
-#include "noise/kalman.hpp"
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "noise/whitened.hpp"
 #include "numerics/parallel.hpp"
 #include "numerics/simulate_noise.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr double kTail = 0.1;  // share of the draws from which a tail is told
-
-// Paths of one noise from white numbers, one a row: the filter of noise.hpp run the other way.
-class Colouring {
- public:
-  Colouring(const Noise& noise, const Leftover& leftover) : kalman_(leftover.time_s, leftover.sigma_um) {
-    kalman_.set({noise.white_um * noise.white_um, noise.correlated_um * noise.correlated_um, noise.correlation_time_s});
-    sigma_um_ = kalman_.weight().rsqrt();
-  }
-
-  void apply(Eigen::VectorXd& white) const {
-    double s = 0.0;
-    for (Eigen::Index i = 0; i < white.size(); ++i) {
-      const double innovation = sigma_um_[i] * white[i];
-      s *= kalman_.decay()[i];
-      white[i] = s + innovation;
-      s += kalman_.gain()[i] * innovation;
-    }
-  }
-
- private:
-  Kalman kalman_;
-  Eigen::ArrayXd sigma_um_;  // of the innovations
-};
 
 // Draws first, first + 1 ... of `draws`, whitened by one noise; each of them is of one of `plausible`, which follow one
 // another in equal shares.
@@ -58,7 +34,7 @@ class Paths {
     std::size_t coloured = plausible_.size();
     for (Eigen::Index b = 0; b < count; ++b) {
       const std::size_t which = noise_of_draw(first + b);
-      if (which != coloured) colouring.emplace(plausible_[coloured = which], leftover_);
+      if (which != coloured) colouring.emplace(plausible_[coloured = which], leftover_.time_s, leftover_.sigma_um);
       simulation::fill_normal({path.data(), static_cast<std::size_t>(path.size())}, random);
       colouring->apply(path);
       whitening_.apply(path.data(), 1, path.data(), 1);
@@ -134,19 +110,19 @@ double SearchNull::p_search(const Effect& effect, double score) const {
 }
 
 double SearchNull::threshold(const Effect& effect) const {
-  const double chance = effect.time_only ? 0.001 : 0.01;
+  const double chance = effect.time_only ? kErrorOfTimeOnly : kErrorOfASearch;
   return tails_.at(index_of(effect)).quantile(std::exp(-rarest_.quantile(chance)));
 }
 
 SearchNull search_null(const Bank& bank, const Projected& projected, const Leftover& leftover, const Noise& noise,
                        const std::vector<Noise>& plausible, std::size_t draws, std::uint64_t seed) {
   constexpr Eigen::Index kBatch = 250;
-  const auto count = static_cast<Eigen::Index>(std::max<std::size_t>(draws, 100));  // fewer have no tail
+  const auto count = static_cast<Eigen::Index>(std::max(draws, kFewestDraws));
   std::vector<const Effect*> effects;
   std::vector<Eigen::Index> effect_of_family;
   for (const Family& family : bank.families) {
-    auto at = std::find(effects.begin(), effects.end(), family.effect);
-    if (at == effects.end()) at = effects.insert(effects.end(), family.effect);
+    auto at = std::find(effects.begin(), effects.end(), family.bound.effect);
+    if (at == effects.end()) at = effects.insert(effects.end(), family.bound.effect);
     effect_of_family.push_back(at - effects.begin());
   }
   const Eigen::MatrixXf columns = projected.columns.cast<float>();

@@ -1,14 +1,16 @@
 #include "diagnosis/signatures/bank.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/model/measured_input.hpp"
+#include "effects/effect_at.hpp"
 #include "model/bindings.hpp"
 #include "noise/whitened.hpp"
+#include "numerics/orthonormal.hpp"
 #include "numerics/parallel.hpp"
 
 namespace ballbar {
@@ -17,7 +19,6 @@ namespace {
 constexpr std::size_t kMostOnsets = 400;
 constexpr std::size_t kMostPeriods = 200;
 constexpr std::size_t kMostWaves = 400;  // of one shape on recordings
-constexpr double kNothingLeft = 1e-8;    // share of a column's square
 
 bool is_constant(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -31,16 +32,11 @@ bool is_whole(const std::vector<double>& values) {
 // One column a gain, at the rows of the fit; none where a value is not finite or nothing varies.
 std::vector<Eigen::VectorXd> gains_of(const Effect& effect, const EffectRows& inputs, const std::vector<double>& point,
                                       const std::vector<std::size_t>& rows) {
-  const std::size_t count = effect.parameters.size();
-  std::vector<double> values(inputs.time_s.size()), slopes(values.size() * count);
-  effect.evaluate(inputs, point.data(), values.data(), slopes.data());
   std::vector<Eigen::VectorXd> gains;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (effect.parameters[k].kind != ParameterKind::gain) continue;
-    Eigen::VectorXd column(static_cast<Eigen::Index>(rows.size()));
-    for (std::size_t i = 0; i < rows.size(); ++i) column[static_cast<Eigen::Index>(i)] = slopes[rows[i] * count + k];
+  const Eigen::MatrixXd columns = effect_at(effect, inputs, point, rows).gains(effect);
+  for (const auto& column : columns.colwise()) {
     if (!column.allFinite() || column.maxCoeff() - column.minCoeff() < 1e-12) continue;
-    gains.push_back(std::move(column));
+    gains.emplace_back(column);
   }
   return gains;
 }
@@ -139,7 +135,7 @@ std::vector<Shaped> shaped_of(const Catalogue& catalogue, const Model& model, co
       if (has_term(model, *effect, names) && !effect->rules.may_repeat) continue;
       BoundInputs bound = inputs_of(*effect, names, data);
       if (!bound.usable && !bound.is_half) continue;
-      Shaped one{{effect.get(), std::move(names), 0, 0}, std::move(bound), {}, {}};
+      Shaped one{{{effect.get(), std::move(names)}, 0, 0}, std::move(bound), {}, {}};
       one.points = shapes_of(*effect, one.bound.rows, options);
       one.gains.resize(one.points.size());
       result.push_back(std::move(one));
@@ -155,7 +151,7 @@ void evaluate(std::vector<Shaped>& all, const std::vector<std::size_t>& rows) {
   }
   in_parallel(parts.size(), [&](std::size_t k) {
     auto& [one, i] = parts[k];
-    const Effect& effect = *one->family.effect;
+    const Effect& effect = *one->family.bound.effect;
     std::vector<Eigen::VectorXd> gains = gains_of(effect, one->bound.rows, one->points[i], rows);
     if (gains.empty() || is_same_as_input(effect, one->bound.rows, rows, gains.front())) return;
     if (one->bound.is_half && gains.size() < gain_count(effect)) return;
@@ -193,70 +189,12 @@ Bank bank_of(const Catalogue& catalogue, const Model& model, const Series& data,
   return bank;
 }
 
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
-  if (columns.cols() == 0) return columns;
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-  return Eigen::MatrixXd(qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank()));
-}
-
-std::vector<Eigen::Index> used_parameters(const Fit& fit) {
-  std::vector<Eigen::Index> used;
-  for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
-    const auto index = static_cast<Eigen::Index>(k);
-    if (fit.parameters[k].state != ParameterState::held && fit.jacobian.col(index).norm() > 0.0) used.push_back(index);
-  }
-  return used;
-}
-
-Eigen::MatrixXd model_columns(const Fit& fit) {
-  const std::vector<Eigen::Index> used = used_parameters(fit);
-  Eigen::MatrixXd columns(fit.jacobian.rows(), static_cast<Eigen::Index>(used.size()));
-  for (std::size_t j = 0; j < used.size(); ++j) {
-    columns.col(static_cast<Eigen::Index>(j)) = fit.jacobian.col(used[j]).normalized();
-  }
-  return columns;
-}
-
-std::vector<double> model_reach_um(const Fit& fit) {
-  std::vector<double> reach;
-  for (const Eigen::Index index : used_parameters(fit)) {
-    const FittedParameter& parameter = fit.parameters[static_cast<std::size_t>(index)];
-    const bool gain = parameter.kind == ParameterKind::gain;
-    reach.push_back(gain ? std::numeric_limits<double>::infinity()
-                         : std::abs(parameter.value) * fit.jacobian.col(index).norm());
-  }
-  return reach;
-}
-
-namespace {
-
-// Columns of one signature, freed of the model, made orthonormal; where nothing is left of one, 0.
-void orthonormalise(const Signature& signature, const Eigen::MatrixXd& all, Eigen::Ref<Eigen::MatrixXd> left,
-                    double& share, double& norm) {
-  share = 1.0;
-  for (Eigen::Index j = 0; j < signature.width; ++j) {
-    for (Eigen::Index i = 0; i < j; ++i) left.col(j) -= left.col(i) * left.col(i).dot(left.col(j));
-    const double square = left.col(j).squaredNorm(), before = all.col(j).squaredNorm();
-    const double part = before > 0.0 ? square / before : 0.0;
-    share = std::min(share, part);
-    if (j == 0) norm = std::sqrt(square);
-    if (part > kNothingLeft) {
-      left.col(j) /= std::sqrt(square);
-    } else {
-      left.col(j).setZero();
-    }
-  }
-}
-
-}  // namespace
-
 Projected projected(const Bank& bank, const Eigen::VectorXd& residual_um, const Eigen::MatrixXd& basis,
                     const Whitening& whitening) {
   constexpr std::size_t kTogether = 64;  // signatures
   Projected result;
   result.model = orthonormal(whitened(whitening, basis));
-  result.residual = whitened(whitening, residual_um);
-  result.residual -= result.model * (result.model.transpose() * result.residual);
+  result.residual = freed(Eigen::VectorXd(whitened(whitening, residual_um)), result.model);
   result.columns.resize(bank.columns.rows(), bank.columns.cols());
   const std::size_t count = bank.signatures.size();
   result.share.resize(count);
@@ -266,17 +204,26 @@ Projected projected(const Bank& bank, const Eigen::VectorXd& residual_um, const 
     const Signature &front = bank.signatures[begin], &back = bank.signatures[end - 1];
     const Eigen::Index first = front.first, width = back.first + back.width - first;
     const Eigen::MatrixXd all = whitened(whitening, bank.columns.middleCols(first, width));
-    auto left = result.columns.middleCols(first, width);
-    const Eigen::MatrixXd made = result.model.transpose() * all;
-    left = all;
-    left.noalias() -= result.model * made;
+    result.columns.middleCols(first, width) = freed(all, result.model);
     for (std::size_t k = begin; k < end; ++k) {
       const Signature& signature = bank.signatures[k];
-      orthonormalise(signature, all.middleCols(signature.first - first, signature.width),
-                     result.columns.middleCols(signature.first, signature.width), result.share[k], result.norm[k]);
+      const Eigen::MatrixXd own = all.middleCols(signature.first - first, signature.width);
+      const Eigen::RowVectorXd before = own.colwise().squaredNorm();
+      const Eigen::RowVectorXd left =
+          orthonormalise(result.columns.middleCols(signature.first, signature.width), before, kNothingLeft);
+      result.norm[k] = std::sqrt(left[0]);
+      result.share[k] = 1.0;
+      for (Eigen::Index j = 0; j < signature.width; ++j) {
+        result.share[k] = std::min(result.share[k], before[j] > 0.0 ? left[j] / before[j] : 0.0);
+      }
     }
   });
   return result;
+}
+
+double detectable_um(const Bank& bank, const Projected& projected, std::size_t signature, double d) {
+  if (projected.share[signature] < kAbsorbed) return std::numeric_limits<double>::infinity();
+  return d * bank.signatures[signature].range_um / projected.norm[signature];
 }
 
 Eigen::VectorXd scores(const Bank& bank, const Projected& projected, const Eigen::VectorXd& residual) {

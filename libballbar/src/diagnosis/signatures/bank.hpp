@@ -15,14 +15,14 @@
 
 #include "ballbar/circle/recording.hpp"
 #include "ballbar/fit/fit.hpp"
+#include "ballbar/model/bound_effect.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
 
 struct Family {
-  const Effect* effect = nullptr;
-  std::vector<std::string> columns;
+  BoundEffect bound;
   std::size_t first = 0, count = 0;  // of Bank::signatures
 };
 
@@ -77,17 +77,9 @@ struct Projected {
 Projected projected(const Bank& bank, const Eigen::VectorXd& residual_um, const Eigen::MatrixXd& basis,
                     const Whitening& whitening);
 
+// Range of the effect with this d, of one signature; infinite where the model absorbs it.
+double detectable_um(const Bank& bank, const Projected& projected, std::size_t signature, double d);
+
 Eigen::VectorXd scores(const Bank& bank, const Projected& projected, const Eigen::VectorXd& residual);
-
-// Parameters that the fit was free in, by their place.
-std::vector<Eigen::Index> used_parameters(const Fit& fit);
-
-// Their columns of the Jacobian, scaled to unit length.
-Eigen::MatrixXd model_columns(const Fit& fit);
-
-// Of these columns: infinite for a gain; for a shape what it adds when it doubles.
-std::vector<double> model_reach_um(const Fit& fit);
-
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns);
 
 }  // namespace ballbar

@@ -8,20 +8,16 @@
 #include <cmath>
 #include <limits>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "diagnosis/signatures/bank.hpp"
 #include "diagnosis/signatures/prospects.hpp"
+#include "fit/linearised_fit.hpp"
 #include "model/bindings.hpp"
 #include "numerics/parallel.hpp"
 #include "series/thinned.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr double kAbsorbed = 0.05;
-constexpr double kInseparable = 0.95;
-constexpr double kDetectable = 5.0;
-constexpr double kIdentifiable = 7.5;
-constexpr std::size_t kMostShapes = 12;  // of one family, compared with those of the others
 
 auto block(const Projected& seen, const Signature& signature) {
   return seen.columns.middleCols(signature.first, signature.width);
@@ -36,7 +32,7 @@ double coherence(const Eigen::MatrixXd& between) {
 
 std::vector<std::size_t> some_shapes(const Family& family) {
   std::vector<std::size_t> shapes;
-  const std::size_t stride = 1 + (family.count - 1) / kMostShapes;
+  const std::size_t stride = 1 + (family.count - 1) / kComparedShapes;
   for (std::size_t i = family.first; i < family.first + family.count; i += stride) shapes.push_back(i);
   return shapes;
 }
@@ -65,7 +61,7 @@ double imitated(const Bank& bank, const Projected& seen, const Family& a, const 
 double um_for_unit_d(const Bank& bank, const Projected& seen, const Family& family) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = family.first; i < family.first + family.count; ++i) {
-    if (seen.share[i] >= kAbsorbed) least = std::min(least, bank.signatures[i].range_um / seen.norm[i]);
+    least = std::min(least, detectable_um(bank, seen, i, 1.0));
   }
   return least;
 }
@@ -126,8 +122,9 @@ std::vector<Prospect> prospects_of(const Catalogue& catalogue, const Bank& bank,
     double least = std::numeric_limits<double>::infinity();
     const std::vector<std::vector<std::string>> bindings = bindings_of(*effect, model, data);
     prospect.bindings = count_of_bindings(*effect, model, data);
+    prospect.searched = bindings.size();
     for (const Family& family : bank.families) {
-      if (family.effect != effect.get()) continue;
+      if (family.bound.effect != effect.get()) continue;
       const double um = um_for_unit_d(bank, seen, family);
       if (chosen == nullptr || um < least) chosen = &family;
       least = std::min(least, um);
@@ -144,7 +141,7 @@ std::vector<Prospect> prospects_of(const Catalogue& catalogue, const Bank& bank,
       prospect.testability = Testability::absorbed;
       prospect.why = "what it adds is made by the model already";
     } else {
-      prospect.columns = chosen->columns;
+      prospect.columns = chosen->bound.columns;
       prospect.detectable_um = kDetectable * least;
       prospect.identifiable_um = kIdentifiable * least;
       for (std::size_t i = chosen->first; i < chosen->first + chosen->count; ++i) {

@@ -2,10 +2,11 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <unsupported/Eigen/SpecialFunctions>
 
-#include "diagnosis/signatures/bank.hpp"
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "noise/whitened.hpp"
+#include "numerics/orthonormal.hpp"
+#include "numerics/tails.hpp"
 
 namespace ballbar {
 namespace {
@@ -23,22 +24,6 @@ double chi2(const Leftover& leftover, const Noise& noise) {
   return r.squaredNorm() - (basis.transpose() * r).squaredNorm();
 }
 
-std::size_t first_parameter(const Model& model, std::size_t term) {
-  std::size_t first = 1;
-  for (std::size_t t = 0; t < term; ++t) first += model.terms[t].settings.size();
-  return first;
-}
-
-Eigen::MatrixXd gain_columns(const Fit& fit, const Model& model, std::size_t term) {
-  std::vector<Eigen::Index> gains;
-  const std::vector<Parameter>& parameters = model.terms[term].effect->parameters;
-  const std::size_t first = first_parameter(model, term);
-  for (std::size_t k = 0; k < parameters.size(); ++k) {
-    if (parameters[k].kind == ParameterKind::gain) gains.push_back(static_cast<Eigen::Index>(first + k));
-  }
-  return fit.jacobian(Eigen::all, gains);
-}
-
 double p_same_gain(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise,
                    const std::vector<std::size_t>& cycle) {
   const auto cycles = static_cast<Eigen::Index>(*std::max_element(cycle.begin(), cycle.end()) + 1);
@@ -51,24 +36,21 @@ double p_same_gain(const Leftover& leftover, const Eigen::MatrixXd& columns, con
     apart.block(row, static_cast<Eigen::Index>(cycle[i]) * columns.cols(), 1, columns.cols()) = columns.row(row);
   }
   const Eigen::MatrixXd basis = orthonormal(whitened(whitening, together));
-  Eigen::VectorXd r = whitened(whitening, leftover.residual_um);
-  r -= basis * (basis.transpose() * r);
-  Eigen::MatrixXd left = whitened(whitening, apart);
-  left -= basis * (basis.transpose() * left);
+  const Eigen::VectorXd r = freed(Eigen::VectorXd(whitened(whitening, leftover.residual_um)), basis);
+  const Eigen::MatrixXd left = freed(whitened(whitening, apart), basis);
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(left);
-  qr.setThreshold(1e-3);
+  qr.setThreshold(kOwnDirection);
   const Eigen::Index degrees = qr.rank();
   if (degrees == 0) return 1.0;
   const Eigen::MatrixXd directions = qr.householderQ() * Eigen::MatrixXd::Identity(left.rows(), degrees);
-  return Eigen::numext::igammac(0.5 * static_cast<double>(degrees), 0.5 * (directions.transpose() * r).squaredNorm());
+  return chi2_upper_tail((directions.transpose() * r).squaredNorm(), static_cast<std::size_t>(degrees));
 }
 
 double share_of_one_cycle(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise,
                           const std::vector<std::size_t>& cycle) {
   const Whitening whitening = whitening_of(leftover, noise);
   const Eigen::MatrixXd basis = orthonormal(whitened(whitening, leftover.model));
-  Eigen::MatrixXd added = whitened(whitening, columns);
-  added -= basis * (basis.transpose() * added);
+  const Eigen::MatrixXd added = freed(whitened(whitening, columns), basis);
   std::vector<double> square(*std::max_element(cycle.begin(), cycle.end()) + 1, 0.0);
   for (std::size_t i = 0; i < cycle.size(); ++i)
     square[cycle[i]] += added.row(static_cast<Eigen::Index>(i)).squaredNorm();
@@ -78,15 +60,11 @@ double share_of_one_cycle(const Leftover& leftover, const Eigen::MatrixXd& colum
 
 double gain_of_many(const Leftover& leftover, const Eigen::MatrixXd& columns, const Noise& noise) {
   const Whitening whitening = whitening_of(leftover, noise);
-  const Eigen::MatrixXd basis = orthonormal(whitened(whitening, leftover.model));
-  Eigen::MatrixXd added = whitened(whitening, columns);
-  added -= basis * (basis.transpose() * added);
-  added = orthonormal(added);
-  Eigen::VectorXd r = whitened(whitening, leftover.residual_um);
-  r -= basis * (basis.transpose() * r);
-  const Eigen::VectorXd gains = added.transpose() * r;
-  return has_heavy_tails(r - added * gains) ? (added.transpose() * clipped(std::move(r))).squaredNorm()
-                                            : gains.squaredNorm();
+  const Freed model = freed_of(leftover, whitening);
+  const Eigen::MatrixXd added = orthonormal(freed(whitened(whitening, columns), model.basis));
+  const Eigen::VectorXd gains = added.transpose() * model.residual;
+  return has_heavy_tails(model.residual - added * gains) ? (added.transpose() * clipped(model.residual)).squaredNorm()
+                                                         : gains.squaredNorm();
 }
 
 }  // namespace ballbar

@@ -3,21 +3,12 @@
 
 #include <vector>
 
-#include "ballbar/model/model.hpp"
 #include "diagnosis/statistics/evidence.hpp"
 
 namespace ballbar {
 
 // Of the residual freed of the model's columns.
 double chi2(const Leftover& leftover, const Noise& noise);
-
-// Where a term's parameters begin in Fit::parameters: the constant comes first.
-std::size_t first_parameter(const Model& model, std::size_t term);
-
-// Columns of the Jacobian that are gains of the term.
-Eigen::MatrixXd gain_columns(const Fit& fit, const Model& model, std::size_t term);
-
-inline constexpr double kSameGain = 0.001;  // p_same_gain below which gains differ
 
 // Chance of gains as different from cycle to cycle as these: chi^2 of one gain for each cycle against one for all.
 // columns: of the candidate alone, n by its gains; leftover.model the rest.

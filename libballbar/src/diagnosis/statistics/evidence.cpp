@@ -1,21 +1,18 @@
 #include "diagnosis/statistics/evidence.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "diagnosis/signatures/bank.hpp"
-#include "noise/kalman.hpp"
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "noise/memory_limit.hpp"
+#include "noise/restricted_likelihood.hpp"
 #include "noise/whitened.hpp"
 #include "numerics/simulate_noise.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr Eigen::Index kFewestForMemory = 30;
 
 // A memory longer than this the record cannot show: what varies so slowly counts as what the model lacks.
 double longest_memory_s(const Leftover& leftover) { return (leftover.time_s.back() - leftover.time_s.front()) / 6.0; }
@@ -30,42 +27,9 @@ std::span<const double> span_of(const Eigen::VectorXd& values) {
   return {values.data(), static_cast<std::size_t>(values.size())};
 }
 
-// Of one residual and columns X, for one noise after the other.
-class Restricted {
- public:
-  Restricted(const Leftover& leftover, const Eigen::MatrixXd& columns)
-      : kalman_(leftover.time_s, leftover.sigma_um), rows_(columns.rows(), columns.cols() + 1) {
-    rows_ << columns, leftover.residual_um;
-  }
-
-  // ln of the restricted likelihood, up to a constant: -1/2 (ln|C| + ln|X'C^-1 X| + r'P r).
-  double log_likelihood(const Noise& noise) {
-    kalman_.set({noise.white_um * noise.white_um, noise.correlated_um * noise.correlated_um, noise.correlation_time_s});
-    Rows white = rows_;
-    Eigen::RowVectorXd predicted = Eigen::RowVectorXd::Zero(white.cols());
-    for (Eigen::Index i = 0; i < white.rows(); ++i) {
-      predicted *= kalman_.decay()[i];
-      white.row(i) -= predicted;
-      predicted += kalman_.gain()[i] * white.row(i);
-      white.row(i) *= std::sqrt(kalman_.weight()[i]);
-    }
-    const Eigen::Index p = white.cols() - 1;
-    const Eigen::MatrixXd gram = white.transpose() * white;
-    const Eigen::LDLT<Eigen::MatrixXd> factor(gram.topLeftCorner(p, p));
-    const Eigen::VectorXd along = gram.topRightCorner(p, 1);
-    const double log_gram = factor.vectorD().cwiseAbs().cwiseMax(1e-300).array().log().sum();
-    return -0.5 * (kalman_.log_variances() + gram(p, p) - along.dot(factor.solve(along)) + log_gram);
-  }
-
- private:
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  Kalman kalman_;
-  Rows rows_;  // [X r]
-};
-
 // Too few rows to tell a memory: white, and what is stated counts as known.
 Noise most_likely_noise(const Leftover& leftover, const Eigen::VectorXd& residual_um, const Noise& before) {
-  if (leftover.residual_um.size() >= kFewestForMemory) {
+  if (leftover.residual_um.size() >= kFewestForNoise) {
     return noise_of(leftover.time_s, span_of(residual_um), leftover.sigma_um, {}, longest_memory_s(leftover));
   }
   if (!leftover.sigma_um.empty()) return before;
@@ -73,12 +37,6 @@ Noise most_likely_noise(const Leftover& leftover, const Eigen::VectorXd& residua
 }
 
 }  // namespace
-
-Leftover leftover_of(const Fit& fit) {
-  return {fit.time_s, fit.sigma_um,
-          Eigen::VectorXd::Map(fit.residual_um.data(), static_cast<Eigen::Index>(fit.residual_um.size())),
-          model_columns(fit), model_reach_um(fit)};
-}
 
 Explained explained(const Leftover& leftover, const Eigen::MatrixXd& added, const Noise& start, int rounds) {
   const Eigen::MatrixXd columns = joined_columns(leftover, added);
@@ -110,7 +68,7 @@ Explained explained(const Leftover& leftover, const Eigen::MatrixXd& added, cons
 
 Noise restricted_noise(const Leftover& leftover, const Eigen::MatrixXd& added, const Eigen::VectorXd& residual_um) {
   Noise noise;
-  if (residual_um.size() >= kFewestForMemory) {
+  if (residual_um.size() >= kFewestForNoise) {
     noise = noise_of(leftover.time_s, span_of(residual_um), leftover.sigma_um, joined_columns(leftover, added),
                      longest_memory_s(leftover));
   }
@@ -148,8 +106,13 @@ std::vector<Noise> plausible_noises(const Leftover& leftover, const Eigen::Matri
   }
   // Random walk in the logarithms of q and theta (Metropolis); the white part is well known and moves with q.
   Noise now = best;
-  Restricted restricted(leftover, columns);
-  double level = restricted.log_likelihood(now);
+  RestrictedLikelihood restricted(leftover.time_s, span_of(leftover.residual_um), leftover.sigma_um,
+                                  unit_basis(columns));
+  const auto log_likelihood_of = [&](const Noise& noise) {
+    const Kalman::Sums sums = restricted.sums(variances_of(noise));
+    return -0.5 * (sums.log_variances + sums.squares);
+  };
+  double level = log_likelihood_of(now);
   const std::size_t burn_in = 20, every = 3;
   for (std::size_t step = 0; result.size() < count && step < burn_in + every * count; ++step) {
     Noise next = now;
@@ -159,7 +122,7 @@ std::vector<Noise> plausible_noises(const Leftover& leftover, const Eigen::Matri
     next.correlated_um *= std::exp(0.5 * along + across);
     next.white_um *= std::exp(0.05 * simulation::normal(random));
     if (next.correlation_time_s < longest_memory_s(leftover)) {
-      const double there = restricted.log_likelihood(next);
+      const double there = log_likelihood_of(next);
       if (std::log(simulation::uniform(random)) < there - level) {
         now = next;
         level = there;

@@ -5,20 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "ballbar/fit/fit.hpp"
 #include "ballbar/noise/noise.hpp"
+#include "fit/linearised_fit.hpp"
 
 namespace ballbar {
-
-// What is left of a fit, on which everything that follows is linear.
-struct Leftover {
-  std::vector<double> time_s, sigma_um;  // sigma_um: stated, or empty
-  Eigen::VectorXd residual_um;           // n
-  Eigen::MatrixXd model;                 // n by p: columns that the model was free in
-  // p: how far a column's factor may go for the model to be linear: of a shape its own size. Empty: any
-  std::vector<double> reach_um = {};
-};
-Leftover leftover_of(const Fit& fit);
 
 // Columns J = [model, added] by generalised least squares, the noise by maximum likelihood, in turn. With fewer than 30
 // rows the noise is white; where sigma is stated it stays that of `start`, as so few rows tell less than what is

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "noise/whitened.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr double kNowhere = 1e-12;       // share of a column's square that is none
-constexpr double kLeastReach_um = 1e-3;  // of a shape that is 0
 
 // A row more for each column of limited reach: that its factor is nothing, give or take the reach. What the rows do not
 // tell of a shape stays as it is.
@@ -49,7 +47,8 @@ HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector
     }
     std::vector<Eigen::Index> shared, of_its_own;
     for (Eigen::Index j = 0; j < leftover.model.cols(); ++j) {
-      const bool elsewhere = leftover.model(kept, j).squaredNorm() > kNowhere * leftover.model.col(j).squaredNorm();
+      const bool elsewhere =
+          leftover.model(kept, j).squaredNorm() > kNotInTheseRows * leftover.model.col(j).squaredNorm();
       (elsewhere || !of_recordings ? shared : of_its_own).push_back(j);
     }
     Eigen::VectorXd error = leftover.residual_um(left);
@@ -61,7 +60,7 @@ HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector
       Eigen::VectorXd r = Eigen::VectorXd::Zero(x.rows());
       r.head(white_r.size()) = white_r;
       Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-      solver.setThreshold(1e-6);
+      solver.setThreshold(kTold);
       solver.compute(x);
       error -= leftover.model(left, columns) * solver.solve(r);
     };

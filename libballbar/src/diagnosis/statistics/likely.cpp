@@ -1,20 +1,23 @@
 #include "diagnosis/statistics/likely.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "series/cycles.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr int kMostRounds = 8;
-constexpr double kWorthAnotherRound = 0.01;  // ln L
-
-Likely likely_of(const Fit& fit, const Series& data) {
-  Likely result{leftover_of(fit), {}, 0.0, cycles_of(data, fit.row), recording_numbers(data) != nullptr};
+NoiseFit likely_of(Fit fit, const Series& data) {
+  NoiseFit result;
+  result.leftover = leftover_of(fit);
+  result.cycle = cycles_of(data, fit.row);
+  result.of_recordings = recording_numbers(data) != nullptr;
   const Explained rest = explained(result.leftover, Eigen::MatrixXd(result.leftover.residual_um.size(), 0), fit.noise);
   result.noise = rest.noise;
   result.log_likelihood = rest.log_likelihood;
+  result.fit = std::move(fit);
   return result;
 }
 
@@ -33,22 +36,17 @@ Model from_where_it_is(Model model, const Fit& fit) {
   return model;
 }
 
-Seen seen_by(const Noise& noise, const Model& model, const Series& data, std::size_t target) {
+NoiseFit noise_fit_by(const Noise& noise, const Model& model, const Series& data, std::size_t target) {
   FitOptions options;
   options.noise = noise;
-  Seen result;
-  result.fit = fit(model, data, target, options);
-  result.likely = likely_of(result.fit, data);
-  return result;
+  return likely_of(fit(model, data, target, options), data);
 }
 
-Seen seen_of(const Model& model, const Series& data, std::size_t target) {
-  Seen best;
-  best.fit = fit(model, data, target);
-  best.likely = likely_of(best.fit, data);
-  for (int round = 0; round < kMostRounds; ++round) {
-    Seen again = seen_by(best.likely.noise, from_where_it_is(model, best.fit), data, target);
-    const double gained = again.likely.log_likelihood - best.likely.log_likelihood;
+NoiseFit noise_fit(const Model& model, const Series& data, std::size_t target) {
+  NoiseFit best = likely_of(fit(model, data, target), data);
+  for (int round = 0; round < kFitsByNoise; ++round) {
+    NoiseFit again = noise_fit_by(best.noise, from_where_it_is(model, best.fit), data, target);
+    const double gained = again.log_likelihood - best.log_likelihood;
     if (gained > 0.0) best = std::move(again);
     if (!(gained > kWorthAnotherRound)) break;
   }

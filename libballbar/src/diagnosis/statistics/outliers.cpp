@@ -1,26 +1,14 @@
 #include "diagnosis/statistics/outliers.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/series/speed_steps.hpp"
 #include "noise/whitened.hpp"
+#include "numerics/tails.hpp"
 
 namespace ballbar {
 namespace {
-
-// Chance of at least `least` of `count` where each has this one.
-double at_least(std::size_t least, std::size_t count, double chance) {
-  if (chance <= 0.0 || chance >= 1.0) return least == 0 || chance >= 1.0 ? 1.0 : 0.0;
-  const auto n = static_cast<double>(count);
-  double sum = 0.0;
-  for (std::size_t i = least; i <= count; ++i) {
-    const auto k = static_cast<double>(i);
-    sum += std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) + k * std::log(chance) +
-                    (n - k) * std::log1p(-chance));
-  }
-  return std::min(1.0, sum);
-}
 
 // Of each row of the data: whether it lies shortly after a change of speed.
 std::vector<bool> after_changes(const Series& data) {
@@ -53,7 +41,7 @@ Outliers outliers(const Eigen::VectorXd& white, const Series& data, const std::v
     result.after_changes += is_after ? 1 : 0;
   }
   const double share = static_cast<double>(rows_after) / static_cast<double>(std::max<std::size_t>(1, rows.size()));
-  result.p = at_least(result.after_changes, result.count, share);
+  result.p = binomial_upper_tail(result.after_changes, result.count, share);
   return result;
 }
 

@@ -9,8 +9,6 @@
 
 namespace ballbar {
 
-inline constexpr double kAfterChange_s = 600.0;
-
 // Of white noise: readings beyond 4 sigma, and how many of them lie within 10 min after a change of speed.
 struct Outliers {
   std::size_t count = 0, after_changes = 0;

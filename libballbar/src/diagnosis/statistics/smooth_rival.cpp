@@ -14,8 +14,6 @@
 namespace ballbar {
 namespace {
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 // States: s, f, f'.
 struct Step {
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
@@ -77,7 +75,7 @@ class States {
 
 double log_likelihood(const Leftover& leftover, const Noise& noise, double amplitude_um, double length_s) {
   const Eigen::Index n = leftover.residual_um.size(), p = leftover.model.cols();
-  RowMajor columns(n, p + 1);
+  RowMajorMatrix columns(n, p + 1);
   columns << leftover.model, leftover.residual_um;
   States states(p + 1);
   Eigen::Matrix3d variance = Eigen::Matrix3d::Zero(), last = Eigen::Matrix3d::Constant(-1.0);

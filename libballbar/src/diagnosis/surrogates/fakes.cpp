@@ -2,27 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "diagnosis/signatures/bank.hpp"
 #include "diagnosis/surrogates/scrambled.hpp"
+#include "effects/effect_at.hpp"
 #include "noise/whitened.hpp"
+#include "numerics/orthonormal.hpp"
 #include "numerics/parallel.hpp"
 #include "numerics/simulate_noise.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kFakeGrid = 1024;
-constexpr std::size_t kFakeShapes = 8;
-
 // What a unit of the first gain adds at all rows of the data, on an even grid over the rows of the target.
 std::vector<double> on_grid(const Effect& effect, const EffectRows& inputs, const std::vector<double>& point,
                             double begin_s, double end_s) {
-  const std::size_t count = effect.parameters.size();
-  std::vector<double> values(inputs.time_s.size()), slopes(values.size() * count);
-  effect.evaluate(inputs, point.data(), values.data(), slopes.data());
-  std::size_t gain = 0;
-  while (gain + 1 < count && effect.parameters[gain].kind != ParameterKind::gain) ++gain;
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = slopes[i * count + gain];
+  std::vector<std::size_t> rows(inputs.time_s.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  const Eigen::VectorXd gain = effect_at(effect, inputs, point, rows).gains(effect).col(0);
+  const std::vector<double> values(gain.begin(), gain.end());
   std::vector<double> grid(kFakeGrid);
   std::size_t row = 0;
   for (std::size_t i = 0; i < kFakeGrid; ++i) {
@@ -58,48 +59,38 @@ class Places {
   std::vector<double> part_;
 };
 
-// What a model leaves of a residual and of columns.
-struct Freed {
-  Eigen::MatrixXd basis;
-  Eigen::VectorXd residual;
-
-  Freed(const Eigen::MatrixXd& model, const Eigen::VectorXd& from)
-      : basis(orthonormal(model)), residual(from - basis * (basis.transpose() * from)) {}
-
-  // Largest fall of the residual's square by one of the columns.
-  double most(Eigen::MatrixXd columns) const {
-    const Eigen::MatrixXd made = basis.transpose() * columns;
-    columns -= basis * made;
-    const Eigen::VectorXd along = columns.transpose() * residual;
-    double most = 0.0;
-    for (Eigen::Index k = 0; k < columns.cols(); ++k) {
-      const double square = columns.col(k).squaredNorm();
-      if (square > 0.0) most = std::max(most, along[k] * along[k] / square);
-    }
-    return most;
+// Largest fall of the square of what the model leaves by one of the columns.
+double largest_fall(const Freed& model, Eigen::MatrixXd columns) {
+  columns = freed(std::move(columns), model.basis);
+  const Eigen::VectorXd along = columns.transpose() * model.residual;
+  double most = 0.0;
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+    const double square = columns.col(k).squaredNorm();
+    if (square > 0.0) most = std::max(most, along[k] * along[k] / square);
   }
-};
+  return most;
+}
 
-std::vector<Spectrum> spectra_of(const Family& family, const Bank& bank, const Series& data, const Leftover& leftover) {
-  const BoundInputs bound = inputs_of(*family.effect, family.columns, data);
+std::vector<Spectrum> spectra_of(const FakedEffect& faked, const Series& data, const Leftover& leftover) {
+  const Effect& effect = *faked.bound.effect;
+  const BoundInputs bound = inputs_of(effect, faked.bound.columns, data);
   std::vector<Spectrum> spectra;
-  const std::size_t stride = 1 + (family.count - 1) / kFakeShapes;
-  for (std::size_t i = family.first; i < family.first + family.count; i += stride) {
-    spectra.push_back(spectrum_of(on_grid(*family.effect, bound.rows, bank.signatures[i].point, leftover.time_s.front(),
-                                          leftover.time_s.back())));
+  const std::size_t stride = 1 + (faked.points.size() - 1) / kFakeShapes;
+  for (std::size_t i = 0; i < faked.points.size(); i += stride) {
+    spectra.push_back(
+        spectrum_of(on_grid(effect, bound.rows, faked.points[i], leftover.time_s.front(), leftover.time_s.back())));
   }
   return spectra;
 }
 
 }  // namespace
 
-BestFake best_fake(const Family& family, const Bank& bank, const Series& data, const Leftover& leftover,
-                   const Noise& noise, std::size_t count, std::uint64_t seed) {
+BestFake best_fake(const FakedEffect& effect, const Series& data, const Leftover& leftover, const Noise& noise,
+                   std::size_t count, std::uint64_t seed) {
   constexpr std::size_t kTogether = 8;
-  const std::vector<Spectrum> spectra = spectra_of(family, bank, data, leftover);
+  const std::vector<Spectrum> spectra = spectra_of(effect, data, leftover);
   const Whitening whitening(noise, leftover.time_s, leftover.sigma_um);
-  const Freed white(whitened(whitening, leftover.model), whitened(whitening, leftover.residual_um));
-  const Freed plain(leftover.model, leftover.residual_um);
+  const Freed white = freed_of(leftover, whitening), plain = freed_of(leftover);
   const Places places(leftover.time_s);
   std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 3);
   std::vector<std::vector<double>> phases;
@@ -115,8 +106,8 @@ BestFake best_fake(const Family& family, const Bank& bank, const Series& data, c
         places.read(scrambled(spectrum, phases[number]), fakes.col(column++).data());
       }
     }
-    gain[batch] = white.most(whitened(whitening, fakes));
-    fall[batch] = plain.most(std::move(fakes));
+    gain[batch] = largest_fall(white, whitened(whitening, fakes));
+    fall[batch] = largest_fall(plain, std::move(fakes));
   });
   BestFake best;
   double most = 0.0;

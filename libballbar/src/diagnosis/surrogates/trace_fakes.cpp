@@ -4,21 +4,18 @@
 #include <cmath>
 #include <numeric>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/units.hpp"
+#include "diagnosis/signatures/bank.hpp"
 #include "diagnosis/surrogates/scrambled.hpp"
+#include "effects/effect_at.hpp"
 #include "noise/whitened.hpp"
+#include "numerics/orthonormal.hpp"
 #include "numerics/parallel.hpp"
 #include "numerics/simulate_noise.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr std::size_t kGrid = 512;
-constexpr std::size_t kFewestReadings = 16;
-constexpr double kSameCurve = 0.01;    // share of the square by which curves on two recordings may differ
-constexpr double kItself = 0.95;       // coherence
-constexpr double kMostAlike = 0.01;    // share of the fakes
-constexpr double kNothingLeft = 1e-6;  // share of a column's square
 
 // Readings of one recording by their place on the circle: 0 to 1, of a whole turn from +A round to +A, else from one
 // end of the arc to the other.
@@ -71,15 +68,15 @@ std::vector<Sweep> sweeps_of(const Series& data, const std::vector<std::size_t>&
 }
 
 double place_on_grid(const Sweep& sweep, std::size_t i) {
-  return static_cast<double>(i) / static_cast<double>(sweep.whole_turn ? kGrid : kGrid - 1);
+  return static_cast<double>(i) / static_cast<double>(sweep.whole_turn ? kTraceGrid : kTraceGrid - 1);
 }
 
 // A column of the fit's rows on the sweep's grid, straight lines between readings.
 std::vector<double> on_grid(const Sweep& sweep, const Eigen::VectorXd& column) {
-  std::vector<double> grid(kGrid);
+  std::vector<double> grid(kTraceGrid);
   const std::size_t n = sweep.row.size();
   std::size_t after = 0;
-  for (std::size_t i = 0; i < kGrid; ++i) {
+  for (std::size_t i = 0; i < kTraceGrid; ++i) {
     const double place = place_on_grid(sweep, i);
     while (after < n && sweep.place[after] < place) ++after;
     const bool round = sweep.whole_turn && (after == 0 || after == n);
@@ -97,9 +94,9 @@ std::vector<double> on_grid(const Sweep& sweep, const Eigen::VectorXd& column) {
 }
 
 double at_reading(const Sweep& sweep, const std::vector<double>& grid, double place) {
-  const double at = place * static_cast<double>(sweep.whole_turn ? kGrid : kGrid - 1);
-  const auto left = std::min(kGrid - 1, static_cast<std::size_t>(at));
-  const std::size_t right = sweep.whole_turn ? (left + 1) % kGrid : std::min(kGrid - 1, left + 1);
+  const double at = place * static_cast<double>(sweep.whole_turn ? kTraceGrid : kTraceGrid - 1);
+  const auto left = std::min(kTraceGrid - 1, static_cast<std::size_t>(at));
+  const std::size_t right = sweep.whole_turn ? (left + 1) % kTraceGrid : std::min(kTraceGrid - 1, left + 1);
   return grid[left] + (at - static_cast<double>(left)) * (grid[right] - grid[left]);
 }
 
@@ -107,25 +104,6 @@ void add_scrambled(const Sweep& sweep, const Spectrum& spectrum, const std::vect
                    Eigen::Ref<Eigen::VectorXd> column) {
   const std::vector<double> grid = scrambled(spectrum, phases);
   for (std::size_t i = 0; i < sweep.row.size(); ++i) column[sweep.row[i]] = at_reading(sweep, grid, sweep.place[i]);
-}
-
-// A column a gain, at the rows of the fit.
-Eigen::MatrixXd gains_at(const Effect& effect, const EffectRows& inputs, const std::vector<double>& point,
-                         const std::vector<std::size_t>& rows) {
-  const std::size_t count = effect.parameters.size();
-  std::vector<double> values(inputs.time_s.size()), slopes(values.size() * count);
-  effect.evaluate(inputs, point.data(), values.data(), slopes.data());
-  std::vector<std::size_t> gains;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (effect.parameters[k].kind == ParameterKind::gain) gains.push_back(k);
-  }
-  Eigen::MatrixXd columns(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(gains.size()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t k = 0; k < gains.size(); ++k) {
-      columns(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = slopes[rows[i] * count + gains[k]];
-    }
-  }
-  return columns;
 }
 
 // Sweeps on which the effect adds the same become one group.
@@ -137,11 +115,11 @@ void group(std::vector<Sweep>& sweeps, const Eigen::VectorXd& added_um) {
     sweep.group = groups;
     for (std::size_t before = 0; before + 1 < curves.size() && sweep.group == groups; ++before) {
       double apart = 0.0, square = 0.0;
-      for (std::size_t i = 0; i < kGrid; ++i) {
+      for (std::size_t i = 0; i < kTraceGrid; ++i) {
         apart += std::pow(curves.back()[i] - curves[before][i], 2);
         square += std::pow(curves.back()[i], 2);
       }
-      const bool same = apart <= kSameCurve * square && sweep.whole_turn == sweeps[before].whole_turn;
+      const bool same = apart <= kSameOnRecordings * square && sweep.whole_turn == sweeps[before].whole_turn;
       if (same) sweep.group = sweeps[before].group;
     }
     if (sweep.group == groups) ++groups;
@@ -160,40 +138,27 @@ std::vector<std::vector<Spectrum>> spectra_of(const std::vector<Sweep>& sweeps, 
   return spectra;
 }
 
-Eigen::MatrixXd freed(Eigen::MatrixXd columns, const Eigen::MatrixXd& basis) {
-  const Eigen::MatrixXd made = basis.transpose() * columns;
-  columns -= basis * made;
-  return columns;
-}
-
 // Made orthonormal, as far as more than rounding is left of what each column was.
 Eigen::MatrixXd orthonormal_of(Eigen::MatrixXd columns, const Eigen::RowVectorXd& square_before) {
-  for (Eigen::Index j = 0; j < columns.cols(); ++j) {
-    for (Eigen::Index i = 0; i < j; ++i) columns.col(j) -= columns.col(i) * columns.col(i).dot(columns.col(j));
-    const double left = columns.col(j).squaredNorm();
-    if (left > kNothingLeft * square_before[j]) {
-      columns.col(j) /= std::sqrt(left);
-    } else {
-      columns.col(j).setZero();
-    }
-  }
+  orthonormalise(columns, square_before, kNothingLeftOfAFake);
   return columns;
 }
 
 // Fakes of one effect on some recordings, with the phases of each group of them drawn.
 class Fakes {
  public:
-  Fakes(std::vector<Sweep> sweeps, const TracedEffect& traced, const EffectRows& inputs,
+  Fakes(std::vector<Sweep> sweeps, const FakedEffect& traced, const EffectRows& inputs,
         const std::vector<std::size_t>& rows)
       : sweeps_(std::move(sweeps)), n_(static_cast<Eigen::Index>(rows.size())) {
     for (const std::vector<double>& point : traced.points) {
-      spectra_.push_back(spectra_of(sweeps_, gains_at(*traced.effect, inputs, point, rows)));
+      spectra_.push_back(
+          spectra_of(sweeps_, effect_at(*traced.bound.effect, inputs, point, rows).gains(*traced.bound.effect)));
     }
   }
 
   std::vector<std::vector<double>> phases(std::mt19937_64& random) const {
     std::vector<std::vector<double>> result;
-    for (std::size_t s = 0; s < sweeps_.size(); ++s) result.push_back(random_phases(kGrid, random));
+    for (std::size_t s = 0; s < sweeps_.size(); ++s) result.push_back(random_phases(kTraceGrid, random));
     return result;
   }
 
@@ -221,15 +186,6 @@ class Fakes {
   std::vector<std::vector<std::vector<Spectrum>>> spectra_;  // of each point, sweep, gain
 };
 
-// What the model leaves, whitened or plain, against which fakes are held.
-struct Remains {
-  Eigen::MatrixXd basis;
-  Eigen::VectorXd residual;
-
-  Remains(const Eigen::MatrixXd& model, const Eigen::VectorXd& from)
-      : basis(orthonormal(model)), residual(from - basis * (basis.transpose() * from)) {}
-};
-
 struct OneFake {
   double gain = 0.0, fall = 0.0;  // of chi^2, of the square
   bool is_itself = false;
@@ -237,20 +193,19 @@ struct OneFake {
 
 }  // namespace
 
-std::optional<BestFake> best_trace_fake(const TracedEffect& traced, const Series& data,
+std::optional<BestFake> best_trace_fake(const FakedEffect& traced, const Series& data,
                                         const std::vector<std::size_t>& rows, const Leftover& leftover,
                                         const Noise& noise, std::size_t count, std::uint64_t seed) {
   std::vector<Sweep> sweeps = sweeps_of(data, rows);
   const bool enough =
-      std::all_of(sweeps.begin(), sweeps.end(), [](const Sweep& sweep) { return sweep.row.size() >= kFewestReadings; });
+      std::all_of(sweeps.begin(), sweeps.end(), [](const Sweep& sweep) { return sweep.row.size() >= kFewestOfASweep; });
   if (!enough || traced.points.empty() || count == 0) return std::nullopt;
   group(sweeps, traced.added_um);
-  const BoundInputs inputs = inputs_of(*traced.effect, traced.columns, data);
+  const BoundInputs inputs = inputs_of(*traced.bound.effect, traced.bound.columns, data);
   const Fakes fakes(std::move(sweeps), traced, inputs.rows, rows);
   const Whitening whitening(noise, leftover.time_s, leftover.sigma_um);
-  const Remains white(whitened(whitening, leftover.model), whitened(whitening, leftover.residual_um));
-  const Remains plain(leftover.model, leftover.residual_um);
-  const Eigen::VectorXd added = whitened(whitening, traced.added_um);
+  const Freed white = freed_of(leftover, whitening), plain = freed_of(leftover);
+  const Eigen::MatrixXd added = whitened(whitening, traced.added_um);
   const Eigen::VectorXd own = orthonormal_of(freed(added, white.basis), added.colwise().squaredNorm());
   std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 4);
   std::vector<std::vector<std::vector<double>>> phases;
@@ -264,7 +219,7 @@ std::optional<BestFake> best_trace_fake(const TracedEffect& traced, const Series
     for (Eigen::Index first = 0; first < fake.cols(); first += fakes.width()) {
       const Eigen::MatrixXd u =
           orthonormal_of(left.middleCols(first, fakes.width()), square.segment(first, fakes.width()));
-      if ((u.transpose() * own).norm() > kItself) {
+      if ((u.transpose() * own).norm() > kFakeIsItself) {
         one.is_itself = true;
         continue;
       }
@@ -282,7 +237,7 @@ std::optional<BestFake> best_trace_fake(const TracedEffect& traced, const Series
     most = std::max(most, one.fall);
     alike += one.is_itself ? 1 : 0;
   }
-  if (static_cast<double>(alike) > kMostAlike * static_cast<double>(count)) return std::nullopt;
+  if (static_cast<double>(alike) > kMostAreItself * static_cast<double>(count)) return std::nullopt;
   best.fall = 1.0 - std::sqrt(std::max(0.0, 1.0 - most / std::max(plain.residual.squaredNorm(), 1e-300)));
   return best;
 }

@@ -8,7 +8,6 @@
 // that stands beside it in the catalogue.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -17,16 +16,9 @@
 
 namespace ballbar {
 
-struct TracedEffect {
-  const Effect* effect = nullptr;
-  std::vector<std::string> columns;
-  std::vector<std::vector<double>> points;  // all parameters of each shape to be faked
-  Eigen::VectorXd added_um;                 // n: what the effect adds as it was fitted
-};
-
 // The best of `count`, fitted with as many gains as the effect. nullopt: more than 1 % of them are the effect itself
 // (coherence above 0.95, freed of the model), so that to beat them means nothing. rows: of the fit.
-std::optional<BestFake> best_trace_fake(const TracedEffect& traced, const Series& data,
+std::optional<BestFake> best_trace_fake(const FakedEffect& traced, const Series& data,
                                         const std::vector<std::size_t>& rows, const Leftover& leftover,
                                         const Noise& noise, std::size_t count, std::uint64_t seed);
 

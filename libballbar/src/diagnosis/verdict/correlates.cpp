@@ -4,34 +4,26 @@
 #include <map>
 #include <optional>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/error.hpp"
 #include "diagnosis/statistics/held_out.hpp"
 #include "diagnosis/verdict/candidates.hpp"
+#include "numerics/orthonormal.hpp"
 #include "numerics/parallel.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kLess = 0.7;  // of the held-out RMSE
-constexpr std::size_t kFitted = 8;
-constexpr std::size_t kOfAnEffect = 2;
-constexpr std::size_t kShown = 4;
-constexpr std::size_t kRounds = 4;
-constexpr double kWorthAnotherRound = 0.01;  // ln L
-
 // The shape of every family that lowers the sum of squares most, the largest fall first. Least squares: a residual of
 // which no noise is known is not whitened.
 std::vector<std::size_t> by_fall(const Hypotheses& now) {
-  const Eigen::MatrixXd basis = orthonormal(now.leftover().model);
-  const Eigen::VectorXd r = now.leftover().residual_um - basis * (basis.transpose() * now.leftover().residual_um);
+  const Freed model = freed_of(now.leftover());
   const auto fall = [&](std::size_t index) {
-    Eigen::MatrixXd columns = now.columns({index});
-    columns -= basis * (basis.transpose() * columns);
-    return (orthonormal(columns).transpose() * r).squaredNorm();
+    return (orthonormal(freed(now.columns({index}), model.basis)).transpose() * model.residual).squaredNorm();
   };
   std::vector<std::pair<double, std::size_t>> best;
   for (const Family& family : now.bank().families) {
-    if (family.effect->time_only) continue;
+    if (family.bound.effect->time_only) continue;
     std::pair<double, std::size_t> most{0.0, family.first};
     for (std::size_t i = family.first; i < family.first + family.count; ++i) most = std::max(most, {fall(i), i});
     best.push_back(most);
@@ -40,17 +32,18 @@ std::vector<std::size_t> by_fall(const Hypotheses& now) {
   std::map<const Effect*, std::size_t> taken;
   std::vector<std::size_t> result;
   for (const auto& [value, index] : best) {
-    if (result.size() < kFitted && ++taken[now.family(index).effect] <= kOfAnEffect) result.push_back(index);
+    if (result.size() < kGoesWithFitted && ++taken[now.bound(index).effect] <= kGoesWithOfAnEffect)
+      result.push_back(index);
   }
   return result;
 }
 
 // Fitted by the noise that is most likely beside it, as long as that makes it more likely.
-Refitted by_its_own_noise(const Hypotheses& now, std::size_t index, const Noise& noise) {
-  Refitted with = now.refitted({index}, noise);
-  for (std::size_t round = 0; round < kRounds; ++round) {
-    Refitted again = now.refitted_from(with, with.set);
-    if (!(again.log_likelihood > with.log_likelihood + kWorthAnotherRound)) break;
+SubsetFit by_its_own_noise(const Hypotheses& now, std::size_t index, const Noise& noise) {
+  SubsetFit with = now.refitted({index}, noise);
+  for (std::size_t round = 0; round < kGoesWithRounds; ++round) {
+    SubsetFit again = now.refitted_from(with, with.set);
+    if (!(again.likely.log_likelihood > with.likely.log_likelihood + kWorthAnotherRound)) break;
     with = std::move(again);
   }
   return with;
@@ -64,9 +57,9 @@ std::vector<Candidate> correlates(const Hypotheses& now, const Noise& noise, con
   std::vector<std::optional<Candidate>> found(tried.size());
   in_parallel(tried.size(), [&](std::size_t i) {
     try {
-      const Refitted with = by_its_own_noise(now, tried[i], noise);
-      const double after = held_out(with.leftover, with.noise, cycle, false).rmse_um;
-      if (!(after < kLess * before)) return;
+      const SubsetFit with = by_its_own_noise(now, tried[i], noise);
+      const double after = held_out(with.likely.leftover, with.likely.noise, cycle, false).rmse_um;
+      if (!(after < kGoesWith * before)) return;
       found[i] = candidate_of(now, with, 0);
       found[i]->held_out_before_um = before;
       found[i]->held_out_after_um = after;
@@ -80,7 +73,7 @@ std::vector<Candidate> correlates(const Hypotheses& now, const Noise& noise, con
   }
   std::stable_sort(result.begin(), result.end(),
                    [](const Candidate& a, const Candidate& b) { return a.held_out_after_um < b.held_out_after_um; });
-  if (result.size() > kShown) result.erase(result.begin() + kShown, result.end());
+  if (result.size() > kGoesWithShown) result.erase(result.begin() + kGoesWithShown, result.end());
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "diagnosis/search/hypotheses.hpp"
 
 namespace ballbar {

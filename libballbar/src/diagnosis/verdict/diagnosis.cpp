@@ -1,14 +1,15 @@
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "diagnosis/search/ground.hpp"
 #include "diagnosis/search/rival_sets.hpp"
 #include "diagnosis/signatures/prospects.hpp"
+#include "diagnosis/verdict/candidates.hpp"
 #include "diagnosis/verdict/judgement.hpp"
 #include "series/thinned.hpp"
 
@@ -16,7 +17,7 @@ namespace ballbar {
 namespace {
 
 // Nothing is said of effects that are not searched.
-std::vector<Prospect> prospects_but(const DiagnosisOptions& options, std::vector<Prospect> prospects) {
+std::vector<Prospect> prospects_but(const SearchOptions& options, std::vector<Prospect> prospects) {
   const auto left_out = [&](const std::string& name) {
     return std::find(options.without.begin(), options.without.end(), name) != options.without.end();
   };
@@ -45,23 +46,18 @@ std::string_view name_of(Verdict verdict) {
   return "nothing";
 }
 
-std::string label_of(const BoundEffect& bound) {
-  // On recordings the columns are the trace's own.
-  if (bound.columns.empty() || bound.effect->level == Level::recording) return bound.effect->name;
-  return fmt::format("{}({})", bound.effect->name, fmt::join(bound.columns, ", "));
-}
-
 Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options) {
   const Series rows = thinned(data, model.targets.at(target), options.most_rows);
   Diagnosis result;
   result.base = fit(model, rows, target);
   result.target = result.base.target;
-  Hypotheses now(model, rows, target, result.base, options);
+  const Hypotheses now(model, rows, target, result.base, options.search);
   std::set<const Effect*> searched;
-  for (const Family& family : now.bank().families) searched.insert(family.effect);
+  for (const Family& family : now.bank().families) searched.insert(family.bound.effect);
   result.searched_effects = searched.size();
   const auto prospects_by = [&](const Projected& seen) {
-    return prospects_but(options, prospects_of(options.catalogue, now.bank(), seen, model, rows, options.motion));
+    return prospects_but(options.search,
+                         prospects_of(options.search.catalogue, now.bank(), seen, model, rows, options.search.motion));
   };
   if (now.bank().families.empty() || now.largest_set() == 0) {
     result.verdict = Verdict::untestable;
@@ -71,13 +67,25 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
     return result;
   }
   now.tell(fmt::format("searching {} shapes of {} effects", now.bank().signatures.size(), searched.size()));
-  const Ground ground = ground_of(now, result.base.noise, options);
+  const Ground ground = ground_of(now, result.base.noise, options.search);
   result.prospects = prospects_by(ground.seen);
   const Detected detection = detected(now, ground);
   result.p_anything = detection.p_anything;
   result.smallest_um = detection.smallest_um;
   result.smallest = detection.smallest;
-  judge(now, rows, ground, rival_sets(now, ground), options, result);
+  const std::vector<SubsetFit> refits = rival_sets(now, ground);
+  Judgement judgement = judged(now, rows, result.base, ground, detection.p_anything, refits, options);
+  result.smooth_evidence = judgement.smooth_evidence;
+  if (!refits.empty()) result.rmse_after_um = rmse_after_um(now, refits.front());
+  for (const Candidate& candidate : judgement.candidates) {
+    if (candidate.best_fake_fall > result.best_fake_fall) result.best_fake_fall = candidate.best_fake_fall;
+  }
+  result.candidates = std::move(judgement.candidates);
+  result.verdict = judgement.finding.verdict;
+  result.named = std::move(judgement.finding.named);
+  result.equivalent = std::move(judgement.finding.equivalent);
+  result.goes_with = std::move(judgement.finding.goes_with);
+  result.reasons = std::move(judgement.finding.reasons);
   return result;
 }
 

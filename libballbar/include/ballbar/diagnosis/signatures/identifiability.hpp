@@ -25,8 +25,6 @@
 
 namespace ballbar {
 
-constexpr std::size_t kMostBindings = 512;  // choices of columns of one effect that are searched
-
 enum class Testability { testable, input_missing, input_constant, absorbed, in_the_model, other_motion };
 
 // How well one effect imitates another: the coherence that half of the other's shapes reach at least, each with that
@@ -39,7 +37,8 @@ struct Likeness {
 struct Prospect {
   const Effect* effect = nullptr;
   std::vector<std::string> columns;  // of the best binding; empty where there is none
-  std::size_t bindings = 0;          // choices of columns that the data offer, searched or not
+  std::size_t bindings = 0;          // choices of columns that the data offer
+  std::size_t searched = 0;          // of these
   Testability testability = Testability::testable;
   std::string why;  // a phrase where it is not testable
   double surviving_share = 0.0;

@@ -19,17 +19,17 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "ballbar/circle/recording.hpp"
+#include "ballbar/diagnosis/search/search_options.hpp"
 #include "ballbar/diagnosis/signatures/identifiability.hpp"
+#include "ballbar/diagnosis/verdict/candidate.hpp"
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/fit/residual.hpp"
+#include "ballbar/model/bound_effect.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/series/series.hpp"
 
@@ -37,35 +37,6 @@ namespace ballbar {
 
 enum class Verdict { named, equivalent, unexplained, untestable, nothing };
 std::string_view name_of(Verdict verdict);
-
-// An effect bound to columns.
-struct BoundEffect {
-  const Effect* effect = nullptr;
-  std::vector<std::string> columns;  // as effect->inputs
-  bool operator==(const BoundEffect&) const = default;
-};
-std::string label_of(const BoundEffect& bound);  // "lagged_expansion(T_air_degC)"
-
-// One effect added to the model alone, or, for those of the best set, beside the rest of that set.
-struct Candidate {
-  BoundEffect bound;
-  std::vector<FittedParameter> parameters;  // of this effect
-  double amplitude_um = 0.0;                // largest less smallest of what it adds
-  double amplitude_sigma_um = 0.0;
-  double rmse_after_um = 0.0;
-  double held_out_before_um = 0.0, held_out_after_um = 0.0;  // cycles left out, see confirmation
-  double evidence = 0.0;                                     // 2 ln L gained by it
-  double threshold = 0.0;                                    // of the evidence: the search exceeds it by chance in 1 %
-  double p_search = 1.0;            // share of data sets without any effect that show one as rare
-  double p_same_gain = 1.0;         // of gains as different from cycle to cycle
-  double best_fake_gain = 0.0;      // largest fall of chi^2 by a fake
-  std::optional<bool> beats_fakes;  // nothing: not tested, see confirmation
-  bool in_best_set = false;
-  bool minor = false;                         // below max(5 % of the RMSE, the tolerance)
-  std::vector<std::string> inseparable_from;  // labels
-  // Labels of effects that as fitted draw the same curve: at the edge of their shapes they become this one.
-  std::vector<std::string> also_drawn_by;
-};
 
 struct Diagnosis {
   std::string target;
@@ -88,16 +59,10 @@ struct Diagnosis {
 };
 
 struct DiagnosisOptions {
-  Catalogue catalogue = built_in_catalogue();  // searched; a diagnosis refers to its effects
-  std::optional<Motion> motion;                // of recordings
-  double tolerance_um = 0.0;                   // smaller effects are called minor
-  std::size_t draws = 2000;
+  SearchOptions search;
+  double tolerance_um = 0.0;  // smaller effects are called minor
   std::size_t fakes = 200;
-  std::uint64_t seed = 1;
-  std::size_t most_rows = 1500;      // values of the target searched
-  std::vector<std::string> without;  // names of effects that are not searched
-  // Told of every step before it begins, by the thread that asked: "testing 200 fakes of expansion(T_room_degC)".
-  std::function<void(std::string_view step)> progress;
+  std::size_t most_rows = 1500;  // values of the target searched
 };
 
 // Throws Error as fit does.

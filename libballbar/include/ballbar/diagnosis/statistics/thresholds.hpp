@@ -1,0 +1,108 @@
+// Every threshold of a diagnosis, in the order in which it is met.
+//
+// d: root of the fall of chi^2. 2 ln L: twice the logarithm of the likelihood. Shares and chances: 0 to 1.
+#pragma once
+
+#include <cstddef>
+
+namespace ballbar {
+
+// Detectability: what a signature could show, before any residual is looked at.
+inline constexpr double kDetectable = 5.0;           // d
+inline constexpr double kIdentifiable = 7.5;         // d
+inline constexpr double kAbsorbed = 0.05;            // share of a signature's square: with less left it is the model's
+inline constexpr double kInseparable = 0.95;         // coherence of two effects that cannot be told apart
+inline constexpr std::size_t kComparedShapes = 12;   // of one family, compared with those of the others
+inline constexpr double kNothingLeft = 1e-8;         // share of a column's square that is rounding
+inline constexpr double kNothingLeftOfAFake = 1e-6;  // the same of a fake, read off a grid
+inline constexpr double kNotInTheseRows = 1e-12;     // share of a column's square in some of the rows that is none
+
+// Noise.
+inline constexpr std::ptrdiff_t kFewestForNoise = 30;  // rows; with fewer it is white and not estimated for every set
+inline constexpr int kFitsByNoise = 8;                 // fits by the noise of the fit before
+inline constexpr double kWorthAnotherRound = 0.01;     // ln L
+inline constexpr std::size_t kPlausibleNoises = 64;    // of which data sets without any effect are drawn
+
+// Errors of a search: share of data sets without any effect that show as much.
+inline constexpr double kErrorOfASearch = 0.01;
+inline constexpr double kErrorOfTimeOnly = 0.001;  // of what needs nothing but time, and so imitates anything slow
+inline constexpr double kTail = 0.1;               // share of the draws from which a tail is told
+inline constexpr std::size_t kFewestDraws = 100;   // fewer have no tail
+
+// Subsets of signatures on the grid.
+inline constexpr std::size_t kLargestSet = 3;         // effects
+inline constexpr std::size_t kValuesForAnEffect = 4;  // rows beyond the parameters of the model
+inline constexpr double kSameDirection = 0.98;        // coherence of signatures that are not fitted together
+inline constexpr double kPriceInSearch = 10.0;        // of an effect, chi^2, before there are thresholds
+inline constexpr double kPrice = 14.0;                // of an effect, 2 ln L, the same
+inline constexpr double kClearlyMore = 0.5;           // 2 ln L
+inline constexpr std::size_t kPairsOfFamilies = 25;   // of which all shapes are tried
+inline constexpr std::size_t kTriplesOfAPair = 4;
+inline constexpr std::size_t kFamiliesOfAnEffect = 6;
+inline constexpr std::size_t kShapesOfAFamily = 6;
+inline constexpr std::size_t kSubsetsKept = 40;
+inline constexpr std::size_t kBestOfEverySize = 5;  // subsets by which the noise is told
+inline constexpr std::size_t kSearchRounds = 3;     // of noise and subsets in turn
+
+// Subsets that are fitted.
+inline constexpr std::size_t kWorthALook = 20;    // subsets
+inline constexpr double kWorthRefitting = 12.0;   // 2 ln L from the best
+inline constexpr double kGridError = 0.1;         // share of the evidence that a point of a grid may lack
+inline constexpr std::size_t kMostRefitted = 14;  // sets of one effect; half as many more for every other one
+inline constexpr double kFarFromGood = 40.0;      // 2 ln L less thresholds: not worth another fit
+inline constexpr std::size_t kInPlaceRounds = 2;
+inline constexpr std::size_t kMostInPlace = 8;  // of one effect of a fitted set
+inline constexpr std::size_t kMostSwaps = 20;   // of one effect of a set on the grid
+inline constexpr double kNearlyAsMuch = 0.8;    // share of the fall of chi^2 of the effect that is replaced
+inline constexpr double kSurvives = 0.04;       // share of a signature beside the others of its set
+
+// What the data leave open.
+inline constexpr double kNearlyAsGood = 6.0;        // 2 ln L, less thresholds or of sets of one size
+inline constexpr double kThreeNearlyAsGood = 12.0;  // 2 ln L less thresholds of sets of three
+inline constexpr double kSameCurve = 2.0;           // chi^2 of the difference of two curves
+inline constexpr double kSameShare = 0.01;          // of a curve's chi^2
+
+// Tests that an effect has to pass to be named.
+inline constexpr double kFewestEvidence = 25.0;  // 2 ln L: d = 5
+inline constexpr double kSameGain = 0.001;       // p_same_gain below which gains differ
+inline constexpr double kOwnDirection = 1e-3;    // pivot of a gain of one cycle, of the largest, that is one
+inline constexpr double kInOneCycle = 0.9;       // share of what it shows
+inline constexpr double kHeldOutWorse = 1.05;    // of the RMSE, which a slow noise makes up by itself
+inline constexpr double kLeastReach_um = 1e-3;   // of a shape that is 0
+inline constexpr double kTold = 1e-6;            // pivot of a column, of the largest, that rows left in tell
+inline constexpr double kMinor = 0.05;           // of the RMSE
+inline constexpr double kStays = 0.001;          // p below which an effect of the model is needed
+
+// Fakes.
+inline constexpr std::size_t kFakes = 200;
+inline constexpr std::size_t kFakeShapes = 8;       // of an effect
+inline constexpr std::size_t kFakeGrid = 1024;      // values over the time
+inline constexpr std::size_t kTraceGrid = 512;      // values over the angle
+inline constexpr std::size_t kFewestOfASweep = 16;  // readings
+inline constexpr double kSameOnRecordings = 0.01;   // share of the square by which curves on two recordings may differ
+inline constexpr double kFakeIsItself = 0.95;       // coherence
+inline constexpr double kMostAreItself = 0.01;      // share of the fakes
+
+// Verdict.
+inline constexpr double kSmoothEvidence = 18.0;  // 2 ln L of a smooth curve that is more than noise
+inline constexpr double kWhite = 0.001;          // p of the spectrum of what is left
+inline constexpr double kClustered = 0.001;      // chance of readings far from the others where they are
+inline constexpr double kAfterChange_s = 600.0;  // where such readings lie
+inline constexpr double kCancels = 1.5;          // times the range of all effects of a set together
+inline constexpr std::size_t kShown = 8;         // candidates
+inline constexpr std::size_t kShownInQuestion = 12;
+inline constexpr double kGoesWith = 0.7;               // of the held-out RMSE
+inline constexpr std::size_t kGoesWithFitted = 8;      // effects
+inline constexpr std::size_t kGoesWithOfAnEffect = 2;  // choices of columns
+inline constexpr std::size_t kGoesWithRounds = 4;      // fits by the noise of the fit before
+inline constexpr std::size_t kGoesWithShown = 4;
+
+// The next test.
+inline constexpr double kUseless = 1.0;                // d
+inline constexpr double kImitated = 1.0;               // d of an effect that another makes whatever is done
+inline constexpr double kNearlyImitated = 0.2;         // the same: d over that of the other order
+inline constexpr std::size_t kComparedPoints = 60;     // of the shapes of all candidates
+inline constexpr double kUntilTest_s = 12.0 * 3600.0;  // from the end of the data
+inline constexpr double kBelieved = 0.5;               // R2 of the prediction of a column
+
+}  // namespace ballbar

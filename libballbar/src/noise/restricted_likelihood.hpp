@@ -1,0 +1,34 @@
+// Likelihood of a noise with a memory, restricted to what fitted columns leave of a residual (REML, noise.hpp).
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "noise/kalman.hpp"
+
+namespace ballbar {
+
+// An orthonormal basis of columns of any length, row after row.
+RowMajorMatrix unit_basis(const Eigen::MatrixXd& columns);
+
+// Of one residual (n, referred to) and orthonormal columns X (n by p), for one noise after the other.
+class RestrictedLikelihood {
+ public:
+  RestrictedLikelihood(std::span<const double> time_s, std::span<const double> residual_um,
+                       std::span<const double> sigma_um, RowMajorMatrix columns);
+
+  // G = X' C^-1 X and g = X' C^-1 r take g' G^-1 g from the squares r' C^-1 r and add ln det G to the variances
+  // ln det C: -1/2 their sum is ln of the likelihood, up to a constant.
+  Kalman::Sums sums(const NoiseVariances& noise);
+
+  const Kalman& kalman() const { return kalman_; }
+  Eigen::Index columns() const { return columns_.cols(); }
+
+ private:
+  Kalman kalman_;
+  std::span<const double> residual_um_;
+  RowMajorMatrix columns_;
+  RowMajorMatrix innovations_;  // a block of rows, used again
+};
+
+}  // namespace ballbar
