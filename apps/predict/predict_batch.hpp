@@ -20,7 +20,7 @@ struct BatchPredictOptions {
 // "z_um" -> "z"
 std::string stem_of(const std::string& column);
 
-// What starts with a brace: a regression over batches rather than a model of effects.
+// A file of a regression over batches rather than of a model of effects.
 bool is_batch_model(const std::string& model);
 
 struct BatchJob {

@@ -13,6 +13,7 @@
 #include "ballbar/drift/comparison.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_history.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/bytes.hpp"
 #include "batches/batches.hpp"

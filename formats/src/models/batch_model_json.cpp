@@ -215,4 +215,9 @@ BatchModel read_batch_model(std::string_view bytes, std::string_view name) {
   return model;
 }
 
+bool is_batch_model_json(std::string_view head) {
+  const std::size_t first = head.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && head[first] == '{';
+}
+
 }  // namespace ballbar

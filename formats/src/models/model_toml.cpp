@@ -14,6 +14,8 @@
 #include "ballbar/error.hpp"
 #include "ballbar/model/expression.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "recordings/readers.hpp"
+#include "text/head.hpp"
 #include "text/source_text.hpp"
 #include "text/table_place.hpp"
 #include "text/toml_source.hpp"
@@ -319,6 +321,11 @@ std::vector<KeyTable> model_keys() {
           {"`[[effect]]` with a formula, beside the parameters of that", kFormulaKeys},
           {"A parameter of the formula", kOwnSettingKeys}};
 }
+
+constinit const Reader readers::kModel = {
+    .found = "a model",
+    .is_yours = [](std::string_view head) { return format_name(head) == "ballbar-model"; },
+};
 
 Model read_model(std::string_view bytes, std::string_view name, const Catalogue& catalogue) {
   const SourceText text = source_text(bytes, name);

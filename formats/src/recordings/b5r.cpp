@@ -8,7 +8,11 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/formats/text/bytes.hpp"
 #include "ballbar/units.hpp"
+#include "recordings/readers.hpp"
+#include "text/head.hpp"
 #include "text/xml_source.hpp"
 
 namespace ballbar {
@@ -149,16 +153,43 @@ Recording run_of(const SourceText& text, pugi::xml_node run, const TestSpec& spe
   return recording;
 }
 
+RecordingFile b5r_file(std::string_view bytes, std::string_view name) {
+  if (bytes.size() > kLargestText) {
+    throw Error(fmt::format("{}: expected at most {} MiB of XML, found a larger file.", name, kLargestText >> 20));
+  }
+  RecordingFile file;
+  file.b5r = read_b5r(bytes, name);
+  file.recordings = std::exchange(file.b5r->runs, {});
+  return file;
+}
+
+constexpr std::string_view kRoot = "TEST_DOCUMENT";
+constexpr std::string_view kFound = "XML, such as a .b5r file";
+
 }  // namespace
+
+constinit const Reader readers::kB5r = {
+    .found = kFound,
+    .recording = "a Renishaw .b5r file (XML)",
+    .is_yours = [](std::string_view head) { return xml_root(head) == kRoot; },
+    .read = b5r_file,
+};
+
+// That no reader knows; read_b5r says what it is not.
+constinit const Reader readers::kOtherXml = {
+    .found = kFound,
+    .is_yours = [](std::string_view head) { return text_of_head(head).starts_with('<'); },
+    .read = b5r_file,
+};
 
 B5r read_b5r(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);
   pugi::xml_document file;
   parse_xml(text, file);
   const pugi::xml_node document = file.document_element();
-  if (std::string_view(document.name()) != "TEST_DOCUMENT") {
+  if (document.name() != kRoot) {
     fail_at(text, offset_of(document),
-            fmt::format("expected TEST_DOCUMENT, the root of a .b5r file, found {}.", in_quotes(document.name())));
+            fmt::format("expected {}, the root of a .b5r file, found {}.", kRoot, in_quotes(document.name())));
   }
   const pugi::xml_node test = child_of(text, document, "TEST_SPEC");
   const pugi::xml_node ballbar = child_of(text, child_of(text, test, "INSTRUMENT"), "DYNAMIC_BALLBAR");

@@ -7,7 +7,10 @@
 #include <optional>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/units.hpp"
+#include "recordings/readers.hpp"
+#include "text/head.hpp"
 #include "text/table.hpp"
 #include "text/toml_source.hpp"
 
@@ -115,6 +118,10 @@ void expect_direction(const TomlTable& header, const Recording& recording) {
                           rises ? "rise" : "fall", name_of(found), name_of(recording.direction)));
 }
 
+RecordingFile log_file(std::string_view bytes, std::string_view name) {
+  return {{read_ballbar_log(bytes, name)}, std::nullopt};
+}
+
 // 90.18 rather than 90.18000000000001, where that reads back to the same angle.
 double written_deg(double angle_rad) {
   const double angle_deg = deg_from_rad(angle_rad);
@@ -125,6 +132,24 @@ double written_deg(double angle_rad) {
 }  // namespace
 
 std::vector<KeyTable> log_keys() { return {{"", kKeys}}; }
+
+constinit const Reader readers::kBallbarLog = {
+    .found = "a ballbar log",
+    .recording = "a ballbar log (a table whose first lines say # format = \"ballbar-log 1\")",
+    .is_yours = [](std::string_view head) { return format_name(head) == "ballbar-log"; },
+    .read = log_file,
+};
+
+// Not to be read, but meant as a recording: as such it is told what it lacks.
+constinit const Reader readers::kLogWithoutHeader = {
+    .found = "a ballbar log without its header (# format = \"ballbar-log 1\" and so on)",
+    .is_yours =
+        [](std::string_view head) {
+          const std::string_view table = after_comments(head);
+          return table.starts_with("time_s,angle_deg") || table.starts_with("angle_deg");
+        },
+    .read = ReadRecordings{},
+};
 
 Recording read_ballbar_log(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);

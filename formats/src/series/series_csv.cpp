@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
+#include "recordings/readers.hpp"
+#include "text/head.hpp"
 #include "text/table.hpp"
 #include "text/toml_source.hpp"
 
@@ -175,6 +177,19 @@ std::string header_of(const FiveProbe& probe) {
 std::vector<KeyTable> series_keys() {
   return {{"", kRootKeys}, {"`[columns.NAME]`", kColumnKeys}, {"`[five_probe]`", kFiveProbeKeys}};
 }
+
+// By its format, or by a first column of time, where angles do not tell a ballbar log.
+constinit const Reader readers::kSeries = {
+    .found = "a series of columns over time",
+    .is_yours =
+        [](std::string_view head) {
+          if (format_name(head) == "ballbar-series") return true;
+          const std::string_view table = after_comments(head);
+          return table.starts_with("time_min,") ||
+                 (table.starts_with("time_s,") && !table.starts_with("time_s,angle_deg"));
+        },
+    .read = read_series,
+};
 
 Series read_series(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);

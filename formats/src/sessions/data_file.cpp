@@ -9,21 +9,18 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/series/drift_files.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
-#include "ballbar/formats/text/bytes.hpp"
 #include "ballbar/series/joined.hpp"
-#include "recordings/content.hpp"
 
 namespace ballbar {
 namespace {
 
 // An empty file and one of another kind, told here with all that would do.
-void expect_data(const std::filesystem::path& path) {
+void expect_data(const std::filesystem::path& path, const Reader* reader) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return;  // a folder, or nothing: told by open_drift_data
-  const Content content = content_of(read_bytes(path, kLargestTable));
-  if (content == Content::series || content == Content::session) return;
+  if (read_of<ReadSeries>(reader) != nullptr || read_of<ReadSession>(reader) != nullptr) return;
   throw Error(fmt::format("{}: expected a series .csv, a session.toml or recordings (.b5r, logs), found {}.",
-                          path.string(), description(content)));
+                          path.string(), found_in(reader)));
 }
 
 std::vector<std::string> measured_names(const Series& series) {
@@ -58,17 +55,17 @@ void expect_one_plane(const std::vector<Recording>& recordings, const std::files
   }
 }
 
-ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths) {
+ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths, std::span<const Reader> readers) {
   ModelData data;
   data.level = Level::recording;
   expect_once(paths);
   std::vector<Recording> recordings;
   for (const std::filesystem::path& path : paths) {
-    if (!is_recording_file(path)) {
+    if (!is_recording_file(path, readers)) {
       throw Error(fmt::format("{}: expected a recording as the other files are, a .b5r or a log, found something else.",
                               path.string()));
     }
-    RecordingFile file = open_recording(path);
+    RecordingFile file = open_recording(path, readers);
     std::move(file.recordings.begin(), file.recordings.end(), std::back_inserter(recordings));
     expect_one_plane(recordings, path);
   }
@@ -86,22 +83,18 @@ ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths) {
 
 }  // namespace
 
-bool is_recording_file(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return false;
-  const Content content = content_of(read_bytes(path, kLargestTable));
-  return content == Content::xml || content == Content::ballbar_log || content == Content::table;
-}
-
 ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,
-                          double max_gap_s) {
-  if (is_recording_file(paths.front())) return data_of_recordings(paths);
+                          double max_gap_s, std::span<const Reader> readers) {
+  const Reader* const reader = reader_of_file(paths.front(), readers);
+  if (reader != nullptr && std::holds_alternative<ReadRecordings>(reader->read)) {
+    return data_of_recordings(paths, readers);
+  }
   if (paths.size() > 1) {
     throw Error(fmt::format("{}: expected one series or session, or recordings alone, found {} files.",
                             paths.front().string(), paths.size()));
   }
-  expect_data(paths.front());
-  const DriftData source = open_drift_data(paths.front());
+  expect_data(paths.front(), reader);
+  const DriftData source = open_drift_data(paths.front(), readers);
   ModelData data;
   data.title = paths.front().string();
   data.files = source.files;
@@ -111,7 +104,9 @@ ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const
   } else {
     if (!source.session->session.title.empty()) data.title = source.session->session.title;
     parts.push_back(series_of(drift_of(source.session->session, options)));
-    for (const std::filesystem::path& path : source.session->signals) parts.push_back(open_series(path));
+    for (const std::filesystem::path& path : source.session->signals) {
+      parts.push_back(open_series(path, readers));
+    }
   }
   try {
     data.series = joined(parts, max_gap_s);

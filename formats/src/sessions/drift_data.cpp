@@ -7,33 +7,33 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/bytes.hpp"
-#include "recordings/content.hpp"
 
 namespace ballbar {
 
-Series open_series(const std::filesystem::path& path) {
-  return read_series(read_bytes(path, kLargestTable), path.string());
+Series open_series(const std::filesystem::path& path, std::span<const Reader> readers) {
+  const std::string bytes = read_bytes(path, kLargestTable);
+  const auto read = read_of<ReadSeries>(reader_of(bytes, readers));
+  return (read != nullptr ? read : read_series)(bytes, path.string());  // which tells the faults of what is no series
 }
 
-DriftData open_drift_data(const std::filesystem::path& path) {
+DriftData open_drift_data(const std::filesystem::path& path, std::span<const Reader> readers) {
   DriftData data;
   std::error_code error;
   if (std::filesystem::is_regular_file(path, error)) {
-    const std::string bytes = read_bytes(path, kLargestTable);
-    const Content content = content_of(bytes);
-    if (content == Content::series) {
-      data.series = read_series(bytes, path.string());
+    const Reader* const reader = reader_of_file(path, readers);
+    if (read_of<ReadSeries>(reader) != nullptr) {
+      data.series = open_series(path, readers);
       data.files = {path};
       return data;
     }
-    if (content != Content::session && content != Content::unknown) {
+    if (reader != nullptr && read_of<ReadSession>(reader) == nullptr) {
       throw Error(fmt::format(
           "{}:1:1: expected a session, which is a folder or a file that says format = \"ballbar-session 1\", or a "
           "series of columns over time, found {}.",
-          path.string(), description(content)));
+          path.string(), found_in(reader)));
     }
   }
-  data.session = open_session(path);
+  data.session = open_session(path, readers);
   data.files = data.session->files;
   return data;
 }

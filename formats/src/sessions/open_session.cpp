@@ -8,13 +8,13 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
 #include "ballbar/formats/text/bytes.hpp"
-#include "recordings/content.hpp"
 #include "text/path_inside.hpp"
 
 namespace ballbar {
 namespace {
 
 namespace fs = std::filesystem;
+using Readers = std::span<const Reader>;
 
 constexpr std::string_view kOwner = "the session";
 
@@ -24,14 +24,14 @@ void expect_nominal_length(const Recording& recording, const fs::path& path, dou
                           nominal_length_mm, recording.nominal_length_mm));
 }
 
-std::vector<Recording> recordings_in(const SessionPlan& plan, const fs::path& path) {
-  std::vector<Recording> recordings = open_recording(path).recordings;
+std::vector<Recording> recordings_in(const SessionPlan& plan, const fs::path& path, Readers readers) {
+  std::vector<Recording> recordings = open_recording(path, readers).recordings;
   for (const Recording& recording : recordings) expect_nominal_length(recording, path, plan.nominal_length_mm);
   return recordings;
 }
 
-Recording only_recording(const SessionPlan& plan, const fs::path& path) {
-  std::vector<Recording> recordings = recordings_in(plan, path);
+Recording only_recording(const SessionPlan& plan, const fs::path& path, Readers readers) {
+  std::vector<Recording> recordings = recordings_in(plan, path, readers);
   if (recordings.size() == 1) return std::move(recordings.front());
   throw Error(fmt::format("{}: expected one recording, found {} runs.", path.string(), recordings.size()));
 }
@@ -42,9 +42,9 @@ std::string phrase(const Recording& recording) {
 }
 
 // As `expected` in kind and motion, and in plane unless the spindle drives.
-Recording recording_like(const SessionPlan& plan, const fs::path& path, std::string_view key,
-                         const Recording& expected) {
-  Recording found = only_recording(plan, path);
+Recording recording_like(const SessionPlan& plan, const fs::path& path, std::string_view key, const Recording& expected,
+                         Readers readers) {
+  Recording found = only_recording(plan, path, readers);
   const bool circle = expected.kind == Kind::circle;
   const bool any_plane = expected.motion == Motion::spindle;
   if (found.kind == expected.kind &&
@@ -55,30 +55,31 @@ Recording recording_like(const SessionPlan& plan, const fs::path& path, std::str
   throw Error(fmt::format("{}: expected {} for {}, found {}.", path.string(), wanted, key, phrase(found)));
 }
 
-SessionTest test_of(const SessionPlan& plan, const SessionPlan::Test& planned, const fs::path& folder) {
+SessionTest test_of(const SessionPlan& plan, const SessionPlan::Test& planned, const fs::path& folder,
+                    Readers readers) {
   SessionTest test;
   test.elapsed_s = planned.elapsed_s;
   if (plan.method == Method::two_arcs) {
     test.name = planned.c_arc;
     Recording expected;
     expected.motion = Motion::rotary_axis;
-    test.c_arc = recording_like(plan, path_inside(folder, planned.c_arc, kOwner), "c_arc", expected);
+    test.c_arc = recording_like(plan, path_inside(folder, planned.c_arc, kOwner), "c_arc", expected, readers);
     expected.plane = Plane::YZ;
-    test.a_arc = recording_like(plan, path_inside(folder, planned.a_arc, kOwner), "a_arc", expected);
+    test.a_arc = recording_like(plan, path_inside(folder, planned.a_arc, kOwner), "a_arc", expected, readers);
   } else if (plan.method == Method::spindle_rotation) {
     test.name = planned.rotation;
     Recording expected;
     expected.motion = Motion::spindle;
-    test.rotation = recording_like(plan, path_inside(folder, planned.rotation, kOwner), "rotation", expected);
+    test.rotation = recording_like(plan, path_inside(folder, planned.rotation, kOwner), "rotation", expected, readers);
     expected.kind = Kind::axial;
     if (!planned.axial.empty()) {
-      test.axial = recording_like(plan, path_inside(folder, planned.axial, kOwner), "axial", expected);
+      test.axial = recording_like(plan, path_inside(folder, planned.axial, kOwner), "axial", expected, readers);
     }
     test.axial_length_mm = planned.axial_length_mm;
   } else {
     test.name = planned.circle;
     const fs::path path = path_inside(folder, planned.circle, kOwner);
-    test.circles = recordings_in(plan, path);
+    test.circles = recordings_in(plan, path, readers);
     for (const Recording& circle : test.circles) {
       if (circle.kind != Kind::circle)
         throw Error(fmt::format("{}: expected a circle for circle, found {}.", path.string(), phrase(circle)));
@@ -87,15 +88,17 @@ SessionTest test_of(const SessionPlan& plan, const SessionPlan::Test& planned, c
   return test;
 }
 
-SessionFiles planned_session(const fs::path& path) {
+SessionFiles planned_session(const fs::path& path, Readers readers) {
   const std::string bytes = read_bytes(path, kLargestText);
-  const Content content = content_of(bytes);
-  if (content != Content::session && content != Content::unknown) {
+  const Reader* const reader = reader_of(bytes, readers);
+  const auto read = read_of<ReadSession>(reader);
+  if (reader != nullptr && read == nullptr) {
     throw Error(fmt::format(
         "{}:1:1: expected a session, which is a folder or a file that says format = \"ballbar-session 1\", found {}.",
-        path.string(), description(content)));
+        path.string(), found_in(reader)));
   }
-  const SessionPlan plan = read_session_plan(bytes, path.string());
+  // Of text of no known format read_session_plan tells what it lacks.
+  const SessionPlan plan = (read != nullptr ? read : read_session_plan)(bytes, path.string());
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   SessionFiles files;
   files.session.method = plan.method;
@@ -103,7 +106,9 @@ SessionFiles planned_session(const fs::path& path) {
   files.session.nominal_length_mm = plan.nominal_length_mm;
   files.session.bar_expansion_ppm_per_K = plan.bar_expansion_ppm_per_K;
   files.session.spindle_above = plan.spindle_above;
-  for (const SessionPlan::Test& test : plan.tests) files.session.tests.push_back(test_of(plan, test, folder));
+  for (const SessionPlan::Test& test : plan.tests) {
+    files.session.tests.push_back(test_of(plan, test, folder, readers));
+  }
   for (const std::string& file : plan.signal_files) files.signals.push_back(path_inside(folder, file, kOwner));
   if (!plan.five_probe_file.empty()) files.five_probe = path_inside(folder, plan.five_probe_file, kOwner);
   files.ball = plan.ball;
@@ -129,7 +134,7 @@ bool is_b5r(const fs::path& path) {
 }
 
 // Each `.b5r` a test, at its own DATE_STARTED.
-SessionFiles session_of_folder(const fs::path& folder) {
+SessionFiles session_of_folder(const fs::path& folder, Readers readers) {
   std::vector<fs::path> paths;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
@@ -150,7 +155,7 @@ SessionFiles session_of_folder(const fs::path& folder) {
   for (const fs::path& path : paths) {
     Started started;
     started.test.name = path.filename().string();
-    started.test.circles = open_recording(path).recordings;
+    started.test.circles = open_recording(path, readers).recordings;
     const std::optional<std::int64_t> started_s = started.test.circles.front().started_s;
     if (!started_s)
       throw Error(
@@ -182,11 +187,11 @@ SessionFiles session_of_folder(const fs::path& folder) {
 
 }  // namespace
 
-SessionFiles open_session(const fs::path& path) {
+SessionFiles open_session(const fs::path& path, Readers readers) {
   std::error_code error;
-  if (!fs::is_directory(path, error)) return planned_session(path);
+  if (!fs::is_directory(path, error)) return planned_session(path, readers);
   const fs::path plan = path / "session.toml";
-  return fs::exists(plan, error) ? planned_session(plan) : session_of_folder(path);
+  return fs::exists(plan, error) ? planned_session(plan, readers) : session_of_folder(path, readers);
 }
 
 }  // namespace ballbar

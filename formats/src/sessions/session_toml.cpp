@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include "ballbar/error.hpp"
+#include "recordings/readers.hpp"
+#include "text/head.hpp"
 #include "text/path_inside.hpp"
 #include "text/source_text.hpp"
 #include "text/toml_source.hpp"
@@ -119,6 +121,12 @@ std::vector<KeyTable> session_keys() {
           {"`[signals]`", kSignalsKeys},
           {"`[five_probe]`", kFiveProbeKeys}};
 }
+
+constinit const Reader readers::kSession = {
+    .found = "a session",
+    .is_yours = [](std::string_view head) { return format_name(head) == "ballbar-session"; },
+    .read = read_session_plan,
+};
 
 SessionPlan read_session_plan(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);

@@ -34,9 +34,7 @@ fs::path temporary_beside(const fs::path& path) {
   }
 }
 
-}  // namespace
-
-std::string read_bytes(const fs::path& path, std::size_t limit) {
+std::ifstream opened(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) {
@@ -54,6 +52,28 @@ std::string read_bytes(const fs::path& path, std::size_t limit) {
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw Error(fmt::format("{}: expected a readable file, found: {}.", path.string(), reason(errno)));
+  return file;
+}
+
+void expect_whole(const std::ifstream& file, const fs::path& path) {
+  if (!file.bad()) return;
+  throw Error(fmt::format("{}: expected a readable file, found an error while reading.", path.string()));
+}
+
+}  // namespace
+
+std::string read_head(const fs::path& path, std::size_t most) {
+  std::ifstream file = opened(path);
+  std::string bytes(most, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(most));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  expect_whole(file, path);
+  return bytes;
+}
+
+std::string read_bytes(const fs::path& path, std::size_t limit) {
+  std::ifstream file = opened(path);
+  std::error_code error;
   const auto fail_size = [&] {
     throw Error(fmt::format("{}: expected at most {} MiB, found a larger file.", path.string(), limit >> 20));
   };
@@ -70,8 +90,7 @@ std::string read_bytes(const fs::path& path, std::size_t limit) {
     if (used > limit) fail_size();
     room = std::size_t{1} << 16;
   }
-  if (file.bad())
-    throw Error(fmt::format("{}: expected a readable file, found an error while reading.", path.string()));
+  expect_whole(file, path);
   bytes.resize(used);
   return bytes;
 }

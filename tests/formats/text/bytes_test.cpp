@@ -43,6 +43,17 @@ TEST(bytes, reading_is_refused_with_a_whole_sentence) {
   EXPECT_EQ(reading(huge), "DIR/huge: expected at most 1 MiB, found a larger file.");
 }
 
+TEST(bytes, the_head_of_a_file_of_any_size) {
+  const ScratchFolder folder;
+  const fs::path file = folder.write("file", "abcdef");
+  EXPECT_EQ(read_head(file, 4), "abcd");
+  EXPECT_EQ(read_head(file, 6), "abcdef");
+  EXPECT_EQ(read_head(file, 7), "abcdef");
+  fs::resize_file(file, std::uintmax_t{1} << 31);
+  EXPECT_EQ(read_head(file, 7), std::string("abcdef\0", 7));
+  EXPECT_EQ(complaint(folder, [&] { read_head(folder.path(), 4); }), "DIR: expected a file, found a directory.");
+}
+
 TEST(bytes, reading_without_permission_is_refused) {
   const ScratchFolder folder;
   const fs::path file = folder.write("secret", "x");

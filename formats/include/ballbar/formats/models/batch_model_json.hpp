@@ -30,4 +30,7 @@ std::string write_batch_model(const BatchModel& model);
 // for, a negative variance, range low above high, a sensor twice, a name without its unit, no batch of weight above 0.
 BatchModel read_batch_model(std::string_view bytes, std::string_view name);
 
+// Whether the head of a model's file is that of one of these, JSON, rather than of a model of effects, which is TOML.
+bool is_batch_model_json(std::string_view head);
+
 }  // namespace ballbar

@@ -7,6 +7,7 @@
 
 #include "ballbar/circle/recording.hpp"
 #include "ballbar/formats/recordings/b5r.hpp"
+#include "ballbar/formats/recordings/reader.hpp"
 
 namespace ballbar {
 
@@ -16,7 +17,10 @@ struct RecordingFile {
                                       // runs are moved to `recordings`
 };
 
+// A file whose content is that of a recording, a .b5r or a log, though it may have faults.
+bool is_recording_file(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
+
 // Throws Error; lists the known formats if none fits.
-RecordingFile open_recording(const std::filesystem::path& path);
+RecordingFile open_recording(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
 
 }  // namespace ballbar

@@ -8,6 +8,7 @@
 
 #include "ballbar/drift/drift.hpp"
 #include "ballbar/effects/effect.hpp"
+#include "ballbar/formats/recordings/reader.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
@@ -21,13 +22,10 @@ struct ModelData {
   std::optional<Motion> motion;  // recordings: what drove all of them
 };
 
-// A file whose content is that of a recording, a .b5r or a log.
-bool is_recording_file(const std::filesystem::path& path);
-
 // A session: its drift (drift_of with the options) joined with its signals; a series: its gaps closed as `joined` does;
 // one or more recordings (.b5r, logs) of one plane: their trace. Throws Error for anything else, a mixture, or the same
 // file twice.
 ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,
-                          double max_gap_s);
+                          double max_gap_s, std::span<const Reader> readers = known_readers());
 
 }  // namespace ballbar

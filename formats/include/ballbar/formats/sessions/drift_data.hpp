@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "ballbar/formats/recordings/reader.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
 #include "ballbar/series/series.hpp"
 
@@ -18,8 +19,8 @@ struct DriftData {
 };
 
 // Throws Error with what was found where the file is neither.
-DriftData open_drift_data(const std::filesystem::path& path);
+DriftData open_drift_data(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
 
-Series open_series(const std::filesystem::path& path);
+Series open_series(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
 
 }  // namespace ballbar

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ballbar/drift/drift.hpp"
+#include "ballbar/formats/recordings/reader.hpp"
 
 namespace ballbar {
 
@@ -59,6 +60,6 @@ struct SessionFiles {
 
 // A session.toml, or a folder: of a session.toml, else of `.b5r` files (each a test at its DATE_STARTED,
 // counted from the first; other files are ignored).
-SessionFiles open_session(const std::filesystem::path& path);
+SessionFiles open_session(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
 
 }  // namespace ballbar

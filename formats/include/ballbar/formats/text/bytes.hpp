@@ -16,6 +16,9 @@ inline constexpr std::size_t kLargestText = std::size_t{16} << 20;  // .b5r and 
 // larger than `limit`.
 std::string read_bytes(const std::filesystem::path& path, std::size_t limit);
 
+// The first `most` bytes of a regular file of any size; all where it is shorter. Throws Error as read_bytes.
+std::string read_head(const std::filesystem::path& path, std::size_t most);
+
 // Writes to a temporary file beside `path` and renames it. Throws Error; then `path` is as it was.
 void write_bytes(const std::filesystem::path& path, std::string_view bytes);
 

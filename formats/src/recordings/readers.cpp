@@ -1,0 +1,56 @@
+#include "recordings/readers.hpp"
+
+#include <algorithm>
+
+#include "ballbar/formats/text/bytes.hpp"
+#include "text/head.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr Reader kBinary = {
+    .found = "a binary file",
+    .is_yours = has_nul,
+};
+
+constexpr Reader kEmpty = {
+    .found = "an empty file",
+    .is_yours = [](std::string_view head) { return text_of_head(head).empty(); },
+};
+
+}  // namespace
+
+std::span<const Reader> known_readers() {
+  static const Reader kReaders[] = {
+      readers::kB5r,
+      readers::kBallbarLog,
+      readers::kSession,
+      readers::kModel,
+      readers::kSeries,
+      // Of these it is only known what they are not.
+      readers::kLogWithoutHeader,
+      readers::kOtherXml,
+      kBinary,
+      kEmpty,
+  };
+  return kReaders;
+}
+
+const Reader* reader_of(std::string_view head, std::span<const Reader> readers) {
+  head = head.substr(0, kHeadBytes);
+  const auto reader =
+      std::find_if(readers.begin(), readers.end(), [&](const Reader& one) { return one.is_yours(head); });
+  return reader == readers.end() ? nullptr : &*reader;
+}
+
+const Reader* reader_of_file(const std::filesystem::path& path, std::span<const Reader> readers) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return nullptr;
+  return reader_of(read_head(path, kHeadBytes), readers);
+}
+
+std::string_view found_in(const Reader* reader) {
+  return reader == nullptr ? "text of no known format" : reader->found;
+}
+
+}  // namespace ballbar
