@@ -1,18 +1,25 @@
 #!/bin/sh
 # The one list of the Debian packages ballbar needs, and their installation.
 #
-#   sh apps/install-packages.sh GROUP...       groups: build test bench check
+#   sh apps/install-packages.sh GROUP...
+#
+# build                         the least to read, fit, report and diagnose
+# page images mat blind hal     a component each, built where its packages are: the page of `ballbar report`; pictures;
+#                               .mat files; sealed blind tests; LinuxCNC
+# test bench check              what the developers need besides
 #
 # Installs what is missing; where nothing is, no package tool is called and no rights are needed.
 set -eu
 
+build='g++ make cmake libeigen3-dev libceres-dev libfmt-dev libpugixml-dev libtomlplusplus-dev nlohmann-json3-dev
+  libcli11-dev libmuparser-dev libboost-dev'
 # Node.js comes with npm from elsewhere too, and then Debian's own two exclude it.
 command -v node >/dev/null && command -v npm >/dev/null && page= || page='nodejs npm'
-build="$page g++ make cmake libeigen3-dev libceres-dev libfmt-dev libpugixml-dev libtomlplusplus-dev
-  nlohmann-json3-dev libcli11-dev libmatio-dev libmuparser-dev libssl-dev libboost-dev
-  libopencv-imgcodecs-dev libopencv-imgproc-dev"
-test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium
-  linuxcnc-uspace linuxcnc-uspace-dev'
+images='libopencv-imgproc-dev libspng-dev libjpeg62-turbo-dev'
+mat=libmatio-dev
+blind=libssl-dev
+hal='linuxcnc-uspace linuxcnc-uspace-dev'
+test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium'
 bench='libbenchmark-dev python3 python3-numpy python3-scipy python3-sklearn'
 check='git clang clang-format clang-tidy libclang-rt-14-dev'
 
@@ -20,11 +27,17 @@ wanted=
 for group in "$@"; do
   case $group in
     build) wanted="$wanted $build" ;;
+    page) wanted="$wanted $page" ;;
+    images) wanted="$wanted $images" ;;
+    mat) wanted="$wanted $mat" ;;
+    blind) wanted="$wanted $blind" ;;
+    hal) wanted="$wanted $hal" ;;
     test) wanted="$wanted $test" ;;
     bench) wanted="$wanted $bench" ;;
     check) wanted="$wanted $check" ;;
     *)
-      echo "install-packages.sh: no group '$group'; the groups are build, test, bench, check" >&2
+      echo "install-packages.sh: no group '$group'; the groups are build, page, images, mat, blind, hal, test, bench," \
+        "check" >&2
       exit 2
       ;;
   esac

@@ -215,6 +215,7 @@ BlindVerdict verdict_by_hand(std::string_view verdict, std::string_view effects)
 
 std::string write_blind(const fs::path& folder, const fs::path& answers, std::size_t count, std::uint64_t seed,
                         const std::function<void(std::size_t)>& progress) {
+  expect_seal();
   if (folder.empty()) throw Error("Expected the name of a folder to write to, found an empty one.");
   const fs::path target = fs::absolute(folder / "").lexically_normal().parent_path();  // no trailing slash
   expect_new(folder, answers);
@@ -274,6 +275,7 @@ std::string write_blind(const fs::path& folder, const fs::path& answers, std::si
 }
 
 std::vector<SealedSet> read_blind(const fs::path& folder, const fs::path& answers) {
+  expect_seal();
   const std::string bytes = read_bytes(answers, kLargestText);
   const fs::path seal_file = folder / "SEAL";
   const std::string seal = read_bytes(seal_file, kLargestText);

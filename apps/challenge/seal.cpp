@@ -20,6 +20,8 @@ int length_of(std::string_view text) {
 
 }  // namespace
 
+void expect_seal() {}
+
 std::string sha256(std::string_view bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int size = 0;

@@ -1,4 +1,5 @@
-// A seal: a digest that nobody can keep while changing what it was made of.
+// A seal: a digest that nobody can keep while changing what it was made of. In a build without OpenSSL
+// (BALLBAR_BLIND=OFF) every function throws an Error that says what to install.
 #pragma once
 
 #include <optional>
@@ -6,6 +7,9 @@
 #include <string_view>
 
 namespace ballbar {
+
+// Before anything is made that will be sealed, or read that was.
+void expect_seal();
 
 // SHA-256 (FIPS 180-4, by OpenSSL) in 64 hexadecimal digits.
 std::string sha256(std::string_view bytes);

@@ -14,7 +14,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/model/expression.hpp"
 #include "ballbar/nearest_name.hpp"
-#include "recordings/readers.hpp"
+#include "text/readers.hpp"
 #include "text/head.hpp"
 #include "text/source_text.hpp"
 #include "text/table_place.hpp"

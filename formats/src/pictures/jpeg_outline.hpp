@@ -1,5 +1,5 @@
-// The segments of a JPEG file, without decoding: its size, and whether it has its end. OpenCV decodes a file cut short
-// without a word and leaves what is missing to chance.
+// The segments of a JPEG file, without decoding: its size, and whether it has its end. A decoder does not look for the
+// end once it has all pixels.
 #pragma once
 
 #include <cstddef>

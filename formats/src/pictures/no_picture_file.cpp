@@ -1,4 +1,4 @@
-// In place of picture_file.cpp where ballbar is built without OpenCV.
+// In place of picture_file.cpp and colour_map.cpp where ballbar is built without what reads pictures.
 #include <fmt/format.h>
 
 #include "ballbar/error.hpp"
@@ -9,9 +9,9 @@ namespace {
 
 [[noreturn]] void fail(std::string_view what) {
   throw Error(
-      fmt::format("{}: expected a ballbar that can read pictures, found one built without OpenCV; install "
-                  "libopencv-imgcodecs-dev and libopencv-imgproc-dev, configure with -D BALLBAR_IMAGES=ON and build "
-                  "again.",
+      fmt::format("{}: expected a ballbar that can read and paint pictures, found one built without; install "
+                  "libopencv-imgproc-dev, libspng-dev and libjpeg62-turbo-dev, configure with -D BALLBAR_IMAGES=ON "
+                  "and build again.",
                   what));
 }
 

@@ -1,4 +1,4 @@
-// In place of shaft_picture.cpp where ballbar is built without OpenCV.
+// In place of shaft_picture.cpp where ballbar is built without what paints pictures.
 #include "ballbar/formats/pictures/picture_file.hpp"
 #include "ballbar/formats/pictures/shaft_picture.hpp"
 

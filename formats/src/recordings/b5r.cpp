@@ -11,7 +11,7 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/text/bytes.hpp"
 #include "ballbar/units.hpp"
-#include "recordings/readers.hpp"
+#include "text/readers.hpp"
 #include "text/head.hpp"
 #include "text/xml_source.hpp"
 

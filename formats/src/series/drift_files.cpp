@@ -1,13 +1,11 @@
 #include "ballbar/formats/series/drift_files.hpp"
 
 #include <fmt/format.h>
-#include <matio.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
@@ -16,6 +14,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/bytes.hpp"
+#include "series/mat_file.hpp"
 
 namespace ballbar {
 namespace {
@@ -145,31 +144,6 @@ void write_json(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps,
       << ",\n  \"steps\": " << step_rows.dump() << ",\n  \"remarks\": " << remarks.dump() << "\n}\n";
 }
 
-void write_variable(mat_t* file, const std::string& name, matio_classes class_type, matio_types type, std::size_t rows,
-                    std::size_t columns, const void* data) {
-  std::size_t size[] = {rows, columns};
-  // matio copies the data.
-  const std::unique_ptr<matvar_t, decltype(&Mat_VarFree)> variable(
-      Mat_VarCreate(name.c_str(), class_type, type, 2, size, const_cast<void*>(data), 0), &Mat_VarFree);
-  if (!variable || Mat_VarWrite(file, variable.get(), MAT_COMPRESSION_NONE) != 0) {
-    throw Error(fmt::format("{}: expected room to write this variable of the .mat file, found none.", name));
-  }
-}
-
-void write_mat(const DriftColumns& drift, const std::filesystem::path& path) {
-  const std::unique_ptr<mat_t, decltype(&Mat_Close)> file(
-      Mat_CreateVer(path.c_str(), "MATLAB 5.0 MAT-file, drift series of ballbar", MAT_FT_MAT5), &Mat_Close);
-  if (!file) throw Error(fmt::format("{}: expected a folder to write a .mat file to, found none.", path.string()));
-  const auto vector = [&](const std::string& name, const std::vector<double>& values) {
-    write_variable(file.get(), name, MAT_C_DOUBLE, MAT_T_DOUBLE, values.size(), 1, values.data());
-  };
-  const std::string method(drift.method);
-  write_variable(file.get(), "method", MAT_C_CHAR, MAT_T_UTF8, 1, method.size(), method.data());
-  vector("reference_s", {drift.reference_s});
-  vector("time_s", drift.series.time_s);
-  for (const Column& column : drift.series.columns) vector(column.name, column.values);
-}
-
 template <class Columns, class WriteJson>
 void write_by_extension(const std::filesystem::path& path, Columns columns, WriteJson write_json) {
   const std::string extension = path.extension().string();
@@ -183,7 +157,11 @@ void write_by_extension(const std::filesystem::path& path, Columns columns, Writ
       if (!file) throw Error(fmt::format("{}: expected room to write the series, found none.", path.string()));
     });
   } else if (extension == ".mat") {
-    write_through(path, [&](const std::filesystem::path& temporary) { write_mat(columns(), temporary); });
+    expect_mat(path);
+    write_through(path, [&](const std::filesystem::path& temporary) {
+      const DriftColumns drift = columns();
+      write_mat(drift.method, drift.reference_s, drift.series, temporary);
+    });
   } else {
     throw Error(fmt::format("{}: expected a name that ends in .csv, .json or .mat, found {}.", path.string(),
                             extension.empty() ? "no ending" : extension));

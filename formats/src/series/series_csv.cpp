@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "recordings/readers.hpp"
+#include "text/readers.hpp"
 #include "text/head.hpp"
 #include "text/table.hpp"
 #include "text/toml_source.hpp"

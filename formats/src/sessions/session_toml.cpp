@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "ballbar/error.hpp"
-#include "recordings/readers.hpp"
+#include "text/readers.hpp"
 #include "text/head.hpp"
 #include "text/path_inside.hpp"
 #include "text/source_text.hpp"

@@ -1,5 +1,5 @@
 // Formats that this file defines, opened by what the program opens files with.
-#include "ballbar/formats/recordings/reader.hpp"
+#include "ballbar/formats/text/reader.hpp"
 
 #include <gtest/gtest.h>
 

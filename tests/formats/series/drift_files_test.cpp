@@ -1,7 +1,6 @@
 #include "ballbar/formats/series/drift_files.hpp"
 
 #include <gtest/gtest.h>
-#include <matio.h>
 
 #include <cmath>
 #include <limits>
@@ -74,38 +73,6 @@ TEST(drift_files, json_file_is_the_same_json) {
   EXPECT_EQ(nlohmann::ordered_json::parse(read_bytes(folder.path() / "drift.json", 10000)), json_of(two_arcs()));
 }
 
-TEST(drift_files, mat_has_one_variable_a_column) {
-  const ScratchFolder folder;
-  const auto path = folder.path() / "drift.mat";
-  write_drift(two_arcs(), path);
-  mat_t* file = Mat_Open(path.c_str(), MAT_ACC_RDONLY);
-  ASSERT_NE(file, nullptr);
-  EXPECT_EQ(Mat_GetVersion(file), MAT_FT_MAT5);
-  const auto vector = [&](const char* name) {
-    matvar_t* variable = Mat_VarRead(file, name);
-    std::vector<double> values;
-    if (variable && variable->class_type == MAT_C_DOUBLE && variable->rank == 2 && variable->dims[1] == 1) {
-      const auto* data = static_cast<const double*>(variable->data);
-      values.assign(data, data + variable->dims[0]);
-    }
-    Mat_VarFree(variable);
-    return values;
-  };
-  EXPECT_EQ(vector("reference_s"), std::vector<double>{0.5});
-  EXPECT_EQ(vector("time_s"), (std::vector<double>{0.5, 600.0}));
-  EXPECT_EQ(vector("x_um"), (std::vector<double>{0.0, 4.4}));
-  EXPECT_EQ(vector("x_sigma_um"), (std::vector<double>{0.0, 0.1}));
-  ASSERT_EQ(vector("y_um").size(), 2u);
-  EXPECT_TRUE(std::isnan(vector("y_um")[0]));
-  EXPECT_EQ(vector("radial_um"), std::vector<double>{});
-  matvar_t* method = Mat_VarRead(file, "method");
-  ASSERT_NE(method, nullptr);
-  EXPECT_EQ(method->class_type, MAT_C_CHAR);
-  EXPECT_EQ(std::string_view(static_cast<const char*>(method->data), method->dims[1]), "two_arcs");
-  Mat_VarFree(method);
-  Mat_Close(file);
-}
-
 // Two axes, one of them with nothing known of its sigma, and a gap.
 MeasuredDrift five_probes() {
   constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
@@ -171,35 +138,6 @@ TEST(drift_files, json_of_five_probes) {
   EXPECT_EQ(json["remarks"][0], five_probes().remarks[0]);
 }
 
-TEST(drift_files, mat_of_five_probes_has_one_variable_a_column) {
-  const ScratchFolder folder;
-  const auto path = folder.path() / "drift.mat";
-  write_drift(five_probes(), kSteps, path);
-  mat_t* file = Mat_Open(path.c_str(), MAT_ACC_RDONLY);
-  ASSERT_NE(file, nullptr);
-  const auto vector = [&](const char* name) {
-    matvar_t* variable = Mat_VarRead(file, name);
-    std::vector<double> values;
-    if (variable && variable->class_type == MAT_C_DOUBLE) {
-      const auto* data = static_cast<const double*>(variable->data);
-      values.assign(data, data + variable->dims[0]);
-    }
-    Mat_VarFree(variable);
-    return values;
-  };
-  EXPECT_EQ(vector("time_s"), five_probes().time_s);
-  EXPECT_EQ(vector("tilt_b_urad"), five_probes().axes[1].value);
-  EXPECT_EQ(vector("x_sigma_um"), (std::vector<double>{0.0, 0.5, 0.5, 0.5}));
-  ASSERT_EQ(vector("x_um").size(), 4u);
-  EXPECT_TRUE(std::isnan(vector("x_um")[2]));
-  EXPECT_EQ(vector("tilt_b_sigma_urad"), std::vector<double>{});
-  matvar_t* method = Mat_VarRead(file, "method");
-  ASSERT_NE(method, nullptr);
-  EXPECT_EQ(std::string_view(static_cast<const char*>(method->data), method->dims[1]), "five_probe");
-  Mat_VarFree(method);
-  Mat_Close(file);
-}
-
 TEST(drift_files, other_endings_are_refused) {
   const ScratchFolder folder;
   const auto writing = [&](std::string_view name) {
@@ -209,8 +147,8 @@ TEST(drift_files, other_endings_are_refused) {
   EXPECT_EQ(complaint(folder, [&] { write_drift(five_probes(), {}, folder.path() / "drift.txt"); }),
             "DIR/drift.txt: expected a name that ends in .csv, .json or .mat, found .txt.");
   EXPECT_EQ(writing("drift"), "DIR/drift: expected a name that ends in .csv, .json or .mat, found no ending.");
-  EXPECT_EQ(writing("none/drift.mat"),
-            "DIR/none/drift.mat: expected a folder to write to, found: No such file or directory.");
+  EXPECT_EQ(writing("none/drift.csv"),
+            "DIR/none/drift.csv: expected a folder to write to, found: No such file or directory.");
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

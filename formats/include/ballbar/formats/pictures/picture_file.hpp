@@ -1,11 +1,12 @@
 // Pictures of temperature, PNG and JPEG, and the colour maps that such pictures are painted with.
 //
-// Decoded by OpenCV. This is a library of its own, ballbar::images, so that nothing else needs OpenCV; in a build
-// without it (BALLBAR_IMAGES=OFF) every function but picture_size throws an Error that says what to install, and there
-// are no names of colour maps.
+// Coded by libspng and libjpeg-turbo, colour maps by OpenCV. This is a library of its own, ballbar::images, so that
+// nothing else needs them; in a build without (BALLBAR_IMAGES=OFF) every function but picture_size throws an Error that
+// says what to install, and there are no names of colour maps.
 //
 // A PNG's transparent pixels are laid over white, 16 bits a channel become 8, gray becomes red = green = blue. A JPEG
-// is turned as its EXIF orientation says, so that pixels are where a viewer shows them. Colour profiles are ignored.
+// is turned as its EXIF orientation says, so that pixels are where a viewer shows them. Colour profiles are ignored,
+// and a JPEG in the colours of print, CMYK, is refused: without its profile nobody knows which colours are meant.
 #pragma once
 
 #include <cstddef>

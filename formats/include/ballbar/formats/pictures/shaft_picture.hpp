@@ -5,8 +5,8 @@
 // white, with a black outline of one pixel around it; axis and radius in one scale, as large as the place allows. The
 // column of pixels whose middle is at x has the colour of T(x), straight lines between the profile's points, its first
 // and last value held beyond them. Above it one line of text, which begins with SIMULATED; to the right a legend bar of
-// temperature, hottest at the top, with five numbers. Library ballbar::images; without OpenCV the functions throw what
-// colour_map throws.
+// temperature, hottest at the top, with five numbers. Library ballbar::images; built without pictures the functions
+// throw what colour_map throws.
 #pragma once
 
 #include <cstddef>

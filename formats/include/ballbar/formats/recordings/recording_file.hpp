@@ -7,7 +7,7 @@
 
 #include "ballbar/circle/recording.hpp"
 #include "ballbar/formats/recordings/b5r.hpp"
-#include "ballbar/formats/recordings/reader.hpp"
+#include "ballbar/formats/text/reader.hpp"
 
 namespace ballbar {
 

@@ -22,7 +22,8 @@ nlohmann::ordered_json json_of(const DriftSeries& drift);
 // probes, as text: there may be a million rows.
 std::string json_text(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps);
 
-// Writes by the extension: .csv, .json or .mat (one variable a column, same names). Throws Error for any other.
+// Writes by the extension: .csv, .json or .mat (one variable a column, same names). Throws Error for any other, and for
+// .mat in a build without matio (BALLBAR_MAT=OFF), saying what to install.
 void write_drift(const DriftSeries& drift, const std::filesystem::path& path);
 void write_drift(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps,
                  const std::filesystem::path& path);  // of five probes

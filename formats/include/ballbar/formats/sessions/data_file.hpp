@@ -8,7 +8,7 @@
 
 #include "ballbar/drift/drift.hpp"
 #include "ballbar/effects/effect.hpp"
-#include "ballbar/formats/recordings/reader.hpp"
+#include "ballbar/formats/text/reader.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ballbar/formats/recordings/reader.hpp"
+#include "ballbar/formats/text/reader.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
 #include "ballbar/series/series.hpp"
 

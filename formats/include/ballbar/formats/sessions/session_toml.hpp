@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ballbar/drift/drift.hpp"
-#include "ballbar/formats/recordings/reader.hpp"
+#include "ballbar/formats/text/reader.hpp"
 
 namespace ballbar {
 

@@ -1,7 +1,7 @@
 // Every reader of the list, each in the file of its format; readers.cpp lists them.
 #pragma once
 
-#include "ballbar/formats/recordings/reader.hpp"
+#include "ballbar/formats/text/reader.hpp"
 
 namespace ballbar::readers {
 

@@ -1,4 +1,4 @@
-#include "recordings/readers.hpp"
+#include "text/readers.hpp"
 
 #include <algorithm>
 
