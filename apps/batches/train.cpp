@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ballbar/batches/batch_regression.hpp"
+#include "ballbar/batches/held_out_model.hpp"
 #include "ballbar/batches/joined_batches.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
@@ -49,11 +50,10 @@ struct Contender {
 
 Contender contender(const OpenedBatches& opened, const RegressionSettings& settings) {
   const Eigen::VectorXd each = held_out_um(opened.batches, std::span(&settings, 1)).col(0);
-  Eigen::Index worst = 0;
-  const double most = each.maxCoeff(&worst);
+  const HeldOutErrors errors = held_out_errors({each.data(), static_cast<std::size_t>(each.size())});
   const Moments all = merged(opened.batches);
-  return {settings, each.norm() / std::sqrt(static_cast<double>(each.size())), most,
-          opened.batches[static_cast<std::size_t>(worst)].name, rmse_um(all, regress(all, settings))};
+  return {settings, errors.rms_um, errors.worst_um, opened.batches[errors.worst].name,
+          rmse_um(all, regress(all, settings))};
 }
 
 void expect_fitting(const Options& options) {
@@ -90,27 +90,16 @@ Contender physical(const Options& options, const OpenedBatches& opened) {
   FitOptions how;
   how.white = true;
   how.starts = 1;
-  Contender result;
-  double squares = 0.0;
-  for (std::size_t k = 0; k < count; ++k) {
-    show_progress(fmt::format("fitting {} without batch {} of {}", options.model, k + 1, count));
-    std::vector<Series> others = batches;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-    const Fit found = with_source(options.model, [&] { return fit(model, joined_batches(others, model), 0, how); });
-    const Series left_out = joined_batches({&batches[k], 1}, model);
-    const Prediction prediction = predict(model, found.parameters, left_out);
-    const std::vector<double>& measured = find_column(left_out, opened.columns.target)->values;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < measured.size(); ++i) sum += std::pow(measured[i] - prediction.predicted_um[i], 2);
-    const double mean = sum / static_cast<double>(measured.size());
-    squares += mean;
-    if (std::sqrt(mean) <= result.worst_um) continue;
-    result.worst_um = std::sqrt(mean);
-    result.worst = opened.batches[k].name;
-  }
-  result.held_out_um = std::sqrt(squares / static_cast<double>(count));
-  result.rmse_um = fit(model, joined_batches(batches, model), 0, how).rmse_um;
-  return result;
+  const HeldOutErrors errors = with_source(options.model, [&] {
+    return held_out_errors(model, batches, how, [&](std::size_t k) {
+      show_progress(fmt::format("fitting {} without batch {} of {}", options.model, k + 1, count));
+    });
+  });
+  return {{},
+          errors.rms_um,
+          errors.worst_um,
+          opened.batches[errors.worst].name,
+          fit(model, joined_batches(batches, model), 0, how).rmse_um};
 }
 
 void expect_rows(const OpenedBatches& opened, const RegressionSettings& settings) {
@@ -144,16 +133,13 @@ void print_text(const Options& options, const OpenedBatches& opened, const std::
              : model.columns.kind == InputKind::rise      ? "their rise since each batch began"
                                                           : "as they are, and their rise since each batch began",
              opened.batches.size(), rows);
-  const Regression none{Eigen::VectorXd::Zero(opened.batches.front().moments.mean.size() - 1), 0.0};
-  double squares = 0.0;
-  for (const Batch& batch : opened.batches) squares += std::pow(rmse_um(batch.moments, none), 2);
   fmt::print(
       "{}",
       wrapped(fmt::format(
           "A batch that the model has not seen is predicted to {:.2f} um RMSE by {}, of "
           "{:.2f} um without any model. 95 % of its errors are within ±{:.2f} um, if those of each batch are normal.",
-          model.held_out_rmse_um, label_of(model.settings),
-          std::sqrt(squares / static_cast<double>(opened.batches.size())), model.half_width_um)));
+          model.held_out_rmse_um, label_of(model.settings), rms_without_model_um(opened.batches),
+          model.half_width_um)));
   Table table({"method", "left out um", "worst um", "worst batch", "trained um"});
   for (const Contender& one : contenders) {
     table.add({label_of(one.settings) + (one.settings == model.settings ? " *" : ""), fixed(one.held_out_um, 2),

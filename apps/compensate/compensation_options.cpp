@@ -5,10 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
-#include <limits>
 
+#include "ballbar/fit/held_model.hpp"
 #include "ballbar/formats/models/compensation_state.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/bytes.hpp"
@@ -33,52 +32,12 @@ void expect_held(const Model& model, const std::string& file) {
   }
 }
 
-// Lowest and highest of each column that the model reads.
-std::vector<ColumnRange> ranges_of(const Model& model, const Series& data, const std::string& file) {
-  std::vector<ColumnRange> ranges;
-  for (const Term& term : model.terms) {
-    for (const std::string& name : term.columns) {
-      const auto same = [&](const ColumnRange& range) { return range.column == name; };
-      if (std::any_of(ranges.begin(), ranges.end(), same)) continue;
-      ColumnRange range{name, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-      const Column* column = find_column(data, name);
-      if (column == nullptr) {
-        std::vector<std::string_view> known;
-        for (const Column& other : data.columns) known.push_back(other.name);
-        throw Error(fmt::format("{}: expected the column {} in the data to fit it to, found none; the nearest is {}.",
-                                file, name, nearest_name(name, known)));
-      }
-      for (const double value : column->values) {
-        if (!std::isfinite(value)) continue;
-        range.low = std::min(range.low, value);
-        range.high = std::max(range.high, value);
-      }
-      if (range.low <= range.high) ranges.push_back(range);
-    }
-  }
-  return ranges;
-}
-
 Model fitted(Model model, const std::string& file, const CompensationOptions& options, const ModelData& data) {
   ModelOptions how = options.fitting;
   how.data = options.fit;
   how.model = file;
-  const bool free = !model.constant_um || std::any_of(model.terms.begin(), model.terms.end(), [](const Term& term) {
-    return std::any_of(term.settings.begin(), term.settings.end(), [](const Setting& one) { return !one.held; });
-  });
-  if (free) {
-    const Fit fit = fit_of(how, model, data, 0);
-    model.constant_um = fit.parameters.front().value;
-    std::size_t parameter = 1;
-    for (Term& term : model.terms) {
-      for (Setting& setting : term.settings) {
-        setting.start = fit.parameters[parameter++].value;
-        setting.held = true;
-        setting.stated = true;
-      }
-    }
-  }
-  model.trained = ranges_of(model, data.series, file);
+  if (has_free(model)) model = held_at(model, fit_of(how, model, data, 0).parameters);
+  model.trained = with_source(file, [&] { return ranges_of(model, data.series); });
   return model;
 }
 

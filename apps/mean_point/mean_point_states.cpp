@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -14,11 +13,10 @@
 #include "ballbar/formats/series/profile_csv.hpp"
 #include "ballbar/formats/text/bytes.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "ballbar/temperature/mean_point_sigma.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr double kSame = 2.0;  // sigma: crossings not farther apart than that in T are one
 
 // By its ending, or by its first bytes.
 bool is_picture(const std::string& path, const std::string& bytes) {
@@ -67,16 +65,10 @@ double of_picture(const char* option, const std::vector<double>& stated, std::si
 // step_degC is of the scale: it is in the sigma of T at each place, but does not make crossings one.
 void set_points(MeanPointState& state, double step_degC, double pixel_mm) {
   state.mean_degC = mean_degC(state.profile);
-  state.points = mean_points(state.profile, same_degC(state.profile, state.mean_degC));
-  for (double& sigma : state.profile.sigma_degC) sigma = std::hypot(sigma, step_degC / std::sqrt(12.0));
-  std::stable_sort(state.points.begin(), state.points.end(), [](const MeanPoint& a, const MeanPoint& b) {
-    return std::abs(a.slope_degC_per_mm) < std::abs(b.slope_degC_per_mm);
-  });
-  // sigma of xi = sigma of T over its slope, with the region's edges to a pixel and the stretch over which T cannot be
-  // told from the mean.
+  state.points = flattest_first(mean_points(state.profile, same_degC(state.profile, state.mean_degC)));
+  state.profile = with_step(std::move(state.profile), step_degC);
   for (const MeanPoint& point : state.points) {
-    const double along = sigma_at(state.profile, point.x_mm) / std::abs(point.slope_degC_per_mm);
-    state.sigma_mm.push_back(std::hypot(along, pixel_mm, 0.5 * (point.to_mm - point.from_mm)));
+    state.sigma_mm.push_back(sigma_of_place_mm(state.profile, point, pixel_mm));  // the region's edges to a pixel
     state.sigma_slope_degC_per_mm.push_back(sigma_of_slope_degC_per_mm(state.profile, point));
   }
 }
@@ -168,12 +160,6 @@ std::vector<MeanPointState> states_of_table(const MeanPointOptions& options, con
 }
 
 }  // namespace
-
-double same_degC(const TemperatureProfile& profile, double level_degC) {
-  const std::vector<MeanPoint> crossings = points_at(profile, level_degC);
-  if (crossings.empty() || profile.sigma_degC.empty()) return 0.0;
-  return kSame * sigma_at(profile, crossings.front().x_mm);
-}
 
 std::vector<MeanPointState> mean_point_states(const MeanPointOptions& options) {
   check_numbers(options);

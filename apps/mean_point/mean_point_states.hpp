@@ -45,10 +45,6 @@ struct MeanPointState {
   std::optional<PictureState> from;             // of a picture
 };
 
-// Two sigma of T, without what all places share, where it first is at the level: crossings between which T stays within
-// that are one point. 0 where sigma is not known or T never is at the level.
-double same_degC(const TemperatureProfile& profile, double level_degC);
-
 // Throws Error: files that cannot be read, pictures and tables together, options of a picture with a table, an option a
 // picture needs, an edge that is no number of pixels, numbers that are not finite or far beyond any machine.
 std::vector<MeanPointState> mean_point_states(const MeanPointOptions& options);

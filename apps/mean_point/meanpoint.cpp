@@ -13,6 +13,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/profile_csv.hpp"
 #include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/temperature/mean_point_sigma.hpp"
 #include "commands.hpp"
 #include "mean_point/mean_point_states.hpp"
 #include "mean_point/meanpoint_plot.hpp"

@@ -96,10 +96,7 @@ FittedPair fit_pair(const FittedRecording& first, const FittedRecording& second,
 }
 
 bool are_pair(const FittedRecording& first, const FittedRecording& second) {
-  const Recording& a = first.recording;
-  const Recording& b = second.recording;
-  return first.circle && second.circle && a.direction != b.direction && a.plane == b.plane && a.motion == b.motion &&
-         a.nominal_length_mm == b.nominal_length_mm;
+  return first.circle && second.circle && are_both_directions(first.recording, second.recording);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "ballbar/fit/parameter_correlation.hpp"
 #include "commands.hpp"
 #include "model/checked.hpp"
 #include "model/model_options.hpp"
@@ -25,26 +26,14 @@ struct Options {
 };
 
 // The parameter that varies with it most, where that matters.
-std::string strongest_correlation(const Fit& fit, std::size_t k) {
-  const auto row = static_cast<Eigen::Index>(k);
-  double largest = 0.0;
-  std::size_t with = k;
-  for (std::size_t j = 0; j < fit.parameters.size(); ++j) {
-    const auto column = static_cast<Eigen::Index>(j);
-    const double scale = std::sqrt(fit.covariance(row, row) * fit.covariance(column, column));
-    if (j == k || !(scale > 0.0)) continue;
-    const double correlation = fit.covariance(row, column) / scale;
-    if (std::abs(correlation) > std::abs(largest)) {
-      largest = correlation;
-      with = j;
-    }
-  }
-  if (std::abs(largest) < 0.5) return "-";
-  const FittedParameter& other = fit.parameters[with];
-  if (other.name == "constant_um") return fmt::format("{:.2f} constant", largest);
+std::string correlation_text(const Fit& fit, std::size_t k) {
+  const std::optional<Correlation> strongest = strongest_correlation(fit, k);
+  if (!strongest || std::abs(strongest->value) < 0.5) return "-";
+  const FittedParameter& other = fit.parameters[strongest->with];
+  if (other.name == "constant_um") return fmt::format("{:.2f} constant", strongest->value);
   const auto same = [&](const FittedParameter& parameter) { return parameter.name == other.name; };
   const bool unique = std::count_if(fit.parameters.begin(), fit.parameters.end(), same) == 1;
-  return fmt::format("{:.2f} {}{}", largest, other.name, unique ? "" : ", " + shortened(other.effect, 24));
+  return fmt::format("{:.2f} {}{}", strongest->value, other.name, unique ? "" : ", " + shortened(other.effect, 24));
 }
 
 void add_parameters(Table& table, const Fit& fit, const std::string& target) {
@@ -54,7 +43,7 @@ void add_parameters(Table& table, const Fit& fit, const std::string& target) {
     if (parameter.shape_of == ShapeOf::recording) continue;  // the label has it: circle 1
     std::vector<std::string> row{target + shortened(parameter.effect, 44), shortened(parameter.name, 30),
                                  value_text(parameter), shortened(parameter.unit, 12)};
-    if (target.empty()) row.push_back(strongest_correlation(fit, k));
+    if (target.empty()) row.push_back(correlation_text(fit, k));
     table.add(std::move(row));
   }
 }

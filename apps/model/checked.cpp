@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/fit/parameter_correlation.hpp"
 #include "ballbar/model/measured_input.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/text.hpp"
@@ -108,11 +109,10 @@ nlohmann::ordered_json json_of(const Checked& checked) {
                                   {"state", state_name(parameter.state)}});
   }
   json["correlation"] = nlohmann::ordered_json::array();
-  for (Eigen::Index i = 0; i < fit.covariance.rows(); ++i) {
+  const Eigen::MatrixXd correlation = correlation_of(fit);
+  for (Eigen::Index i = 0; i < correlation.rows(); ++i) {
     nlohmann::ordered_json row = nlohmann::ordered_json::array();
-    for (Eigen::Index j = 0; j < fit.covariance.cols(); ++j) {
-      row.push_back(number(fit.covariance(i, j) / std::sqrt(fit.covariance(i, i) * fit.covariance(j, j))));
-    }
+    for (Eigen::Index j = 0; j < correlation.cols(); ++j) row.push_back(number(correlation(i, j)));
     json["correlation"].push_back(std::move(row));
   }
   json["noise"] = {{"white_um", number(fit.noise.white_um)},

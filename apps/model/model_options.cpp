@@ -8,12 +8,11 @@
 #include <cstdlib>
 #include <map>
 
-#include "ballbar/circle/trace.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/bytes.hpp"
 #include "ballbar/model/circle_model.hpp"
-#include "ballbar/nearest_name.hpp"
+#include "ballbar/model/target_columns.hpp"
 #include "terminal/text.hpp"
 
 namespace ballbar {
@@ -22,15 +21,7 @@ namespace {
 // As expect_suits, with the model's file; a model that is all held still predicts.
 void expect_model_suits(Model model, const ModelOptions& options, const ModelData& data) {
   if (model.level == Level::series) model.constant_um.reset();
-  const auto expect_targets = [&] {
-    for (const std::string& target : model.targets) {
-      if (find_column(data.series, target) == nullptr || unit_of(target) == "um") continue;
-      throw Error(fmt::format("target: expected a column in um, found {}.", in_quotes(target)));
-    }
-    Model bare;
-    bare.targets = model.targets;
-    expect_suits(bare, data.series);
-  };
+  const auto expect_targets = [&] { expect_explainable(model.targets, data.series); };
   if (options.target.empty()) {
     with_source(options.model.empty() ? options.data.front() : options.model, expect_targets);
   } else {
@@ -94,17 +85,8 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
                               data.level == Level::recording ? "recordings (level = \"recording\")" : "a drift series",
                               model.level == Level::recording ? "recordings" : "a drift series"));
     }
-    for (const Term& term : model.terms) {
-      if (!data.motion || applies_to(*term.effect, *data.motion)) continue;
-      throw Error(fmt::format("{}: expected effects that act where {} drives the circle, found {}.", options.model,
-                              name_of(*data.motion), term.effect->name));
-    }
-    if (model.level == Level::recording) {
-      const Model base = circles_of(data.series);
-      const bool has_base = std::any_of(model.terms.begin(), model.terms.end(),
-                                        [](const Term& term) { return term.effect->rules.is_base; });
-      if (!has_base) model.terms.insert(model.terms.begin(), base.terms.begin(), base.terms.end());
-    }
+    if (data.motion) with_source(options.model, [&] { expect_acts(model, *data.motion); });
+    if (model.level == Level::recording) model = with_circles(std::move(model), data.series);
   }
   if (!options.target.empty()) model.targets = options.target;
   if (model.targets.empty())

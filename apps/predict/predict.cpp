@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ballbar/error.hpp"
+#include "ballbar/fit/held_model.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/bytes.hpp"
 #include "commands.hpp"
@@ -30,27 +31,6 @@ struct Options {
   bool anyway = false;
   bool json = false;
 };
-
-bool has_free(const Model& model) {
-  if (!model.constant_um && model.level == Level::series) return true;
-  return std::any_of(model.terms.begin(), model.terms.end(), [](const Term& term) {
-    return std::any_of(term.settings.begin(), term.settings.end(),
-                       [](const Setting& setting) { return !setting.held; });
-  });
-}
-
-std::vector<FittedParameter> held_parameters(const Model& model) {
-  std::vector<FittedParameter> parameters(1);
-  parameters[0].value = model.constant_um.value_or(0.0);
-  for (const Term& term : model.terms) {
-    for (const Setting& setting : term.settings) {
-      FittedParameter parameter;
-      parameter.value = setting.start;
-      parameters.push_back(parameter);
-    }
-  }
-  return parameters;
-}
 
 std::vector<Column> columns_of(const Model& model, const std::string& target, const Prediction& prediction,
                                const Series& data) {

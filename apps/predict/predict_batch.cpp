@@ -4,15 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "ballbar/batches/batch_check.hpp"
 #include "ballbar/batches/batch_regression.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/batch_model_json.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/reader.hpp"
 #include "batches/batches.hpp"
 #include "model/model_options.hpp"
 #include "terminal/json_number.hpp"
@@ -51,7 +52,7 @@ Series series_of(const BatchModel& model, const BatchPrediction& prediction, con
   return series;
 }
 
-std::vector<std::string> warnings_of(const BatchPrediction& prediction, std::size_t rows) {
+std::vector<std::string> warnings_of(const BatchPrediction& prediction) {
   std::vector<std::string> warnings;
   if (prediction.broken.size() == 1) {
     warnings.push_back(
@@ -61,17 +62,12 @@ std::vector<std::string> warnings_of(const BatchPrediction& prediction, std::siz
     warnings.push_back(fmt::format("{} does not go with the other sensors, or the job is unlike those trained on.",
                                    fmt::join(prediction.broken, " or ")));
   }
-  const auto beyond = [](const std::vector<double>& share) {
-    return std::count_if(share.begin(), share.end(), [](double one) { return one > 1.0; });
-  };
-  const auto far = beyond(prediction.T2_of_largest), odd = beyond(prediction.Q_of_largest);
-  const auto few =
-      static_cast<std::ptrdiff_t>(std::max<std::size_t>(2, rows / 50));  // chance: the limits are single rows
-  if (far > few || odd > few) {
+  const Extrapolation extrapolation = extrapolation_of(prediction);
+  if (extrapolation.matters) {
     warnings.push_back(
         fmt::format("{} of {} rows are farther out than any in training (Hotelling T2), {} unlike all of "
                     "them (Q). There the model extrapolates: its interval is wider, and less to be trusted.",
-                    far, rows, odd));
+                    extrapolation.far, prediction.predicted_um.size(), extrapolation.odd));
   }
   const std::vector<BatchPrediction::Outside>& outside = prediction.outside;
   for (std::size_t i = 0; i < std::min(outside.size(), kWarned); ++i) {
@@ -89,11 +85,7 @@ std::vector<std::string> warnings_of(const BatchPrediction& prediction, std::siz
 
 std::string stem_of(const std::string& column) { return column.substr(0, column.rfind('_')); }
 
-bool is_batch_model(const std::string& model) {
-  const std::string bytes = read_bytes(model, kLargestText);
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && bytes[first] == '{';
-}
+bool is_batch_model(const std::string& model) { return is_batch_model_json(read_head(model, kHeadBytes)); }
 
 BatchJob batch_job(const std::string& data, const std::string& model_file, bool anyway) {
   BatchJob job;
@@ -107,7 +99,7 @@ BatchJob batch_job(const std::string& data, const std::string& model_file, bool 
                     "without it (--without-sensor), or predict all the same by --anyway.",
                     job.source, job.prediction.broken.front()));
   }
-  job.warnings = warnings_of(job.prediction, job.data.time_s.size());
+  job.warnings = warnings_of(job.prediction);
   return job;
 }
 
@@ -133,20 +125,11 @@ void predict_batch(const BatchPredictOptions& options) {
         source, options.model, model.columns.target, label_of(model.settings), model.batches.size(), data.time_s.size(),
         duration_text(data.time_s.back() - data.time_s.front()), model.columns.target, *low, *high,
         prediction.predicted_um.back(), prediction.half_width_um.back());
-    if (const Column* residual = find_column(series, stem_of(model.columns.target) + "_residual_um")) {
-      double square = 0.0;
-      std::size_t n = 0, within = 0;
-      for (std::size_t i = 0; i < residual->values.size(); ++i) {
-        if (!std::isfinite(residual->values[i])) continue;
-        square += residual->values[i] * residual->values[i];
-        within += std::abs(residual->values[i]) <= prediction.half_width_um[i] ? 1 : 0;
-        ++n;
-      }
-      if (n > 0) {
-        fmt::print("measured less predicted: RMSE {:.2f} um, {:.0f} % within the 95 % interval\n",
-                   std::sqrt(square / static_cast<double>(n)),
-                   100.0 * static_cast<double>(within) / static_cast<double>(n));
-      }
+    const Column* measured = find_column(data, model.columns.target);
+    const auto error = measured == nullptr ? std::nullopt : error_of(prediction, measured->values);
+    if (error) {
+      fmt::print("measured less predicted: RMSE {:.2f} um, {:.0f} % within the 95 % interval\n", error->rmse_um,
+                 100.0 * error->within_share);
     }
     if (!warnings.empty()) fmt::print("\n");
     for (const std::string& warning : warnings) fmt::print("{}", wrapped(warning));

@@ -11,8 +11,8 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/text/bytes.hpp"
 #include "ballbar/units.hpp"
-#include "text/readers.hpp"
 #include "text/head.hpp"
+#include "text/readers.hpp"
 #include "text/xml_source.hpp"
 
 namespace ballbar {

@@ -9,8 +9,8 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/units.hpp"
-#include "text/readers.hpp"
 #include "text/head.hpp"
+#include "text/readers.hpp"
 #include "text/table.hpp"
 #include "text/toml_source.hpp"
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "text/readers.hpp"
 #include "text/head.hpp"
+#include "text/readers.hpp"
 #include "text/table.hpp"
 #include "text/toml_source.hpp"
 

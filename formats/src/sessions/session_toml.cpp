@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include "ballbar/error.hpp"
-#include "text/readers.hpp"
 #include "text/head.hpp"
 #include "text/path_inside.hpp"
+#include "text/readers.hpp"
 #include "text/source_text.hpp"
 #include "text/toml_source.hpp"
 

@@ -96,6 +96,11 @@ Circularity circularity(const Recording& recording, const Circle& circle) {
   return result;
 }
 
+bool are_both_directions(const Recording& first, const Recording& second) {
+  return first.direction != second.direction && first.plane == second.plane && first.motion == second.motion &&
+         first.nominal_length_mm == second.nominal_length_mm;
+}
+
 Bidirectional bidirectional(const Recording& first, const Circle& first_circle, const Recording& second,
                             const Circle& second_circle) {
   if (first.direction == second.direction) {

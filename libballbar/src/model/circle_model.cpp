@@ -1,5 +1,7 @@
 #include "ballbar/model/circle_model.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "ballbar/error.hpp"
@@ -62,6 +64,23 @@ Model circles_of(const Series& trace, const Catalogue& catalogue) {
     hold_gains(model.terms.back(), false);
   }
   return model;
+}
+
+Model with_circles(Model model, const Series& trace) {
+  const bool has_base =
+      std::any_of(model.terms.begin(), model.terms.end(), [](const Term& term) { return term.effect->rules.is_base; });
+  if (has_base) return model;
+  const Model base = circles_of(trace);
+  model.terms.insert(model.terms.begin(), base.terms.begin(), base.terms.end());
+  return model;
+}
+
+void expect_acts(const Model& model, Motion motion) {
+  for (const Term& term : model.terms) {
+    if (applies_to(*term.effect, motion)) continue;
+    throw Error(fmt::format("expected effects that act where {} drives the circle, found {}.", name_of(motion),
+                            term.effect->name));
+  }
 }
 
 }  // namespace ballbar

@@ -127,14 +127,6 @@ void expect_settings(const Term& term) {
   }
 }
 
-bool has_free(const Model& model) {
-  if (model.level == Level::series && !model.constant_um) return true;
-  return std::any_of(model.terms.begin(), model.terms.end(), [](const Term& term) {
-    return std::any_of(term.settings.begin(), term.settings.end(),
-                       [](const Setting& setting) { return !setting.held; });
-  });
-}
-
 bool same_term(const Term& left, const Term& right) {
   if (left.effect->name != right.effect->name || left.columns != right.columns || label_of(left) != label_of(right)) {
     return false;
@@ -228,6 +220,14 @@ std::string label_of(const Term& term) {
     return shapes.empty() ? effect.name : fmt::format("{}({})", effect.name, fmt::join(shapes, ", "));
   }
   return fmt::format("{}({})", effect.name, fmt::join(term.columns, ", "));
+}
+
+bool has_free(const Model& model) {
+  if (model.level == Level::series && !model.constant_um) return true;
+  return std::any_of(model.terms.begin(), model.terms.end(), [](const Term& term) {
+    return std::any_of(term.settings.begin(), term.settings.end(),
+                       [](const Setting& setting) { return !setting.held; });
+  });
 }
 
 void expect_suits(const Model& model, const Series& data) {

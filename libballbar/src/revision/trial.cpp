@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/fit/held_model.hpp"
 #include "diagnosis/signatures/bank.hpp"
 #include "diagnosis/statistics/likely.hpp"
 #include "diagnosis/verdict/named_test.hpp"
@@ -27,10 +28,6 @@ std::size_t free_parameters(const Term& term) {
       std::count_if(term.settings.begin(), term.settings.end(), [](const Setting& setting) { return !setting.held; }));
 }
 
-bool has_free(const Model& model) {
-  if (model.level == Level::series && !model.constant_um) return true;
-  return std::any_of(model.terms.begin(), model.terms.end(),
-                     [](const Term& term) { return free_parameters(term) > 0; });
 }
 
 // The model without one of its terms, at its most likely: fitted anew, or from where the whole model is and by its

@@ -72,6 +72,22 @@ TEST(Bidirectional, AnglesNeedNotCoincide) {
   EXPECT_NEAR(both.hysteresis_um, 1.0, 1e-3);
 }
 
+TEST(Bidirectional, BothDirectionsAreOfOneTest) {
+  const Recording ccw = oval(Direction::CCW, 2.0, 3.0);
+  Recording cw = oval(Direction::CW, 1.0, 1.0);
+  EXPECT_TRUE(are_both_directions(ccw, cw));
+  EXPECT_TRUE(are_both_directions(cw, ccw));
+  EXPECT_FALSE(are_both_directions(ccw, ccw));
+  cw.motion = Motion::spindle;
+  EXPECT_FALSE(are_both_directions(ccw, cw));
+  cw.motion = ccw.motion;
+  cw.plane = Plane::YZ;
+  EXPECT_FALSE(are_both_directions(ccw, cw));
+  cw.plane = ccw.plane;
+  cw.nominal_length_mm = 150.0;
+  EXPECT_FALSE(are_both_directions(ccw, cw));
+}
+
 TEST(Bidirectional, RefusesWhatIsNoPair) {
   const Recording ccw = oval(Direction::CCW, 0.0, 0.0);
   Recording cw = oval(Direction::CW, 0.0, 0.0);

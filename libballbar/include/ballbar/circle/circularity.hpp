@@ -24,6 +24,9 @@ struct Circularity {
 // noisy readings is also biased upwards; that is not in sigma.
 Circularity circularity(const Recording& recording, const Circle& circle);
 
+// One direction and the other of one test: in one plane, with one length of bar, driven alike.
+bool are_both_directions(const Recording& first, const Recording& second);
+
 // Both directions of one test.
 struct Bidirectional {
   double bidirectional_2005_um = 0.0;  // range of all radii about the mean of the two centres

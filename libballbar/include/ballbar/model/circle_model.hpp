@@ -14,4 +14,10 @@ namespace ballbar {
 // are one for all (EffectRules::one_for_all) are the radius, the others the centre. Throws Error where it has none.
 Model circles_of(const Series& trace, const Catalogue& catalogue = built_in_catalogue());
 
+// The model with the circles of the trace before its own terms; as it is where it has a circle of its own.
+Model with_circles(Model model, const Series& trace);
+
+// Throws Error for an effect that does not act where this drives the circle.
+void expect_acts(const Model& model, Motion motion);
+
 }  // namespace ballbar

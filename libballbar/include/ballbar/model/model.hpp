@@ -52,6 +52,9 @@ Term term_of(const Effect& effect, std::vector<std::string> columns);
 // recording. Where no column tells one from another, a shape that the model states does: "step(onset_s = 3600)".
 std::string label_of(const Term& term);
 
+// A parameter of a term that is not held, or, on a series, a constant that is not.
+bool has_free(const Model& model);
+
 // Throws Error where the model does not suit the data: an unknown column (with the nearest name), a column whose unit
 // an input does not take, the same effect on the same columns twice (without columns, with the same label), bounds
 // crossed or a start outside them, nothing free, a target that is an input of the model itself.

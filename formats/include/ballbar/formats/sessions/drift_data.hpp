@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "ballbar/formats/text/reader.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
+#include "ballbar/formats/text/reader.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
