@@ -72,10 +72,10 @@ const faults = async (name) => {
     for (const layer of layers) copy.drawImage(layer, 0, 0);
     return plots().map(({ x, y, width, height }) => copy.getImageData(scale * x, scale * y, scale * width, scale * height).data);
   };
-  // Those of no grey, as axes and grids are.
-  const coloured = (data) => {
+  // Those of no grey, as axes and grids are, until there are so many.
+  const coloured = (data, enough) => {
     let count = 0;
-    for (let k = 0; k < data.length; k += 4) {
+    for (let k = 0; k < data.length && count < enough; k += 4) {
       const most = Math.max(data[k], data[k + 1], data[k + 2]);
       const least = Math.min(data[k], data[k + 1], data[k + 2]);
       if (data[k + 3] > 100 && most - least > 50) ++count;
@@ -86,7 +86,11 @@ const faults = async (name) => {
     let count = 0;
     for (const [plot, data] of a.entries()) {
       if (data.length !== b[plot].length) return Infinity;
-      for (let k = 0; k < data.length; ++k) if (Math.abs(data[k] - b[plot][k]) > 16) ++count;
+      const [all, others] = [new Uint32Array(data.buffer), new Uint32Array(b[plot].buffer)];
+      for (let k = 0; k < all.length; ++k) {
+        if (all[k] === others[k]) continue;
+        for (let c = 4 * k; c < 4 * k + 4; ++c) if (Math.abs(data[c] - b[plot][c]) > 16) ++count;
+      }
     }
     return count;
   };
@@ -110,7 +114,7 @@ const faults = async (name) => {
     const series = [option.series].flat();
     if (series.reduce((sum, one) => sum + numbers_in(one?.data), 0) === 0) found.push(`${what}: nothing to draw`);
     if (drawn.length === 0) found.push(`${what}: no plot`);
-    drawn.forEach((plot, k) => coloured(plot) < 20 && found.push(`${what}: plot ${k} is empty`));
+    drawn.forEach((plot, k) => coloured(plot, 20) < 20 && found.push(`${what}: plot ${k} is empty`));
     const { columns } = picture.numbers(state);
     const rows = columns.map(({ values }) => values.length);
     if (columns.length < 2 || Math.min(...rows) < 1) found.push(`${what}: no numbers`);

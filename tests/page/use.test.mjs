@@ -104,9 +104,9 @@ test("zoom: wheel, keys, drag, double click; all pictures over time go with it",
   await page.mouse.move(...(await at("drift", 60, 15)));
   const scroll = await page.evaluate(() => scrollY);
   await page.mouse.wheel(0, 120);
-  await page.waitForTimeout(100);
+  await page.waitForFunction((before) => scrollY !== before, scroll); // it scrolls the page
+  await drawn(page);
   assert.equal((await state("drift")).window, null, "the wheel alone does not zoom");
-  assert.notEqual(await page.evaluate(() => scrollY), scroll, "it scrolls the page");
   await seen(page, "drift");
   const [x, y] = await at("drift", 60, 15);
   await page.mouse.move(x, y);
@@ -260,7 +260,9 @@ test("a stretch without the shift key: the button, then a drag", async () => {
 test("the numbers behind a picture, as a table", async () => {
   await seen(page, "drift");
   await figure(page, "drift").getByText("The numbers behind this picture").click();
-  const cells = await figure(page, "drift").locator("details.numbers tbody tr").nth(1).locator("td").allTextContents();
+  const row = figure(page, "drift").locator("details.numbers tbody tr").nth(1);
+  await row.waitFor(); // the table is made when it is opened
+  const cells = await row.locator("td").allTextContents();
   assert.equal(Number(cells[0]), drift.points[1].time_s / 60);
   assert.ok(Math.abs(Number(cells[1]) - drift.points[1].x_um) < 1e-4);
 });

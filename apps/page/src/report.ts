@@ -1,5 +1,6 @@
 // The data of a page: one JSON object, written by `ballbar report`. Keys that commands have too mean what they mean
 // there (`ballbar fit --json`, drift, compare, check, diagnose, ledger); the keys added for the page are the curves.
+// `--plot` of other commands gives the parts that it draws.
 // A number that is not known is null. Long columns are arrays of numbers, rounded to seven digits.
 
 export type Num = number | null;
