@@ -83,8 +83,8 @@ int main(int argc, char** argv) {
                "nothing", seeds);
     Tally all;
     for (const auto& effect : built_in_catalogue()) {
-      if (effect->level != Level::recording || effect->name == "circle") continue;
-      const Tally one = tally(plan, effect, seeds);
+      if (effect->level != Level::recording || effect->rules.is_base) continue;
+      const Tally one = tally(plan, effect.get(), seeds);
       all.n += one.n;
       all.wrong += one.wrong;
       fmt::print("{:<20} {:>6} {:>6} {:>6} {:>12} {:>8}\n", effect->name, one.right, one.wrong, one.in_set,

@@ -81,8 +81,7 @@ std::vector<std::vector<std::string>> choices_of(const std::vector<std::string>&
   return choices;
 }
 
-// Those of few inputs first, choice of sensors by choice; last those that match on any columns, by
-// name.
+// Those of few inputs first, choice of sensors by choice; last, by name, those that match on any columns.
 std::vector<BoundEffect> match_of(const Catalogue& catalogue, const SpindlePart& part) {
   const auto explains = [&](const Effect& effect, bool on_its_sensors) {
     return effect.level == Level::series &&
@@ -90,8 +89,12 @@ std::vector<BoundEffect> match_of(const Catalogue& catalogue, const SpindlePart&
              return one.cause == part.cause && one.on_its_sensors == on_its_sensors;
            });
   };
+  std::size_t most = 0;
+  for (const auto& effect : catalogue) {
+    if (explains(*effect, true)) most = std::max(most, effect->inputs.size());
+  }
   std::vector<BoundEffect> match;
-  for (std::size_t inputs = 1; inputs <= part.sensors.size(); ++inputs) {
+  for (std::size_t inputs = 1; inputs <= most; ++inputs) {
     for (const std::vector<std::string>& choice : choices_of(part.sensors, inputs)) {
       for (const auto& effect : catalogue) {
         if (explains(*effect, true) && effect->inputs.size() == inputs) match.push_back({effect.get(), choice});

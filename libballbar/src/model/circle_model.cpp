@@ -16,8 +16,8 @@ void hold(Setting& setting, double value) {
   setting.held = true;
 }
 
-Term circle_of(const Effect& base, double recording) {
-  Term circle = term_of(base, {});
+Term circle_of(const Effect& base, const Catalogue& catalogue, double recording) {
+  Term circle = term_of(base.name, {}, base.level, catalogue);
   for (std::size_t k = 0; k < circle.settings.size(); ++k) {
     if (base.parameters[k].shape_of == ShapeOf::recording) hold(circle.settings[k], recording);
   }
@@ -56,11 +56,11 @@ Model circles_of(const Series& trace, const Catalogue& catalogue) {
   const std::vector<double>& recording = find_column(trace, "recording")->values;
   const double last = *std::max_element(recording.begin(), recording.end());
   for (double number = 0.0; number <= last; number += 1.0) {
-    model.terms.push_back(circle_of(*base, number));
+    model.terms.push_back(circle_of(*base, catalogue, number));
     if (one_radius) hold_gains(model.terms.back(), true);
   }
   if (one_radius) {
-    model.terms.push_back(circle_of(*base, -1.0));
+    model.terms.push_back(circle_of(*base, catalogue, -1.0));
     hold_gains(model.terms.back(), false);
   }
   return model;

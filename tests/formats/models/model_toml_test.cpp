@@ -79,6 +79,21 @@ TEST(model_toml, read) {
   EXPECT_TRUE(own.settings[1].stated);
 }
 
+// An effect that is in no other catalogue: its terms are that value.
+TEST(model_toml, read_with_a_catalogue) {
+  Effect effect = *find_effect("expansion", Level::series);
+  effect.name = "own_growth";
+  const Catalogue own{std::make_shared<const Effect>(effect)};
+  constexpr std::string_view kText =
+      "format = \"ballbar-model 1\"\ntarget = \"z_um\"\n[[effect]]\nname = \"own_growth\"\n"
+      "temperature = \"T_xi_degC\"\n";
+  const Model model = read_model(kText, "file", own);
+  EXPECT_EQ(model.terms.at(0).effect, own[0]);
+  EXPECT_EQ(read_model(write_model(model), "again", own).terms.at(0).effect, own[0]);
+  EXPECT_EQ(read_model(with_effect(kText, "file", model.terms[0], own), "more", own).terms.size(), 2U);
+  EXPECT_THROW(read_model(kText, "file"), Error);
+}
+
 TEST(model_toml, several_targets_a_held_constant_and_no_effect_yet) {
   const Model model =
       read_model("format = \"ballbar-model 1\"\ntarget = [\"x_um\", \"z_um\"]\nconstant_um = 1", "file");

@@ -62,4 +62,4 @@ named = pathlib.Path(touched[0]).stem
 ran = run([scratch / "effects"])
 if f"/{named}_on_" not in ran:
     raise SystemExit(f"{page}: expected {named} in the catalogue, found it in no test:\n{ran}")
-print(ran.splitlines()[-1])
+print(next(line for line in ran.splitlines() if "PASSED" in line))

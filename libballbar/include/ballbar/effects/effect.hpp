@@ -4,7 +4,7 @@
 // and tests ask the value, none knows an effect or a parameter by its name. The same kind serves a drift series
 // (inputs: speed, temperatures ...) and a ballbar recording turned into a series (inputs: angle, direction, feed ...;
 // see trace.hpp). A model is a sum of effects and a constant (model.hpp). A catalogue is a list of effects: the
-// built-in one, or a user's own, which may hold effects of both.
+// built-in one, or a user's own, which may add to it.
 //
 // Values are in um, one a row of the data, evaluated over the whole series at once, so that an effect with memory
 // is one recursion, O(n). A `gain` enters linearly and starts at 0, where the effect is off; a `shape` (time

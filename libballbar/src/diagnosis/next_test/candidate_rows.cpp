@@ -37,6 +37,14 @@ std::optional<EffectAt> in_test(const Effect& effect, const std::vector<std::str
 
 bool is_base(const Term& term) { return term.effect->rules.is_base; }
 
+// Its parameter that says which recording it belongs to.
+std::optional<std::size_t> recording_of(const Effect& effect) {
+  for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
+    if (effect.parameters[k].shape_of == ShapeOf::recording) return k;
+  }
+  return std::nullopt;
+}
+
 std::vector<std::size_t> gains_of(const Effect& effect) {
   std::vector<std::size_t> gains;
   for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
@@ -163,10 +171,8 @@ Eigen::MatrixXd own_columns(const CandidateRows& candidates, const PlannedTest& 
   for (std::size_t k = 0; k < circle.parameters.size(); ++k) {
     parameters.push_back(candidates.base->parameters[offset + k].value);
   }
-  const auto place = std::find_if(circle.parameters.begin(), circle.parameters.end(),
-                                  [](const Parameter& parameter) { return parameter.shape_of == ShapeOf::recording; });
-  const bool one_for_all = place == circle.parameters.end() ||
-                           parameters[static_cast<std::size_t>(place - circle.parameters.begin())] < -0.5;
+  const std::optional<std::size_t> recording = recording_of(circle);
+  const bool one_for_all = !recording || parameters[*recording] < -0.5;
   if (one_for_all && !test.new_set_up) return Eigen::MatrixXd(n, 0);
   std::set<double> numbers{-1.0};
   if (!one_for_all) {
@@ -175,9 +181,7 @@ Eigen::MatrixXd own_columns(const CandidateRows& candidates, const PlannedTest& 
   }
   Eigen::MatrixXd result(n, 0);
   for (const double number : numbers) {
-    if (place != circle.parameters.end()) {
-      parameters[static_cast<std::size_t>(place - circle.parameters.begin())] = number;
-    }
+    if (recording) parameters[*recording] = number;
     const std::optional<EffectAt> values = in_test(circle, first->columns, parameters, test, *candidates.data);
     if (!values) continue;
     const Eigen::MatrixXd slopes = values->slopes(Eigen::all, gains_of(circle));
