@@ -22,8 +22,8 @@ NoiseVariances variances_of(const Noise& noise);
 
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// One row of several columns becomes its innovations times `scale`; predicted: s before this row, the last one's decay
-// not yet in it, one a column.
+// A row, of one column or several, becomes its innovations times `scale`; predicted: s before this row, the last one's
+// decay not yet in it, one a column.
 template <class Row, class Predicted>
 void filter_row(double decay, double gain, double scale, Row&& row, Predicted&& predicted) {
   predicted *= decay;

@@ -202,10 +202,9 @@ Whitening::Whitening(const Noise& noise, std::span<const double> time_s, std::sp
 void Whitening::apply(const double* column, std::size_t stride, double* out, std::size_t out_stride) const {
   double s = 0.0;
   for (std::size_t i = 0; i < decay_.size(); ++i) {
-    s *= decay_[i];
-    const double innovation = column[i * stride] - s;
-    s += gain_[i] * innovation;
-    out[i * out_stride] = scale_[i] * innovation;
+    double value = column[i * stride];
+    filter_row(decay_[i], gain_[i], scale_[i], value, s);
+    out[i * out_stride] = value;
   }
 }
 

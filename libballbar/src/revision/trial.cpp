@@ -13,7 +13,6 @@
 #include "diagnosis/signatures/bank.hpp"
 #include "diagnosis/statistics/likely.hpp"
 #include "diagnosis/verdict/named_test.hpp"
-#include "numerics/not_finite.hpp"
 #include "numerics/tails.hpp"
 #include "revision/ledger_row.hpp"
 #include "series/thinned.hpp"

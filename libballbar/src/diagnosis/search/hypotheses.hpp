@@ -31,7 +31,7 @@ struct SubsetFit {
   double penalised = 0.0;  // 2 ln L less thresholds
 };
 
-// Everything the steps of a diagnosis share: data flows in once, figures are looked up. Refers to model and data.
+// Everything the steps of a diagnosis share; nothing in it changes. Refers to model and data.
 class Hypotheses {
  public:
   Hypotheses(const Model& model, const Series& data, std::size_t target, const Fit& base, const SearchOptions& options);

@@ -22,7 +22,6 @@ Candidate candidate_of(const Model& model, const Fit& fit, std::size_t place) {
     const FittedParameter& fitted = fit.parameters[first + k];
     candidate.parameters.push_back(fitted);
     if (term.effect->parameters[k].kind != ParameterKind::gain || fitted.value == 0.0) continue;
-    if (!std::isfinite(fitted.sigma)) continue;
     const double one = std::abs(fitted.sigma / fitted.value);
     relative = std::isfinite(relative) ? std::min(relative, one) : one;
   }

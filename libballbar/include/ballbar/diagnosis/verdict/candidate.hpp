@@ -18,7 +18,7 @@ struct Candidate {
   std::string label;                        // of the effect, or of the term that it is in a model
   std::vector<FittedParameter> parameters;  // of this effect
   double amplitude_um = 0.0;                // largest less smallest of what it adds
-  double amplitude_sigma_um = kUnknown;
+  double amplitude_sigma_um = kUnknown;     // infinite: not determined
   double rmse_after_um = 0.0;
   double held_out_before_um = 0.0, held_out_after_um = 0.0;  // cycles left out, see confirmation
   double evidence = 0.0;                                     // 2 ln L gained by it
