@@ -12,7 +12,7 @@
 
 #include "ballbar/error.hpp"
 #include "commands.hpp"
-#include "terminal/remark.hpp"
+#include "terminal/stderr_line.hpp"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/runs_csv.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "model/model_options.hpp"
 #include "terminal/progress.hpp"

@@ -11,13 +11,13 @@
 #include "ballbar/batches/batch_selection.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/batch_model_json.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "batches/batches.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "terminal/json_number.hpp"
-#include "terminal/out_files.hpp"
-#include "terminal/text.hpp"
+#include "terminal/output_guard.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

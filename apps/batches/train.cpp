@@ -10,19 +10,19 @@
 
 #include "ballbar/batches/batch_regression.hpp"
 #include "ballbar/batches/held_out_model.hpp"
-#include "ballbar/batches/joined_batches.hpp"
+#include "ballbar/batches/merged_batches.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/formats/models/batch_model_json.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "batches/batches.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "terminal/json_number.hpp"
-#include "terminal/out_files.hpp"
+#include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
-#include "terminal/text.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

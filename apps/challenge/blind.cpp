@@ -14,12 +14,12 @@
 #include <optional>
 #include <random>
 
-#include "ballbar/formats/text/bytes.hpp"
-#include "challenge/blind_files.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "challenge/challenge_files.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "terminal/progress.hpp"
-#include "terminal/text.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

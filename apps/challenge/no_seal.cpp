@@ -1,6 +1,6 @@
 // In place of seal.cpp where ballbar is built without OpenSSL.
 #include "ballbar/error.hpp"
-#include "challenge/seal.hpp"
+#include "challenge/digest.hpp"
 
 namespace ballbar {
 namespace {

@@ -6,13 +6,13 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "commands.hpp"
 #include "compensate/compensate_live.hpp"
 #include "compensate/compensate_replay.hpp"
 #include "compensate/compensation_options.hpp"
-#include "terminal/out_files.hpp"
+#include "terminal/output_guard.hpp"
 
 namespace ballbar::commands {
 namespace {

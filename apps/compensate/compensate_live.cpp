@@ -16,8 +16,8 @@
 #include "ballbar/formats/series/live_rows.hpp"
 #include "compensate/offset_text.hpp"
 #include "compensate/signal_source.hpp"
-#include "terminal/remark.hpp"
-#include "terminal/text.hpp"
+#include "terminal/stderr_line.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {

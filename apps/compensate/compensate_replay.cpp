@@ -7,16 +7,16 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "ballbar/compensation/replay.hpp"
+#include "ballbar/compensation/compensation_replay.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/drift_files.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "compensate/offset_text.hpp"
 #include "terminal/json_number.hpp"
-#include "terminal/out_files.hpp"
-#include "terminal/text.hpp"
+#include "terminal/output_guard.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {

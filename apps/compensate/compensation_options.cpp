@@ -10,10 +10,10 @@
 #include "ballbar/fit/held_model.hpp"
 #include "ballbar/formats/models/compensation_state.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "predict/predict_batch.hpp"
-#include "terminal/remark.hpp"
+#include "terminal/stderr_line.hpp"
 
 namespace ballbar {
 namespace {

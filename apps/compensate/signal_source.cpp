@@ -11,7 +11,7 @@
 #include <filesystem>
 
 #include "ballbar/error.hpp"
-#include "terminal/remark.hpp"
+#include "terminal/stderr_line.hpp"
 
 namespace ballbar {
 namespace {

@@ -14,12 +14,12 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "commands.hpp"
-#include "diagnose/trial_text.hpp"
+#include "diagnose/effect_test_text.hpp"
 #include "model/effect_options.hpp"
-#include "terminal/out_files.hpp"
-#include "terminal/text.hpp"
+#include "terminal/output_guard.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

@@ -12,11 +12,11 @@
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/error.hpp"
 #include "commands.hpp"
-#include "diagnose/diagnosed.hpp"
-#include "model/checked.hpp"
+#include "diagnose/diagnosis_report.hpp"
 #include "model/model_options.hpp"
-#include "model/untestable.hpp"
-#include "terminal/text.hpp"
+#include "model/residual_report.hpp"
+#include "model/untestable_reasons.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

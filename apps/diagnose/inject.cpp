@@ -13,17 +13,17 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/numerics/range.hpp"
 #include "commands.hpp"
-#include "model/bound_to.hpp"
-#include "model/checked.hpp"
 #include "model/model_options.hpp"
+#include "model/residual_report.hpp"
+#include "model/resolve_columns.hpp"
 #include "terminal/json_number.hpp"
-#include "terminal/out_files.hpp"
+#include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
-#include "terminal/text.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

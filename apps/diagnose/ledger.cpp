@@ -11,10 +11,10 @@
 #include <string>
 
 #include "ballbar/formats/models/model_history.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "commands.hpp"
-#include "diagnose/trial_text.hpp"
-#include "terminal/text.hpp"
+#include "diagnose/effect_test_text.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "diagnose/trial_text.hpp"
-#include "model/checked.hpp"
+#include "diagnose/effect_test_text.hpp"
 #include "model/effect_options.hpp"
-#include "terminal/text.hpp"
+#include "model/residual_report.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

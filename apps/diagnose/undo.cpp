@@ -7,7 +7,7 @@
 #include <string>
 
 #include "ballbar/formats/models/model_history.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "commands.hpp"
 
 namespace ballbar::commands {

@@ -11,7 +11,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/pictures/picture_file.hpp"
 #include "ballbar/formats/series/profile_csv.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/temperature/mean_point_sigma.hpp"
 

@@ -9,17 +9,17 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "ballbar/effects/huang2022.hpp"
+#include "ballbar/effects/spindle_growth_huang2022.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/profile_csv.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/temperature/mean_point_sigma.hpp"
 #include "commands.hpp"
 #include "mean_point/mean_point_states.hpp"
 #include "mean_point/meanpoint_plot.hpp"
 #include "terminal/json_number.hpp"
-#include "terminal/out_files.hpp"
-#include "terminal/text.hpp"
+#include "terminal/output_guard.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

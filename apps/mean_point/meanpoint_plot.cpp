@@ -9,8 +9,8 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/pictures/picture_file.hpp"
-#include "ballbar/formats/text/bytes.hpp"
-#include "page/page.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "page/report_page.hpp"
 #include "terminal/json_number.hpp"
 
 namespace ballbar {

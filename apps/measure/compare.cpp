@@ -13,14 +13,14 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/units.hpp"
 #include "commands.hpp"
+#include "measure/compared_drifts.hpp"
 #include "measure/comparison_json.hpp"
-#include "measure/operands.hpp"
-#include "page/page.hpp"
-#include "terminal/out_files.hpp"
-#include "terminal/text.hpp"
+#include "page/report_page.hpp"
+#include "terminal/output_guard.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

@@ -17,8 +17,8 @@
 #include "measure/drift_text.hpp"
 #include "measure/five_probe_drift.hpp"
 #include "measure/five_probe_options.hpp"
-#include "terminal/out_files.hpp"
-#include "terminal/text.hpp"
+#include "terminal/output_guard.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

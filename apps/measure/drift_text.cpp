@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ballbar/units.hpp"
-#include "terminal/text.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {

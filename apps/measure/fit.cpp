@@ -7,12 +7,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/units.hpp"
 #include "commands.hpp"
-#include "measure/fitted.hpp"
-#include "terminal/out_files.hpp"
-#include "terminal/text.hpp"
+#include "measure/recording_fits.hpp"
+#include "terminal/output_guard.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

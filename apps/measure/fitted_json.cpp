@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "measure/fitted.hpp"
+#include "measure/recording_fits.hpp"
 #include "terminal/json_number.hpp"
 
 namespace ballbar {

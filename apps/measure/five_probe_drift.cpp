@@ -11,7 +11,7 @@
 #include "ballbar/series/speed_steps.hpp"
 #include "ballbar/units.hpp"
 #include "measure/five_probe_options.hpp"
-#include "terminal/text.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {

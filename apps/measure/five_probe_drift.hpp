@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/drift/five_point.hpp"
+#include "ballbar/drift/five_probes.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/drift/five_point.hpp"
+#include "ballbar/drift/five_probes.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
 #include "ballbar/series/series.hpp"
 

@@ -10,9 +10,9 @@
 
 #include "ballbar/fit/parameter_correlation.hpp"
 #include "commands.hpp"
-#include "model/checked.hpp"
 #include "model/model_options.hpp"
-#include "terminal/text.hpp"
+#include "model/residual_report.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

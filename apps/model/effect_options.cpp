@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "ballbar/error.hpp"
-#include "ballbar/model/term_text.hpp"
+#include "ballbar/model/effect_argument.hpp"
 
 namespace ballbar {
 namespace {

@@ -14,7 +14,7 @@
 #include "ballbar/nearest_name.hpp"
 #include "commands.hpp"
 #include "terminal/json_number.hpp"
-#include "terminal/text.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

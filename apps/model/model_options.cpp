@@ -10,10 +10,10 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
-#include "ballbar/formats/text/bytes.hpp"
-#include "ballbar/model/circle_model.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/model/recording_base_model.hpp"
 #include "ballbar/model/target_columns.hpp"
-#include "terminal/text.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {

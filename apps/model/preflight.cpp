@@ -11,8 +11,8 @@
 #include "ballbar/diagnosis/signatures/identifiability.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
-#include "model/untestable.hpp"
-#include "terminal/text.hpp"
+#include "model/untestable_reasons.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

@@ -11,13 +11,13 @@
 #include "ballbar/error.hpp"
 #include "ballbar/fit/held_model.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "predict/predict_batch.hpp"
 #include "terminal/json_number.hpp"
-#include "terminal/out_files.hpp"
-#include "terminal/text.hpp"
+#include "terminal/output_guard.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {

@@ -12,12 +12,12 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/batch_model_json.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/reader.hpp"
 #include "batches/batches.hpp"
 #include "model/model_options.hpp"
 #include "terminal/json_number.hpp"
-#include "terminal/text.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {

@@ -8,7 +8,7 @@
 #include "ballbar/fit/effect_response.hpp"
 #include "ballbar/fit/model_part.hpp"
 #include "ballbar/fit/regime_stretches.hpp"
-#include "ballbar/series/cycles.hpp"
+#include "ballbar/series/folds.hpp"
 #include "ballbar/units.hpp"
 #include "report/report_parts.hpp"
 #include "terminal/json_number.hpp"

@@ -12,9 +12,9 @@
 #include "ballbar/formats/sessions/session_toml.hpp"
 #include "ballbar/revision/ledger.hpp"
 #include "ballbar/series/series.hpp"
-#include "diagnose/diagnosed.hpp"
-#include "measure/fitted.hpp"
-#include "model/checked.hpp"
+#include "diagnose/diagnosis_report.hpp"
+#include "measure/recording_fits.hpp"
+#include "model/residual_report.hpp"
 #include "predict/predict_batch.hpp"
 
 namespace ballbar {

@@ -4,7 +4,7 @@
 
 #include "ballbar/formats/series/drift_files.hpp"
 #include "ballbar/revision/ledger.hpp"
-#include "diagnose/trial_text.hpp"
+#include "diagnose/effect_test_text.hpp"
 #include "report/report_parts.hpp"
 #include "terminal/json_number.hpp"
 

@@ -13,7 +13,7 @@
 #include "ballbar/formats/machines/machine_toml.hpp"
 #include "ballbar/formats/machines/shaft_images.hpp"
 #include "ballbar/formats/machines/simulated_files.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/units.hpp"
 #include "commands.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "ballbar/circle/circle_fit.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "bench_data.hpp"
 
 namespace {

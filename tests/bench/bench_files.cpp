@@ -7,7 +7,7 @@
 
 #include "ballbar/formats/recordings/ballbar_log.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "bench_data.hpp"
 
 int main(int argc, char** argv) {

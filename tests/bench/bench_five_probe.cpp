@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <string>
 
-#include "ballbar/drift/five_point.hpp"
+#include "ballbar/drift/five_probes.hpp"
 #include "ballbar/formats/series/drift_files.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "bench_data.hpp"
 
 namespace {

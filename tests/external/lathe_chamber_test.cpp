@@ -5,7 +5,7 @@
 #include "ballbar/batches/batch_selection.hpp"
 #include "ballbar/formats/models/runs_csv.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "external_data.hpp"
 
 namespace ballbar {

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/drift/five_point.hpp"
+#include "ballbar/drift/five_probes.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "external_data.hpp"
 
 namespace ballbar {

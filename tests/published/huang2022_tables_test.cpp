@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ballbar/effects/effect.hpp"
-#include "ballbar/effects/huang2022.hpp"
+#include "ballbar/effects/spindle_growth_huang2022.hpp"
 
 namespace ballbar {
 namespace {

@@ -11,7 +11,7 @@
 #include "ballbar/formats/machines/simulated_files.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 
 namespace ballbar {
 namespace {

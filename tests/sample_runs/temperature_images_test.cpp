@@ -12,7 +12,7 @@
 #include "ballbar/formats/machines/shaft_images.hpp"
 #include "ballbar/formats/pictures/picture_file.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/temperature/mean_point.hpp"
 
 namespace ballbar {

@@ -15,7 +15,7 @@
 #include <string>
 
 #include "ballbar/drift/comparison.hpp"
-#include "ballbar/drift/five_point.hpp"
+#include "ballbar/drift/five_probes.hpp"
 #include "ballbar/simulation/simulate.hpp"
 
 namespace {

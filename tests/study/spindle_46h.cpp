@@ -16,7 +16,7 @@
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/sessions/data_file.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 
 namespace {
 

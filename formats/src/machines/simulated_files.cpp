@@ -14,7 +14,7 @@
 #include "ballbar/formats/recordings/ballbar_log.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/units.hpp"
 
 namespace ballbar {

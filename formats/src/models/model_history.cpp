@@ -9,7 +9,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
-#include "text/source_text.hpp"
+#include "text/located_text.hpp"
 #include "text/table_place.hpp"
 #include "text/toml_source.hpp"
 

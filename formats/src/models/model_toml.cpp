@@ -15,8 +15,8 @@
 #include "ballbar/model/expression.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "text/head.hpp"
+#include "text/located_text.hpp"
 #include "text/readers.hpp"
-#include "text/source_text.hpp"
 #include "text/table_place.hpp"
 #include "text/toml_source.hpp"
 

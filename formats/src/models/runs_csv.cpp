@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "text/located_text.hpp"
 #include "text/path_inside.hpp"
-#include "text/source_text.hpp"
 
 namespace ballbar {
 namespace {

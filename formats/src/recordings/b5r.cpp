@@ -9,7 +9,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/units.hpp"
 #include "text/head.hpp"
 #include "text/readers.hpp"

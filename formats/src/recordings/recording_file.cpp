@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 
 namespace ballbar {
 namespace {

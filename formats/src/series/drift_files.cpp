@@ -10,10 +10,10 @@
 #include <sstream>
 #include <utility>
 
-#include "ballbar/drift/five_point.hpp"
+#include "ballbar/drift/five_probes.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "series/mat_file.hpp"
 
 namespace ballbar {

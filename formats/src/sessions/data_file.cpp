@@ -9,7 +9,7 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/series/drift_files.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
-#include "ballbar/series/joined.hpp"
+#include "ballbar/series/merged_series.hpp"
 
 namespace ballbar {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "ballbar/error.hpp"
 #include "text/head.hpp"
+#include "text/located_text.hpp"
 #include "text/path_inside.hpp"
 #include "text/readers.hpp"
-#include "text/source_text.hpp"
 #include "text/toml_source.hpp"
 
 namespace ballbar {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "text/head.hpp"
 
 namespace ballbar {

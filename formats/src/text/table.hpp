@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "text/source_text.hpp"
+#include "text/located_text.hpp"
 
 namespace ballbar {
 

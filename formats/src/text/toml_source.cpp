@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
-#include "text/source_text.hpp"
+#include "text/located_text.hpp"
 
 namespace ballbar {
 namespace {

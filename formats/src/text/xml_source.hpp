@@ -6,7 +6,7 @@
 #include <pugixml.hpp>
 #include <string_view>
 
-#include "text/source_text.hpp"
+#include "text/located_text.hpp"
 
 namespace ballbar {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ballbar/batches/batch_regression.hpp"
-#include "ballbar/batches/joined_batches.hpp"
+#include "ballbar/batches/merged_batches.hpp"
 
 namespace ballbar {
 

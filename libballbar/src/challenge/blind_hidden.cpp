@@ -4,7 +4,7 @@
 
 #include "ballbar/numerics/range.hpp"
 #include "challenge/blind_parts.hpp"
-#include "diagnosis/signatures/bank.hpp"
+#include "diagnosis/signatures/signature_library.hpp"
 #include "model/bindings.hpp"
 
 namespace ballbar::blind {

@@ -10,7 +10,7 @@
 
 #include "ballbar/challenge/blind.hpp"
 #include "ballbar/challenge/inject.hpp"
-#include "numerics/simulate_noise.hpp"
+#include "numerics/random_streams.hpp"
 
 namespace ballbar::blind {
 

@@ -9,9 +9,9 @@
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/numerics/range.hpp"
-#include "diagnosis/signatures/bank.hpp"
+#include "diagnosis/signatures/signature_library.hpp"
 #include "fit/linearised_fit.hpp"
-#include "noise/whitened.hpp"
+#include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
 
 namespace ballbar {

@@ -9,8 +9,8 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
-#include "circle/circle_rows.hpp"
-#include "circle/kept_readings.hpp"
+#include "circle/circle_residuals.hpp"
+#include "circle/inlier_readings.hpp"
 #include "numerics/autocorrelation.hpp"
 #include "numerics/least_squares.hpp"
 

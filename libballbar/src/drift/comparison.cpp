@@ -12,7 +12,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
-#include "drift/best_lag.hpp"
+#include "drift/clock_shift.hpp"
 #include "numerics/interpolation.hpp"
 #include "numerics/not_finite.hpp"
 #include "numerics/tails.hpp"

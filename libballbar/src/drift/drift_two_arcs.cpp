@@ -1,7 +1,7 @@
 // Drift from two orthogonal arcs about C and A (He, Fu, Chen 2015).
 #include "ballbar/units.hpp"
 #include "drift/drift_methods.hpp"
-#include "drift/two_arcs.hpp"
+#include "drift/two_arc_position.hpp"
 
 namespace ballbar {
 

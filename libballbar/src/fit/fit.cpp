@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
-#include "fit/fit_rounds.hpp"
 #include "fit/fit_uncertainty.hpp"
-#include "fit/kept_rows.hpp"
+#include "fit/inlier_rows.hpp"
+#include "fit/irls_and_gls.hpp"
+#include "fit/multi_start.hpp"
 #include "fit/robust_weights.hpp"
 #include "fit/series_cost.hpp"
-#include "fit/starts.hpp"
 #include "model/model_rows.hpp"
 #include "numerics/not_finite.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "noise/whitened.hpp"
+#include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
 
 namespace ballbar {

@@ -3,7 +3,7 @@
 
 #include "ballbar/fit/residual.hpp"
 #include "ballbar/series/speed_steps.hpp"
-#include "series/rest.hpp"
+#include "series/standstill.hpp"
 
 namespace ballbar {
 namespace {

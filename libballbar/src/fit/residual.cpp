@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "ballbar/units.hpp"
-#include "fit/kept_rows.hpp"
+#include "fit/inlier_rows.hpp"
 
 namespace ballbar {
 namespace {

@@ -4,7 +4,7 @@
 #include <unsupported/Eigen/FFT>
 
 #include "ballbar/fit/residual.hpp"
-#include "fit/kept_rows.hpp"
+#include "fit/inlier_rows.hpp"
 
 namespace ballbar {
 namespace {

@@ -13,7 +13,7 @@
 #include "ballbar/model/measured_input.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "effects/low_pass.hpp"
-#include "model/expression_kind.hpp"
+#include "model/expression_linearity.hpp"
 #include "model/formula.hpp"
 
 namespace ballbar {

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "numerics/rows.hpp"
+#include "numerics/row_blocks.hpp"
 
 namespace ballbar::least_squares {
 

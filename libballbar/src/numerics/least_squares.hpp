@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "numerics/rows.hpp"
+#include "numerics/row_blocks.hpp"
 
 namespace ballbar::least_squares {
 

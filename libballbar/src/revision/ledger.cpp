@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
-#include "diagnosis/statistics/held_out.hpp"
-#include "diagnosis/statistics/likely.hpp"
+#include "diagnosis/statistics/cross_validation.hpp"
+#include "diagnosis/statistics/ml_noise_fit.hpp"
 #include "revision/ledger_row.hpp"
-#include "series/thinned.hpp"
+#include "series/subsampled.hpp"
 
 namespace ballbar {
 namespace {

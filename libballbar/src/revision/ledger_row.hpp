@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ballbar/revision/ledger.hpp"
-#include "diagnosis/statistics/likely.hpp"
+#include "diagnosis/statistics/ml_noise_fit.hpp"
 
 namespace ballbar {
 

@@ -7,7 +7,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
-#include "numerics/simulate_noise.hpp"
+#include "numerics/random_streams.hpp"
 #include "simulation/simulate_parts.hpp"
 #include "simulation/simulate_spindle.hpp"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "ballbar/units.hpp"
-#include "numerics/simulate_noise.hpp"
+#include "numerics/random_streams.hpp"
 #include "simulation/simulate_parts.hpp"
 
 namespace ballbar::simulation {

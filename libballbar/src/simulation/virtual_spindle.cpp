@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "ballbar/error.hpp"
-#include "numerics/simulate_noise.hpp"
+#include "numerics/random_streams.hpp"
 #include "simulation/simulate_spindle.hpp"
 
 namespace ballbar {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "ballbar/effects/huang2022.hpp"
+#include "ballbar/effects/spindle_growth_huang2022.hpp"
 #include "ballbar/error.hpp"
 
 namespace ballbar {

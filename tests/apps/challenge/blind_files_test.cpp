@@ -1,7 +1,6 @@
-#include "challenge/blind_files.hpp"
-
 #include <gtest/gtest.h>
 
+#include "challenge/challenge_files.hpp"
 #include "scratch_folder.hpp"
 
 namespace ballbar {

@@ -1,6 +1,6 @@
-#include "challenge/seal.hpp"
-
 #include <gtest/gtest.h>
+
+#include "challenge/digest.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,8 +1,7 @@
-#include "model/bound_to.hpp"
-
 #include <gtest/gtest.h>
 
 #include "ballbar/error.hpp"
+#include "model/resolve_columns.hpp"
 
 namespace ballbar {
 namespace {

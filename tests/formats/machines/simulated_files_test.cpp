@@ -9,7 +9,7 @@
 #include "ballbar/formats/recordings/b5r.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "scratch_folder.hpp"
 
 namespace ballbar {

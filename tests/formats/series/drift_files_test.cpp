@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ballbar/formats/series/series_csv.hpp"
-#include "ballbar/formats/text/bytes.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "scratch_folder.hpp"
 
 namespace ballbar {

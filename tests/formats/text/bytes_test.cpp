@@ -1,11 +1,10 @@
-#include "ballbar/formats/text/bytes.hpp"
-
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <iterator>
 
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "scratch_folder.hpp"
 
 namespace ballbar {

@@ -1,6 +1,6 @@
-#include "ballbar/circle/elongation.hpp"
-
 #include <gtest/gtest.h>
+
+#include "ballbar/circle/elongation_correction.hpp"
 
 namespace ballbar {
 namespace {

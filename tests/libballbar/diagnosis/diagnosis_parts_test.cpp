@@ -9,16 +9,16 @@
 
 #include "ballbar/error.hpp"
 #include "diagnosis/search/best_subset.hpp"
-#include "diagnosis/search/search_null.hpp"
-#include "diagnosis/signatures/bank.hpp"
-#include "diagnosis/statistics/confirmation.hpp"
-#include "diagnosis/statistics/evidence.hpp"
-#include "diagnosis/statistics/held_out.hpp"
-#include "diagnosis/statistics/smooth_rival.hpp"
-#include "noise/whitened.hpp"
+#include "diagnosis/search/max_score_null.hpp"
+#include "diagnosis/signatures/signature_library.hpp"
+#include "diagnosis/statistics/cross_validation.hpp"
+#include "diagnosis/statistics/gain_tests.hpp"
+#include "diagnosis/statistics/gaussian_process_rival.hpp"
+#include "diagnosis/statistics/likelihood_ratio.hpp"
+#include "noise/whitening.hpp"
 #include "numerics/parallel.hpp"
-#include "series/cycles.hpp"
-#include "series/thinned.hpp"
+#include "series/folds.hpp"
+#include "series/subsampled.hpp"
 
 namespace ballbar {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "ballbar/circle/trace.hpp"
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/model/circle_model.hpp"
+#include "ballbar/model/recording_base_model.hpp"
 
 namespace ballbar::made {
 

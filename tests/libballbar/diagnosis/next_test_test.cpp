@@ -12,9 +12,9 @@
 #include <random>
 
 #include "ballbar/circle/trace.hpp"
-#include "diagnosis/next_test/input_forecast.hpp"
+#include "diagnosis/next_test/discrimination.hpp"
 #include "diagnosis/next_test/planned_test.hpp"
-#include "diagnosis/next_test/separation.hpp"
+#include "diagnosis/next_test/thermal_forecast.hpp"
 #include "effects/low_pass.hpp"
 
 namespace ballbar {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-#include "noise/whitened.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 namespace {

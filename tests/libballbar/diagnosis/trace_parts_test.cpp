@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <random>
 
-#include "diagnosis/signatures/bank.hpp"
-#include "diagnosis/statistics/held_out.hpp"
-#include "diagnosis/surrogates/fakes.hpp"
-#include "diagnosis/surrogates/trace_fakes.hpp"
+#include "diagnosis/signatures/signature_library.hpp"
+#include "diagnosis/statistics/cross_validation.hpp"
+#include "diagnosis/surrogates/surrogate_recordings.hpp"
+#include "diagnosis/surrogates/surrogate_series.hpp"
 #include "made_recordings.hpp"
-#include "series/cycles.hpp"
-#include "series/thinned.hpp"
+#include "series/folds.hpp"
+#include "series/subsampled.hpp"
 
 namespace ballbar {
 namespace {

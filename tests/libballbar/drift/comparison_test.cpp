@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "ballbar/error.hpp"
-#include "numerics/simulate_noise.hpp"
+#include "numerics/random_streams.hpp"
 
 namespace ballbar {
 namespace {

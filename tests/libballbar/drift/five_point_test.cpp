@@ -1,5 +1,3 @@
-#include "ballbar/drift/five_point.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,8 +5,9 @@
 #include <limits>
 #include <string_view>
 
+#include "ballbar/drift/five_probes.hpp"
 #include "ballbar/error.hpp"
-#include "numerics/simulate_noise.hpp"
+#include "numerics/random_streams.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,10 +1,9 @@
-#include "ballbar/effects/huang2022.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <string>
 
+#include "ballbar/effects/spindle_growth_huang2022.hpp"
 #include "ballbar/error.hpp"
 
 namespace ballbar {

@@ -12,9 +12,9 @@
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/model/circle_model.hpp"
+#include "ballbar/model/effect_argument.hpp"
 #include "ballbar/model/live_model.hpp"
-#include "ballbar/model/term_text.hpp"
+#include "ballbar/model/recording_base_model.hpp"
 
 namespace ballbar {
 namespace {

@@ -9,7 +9,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/model/expression.hpp"
-#include "ballbar/series/joined.hpp"
+#include "ballbar/series/merged_series.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,9 +1,8 @@
 // Effects as the command line names them.
-#include "ballbar/model/term_text.hpp"
-
 #include <gtest/gtest.h>
 
 #include "ballbar/error.hpp"
+#include "ballbar/model/effect_argument.hpp"
 
 namespace ballbar {
 namespace {

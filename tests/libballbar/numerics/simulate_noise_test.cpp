@@ -1,6 +1,4 @@
 // Noise of the virtual machine, and that each stream of it is independent and fixed.
-#include "numerics/simulate_noise.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 
 #include "ballbar/simulation/simulate.hpp"
 #include "ballbar/units.hpp"
+#include "numerics/random_streams.hpp"
 
 namespace ballbar {
 namespace {

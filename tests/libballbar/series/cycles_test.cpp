@@ -1,6 +1,4 @@
 // Cycles that are left out one by one, and the error in them.
-#include "series/cycles.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +6,8 @@
 #include <map>
 #include <numeric>
 
-#include "diagnosis/statistics/held_out.hpp"
+#include "diagnosis/statistics/cross_validation.hpp"
+#include "series/folds.hpp"
 
 namespace ballbar {
 namespace {

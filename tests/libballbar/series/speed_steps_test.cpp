@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/simulate_noise.hpp"
+#include "numerics/random_streams.hpp"
 
 namespace ballbar {
 namespace {

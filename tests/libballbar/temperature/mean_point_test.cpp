@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "ballbar/effects/huang2022.hpp"
+#include "ballbar/effects/spindle_growth_huang2022.hpp"
 #include "ballbar/error.hpp"
 
 namespace ballbar {

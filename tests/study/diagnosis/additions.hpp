@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "diagnosis/signatures/bank.hpp"
+#include "diagnosis/signatures/signature_library.hpp"
 
 namespace ballbar::study {
 

@@ -7,7 +7,7 @@
 
 #include "ballbar/diagnosis/next_test/next_test.hpp"
 #include "diagnosis/next_test/planned_test.hpp"
-#include "numerics/simulate_noise.hpp"
+#include "numerics/random_streams.hpp"
 #include "outcome.hpp"
 
 namespace ballbar::study {

@@ -10,7 +10,7 @@
 
 #include "ballbar/numerics/range.hpp"
 #include "challenge/blind_parts.hpp"
-#include "numerics/simulate_noise.hpp"
+#include "numerics/random_streams.hpp"
 
 namespace ballbar::study {
 namespace {

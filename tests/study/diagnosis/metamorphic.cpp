@@ -8,7 +8,7 @@
 #include <map>
 
 #include "cells.hpp"
-#include "numerics/simulate_noise.hpp"
+#include "numerics/random_streams.hpp"
 
 namespace ballbar::study {
 namespace {

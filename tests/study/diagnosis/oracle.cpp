@@ -5,7 +5,7 @@
 
 #include "additions.hpp"
 #include "diagnosis/search/nested_effects.hpp"
-#include "noise/whitened.hpp"
+#include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
 
 namespace ballbar::study {

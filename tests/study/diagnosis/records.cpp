@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "ballbar/formats/series/series_csv.hpp"
-#include "ballbar/formats/text/bytes.hpp"
-#include "numerics/simulate_noise.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "numerics/random_streams.hpp"
 
 namespace ballbar::study {
 namespace {

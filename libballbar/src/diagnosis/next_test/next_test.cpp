@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
-#include "diagnosis/next_test/candidate_rows.hpp"
-#include "diagnosis/next_test/open_question.hpp"
+#include "diagnosis/next_test/discrimination.hpp"
+#include "diagnosis/next_test/discrimination_matrix.hpp"
 #include "diagnosis/next_test/planned_test.hpp"
-#include "diagnosis/next_test/separation.hpp"
-#include "diagnosis/statistics/evidence.hpp"
-#include "series/thinned.hpp"
+#include "diagnosis/next_test/undecided_pairs.hpp"
+#include "diagnosis/statistics/likelihood_ratio.hpp"
+#include "series/subsampled.hpp"
 
 namespace ballbar {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ballbar/series/speed_steps.hpp"
-#include "series/rest.hpp"
+#include "series/standstill.hpp"
 
 namespace ballbar {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "diagnosis/search/search_null.hpp"
-#include "diagnosis/signatures/bank.hpp"
+#include "diagnosis/search/max_score_null.hpp"
+#include "diagnosis/signatures/signature_library.hpp"
 
 namespace ballbar {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
-#include "noise/whitened.hpp"
+#include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
 
 namespace ballbar {

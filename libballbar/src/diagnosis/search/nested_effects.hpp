@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "diagnosis/search/hypotheses.hpp"
+#include "diagnosis/search/subset_fits.hpp"
 
 namespace ballbar {
 

@@ -9,12 +9,12 @@
 #include <limits>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
-#include "diagnosis/signatures/bank.hpp"
 #include "diagnosis/signatures/prospects.hpp"
+#include "diagnosis/signatures/signature_library.hpp"
 #include "fit/linearised_fit.hpp"
 #include "model/bindings.hpp"
 #include "numerics/parallel.hpp"
-#include "series/thinned.hpp"
+#include "series/subsampled.hpp"
 
 namespace ballbar {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ballbar/diagnosis/signatures/identifiability.hpp"
-#include "diagnosis/signatures/bank.hpp"
+#include "diagnosis/signatures/signature_library.hpp"
 
 namespace ballbar {
 

@@ -4,7 +4,7 @@
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/series/speed_steps.hpp"
-#include "noise/whitened.hpp"
+#include "noise/whitening.hpp"
 #include "numerics/tails.hpp"
 
 namespace ballbar {

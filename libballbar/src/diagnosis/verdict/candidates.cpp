@@ -9,7 +9,7 @@
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "diagnosis/search/nested_effects.hpp"
-#include "diagnosis/verdict/named_test.hpp"
+#include "diagnosis/verdict/named_tests.hpp"
 #include "fit/linearised_fit.hpp"
 
 namespace ballbar {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "diagnosis/search/hypotheses.hpp"
-#include "diagnosis/search/search_null.hpp"
+#include "diagnosis/search/max_score_null.hpp"
+#include "diagnosis/search/subset_fits.hpp"
 
 namespace ballbar {
 

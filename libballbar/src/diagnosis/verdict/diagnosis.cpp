@@ -6,12 +6,12 @@
 #include <set>
 #include <utility>
 
-#include "diagnosis/search/ground.hpp"
-#include "diagnosis/search/rival_sets.hpp"
+#include "diagnosis/search/competing_subsets.hpp"
+#include "diagnosis/search/null_model.hpp"
 #include "diagnosis/signatures/prospects.hpp"
 #include "diagnosis/verdict/candidates.hpp"
-#include "diagnosis/verdict/judgement.hpp"
-#include "series/thinned.hpp"
+#include "diagnosis/verdict/verdict.hpp"
+#include "series/subsampled.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,4 +1,4 @@
-#include "../huang2022_clearance.hpp"
+#include "effects/bearing_clearance_huang2022.hpp"
 #include "effects/evaluate.hpp"
 
 namespace ballbar::catalogue {

@@ -1,7 +1,7 @@
 // Effects of the bearing, worked by hand.
 #include <gtest/gtest.h>
 
-#include "ballbar/effects/huang2022.hpp"
+#include "ballbar/effects/spindle_growth_huang2022.hpp"
 #include "drift_values.hpp"
 
 namespace ballbar {

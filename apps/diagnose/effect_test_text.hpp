@@ -1,0 +1,24 @@
+// A trial (trial.hpp) for the terminal and for a program.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "ballbar/revision/effect_test.hpp"
+#include "ballbar/revision/ledger.hpp"
+
+namespace ballbar {
+
+// "The data support X.", or why they do not.
+std::string conclusion(const Trial& trial);
+
+// Error before and after, added effects with evidence and fakes, earlier effects tested anew, all parameters.
+std::string tables(const Trial& trial);
+
+nlohmann::ordered_json json_of(const Trial& trial);
+nlohmann::ordered_json json_of(const LedgerRow& row, const LedgerRow* before);
+
+// "0.02 (2 searches at 0.01 each)"
+std::string family_wise_text(double error);
+
+}  // namespace ballbar

@@ -1,0 +1,132 @@
+#include "measure/recording_fits.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/units.hpp"
+
+namespace ballbar {
+namespace {
+
+std::optional<double> stored_um_from_mm(const std::optional<B5r>& b5r, const std::string& parent, const char* name) {
+  if (!b5r) return std::nullopt;
+  const auto value_mm = stored_value(*b5r, parent, name, "UT_LENGTH_MM");
+  if (!value_mm) return std::nullopt;
+  return std::round(um_from_mm(*value_mm) * 1e4) / 1e4;  // 48.8 as the file prints it, not 48.800000000000004
+}
+
+FittedRecording fit_recording(const std::string& file, std::size_t index, Recording recording,
+                              const std::optional<B5r>& b5r, const CircleOptions& options) {
+  FittedRecording fitted;
+  fitted.file = file;
+  fitted.index = index;
+  if (b5r) fitted.test_name = b5r->test_name;
+  fitted.recording = std::move(recording);
+  if (fitted.recording.kind == Kind::axial) {
+    fitted.axial = axial_length(fitted.recording);
+    return fitted;
+  }
+  const Circle circle = fit_circle(fitted.recording, options);
+  const Circularity round = circularity(fitted.recording, circle);
+  const std::string run = fmt::format("run {}", index);
+  const auto radius_mm = b5r ? stored_value(*b5r, run, "AF_BEST_RADIUS", "UT_LENGTH_MM") : std::nullopt;
+  fitted.results = {
+      {"centre_a_um", "centre A um", 2, circle.centre_a_um, stored_um_from_mm(b5r, run, "AF_CENTRE_OFFSET_A")},
+      {"centre_b_um", "centre B um", 2, circle.centre_b_um, stored_um_from_mm(b5r, run, "AF_CENTRE_OFFSET_B")},
+      {"radius_mm", "radius mm", 5, circle.radius_mm, radius_mm},
+      {"circularity_um", "circularity um", 2, round.circular_deviation_um,
+       stored_um_from_mm(b5r, run, "AF_CIRCULARITY")},
+  };
+  if (fitted.recording.feed_mm_per_min) {
+    const auto feed = b5r ? stored_value(*b5r, run, "AF_CALCULATED_FEEDRATE", "UT_FEEDRATE") : std::nullopt;
+    fitted.results.push_back({"feed_mm_per_min", "feed mm/min", 2, *fitted.recording.feed_mm_per_min, feed});
+  }
+  fitted.circle = circle;
+  fitted.circularity = round;
+  return fitted;
+}
+
+FittedPair fit_pair(const FittedRecording& first, const FittedRecording& second, const std::optional<B5r>& b5r) {
+  const bool first_is_ccw = first.recording.direction == Direction::CCW;
+  const FittedRecording& ccw = first_is_ccw ? first : second;
+  const FittedRecording& cw = first_is_ccw ? second : first;
+  const Bidirectional both = bidirectional(ccw.recording, *ccw.circle, cw.recording, *cw.circle);
+  const auto stored = [&](const char* edition, const char* name, const char* data_type = "UT_LENGTH_UM") {
+    return b5r ? stored_value(*b5r, edition, name, data_type) : std::nullopt;
+  };
+  const char* old_edition = "ISO230_4 1996";
+  const char* new_edition = "ISO230_4 2005";
+  FittedPair pair;
+  pair.file = first.file;
+  pair.results = {
+      {"g_ccw_um", "circular deviation G, CCW um", 2, ccw.circularity->circular_deviation_um,
+       stored(old_edition, "AF_CIRCULAR_DEVIATION_CCW")},
+      {"g_cw_um", "circular deviation G, CW um", 2, cw.circularity->circular_deviation_um,
+       stored(old_edition, "AF_CIRCULAR_DEVIATION_CW")},
+      {"bidirectional_2005_um", "bidirectional, 2005 um", 2, both.bidirectional_2005_um,
+       stored(new_edition, "AF_BIDIRECTIONAL_CIRCULAR_DEVIATION")},
+      {"bidirectional_1996_um", "bidirectional, 1996 um", 2, both.bidirectional_1996_um,
+       stored(old_edition, "AF_CIRCULAR_DEVIATION_BIDIRECTIONAL")},
+      {"d_um", "mean radial deviation D um", 2, both.mean_radial_um,
+       stored(new_edition, "AF_MEAN_BIDIRECTIONAL_RADIAL_DEVIATION")},
+      {"h_um", "hysteresis H um", 2, both.hysteresis_um, stored(old_edition, "AF_CIRCULAR_HYSTERESIS")},
+      {"h_at_deg", "  at deg", 2, both.hysteresis_at_deg,
+       stored(old_edition, "AF_CIRCULAR_HYSTERESIS_LOCATION", "UT_ANGLE")},
+      {"f_max_ccw_um", "radial deviation F max, CCW um", 2, ccw.circularity->max_radial_um,
+       stored(old_edition, "AF_MAX_RADIAL_DEVIATION_CCW")},
+      {"f_min_ccw_um", "radial deviation F min, CCW um", 2, ccw.circularity->min_radial_um,
+       stored(old_edition, "AF_MIN_RADIAL_DEVIATION_CCW")},
+      {"f_max_cw_um", "radial deviation F max, CW um", 2, cw.circularity->max_radial_um,
+       stored(old_edition, "AF_MAX_RADIAL_DEVIATION_CW")},
+      {"f_min_cw_um", "radial deviation F min, CW um", 2, cw.circularity->min_radial_um,
+       stored(old_edition, "AF_MIN_RADIAL_DEVIATION_CW")},
+  };
+  const auto stored_h = stored(old_edition, "AF_CIRCULAR_HYSTERESIS");
+  if (stored_h && *stored_h == 0.0 && both.hysteresis_um >= 0.05) {
+    pair.remarks.push_back(
+        fmt::format("The file stores a hysteresis of 0.0 um, a known defect of the instrument's software{}; the "
+                    "readings give {:.1f} um.",
+                    b5r->software_version.empty() ? "" : fmt::format(" (this file: version {})", b5r->software_version),
+                    both.hysteresis_um));
+  }
+  return pair;
+}
+
+bool are_pair(const FittedRecording& first, const FittedRecording& second) {
+  return first.circle && second.circle && are_both_directions(first.recording, second.recording);
+}
+
+}  // namespace
+
+Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options) {
+  Fitted fitted;
+  std::size_t next_of_pair = 0;  // recordings before it are in a pair already, or cannot be
+  for (const std::string& file : files) {
+    RecordingFile opened = open_recording(file);
+    const std::size_t first_of_file = fitted.recordings.size();
+    for (std::size_t i = 0; i < opened.recordings.size(); ++i) {
+      try {
+        fitted.recordings.push_back(fit_recording(file, i, std::move(opened.recordings[i]), opened.b5r, options));
+      } catch (const Error& error) {
+        throw Error(fmt::format("{}: {}.", file, error.what()));
+      }
+    }
+    if (opened.b5r) next_of_pair = std::max(next_of_pair, first_of_file);
+    const std::size_t n = fitted.recordings.size();
+    if (n >= next_of_pair + 2 && are_pair(fitted.recordings[n - 2], fitted.recordings[n - 1])) {
+      FittedPair pair = fit_pair(fitted.recordings[n - 2], fitted.recordings[n - 1], opened.b5r);
+      const bool ccw_first = fitted.recordings[n - 2].recording.direction == Direction::CCW;
+      pair.ccw = ccw_first ? n - 2 : n - 1;
+      pair.cw = ccw_first ? n - 1 : n - 2;
+      fitted.pairs.push_back(std::move(pair));
+      next_of_pair = n;
+    }
+    if (opened.b5r) next_of_pair = n;
+  }
+  return fitted;
+}
+
+}  // namespace ballbar

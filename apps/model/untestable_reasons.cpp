@@ -1,0 +1,18 @@
+#include "model/untestable_reasons.hpp"
+
+#include <algorithm>
+
+namespace ballbar {
+
+std::vector<std::pair<std::string, std::vector<std::string>>> by_reason(const std::vector<Prospect>& untestable) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
+  for (const Prospect& prospect : untestable) {
+    const auto same = [&](const auto& reason) { return reason.first == prospect.why; };
+    auto reason = std::find_if(reasons.begin(), reasons.end(), same);
+    if (reason == reasons.end()) reason = reasons.insert(reasons.end(), {prospect.why, {}});
+    reason->second.push_back(prospect.effect->name);
+  }
+  return reasons;
+}
+
+}  // namespace ballbar

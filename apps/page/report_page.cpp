@@ -1,0 +1,136 @@
+#include "page/report_page.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "ballbar/error.hpp"
+#include "ballbar/nearest_name.hpp"
+#include "page/page_assets.hpp"
+#include "programs/child_process.hpp"
+
+namespace ballbar {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// JSON that is also harmless within <script>: ASCII alone, and no "<" to end or comment it. Bytes that are not UTF-8
+// become U+FFFD.
+std::string as_script(const Json& json) {
+  const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char sign : text) {
+    if (sign == '<') {
+      safe += "\\u003c";
+    } else {
+      safe += sign;
+    }
+  }
+  return safe;
+}
+
+std::string as_html(std::string_view text) {
+  std::string safe;
+  for (const char sign : text) {
+    switch (sign) {
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '&':
+        safe += "&amp;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        safe += static_cast<unsigned char>(sign) < 0x20 ? ' ' : sign;
+    }
+  }
+  return safe;
+}
+
+// As JSON has it: UTF-8 whatever the bytes were.
+std::string title_of(const Json& report) {
+  const Json title = Json::parse(report["title"].dump(-1, ' ', false, Json::error_handler_t::replace));
+  return title.get<std::string>();
+}
+
+// Of a function in node.
+std::string as_argument(const Json& report) {
+  return fmt::format("JSON.parse({})", as_script(Json(report.dump(-1, ' ', true, Json::error_handler_t::replace))));
+}
+
+// What a function of apps/page/src/pictures.ts answers. Throws Error, beginning with `option`.
+Json drawn(const std::string& option, std::string_view function, const std::string& arguments) {
+  std::string script(page::kPictures);
+  script += fmt::format("\n;process.stdout.write(JSON.stringify(ballbar_pictures.{}({})));\n", function, arguments);
+  const Finished node = finished(option, {"node", "-"}, script, "NODE_OPTIONS=");
+  if (node.not_found) {
+    throw Error(fmt::format(
+        "{}: expected the program node to draw with, found none; on Debian it is in the package nodejs.", option));
+  }
+  Json answer = Json::parse(node.out, nullptr, false);
+  if (node.signal != 0 || node.status != 0 || !answer.is_object()) {
+    throw Error(fmt::format("{}: expected pictures from node, found it ended with {} {}: {}", option,
+                            node.signal != 0 ? "signal" : "status", node.signal != 0 ? node.signal : node.status,
+                            node.err.substr(0, 400)));
+  }
+  return answer;
+}
+
+}  // namespace
+
+void expect_page(std::string_view option) {
+  if (!page::kScript.empty()) return;
+  throw Error(fmt::format(
+      "{}{}this ballbar was built without its page: expected node and npm when it was built; on Debian install nodejs "
+      "and npm, then run cmake -S . -B build -DBALLBAR_PAGE=ON && cmake --build build.",
+      option, option.empty() ? "" : ": "));
+}
+
+std::string page_of(const Json& report) {
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src '{}'; style-src '{}'; "
+      "img-src data: blob:; base-uri 'none'; form-action 'none'\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"generator\" content=\"{}\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n"
+      "<noscript>This report draws its pictures by JavaScript, which is switched off here.</noscript>\n"
+      "<script type=\"application/json\" id=\"report\">{}</script>\n<script>{}</script>\n</body>\n</html>\n",
+      page::kScriptHash, page::kStyleHash, as_html(report["made_by"].get<std::string>()), as_html(title_of(report)),
+      page::kStyle, as_script(report), page::kScript);
+}
+
+std::vector<NamedPicture> pictures_of(const Json& report, const PictureOptions& options) {
+  const Json answer = drawn("--format svg", "draw",
+                            fmt::format("{},{},{},{}", as_argument(report), as_script(Json(options.names)),
+                                        as_script(Json(options.choices)), options.width_px));
+  if (answer.contains("option")) {
+    const auto known = answer["expected"].get<std::vector<std::string>>();
+    throw Error(fmt::format(
+        "{}: {}{}, found {}.", answer["option"].get<std::string>(),
+        known.empty() ? "expected none, there is nothing to choose in this picture" : "expected one of these: ",
+        fmt::join(known, "; "), in_quotes(answer["found"].get<std::string>())));
+  }
+  std::vector<NamedPicture> pictures;
+  for (const Json& one : answer["drawn"]) {
+    pictures.push_back(
+        {one["name"].get<std::string>(), one["title"].get<std::string>(), one["svg"].get<std::string>()});
+  }
+  return pictures;
+}
+
+std::string plot_of(const Json& parts, const std::string& conclusion) {
+  Json report{{"title", ""}, {"summary", {conclusion}}, {"signals", Json::array()}};
+  report.update(parts);
+  const Json answer =
+      drawn("--plot", "draw_sheet", fmt::format("{},{}", as_argument(report), PictureOptions{}.width_px));
+  return answer["drawn"][0]["svg"].get<std::string>();
+}
+
+}  // namespace ballbar

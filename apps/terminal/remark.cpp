@@ -1,9 +1,0 @@
-#include "terminal/remark.hpp"
-
-#include <cstdio>
-
-namespace ballbar {
-
-void remark(const std::string& text) { std::fputs((text + "\n").c_str(), stderr); }
-
-}  // namespace ballbar

@@ -1,0 +1,9 @@
+#include "terminal/stderr_line.hpp"
+
+#include <cstdio>
+
+namespace ballbar {
+
+void remark(const std::string& text) { std::fputs((text + "\n").c_str(), stderr); }
+
+}  // namespace ballbar

@@ -1,0 +1,197 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/formats/sessions/session_toml.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "text/path_inside.hpp"
+
+namespace ballbar {
+namespace {
+
+namespace fs = std::filesystem;
+using Readers = std::span<const Reader>;
+
+constexpr std::string_view kOwner = "the session";
+
+void expect_nominal_length(const Recording& recording, const fs::path& path, double nominal_length_mm) {
+  if (recording.nominal_length_mm == nominal_length_mm) return;
+  throw Error(fmt::format("{}: expected the session's nominal length {} mm, found {} mm.", path.string(),
+                          nominal_length_mm, recording.nominal_length_mm));
+}
+
+std::vector<Recording> recordings_in(const SessionPlan& plan, const fs::path& path, Readers readers) {
+  std::vector<Recording> recordings = open_recording(path, readers).recordings;
+  for (const Recording& recording : recordings) expect_nominal_length(recording, path, plan.nominal_length_mm);
+  return recordings;
+}
+
+Recording only_recording(const SessionPlan& plan, const fs::path& path, Readers readers) {
+  std::vector<Recording> recordings = recordings_in(plan, path, readers);
+  if (recordings.size() == 1) return std::move(recordings.front());
+  throw Error(fmt::format("{}: expected one recording, found {} runs.", path.string(), recordings.size()));
+}
+
+std::string phrase(const Recording& recording) {
+  if (recording.kind == Kind::axial) return "an axial recording";
+  return fmt::format("a circle in plane {} driven by {}", name_of(recording.plane), name_of(recording.motion));
+}
+
+// As `expected` in kind and motion, and in plane unless the spindle drives.
+Recording recording_like(const SessionPlan& plan, const fs::path& path, std::string_view key, const Recording& expected,
+                         Readers readers) {
+  Recording found = only_recording(plan, path, readers);
+  const bool circle = expected.kind == Kind::circle;
+  const bool any_plane = expected.motion == Motion::spindle;
+  if (found.kind == expected.kind &&
+      (!circle || (found.motion == expected.motion && (any_plane || found.plane == expected.plane)))) {
+    return found;
+  }
+  const std::string wanted = circle && any_plane ? "a circle driven by spindle" : phrase(expected);
+  throw Error(fmt::format("{}: expected {} for {}, found {}.", path.string(), wanted, key, phrase(found)));
+}
+
+SessionTest test_of(const SessionPlan& plan, const SessionPlan::Test& planned, const fs::path& folder,
+                    Readers readers) {
+  SessionTest test;
+  test.elapsed_s = planned.elapsed_s;
+  if (plan.method == Method::two_arcs) {
+    test.name = planned.c_arc;
+    Recording expected;
+    expected.motion = Motion::rotary_axis;
+    test.c_arc = recording_like(plan, path_inside(folder, planned.c_arc, kOwner), "c_arc", expected, readers);
+    expected.plane = Plane::YZ;
+    test.a_arc = recording_like(plan, path_inside(folder, planned.a_arc, kOwner), "a_arc", expected, readers);
+  } else if (plan.method == Method::spindle_rotation) {
+    test.name = planned.rotation;
+    Recording expected;
+    expected.motion = Motion::spindle;
+    test.rotation = recording_like(plan, path_inside(folder, planned.rotation, kOwner), "rotation", expected, readers);
+    expected.kind = Kind::axial;
+    if (!planned.axial.empty()) {
+      test.axial = recording_like(plan, path_inside(folder, planned.axial, kOwner), "axial", expected, readers);
+    }
+    test.axial_length_mm = planned.axial_length_mm;
+  } else {
+    test.name = planned.circle;
+    const fs::path path = path_inside(folder, planned.circle, kOwner);
+    test.circles = recordings_in(plan, path, readers);
+    for (const Recording& circle : test.circles) {
+      if (circle.kind != Kind::circle)
+        throw Error(fmt::format("{}: expected a circle for circle, found {}.", path.string(), phrase(circle)));
+    }
+  }
+  return test;
+}
+
+SessionFiles planned_session(const fs::path& path, Readers readers) {
+  const std::string bytes = read_bytes(path, kLargestText);
+  const Reader* const reader = reader_of(bytes, readers);
+  const auto read = read_of<ReadSession>(reader);
+  if (reader != nullptr && read == nullptr) {
+    throw Error(fmt::format(
+        "{}:1:1: expected a session, which is a folder or a file that says format = \"ballbar-session 1\", found {}.",
+        path.string(), found_in(reader)));
+  }
+  // Of text of no known format read_session_plan tells what it lacks.
+  const SessionPlan plan = (read != nullptr ? read : read_session_plan)(bytes, path.string());
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  SessionFiles files;
+  files.session.method = plan.method;
+  files.session.title = plan.title;
+  files.session.nominal_length_mm = plan.nominal_length_mm;
+  files.session.bar_expansion_ppm_per_K = plan.bar_expansion_ppm_per_K;
+  files.session.spindle_above = plan.spindle_above;
+  for (const SessionPlan::Test& test : plan.tests) {
+    files.session.tests.push_back(test_of(plan, test, folder, readers));
+  }
+  for (const std::string& file : plan.signal_files) files.signals.push_back(path_inside(folder, file, kOwner));
+  if (!plan.five_probe_file.empty()) files.five_probe = path_inside(folder, plan.five_probe_file, kOwner);
+  files.ball = plan.ball;
+  files.files = files.signals;
+  files.files.push_back(path);
+  if (files.five_probe) files.files.push_back(*files.five_probe);
+  for (std::size_t i = 0; i < plan.tests.size(); ++i) {
+    const SessionPlan::Test& test = plan.tests[i];
+    for (const std::string& file : {test.c_arc, test.a_arc, test.rotation, test.axial, test.circle}) {
+      if (file.empty()) continue;
+      files.recordings.push_back({folder / file, i});
+      files.files.push_back(folder / file);
+    }
+  }
+  return files;
+}
+
+bool is_b5r(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  return extension == ".b5r";
+}
+
+// Each `.b5r` a test, at its own DATE_STARTED.
+SessionFiles session_of_folder(const fs::path& folder, Readers readers) {
+  std::vector<fs::path> paths;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (is_b5r(entry->path())) paths.push_back(entry->path());
+  }
+  if (error) throw Error(fmt::format("{}: expected a readable folder, found: {}.", folder.string(), error.message()));
+  if (paths.empty()) {
+    throw Error(fmt::format("{}: expected a folder with session.toml or .b5r files, found neither.", folder.string()));
+  }
+  std::sort(paths.begin(), paths.end());
+  SessionFiles files;
+  files.files = paths;
+  struct Started {
+    std::int64_t started_s = 0;
+    SessionTest test;
+  };
+  std::vector<Started> tests;
+  for (const fs::path& path : paths) {
+    Started started;
+    started.test.name = path.filename().string();
+    started.test.circles = open_recording(path, readers).recordings;
+    const std::optional<std::int64_t> started_s = started.test.circles.front().started_s;
+    if (!started_s)
+      throw Error(
+          fmt::format("{}: expected DATE_STARTED, the time of this test in the session, found none.", path.string()));
+    started.started_s = *started_s;
+    tests.push_back(std::move(started));
+  }
+  std::stable_sort(tests.begin(), tests.end(),
+                   [](const Started& left, const Started& right) { return left.started_s < right.started_s; });
+  files.session.method = Method::circles;
+  files.session.title = fs::weakly_canonical(folder, error).filename().string();
+  files.session.nominal_length_mm = tests.front().test.circles.front().nominal_length_mm;
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    Started& started = tests[i];
+    if (i > 0 && started.started_s == tests[i - 1].started_s) {
+      throw Error(
+          fmt::format("{}: expected tests that started at different times, found the same DATE_STARTED in {} and {}.",
+                      folder.string(), files.session.tests.back().name, started.test.name));
+    }
+    for (const Recording& circle : started.test.circles) {
+      expect_nominal_length(circle, folder / started.test.name, files.session.nominal_length_mm);
+    }
+    started.test.elapsed_s = static_cast<double>(started.started_s - tests.front().started_s);
+    files.recordings.push_back({folder / started.test.name, i});
+    files.session.tests.push_back(std::move(started.test));
+  }
+  return files;
+}
+
+}  // namespace
+
+SessionFiles open_session(const fs::path& path, Readers readers) {
+  std::error_code error;
+  if (!fs::is_directory(path, error)) return planned_session(path, readers);
+  const fs::path plan = path / "session.toml";
+  return fs::exists(plan, error) ? planned_session(plan, readers) : session_of_folder(path, readers);
+}
+
+}  // namespace ballbar

@@ -1,0 +1,138 @@
+#include "ballbar/formats/text/file_bytes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <fstream>
+#include <random>
+#include <system_error>
+
+#include "ballbar/error.hpp"
+
+namespace ballbar {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int error) { return std::generic_category().message(error); }
+
+// A name beside `path` that nobody else has: the file is created by this call.
+fs::path temporary_beside(const fs::path& path) {
+  std::random_device random;
+  for (int attempt = 0;; ++attempt) {
+    fs::path temporary = path;
+    temporary.replace_filename(fmt::format(".{}.{:08x}", path.filename().string(), random()));
+    if (std::FILE* file = std::fopen(temporary.c_str(), "wbx")) {
+      std::fclose(file);
+      return temporary;
+    }
+    if (errno != EEXIST || attempt == 100) {
+      throw Error(fmt::format("{}: expected a folder to write to, found: {}.", path.string(), reason(errno)));
+    }
+  }
+}
+
+std::ifstream opened(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) {
+    throw Error(fmt::format("{}: expected a file, found nothing of that name.", path.string()));
+  }
+  if (status.type() == fs::file_type::directory) {
+    throw Error(fmt::format("{}: expected a file, found a directory.", path.string()));
+  }
+  if (status.type() == fs::file_type::none) {
+    throw Error(fmt::format("{}: expected a readable file, found: {}.", path.string(), error.message()));
+  }
+  // A pipe or a device may have no end.
+  if (status.type() != fs::file_type::regular) {
+    throw Error(fmt::format("{}: expected a regular file, found a pipe, device or socket.", path.string()));
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw Error(fmt::format("{}: expected a readable file, found: {}.", path.string(), reason(errno)));
+  return file;
+}
+
+void expect_whole(const std::ifstream& file, const fs::path& path) {
+  if (!file.bad()) return;
+  throw Error(fmt::format("{}: expected a readable file, found an error while reading.", path.string()));
+}
+
+}  // namespace
+
+std::string read_head(const fs::path& path, std::size_t most) {
+  std::ifstream file = opened(path);
+  std::string bytes(most, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(most));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  expect_whole(file, path);
+  return bytes;
+}
+
+std::string read_bytes(const fs::path& path, std::size_t limit) {
+  std::ifstream file = opened(path);
+  std::error_code error;
+  const auto fail_size = [&] {
+    throw Error(fmt::format("{}: expected at most {} MiB, found a larger file.", path.string(), limit >> 20));
+  };
+  const std::uintmax_t claimed = fs::file_size(path, error);
+  if (!error && claimed > limit) fail_size();
+  // The size may be wrong (a file that grows, or one the system makes up): read to the end whatever it says.
+  std::string bytes;
+  std::size_t used = 0;
+  std::size_t room = error ? 0 : static_cast<std::size_t>(claimed);
+  while (file) {
+    bytes.resize(used + room + 1);
+    file.read(bytes.data() + used, static_cast<std::streamsize>(bytes.size() - used));
+    used += static_cast<std::size_t>(file.gcount());
+    if (used > limit) fail_size();
+    room = std::size_t{1} << 16;
+  }
+  expect_whole(file, path);
+  bytes.resize(used);
+  return bytes;
+}
+
+void write_bytes(const fs::path& path, std::string_view bytes) {
+  write_through(path, [&](const fs::path& temporary) {
+    std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    if (!file)
+      throw Error(
+          fmt::format("{}: expected room to write {} bytes, found: {}.", path.string(), bytes.size(), reason(errno)));
+  });
+}
+
+void write_through(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+  std::error_code error;
+  const fs::file_type type = fs::status(path, error).type();
+  if (path.filename().empty() || type == fs::file_type::directory) {
+    throw Error(fmt::format("{}: expected the name of a file to write, found a directory.", path.string()));
+  }
+  // Renaming onto a device would replace the device.
+  if (type != fs::file_type::regular && type != fs::file_type::not_found) {
+    throw Error(fmt::format("{}: expected a regular file or a new name, found neither.", path.string()));
+  }
+  // A link stays a link; its target is replaced.
+  const fs::path target = type == fs::file_type::regular ? fs::canonical(path, error) : path;
+  if (error && type == fs::file_type::regular) {
+    throw Error(fmt::format("{}: expected a file that can be replaced, found: {}.", path.string(), error.message()));
+  }
+  const fs::path temporary = temporary_beside(target);
+  try {
+    write(temporary);
+    fs::rename(temporary, target);
+  } catch (const fs::filesystem_error& failed) {
+    fs::remove(temporary, error);
+    throw Error(
+        fmt::format("{}: expected a file that can be replaced, found: {}.", path.string(), failed.code().message()));
+  } catch (...) {
+    fs::remove(temporary, error);
+    throw;
+  }
+}
+
+}  // namespace ballbar

@@ -1,0 +1,157 @@
+#include "diagnosis/next_test/thermal_forecast.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "effects/low_pass.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::array kExponents{5.0 / 3.0, 1.0, 2.0};  // the first unless another leaves clearly less
+constexpr std::array kOfSpeed_s{0.0, 300.0, 1200.0, 3600.0, 10800.0};
+constexpr std::array kOfRoom_s{0.0, 1800.0, 7200.0, 21600.0};
+constexpr std::array kOfCoolant_s{0.0, 600.0, 3600.0};
+constexpr std::array kDecays_s{1800.0, 5400.0};
+constexpr std::size_t kMostRows = 400;  // that the gains are learned from
+constexpr Eigen::Index kFewest = 8;
+constexpr double kDamping = 1e-5;  // of a column's own square
+constexpr double kClearly = 0.9;
+constexpr int kMostSweeps = 2000;
+
+using Columns = std::vector<std::vector<double>>;
+
+void add_low_passes(Columns& columns, const std::vector<double>& time_s, const std::vector<double>& drive,
+                    std::span<const double> time_constants_s) {
+  for (const double tau_s : time_constants_s) {
+    if (drive.empty()) return;
+    columns.emplace_back(time_s.size());
+    low_pass(
+        time_s, [&](std::size_t i) { return drive[i]; }, tau_s, columns.back().data());
+  }
+}
+
+// All but the decays.
+Columns driven(const Drives& drives, double exponent) {
+  Columns columns{std::vector<double>(drives.time_s.size(), 1.0)};
+  std::vector<double> power;
+  for (const double rpm : drives.speed) power.push_back(std::pow(std::abs(rpm) / 1000.0, exponent));
+  add_low_passes(columns, drives.time_s, power, kOfSpeed_s);
+  add_low_passes(columns, drives.time_s, drives.room, kOfRoom_s);
+  add_low_passes(columns, drives.time_s, drives.coolant, kOfCoolant_s);
+  return columns;
+}
+
+Columns decays(const std::vector<double>& time_s) {
+  Columns columns;
+  for (const double tau_s : kDecays_s) {
+    columns.emplace_back();
+    for (const double t_s : time_s) columns.back().push_back(std::exp(-(t_s - time_s.front()) / tau_s));
+  }
+  return columns;
+}
+
+struct Solved {
+  Eigen::VectorXd gains;
+  double square = 0.0;  // sum of squares that is left
+};
+
+// Least squares with gains >= 0 in the columns after the first `free` ones, coordinate by coordinate. The first column
+// is ones. Damped by the square of each column about its mean, but for the ones.
+Solved solved(const Eigen::MatrixXd& x, const Eigen::VectorXd& y, Eigen::Index free) {
+  const Eigen::Index m = x.cols() - 1;
+  const Eigen::RowVectorXd mean = x.rightCols(m).colwise().mean();
+  const double level = y.mean();
+  Eigen::MatrixXd unit = x.rightCols(m).rowwise() - mean;
+  Eigen::VectorXd scale = unit.colwise().norm();
+  for (Eigen::Index k = 0; k < m; ++k) {
+    if (!(scale[k] > 1e-9)) scale[k] = std::numeric_limits<double>::infinity();  // nothing to learn
+    unit.col(k) /= scale[k];
+  }
+  Eigen::MatrixXd gram = unit.transpose() * unit;
+  gram.diagonal().array() += kDamping;
+  const Eigen::VectorXd along = unit.transpose() * (y.array() - level).matrix();
+  Eigen::VectorXd gains = Eigen::VectorXd::Zero(m);
+  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    double moved = 0.0;
+    for (Eigen::Index k = 0; k < m; ++k) {
+      double next = gains[k] + (along[k] - gram.row(k).dot(gains)) / gram(k, k);
+      if (k + 1 >= free) next = std::max(0.0, next);
+      moved = std::max(moved, std::abs(next - gains[k]));
+      gains[k] = next;
+    }
+    if (moved <= 1e-6 * gains.cwiseAbs().maxCoeff()) break;
+  }
+  Solved result;
+  result.gains.resize(m + 1);
+  result.gains.tail(m) = gains.cwiseQuotient(scale);
+  result.gains[0] = level - mean.dot(result.gains.tail(m));
+  result.square = (y - x * result.gains).squaredNorm();
+  return result;
+}
+
+Eigen::MatrixXd matrix_of(const Columns& columns, const std::vector<std::size_t>& rows) {
+  Eigen::MatrixXd result(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = columns[k][rows[i]];
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Forecast> forecasts_of(const Drives& drives, const std::vector<std::vector<double>>& values) {
+  std::vector<Columns> bases;
+  for (const double exponent : kExponents) bases.push_back(driven(drives, exponent));
+  Columns at_rest{std::vector<double>(drives.time_s.size(), 1.0)};
+  for (std::vector<double>& decay : decays(drives.time_s)) at_rest.push_back(std::move(decay));
+  std::vector<Forecast> result;
+  for (const std::vector<double>& column : values) {
+    std::vector<std::size_t> rows;
+    const std::size_t stride = 1 + column.size() / kMostRows;
+    std::size_t known = 0;
+    for (std::size_t row = 0; row < column.size(); ++row) {
+      if (std::isfinite(column[row]) && known++ % stride == 0) rows.push_back(row);
+    }
+    const Eigen::VectorXd y = matrix_of({column}, rows).col(0);
+    Forecast best;
+    best.gains = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bases.front().size()));
+    if (y.size() > 0) best.gains[0] = y.mean();
+    if (y.size() > 0 && y.maxCoeff() - y.minCoeff() < 1e-9) {
+      best.r2 = 1.0;
+    } else if (y.size() >= kFewest) {
+      const Eigen::MatrixXd free = matrix_of(at_rest, rows);
+      const double alone = solved(free, y, free.cols()).square;
+      for (std::size_t e = 0; e < bases.size(); ++e) {
+        const Eigen::MatrixXd drive = matrix_of(bases[e], rows).rightCols(best.gains.size() - 1);
+        Eigen::MatrixXd x(y.size(), free.cols() + drive.cols());
+        x << free, drive;
+        const Solved found = solved(x, y, free.cols());
+        const double r2 = 1.0 - found.square / alone;
+        if (!(1.0 - r2 < kClearly * (1.0 - best.r2)) || !found.gains.allFinite()) continue;
+        best.exponent = kExponents[e];
+        best.r2 = r2;
+        best.gains << found.gains[0], found.gains.tail(drive.cols());
+      }
+    }
+    result.push_back(std::move(best));
+  }
+  return result;
+}
+
+std::vector<double> predicted(const Forecast& forecast, const Drives& drives) {
+  const Columns columns = driven(drives, forecast.exponent);
+  std::vector<double> result(drives.time_s.size(), 0.0);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] += forecast.gains[static_cast<Eigen::Index>(k)] * columns[k][i];
+  }
+  return result;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,238 @@
+#include "diagnosis/search/subset_fits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/error.hpp"
+#include "numerics/orthonormal.hpp"
+#include "numerics/parallel.hpp"
+
+namespace ballbar {
+Hypotheses::Hypotheses(const Model& model, const Series& data, std::size_t target, const Fit& base,
+                       const SearchOptions& options)
+    : model_(model), data_(data), target_(target), progress_(options.progress), leftover_(leftover_of(base)) {
+  BankOptions searched;
+  searched.motion = options.motion;
+  searched.without = options.without;
+  bank_ = bank_of(options.catalogue, model, data, base, searched);
+}
+
+std::size_t Hypotheses::largest_set() const {
+  const auto n = static_cast<std::size_t>(leftover_.residual_um.size());
+  const auto p = static_cast<std::size_t>(leftover_.model.cols());
+  return n <= p ? 0 : std::min(kLargestSet, (n - p) / kValuesForAnEffect);
+}
+
+Eigen::MatrixXd Hypotheses::columns(const Set& set) const {
+  Eigen::Index width = 0;
+  for (const std::size_t index : set) width += at(index).width;
+  Eigen::MatrixXd result(bank_.columns.rows(), width);
+  Eigen::Index column = 0;
+  for (const std::size_t index : set) {
+    result.middleCols(column, at(index).width) = bank_.columns.middleCols(at(index).first, at(index).width);
+    column += at(index).width;
+  }
+  return result;
+}
+
+Projected Hypotheses::projected_by(const Noise& noise) const {
+  return projected(bank_, leftover_.residual_um, leftover_.model,
+                   Whitening(noise, leftover_.time_s, leftover_.sigma_um));
+}
+
+const Explained& evaluation_of(const Evaluations& known, Set set) {
+  std::sort(set.begin(), set.end());
+  return known.at(set);
+}
+
+Evaluations Hypotheses::evaluated(Evaluations known, const std::vector<Set>& sets, const Noise& start) const {
+  std::vector<Set> keys;
+  for (Set key : sets) {
+    std::sort(key.begin(), key.end());
+    const bool there = known.count(key) > 0 || std::find(keys.begin(), keys.end(), key) != keys.end();
+    if (!there) keys.push_back(std::move(key));
+  }
+  std::vector<Explained> found(keys.size());
+  in_parallel(keys.size(), [&](std::size_t i) { found[i] = explained(leftover_, columns(keys[i]), start); });
+  for (std::size_t i = 0; i < keys.size(); ++i) known.emplace(std::move(keys[i]), std::move(found[i]));
+  return known;
+}
+
+SubsetFit Hypotheses::fitted(Set set, Model model, const Noise& noise) const {
+  NoiseFit likely = noise_fit_by(noise, model, data_, target_);
+  return {std::move(set), std::move(model), std::move(likely), 0.0};
+}
+
+Term Hypotheses::term_at(std::size_t index) const {
+  Term term = term_of(*bound(index).effect, bound(index).columns);
+  for (std::size_t k = 0; k < term.settings.size(); ++k) {
+    if (term.effect->parameters[k].kind != ParameterKind::shape) continue;
+    Setting& setting = term.settings[k];
+    setting.start = std::clamp(at(index).point[k], setting.lower, setting.upper);
+    setting.stated = true;
+  }
+  return term;
+}
+
+SubsetFit Hypotheses::refitted(const Set& set, const Noise& noise) const {
+  Model model = model_;
+  for (const std::size_t index : set) model.terms.push_back(term_at(index));
+  return fitted(set, std::move(model), noise);
+}
+
+SubsetFit Hypotheses::refitted_from(const SubsetFit& near, const Set& set) const {
+  Model model = from_where_it_is(near.model, near.likely.fit);
+  std::vector<Term> shared(model.terms.begin() + static_cast<std::ptrdiff_t>(model_.terms.size()), model.terms.end());
+  model.terms.resize(model_.terms.size());
+  for (const std::size_t index : set) {
+    const auto at =
+        std::find_if(near.set.begin(), near.set.end(), [&](std::size_t other) { return bound(other) == bound(index); });
+    model.terms.push_back(at == near.set.end() ? term_at(index)
+                                               : shared[static_cast<std::size_t>(at - near.set.begin())]);
+  }
+  return fitted(set, std::move(model), near.likely.noise);
+}
+
+SubsetFit Hypotheses::without(const SubsetFit& whole, std::size_t place) const {
+  Set set = whole.set;
+  set.erase(set.begin() + static_cast<std::ptrdiff_t>(place));
+  Model model = from_where_it_is(whole.model, whole.likely.fit);
+  model.terms.erase(model.terms.begin() + static_cast<std::ptrdiff_t>(model_.terms.size() + place));
+  return fitted(std::move(set), std::move(model), whole.likely.noise);
+}
+
+FirstGuess first_guess(const Hypotheses& now, const Noise& base_noise, Evaluations known) {
+  Noise white = base_noise;
+  white.white_um =
+      std::sqrt(base_noise.white_um * base_noise.white_um + base_noise.correlated_um * base_noise.correlated_um);
+  white.correlated_um = 0.0;
+  std::vector<Noise> starts{base_noise};
+  if (base_noise.correlated_um > 0.0) starts.push_back(white);
+  if (now.has_few_rows() && !now.leftover().sigma_um.empty()) {
+    // What is stated, nothing more; all is judged by it.
+    starts = {Noise{}};
+    known = now.evaluated({}, {{}}, starts.front());
+  }
+  Set best;
+  double most = 2.0 * evaluation_of(known, best).log_likelihood;
+  for (std::size_t round = 0; round < kSearchRounds && !starts.empty(); ++round) {
+    const std::vector<Noise> from = std::move(starts);
+    starts.clear();
+    bool better = false;
+    for (const Noise& start : from) {
+      const Projected seen = now.projected_by(start);
+      // The best few of every size.
+      std::map<std::size_t, std::size_t> taken;
+      std::vector<Set> sets;
+      for (const Subset& subset : best_subsets(now.bank(), seen, nullptr, now.largest_set())) {
+        if (++taken[subset.signatures.size()] <= kBestOfEverySize) sets.push_back(subset.signatures);
+      }
+      known = now.evaluated(std::move(known), sets, start);
+      for (const Set& set : sets) {
+        const double value = 2.0 * evaluation_of(known, set).log_likelihood - kPrice * static_cast<double>(set.size());
+        if (value <= most + kClearlyMore) continue;
+        most = value;
+        best = set;
+        better = true;
+      }
+    }
+    if (better) starts.push_back(evaluation_of(known, best).noise);
+  }
+  return {std::move(best), std::move(known)};
+}
+
+std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& set) {
+  std::vector<Set> result;
+  for (std::size_t out = 0; out < set.size(); ++out) {
+    Set others = set;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(out));
+    Eigen::MatrixXd basis(seen.columns.rows(), 0);
+    for (const std::size_t index : others) {
+      Eigen::MatrixXd more(basis.rows(), basis.cols() + now.at(index).width);
+      more << basis, seen.columns.middleCols(now.at(index).first, now.at(index).width);
+      basis = std::move(more);
+    }
+    basis = orthonormal(basis);
+    const Eigen::VectorXd left = freed(seen.residual, basis);
+    const Eigen::VectorXd along = seen.columns.transpose() * left;
+    const Eigen::MatrixXd inside = basis.transpose() * seen.columns;
+    const auto gain = [&](std::size_t index) {
+      double sum = 0.0;
+      for (Eigen::Index j = now.at(index).first; j < now.at(index).first + now.at(index).width; ++j) {
+        const double survives = 1.0 - inside.col(j).squaredNorm();
+        if (survives > kSurvives) sum += along[j] * along[j] / survives;
+      }
+      return sum;
+    };
+    const double own = gain(set[out]);
+    std::vector<std::pair<double, Set>> places;
+    for (std::size_t f = 0; f < now.bank().families.size(); ++f) {
+      const Family& family = now.bank().families[f];
+      const bool there = std::any_of(set.begin(), set.end(), [&](std::size_t i) { return now.at(i).family == f; });
+      if (there && now.at(set[out]).family != f) continue;
+      std::size_t best = family.first;
+      for (std::size_t i = family.first; i < family.first + family.count; ++i) {
+        if (gain(i) > gain(best)) best = i;
+      }
+      if (!(gain(best) > 0.0) || gain(best) < kNearlyAsMuch * own - kWorthRefitting) continue;
+      Set swapped = others;
+      swapped.push_back(best);
+      places.emplace_back(gain(best), std::move(swapped));
+    }
+    std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    places.resize(std::min(places.size(), kMostSwaps));
+    for (auto& [value, swapped] : places) result.push_back(std::move(swapped));
+  }
+  return result;
+}
+
+std::vector<std::size_t> in_place_of(const Hypotheses& now, const SubsetFit& whole, std::size_t place,
+                                     const SearchNull& null) {
+  SubsetFit without;
+  try {
+    without = now.without(whole, place);
+  } catch (const Error&) {
+    return {};
+  }
+  const Leftover& leftover = without.likely.leftover;
+  const Whitening whitening(whole.likely.noise, leftover.time_s, leftover.sigma_um);
+  const Projected seen = projected(now.bank(), leftover.residual_um, leftover.model, whitening);
+  const Eigen::VectorXd score = scores(now.bank(), seen, seen.residual);
+  const auto net = [&](std::size_t index) {
+    return score[static_cast<Eigen::Index>(index)] - null.threshold(*now.bound(index).effect);
+  };
+  std::vector<std::size_t> best;
+  double own = 0.0;
+  for (std::size_t f = 0; f < now.bank().families.size(); ++f) {
+    const Family& family = now.bank().families[f];
+    std::size_t most = family.first;
+    for (std::size_t i = family.first; i < family.first + family.count; ++i) {
+      if (net(i) > net(most)) most = i;
+    }
+    if (now.at(whole.set[place]).family == f) own = net(most);
+    const bool there =
+        std::any_of(whole.set.begin(), whole.set.end(), [&](std::size_t i) { return now.at(i).family == f; });
+    if (!there) best.push_back(most);
+  }
+  std::stable_sort(best.begin(), best.end(), [&](std::size_t a, std::size_t b) { return net(a) > net(b); });
+  std::size_t taken = 0;
+  while (taken < std::min(best.size(), kMostInPlace) && net(best[taken]) > kNearlyAsMuch * own - kWorthRefitting)
+    ++taken;
+  best.resize(taken);
+  return best;
+}
+
+bool has(const Hypotheses& now, const Set& set, const BoundEffect& bound) {
+  return std::any_of(set.begin(), set.end(), [&](std::size_t index) { return now.bound(index) == bound; });
+}
+
+bool is_without(const Hypotheses& now, const Set& set, const Set& whole, std::size_t place) {
+  if (set.size() + 1 != whole.size()) return false;
+  for (std::size_t k = 0; k < whole.size(); ++k) {
+    if (k != place && !has(now, set, now.bound(whole[k]))) return false;
+  }
+  return true;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,239 @@
+#include "diagnosis/signatures/signature_library.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/model/measured_input.hpp"
+#include "effects/effect_at.hpp"
+#include "model/bindings.hpp"
+#include "noise/whitening.hpp"
+#include "numerics/orthonormal.hpp"
+#include "numerics/parallel.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kMostOnsets = 400;
+constexpr std::size_t kMostPeriods = 200;
+constexpr std::size_t kMostWaves = 400;  // of one shape on recordings
+
+bool is_constant(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return !(*high > *low);
+}
+
+bool is_whole(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+// One column a gain, at the rows of the fit; none where a value is not finite or nothing varies.
+std::vector<Eigen::VectorXd> gains_of(const Effect& effect, const EffectRows& inputs, const std::vector<double>& point,
+                                      const std::vector<std::size_t>& rows) {
+  std::vector<Eigen::VectorXd> gains;
+  const Eigen::MatrixXd columns = effect_at(effect, inputs, point, rows).gains(effect);
+  for (const auto& column : columns.colwise()) {
+    if (!column.allFinite() || column.maxCoeff() - column.minCoeff() < 1e-12) continue;
+    gains.emplace_back(column);
+  }
+  return gains;
+}
+
+std::size_t gain_count(const Effect& effect) {
+  return static_cast<std::size_t>(
+      std::count_if(effect.parameters.begin(), effect.parameters.end(),
+                    [](const Parameter& parameter) { return parameter.kind == ParameterKind::gain; }));
+}
+
+// With this shape it is another effect of its first input.
+bool is_same_as_input(const Effect& effect, const EffectRows& inputs, const std::vector<std::size_t>& rows,
+                      const Eigen::VectorXd& gain) {
+  if (!effect.rules.same_as_input) return false;
+  Eigen::VectorXd input(gain.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) input[static_cast<Eigen::Index>(i)] = inputs.inputs[0][rows[i]];
+  const Eigen::VectorXd a = input.array() - input.mean(), b = gain.array() - gain.mean();
+  return std::abs(a.dot(b)) > *effect.rules.same_as_input * a.norm() * b.norm();
+}
+
+std::vector<double> onsets(const EffectRows& rows, std::size_t most) {
+  std::vector<double> grid;
+  const std::size_t n = rows.time_s.size();
+  const std::size_t stride = 1 + n / most;
+  for (std::size_t row = std::max<std::size_t>(1, stride / 2); row < n; row += stride) {
+    grid.push_back(0.5 * (rows.time_s[row] + rows.time_s[row - 1]));
+  }
+  return grid;
+}
+
+}  // namespace
+
+BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& names, const Series& data) {
+  BoundInputs bound;
+  bound.rows.time_s = data.time_s;
+  std::size_t still = 0;
+  bool whole = true;
+  for (const std::string& name : names) {
+    const Column& column = *find_column(data, name);
+    bound.values.push_back(effect.level == Level::series ? input_values(data, column) : column.values);
+    const std::vector<double>& values = bound.values.back();
+    bound.has_gaps = bound.has_gaps || !is_whole(values);
+    whole = whole && is_whole(values);
+    if (effect.level == Level::series && is_constant(values)) still += column.role == Role::speed ? names.size() : 1;
+  }
+  bound.usable = whole && still == 0;
+  bound.is_half = whole && still > 0 && still < names.size();
+  for (const std::vector<double>& values : bound.values) bound.rows.inputs.emplace_back(values);
+  return bound;
+}
+
+std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows, const BankOptions& options) {
+  std::vector<double> first;
+  for (const Parameter& parameter : effect.parameters) {
+    first.push_back(parameter.kind == ParameterKind::gain ? 0.0 : parameter.start);
+  }
+  std::vector<std::vector<double>> points{first};
+  for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
+    const Parameter& parameter = effect.parameters[k];
+    if (parameter.kind == ParameterKind::gain || (parameter.held && parameter.grid.empty())) continue;
+    const std::size_t most = effect.level == Level::series ? kMostPeriods : kMostWaves;
+    std::vector<double> grid = grid_of(parameter, rows, parameter.lower, parameter.upper, most);
+    if (parameter.shape_of == ShapeOf::onset) grid = onsets(rows, options.every_onset ? kMostOnsets : 7);
+    if (parameter.unit == "Hz") std::erase_if(grid, [&](double f) { return f > options.highest_Hz; });
+    if (grid.empty()) continue;
+    std::vector<std::vector<double>> more;
+    for (const std::vector<double>& point : points) {
+      for (const double value : grid) {
+        more.push_back(point);
+        more.back()[k] = value;
+      }
+    }
+    points = std::move(more);
+  }
+  return points;
+}
+
+namespace {
+
+// An effect on columns, with the columns of each of its shapes.
+struct Shaped {
+  Family family;
+  BoundInputs bound;
+  std::vector<std::vector<double>> points;
+  std::vector<std::vector<Eigen::VectorXd>> gains;  // of each point
+};
+
+std::vector<Shaped> shaped_of(const Catalogue& catalogue, const Model& model, const Series& data,
+                              const BankOptions& options) {
+  std::vector<Shaped> result;
+  for (const auto& effect : catalogue) {
+    if (effect->level != model.level || effect->rules.is_base) continue;
+    if (options.motion && !applies_to(*effect, *options.motion)) continue;
+    if (std::find(options.without.begin(), options.without.end(), effect->name) != options.without.end()) continue;
+    for (std::vector<std::string>& names : bindings_of(*effect, model, data)) {
+      if (has_term(model, *effect, names) && !effect->rules.may_repeat) continue;
+      BoundInputs bound = inputs_of(*effect, names, data);
+      if (!bound.usable && !bound.is_half) continue;
+      Shaped one{{{effect.get(), std::move(names)}, 0, 0}, std::move(bound), {}, {}};
+      one.points = shapes_of(*effect, one.bound.rows, options);
+      one.gains.resize(one.points.size());
+      result.push_back(std::move(one));
+    }
+  }
+  return result;
+}
+
+void evaluate(std::vector<Shaped>& all, const std::vector<std::size_t>& rows) {
+  std::vector<std::pair<Shaped*, std::size_t>> parts;
+  for (Shaped& one : all) {
+    for (std::size_t i = 0; i < one.points.size(); ++i) parts.emplace_back(&one, i);
+  }
+  in_parallel(parts.size(), [&](std::size_t k) {
+    auto& [one, i] = parts[k];
+    const Effect& effect = *one->family.bound.effect;
+    std::vector<Eigen::VectorXd> gains = gains_of(effect, one->bound.rows, one->points[i], rows);
+    if (gains.empty() || is_same_as_input(effect, one->bound.rows, rows, gains.front())) return;
+    if (one->bound.is_half && gains.size() < gain_count(effect)) return;
+    one->gains[i] = std::move(gains);
+  });
+}
+
+}  // namespace
+
+Bank bank_of(const Catalogue& catalogue, const Model& model, const Series& data, const Fit& fit, BankOptions options) {
+  for (std::size_t i = 1; i < fit.time_s.size(); ++i) {
+    // The shortest step: one above half that rate would pass for a slow one.
+    options.highest_Hz = i == 1 ? 0.5 / (fit.time_s[1] - fit.time_s[0])
+                                : std::max(options.highest_Hz, 0.5 / (fit.time_s[i] - fit.time_s[i - 1]));
+  }
+  std::vector<Shaped> all = shaped_of(catalogue, model, data, options);
+  evaluate(all, fit.row);
+  Bank bank;
+  std::vector<Eigen::VectorXd> columns;
+  for (Shaped& one : all) {
+    one.family.first = bank.signatures.size();
+    for (std::size_t i = 0; i < one.points.size(); ++i) {
+      std::vector<Eigen::VectorXd>& gains = one.gains[i];
+      if (gains.empty()) continue;
+      Signature signature{bank.families.size(), std::move(one.points[i]), static_cast<Eigen::Index>(columns.size()),
+                          static_cast<Eigen::Index>(gains.size()), gains.front().maxCoeff() - gains.front().minCoeff()};
+      for (Eigen::VectorXd& gain : gains) columns.push_back(std::move(gain));
+      bank.signatures.push_back(std::move(signature));
+      ++one.family.count;
+    }
+    if (one.family.count > 0) bank.families.push_back(std::move(one.family));
+  }
+  bank.columns.resize(static_cast<Eigen::Index>(fit.row.size()), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) bank.columns.col(static_cast<Eigen::Index>(k)) = columns[k];
+  return bank;
+}
+
+Projected projected(const Bank& bank, const Eigen::VectorXd& residual_um, const Eigen::MatrixXd& basis,
+                    const Whitening& whitening) {
+  constexpr std::size_t kTogether = 64;  // signatures
+  Projected result;
+  result.model = orthonormal(whitened(whitening, basis));
+  result.residual = freed(Eigen::VectorXd(whitened(whitening, residual_um)), result.model);
+  result.columns.resize(bank.columns.rows(), bank.columns.cols());
+  const std::size_t count = bank.signatures.size();
+  result.share.resize(count);
+  result.norm.resize(count);
+  in_parallel((count + kTogether - 1) / kTogether, [&](std::size_t batch) {
+    const std::size_t begin = batch * kTogether, end = std::min(count, begin + kTogether);
+    const Signature &front = bank.signatures[begin], &back = bank.signatures[end - 1];
+    const Eigen::Index first = front.first, width = back.first + back.width - first;
+    const Eigen::MatrixXd all = whitened(whitening, bank.columns.middleCols(first, width));
+    result.columns.middleCols(first, width) = freed(all, result.model);
+    for (std::size_t k = begin; k < end; ++k) {
+      const Signature& signature = bank.signatures[k];
+      const Eigen::MatrixXd own = all.middleCols(signature.first - first, signature.width);
+      const Eigen::RowVectorXd before = own.colwise().squaredNorm();
+      const Eigen::RowVectorXd left =
+          orthonormalise(result.columns.middleCols(signature.first, signature.width), before, kNothingLeft);
+      result.norm[k] = std::sqrt(left[0]);
+      result.share[k] = 1.0;
+      for (Eigen::Index j = 0; j < signature.width; ++j) {
+        result.share[k] = std::min(result.share[k], before[j] > 0.0 ? left[j] / before[j] : 0.0);
+      }
+    }
+  });
+  return result;
+}
+
+double detectable_um(const Bank& bank, const Projected& projected, std::size_t signature, double d) {
+  if (projected.share[signature] < kAbsorbed) return std::numeric_limits<double>::infinity();
+  return d * bank.signatures[signature].range_um / projected.norm[signature];
+}
+
+Eigen::VectorXd scores(const Bank& bank, const Projected& projected, const Eigen::VectorXd& residual) {
+  const Eigen::VectorXd along = projected.columns.transpose() * residual;
+  Eigen::VectorXd result(static_cast<Eigen::Index>(bank.signatures.size()));
+  for (std::size_t k = 0; k < bank.signatures.size(); ++k) {
+    const Signature& signature = bank.signatures[k];
+    result[static_cast<Eigen::Index>(k)] = along.segment(signature.first, signature.width).squaredNorm();
+  }
+  return result;
+}
+
+}  // namespace ballbar

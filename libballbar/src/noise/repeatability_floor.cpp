@@ -1,0 +1,158 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "ballbar/noise/noise.hpp"
+#include "ballbar/series/speed_steps.hpp"
+#include "ballbar/units.hpp"
+#include "noise/kalman.hpp"
+#include "numerics/interpolation.hpp"
+#include "series/standstill.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kFewestOfRepeat = 8, kFewestOfStandstill = 20;
+// Fewer residuals are taken as white, and their innovations are the residual itself: it would be its own floor.
+constexpr std::size_t kFewestOfResidual = 30;
+constexpr double kShortestStandstill_s = 600.0;
+constexpr double kRest_s = 7200.0;
+constexpr double kSameSpeed = 0.02;   // of the largest
+constexpr double kSameLength = 0.1;   // of the longer
+constexpr double kPassedOver = 1.25;  // times the residual's noise
+
+struct Stretch {
+  double before_rpm = 0.0, speed_rpm = 0.0;
+  std::span<const double> time_s, target_um;
+  double length_s() const { return time_s.back() - time_s.front(); }
+};
+
+struct Repeats {
+  double squares = 0.0, variances = 0.0;  // of the differences; expected of them for a target of variance 1
+  std::size_t pairs = 0;
+};
+
+// Difference of `b` to `a` at a's times since the start, about its mean. A value between two rows of b at `share` of
+// the way scatters less than one: (1 - share)^2 + share^2.
+void compare(const Stretch& a, const Stretch& b, Repeats& repeats) {
+  std::vector<double> since_s(b.time_s.begin(), b.time_s.end());
+  for (double& time : since_s) time -= b.time_s.front();
+  std::vector<double> apart;
+  double expected = 0.0;
+  for (std::size_t i = 0; i < a.time_s.size(); ++i) {
+    const std::optional<Place> place = place_of(since_s, a.time_s[i] - a.time_s.front());
+    if (!place) break;
+    apart.push_back(a.target_um[i] - value_at(b.target_um, *place));
+    expected += 1.0 + (1.0 - place->share) * (1.0 - place->share) + place->share * place->share;
+  }
+  if (apart.size() < kFewestOfRepeat) return;
+  const auto n = static_cast<double>(apart.size());
+  double mean = 0.0;
+  for (const double value : apart) mean += value / n;
+  for (const double value : apart) repeats.squares += (value - mean) * (value - mean);
+  repeats.variances += expected * (n - 1.0) / n;
+  ++repeats.pairs;
+}
+
+std::optional<Floor> of_repeats(const std::vector<Stretch>& stretches, double largest_rpm) {
+  const auto same = [&](double a, double b) { return std::abs(a - b) <= kSameSpeed * largest_rpm; };
+  Repeats repeats;
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    for (std::size_t j = i + 1; j < stretches.size(); ++j) {
+      const Stretch &a = stretches[i], &b = stretches[j];
+      const double longer_s = std::max(a.length_s(), b.length_s());
+      if (!same(a.speed_rpm, b.speed_rpm) || !same(a.before_rpm, b.before_rpm)) continue;
+      if (std::abs(a.length_s() - b.length_s()) > kSameLength * longer_s) continue;
+      compare(a, b, repeats);
+    }
+  }
+  if (repeats.pairs == 0) return std::nullopt;
+  return Floor{std::sqrt(repeats.squares / repeats.variances),
+               repeats.pairs == 1 ? "a pair of repeats" : fmt::format("{} pairs of repeats", repeats.pairs)};
+}
+
+// Rms about a straight line, n - 2 degrees of freedom.
+double rms_about_line(std::span<const double> time_s, std::span<const double> target_um) {
+  const auto n = static_cast<double>(time_s.size());
+  double time = 0.0, target = 0.0;
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    time += time_s[i] / n;
+    target += target_um[i] / n;
+  }
+  double tt = 0.0, ty = 0.0, yy = 0.0;
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    const double t = time_s[i] - time, y = target_um[i] - target;
+    tt += t * t;
+    ty += t * y;
+    yy += y * y;
+  }
+  return std::sqrt(std::max(0.0, yy - ty * ty / tt) / (n - 2.0));
+}
+
+std::optional<Floor> of_standstill(const std::vector<SpeedStep>& steps, double largest_rpm,
+                                   std::span<const double> time_s, std::span<const double> target_um) {
+  std::size_t begin = 0, end = 0;
+  for (const SpeedStep& step : steps) {
+    if (!at_rest(step.speed_rpm, largest_rpm)) continue;
+    std::size_t first = step.begin;
+    while (first < step.end && time_s[first] < time_s[step.begin] + kRest_s) ++first;
+    if (step.end - first < kFewestOfStandstill || time_s[step.end - 1] - time_s[first] < kShortestStandstill_s)
+      continue;
+    if (end == 0 || time_s[step.end - 1] - time_s[first] > time_s[end - 1] - time_s[begin]) {
+      begin = first;
+      end = step.end;
+    }
+  }
+  if (end == 0) return std::nullopt;
+  return Floor{
+      rms_about_line(time_s.subspan(begin, end - begin), target_um.subspan(begin, end - begin)),
+      fmt::format("standstill from {:.0f} to {:.0f} min", min_from_s(time_s[begin]), min_from_s(time_s[end - 1]))};
+}
+
+std::optional<Floor> of_innovations(const Noise& noise, std::span<const double> time_s,
+                                    std::span<const double> sigma_um) {
+  if (time_s.size() < kFewestOfResidual) return std::nullopt;
+  Kalman kalman(time_s, sigma_um);
+  kalman.set({noise.white_um * noise.white_um, noise.correlated_um * noise.correlated_um, noise.correlation_time_s});
+  return Floor{std::sqrt(kalman.weight().inverse().mean()), "innovations of the residual"};
+}
+
+}  // namespace
+
+Floor floor_of(std::span<const double> time_s, std::span<const double> target_um, std::span<const double> sigma_um,
+               std::span<const double> speed_rpm, const Noise& residual_noise) {
+  if (time_s.empty()) return {};
+  double stated_um2 = 0.0;
+  for (const double sigma : sigma_um) stated_um2 += sigma * sigma / static_cast<double>(sigma_um.size());
+  const double all_um = std::sqrt(residual_noise.white_um * residual_noise.white_um +
+                                  residual_noise.correlated_um * residual_noise.correlated_um + stated_um2);
+  const auto plausible = [&](const std::optional<Floor>& floor) {
+    return floor && floor->rms_um <= kPassedOver * all_um;
+  };
+
+  std::optional<Floor> floor;
+  if (!speed_rpm.empty()) {
+    const Column speed{"speed_rpm", Role::speed, {speed_rpm.begin(), speed_rpm.end()}};
+    const std::vector<SpeedStep> steps = speed_steps({time_s.begin(), time_s.end()}, speed);
+    const double largest_rpm = largest_of(speed.values);
+    std::vector<Stretch> stretches;  // the first one starts from what nobody knows, the last one ends in nothing
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+      const std::size_t n = steps[i].end - steps[i].begin;
+      if (n < kFewestOfRepeat) continue;
+      stretches.push_back({steps[i - 1].speed_rpm, steps[i].speed_rpm, time_s.subspan(steps[i].begin, n),
+                           target_um.subspan(steps[i].begin, n)});
+    }
+    floor = of_repeats(stretches, largest_rpm);
+    if (!plausible(floor)) floor = of_standstill(steps, largest_rpm, time_s, target_um);
+    if (!plausible(floor)) floor = std::nullopt;
+  }
+  if (!floor) floor = of_innovations(residual_noise, time_s, sigma_um);
+  const double stated_um = std::sqrt(stated_um2);
+  if (stated_um > 0.0 && (!floor || floor->rms_um <= stated_um)) return {stated_um, "sigma of the circle fits"};
+  return floor.value_or(Floor{});
+}
+
+}  // namespace ballbar
