@@ -68,17 +68,17 @@ int main(int argc, char** argv) {
     app.exit(help);
     std::cout.flush();
   } catch (const CLI::ParseError& error) {
-    ballbar::remark(fmt::format("ballbar: {}", told(app, error, argc, argv)));
+    ballbar::stderr_line(fmt::format("ballbar: {}", told(app, error, argc, argv)));
     return 2;
   } catch (const ballbar::Error& error) {
-    ballbar::remark(fmt::format("ballbar: {}", error.what()));
+    ballbar::stderr_line(fmt::format("ballbar: {}", error.what()));
     return 1;
   } catch (const std::exception& error) {  // out of memory, a full disk
-    ballbar::remark(fmt::format("ballbar: {}", error.what()));
+    ballbar::stderr_line(fmt::format("ballbar: {}", error.what()));
     return 1;
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {
-    ballbar::remark(
+    ballbar::stderr_line(
         fmt::format("ballbar: the results could not be written to the standard output: {}", std::strerror(errno)));
     return 1;
   }

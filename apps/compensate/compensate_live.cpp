@@ -65,14 +65,14 @@ class Told {
   }
 
   void sum() const {
-    if (told_ > kMostTold) remark(fmt::format("... and {} more changes", told_ - kMostTold));
+    if (told_ > kMostTold) stderr_line(fmt::format("... and {} more changes", told_ - kMostTold));
     for (std::size_t a = 0; a < axes_.size(); ++a) {
       const std::string held = held_text(axes_[a].rows);
       const std::size_t rows = std::accumulate(axes_[a].rows.begin(), axes_[a].rows.end(), std::size_t{0});
       const Compensator& axis = machine_.axis(a);
-      remark(fmt::format("{}: {} rows, offset {} um at the end{}{}", machine_.name(a), rows,
-                         fixed(static_cast<double>(axis.state().counts) * axis.state().resolution_um, 3),
-                         held.empty() ? "" : "; held ", held));
+      stderr_line(fmt::format("{}: {} rows, offset {} um at the end{}{}", machine_.name(a), rows,
+                              fixed(static_cast<double>(axis.state().counts) * axis.state().resolution_um, 3),
+                              held.empty() ? "" : "; held ", held));
     }
   }
 
@@ -87,15 +87,15 @@ class Told {
     const std::string& name = machine_.name(a);
     const std::string when = std::isfinite(time_s) ? fmt::format(" at {} s", time_s) : "";
     if (offset.hold == Hold::none) {
-      remark(fmt::format("{}: goes on{}", name, when));
+      stderr_line(fmt::format("{}: goes on{}", name, when));
       return;
     }
     const std::string column =
         is_about_a_column(offset.hold) ? " of " + shortened(machine_.axis(a).columns()[offset.column], 60) : "";
     const bool slow = offset.hold == Hold::clock_gap;
-    remark(fmt::format("{}: held{}, {}{}; the offset stays {} um{}", name, when, name_of(offset.hold), column,
-                       fixed(offset.offset_um, 3),
-                       slow ? fmt::format(" (rows more than --gap-s {:g} apart)", gap_s_) : ""));
+    stderr_line(fmt::format("{}: held{}, {}{}; the offset stays {} um{}", name, when, name_of(offset.hold), column,
+                            fixed(offset.offset_um, 3),
+                            slow ? fmt::format(" (rows more than --gap-s {:g} apart)", gap_s_) : ""));
   }
 
   const CompensatedAxes& machine_;
@@ -111,7 +111,7 @@ void say_unranged(const std::vector<CompensatedAxis>& axes, const CompensatedAxe
                          [&](const ColumnRange& range) { return range.column == column; });
     });
     if (!ranged) {
-      remark(fmt::format("{} has no trained range: it is believed however far it goes", shortened(column, 60)));
+      stderr_line(fmt::format("{} has no trained range: it is believed however far it goes", shortened(column, 60)));
     }
   }
 }
@@ -144,7 +144,7 @@ void compensate_live(const CompensationOptions& options, const LiveOptions& live
   LiveRows rows(name, wanted);
   std::optional<SignalsPlace> place = source.place();
   std::uint64_t known = state.bytes_of(place);
-  if (state.resumed()) remark(fmt::format("goes on from {}", options.state));
+  if (state.resumed()) stderr_line(fmt::format("goes on from {}", options.state));
   say_unranged(axes, machine);
   Told told(machine, limits.gap_s);
   fmt::memory_buffer out;
@@ -176,7 +176,7 @@ void compensate_live(const CompensationOptions& options, const LiveOptions& live
     const std::string_view piece = source.read();
     if (piece.empty()) {
       if (g_stop != 0 || !source.reopened()) break;
-      remark(fmt::format("{}: goes on with the file that has its name now", name));
+      stderr_line(fmt::format("{}: goes on with the file that has its name now", name));
       rows = LiveRows(name, wanted);
       place = source.place();
       known = 0;

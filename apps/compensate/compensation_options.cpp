@@ -171,7 +171,7 @@ void KeptState::keep(const CompensatedAxes& machine, const std::optional<Signals
     failed_ = false;
   } catch (const Error& error) {
     if (!written_) throw;
-    if (!failed_) remark(fmt::format("{} It goes on without.", error.what()));
+    if (!failed_) stderr_line(fmt::format("{} It goes on without.", error.what()));
     failed_ = true;
   }
 }

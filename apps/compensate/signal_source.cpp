@@ -73,7 +73,8 @@ void SignalSource::wait(double& waited_s) const {
   const double before_s = waited_s;
   waited_s += 1e-3 * kPause_ms;
   if (before_s <= silence_s_ && waited_s > silence_s_) {
-    remark(fmt::format("{}: no row for {:g} s; the offsets stay", name_ == "-" ? "standard input" : name_, silence_s_));
+    stderr_line(
+        fmt::format("{}: no row for {:g} s; the offsets stay", name_ == "-" ? "standard input" : name_, silence_s_));
   }
 }
 

@@ -38,7 +38,7 @@ struct Story {
   std::string bytes;
   Model model;                  // opened: with the circles of recordings, with the target chosen
   std::size_t not_in_file = 0;  // terms at the front of the model that the file does not name
-  std::vector<Trial> trials;
+  std::vector<EffectTest> effect_tests;
 };
 
 Story story_of(const Options& options, const ModelData& data) {
@@ -56,11 +56,11 @@ Story story_of(const Options& options, const ModelData& data) {
 void add_terms(const Options& options, const ModelData& data, const std::vector<Term>& terms, const Diagnosis* named,
                Story& story) {
   const ModelOptions& how = options.effect.model;
-  Trial tried = with_source(how.data.front(), [&] { return trial(story.model, terms, data.series); });
+  EffectTest tried = with_source(how.data.front(), [&] { return effect_test(story.model, terms, data.series); });
   std::vector<std::size_t> removed;
   if (options.prune) {
     Pruned smaller = with_source(how.data.front(), [&] { return pruned(std::move(tried), data.series); });
-    tried = std::move(smaller.trial);
+    tried = std::move(smaller.effect_test);
     for (const std::size_t term : smaller.removed) removed.push_back(term - story.not_in_file);
   }
   if (named != nullptr) {
@@ -68,14 +68,14 @@ void add_terms(const Options& options, const ModelData& data, const std::vector<
     tried.after.threshold = 0.0;
     for (const Candidate& candidate : named->candidates) {
       if (std::find(named->named.begin(), named->named.end(), candidate.bound) == named->named.end()) continue;
-      tried.after.threshold += std::max(kFewestEvidence, candidate.threshold);  // what a search shows by chance
+      tried.after.threshold += std::max(kLeastLikelihoodRatio, candidate.threshold);  // what a search shows by chance
     }
   }
   tried.before.data = tried.after.data = how.data;
   story.bytes = with_revision(story.bytes, how.model, terms, removed, tried.before, tried.after);
   tried.after.revision = read_ledger(story.bytes, how.model).size() - 1;
   story.model = tried.model;
-  story.trials.push_back(std::move(tried));
+  story.effect_tests.push_back(std::move(tried));
 }
 
 // A new effect may not read what the file is to explain beside the target chosen here.
@@ -133,7 +133,7 @@ Term as_diagnosed(const BoundEffect& bound, const Diagnosis& diagnosis) {
 // Effects that diagnose() names, until it names none. Returns why it stopped.
 std::string add_named(const Options& options, const ModelData& data, Story& story, Verdict& verdict) {
   while (true) {
-    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "searching, {} revisions so far\n", story.trials.size());
+    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "searching, {} revisions so far\n", story.effect_tests.size());
     DiagnosisOptions how;
     how.search.motion = data.motion;
     const Diagnosis diagnosis =
@@ -145,31 +145,31 @@ std::string add_named(const Options& options, const ModelData& data, Story& stor
       terms.push_back(as_diagnosed(bound, diagnosis));
     }
     add_terms(options, data, terms, &diagnosis, story);
-    if (story.trials.size() < kMostAdditions) continue;
+    if (story.effect_tests.size() < kMostAdditions) continue;
     return fmt::format("Stopped after {} revisions: a model that grows further fits these data alone.", kMostAdditions);
   }
 }
 
-std::string unneeded_text(const Trial& tried) {
+std::string unneeded_text(const EffectTest& tried) {
   const std::vector<std::string>& labels = tried.after.no_longer_needed;
   if (labels.empty()) return "";
   return fmt::format("{} {} no longer needed (p to stay {} or more): --prune takes {} out.", fmt::join(labels, ", "),
-                     labels.size() == 1 ? "is" : "are", kStays, labels.size() == 1 ? "it" : "them");
+                     labels.size() == 1 ? "is" : "are", kDropTest, labels.size() == 1 ? "it" : "them");
 }
 
 void print_text(const Story& story, const std::vector<LedgerRow>& rows, const std::string& stopped,
                 const std::string& title) {
   fmt::print("{}\n\n", title);
-  for (const Trial& tried : story.trials) {
+  for (const EffectTest& tried : story.effect_tests) {
     fmt::print("{}", wrapped(sentence(tried.after, &tried.before)));
     if (tried.after.verdict != "named") fmt::print("{}", wrapped(conclusion(tried)));
     const std::string unneeded = unneeded_text(tried);
     if (!unneeded.empty()) fmt::print("{}", wrapped(unneeded));
   }
-  if (!stopped.empty()) fmt::print("{}{}", story.trials.empty() ? "" : "\n", wrapped(stopped));
+  if (!stopped.empty()) fmt::print("{}{}", story.effect_tests.empty() ? "" : "\n", wrapped(stopped));
   if (rows.empty()) return;
   fmt::print("\nFamily-wise error spent: {}.\n", family_wise_text(family_wise_error(rows)));
-  if (!story.trials.empty()) fmt::print("\n{}", tables(story.trials.back()));
+  if (!story.effect_tests.empty()) fmt::print("\n{}", tables(story.effect_tests.back()));
 }
 
 void run(Options options) {
@@ -188,30 +188,30 @@ void run(Options options) {
   }
   expect_file_suits(options, data, story.bytes);
   const std::vector<LedgerRow> rows = read_ledger(story.bytes, how.model);
-  if (!story.trials.empty()) write_bytes(out, story.bytes);
+  if (!story.effect_tests.empty()) write_bytes(out, story.bytes);
   if (options.effect.json) {
     nlohmann::ordered_json json;
     json["rows"] = nlohmann::ordered_json::array();
     json["revisions"] = nlohmann::ordered_json::array();
-    for (const Trial& tried : story.trials) {
+    for (const EffectTest& tried : story.effect_tests) {
       json["rows"].push_back(json_of(tried.after, &tried.before));
       json["revisions"].push_back(json_of(tried));
     }
     if (options.automatic) json["stopped"] = {{"verdict", name_of(verdict)}, {"text", stopped}};
     json["family_wise_error"] = family_wise_error(rows);
-    json["written"] = story.trials.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(out);
+    json["written"] = story.effect_tests.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(out);
     fmt::print("{}\n", json.dump(2));
   } else {
     print_text(story, rows, stopped, data.title);
   }
-  if (story.trials.empty()) {
+  if (story.effect_tests.empty()) {
     fmt::print(stderr, "nothing added, nothing written\n");
     return;
   }
   const std::vector<std::string> targets = read_model(story.bytes, how.model).targets;
   if (targets.size() > 1) {
     fmt::print(stderr, "the effects of {} hold for all its targets, {}; the row is of {}\n", out,
-               fmt::join(targets, ", "), story.trials.back().after.target);
+               fmt::join(targets, ", "), story.effect_tests.back().after.target);
   }
   fmt::print(stderr, "wrote {}\n", out);
 }

@@ -31,13 +31,13 @@ struct Options {
 
 Table candidate_table(const Diagnosis& found) {
   Table table(
-      {"candidate", "amplitude um", "RMSE um", "held out um", "evidence", "needed", "by chance", "not told from"});
+      {"candidate", "amplitude um", "RMSE um", "held out um", "2 ln LR", "needed", "by chance", "not told from"});
   const int decimals = decimals_of(found.base.rmse_um);
   std::vector<const Candidate*> order;
   for (const Candidate& candidate : found.candidates) order.push_back(&candidate);
   std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) {
     if (a->in_best_set != b->in_best_set) return a->in_best_set;
-    return a->evidence > b->evidence;
+    return a->likelihood_ratio > b->likelihood_ratio;
   });
   const auto number_of = [&](const std::string& label) -> std::size_t {  // 0: not in the table
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -61,7 +61,7 @@ Table candidate_table(const Diagnosis& found) {
          fmt::format("{:.{}f}", candidate.rmse_after_um, decimals + 1),
          fmt::format("{:.{}f} -> {:.{}f}", candidate.held_out_before_um, decimals, candidate.held_out_after_um,
                      decimals),
-         fmt::format("{:.0f}", candidate.evidence), fmt::format("{:.0f}", candidate.threshold),
+         fmt::format("{:.0f}", candidate.likelihood_ratio), fmt::format("{:.0f}", candidate.threshold),
          chance_text(candidate.p_search), same.empty() ? "-" : fmt::format("{}", fmt::join(same, ", "))});
   }
   return table;
@@ -70,7 +70,7 @@ Table candidate_table(const Diagnosis& found) {
 Table goes_with_table(const Diagnosis& found) {
   Table table({"it goes with", "amplitude um", "RMSE um", "held out um"});
   const int decimals = decimals_of(found.base.rmse_um);
-  for (const Candidate& candidate : found.goes_with) {
+  for (const Candidate& candidate : found.associations) {
     table.add({shortened(label_of(candidate.bound), 60),
                with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, decimals),
                fmt::format("{:.{}f} -> {:.{}f}", found.base.rmse_um, decimals, candidate.rmse_after_um, decimals),
@@ -81,12 +81,13 @@ Table goes_with_table(const Diagnosis& found) {
 }
 
 std::string untestable_text(const Diagnosis& found) {
-  std::vector<Prospect> untestable;
-  std::copy_if(
-      found.prospects.begin(), found.prospects.end(), std::back_inserter(untestable), [](const Prospect& prospect) {
-        return prospect.testability != Testability::testable && prospect.testability != Testability::in_the_model &&
-               prospect.testability != Testability::other_motion;
-      });
+  std::vector<Detectability> untestable;
+  std::copy_if(found.detectability.begin(), found.detectability.end(), std::back_inserter(untestable),
+               [](const Detectability& detectable) {
+                 return detectable.testability != Testability::testable &&
+                        detectable.testability != Testability::in_the_model &&
+                        detectable.testability != Testability::other_motion;
+               });
   const auto reasons = by_reason(untestable);
   std::vector<std::string> texts;
   texts.reserve(reasons.size());
@@ -97,35 +98,35 @@ std::string untestable_text(const Diagnosis& found) {
 // "gradient_bending (512 of 780 choices of columns)"; empty where all were searched.
 std::string not_searched_text(const Diagnosis& found) {
   std::vector<std::string> texts;
-  for (const Prospect& prospect : found.prospects) {
-    if (prospect.bindings <= prospect.searched) continue;
-    texts.push_back(fmt::format("{} on {} of {} choices of columns", prospect.effect->name,
-                                prospect.bindings - prospect.searched, prospect.bindings));
+  for (const Detectability& detectable : found.detectability) {
+    if (detectable.bindings <= detectable.searched) continue;
+    texts.push_back(fmt::format("{} on {} of {} choices of columns", detectable.effect->name,
+                                detectable.bindings - detectable.searched, detectable.bindings));
   }
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
 // Of the best set on recordings.
-std::vector<std::string> never_faked(const Diagnosis& found) {
+std::vector<std::string> without_surrogates(const Diagnosis& found) {
   std::vector<std::string> names;
   for (const Candidate& candidate : found.candidates) {
     const Effect& effect = *candidate.bound.effect;
-    if (!candidate.in_best_set || candidate.beats_fakes || effect.time_only) continue;
+    if (!candidate.in_best_set || candidate.beats_surrogates || effect.time_only) continue;
     if (effect.level == Level::recording) names.push_back(effect.name);
   }
   return names;
 }
 
-void print_text(const Diagnosed& diagnosed, const std::string& title) {
-  const Diagnosis& found = diagnosed.diagnosis;
-  fmt::print("{}\n{}\n\n{}\n", title, heading(diagnosed.checked.fit), wrapped(verdict_text(found)));
-  print_sentences(diagnosed.checked);
-  fmt::print("{}", wrapped(floor_text(diagnosed.checked.fit)));
+void print_text(const DiagnosisReport& diagnosis_report, const std::string& title) {
+  const Diagnosis& found = diagnosis_report.diagnosis;
+  fmt::print("{}\n{}\n\n{}\n", title, heading(diagnosis_report.residual_report.fit), wrapped(verdict_text(found)));
+  print_sentences(diagnosis_report.residual_report);
+  fmt::print("{}", wrapped(floor_text(diagnosis_report.residual_report.fit)));
   if (!found.candidates.empty()) {
     fmt::print("\n{}", candidate_table(found).text(kWidest));
     const bool of_recordings = found.candidates.front().bound.effect->level == Level::recording;
     fmt::print("{}", wrapped(fmt::format("* the best set, each beside the others. RMSE with it; held out: {} left out, "
-                                         "before and after. Evidence: 2 ln of the likelihood ratio; needed: what 1 % "
+                                         "before and after. 2 ln LR: 2 ln of the likelihood ratio; needed: what 1 % "
                                          "of searches find by chance.",
                                          of_recordings ? "recordings, or quarters of their sweeps," : "cycles")));
   }
@@ -135,21 +136,22 @@ void print_text(const Diagnosed& diagnosed, const std::string& title) {
                                          fmt::join(candidate.also_drawn_by, " and "), label_of(candidate.bound))));
   }
   std::string falls;
-  if (found.best_fake_fall > 0.0) {
-    falls = fmt::format("The best fake of {} with the same smoothness lowers the RMSE by {:.0f} %", diagnosed.fakes,
-                        100.0 * found.best_fake_fall);
+  if (found.best_surrogate_fall > 0.0) {
+    falls = fmt::format("The best surrogate of {} with the same smoothness lowers the RMSE by {:.0f} %",
+                        diagnosis_report.surrogates, 100.0 * found.best_surrogate_fall);
     falls += fmt::format("; the best set by {:.0f} %. ", 100.0 * (1.0 - found.rmse_after_um / found.base.rmse_um));
   }
-  const std::vector<std::string> untried = never_faked(found);
+  const std::vector<std::string> untried = without_surrogates(found);
   if (!untried.empty()) {
-    falls += fmt::format("Not tested against fakes: {} (a random curve as smooth is nearly the effect itself). ",
+    falls += fmt::format("Not tested against surrogates: {} (a random curve as smooth is nearly the effect itself). ",
                          fmt::join(untried, ", "));
   }
   if (found.verdict != Verdict::untestable) {
-    falls += fmt::format("Evidence of the most likely smooth curve: {:.0f}.", std::max(0.0, found.smooth_evidence));
+    falls += fmt::format("Likelihood ratio of the most likely smooth curve: {:.0f}.",
+                         std::max(0.0, found.smooth_likelihood_ratio));
     fmt::print("\n{}", wrapped(falls));
   }
-  if (!found.goes_with.empty()) {
+  if (!found.associations.empty()) {
     fmt::print("\n{}{}", goes_with_table(found).text(kWidest),
                wrapped("Each alone beside the model. That it goes with something is no proof of a cause."));
   }
@@ -161,7 +163,7 @@ void print_text(const Diagnosed& diagnosed, const std::string& title) {
   if (!untestable.empty()) fmt::print("\n{}", wrapped("Not testable here: " + untestable + "."));
   const std::string not_searched = not_searched_text(found);
   if (!not_searched.empty()) fmt::print("\n{}", wrapped("Not searched: " + not_searched + "."));
-  const std::string next = next_text(diagnosed);
+  const std::string next = next_text(diagnosis_report);
   if (!next.empty()) fmt::print("\n{}", wrapped(next));
 }
 
@@ -170,18 +172,18 @@ void show_one_of_several(const Options& options, const Model& model, const Model
                          nlohmann::ordered_json& targets) {
   if (target > 0 && !options.json) fmt::print("\n");
   try {
-    const Diagnosed diagnosed = diagnosed_of(options.model, options.how, model, data, target);
+    const DiagnosisReport diagnosis_report = diagnosis_report_of(options.model, options.how, model, data, target);
     if (options.json) {
-      targets.push_back(json_of(diagnosed));
+      targets.push_back(json_of(diagnosis_report));
     } else {
-      print_text(diagnosed, data.title);
+      print_text(diagnosis_report, data.title);
     }
   } catch (const Error& error) {
     if (options.json) {
       targets.push_back({{"target", model.targets[target]}, {"not_diagnosed", error.what()}});
     } else {
       fmt::print("{}\n{}\n\n{}", data.title, model.targets[target],
-                 wrapped(fmt::format("Not diagnosed: {}", error.what())));
+                 wrapped(fmt::format("Not diagnosis_report: {}", error.what())));
     }
   }
 }
@@ -190,8 +192,8 @@ void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
   if (model.targets.size() == 1) {
-    const Diagnosed diagnosed = diagnosed_of(options.model, options.how, model, data, 0);
-    options.json ? fmt::print("{}\n", json_of(diagnosed).dump(2)) : print_text(diagnosed, data.title);
+    const DiagnosisReport diagnosis_report = diagnosis_report_of(options.model, options.how, model, data, 0);
+    options.json ? fmt::print("{}\n", json_of(diagnosis_report).dump(2)) : print_text(diagnosis_report, data.title);
     return;
   }
   nlohmann::ordered_json targets = nlohmann::ordered_json::array();

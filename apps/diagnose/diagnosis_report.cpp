@@ -42,12 +42,12 @@ nlohmann::ordered_json json_of(const Candidate& candidate) {
   json["rmse_after_um"] = number(candidate.rmse_after_um);
   json["held_out_before_um"] = number(candidate.held_out_before_um);
   json["held_out_after_um"] = number(candidate.held_out_after_um);
-  json["evidence"] = number(candidate.evidence);
-  json["evidence_needed"] = number(candidate.threshold);
+  json["likelihood_ratio"] = number(candidate.likelihood_ratio);
+  json["likelihood_ratio_needed"] = number(candidate.threshold);
   json["p_search"] = number(candidate.p_search);
   json["p_same_gain"] = number(candidate.p_same_gain);
-  json["beats_fakes"] = nullptr;  // not tested
-  if (candidate.beats_fakes) json["beats_fakes"] = *candidate.beats_fakes;
+  json["beats_surrogates"] = nullptr;  // not tested
+  if (candidate.beats_surrogates) json["beats_surrogates"] = *candidate.beats_surrogates;
   json["in_best_set"] = candidate.in_best_set;
   json["minor"] = candidate.minor;
   json["inseparable_from"] = candidate.inseparable_from;
@@ -109,16 +109,16 @@ std::string verdict_text(const Diagnosis& found) {
   return text;
 }
 
-std::string next_text(const Diagnosed& diagnosed) {
-  const Diagnosis& found = diagnosed.diagnosis;
+std::string next_text(const DiagnosisReport& diagnosis_report) {
+  const Diagnosis& found = diagnosis_report.diagnosis;
   if (found.verdict == Verdict::named && found.equivalent.empty()) return "";  // nothing is left to tell
-  if (diagnosed.next_tests.empty() || diagnosed.next_tests.front().text.empty()) return "";
-  return fmt::format("Next test: {}", diagnosed.next_tests.front().text);
+  if (diagnosis_report.next_tests.empty() || diagnosis_report.next_tests.front().text.empty()) return "";
+  return fmt::format("Next test: {}", diagnosis_report.next_tests.front().text);
 }
 
-nlohmann::ordered_json json_of(const Diagnosed& diagnosed) {
-  const Diagnosis& found = diagnosed.diagnosis;
-  nlohmann::ordered_json json = json_of(diagnosed.checked);
+nlohmann::ordered_json json_of(const DiagnosisReport& diagnosis_report) {
+  const Diagnosis& found = diagnosis_report.diagnosis;
+  nlohmann::ordered_json json = json_of(diagnosis_report.residual_report);
   json["verdict"] = name_of(found.verdict);
   json["verdict_text"] = verdict_text(found);
   json["named"] = nlohmann::ordered_json::array();
@@ -129,60 +129,61 @@ nlohmann::ordered_json json_of(const Diagnosed& diagnosed) {
     for (const BoundEffect& bound : group) list.push_back(json_of(bound));
     json["equivalent"].push_back(std::move(list));
   }
-  if (!found.goes_with.empty()) {  // of an unexplained one: what is nearest to it
+  if (!found.associations.empty()) {  // of an unexplained one: what is nearest to it
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Candidate& candidate : found.goes_with) list.push_back(json_of(candidate.bound));
+    for (const Candidate& candidate : found.associations) list.push_back(json_of(candidate.bound));
     json["equivalent"].push_back(std::move(list));
   }
   json["candidates"] = nlohmann::ordered_json::array();
   for (const Candidate& candidate : found.candidates) json["candidates"].push_back(json_of(candidate));
-  json["goes_with"] = nlohmann::ordered_json::array();
-  for (const Candidate& candidate : found.goes_with) json["goes_with"].push_back(json_of(candidate));
+  json["associations"] = nlohmann::ordered_json::array();
+  for (const Candidate& candidate : found.associations) json["associations"].push_back(json_of(candidate));
   json["p_anything"] = number(found.p_anything);
-  json["smooth_evidence"] = number(found.smooth_evidence);
-  json["best_fake_fall"] = number(found.best_fake_fall);
+  json["smooth_likelihood_ratio"] = number(found.smooth_likelihood_ratio);
+  json["best_surrogate_fall"] = number(found.best_surrogate_fall);
   json["smallest_um"] = number(found.smallest_um);
   json["untestable"] = nlohmann::ordered_json::array();
-  for (const Prospect& prospect : found.prospects) {
-    if (prospect.testability == Testability::testable || prospect.testability == Testability::in_the_model) continue;
-    json["untestable"].push_back({{"effect", prospect.effect->name}, {"why", prospect.why}});
+  for (const Detectability& detectable : found.detectability) {
+    if (detectable.testability == Testability::testable || detectable.testability == Testability::in_the_model)
+      continue;
+    json["untestable"].push_back({{"effect", detectable.effect->name}, {"why", detectable.why}});
   }
   json["not_searched"] = nlohmann::ordered_json::array();
-  for (const Prospect& prospect : found.prospects) {
-    if (prospect.bindings <= prospect.searched) continue;
-    json["not_searched"].push_back({{"effect", prospect.effect->name},
-                                    {"choices_of_columns", prospect.bindings},
-                                    {"searched", prospect.searched}});
+  for (const Detectability& detectable : found.detectability) {
+    if (detectable.bindings <= detectable.searched) continue;
+    json["not_searched"].push_back({{"effect", detectable.effect->name},
+                                    {"choices_of_columns", detectable.bindings},
+                                    {"searched", detectable.searched}});
   }
   json["reasons"] = found.reasons;
   json["next_test"] = nullptr;
-  if (!diagnosed.next_tests.empty()) {
-    json["next_test"] = {{"text", diagnosed.next_tests.front().text},
-                         {"separation", number(diagnosed.next_tests.front().separation)}};
+  if (!diagnosis_report.next_tests.empty()) {
+    json["next_test"] = {{"text", diagnosis_report.next_tests.front().text},
+                         {"separation", number(diagnosis_report.next_tests.front().separation)}};
   }
   return json;
 }
 
-Diagnosed diagnosed_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
-                       const ModelData& data, std::size_t target) {
+DiagnosisReport diagnosis_report_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
+                                    const ModelData& data, std::size_t target) {
   const ProgressLine line;
   const auto tell = [&](std::string_view step) {
     if (how_to.progress) show_progress(fmt::format("{}: {}", model.targets[target], step));
   };
   tell("fitting");
-  Diagnosed diagnosed;
-  diagnosed.checked = checked(options, model, data, target);
+  DiagnosisReport diagnosis_report;
+  diagnosis_report.residual_report = residual_report_of(options, model, data, target);
   DiagnosisOptions how;
   how.search.motion = data.motion;
   how.tolerance_um = how_to.tolerance_um;
   how.search.seed = how_to.seed;
   how.most_rows = how_to.most_rows;
   how.search.progress = tell;
-  diagnosed.fakes = how.fakes;
-  diagnosed.diagnosis = diagnose(model, data.series, target, how);
+  diagnosis_report.surrogates = how.surrogates;
+  diagnosis_report.diagnosis = diagnose(model, data.series, target, how);
   tell("predicting what the next tests would tell");
-  diagnosed.next_tests = next_tests(model, data.series, diagnosed.diagnosis);
-  return diagnosed;
+  diagnosis_report.next_tests = next_tests(model, data.series, diagnosis_report.diagnosis);
+  return diagnosis_report;
 }
 
 }  // namespace ballbar

@@ -20,26 +20,26 @@ struct DiagnoseOptions {
   bool progress = true;  // told on a terminal
 };
 
-struct Diagnosed {
-  Checked checked;
+struct DiagnosisReport {
+  ResidualReport residual_report;
   Diagnosis diagnosis;
   std::vector<NextTest> next_tests;
-  std::size_t fakes = 0;  // tried of each effect
+  std::size_t surrogates = 0;  // tried of each effect
 };
 
-Diagnosed diagnosed_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
-                       const ModelData& data, std::size_t target);
+DiagnosisReport diagnosis_report_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
+                                    const ModelData& data, std::size_t target);
 
 // The verdict in words, whole sentences.
 std::string verdict_text(const Diagnosis& found);
 
 // "Next test: ..."; empty where nothing is left to tell.
-std::string next_text(const Diagnosed& diagnosed);
+std::string next_text(const DiagnosisReport& diagnosis_report);
 
 // "0.4 %"
 std::string chance_text(double p);
 
 // The keys of `diagnose --json`.
-nlohmann::ordered_json json_of(const Diagnosed& diagnosed);
+nlohmann::ordered_json json_of(const DiagnosisReport& diagnosis_report);
 
 }  // namespace ballbar

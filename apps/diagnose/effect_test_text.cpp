@@ -29,8 +29,8 @@ int digits_of(double value) {
   return std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 6);
 }
 
-Table figures(const Trial& trial) {
-  const LedgerRow &before = trial.before, &after = trial.after;
+Table figures(const EffectTest& effect_test) {
+  const LedgerRow &before = effect_test.before, &after = effect_test.after;
   const int decimals = digits_of(std::min(before.rmse_um, after.rmse_um));
   Table table({"", "before", "after"});
   const auto row = [&](const std::string& what, double from, double to, int digits) {
@@ -44,39 +44,39 @@ Table figures(const Trial& trial) {
   return table;
 }
 
-Table added_table(const Trial& trial) {
-  Table table({"added", "amplitude um", "evidence", "counts from", "fall %", "best fake's %"});
-  const double fall = 1.0 - trial.after.rmse_um / trial.before.rmse_um;
-  for (const Candidate& tried : trial.added) {
+Table added_table(const EffectTest& effect_test) {
+  Table table({"added", "amplitude um", "2 ln LR", "counts from", "fall %", "best surrogate's %"});
+  const double fall = 1.0 - effect_test.after.rmse_um / effect_test.before.rmse_um;
+  for (const Candidate& tried : effect_test.added) {
     table.add({shortened(tried.label, 44),
                std::isfinite(tried.amplitude_sigma_um)
                    ? with_sigma(tried.amplitude_um, tried.amplitude_sigma_um, digits_of(tried.amplitude_um))
                    : fixed(tried.amplitude_um, digits_of(tried.amplitude_um)),
-               fixed(tried.evidence, 1), fixed(kFewestEvidence, 1), trial.added.size() == 1 ? percent(fall) : "-",
-               percent(tried.best_fake_fall)});
+               fixed(tried.likelihood_ratio, 1), fixed(kLeastLikelihoodRatio, 1),
+               effect_test.added.size() == 1 ? percent(fall) : "-", percent(tried.best_surrogate_fall)});
   }
   return table;
 }
 
 std::string p_text(double p) { return p < 1e-6 ? "< 0.000001" : fmt::format("{:.2g}", p); }
 
-Table earlier_table(const Trial& trial) {
-  Table table({"earlier", "evidence", "parameters", "p to stay", "needed"});
-  for (const Stay& stay : trial.earlier) {
-    table.add({shortened(stay.label, 44), fixed(stay.evidence, 1), fmt::format("{}", stay.parameters), p_text(stay.p),
-               stay.needed ? "yes" : "no"});
+Table earlier_table(const EffectTest& effect_test) {
+  Table table({"earlier", "2 ln LR", "parameters", "p to stay", "needed"});
+  for (const DropTest& drop_test : effect_test.earlier) {
+    table.add({shortened(drop_test.label, 44), fixed(drop_test.likelihood_ratio, 1),
+               fmt::format("{}", drop_test.parameters), p_text(drop_test.p), drop_test.needed ? "yes" : "no"});
   }
   return table;
 }
 
-Table parameter_table(const Trial& trial) {
+Table parameter_table(const EffectTest& effect_test) {
   Table table({"effect", "parameter", "before", "after", "unit"});
-  for (std::size_t k = 0; k < trial.fit_after.parameters.size(); ++k) {
-    const FittedParameter& after = trial.fit_after.parameters[k];
+  for (std::size_t k = 0; k < effect_test.fit_after.parameters.size(); ++k) {
+    const FittedParameter& after = effect_test.fit_after.parameters[k];
     if (k == 0 && after.state == ParameterState::held && after.value == 0.0) continue;  // recordings have none
     if (after.shape_of == ShapeOf::recording) continue;
     const auto same = [&](const FittedParameter& p) { return p.effect == after.effect && p.name == after.name; };
-    const std::vector<FittedParameter>& all = trial.fit_before.parameters;
+    const std::vector<FittedParameter>& all = effect_test.fit_before.parameters;
     const auto before = std::find_if(all.begin(), all.end(), same);
     table.add({shortened(after.effect, 44), shortened(after.name, 30), before == all.end() ? "-" : value_text(*before),
                value_text(after), shortened(after.unit, 12)});
@@ -105,23 +105,23 @@ nlohmann::ordered_json figures_json(const LedgerRow& row) {
 
 }  // namespace
 
-std::string conclusion(const Trial& trial) {
+std::string conclusion(const EffectTest& effect_test) {
   std::vector<std::string> labels, doubts;
-  for (const Candidate& tried : trial.added) {
+  for (const Candidate& tried : effect_test.added) {
     labels.push_back(tried.label);
     if (tried.doubts.empty()) continue;
     doubts.push_back(
-        fmt::format("{}{}", trial.added.size() == 1 ? "" : tried.label + ": ", fmt::join(tried.doubts, ", ")));
+        fmt::format("{}{}", effect_test.added.size() == 1 ? "" : tried.label + ": ", fmt::join(tried.doubts, ", ")));
   }
   const std::string names = fmt::format("{}", fmt::join(labels, ", "));
   if (!doubts.empty()) return fmt::format("The data do not support {}: {}.", names, fmt::join(doubts, "; "));
   std::string text = fmt::format("The data support {}", names);
-  if (trial.after.verdict == "time only") {
+  if (effect_test.after.verdict == "time only") {
     text += ", which needs nothing but time, so that one run cannot name it as a cause";
   }
-  const Whiteness white = whiteness(trial.fit_after);
-  if (!is_adequate(trial.fit_after, white)) {
-    const std::string_view these = trial.added.size() == 1 ? "this effect" : "these effects";
+  const Whiteness white = whiteness(effect_test.fit_after);
+  if (!is_adequate(effect_test.fit_after, white)) {
+    const std::string_view these = effect_test.added.size() == 1 ? "this effect" : "these effects";
     text += white.p < kNotNoise
                 ? fmt::format(
                       ". What is left is not noise: something else is missing too, and {} may stand in for that", these)
@@ -133,56 +133,57 @@ std::string conclusion(const Trial& trial) {
   return text + '.';
 }
 
-std::string tables(const Trial& trial) {
-  std::string text = figures(trial).text(kWidest) + "\n" + added_table(trial).text(kWidest);
-  if (!trial.earlier.empty()) text += "\n" + earlier_table(trial).text(kWidest);
-  text += "\n" + parameter_table(trial).text(kWidest);
+std::string tables(const EffectTest& effect_test) {
+  std::string text = figures(effect_test).text(kWidest) + "\n" + added_table(effect_test).text(kWidest);
+  if (!effect_test.earlier.empty()) text += "\n" + earlier_table(effect_test).text(kWidest);
+  text += "\n" + parameter_table(effect_test).text(kWidest);
   return text + "\n" +
          wrapped(fmt::format(
-             "Evidence: 2 ln of the likelihood ratio, the noise estimated anew on both sides; {:.0f} is d = 5. It "
+             "2 ln LR: 2 ln of the likelihood ratio, the noise estimated anew on both sides; {:.0f} is d = 5. It "
              "holds "
-             "for an effect chosen before looking at these data. best fake's %: by which the best of {} fakes, the "
+             "for an effect chosen before looking at these data. best surrogate's %: by which the best of {} "
+             "surrogates, the "
              "same smoothness and no cause, lowers the RMSE. p to stay: an earlier effect is needed below {}.",
-             kFewestEvidence, kFakes, kStays));
+             kLeastLikelihoodRatio, kSurrogates, kDropTest));
 }
 
-nlohmann::ordered_json json_of(const Trial& trial) {
+nlohmann::ordered_json json_of(const EffectTest& effect_test) {
   nlohmann::ordered_json json;
-  json["target"] = trial.after.target;
-  json["data"] = trial.after.data;
-  json["before"] = figures_json(trial.before);
-  json["after"] = figures_json(trial.after);
-  json["evidence"] = number(trial.after.evidence);
-  json["threshold"] = number(trial.after.threshold);
-  json["best_fake_fall"] = number(trial.after.best_fake_fall);
-  json["verdict"] = trial.after.verdict;
+  json["target"] = effect_test.after.target;
+  json["data"] = effect_test.after.data;
+  json["before"] = figures_json(effect_test.before);
+  json["after"] = figures_json(effect_test.after);
+  json["likelihood_ratio"] = number(effect_test.after.likelihood_ratio);
+  json["threshold"] = number(effect_test.after.threshold);
+  json["best_surrogate_fall"] = number(effect_test.after.best_surrogate_fall);
+  json["verdict"] = effect_test.after.verdict;
   json["effects"] = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < trial.added.size(); ++i) {
-    const Candidate& tried = trial.added[i];
-    const Term& term = trial.model.terms[trial.model.terms.size() - trial.added.size() + i];
+  for (std::size_t i = 0; i < effect_test.added.size(); ++i) {
+    const Candidate& tried = effect_test.added[i];
+    const Term& term = effect_test.model.terms[effect_test.model.terms.size() - effect_test.added.size() + i];
     nlohmann::ordered_json columns = nlohmann::ordered_json::object();
     for (std::size_t k = 0; k < term.columns.size(); ++k) columns[term.effect->inputs[k].role] = term.columns[k];
     json["effects"].push_back({{"effect", term.effect->name},
                                {"columns", std::move(columns)},
                                {"amplitude_um", number(tried.amplitude_um)},
                                {"amplitude_sigma_um", number(tried.amplitude_sigma_um)},
-                               {"evidence", number(tried.evidence)},
-                               {"threshold", kFewestEvidence},
-                               {"best_fake_fall", number(tried.best_fake_fall)},
+                               {"likelihood_ratio", number(tried.likelihood_ratio)},
+                               {"threshold", kLeastLikelihoodRatio},
+                               {"best_surrogate_fall", number(tried.best_surrogate_fall)},
                                {"p_same_gain", number(tried.p_same_gain)},
                                {"time_only", term.effect->time_only},
                                {"doubts", tried.doubts},
-                               {"parameters", parameters_of(tried.label, trial.fit_after)}});
+                               {"parameters", parameters_of(tried.label, effect_test.fit_after)}});
   }
   json["earlier"] = nlohmann::ordered_json::array();
-  for (const Stay& stay : trial.earlier) {
-    json["earlier"].push_back({{"effect", stay.label},
-                               {"evidence", number(stay.evidence)},
-                               {"parameters", stay.parameters},
-                               {"p_stay", number(stay.p)},
-                               {"needed", stay.needed}});
+  for (const DropTest& drop_test : effect_test.earlier) {
+    json["earlier"].push_back({{"effect", drop_test.label},
+                               {"likelihood_ratio", number(drop_test.likelihood_ratio)},
+                               {"parameters", drop_test.parameters},
+                               {"p_drop", number(drop_test.p)},
+                               {"needed", drop_test.needed}});
   }
-  json["sentence"] = conclusion(trial);
+  json["sentence"] = conclusion(effect_test);
   return json;
 }
 
@@ -196,9 +197,9 @@ nlohmann::ordered_json json_of(const LedgerRow& row, const LedgerRow* before) {
           {"verdict", row.verdict},
           {"target", row.target},
           {"data", row.data},
-          {"evidence", number(row.evidence)},
+          {"likelihood_ratio", number(row.likelihood_ratio)},
           {"threshold", number(row.threshold)},
-          {"best_fake_fall", number(row.best_fake_fall)},
+          {"best_surrogate_fall", number(row.best_surrogate_fall)},
           {"still_needed", row.still_needed},
           {"no_longer_needed", row.no_longer_needed},
           {"sentence", sentence(row, before)}};

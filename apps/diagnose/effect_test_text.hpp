@@ -10,12 +10,13 @@
 namespace ballbar {
 
 // "The data support X.", or why they do not.
-std::string conclusion(const Trial& trial);
+std::string conclusion(const EffectTest& effect_test);
 
-// Error before and after, added effects with evidence and fakes, earlier effects tested anew, all parameters.
-std::string tables(const Trial& trial);
+// Error before and after, added effects with likelihood ratio and surrogates, earlier effects tested anew, all
+// parameters.
+std::string tables(const EffectTest& effect_test);
 
-nlohmann::ordered_json json_of(const Trial& trial);
+nlohmann::ordered_json json_of(const EffectTest& effect_test);
 nlohmann::ordered_json json_of(const LedgerRow& row, const LedgerRow* before);
 
 // "0.02 (2 searches at 0.01 each)"

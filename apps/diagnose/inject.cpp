@@ -191,7 +191,7 @@ void print_json(const Injected& result) {
 Injection injection(const Options& options, const Model& model, const ModelData& data) {
   BoundEffect bound;
   try {
-    bound = bound_to(effect_text(options.effect, data.level), data.series, model.targets.front());
+    bound = resolve_columns(effect_text(options.effect, data.level), data.series, model.targets.front());
   } catch (const Error& error) {
     throw Error(fmt::format("EFFECT: {}", error.what()));
   }

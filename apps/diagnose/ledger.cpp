@@ -34,13 +34,13 @@ Table table_of(const std::vector<LedgerRow>& rows) {
   std::vector<std::string> heading{"revision"};
   if (several) heading.emplace_back("target");
   heading.insert(heading.end(),
-                 {"parameters", "RMSE um", "x floor", "left out um", "evidence", "counts from", "verdict"});
+                 {"parameters", "RMSE um", "x floor", "left out um", "2 ln LR", "counts from", "verdict"});
   Table table(heading);
   for (const LedgerRow& row : rows) {
     std::vector<std::string> cells{fmt::format("{} {}", row.revision, shortened(row.change, 60))};
     if (several) cells.push_back(shortened(row.target, 16));
     cells.insert(cells.end(), {fmt::format("{}", row.parameters), fixed(row.rmse_um, 3), known(row.times_floor, 2),
-                               known(row.held_out_um, 3), known(row.evidence, 1), known(row.threshold, 1),
+                               known(row.held_out_um, 3), known(row.likelihood_ratio, 1), known(row.threshold, 1),
                                shortened(row.verdict, 20)});
     table.add(std::move(cells));
   }

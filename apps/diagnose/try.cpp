@@ -20,7 +20,7 @@ void run(EffectOptions options) {
   expect_one_target(options.model, model);
   expect_to_fit(options.model, model, data);
   const std::vector<Term> terms = terms_of(options.effects, model, data);
-  Trial tried = with_source(options.model.data.front(), [&] { return trial(model, terms, data.series); });
+  EffectTest tried = with_source(options.model.data.front(), [&] { return effect_test(model, terms, data.series); });
   tried.after.data = options.model.data;
   if (options.json) {
     fmt::print("{}\n", json_of(tried).dump(2));

@@ -26,7 +26,7 @@ namespace ballbar::commands {
 namespace {
 
 struct Options {
-  OperandOptions operands;
+  ComparedDriftOptions drifts;
   std::vector<std::string> match;
   std::vector<std::string> out;
   std::string plot;
@@ -63,13 +63,13 @@ DriftAxis matched(const MeasuredDrift& a, const MeasuredDrift& b, const std::str
 }
 
 // All of --match at once, so that x=y with y=-x turns the axes.
-void match(Operands& operands, const std::vector<std::string>& stated) {
+void match(ComparedDrifts& drifts, const std::vector<std::string>& stated) {
   std::vector<DriftAxis> axes;
   axes.reserve(stated.size());
-  for (const std::string& one : stated) axes.push_back(matched(operands.a, operands.b, one));
+  for (const std::string& one : stated) axes.push_back(matched(drifts.a, drifts.b, one));
   for (DriftAxis& axis : axes) {
-    std::erase_if(operands.b.axes, [&](const DriftAxis& known) { return known.name == axis.name; });
-    operands.b.axes.push_back(std::move(axis));
+    std::erase_if(drifts.b.axes, [&](const DriftAxis& known) { return known.name == axis.name; });
+    drifts.b.axes.push_back(std::move(axis));
   }
 }
 
@@ -140,9 +140,9 @@ std::string budget_text(const Comparison& comparison) {
   return table.text();
 }
 
-void print_text(const Operands& operands, const Comparison& comparison) {
+void print_text(const ComparedDrifts& drifts, const Comparison& comparison) {
   const AxisComparison& axis = comparison.axes.front();
-  if (!operands.title.empty()) fmt::print("{}\n", operands.title);
+  if (!drifts.title.empty()) fmt::print("{}\n", drifts.title);
   fmt::print("{} against {}\n{} samples in common, {:g} to {:g} min, both as changes since {:g} min\n\n", comparison.a,
              comparison.b, comparison.samples, min_from_s(axis.time_s.front()), min_from_s(axis.time_s.back()),
              min_from_s(comparison.reference_s));
@@ -208,12 +208,12 @@ void run(const Options& options) {
     throw Error(fmt::format("--max-gap: expected a time above 0, found {} s.", *options.max_gap_s));
   }
   for (const std::string& path : options.out) expect_ending(path, ".csv");
-  Operands operands = operands_of(options.operands);
+  ComparedDrifts drifts = compared_drifts_of(options.drifts);
   std::vector<std::string> outputs = options.out;
   if (!options.plot.empty()) outputs.push_back(options.plot);
-  expect_no_input(outputs, operands.files);
-  match(operands, options.match);
-  const Comparison comparison = compare(operands.a, operands.b, {options.operands.reference_s, options.max_gap_s});
+  expect_no_input(outputs, drifts.files);
+  match(drifts, options.match);
+  const Comparison comparison = compare(drifts.a, drifts.b, {options.drifts.reference_s, options.max_gap_s});
   for (const std::string& path : options.out) write_bytes(path, write_series(differences(comparison)));
   if (!options.plot.empty()) {
     write_bytes(options.plot, plot_of({{"compare", json_of(comparison)}}, conclusion(comparison)));
@@ -221,7 +221,7 @@ void run(const Options& options) {
   if (options.json) {
     fmt::print("{}\n", json_of(comparison).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   } else {
-    print_text(operands, comparison);
+    print_text(drifts, comparison);
   }
   for (const std::string& path : outputs) fmt::print(stderr, "wrote {}\n", path);
 }
@@ -231,16 +231,15 @@ void run(const Options& options) {
 void add_compare(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("compare", "How well two drift series agree, and within their uncertainty");
-  command->add_option("A", options->operands.a, "session, folder, drift .csv or five probes' .csv")->required();
-  command->add_option("B", options->operands.b, "what to compare it with; without it the session's own five probes");
+  command->add_option("A", options->drifts.a, "session, folder, drift .csv or five probes' .csv")->required();
+  command->add_option("B", options->drifts.b, "what to compare it with; without it the session's own five probes");
   command->add_option("--plot", options->plot, "picture of both and their difference, .svg")->type_name("FILE");
   command->add_option("--out", options->out, "write both and their difference at the common times, .csv")
       ->type_name("FILE");
   const CLI::AsNumberWithUnit time(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
                                    CLI::AsNumberWithUnit::CASE_SENSITIVE);
   command
-      ->add_option("--reference", options->operands.reference_s,
-                   "time since which changes are taken; default: the first")
+      ->add_option("--reference", options->drifts.reference_s, "time since which changes are taken; default: the first")
       ->type_name("TIME")
       ->transform(time);
   command
@@ -250,7 +249,7 @@ void add_compare(CLI::App& app) {
       ->transform(time);
   command->add_option("--match", options->match, "axis of A and the axis of B it stands for, such as axial=-z")
       ->type_name("A=B");
-  add_five_probe_options(*command, options->operands.probes);
+  add_five_probe_options(*command, options->drifts.probes);
   command->add_flag("--json", options->json, "the comparison for a program");
   command->footer(
       "Examples:\n"

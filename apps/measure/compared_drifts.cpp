@@ -8,7 +8,7 @@
 namespace ballbar {
 namespace {
 
-MeasuredDrift drift_of_series(const Series& series, const std::string& path, const OperandOptions& options,
+MeasuredDrift drift_of_series(const Series& series, const std::string& path, const ComparedDriftOptions& options,
                               const BallPlace& ball) {
   const Series with = is_five_probe(series) || !options.probes.probes.empty() ? stated(series, options.probes) : series;
   if (!is_five_probe(with)) return measured(with, path);
@@ -17,7 +17,7 @@ MeasuredDrift drift_of_series(const Series& series, const std::string& path, con
   return five_point_of(with, how, path);
 }
 
-MeasuredDrift drift_of_session(const SessionFiles& files, const OperandOptions& options) {
+MeasuredDrift drift_of_session(const SessionFiles& files, const ComparedDriftOptions& options) {
   DriftOptions how;
   how.reference_s = options.reference_s;
   return measured(drift_of(files.session, how), files.session);
@@ -25,24 +25,24 @@ MeasuredDrift drift_of_session(const SessionFiles& files, const OperandOptions& 
 
 }  // namespace
 
-Operands operands_of(const OperandOptions& options) {
-  Operands operands;
+ComparedDrifts compared_drifts_of(const ComparedDriftOptions& options) {
+  ComparedDrifts drifts;
   const DriftData first = open_drift_data(options.a);
-  operands.files = first.files;
+  drifts.files = first.files;
   if (options.b.empty()) {
     if (!first.session || !first.session->five_probe) {
       throw Error(fmt::format("{}: expected a second file to compare with, or a session with [five_probe], found {}.",
                               options.a, first.session ? "a session without it" : "a series"));
     }
     const Session& session = first.session->session;
-    operands.title = session.title.empty() ? options.a : session.title;
-    operands.a = drift_of_session(*first.session, options);
-    operands.b = drift_of_series(open_series(*first.session->five_probe), first.session->five_probe->string(), options,
-                                 first.session->ball);
-    return operands;
+    drifts.title = session.title.empty() ? options.a : session.title;
+    drifts.a = drift_of_session(*first.session, options);
+    drifts.b = drift_of_series(open_series(*first.session->five_probe), first.session->five_probe->string(), options,
+                               first.session->ball);
+    return drifts;
   }
   const DriftData second = open_drift_data(options.b);
-  operands.files.insert(operands.files.end(), second.files.begin(), second.files.end());
+  drifts.files.insert(drifts.files.end(), second.files.begin(), second.files.end());
   const BallPlace ball = first.session ? first.session->ball : second.session ? second.session->ball : BallPlace{};
   const auto drift = [&](const DriftData& data, const std::string& path) {
     MeasuredDrift result =
@@ -50,9 +50,9 @@ Operands operands_of(const OperandOptions& options) {
     if (result.what != path) result.what += fmt::format(" ({})", path);
     return result;
   };
-  operands.a = drift(first, options.a);
-  operands.b = drift(second, options.b);
-  return operands;
+  drifts.a = drift(first, options.a);
+  drifts.b = drift(second, options.b);
+  return drifts;
 }
 
 }  // namespace ballbar

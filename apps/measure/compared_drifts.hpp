@@ -11,19 +11,19 @@
 
 namespace ballbar {
 
-struct OperandOptions {
+struct ComparedDriftOptions {
   std::string a, b;  // b empty: the five probes of session a
   std::optional<double> reference_s;
   FiveProbeOptions probes;
 };
 
-struct Operands {
+struct ComparedDrifts {
   MeasuredDrift a, b;
   std::vector<std::filesystem::path> files;
   std::string title;  // of a session with its own five probes; two files are named by what they are
 };
 
 // Throws Error where one is no drift, or there is no second one.
-Operands operands_of(const OperandOptions& options);
+ComparedDrifts compared_drifts_of(const ComparedDriftOptions& options);
 
 }  // namespace ballbar

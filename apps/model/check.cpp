@@ -55,12 +55,12 @@ Table parameter_table(const Fit& fit) {
 }
 
 // Regimes and quadrants whole, then the groups that hold more of the misfit than their share of the rows.
-std::vector<Misfit> worth_showing(const Checked& checked) {
+std::vector<Misfit> worth_showing(const ResidualReport& residual_report) {
   std::vector<Misfit> shown, rest;
-  for (const Misfit& misfit : checked.where) {
+  for (const Misfit& misfit : residual_report.where) {
     (misfit.what == "regime" || misfit.what == "quadrant" ? shown : rest).push_back(misfit);
   }
-  const auto n = static_cast<double>(checked.fit.residual_um.size() - checked.fit.discounted.size());
+  const auto n = static_cast<double>(residual_report.fit.residual_um.size() - residual_report.fit.discounted.size());
   const auto excess = [&](const Misfit& misfit) { return misfit.share / (static_cast<double>(misfit.n) / n); };
   std::stable_sort(rest.begin(), rest.end(),
                    [&](const Misfit& left, const Misfit& right) { return excess(left) > excess(right); });
@@ -69,10 +69,10 @@ std::vector<Misfit> worth_showing(const Checked& checked) {
   return shown;
 }
 
-Table misfit_table(const Checked& checked) {
+Table misfit_table(const ResidualReport& residual_report) {
   Table table({"where", "from", "to", "rows", "bias um", "RMSE um", "% of misfit"});
-  const int decimals = decimals_of(checked.fit.rmse_um);
-  for (const Misfit& misfit : worth_showing(checked)) {
+  const int decimals = decimals_of(residual_report.fit.rmse_um);
+  for (const Misfit& misfit : worth_showing(residual_report)) {
     table.add({shortened(misfit.what, 30), misfit.from, misfit.from == misfit.to ? "" : misfit.to,
                fmt::format("{}", misfit.n), with_sigma(misfit.bias_um, misfit.bias_sigma_um, decimals),
                fixed(misfit.rmse_um, decimals + 1), fmt::format("{:.0f}", 100.0 * misfit.share)});
@@ -110,25 +110,26 @@ void print_remarks(const Fit& fit) {
   for (const std::string& remark : fit.remarks) fmt::print("{}", wrapped(remark));
 }
 
-void print_text(const Checked& checked, const std::string& title) {
-  const Fit& fit = checked.fit;
+void print_text(const ResidualReport& residual_report, const std::string& title) {
+  const Fit& fit = residual_report.fit;
   fmt::print("{}\n{}\n\n", title, heading(fit));
-  print_sentences(checked);
+  print_sentences(residual_report);
   fmt::print("\n{}\n{}", parameter_table(fit).text(kWidest), wrapped(floor_text(fit)));
-  if (!checked.where.empty()) fmt::print("\n{}", misfit_table(checked).text(kWidest));
-  fmt::print("\n{}", wrapped(noise_text(fit.noise) + whiteness_text(checked.whiteness, fit.residual_um.size())));
+  if (!residual_report.where.empty()) fmt::print("\n{}", misfit_table(residual_report).text(kWidest));
+  fmt::print("\n{}",
+             wrapped(noise_text(fit.noise) + whiteness_text(residual_report.whiteness, fit.residual_um.size())));
   print_remarks(fit);
 }
 
 // Several targets: the sentences of each, and one table of all parameters.
-void print_targets(const std::vector<Checked>& all, const std::string& title) {
+void print_targets(const std::vector<ResidualReport>& all, const std::string& title) {
   fmt::print("{}\n", title);
   Table table({"target: effect", "parameter", "value", "unit"});
-  for (const Checked& checked : all) {
-    fmt::print("\n{}\n", heading(checked.fit));
-    print_sentences(checked);
-    print_remarks(checked.fit);
-    add_parameters(table, checked.fit, checked.fit.target + ": ");
+  for (const ResidualReport& residual_report : all) {
+    fmt::print("\n{}\n", heading(residual_report.fit));
+    print_sentences(residual_report);
+    print_remarks(residual_report.fit);
+    add_parameters(table, residual_report.fit, residual_report.fit.target + ": ");
   }
   fmt::print("\n{}\n--target {} shows one target in full.\n", table.text(kWidest), all.front().fit.target);
 }
@@ -136,13 +137,13 @@ void print_targets(const std::vector<Checked>& all, const std::string& title) {
 void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
-  std::vector<Checked> all;
+  std::vector<ResidualReport> all;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
-    all.push_back(checked(options.model, model, data, target));
+    all.push_back(residual_report_of(options.model, model, data, target));
   }
   if (options.json) {
     nlohmann::ordered_json targets = nlohmann::ordered_json::array();
-    for (const Checked& checked : all) targets.push_back(json_of(checked));
+    for (const ResidualReport& residual_report : all) targets.push_back(json_of(residual_report));
     const nlohmann::ordered_json several{{"targets", targets}};
     fmt::print("{}\n", (targets.size() == 1 ? targets.front() : several).dump(2));
   } else if (all.size() == 1) {

@@ -73,7 +73,7 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
   Model model;
   if (options.model.empty()) {
     if (data.level == Level::recording) {
-      model = circles_of(data.series);
+      model = recording_base_model(data.series);
       model.targets = data.targets;
     } else {
       model.targets = data.targets;

@@ -50,17 +50,17 @@ std::string um_text(double value_um) {
   return value_um < 0.095 ? fmt::format("{:.2g}", value_um) : fmt::format("{:.2f}", value_um);
 }
 
-std::string columns_text(const Prospect& prospect) {
-  if (prospect.columns.empty()) return "time";
-  const std::string more = prospect.bindings > 1 ? fmt::format(" (1 of {})", prospect.bindings) : "";
-  return shortened(fmt::format("{}", fmt::join(prospect.columns, ", ")), kColumnsWidth - more.size()) + more;
+std::string columns_text(const Detectability& detectable) {
+  if (detectable.columns.empty()) return "time";
+  const std::string more = detectable.bindings > 1 ? fmt::format(" (1 of {})", detectable.bindings) : "";
+  return shortened(fmt::format("{}", fmt::join(detectable.columns, ", ")), kColumnsWidth - more.size()) + more;
 }
 
 // Numbers of the rows of the table; names of effects that are not in it.
-std::string inseparable_text(const Prospect& prospect, const std::vector<const Prospect*>& rows) {
+std::string inseparable_text(const Detectability& detectable, const std::vector<const Detectability*>& rows) {
   std::vector<std::string> texts;
-  for (const std::string& name : prospect.inseparable_from) {
-    const auto same = [&](const Prospect* row) { return row->effect->name == name; };
+  for (const std::string& name : detectable.inseparable_from) {
+    const auto same = [&](const Detectability* row) { return row->effect->name == name; };
     const auto row = std::find_if(rows.begin(), rows.end(), same);
     texts.push_back(row == rows.end() ? name : fmt::format("{}", row - rows.begin() + 1));
   }
@@ -68,9 +68,9 @@ std::string inseparable_text(const Prospect& prospect, const std::vector<const P
 }
 
 void print_untestable(const Preflight& result) {
-  std::vector<Prospect> untestable;
-  std::copy_if(result.prospects.begin(), result.prospects.end(), std::back_inserter(untestable),
-               [](const Prospect& prospect) { return prospect.testability != Testability::testable; });
+  std::vector<Detectability> untestable;
+  std::copy_if(result.detectability.begin(), result.detectability.end(), std::back_inserter(untestable),
+               [](const Detectability& detectable) { return detectable.testability != Testability::testable; });
   const auto reasons = by_reason(untestable);
   if (!reasons.empty()) fmt::print("Not testable:\n");
   for (const auto& [why, effects] : reasons) {
@@ -79,15 +79,15 @@ void print_untestable(const Preflight& result) {
 }
 
 void print_text(const Preflight& result, const std::string& title) {
-  std::vector<const Prospect*> rows;
+  std::vector<const Detectability*> rows;
   std::size_t apart = 0;
-  for (const Prospect& prospect : result.prospects) {
-    if (prospect.testability != Testability::testable) continue;
-    rows.push_back(&prospect);
-    if (prospect.inseparable_from.empty()) ++apart;
+  for (const Detectability& detectable : result.detectability) {
+    if (detectable.testability != Testability::testable) continue;
+    rows.push_back(&detectable);
+    if (detectable.inseparable_from.empty()) ++apart;
   }
   fmt::print("{}\n{}, {} values\n\n{} of {} effects could be seen here, {} of them could be told from all others.\n\n",
-             title, result.target, result.n, rows.size(), result.prospects.size(), apart);
+             title, result.target, result.n, rows.size(), result.detectability.size(), apart);
   Table table({"effect", "columns", "seen from um", "named from um", "own %", "inseparable from"});
   for (std::size_t i = 0; i < rows.size(); ++i) {
     table.add_wrapped({fmt::format("{:2} {}", i + 1, rows[i]->effect->name), columns_text(*rows[i]),
@@ -109,11 +109,11 @@ void print_targets(const std::vector<Preflight>& results, const std::string& tit
   const std::size_t shown = std::min(results.size(), kTargetsShown);
   for (std::size_t i = 0; i < shown; ++i) heading.push_back(results[i].target);
   Table table(heading);
-  for (std::size_t k = 0; k < results.front().prospects.size(); ++k) {
-    std::vector<std::string> row{results.front().prospects[k].effect->name};
+  for (std::size_t k = 0; k < results.front().detectability.size(); ++k) {
+    std::vector<std::string> row{results.front().detectability[k].effect->name};
     for (std::size_t i = 0; i < shown; ++i) {
-      const Prospect& prospect = results[i].prospects[k];
-      row.push_back(prospect.testability == Testability::testable ? um_text(prospect.identifiable_um) : "-");
+      const Detectability& detectable = results[i].detectability[k];
+      row.push_back(detectable.testability == Testability::testable ? um_text(detectable.identifiable_um) : "-");
     }
     if (std::any_of(row.begin() + 1, row.end(), [](const std::string& text) { return text != "-"; })) table.add(row);
   }
@@ -132,18 +132,18 @@ nlohmann::ordered_json json_of(const Preflight& result) {
   json["n"] = result.n;
   json["noise_source"] = result.noise_source;
   json["effects"] = nlohmann::ordered_json::array();
-  for (const Prospect& prospect : result.prospects) {
-    nlohmann::ordered_json row{{"effect", prospect.effect->name},
-                               {"testability", name_of(prospect.testability)},
-                               {"columns", prospect.columns},
-                               {"bindings", prospect.bindings}};
-    if (prospect.testability == Testability::testable) {
-      row["surviving_share"] = prospect.surviving_share;
-      row["detectable_um"] = prospect.detectable_um;
-      row["identifiable_um"] = prospect.identifiable_um;
-      row["inseparable_from"] = prospect.inseparable_from;
+  for (const Detectability& detectable : result.detectability) {
+    nlohmann::ordered_json row{{"effect", detectable.effect->name},
+                               {"testability", name_of(detectable.testability)},
+                               {"columns", detectable.columns},
+                               {"bindings", detectable.bindings}};
+    if (detectable.testability == Testability::testable) {
+      row["surviving_share"] = detectable.surviving_share;
+      row["detectable_um"] = detectable.detectable_um;
+      row["identifiable_um"] = detectable.identifiable_um;
+      row["inseparable_from"] = detectable.inseparable_from;
     } else {
-      row["why"] = prospect.why;
+      row["why"] = detectable.why;
     }
     json["effects"].push_back(std::move(row));
   }

@@ -33,8 +33,9 @@ const char* state_name(ParameterState state) {
 
 }  // namespace
 
-Checked checked(const ModelOptions& options, const Model& model, const ModelData& data, std::size_t target) {
-  Checked result;
+ResidualReport residual_report_of(const ModelOptions& options, const Model& model, const ModelData& data,
+                                  std::size_t target) {
+  ResidualReport result;
   result.fit = fit_of(options, model, data, target);
   result.where = where_it_fails(result.fit, data.series);
   result.whiteness = whiteness(result.fit);
@@ -54,8 +55,8 @@ std::string heading(const Fit& fit) {
                      duration_text(fit.time_s.back() - fit.time_s.front()));
 }
 
-void print_sentences(const Checked& checked) {
-  for (const std::string& sentence : sentences(checked.fit, checked.where, checked.whiteness)) {
+void print_sentences(const ResidualReport& residual_report) {
+  for (const std::string& sentence : sentences(residual_report.fit, residual_report.where, residual_report.whiteness)) {
     fmt::print("{}", wrapped(sentence));
   }
 }
@@ -78,8 +79,8 @@ std::string floor_text(const Fit& fit) {
                      independent_text(fit.n_effective));
 }
 
-nlohmann::ordered_json json_of(const Checked& checked) {
-  const Fit& fit = checked.fit;
+nlohmann::ordered_json json_of(const ResidualReport& residual_report) {
+  const Fit& fit = residual_report.fit;
   nlohmann::ordered_json json;
   json["target"] = fit.target;
   json["rmse_um"] = number(fit.rmse_um);
@@ -87,9 +88,9 @@ nlohmann::ordered_json json_of(const Checked& checked) {
   json["floor_source"] = fit.floor.source;
   json["n"] = fit.residual_um.size();
   json["n_effective"] = number(fit.n_effective);
-  json["adequate"] = is_adequate(fit, checked.whiteness);
+  json["adequate"] = is_adequate(fit, residual_report.whiteness);
   json["where"] = nlohmann::ordered_json::array();
-  for (const Misfit& misfit : checked.where) {
+  for (const Misfit& misfit : residual_report.where) {
     json["where"].push_back({{"what", misfit.what},
                              {"from", misfit.from},
                              {"to", misfit.to},
@@ -118,10 +119,10 @@ nlohmann::ordered_json json_of(const Checked& checked) {
   json["noise"] = {{"white_um", number(fit.noise.white_um)},
                    {"correlated_um", number(fit.noise.correlated_um)},
                    {"correlation_time_s", number(fit.noise.correlation_time_s)}};
-  json["whiteness"] = {{"autocorrelation", checked.whiteness.autocorrelation},
-                       {"periodogram_distance", number(checked.whiteness.periodogram_distance)},
-                       {"p", number(checked.whiteness.p)}};
-  json["sentences"] = sentences(fit, checked.where, checked.whiteness);
+  json["whiteness"] = {{"autocorrelation", residual_report.whiteness.autocorrelation},
+                       {"periodogram_distance", number(residual_report.whiteness.periodogram_distance)},
+                       {"p", number(residual_report.whiteness.p)}};
+  json["sentences"] = sentences(fit, residual_report.where, residual_report.whiteness);
   json["converged"] = fit.converged;
   json["remarks"] = fit.remarks;
   return json;

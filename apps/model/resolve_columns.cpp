@@ -58,7 +58,7 @@ std::string column_of(const EffectText& text, const Input& input, const Series& 
 
 }  // namespace
 
-BoundEffect bound_to(const EffectText& text, const Series& data, std::string_view target) {
+BoundEffect resolve_columns(const EffectText& text, const Series& data, std::string_view target) {
   BoundEffect bound{text.effect, {}};
   for (const Input& input : text.effect->inputs) bound.columns.push_back(column_of(text, input, data, target));
   return bound;

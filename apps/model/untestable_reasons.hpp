@@ -9,7 +9,7 @@
 
 namespace ballbar {
 
-// What several effects have in common once: each reason with their names, in the order of the prospects.
-std::vector<std::pair<std::string, std::vector<std::string>>> by_reason(const std::vector<Prospect>& untestable);
+// What several effects have in common once: each reason with their names, in the order of the detectability.
+std::vector<std::pair<std::string, std::vector<std::string>>> by_reason(const std::vector<Detectability>& untestable);
 
 }  // namespace ballbar

@@ -71,8 +71,8 @@ bool is_absent(int failed) { return failed == ENOENT || failed == ENOTDIR || fai
 
 }  // namespace
 
-Finished finished(const std::string& option, const std::vector<std::string>& arguments, std::string_view in,
-                  std::string_view without) {
+ChildProcess child_process(const std::string& option, const std::vector<std::string>& arguments, std::string_view in,
+                           std::string_view without) {
   const File input = temporary_file(option), out = temporary_file(option), err = temporary_file(option);
   const bool written = std::fwrite(in.data(), 1, in.size(), input.get()) == in.size();
   if (!written || std::fflush(input.get()) != 0) {
@@ -87,7 +87,7 @@ Finished finished(const std::string& option, const std::vector<std::string>& arg
   pid_t child = 0;
   const int failed = posix_spawnp(&child, arguments.front().c_str(), actions.get(), nullptr, as_pointers(copy).data(),
                                   environment(without).data());
-  Finished result;
+  ChildProcess result;
   result.not_found = is_absent(failed);
   if (result.not_found) return result;
   if (failed != 0) {

@@ -116,8 +116,8 @@ void add_series(Made& made, const Series& series, const Options& options) {
 }
 
 void add_comparison(Made& made, const Options& options) {
-  OperandOptions operands{.a = options.model.data.front(), .b = options.compare, .probes = options.probes};
-  const Operands both = operands_of(operands);
+  ComparedDriftOptions drifts{.a = options.model.data.front(), .b = options.compare, .probes = options.probes};
+  const ComparedDrifts both = compared_drifts_of(drifts);
   made.files.insert(made.files.end(), both.files.begin(), both.files.end());
   const Comparison comparison = compare(both.a, both.b);
   made.json["compare"] = json_of(comparison);
@@ -132,27 +132,27 @@ void overlay_effects(Made& made, const Fit& fit, const Model& model, const Model
   }
 }
 
-void overlay_candidates(Made& made, const Diagnosed& found, const ModelData& data) {
+void overlay_candidates(Made& made, const DiagnosisReport& found, const ModelData& data) {
   if (data.level != Level::recording) return;
   for (const Candidate& candidate : found.diagnosis.candidates) {
     if (!candidate.in_best_set) continue;
-    const std::vector<double> curve = curve_of(candidate, found.checked.fit, data.series);
+    const std::vector<double> curve = curve_of(candidate, found.residual_report.fit, data.series);
     if (curve.empty()) continue;
-    overlay(made.json["fit"]["recordings"], "candidate " + label_of(candidate.bound), curve, found.checked.fit,
+    overlay(made.json["fit"]["recordings"], "candidate " + label_of(candidate.bound), curve, found.residual_report.fit,
             data.series);
   }
 }
 
 void add_target(Made& made, const Options& options, const Model& model, const ModelData& data, std::size_t target) {
-  const auto add_checked = [&](const Checked& checked) {
-    made.json["check"]["targets"].push_back(check_part(checked, model, data));
-    const auto said = sentences(checked.fit, checked.where, checked.whiteness);
+  const auto add_checked = [&](const ResidualReport& residual_report) {
+    made.json["check"]["targets"].push_back(check_part(residual_report, model, data));
+    const auto said = sentences(residual_report.fit, residual_report.where, residual_report.whiteness);
     if (!said.empty()) made.conclude(fmt::format("{}: {}", model.targets[target], said.front()));
-    overlay_effects(made, checked.fit, model, data);
+    overlay_effects(made, residual_report.fit, model, data);
   };
-  if (options.no_diagnosis) return add_checked(checked(options.model, model, data, target));
-  const Diagnosed found = diagnosed_of(options.model, options.how, model, data, target);
-  add_checked(found.checked);
+  if (options.no_diagnosis) return add_checked(residual_report_of(options.model, model, data, target));
+  const DiagnosisReport found = diagnosis_report_of(options.model, options.how, model, data, target);
+  add_checked(found.residual_report);
   made.json["diagnose"]["targets"].push_back(diagnosis_part(found, data));
   made.conclude(fmt::format("{}: {}", model.targets[target], verdict_text(found.diagnosis)));
   overlay_candidates(made, found, data);
@@ -167,7 +167,8 @@ void add_model(Made& made, const Options& options) {
       add_target(made, options, model, data, target);
     } catch (const Error& error) {  // the rest of the report is worth having
       const std::string& name = model.targets[target];
-      made.conclude(fmt::format("{}: not {}: {}", name, options.no_diagnosis ? "fitted" : "diagnosed", error.what()));
+      made.conclude(
+          fmt::format("{}: not {}: {}", name, options.no_diagnosis ? "fitted" : "diagnosis_report", error.what()));
       if (options.no_diagnosis) continue;
       made.json["diagnose"]["targets"].push_back({{"target", name}, {"not_diagnosed", error.what()}});
     }

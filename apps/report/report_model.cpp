@@ -44,7 +44,7 @@ Json inputs_of(const Fit& fit, const ModelData& data) {
       inputs.push_back(column(one.name, name_of(one.role), unit_of(one.name), values));
     }
   }
-  const std::vector<std::size_t> cycles = cycles_of(data.series, fit.row);
+  const std::vector<std::size_t> cycles = folds_of(data.series, fit.row);
   inputs.push_back(column("cycle", "event", "", {cycles.begin(), cycles.end()}));
   return inputs;
 }
@@ -91,17 +91,17 @@ void add_curves(Json& candidates, const std::vector<Candidate>& found, const Fit
 }
 
 Json coherence_of(const Diagnosis& found) {
-  std::vector<const Prospect*> testable;
-  for (const Prospect& prospect : found.prospects) {
-    if (prospect.testability == Testability::testable) testable.push_back(&prospect);
+  std::vector<const Detectability*> testable;
+  for (const Detectability& detectable : found.detectability) {
+    if (detectable.testability == Testability::testable) testable.push_back(&detectable);
   }
   if (testable.size() < 2) return nullptr;
   Json labels = Json::array(), values = Json::array();
-  for (const Prospect* mine : testable) {
+  for (const Detectability* mine : testable) {
     std::map<std::string, double> of;
     for (const Likeness& likeness : mine->imitated_by) of[likeness.with] = likeness.coherence;
     Json row = Json::array();
-    for (const Prospect* other : testable) {
+    for (const Detectability* other : testable) {
       row.push_back(mine == other ? Json(1.0) : number(of[other->effect->name]));
     }
     labels.push_back(label_of(BoundEffect{mine->effect, mine->columns}));
@@ -121,9 +121,9 @@ std::vector<double> curve_of(const Candidate& candidate, const Fit& fit, const S
   return at_rows(effect_um(term, candidate.parameters, data), fit.row);
 }
 
-Json check_part(const Checked& checked, const Model& model, const ModelData& data) {
-  const Fit& fit = checked.fit;
-  Json json = json_of(checked);
+Json check_part(const ResidualReport& residual_report, const Model& model, const ModelData& data) {
+  const Fit& fit = residual_report.fit;
+  Json json = json_of(residual_report);
   json["level"] = model.level == Level::recording ? "recording" : "series";
   json["floor_text"] = floor_text(fit);
   Json series{{"time_s", bulk(fit.time_s)},
@@ -148,19 +148,19 @@ Json check_part(const Checked& checked, const Model& model, const ModelData& dat
   return json;
 }
 
-Json diagnosis_part(const Diagnosed& diagnosed, const ModelData& data) {
-  const Diagnosis& found = diagnosed.diagnosis;
-  Json json = json_of(diagnosed);
+Json diagnosis_part(const DiagnosisReport& diagnosis_report, const ModelData& data) {
+  const Diagnosis& found = diagnosis_report.diagnosis;
+  Json json = json_of(diagnosis_report);
   for (const char* key : {"where", "parameters", "correlation", "noise", "whiteness", "sentences", "remarks"}) {
     json.erase(key);  // as in the check of the same target
   }
   json["rmse_after_um"] = number(found.rmse_after_um);
-  json["next_test_text"] = next_text(diagnosed);
-  const Fit& fit = diagnosed.checked.fit;
+  json["next_test_text"] = next_text(diagnosis_report);
+  const Fit& fit = diagnosis_report.residual_report.fit;
   // Noise with a long memory lets the model's parameters stand off the readings; beside what is missing they do not.
   json["refit_um"] = bulk(model_parts_um(fit, {fit.residual_um}).front());
   add_curves(json["candidates"], found.candidates, fit, data.series);
-  add_curves(json["goes_with"], found.goes_with, fit, data.series);
+  add_curves(json["associations"], found.associations, fit, data.series);
   json["coherence"] = coherence_of(found);
   return json;
 }

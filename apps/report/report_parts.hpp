@@ -35,8 +35,8 @@ void overlay(nlohmann::ordered_json& recordings, const std::string& effect, cons
 nlohmann::ordered_json drift_part(const DriftSeries& drift);
 nlohmann::ordered_json probes_part(const MeasuredDrift& drift);
 nlohmann::ordered_json signals_part(const std::string& source, const Series& series);
-nlohmann::ordered_json check_part(const Checked& checked, const Model& model, const ModelData& data);
-nlohmann::ordered_json diagnosis_part(const Diagnosed& diagnosed, const ModelData& data);
+nlohmann::ordered_json check_part(const ResidualReport& residual_report, const Model& model, const ModelData& data);
+nlohmann::ordered_json diagnosis_part(const DiagnosisReport& diagnosis_report, const ModelData& data);
 
 // What a candidate alone would draw, at the rows of the fit; empty where it cannot be drawn.
 std::vector<double> curve_of(const Candidate& candidate, const Fit& fit, const Series& data);

@@ -4,6 +4,6 @@
 
 namespace ballbar {
 
-void remark(const std::string& text) { std::fputs((text + "\n").c_str(), stderr); }
+void stderr_line(const std::string& text) { std::fputs((text + "\n").c_str(), stderr); }
 
 }  // namespace ballbar

@@ -5,6 +5,6 @@
 
 namespace ballbar {
 
-void remark(const std::string& text);
+void stderr_line(const std::string& text);
 
 }  // namespace ballbar

@@ -31,7 +31,7 @@ Tally tally(const made::Plan& plan, const Effect* effect, int seeds) {
     if (effect != nullptr && effect->motions == std::vector{Motion::rotary_axis, Motion::spindle}) {
       options.search.motion = Motion::rotary_axis;
     }
-    const Diagnosis found = diagnose(circles_of(trace), trace, 0, options);
+    const Diagnosis found = diagnose(recording_base_model(trace), trace, 0, options);
     ++tally.n;
     bool named = false, other = false, in_set = false;
     for (const BoundEffect& bound : found.named) (bound.effect == effect ? named : other) = true;

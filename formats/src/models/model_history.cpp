@@ -25,9 +25,9 @@ constexpr Key kKeys[] = {
     {"rmse_um", "um", "root mean square of what the model leaves"},
     {"times_floor", "1", "that over the floor; absent where the floor is not known"},
     {"held_out_um", "um", "the same where cycles, or recordings, are left out and predicted from the others"},
-    {"evidence", "1", "2 ln of the likelihood ratio gained by the change"},
+    {"likelihood_ratio", "1", "2 ln of the likelihood ratio gained by the change"},
     {"threshold", "1", "from which that counts"},
-    {"best_fake_fall", "1", "share by which the best of 200 fakes lowers the RMSE"},
+    {"best_surrogate_fall", "1", "share by which the best of 200 surrogates lowers the RMSE"},
     {"verdict", "text", "\"start\", \"named\", \"supported\", \"time only\" or \"not supported\""},
     {"still_needed", "texts", "earlier effects that are needed beside the new one"},
     {"no_longer_needed", "texts", "earlier effects that are not"},
@@ -99,9 +99,9 @@ LedgerRow row_at(const TomlTable& table, std::size_t place) {
   row.rmse_um = measure(table, "rmse_um", required(number, table, "rmse_um"));
   row.times_floor = measure(table, "times_floor", number(table, "times_floor"));
   row.held_out_um = measure(table, "held_out_um", number(table, "held_out_um"));
-  row.evidence = number(table, "evidence").value_or(LedgerRow::kUnknown);
+  row.likelihood_ratio = number(table, "likelihood_ratio").value_or(LedgerRow::kUnknown);
   row.threshold = number(table, "threshold").value_or(LedgerRow::kUnknown);
-  row.best_fake_fall = number(table, "best_fake_fall").value_or(LedgerRow::kUnknown);
+  row.best_surrogate_fall = number(table, "best_surrogate_fall").value_or(LedgerRow::kUnknown);
   row.verdict = required(string, table, "verdict");
   row.still_needed = strings(table, "still_needed").value_or(std::vector<std::string>{});
   row.no_longer_needed = strings(table, "no_longer_needed").value_or(std::vector<std::string>{});
@@ -148,9 +148,9 @@ std::string row_text(const LedgerRow& row, const std::string* effects_before) {
   known("rmse_um", row.rmse_um);
   known("times_floor", row.times_floor);
   known("held_out_um", row.held_out_um);
-  known("evidence", row.evidence);
+  known("likelihood_ratio", row.likelihood_ratio);
   known("threshold", row.threshold);
-  known("best_fake_fall", row.best_fake_fall);
+  known("best_surrogate_fall", row.best_surrogate_fall);
   out += fmt::format("verdict = {}\n", toml_quoted(row.verdict));
   if (effects_before == nullptr) return out;
   out += fmt::format("still_needed = {}\nno_longer_needed = {}\neffects_before = {}\n", list_text(row.still_needed),

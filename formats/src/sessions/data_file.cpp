@@ -50,7 +50,7 @@ void expect_one_plane(const std::vector<Recording>& recordings, const std::files
     if (recording.plane == recordings.front().plane) continue;
     throw Error(
         fmt::format("{}: expected recordings of one plane, whose axes the effects are of, found {} after {}; "
-                    "each plane is diagnosed alone.",
+                    "each plane is diagnosis_report alone.",
                     last.string(), name_of(recording.plane), name_of(recordings.front().plane)));
   }
 }
@@ -109,7 +109,7 @@ ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const
     }
   }
   try {
-    data.series = joined(parts, max_gap_s);
+    data.series = merged(parts, max_gap_s);
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", paths.front().string(), error.what()));
   }

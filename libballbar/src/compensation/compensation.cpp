@@ -21,7 +21,7 @@ void expect_limit(bool holds, std::string_view name, std::string_view expected, 
   if (!holds) throw Error(fmt::format("{}: expected {}, found {}.", name, expected, found));
 }
 
-const Model& checked(const Model& model) {
+const Model& residual_report_of(const Model& model) {
   if (model.targets.size() != 1) {
     throw Error(fmt::format("expected a model of one target, found {}: each axis has a compensator of its own.",
                             model.targets.size()));
@@ -40,7 +40,7 @@ const Model& checked(const Model& model) {
   return model;
 }
 
-CompensationLimits checked(const CompensationLimits& limits) {
+CompensationLimits residual_report_of(const CompensationLimits& limits) {
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
   expect_limit(positive(limits.resolution_um), "resolution", "a least increment above 0 um", limits.resolution_um);
   expect_limit(limits.hysteresis >= 0.0 && limits.hysteresis <= 10.0, "hysteresis", "0 to 10 increments",
@@ -73,7 +73,7 @@ bool is_about_a_column(Hold hold) {
 }
 
 Compensator::Compensator(const Model& model, const CompensationLimits& limits)
-    : limits_(checked(limits)), model_(checked(model)) {
+    : limits_(residual_report_of(limits)), model_(residual_report_of(model)) {
   for (const std::string& column : columns()) {
     const auto trained = std::find_if(model.trained.begin(), model.trained.end(),
                                       [&](const ColumnRange& range) { return range.column == column; });

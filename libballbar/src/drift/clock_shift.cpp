@@ -135,9 +135,9 @@ double vertex(double before, double middle, double after) {
 
 }  // namespace
 
-std::optional<BestLag> best_lag(std::span<const double> time_s, std::span<const double> value,
-                                std::span<const double> curve_time_s, std::span<const double> curve_value,
-                                double max_gap_s, double sigma, double curve_sigma) {
+std::optional<ClockShift> clock_shift(std::span<const double> time_s, std::span<const double> value,
+                                      std::span<const double> curve_time_s, std::span<const double> curve_value,
+                                      double max_gap_s, double sigma, double curve_sigma) {
   Samples samples;
   const std::size_t stride = 1 + time_s.size() / kMostSamples;
   for (std::size_t i = 0; i < time_s.size(); i += stride) {
@@ -198,7 +198,7 @@ std::optional<BestLag> best_lag(std::span<const double> time_s, std::span<const 
   // The best of many shifts leaves too small a residual: never below what is stated.
   const double variance = std::max(stated, found);
   if (!bends(samples, curve, best_s, variance)) return std::nullopt;
-  return BestLag{best_s, std::sqrt(variance / information)};
+  return ClockShift{best_s, std::sqrt(variance / information)};
 }
 
 }  // namespace ballbar

@@ -118,7 +118,7 @@ double deviation_in_sigma(const AxisComparison& axis, std::size_t i) {
   return std::abs(axis.difference[i]) / axis.sigma[i];  // infinite where sigma is 0
 }
 
-void judge(AxisComparison& axis, double reference_s) {
+void decide_agreement(AxisComparison& axis, double reference_s) {
   std::size_t worst = 0;
   for (std::size_t i = 0; i < axis.time_s.size(); ++i) {
     if (axis.time_s[i] == reference_s || !std::isfinite(axis.sigma[i])) continue;
@@ -341,14 +341,14 @@ Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const Compari
     }
     axis.budget = shares_of(budget, zero);
     describe(axis, own.time_s[zero]);
-    judge(axis, own.time_s[zero]);
+    decide_agreement(axis, own.time_s[zero]);
     // Half of the variance of a change since the zero is the zero's: a constant, which moves no lag.
     const std::span<const UncertaintyShare> shares(axis.budget);
     const double sigma_a = total_sigma(shares.first(sources_of_a)) / std::numbers::sqrt2;
     const double sigma_b = total_sigma(shares.subspan(sources_of_a)) / std::numbers::sqrt2;
     const auto lag =
-        best_lag(axis.time_s, a_is_sparse ? axis.a : axis.b, dense.time_s, (a_is_sparse ? *axis_b : axis_a).value,
-                 max_gap_s, a_is_sparse ? sigma_a : sigma_b, a_is_sparse ? sigma_b : sigma_a);
+        clock_shift(axis.time_s, a_is_sparse ? axis.a : axis.b, dense.time_s, (a_is_sparse ? *axis_b : axis_a).value,
+                    max_gap_s, a_is_sparse ? sigma_a : sigma_b, a_is_sparse ? sigma_b : sigma_a);
     if (lag) {
       axis.lag_s = a_is_sparse ? lag->shift_s : -lag->shift_s;
       axis.lag_sigma_s = lag->sigma_s;

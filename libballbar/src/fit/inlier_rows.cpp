@@ -39,7 +39,7 @@ Eigen::MatrixXd without(const Eigen::MatrixXd& rows, const std::vector<std::size
   return rows(index, Eigen::all);
 }
 
-Fit kept_of(const Fit& fit) {
+Fit inliers_of(const Fit& fit) {
   Fit result;
   result.target = fit.target;
   result.time_s = kept(fit.time_s, fit.discounted);

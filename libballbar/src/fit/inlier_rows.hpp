@@ -14,6 +14,6 @@ std::vector<double> without(const std::vector<double>& values, const std::vector
 Eigen::MatrixXd without(const Eigen::MatrixXd& rows, const std::vector<std::size_t>& discounted);
 
 // Rows, times, residuals and sigma that count, with the fit's noise, floor and RMSE; the rest of the fit is left out.
-Fit kept_of(const Fit& fit);
+Fit inliers_of(const Fit& fit);
 
 }  // namespace ballbar

@@ -53,21 +53,21 @@ Eigen::MatrixXd gain_columns(const Fit& fit, const Model& model, std::size_t ter
   return fit.jacobian(Eigen::all, gains);
 }
 
-Leftover leftover_of(const Fit& fit) {
+LinearisedFit linearised_fit_of(const Fit& fit) {
   return {fit.time_s, fit.sigma_um,
           Eigen::VectorXd::Map(fit.residual_um.data(), static_cast<Eigen::Index>(fit.residual_um.size())),
           model_columns(fit), model_reach_um(fit)};
 }
 
-Freed freed_of(const Leftover& leftover) {
-  Freed result{orthonormal(leftover.model), {}};
-  result.residual = freed(leftover.residual_um, result.basis);
+Freed freed_of(const LinearisedFit& linearised) {
+  Freed result{orthonormal(linearised.model), {}};
+  result.residual = freed(linearised.residual_um, result.basis);
   return result;
 }
 
-Freed freed_of(const Leftover& leftover, const Whitening& whitening) {
-  Freed result{orthonormal(whitened(whitening, leftover.model)), {}};
-  result.residual = freed(Eigen::VectorXd(whitened(whitening, leftover.residual_um)), result.basis);
+Freed freed_of(const LinearisedFit& linearised, const Whitening& whitening) {
+  Freed result{orthonormal(whitened(whitening, linearised.model)), {}};
+  result.residual = freed(Eigen::VectorXd(whitened(whitening, linearised.residual_um)), result.basis);
   return result;
 }
 

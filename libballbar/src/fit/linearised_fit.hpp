@@ -27,21 +27,21 @@ std::size_t first_parameter(const Model& model, std::size_t term);
 Eigen::MatrixXd gain_columns(const Fit& fit, const Model& model, std::size_t term);
 
 // What is left of a fit, on which everything that follows is linear.
-struct Leftover {
+struct LinearisedFit {
   std::vector<double> time_s, sigma_um;  // sigma_um: stated, or empty
   Eigen::VectorXd residual_um;           // n
   Eigen::MatrixXd model;                 // n by p: columns that the model was free in
   // p: how far a column's factor may go for the model to be linear: of a shape its own size. Empty: any
   std::vector<double> reach_um = {};
 };
-Leftover leftover_of(const Fit& fit);
+LinearisedFit linearised_fit_of(const Fit& fit);
 
 // The model's columns made orthonormal and what they leave of the residual; as they are, or both whitened.
 struct Freed {
   Eigen::MatrixXd basis;     // n by the rank of the model
   Eigen::VectorXd residual;  // n
 };
-Freed freed_of(const Leftover& leftover);
-Freed freed_of(const Leftover& leftover, const Whitening& whitening);
+Freed freed_of(const LinearisedFit& linearised);
+Freed freed_of(const LinearisedFit& linearised, const Whitening& whitening);
 
 }  // namespace ballbar

@@ -76,8 +76,8 @@ class Screening {
   Screening(const Model& model, const ModelRows& rows, const Eigen::VectorXd& target_um, const Eigen::VectorXd& weight)
       : model_(model), rows_(rows) {
     stride_ = 1 + target_um.size() / kMostRows;
-    weight_ = thinned(weight);
-    target_ = thinned(target_um).cwiseProduct(weight_);
+    weight_ = subsampled(weight);
+    target_ = subsampled(target_um).cwiseProduct(weight_);
   }
 
   Basis basis(std::size_t term, const std::vector<double>& point) const {
@@ -89,14 +89,14 @@ class Screening {
     Eigen::MatrixXd derivatives;
     const Eigen::VectorXd values = rows_.term(term, p.data(), &derivatives);
     Basis result;
-    result.offset = thinned(values).cwiseProduct(weight_);
+    result.offset = subsampled(values).cwiseProduct(weight_);
     std::vector<Eigen::Index> gains;
     for (std::size_t k = 0; k < p.size(); ++k) {
       if (is_free_gain(bound, k)) gains.push_back(static_cast<Eigen::Index>(k));
     }
     result.columns.resize(weight_.size(), static_cast<Eigen::Index>(gains.size()));
     for (std::size_t k = 0; k < gains.size(); ++k) {
-      result.columns.col(static_cast<Eigen::Index>(k)) = thinned(derivatives.col(gains[k])).cwiseProduct(weight_);
+      result.columns.col(static_cast<Eigen::Index>(k)) = subsampled(derivatives.col(gains[k])).cwiseProduct(weight_);
     }
     return result;
   }
@@ -141,7 +141,7 @@ class Screening {
 
  private:
   template <class Column>
-  Eigen::VectorXd thinned(const Column& column) const {
+  Eigen::VectorXd subsampled(const Column& column) const {
     Eigen::VectorXd result((column.size() + stride_ - 1) / stride_);
     for (Eigen::Index i = 0; i < result.size(); ++i) result[i] = column[i * stride_];
     return result;

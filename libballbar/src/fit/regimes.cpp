@@ -11,7 +11,7 @@ namespace {
 constexpr double kAfterChange_s = 600.0, kWarming_s = 3600.0, kCooling_s = 7200.0;
 
 Regime later(double since_s, double before_rpm, double speed_rpm, double largest_rpm) {
-  const bool rest = at_rest(speed_rpm, largest_rpm);
+  const bool rest = at_standstill(speed_rpm, largest_rpm);
   const double rise = std::abs(speed_rpm) - std::abs(before_rpm);
   if ((rest || rise < -0.02 * largest_rpm) && since_s < kCooling_s) return Regime::cooling;
   if (rest) return Regime::standstill;
@@ -24,7 +24,7 @@ std::vector<SpeedStep> without_stops(const std::vector<double>& time_s, const st
   const auto length_s = [&](const SpeedStep& step) { return time_s[step.end - 1] - time_s[step.begin]; };
   std::vector<SpeedStep> result;
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const bool stop = !result.empty() && i + 1 < steps.size() && at_rest(steps[i].speed_rpm, largest_rpm) &&
+    const bool stop = !result.empty() && i + 1 < steps.size() && at_standstill(steps[i].speed_rpm, largest_rpm) &&
                       std::abs(result.back().speed_rpm - steps[i + 1].speed_rpm) < 0.02 * largest_rpm &&
                       length_s(steps[i]) < std::min({kAfterChange_s, length_s(result.back()), length_s(steps[i + 1])});
     if (stop) {
@@ -45,7 +45,7 @@ std::vector<Regime> regimes(const std::vector<double>& time_s, const Column& spe
   std::vector<Regime> result(time_s.size(), Regime::standstill);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const SpeedStep& step = steps[i];
-    if (i == 0 && at_rest(step.speed_rpm, largest_rpm)) continue;
+    if (i == 0 && at_standstill(step.speed_rpm, largest_rpm)) continue;
     const double before_rpm = i == 0 ? 0.0 : steps[i - 1].speed_rpm;
     for (std::size_t row = step.begin; row < step.end; ++row) {
       const double since_s = time_s[row] - time_s[step.begin];

@@ -240,7 +240,7 @@ std::string of_rest(const Fit& fit, const Whiteness& whiteness) {
 
 std::vector<Misfit> where_it_fails(const Fit& fit, const Series& data) {
   if (fit.residual_um.empty()) return {};
-  if (!fit.discounted.empty()) return where_it_fails(kept_of(fit), data);
+  if (!fit.discounted.empty()) return where_it_fails(inliers_of(fit), data);
   Groups groups(fit);
   by_regime(fit, data, groups);
   by_time(fit, groups);
@@ -259,7 +259,7 @@ bool is_adequate(const Fit& fit, const Whiteness& whiteness) {
 }
 
 std::vector<std::string> sentences(const Fit& fit, const std::vector<Misfit>& where, const Whiteness& whiteness) {
-  if (!fit.discounted.empty()) return sentences(kept_of(fit), where, whiteness);
+  if (!fit.discounted.empty()) return sentences(inliers_of(fit), where, whiteness);
   return {of_floor(fit), of_place(fit, where), of_rest(fit, whiteness)};
 }
 

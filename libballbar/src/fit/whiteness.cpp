@@ -47,7 +47,7 @@ std::vector<double> autocorrelation(const std::vector<double>& residual) {
 // Of white noise the powers I_j at the frequencies j = 1 ... m below the highest are independent and exponential, so
 // that C_k = sum_(j<=k) I_j / sum_j I_j, k < m, are m - 1 sorted uniform numbers.
 Whiteness whiteness(const Fit& fit) {
-  if (!fit.discounted.empty()) return whiteness(kept_of(fit));
+  if (!fit.discounted.empty()) return whiteness(inliers_of(fit));
   Whiteness result{autocorrelation(fit.residual_um)};
   std::size_t n = fit.residual_um.size();
   if (n < kFewestRows) return result;

@@ -67,7 +67,7 @@ std::string text_of(const Effect& effect, const std::vector<std::string>& column
   return fmt::format("{}:{}", effect.name, fmt::join(parts, ","));
 }
 
-bool goes_with(const Effect& effect, const std::vector<std::string>& columns, const std::vector<Choice>& choices) {
+bool associations(const Effect& effect, const std::vector<std::string>& columns, const std::vector<Choice>& choices) {
   return std::all_of(choices.begin(), choices.end(), [&](const Choice& choice) {
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if (effect.inputs[i].role == choice.first && columns[i] == choice.second) return true;
@@ -132,7 +132,7 @@ Term term_from_text(std::string_view text, const Model& model, const Series& dat
   }
   std::vector<std::vector<std::string>> bindings;
   for (std::vector<std::string>& columns : bindings_of(effect, model, data)) {
-    if (has_term(model, effect, columns) || !goes_with(effect, columns, choices)) continue;
+    if (has_term(model, effect, columns) || !associations(effect, columns, choices)) continue;
     bindings.push_back(std::move(columns));
   }
   if (bindings.empty()) fail_without_column(effect, model, data, choices);

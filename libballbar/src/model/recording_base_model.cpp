@@ -46,7 +46,7 @@ bool has_one_radius(const Series& trace) {
 
 }  // namespace
 
-Model circles_of(const Series& trace, const Catalogue& catalogue) {
+Model recording_base_model(const Series& trace, const Catalogue& catalogue) {
   const Effect* base = base_effect(Level::recording, catalogue);
   if (base == nullptr) throw Error("expected a catalogue with the base of recordings, found none in it.");
   Model model;
@@ -70,7 +70,7 @@ Model with_circles(Model model, const Series& trace) {
   const bool has_base =
       std::any_of(model.terms.begin(), model.terms.end(), [](const Term& term) { return term.effect->rules.is_base; });
   if (has_base) return model;
-  const Model base = circles_of(trace);
+  const Model base = recording_base_model(trace);
   model.terms.insert(model.terms.begin(), base.terms.begin(), base.terms.end());
   return model;
 }

@@ -96,7 +96,7 @@ std::optional<Floor> of_standstill(const std::vector<SpeedStep>& steps, double l
                                    std::span<const double> time_s, std::span<const double> target_um) {
   std::size_t begin = 0, end = 0;
   for (const SpeedStep& step : steps) {
-    if (!at_rest(step.speed_rpm, largest_rpm)) continue;
+    if (!at_standstill(step.speed_rpm, largest_rpm)) continue;
     std::size_t first = step.begin;
     while (first < step.end && time_s[first] < time_s[step.begin] + kRest_s) ++first;
     if (step.end - first < kFewestOfStandstill || time_s[step.end - 1] - time_s[first] < kShortestStandstill_s)

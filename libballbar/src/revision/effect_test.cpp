@@ -31,8 +31,8 @@ std::size_t free_parameters(const Term& term) {
 
 // The model without one of its terms, at its most likely: fitted anew, or from where the whole model is and by its
 // noise, whichever is better.
-NoiseFit likely_without(const Model& model, const Series& data, std::size_t target, const NoiseFit& whole,
-                        std::size_t term) {
+NoiseFit noise_fit_without(const Model& model, const Series& data, std::size_t target, const NoiseFit& whole,
+                           std::size_t term) {
   const auto drop = [&](Model rest) {
     rest.terms.erase(rest.terms.begin() + static_cast<std::ptrdiff_t>(term));
     return rest;
@@ -40,10 +40,10 @@ NoiseFit likely_without(const Model& model, const Series& data, std::size_t targ
   if (!has_free(drop(model))) {
     NoiseFit rest = whole;
     const std::vector<double>& added = whole.fit.contribution_um[term];
-    rest.leftover.residual_um += Eigen::VectorXd::Map(added.data(), static_cast<Eigen::Index>(added.size()));
-    rest.leftover.model.resize(rest.leftover.residual_um.size(), 0);
-    const Explained explained_rest =
-        explained(rest.leftover, Eigen::MatrixXd(rest.leftover.residual_um.size(), 0), whole.noise);
+    rest.linearised.residual_um += Eigen::VectorXd::Map(added.data(), static_cast<Eigen::Index>(added.size()));
+    rest.linearised.model.resize(rest.linearised.residual_um.size(), 0);
+    const GlsFit explained_rest =
+        gls_fit(rest.linearised, Eigen::MatrixXd(rest.linearised.residual_um.size(), 0), whole.noise);
     rest.noise = explained_rest.noise;
     rest.log_likelihood = explained_rest.log_likelihood;
     return rest;
@@ -54,62 +54,62 @@ NoiseFit likely_without(const Model& model, const Series& data, std::size_t targ
 }
 
 // 2 ln L lost. The larger model is at least as likely, wherever the search for its shapes ended.
-double evidence_of(const NoiseFit& with, const NoiseFit& without) {
+double likelihood_ratio_of(const NoiseFit& with, const NoiseFit& without) {
   return std::max(0.0, 2.0 * (with.log_likelihood - without.log_likelihood));
 }
 
-// Of the grid of its shapes; nullopt where it cannot be faked.
-std::optional<BestFake> fake_of(const WithAndWithout& models) {
+// Of the grid of its shapes; nullopt where it cannot be replaced by a surrogate.
+std::optional<BestSurrogate> surrogate_of(const WithAndWithout& models) {
   const Term& term = models.model.terms[models.term];
   const BoundEffect bound{term.effect.get(), term.columns};
   if (bound.effect->time_only || bound.effect->inputs.empty()) return std::nullopt;
   const BoundInputs inputs = inputs_of(*bound.effect, bound.columns, models.data);
   if (!inputs.usable) return std::nullopt;
   const bool of_recordings = bound.effect->level == Level::recording;
-  return fake_of(models, bound,
-                 of_recordings ? std::vector<std::vector<double>>{} : shapes_of(*bound.effect, inputs.rows, {}), kFakes,
-                 kSeed);
+  return surrogate_of(models, bound,
+                      of_recordings ? std::vector<std::vector<double>>{} : shapes_of(*bound.effect, inputs.rows, {}),
+                      kSurrogates, kSeed);
 }
 
 // all: fitted to all rows.
 Candidate tested(const Model& model, const Fit& all, const Series& data, std::size_t target, const NoiseFit& whole,
                  std::size_t place) {
-  const NoiseFit without = likely_without(model, data, target, whole, place);
+  const NoiseFit without = noise_fit_without(model, data, target, whole, place);
   const WithAndWithout models{data, model, place, whole, without};
-  const CycleTests tests = cycle_tests(models);
+  const FoldTests tests = fold_tests(models);
   Candidate candidate = candidate_of(model, all, place);
-  candidate.evidence = evidence_of(whole, without);
-  candidate.threshold = kFewestEvidence;
+  candidate.likelihood_ratio = likelihood_ratio_of(whole, without);
+  candidate.threshold = kLeastLikelihoodRatio;
   candidate.p_same_gain = tests.p_same_gain;
   candidate.rmse_after_um = all.rmse_um;
   candidate.held_out_before_um = tests.before.rmse_um;
   candidate.held_out_after_um = tests.after.rmse_um;
   candidate.gain = gain_of(models);
-  candidate = beside_fake(std::move(candidate), fake_of(models));
+  candidate = beside_surrogate(std::move(candidate), surrogate_of(models));
   const bool of_recordings = model.level == Level::recording;
-  if (candidate.evidence < kFewestEvidence) candidate.doubts.emplace_back(kTooLittleEvidence);
+  if (candidate.likelihood_ratio < kLeastLikelihoodRatio) candidate.doubts.emplace_back(kLowLikelihoodRatio);
   if (candidate.p_same_gain < kSameGain) candidate.doubts.push_back(gain_differs(of_recordings));
   if (!(candidate.held_out_after_um < candidate.held_out_before_um)) {
     candidate.doubts.push_back(not_predicted_better(of_recordings));
   }
-  if (candidate.beats_fakes && !*candidate.beats_fakes) candidate.doubts.emplace_back(kFakeDoesAsWell);
+  if (candidate.beats_surrogates && !*candidate.beats_surrogates) candidate.doubts.emplace_back(kSurrogateDoesAsWell);
   return candidate;
 }
 
-std::vector<Stay> stays(const Model& model, std::size_t count, const Series& data, std::size_t target,
-                        const NoiseFit& whole) {
-  std::vector<Stay> result;
+std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Series& data, std::size_t target,
+                                 const NoiseFit& whole) {
+  std::vector<DropTest> result;
   for (std::size_t t = 0; t < count; ++t) {
     const Term& term = model.terms[t];
-    Stay stay;
-    stay.term = t;
-    stay.label = label_of(term);
-    stay.parameters = free_parameters(term);
-    if (stay.parameters == 0 || term.effect->rules.is_base) continue;
-    stay.evidence = evidence_of(whole, likely_without(model, data, target, whole, t));
-    stay.p = chi2_upper_tail(stay.evidence, stay.parameters);
-    stay.needed = stay.p < kStays;
-    result.push_back(std::move(stay));
+    DropTest stay;
+    drop_test.term = t;
+    drop_test.label = label_of(term);
+    drop_test.parameters = free_parameters(term);
+    if (drop_test.parameters == 0 || term.effect->rules.is_base) continue;
+    drop_test.likelihood_ratio = likelihood_ratio_of(whole, noise_fit_without(model, data, target, whole, t));
+    drop_test.p = chi2_upper_tail(drop_test.likelihood_ratio, drop_test.parameters);
+    drop_test.needed = drop_test.p < kDropTest;
+    result.push_back(std::move(drop_test));
   }
   return result;
 }
@@ -120,22 +120,23 @@ std::string verdict_of(const std::vector<Candidate>& added) {
   return any([](const Candidate& one) { return one.bound.effect->time_only; }) ? "time only" : "supported";
 }
 
-void tell_earlier(const std::vector<Stay>& earlier, LedgerRow& row) {
+void tell_earlier(const std::vector<DropTest>& earlier, LedgerRow& row) {
   row.still_needed.clear();
   row.no_longer_needed.clear();
-  for (const Stay& stay : earlier) (stay.needed ? row.still_needed : row.no_longer_needed).push_back(stay.label);
+  for (const DropTest& drop_test : earlier)
+    (drop_test.needed ? row.still_needed : row.no_longer_needed).push_back(drop_test.label);
 }
 
 }  // namespace
 
-std::vector<Stay> stays(const Model& model, std::size_t count, const Series& data, std::size_t target) {
-  const Series seen = thinned(data, model.targets.at(target), kMostTested);
-  return stays(model, count, seen, target, noise_fit(model, seen, target));
+std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Series& data, std::size_t target) {
+  const Series seen = subsampled(data, model.targets.at(target), kMostTested);
+  return drop_tests(model, count, seen, target, noise_fit(model, seen, target));
 }
 
-Trial trial(const Model& model, const std::vector<Term>& added, const Series& data, std::size_t target) {
-  const Series seen = thinned(data, model.targets.at(target), kMostTested);
-  Trial result;
+EffectTest effect_test(const Model& model, const std::vector<Term>& added, const Series& data, std::size_t target) {
+  const Series seen = subsampled(data, model.targets.at(target), kMostTested);
+  EffectTest result;
   result.model = model;
   result.model.terms.insert(result.model.terms.end(), added.begin(), added.end());
   result.fit_before = fit(model, data, target);
@@ -148,36 +149,37 @@ Trial trial(const Model& model, const std::vector<Term>& added, const Series& da
   for (std::size_t t = model.terms.size(); t < result.model.terms.size(); ++t) {
     result.added.push_back(tested(result.model, result.fit_after, seen, target, whole, t));
     changes.push_back("+ " + result.added.back().label);
-    const double fall = result.added.back().best_fake_fall;
-    if (std::isfinite(fall) && !(result.after.best_fake_fall >= fall)) result.after.best_fake_fall = fall;
+    const double fall = result.added.back().best_surrogate_fall;
+    if (std::isfinite(fall) && !(result.after.best_surrogate_fall >= fall)) result.after.best_surrogate_fall = fall;
   }
   // Alone it is that of its own test, which looks for the smaller model from both sides.
-  result.after.evidence = added.size() == 1 ? result.added.front().evidence : evidence_of(whole, base);
-  result.after.threshold = kFewestEvidence * static_cast<double>(added.size());
+  result.after.likelihood_ratio =
+      added.size() == 1 ? result.added.front().likelihood_ratio : likelihood_ratio_of(whole, base);
+  result.after.threshold = kLeastLikelihoodRatio * static_cast<double>(added.size());
   result.after.change = fmt::format("{}", fmt::join(changes, ", "));
   result.after.verdict = verdict_of(result.added);
-  result.earlier = stays(result.model, model.terms.size(), seen, target, whole);
+  result.earlier = drop_tests(result.model, model.terms.size(), seen, target, whole);
   tell_earlier(result.earlier, result.after);
   return result;
 }
 
-Pruned pruned(Trial trial, const Series& data, std::size_t target) {
-  Pruned result{std::move(trial), {}};
-  Trial& now = result.trial;
+Pruned pruned(EffectTest effect_test, const Series& data, std::size_t target) {
+  Pruned result{std::move(effect_test), {}};
+  EffectTest& now = result.effect_test;
   std::size_t earlier = now.model.terms.size() - now.added.size();
   std::vector<std::size_t> place(earlier);  // in the model before, of what is left of it
   for (std::size_t t = 0; t < earlier; ++t) place[t] = t;
-  const Series seen = thinned(data, now.model.targets.at(target), kMostTested);
+  const Series seen = subsampled(data, now.model.targets.at(target), kMostTested);
   while (true) {
     const auto least = std::max_element(now.earlier.begin(), now.earlier.end(),
-                                        [](const Stay& a, const Stay& b) { return a.p < b.p; });
+                                        [](const DropTest& a, const DropTest& b) { return a.p < b.p; });
     if (least == now.earlier.end() || least->needed) break;
     now.after.change += ", - " + least->label;
     const auto at = static_cast<std::ptrdiff_t>(least->term);
     now.model.terms.erase(now.model.terms.begin() + at);
     result.removed.push_back(place[least->term]);
     place.erase(place.begin() + at);
-    now.earlier = stays(now.model, --earlier, data, target);
+    now.earlier = drop_tests(now.model, --earlier, data, target);
   }
   std::sort(result.removed.begin(), result.removed.end());
   if (result.removed.empty()) return result;

@@ -64,12 +64,12 @@ LedgerRow row_of(const Fit& fit, const NoiseFit& seen) {
                     [](const FittedParameter& parameter) { return parameter.state != ParameterState::held; }));
   row.rmse_um = fit.rmse_um;
   if (!fit.floor.source.empty() && fit.floor.rms_um > 0.0) row.times_floor = fit.rmse_um / fit.floor.rms_um;
-  row.held_out_um = held_out(seen.leftover, seen.noise, seen.cycle, seen.of_recordings).rmse_um;
+  row.held_out_um = cross_validation(seen.linearised, seen.noise, seen.fold, seen.of_recordings).rmse_um;
   return row;
 }
 
 LedgerRow row_of(const Model& model, const Series& data, std::size_t target) {
-  const Series seen = thinned(data, model.targets.at(target), kMostTested);
+  const Series seen = subsampled(data, model.targets.at(target), kMostTested);
   return row_of(fit(model, data, target), noise_fit(model, seen, target));
 }
 
@@ -94,13 +94,13 @@ std::string sentence(const LedgerRow& row, const LedgerRow* before) {
     text += fmt::format(", left-out {} {} um", row.level == Level::recording ? "recordings" : "cycles",
                         change_text(from.held_out_um, row.held_out_um, um_text));
   }
-  if (std::isfinite(row.evidence)) {
-    text += fmt::format("; evidence {:.1f}", row.evidence);
+  if (std::isfinite(row.likelihood_ratio)) {
+    text += fmt::format("; likelihood ratio {:.1f}", row.likelihood_ratio);
     if (std::isfinite(row.threshold)) text += fmt::format(", which counts from {:.1f}", row.threshold);
   }
-  if (std::isfinite(row.best_fake_fall)) {
-    text += fmt::format("{} a fake effect would have bought up to {:.0f} %",
-                        std::isfinite(row.evidence) ? ", and" : ";", 100.0 * row.best_fake_fall);
+  if (std::isfinite(row.best_surrogate_fall)) {
+    text += fmt::format("{} a surrogate effect would have bought up to {:.0f} %",
+                        std::isfinite(row.likelihood_ratio) ? ", and" : ";", 100.0 * row.best_surrogate_fall);
   }
   text += needed_text(row.still_needed, "still needed");
   text += needed_text(row.no_longer_needed, "no longer needed");

@@ -16,7 +16,7 @@ const Column* recording_numbers(const Series& data);
 // Cycles by which the gains of these columns can be tested: as `cycle`, but where a gain belongs to one recording (a
 // vibration has a phase of its own in each direction) that recording cannot be told from the others, and quarters of
 // all sweeps are left out.
-std::vector<std::size_t> cycles_that_tell(const Series& data, const std::vector<std::size_t>& rows,
-                                          const std::vector<std::size_t>& cycle, const Eigen::MatrixXd& columns);
+std::vector<std::size_t> folds_that_tell(const Series& data, const std::vector<std::size_t>& rows,
+                                         const std::vector<std::size_t>& fold, const Eigen::MatrixXd& columns);
 
 }  // namespace ballbar

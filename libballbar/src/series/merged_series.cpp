@@ -116,7 +116,7 @@ std::vector<double> on(const std::vector<double>& time_s, const Known& values, R
 
 }  // namespace
 
-Series joined(const std::vector<Series>& parts, double max_gap_s) {
+Series merged(const std::vector<Series>& parts, double max_gap_s) {
   expect_different_names(parts);
   const Range range = covered(parts);
   expect_common_times(parts, range);

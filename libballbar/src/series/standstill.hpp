@@ -14,6 +14,6 @@ inline double largest_of(std::span<const double> values) {
 }
 
 // Below 2 % of the largest speed, as steps of speed are told apart (speed_steps.hpp).
-inline bool at_rest(double speed_rpm, double largest_rpm) { return std::abs(speed_rpm) <= 0.02 * largest_rpm; }
+inline bool at_standstill(double speed_rpm, double largest_rpm) { return std::abs(speed_rpm) <= 0.02 * largest_rpm; }
 
 }  // namespace ballbar

@@ -6,7 +6,7 @@
 
 namespace ballbar {
 
-Series thinned(const Series& data, const std::string& target, std::size_t most) {
+Series subsampled(const Series& data, const std::string& target, std::size_t most) {
   const std::vector<double>& values = find_column(data, target)->values;
   const auto known = static_cast<std::size_t>(
       std::count_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); }));

@@ -13,6 +13,6 @@ inline constexpr std::size_t kMostTested = 1500;  // values of the target, as di
 // The same rows, the target kept at every k-th of its values, so that at most `most` are left, and a gap elsewhere.
 // Inputs stay whole: effects run on them as before. Not means: a mean of noise with a memory has another kind of noise,
 // and an effect of means is not the mean of the effect.
-Series thinned(const Series& data, const std::string& target, std::size_t most);
+Series subsampled(const Series& data, const std::string& target, std::size_t most);
 
 }  // namespace ballbar

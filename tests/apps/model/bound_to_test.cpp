@@ -18,7 +18,7 @@ Series data() {
 
 std::string bound(const std::string& text) {
   try {
-    return label_of(bound_to(effect_text(text, Level::series), data(), "z_um"));
+    return label_of(resolve_columns(effect_text(text, Level::series), data(), "z_um"));
   } catch (const Error& error) {
     return error.what();
   }

@@ -9,12 +9,12 @@
 namespace ballbar {
 namespace {
 
-Finished shell(const std::string& command, std::string_view in = {}) {
-  return finished("--plot", {"sh", "-c", command}, in);
+ChildProcess shell(const std::string& command, std::string_view in = {}) {
+  return child_process("--plot", {"sh", "-c", command}, in);
 }
 
 TEST(finished, tells_what_was_written_and_how_it_ended) {
-  const Finished said = shell("cat; echo wrong >&2; exit 3", "text");
+  const ChildProcess said = shell("cat; echo wrong >&2; exit 3", "text");
   EXPECT_EQ(said.out, "text");
   EXPECT_EQ(said.err, "wrong\n");
   EXPECT_EQ(said.status, 3);
@@ -24,7 +24,7 @@ TEST(finished, tells_what_was_written_and_how_it_ended) {
 }
 
 TEST(finished, a_program_that_is_not_there_is_no_error) {
-  EXPECT_TRUE(finished("--plot", {"ballbar-has-no-such-program"}, "text").not_found);
+  EXPECT_TRUE(child_process("--plot", {"ballbar-has-no-such-program"}, "text").not_found);
 }
 
 // More than a pipe holds (64 KiB) both ways, and back before all is read.
@@ -34,14 +34,14 @@ TEST(finished, long_texts_do_not_block) {
 }
 
 TEST(finished, arguments_are_not_read_by_a_shell) {
-  EXPECT_EQ(finished("--plot", {"printf", "%s", "$(echo x) `y` '\"; z"}, "").out, "$(echo x) `y` '\"; z");
+  EXPECT_EQ(child_process("--plot", {"printf", "%s", "$(echo x) `y` '\"; z"}, "").out, "$(echo x) `y` '\"; z");
 }
 
 TEST(finished, the_environment_is_ours_but_for_what_is_left_out) {
   setenv("BALLBAR_TEST_A", "1", 1);
   setenv("BALLBAR_TEST_B", "2", 1);
-  const Finished said =
-      finished("--plot", {"sh", "-c", "echo \"$BALLBAR_TEST_A,$BALLBAR_TEST_B\""}, "", "BALLBAR_TEST_A=");
+  const ChildProcess said =
+      child_process("--plot", {"sh", "-c", "echo \"$BALLBAR_TEST_A,$BALLBAR_TEST_B\""}, "", "BALLBAR_TEST_A=");
   EXPECT_EQ(said.out, ",2\n");
   unsetenv("BALLBAR_TEST_A");
   unsetenv("BALLBAR_TEST_B");

@@ -40,9 +40,9 @@ LedgerRow change(std::string what) {
   row.rmse_um = 1.0 / 3.0;
   row.times_floor = 1.5;
   row.held_out_um = 0.5;
-  row.evidence = -0.25;
+  row.likelihood_ratio = -0.25;
   row.threshold = 25.0;
-  row.best_fake_fall = 0.27;
+  row.best_surrogate_fall = 0.27;
   row.verdict = "supported";
   row.still_needed = {"speed_heating(speed_rpm)"};
   row.no_longer_needed = {"linear_drift", "a \"quoted\" one"};
@@ -82,9 +82,9 @@ parameters = 4
 rmse_um = 0.3333333333333333
 times_floor = 1.5
 held_out_um = 0.5
-evidence = -0.25
+likelihood_ratio = -0.25
 threshold = 25.0
-best_fake_fall = 0.27
+best_surrogate_fall = 0.27
 verdict = "supported"
 still_needed = ["speed_heating(speed_rpm)"]
 no_longer_needed = ["linear_drift", "a \"quoted\" one"]
@@ -109,7 +109,7 @@ TEST(model_history, read_back) {
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0].change, "start");
   EXPECT_TRUE(std::isnan(rows[0].times_floor));
-  EXPECT_TRUE(std::isnan(rows[0].evidence));
+  EXPECT_TRUE(std::isnan(rows[0].likelihood_ratio));
   const LedgerRow expected = change("+ expansion(T_air_degC)"), &found = rows[1];
   EXPECT_EQ(found.revision, 1u);
   EXPECT_EQ(found.change, expected.change);
@@ -119,9 +119,9 @@ TEST(model_history, read_back) {
   EXPECT_EQ(found.rmse_um, expected.rmse_um);
   EXPECT_EQ(found.times_floor, expected.times_floor);
   EXPECT_EQ(found.held_out_um, expected.held_out_um);
-  EXPECT_EQ(found.evidence, expected.evidence);
+  EXPECT_EQ(found.likelihood_ratio, expected.likelihood_ratio);
   EXPECT_EQ(found.threshold, expected.threshold);
-  EXPECT_EQ(found.best_fake_fall, expected.best_fake_fall);
+  EXPECT_EQ(found.best_surrogate_fall, expected.best_surrogate_fall);
   EXPECT_EQ(found.verdict, expected.verdict);
   EXPECT_EQ(found.still_needed, expected.still_needed);
   EXPECT_EQ(found.no_longer_needed, expected.no_longer_needed);
@@ -187,7 +187,8 @@ TEST(model_history, edited_by_hand) {
       {"revision = 1", "revision = \"1\"", "file:28:12: expected an integer for revision, found the text \"1\"."},
       {"revision = 1", "revison = 1",
        "file:28:1: expected one of the keys revision, change, target, data, parameters, rmse_um, times_floor, "
-       "held_out_um, evidence, threshold, best_fake_fall, verdict, still_needed, no_longer_needed, effects_before in "
+       "held_out_um, likelihood ratio, threshold, best_surrogate_fall, verdict, still_needed, no_longer_needed, "
+       "effects_before in "
        "[[history]] 2, found \"revison\"; the nearest is revision."},
       {"\"+ expansion(T_air_degC)\"", "\"start\"",
        "file:29:10: expected \"+ effect\" or \"- effect\", found \"start\"."},

@@ -29,32 +29,32 @@ Series rows_of(std::size_t n, double step_s) {
   return data;
 }
 
-Leftover leftover_with(const std::vector<double>& residual_um) {
-  Leftover leftover;
-  for (std::size_t i = 0; i < residual_um.size(); ++i) leftover.time_s.push_back(60.0 * static_cast<double>(i));
-  leftover.residual_um = Eigen::VectorXd::Map(residual_um.data(), static_cast<Eigen::Index>(residual_um.size()));
-  leftover.model = Eigen::MatrixXd::Ones(leftover.residual_um.size(), 1);
-  return leftover;
+LinearisedFit leftover_with(const std::vector<double>& residual_um) {
+  LinearisedFit linearised;
+  for (std::size_t i = 0; i < residual_um.size(); ++i) linearised.time_s.push_back(60.0 * static_cast<double>(i));
+  linearised.residual_um = Eigen::VectorXd::Map(residual_um.data(), static_cast<Eigen::Index>(residual_um.size()));
+  linearised.model = Eigen::MatrixXd::Ones(linearised.residual_um.size(), 1);
+  return linearised;
 }
 
-// A bank of single columns, each a family of the effect `expansion`.
-Bank bank_with(const Eigen::MatrixXd& columns) {
-  Bank bank;
-  bank.columns = columns;
+// A library of single columns, each a family of the effect `expansion`.
+SignatureLibrary bank_with(const Eigen::MatrixXd& columns) {
+  SignatureLibrary library;
+  library.columns = columns;
   for (Eigen::Index k = 0; k < columns.cols(); ++k) {
-    bank.families.push_back({{find_effect("expansion", Level::series), {"T" + std::to_string(k) + "_degC"}},
-                             static_cast<std::size_t>(k),
-                             1});
-    bank.signatures.push_back({static_cast<std::size_t>(k), {0.0}, k, 1, 1.0});
+    library.families.push_back({{find_effect("expansion", Level::series), {"T" + std::to_string(k) + "_degC"}},
+                                static_cast<std::size_t>(k),
+                                1});
+    library.signatures.push_back({static_cast<std::size_t>(k), {0.0}, k, 1, 1.0});
   }
-  return bank;
+  return library;
 }
 
-TEST(Thinned, keeps_every_kth_value_of_the_target_and_all_inputs) {
+TEST(Subsampled, keeps_every_kth_value_of_the_target_and_all_inputs) {
   Series data = rows_of(6, 10.0);
   data.columns = {{"z_um", Role::measured, {1, 3, std::nan(""), 5, 7, 9}},
                   {"T_degC", Role::structure, {1, 2, 3, 4, 5, 6}}};
-  const Series found = thinned(data, "z_um", 3);
+  const Series found = subsampled(data, "z_um", 3);
   EXPECT_EQ(found.time_s, data.time_s);
   EXPECT_EQ(found.columns[1].values, data.columns[1].values);
   const std::vector<double>& left = found.columns[0].values;
@@ -64,19 +64,20 @@ TEST(Thinned, keeps_every_kth_value_of_the_target_and_all_inputs) {
   EXPECT_EQ(left[3], 5.0);
   EXPECT_TRUE(std::isnan(left[4]));
   EXPECT_EQ(left[5], 9.0);
-  EXPECT_EQ(thinned(data, "z_um", 5).columns[0].values[1], 3.0);
+  EXPECT_EQ(subsampled(data, "z_um", 5).columns[0].values[1], 3.0);
 }
 
 // The model is a constant: (1, -1, 1, -1) / 2 survives whole, (1, 1, 1, 1) not at all; r = 3 (1, -1, 1, -1).
-TEST(Bank, score_is_the_fall_of_chi2) {
+TEST(SignatureLibrary, score_is_the_fall_of_chi2) {
   Eigen::MatrixXd columns(4, 2);
   columns << 2, 1, -2, 1, 2, 1, -2, 1;
-  const Bank bank = bank_with(columns);
+  const SignatureLibrary library = bank_with(columns);
   const Eigen::VectorXd residual = (Eigen::VectorXd(4) << 3, -3, 3, -3).finished();
-  const Leftover leftover = leftover_with({3, -3, 3, -3});
+  const LinearisedFit linearised = leftover_with({3, -3, 3, -3});
   const Noise noise{2.0, 0.0, 0.0, 0.0};
-  const Projected seen = projected(bank, residual, Eigen::MatrixXd::Ones(4, 1), Whitening(noise, leftover.time_s, {}));
-  const Eigen::VectorXd found = scores(bank, seen, seen.residual);
+  const Projected seen =
+      projected(library, residual, Eigen::MatrixXd::Ones(4, 1), Whitening(noise, linearised.time_s, {}));
+  const Eigen::VectorXd found = scores(library, seen, seen.residual);
   EXPECT_NEAR(found[0], 36.0 / 4.0, 1e-12);
   EXPECT_NEAR(found[1], 0.0, 1e-12);
   EXPECT_NEAR(seen.share[0], 1.0, 1e-12);
@@ -85,16 +86,17 @@ TEST(Bank, score_is_the_fall_of_chi2) {
 }
 
 // One signature, white noise: scores are chi^2 with one degree of freedom; 90 % quantile 2.706, mean excess about 2.4.
-TEST(SearchNull, one_signature_is_chi2) {
+TEST(MaxScoreNull, one_signature_is_chi2) {
   const std::size_t n = 40;
   Eigen::MatrixXd columns(n, 1);
   for (Eigen::Index i = 0; i < columns.rows(); ++i) columns(i, 0) = std::sin(0.7 * static_cast<double>(i));
-  const Bank bank = bank_with(columns);
-  const Leftover leftover = leftover_with(std::vector<double>(n, 0.0));
+  const SignatureLibrary library = bank_with(columns);
+  const LinearisedFit linearised = leftover_with(std::vector<double>(n, 0.0));
   const Noise noise{0.3, 0.0, 0.0, 0.0};
-  const Projected seen = projected(bank, leftover.residual_um, leftover.model, Whitening(noise, leftover.time_s, {}));
-  const SearchNull null = search_null(bank, seen, leftover, noise, {noise}, 20000, 1);
-  const Effect& effect = *bank.families[0].bound.effect;
+  const Projected seen =
+      projected(library, linearised.residual_um, linearised.model, Whitening(noise, linearised.time_s, {}));
+  const MaxScoreNull null = max_score_null(library, seen, linearised, noise, {noise}, 20000, 1);
+  const Effect& effect = *library.families[0].bound.effect;
   EXPECT_NEAR(null.p_of_effect(effect, 2.706), 0.1, 0.01);
   EXPECT_NEAR(null.p_of_effect(effect, 6.635), 0.01, 0.004);
   EXPECT_NEAR(null.p_search(effect, 6.635), 0.01, 0.004);
@@ -103,29 +105,29 @@ TEST(SearchNull, one_signature_is_chi2) {
 }
 
 // Noise with a memory, uneven steps and stated sigma: whitened by itself it is white, whatever the filter's way.
-TEST(SearchNull, noise_with_a_memory_is_drawn_as_it_is) {
+TEST(MaxScoreNull, noise_with_a_memory_is_drawn_as_it_is) {
   const std::size_t n = 40;
   Eigen::MatrixXd columns(n, 1);
   for (Eigen::Index i = 0; i < columns.rows(); ++i) columns(i, 0) = std::sin(0.2 * static_cast<double>(i));
-  const Bank bank = bank_with(columns);
-  Leftover leftover = leftover_with(std::vector<double>(n, 0.0));
+  const SignatureLibrary library = bank_with(columns);
+  LinearisedFit linearised = leftover_with(std::vector<double>(n, 0.0));
   for (std::size_t i = 0; i < n; ++i) {
-    leftover.time_s[i] += i % 3 == 0 ? 10.0 : 0.0;
-    leftover.sigma_um.push_back(i % 2 == 0 ? 0.1 : 0.3);
+    linearised.time_s[i] += i % 3 == 0 ? 10.0 : 0.0;
+    linearised.sigma_um.push_back(i % 2 == 0 ? 0.1 : 0.3);
   }
   const Noise noise{0.3, 0.5, 200.0, 0.0};
-  const Whitening whitening(noise, leftover.time_s, leftover.sigma_um);
-  const Projected seen = projected(bank, leftover.residual_um, leftover.model, whitening);
-  const SearchNull null = search_null(bank, seen, leftover, noise, {noise}, 20000, 1);
-  const Effect& effect = *bank.families[0].bound.effect;
+  const Whitening whitening(noise, linearised.time_s, linearised.sigma_um);
+  const Projected seen = projected(library, linearised.residual_um, linearised.model, whitening);
+  const MaxScoreNull null = max_score_null(library, seen, linearised, noise, {noise}, 20000, 1);
+  const Effect& effect = *library.families[0].bound.effect;
   EXPECT_NEAR(null.p_of_effect(effect, 2.706), 0.1, 0.01);
   EXPECT_NEAR(null.p_of_effect(effect, 6.635), 0.01, 0.004);
   // Noise of twice the size: scores are four times as large.
   const Noise larger{0.6, 1.0, 200.0, 0.0};
-  leftover.sigma_um.clear();
-  const Whitening plain(noise, leftover.time_s, {});
-  const Projected without = projected(bank, leftover.residual_um, leftover.model, plain);
-  const SearchNull twice = search_null(bank, without, leftover, noise, {larger}, 20000, 1);
+  linearised.sigma_um.clear();
+  const Whitening plain(noise, linearised.time_s, {});
+  const Projected without = projected(library, linearised.residual_um, linearised.model, plain);
+  const MaxScoreNull twice = max_score_null(library, without, linearised, noise, {larger}, 20000, 1);
   EXPECT_NEAR(twice.p_of_effect(effect, 4.0 * 2.706), 0.1, 0.01);
 }
 
@@ -172,53 +174,53 @@ TEST(BestSubset, finds_a_pair_of_which_each_alone_is_weak) {
   columns.col(0) = base.col(0) + 0.5 * base.col(1);
   columns.col(1) = base.col(0) - 0.5 * base.col(1);
   columns.col(2) = base.col(2);
-  const Bank bank = bank_with(columns);
+  const SignatureLibrary library = bank_with(columns);
   const Eigen::VectorXd residual = columns.col(0) - columns.col(1);
-  Leftover leftover = leftover_with(std::vector<double>(residual.begin(), residual.end()));
+  LinearisedFit linearised = leftover_with(std::vector<double>(residual.begin(), residual.end()));
   const Noise noise{0.1, 0.0, 0.0, 0.0};
-  const Projected seen = projected(bank, residual, leftover.model, Whitening(noise, leftover.time_s, {}));
-  const std::vector<Subset> subsets = best_subsets(bank, seen, nullptr, 3);
+  const Projected seen = projected(library, residual, linearised.model, Whitening(noise, linearised.time_s, {}));
+  const std::vector<Subset> subsets = best_subsets(library, seen, nullptr, 3);
   ASSERT_FALSE(subsets.empty());
   EXPECT_EQ(subsets.front().signatures, (std::vector<std::size_t>{0, 1}));
   EXPECT_NEAR(subsets.front().gain, seen.residual.squaredNorm(), 1e-6 * seen.residual.squaredNorm());
 }
 
 // Generalised least squares and its likelihood against dense matrices.
-TEST(Evidence, explained_is_generalised_least_squares) {
+TEST(LikelihoodRatio, explained_is_generalised_least_squares) {
   const std::vector<double> residual{0.3, -0.2, 0.5, 0.9, 1.4, 1.1, 1.9, 2.3};
-  const Leftover leftover = leftover_with(residual);
+  const LinearisedFit linearised = leftover_with(residual);
   const Noise noise{0.2, 0.4, 120.0, 0.0};
   Eigen::MatrixXd added(8, 1);
   added << 0, 1, 2, 3, 4, 5, 6, 7;
-  const Explained found = explained(leftover, added, noise, 0);
+  const GlsFit found = gls_fit(linearised, added, noise, 0);
   Eigen::MatrixXd covariance(8, 8), x(8, 2);
   for (int i = 0; i < 8; ++i) {
     for (int j = 0; j < 8; ++j) {
       covariance(i, j) = 0.16 * std::exp(-60.0 * std::abs(i - j) / 120.0) + (i == j ? 0.04 : 0.0);
     }
   }
-  x << leftover.model, added;
+  x << linearised.model, added;
   const Eigen::MatrixXd inverse = covariance.inverse();
   const Eigen::VectorXd gains =
-      (x.transpose() * inverse * x).ldlt().solve(x.transpose() * inverse * leftover.residual_um);
+      (x.transpose() * inverse * x).ldlt().solve(x.transpose() * inverse * linearised.residual_um);
   EXPECT_NEAR(found.gains[0], gains[1], 1e-10);
-  const Eigen::VectorXd left = leftover.residual_um - x * gains;
+  const Eigen::VectorXd left = linearised.residual_um - x * gains;
   const double dense =
       -0.5 * (8.0 * std::log(2.0 * M_PI) + std::log(covariance.determinant()) + left.dot(inverse * left));
   EXPECT_NEAR(found.log_likelihood, dense, 1e-9);
 }
 
-TEST(SmoothRival, likelihood_is_that_of_the_dense_covariance) {
+TEST(GaussianProcessAlternative, likelihood_is_that_of_the_dense_covariance) {
   const std::vector<double> residual{0.3, -0.2, 0.5, 0.9, 1.4, 1.1};
-  Leftover leftover = leftover_with(residual);
-  leftover.time_s = {0.0, 60.0, 90.0, 200.0, 260.0, 400.0};
+  LinearisedFit linearised = leftover_with(residual);
+  linearised.time_s = {0.0, 60.0, 90.0, 200.0, 260.0, 400.0};
   const Noise noise{0.2, 0.4, 120.0, 0.0};
   const double amplitude = 0.7, length_s = 150.0;
   Eigen::MatrixXd covariance(6, 6);
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) {
       const double dt =
-          std::abs(leftover.time_s[static_cast<std::size_t>(i)] - leftover.time_s[static_cast<std::size_t>(j)]);
+          std::abs(linearised.time_s[static_cast<std::size_t>(i)] - linearised.time_s[static_cast<std::size_t>(j)]);
       const double s = std::sqrt(3.0) * dt / length_s;
       covariance(i, j) =
           0.16 * std::exp(-dt / 120.0) + amplitude * amplitude * (1.0 + s) * std::exp(-s) + (i == j ? 0.04 : 0.0);
@@ -226,29 +228,29 @@ TEST(SmoothRival, likelihood_is_that_of_the_dense_covariance) {
   }
   const Eigen::MatrixXd inverse = covariance.inverse();
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(6);
-  const double mean = ones.dot(inverse * leftover.residual_um) / ones.dot(inverse * ones);
-  const Eigen::VectorXd left = leftover.residual_um - mean * ones;
+  const double mean = ones.dot(inverse * linearised.residual_um) / ones.dot(inverse * ones);
+  const Eigen::VectorXd left = linearised.residual_um - mean * ones;
   const double dense =
       -0.5 * (6.0 * std::log(2.0 * M_PI) + std::log(covariance.determinant()) + left.dot(inverse * left));
-  EXPECT_NEAR(log_likelihood(leftover, noise, amplitude, length_s), dense, 1e-9);
+  EXPECT_NEAR(log_likelihood(linearised, noise, amplitude, length_s), dense, 1e-9);
 }
 
 // Even steps until the gains are steady, then a gap.
-TEST(SmoothRival, a_gap_after_steady_steps_is_that_of_the_dense_covariance) {
+TEST(GaussianProcessAlternative, a_gap_after_steady_steps_is_that_of_the_dense_covariance) {
   const Eigen::Index n = 160;
-  Leftover leftover;
-  leftover.residual_um.resize(n);
+  LinearisedFit linearised;
+  linearised.residual_um.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    leftover.time_s.push_back(60.0 * static_cast<double>(i) + (i >= 120 ? 500.0 : 0.0));
-    leftover.residual_um[i] = std::sin(0.05 * static_cast<double>(i)) + 0.2 * std::cos(1.7 * static_cast<double>(i));
+    linearised.time_s.push_back(60.0 * static_cast<double>(i) + (i >= 120 ? 500.0 : 0.0));
+    linearised.residual_um[i] = std::sin(0.05 * static_cast<double>(i)) + 0.2 * std::cos(1.7 * static_cast<double>(i));
   }
-  leftover.model = Eigen::MatrixXd(n, 0);
+  linearised.model = Eigen::MatrixXd(n, 0);
   const Noise noise{0.2, 0.3, 100.0, 0.0};
   Eigen::MatrixXd covariance(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = 0; j < n; ++j) {
       const double dt =
-          std::abs(leftover.time_s[static_cast<std::size_t>(i)] - leftover.time_s[static_cast<std::size_t>(j)]);
+          std::abs(linearised.time_s[static_cast<std::size_t>(i)] - linearised.time_s[static_cast<std::size_t>(j)]);
       const double s = std::sqrt(3.0) * dt / 400.0;
       covariance(i, j) = 0.09 * std::exp(-dt / 100.0) + 0.49 * (1.0 + s) * std::exp(-s) + (i == j ? 0.04 : 0.0);
     }
@@ -256,19 +258,20 @@ TEST(SmoothRival, a_gap_after_steady_steps_is_that_of_the_dense_covariance) {
   const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
   const double log_det = 2.0 * Eigen::MatrixXd(factor.matrixL()).diagonal().array().log().sum();
   const double dense = -0.5 * (static_cast<double>(n) * std::log(2.0 * M_PI) + log_det +
-                               leftover.residual_um.dot(factor.solve(leftover.residual_um)));
-  EXPECT_NEAR(log_likelihood(leftover, noise, 0.7, 400.0), dense, 1e-6);
+                               linearised.residual_um.dot(factor.solve(linearised.residual_um)));
+  EXPECT_NEAR(log_likelihood(linearised, noise, 0.7, 400.0), dense, 1e-6);
 }
 
 // What the model makes already has no score and leads no search.
 TEST(BestSubset, leaves_out_what_the_model_absorbs) {
   Eigen::MatrixXd columns(6, 2);
   columns << 1, 1, 1, -1, 1, 2, 1, -2, 1, 1, 1, 3;
-  const Bank bank = bank_with(columns);
-  const Leftover leftover = leftover_with({0.1, -0.2, 0.1, 0.2, -0.1, -0.1});
+  const SignatureLibrary library = bank_with(columns);
+  const LinearisedFit linearised = leftover_with({0.1, -0.2, 0.1, 0.2, -0.1, -0.1});
   const Noise noise{0.2, 0.0, 0.0, 0.0};
-  const Projected seen = projected(bank, leftover.residual_um, leftover.model, Whitening(noise, leftover.time_s, {}));
-  for (const Subset& subset : best_subsets(bank, seen, nullptr, 2)) {
+  const Projected seen =
+      projected(library, linearised.residual_um, linearised.model, Whitening(noise, linearised.time_s, {}));
+  for (const Subset& subset : best_subsets(library, seen, nullptr, 2)) {
     EXPECT_EQ(subset.signatures, std::vector<std::size_t>{1});
   }
 }
@@ -280,17 +283,17 @@ TEST(Confirmation, cycles_end_with_changes_of_speed) {
   data.columns = {{"speed_rpm", Role::speed, speed}};
   std::vector<std::size_t> rows(40);
   for (std::size_t i = 0; i < 40; ++i) rows[i] = i;
-  const std::vector<std::size_t> cycle = cycles_of(data, rows);
+  const std::vector<std::size_t> fold = folds_of(data, rows);
   for (const std::size_t change : {10, 20, 30}) {
-    EXPECT_NE(cycle[change], cycle[change - 1]) << change;
-    EXPECT_EQ(cycle[change], cycle[change + 1]) << change;
+    EXPECT_NE(fold[change], fold[change - 1]) << change;
+    EXPECT_EQ(fold[change], fold[change + 1]) << change;
   }
 }
 
 // Mean of the other cycle predicts: errors 2 everywhere.
 TEST(Confirmation, held_out_is_predicted_from_the_rest) {
-  const Leftover leftover = leftover_with({1, 1, 1, -1, -1, -1});
-  const HeldOut found = held_out(leftover, {0.5, 0.0, 0.0, 0.0}, {0, 0, 0, 1, 1, 1}, false);
+  const LinearisedFit linearised = leftover_with({1, 1, 1, -1, -1, -1});
+  const CrossValidation found = cross_validation(linearised, {0.5, 0.0, 0.0, 0.0}, {0, 0, 0, 1, 1, 1}, false);
   EXPECT_NEAR(found.rmse_um, 2.0, 1e-9);
   EXPECT_NEAR(found.chi2, 6.0 * 4.0 / 0.25, 1e-6);
 }
@@ -304,11 +307,11 @@ TEST(Confirmation, another_gain_in_every_cycle_is_seen) {
     residual.push_back((i < 20 ? 1.0 : -1.0) * column(i, 0));
     same.push_back(column(i, 0));
   }
-  std::vector<std::size_t> cycle(40, 0);
-  for (std::size_t i = 20; i < 40; ++i) cycle[i] = 1;
+  std::vector<std::size_t> fold(40, 0);
+  for (std::size_t i = 20; i < 40; ++i) fold[i] = 1;
   const Noise noise{1.0, 0.0, 0.0, 0.0};
-  EXPECT_NEAR(p_same_gain(leftover_with(residual), column, noise, cycle), std::erfc(std::sqrt(40.0 / 2.0)), 1e-11);
-  EXPECT_NEAR(p_same_gain(leftover_with(same), column, noise, cycle), 1.0, 1e-9);
+  EXPECT_NEAR(p_same_gain(leftover_with(residual), column, noise, fold), std::erfc(std::sqrt(40.0 / 2.0)), 1e-11);
+  EXPECT_NEAR(p_same_gain(leftover_with(same), column, noise, fold), 1.0, 1e-9);
 }
 
 }  // namespace

@@ -22,14 +22,14 @@ DiagnosisOptions quick() {
   DiagnosisOptions options;
   options.search.motion = Motion::linear_axes;
   options.search.draws = 400;
-  options.fakes = 50;
+  options.surrogates = 50;
   return options;
 }
 
 Diagnosis of(const made::Plan& plan, const char* effect, std::uint64_t seed = 1) {
   const Effect* hidden = effect == nullptr ? nullptr : find_effect(effect, Level::recording);
   const Series trace = made::recordings(plan, hidden, seed);
-  return diagnose(circles_of(trace), trace, 0, quick());
+  return diagnose(recording_base_model(trace), trace, 0, quick());
 }
 
 std::string named(const Diagnosis& found) {
@@ -60,9 +60,10 @@ TEST(DiagnosisOfRecordings, two_feeds_name_dynamic_contraction) {
 TEST(DiagnosisOfRecordings, one_feed_cannot_show_dynamic_contraction) {
   const Diagnosis found = of(plan_of(made::both_ways(), 120), "dynamic_contraction");
   EXPECT_EQ(found.verdict, Verdict::nothing);
-  const auto at = std::find_if(found.prospects.begin(), found.prospects.end(),
-                               [](const Prospect& prospect) { return prospect.effect->name == "dynamic_contraction"; });
-  ASSERT_NE(at, found.prospects.end());
+  const auto at =
+      std::find_if(found.detectability.begin(), found.detectability.end(),
+                   [](const Detectability& detectable) { return detectable.effect->name == "dynamic_contraction"; });
+  ASSERT_NE(at, found.detectability.end());
   EXPECT_NE(at->testability, Testability::testable);
 }
 
@@ -70,21 +71,21 @@ TEST(DiagnosisOfRecordings, both_ways_name_backlash_and_it_beats_its_fakes) {
   const Diagnosis found = of(plan_of(made::both_ways(), 120), "backlash_a");
   EXPECT_EQ(named(found), "backlash_a");
   ASSERT_FALSE(found.candidates.empty());
-  EXPECT_EQ(found.candidates.front().beats_fakes, true);
-  EXPECT_GT(found.best_fake_fall, 0.0);
+  EXPECT_EQ(found.candidates.front().beats_surrogates, true);
+  EXPECT_GT(found.best_surrogate_fall, 0.0);
 }
 
 TEST(DiagnosisOfRecordings, a_wave_of_two_a_turn_has_no_fakes) {
   const Diagnosis found = of(plan_of(made::both_ways(), 120), "scale_mismatch");
   EXPECT_EQ(named(found), "scale_mismatch");
   ASSERT_FALSE(found.candidates.empty());
-  EXPECT_EQ(found.candidates.front().beats_fakes, std::nullopt);
+  EXPECT_EQ(found.candidates.front().beats_surrogates, std::nullopt);
 }
 
 TEST(DiagnosisOfRecordings, one_direction_never_tells_squareness_from_a_servo_mismatch) {
   for (const char* effect : {"squareness", "servo_mismatch"}) {
     const Series trace = made::recordings(plan_of(made::one_way(), 200), find_effect(effect, Level::recording), 1);
-    const Model model = circles_of(trace);
+    const Model model = recording_base_model(trace);
     const Diagnosis found = diagnose(model, trace, 0, quick());
     EXPECT_EQ(found.verdict, Verdict::equivalent) << effect;
     EXPECT_TRUE(is_in(found.equivalent, "squareness")) << effect;
@@ -112,7 +113,7 @@ TEST(CirclesOf, has_one_radius_at_several_feeds) {
     made::Plan plan;
     plan.sweeps = sweeps;
     plan.readings = 36;
-    const Model model = circles_of(made::circles(plan));
+    const Model model = recording_base_model(made::circles(plan));
     return std::count_if(model.terms.begin(), model.terms.end(),
                          [](const Term& term) { return !term.settings.at(2).held; });
   };

@@ -73,8 +73,8 @@ TEST(Diagnosis, names_the_room_and_its_gain) {
   ASSERT_FALSE(found.candidates.empty());
   const Candidate& best = found.candidates.front();
   EXPECT_TRUE(best.in_best_set);
-  EXPECT_EQ(best.beats_fakes, true);
-  EXPECT_GT(best.evidence, best.threshold);
+  EXPECT_EQ(best.beats_surrogates, true);
+  EXPECT_GT(best.likelihood_ratio, best.threshold);
   EXPECT_NEAR(best.parameters[0].value, 3.0, 4.0 * best.parameters[0].sigma);
   EXPECT_LT(best.held_out_after_um, 0.5 * best.held_out_before_um);
   EXPECT_LT(found.rmse_after_um, 0.5 * found.base.rmse_um);
@@ -87,7 +87,7 @@ TEST(Diagnosis, names_nothing_whose_curves_nearly_cancel) {
   for (std::size_t i = 0; i < kRows; ++i) data.columns.back().values[i] += 20.0 * (room[i] - 22.0);
   DiagnosisOptions options;
   options.search.draws = 500;
-  options.fakes = 20;
+  options.surrogates = 20;
   const Diagnosis found = diagnose(by_speed(), data, 0, options);
   EXPECT_TRUE(found.named.empty());
   EXPECT_TRUE(std::any_of(found.reasons.begin(), found.reasons.end(),
@@ -100,7 +100,7 @@ TEST(Diagnosis, nothing_hidden_is_nothing) {
     DiagnosisOptions options;
     options.search.seed = seed;
     options.search.draws = 500;
-    options.fakes = 20;
+    options.surrogates = 20;
     const Diagnosis found = diagnose(by_speed(), made(0.0, seed), 0, options);
     called += found.verdict == Verdict::nothing ? 0 : 1;
     EXPECT_TRUE(found.named.empty()) << seed;
@@ -112,12 +112,12 @@ TEST(Diagnosis, nothing_hidden_is_nothing) {
 TEST(Diagnosis, says_nothing_of_an_effect_that_is_not_searched) {
   DiagnosisOptions options;
   options.search.draws = 500;
-  options.fakes = 20;
+  options.surrogates = 20;
   options.search.without = {"lagged_expansion"};
   const Diagnosis found = diagnose(by_speed(), made(3.0, 1), 0, options);
   const auto is_it = [](const auto& one) { return one.effect->name == "lagged_expansion"; };
   EXPECT_TRUE(std::none_of(found.named.begin(), found.named.end(), is_it));
-  EXPECT_TRUE(std::none_of(found.prospects.begin(), found.prospects.end(), is_it));
+  EXPECT_TRUE(std::none_of(found.detectability.begin(), found.detectability.end(), is_it));
   EXPECT_FALSE(found.candidates.empty());
   for (const Candidate& candidate : found.candidates) EXPECT_FALSE(is_it(candidate.bound));
 }
@@ -126,14 +126,14 @@ TEST(Diagnosis, tells_what_it_does) {
   std::vector<std::string> steps;
   DiagnosisOptions options;
   options.search.draws = 500;
-  options.fakes = 20;
+  options.surrogates = 20;
   options.search.progress = [&](std::string_view step) { steps.emplace_back(step); };
   const Diagnosis found = diagnose(by_speed(), made(3.0, 1), 0, options);
   ASSERT_GE(steps.size(), 5U);
   EXPECT_TRUE(std::regex_match(steps[0], std::regex("searching [0-9]+ shapes of [0-9]+ effects"))) << steps[0];
   EXPECT_EQ(steps[1], "searching 500 data sets without any effect");
   EXPECT_TRUE(std::regex_match(steps[2], std::regex("fitting [0-9]+ sets of effects"))) << steps[2];
-  EXPECT_EQ(steps.back(), "testing 20 fakes of " + label_of(found.candidates.front().bound));
+  EXPECT_EQ(steps.back(), "testing 20 surrogates of " + label_of(found.candidates.front().bound));
   // Telling changes nothing.
   options.search.progress = {};
   EXPECT_EQ(diagnose(by_speed(), made(3.0, 1), 0, options).p_anything, found.p_anything);
@@ -203,8 +203,8 @@ TEST(Diagnosis, what_is_outside_the_catalogue_goes_with_its_input) {
   const Diagnosis found = diagnose(by_speed(), data);
   EXPECT_EQ(found.verdict, Verdict::unexplained);
   EXPECT_TRUE(found.named.empty());
-  ASSERT_FALSE(found.goes_with.empty());
-  for (const Candidate& candidate : found.goes_with) {
+  ASSERT_FALSE(found.associations.empty());
+  for (const Candidate& candidate : found.associations) {
     EXPECT_NE(label_of(candidate.bound).find("T_room_degC"), std::string::npos) << label_of(candidate.bound);
     EXPECT_LT(candidate.held_out_after_um, 0.7 * candidate.held_out_before_um);
   }
@@ -236,7 +236,7 @@ TEST(Diagnosis, is_the_same_every_time) {
   EXPECT_EQ(once.verdict, again.verdict);
   ASSERT_EQ(once.candidates.size(), again.candidates.size());
   for (std::size_t i = 0; i < once.candidates.size(); ++i) {
-    EXPECT_EQ(once.candidates[i].evidence, again.candidates[i].evidence);
+    EXPECT_EQ(once.candidates[i].likelihood_ratio, again.candidates[i].likelihood_ratio);
     EXPECT_EQ(once.candidates[i].p_search, again.candidates[i].p_search);
   }
 }

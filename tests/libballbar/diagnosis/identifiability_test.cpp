@@ -23,12 +23,12 @@ Series day() {
   return series;
 }
 
-const Prospect& prospect(const Preflight& found, const std::string& name) {
-  return *std::find_if(found.prospects.begin(), found.prospects.end(),
-                       [&](const Prospect& one) { return one.effect->name == name; });
+const Detectability& detectable(const Preflight& found, const std::string& name) {
+  return *std::find_if(found.detectability.begin(), found.detectability.end(),
+                       [&](const Detectability& one) { return one.effect->name == name; });
 }
 
-double likeness(const Prospect& of, const std::string& with) {
+double likeness(const Detectability& of, const std::string& with) {
   const auto at =
       std::find_if(of.imitated_by.begin(), of.imitated_by.end(), [&](const Likeness& one) { return one.with == with; });
   return at == of.imitated_by.end() ? -1.0 : at->coherence;
@@ -39,9 +39,9 @@ TEST(Identifiability, inseparable_is_what_is_imitated_above_95_percent) {
   model.targets = {"y_um"};
   const Preflight found = preflight(model, day());
   std::size_t testable = 0;
-  for (const Prospect& one : found.prospects) testable += one.testability == Testability::testable ? 1 : 0;
+  for (const Detectability& one : found.detectability) testable += one.testability == Testability::testable ? 1 : 0;
   ASSERT_GT(testable, 3u);
-  for (const Prospect& one : found.prospects) {
+  for (const Detectability& one : found.detectability) {
     if (one.testability != Testability::testable) {
       EXPECT_TRUE(one.imitated_by.empty()) << one.effect->name;
       continue;
@@ -62,8 +62,8 @@ TEST(Identifiability, a_short_lag_imitates_expansion) {
   Model model;
   model.targets = {"y_um"};
   const Preflight found = preflight(model, day());
-  EXPECT_GT(likeness(prospect(found, "expansion"), "lagged_expansion"), 0.95);
-  EXPECT_LT(likeness(prospect(found, "expansion"), "linear_drift"), 0.5);
+  EXPECT_GT(likeness(detectable(found, "expansion"), "lagged_expansion"), 0.95);
+  EXPECT_LT(likeness(detectable(found, "expansion"), "linear_drift"), 0.5);
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ inline Series recordings(const Plan& plan, const Effect* effect, std::uint64_t s
     const Term term = term_of(effect->name, {}, Level::recording);
     const std::vector<double> parameters = drawn(*effect, trace, random);
     const Eigen::VectorXd added = added_um(term, parameters, trace);
-    const Fit base = fit(circles_of(trace), trace, 0, {.white = true});
+    const Fit base = fit(recording_base_model(trace), trace, 0, {.white = true});
     Eigen::Index free = 0;
     Eigen::MatrixXd columns(base.jacobian.rows(), base.jacobian.cols());
     for (Eigen::Index k = 0; k < base.jacobian.cols(); ++k) {

@@ -78,20 +78,20 @@ Model empty_model() {
   return model;
 }
 
-// The rivals fitted alone, all of them equivalent, the likeliest first.
-Diagnosis undecided(const Model& model, const Series& data, const std::vector<Term>& rivals) {
+// The competitors fitted alone, all of them equivalent, the likeliest first.
+Diagnosis undecided(const Model& model, const Series& data, const std::vector<Term>& competitors) {
   Diagnosis diagnosis;
   diagnosis.target = model.targets[0];
   diagnosis.base = fit(model, data);
   diagnosis.verdict = Verdict::equivalent;
   diagnosis.equivalent.emplace_back();
-  for (const Term& rival : rivals) {
+  for (const Term& competitor : competitors) {
     Model with = model;
-    with.terms.push_back(rival);
+    with.terms.push_back(competitor);
     const Fit fitted = fit(with, data);
     Candidate candidate;
-    candidate.bound = {find_effect(rival.effect->name, model.level), rival.columns};
-    const auto count = static_cast<std::ptrdiff_t>(rival.settings.size());
+    candidate.bound = {find_effect(competitor.effect->name, model.level), competitor.columns};
+    const auto count = static_cast<std::ptrdiff_t>(competitor.settings.size());
     candidate.parameters = {fitted.parameters.end() - count, fitted.parameters.end()};
     candidate.rmse_after_um = fitted.rmse_um;
     diagnosis.equivalent[0].push_back(candidate.bound);
@@ -172,8 +172,8 @@ TEST(next_test, a_room_step_tells_the_room_from_the_instrument) {
   Series data = machine(6 * 60, start_and_stop, rising_room);
   const Term truth = term_of("lagged_expansion", {"T_room_degC"});
   add_target(data, values_of(truth, {5.0, 3600.0}, data), 0.3, 2);
-  const std::vector<Term> rivals{truth, term_of("linear_drift", {})};
-  const std::vector<NextTest> tests = next_tests(empty_model(), data, undecided(empty_model(), data, rivals));
+  const std::vector<Term> competitors{truth, term_of("linear_drift", {})};
+  const std::vector<NextTest> tests = next_tests(empty_model(), data, undecided(empty_model(), data, competitors));
   ASSERT_FALSE(tests.empty());
   EXPECT_EQ(tests.front().name.substr(0, 9), "room step");
 }
@@ -208,10 +208,10 @@ Model circle_model() {
 
 TEST(next_test, one_direction_asks_for_the_other) {
   const Series trace = circles(false, 20.0, 3);
-  const std::vector<Term> rivals{
+  const std::vector<Term> competitors{
       term_of("squareness", {"angle_rad", "radius_mm"}, Level::recording),
       term_of("servo_mismatch", {"angle_rad", "direction", "feed_mm_per_min"}, Level::recording)};
-  const std::vector<NextTest> tests = next_tests(circle_model(), trace, undecided(circle_model(), trace, rivals));
+  const std::vector<NextTest> tests = next_tests(circle_model(), trace, undecided(circle_model(), trace, competitors));
   ASSERT_FALSE(tests.empty());
   EXPECT_EQ(tests.front().name, "the other direction");
   // sin 2 theta of 1 um over 0.3 um: |g| = sqrt(360 / 2) / 0.3 = 44.7 in each sweep. Same and opposite sign: nothing of
@@ -224,10 +224,10 @@ TEST(next_test, one_direction_asks_for_the_other) {
 
 TEST(next_test, both_directions_are_not_asked_again) {
   const Series trace = circles(true, 20.0, 4);
-  const std::vector<Term> rivals{
+  const std::vector<Term> competitors{
       term_of("squareness", {"angle_rad", "radius_mm"}, Level::recording),
       term_of("servo_mismatch", {"angle_rad", "direction", "feed_mm_per_min"}, Level::recording)};
-  for (const NextTest& one : next_tests(circle_model(), trace, undecided(circle_model(), trace, rivals))) {
+  for (const NextTest& one : next_tests(circle_model(), trace, undecided(circle_model(), trace, competitors))) {
     EXPECT_NE(one.name, "the other direction");
   }
 }
@@ -262,16 +262,16 @@ double chi2(const Term& term, const std::vector<const Series*>& runs, double sig
   return least / (sigma_um * sigma_um);
 }
 
-// Data and test are simulated from the truth, with the housing that the machine would really have; the rivals are
+// Data and test are simulated from the truth, with the housing that the machine would really have; the competitors are
 // fitted to both by an exhaustive search. d scatters by 1.
 TEST(next_test, what_is_promised_comes_true) {
   constexpr double kSigma_um = 0.3;
-  const std::vector<Term> rivals{term_of("lagged_expansion", {"T_housing_degC"}),
-                                 term_of("speed_heating", {"speed_rpm"})};
+  const std::vector<Term> competitors{term_of("lagged_expansion", {"T_housing_degC"}),
+                                      term_of("speed_heating", {"speed_rpm"})};
   Series data = machine(6 * 60, start_and_stop, wandering_room);
   const std::vector<double> truth{1.5, 1500.0};
-  add_target(data, values_of(rivals[0], truth, data), kSigma_um, 5);
-  const std::vector<NextTest> tests = next_tests(empty_model(), data, undecided(empty_model(), data, rivals));
+  add_target(data, values_of(competitors[0], truth, data), kSigma_um, 5);
+  const std::vector<NextTest> tests = next_tests(empty_model(), data, undecided(empty_model(), data, competitors));
   ASSERT_FALSE(tests.empty());
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < data.time_s.size(); ++i) rows.push_back(i);
@@ -285,9 +285,9 @@ TEST(next_test, what_is_promised_comes_true) {
     const std::vector<double> warm = low_passed(after.time_s, heat, 2400.0);
     const std::vector<double> ambient = low_passed(after.time_s, after.columns[1].values, 3600.0);
     for (std::size_t i = 0; i < warm.size(); ++i) after.columns[2].values[i] = warm[i] + ambient[i];
-    add_target(after, values_of(rivals[0], truth, after), kSigma_um, 6);
-    const double realised = std::sqrt(
-        std::max(0.0, chi2(rivals[1], {&data, &after}, kSigma_um) - chi2(rivals[0], {&data, &after}, kSigma_um)));
+    add_target(after, values_of(competitors[0], truth, after), kSigma_um, 6);
+    const double realised = std::sqrt(std::max(
+        0.0, chi2(competitors[1], {&data, &after}, kSigma_um) - chi2(competitors[0], {&data, &after}, kSigma_um)));
     const double promised = named(tests, plan.name).separation;
     ++compared;
     EXPECT_LT(realised, 1.5 * promised) << plan.name;
@@ -355,9 +355,9 @@ TEST(next_test, that_no_test_helps_is_said) {
 
 TEST(next_test, a_squareness_is_told_from_an_oval_form_by_the_radius) {
   const Series trace = circles(false, 20.0, 17);
-  const std::vector<Term> rivals{term_of("squareness", {"angle_rad", "radius_mm"}, Level::recording),
-                                 term_of("oval", {"angle_rad"}, Level::recording)};
-  const std::vector<NextTest> tests = next_tests(circle_model(), trace, undecided(circle_model(), trace, rivals));
+  const std::vector<Term> competitors{term_of("squareness", {"angle_rad", "radius_mm"}, Level::recording),
+                                      term_of("oval", {"angle_rad"}, Level::recording)};
+  const std::vector<NextTest> tests = next_tests(circle_model(), trace, undecided(circle_model(), trace, competitors));
   ASSERT_FALSE(tests.empty());
   EXPECT_EQ(tests.front().name, "another radius");
   EXPECT_NE(tests.front().text.find("with a bar of 50 mm"), std::string::npos) << tests.front().text;
@@ -372,9 +372,10 @@ TEST(next_test, another_radius_is_that_of_a_bar_there_is) {
     for (Column& column : trace.columns) {
       if (column.name == "radius_mm") std::fill(column.values.begin(), column.values.end(), bar_mm);
     }
-    const std::vector<Term> rivals{term_of("squareness", {"angle_rad", "radius_mm"}, Level::recording),
-                                   term_of("oval", {"angle_rad"}, Level::recording)};
-    const std::vector<NextTest> tests = next_tests(circle_model(), trace, undecided(circle_model(), trace, rivals));
+    const std::vector<Term> competitors{term_of("squareness", {"angle_rad", "radius_mm"}, Level::recording),
+                                        term_of("oval", {"angle_rad"}, Level::recording)};
+    const std::vector<NextTest> tests =
+        next_tests(circle_model(), trace, undecided(circle_model(), trace, competitors));
     EXPECT_NE(named(tests, "another radius").text.find(fmt::format("a bar of {}", other)), std::string::npos) << bar_mm;
   }
 }
@@ -387,8 +388,8 @@ TEST(next_test, a_coolant_step_where_there_is_a_coolant) {
   data.columns.push_back(coolant);
   const Term lagged = term_of("lagged_expansion", {"T_coolant_degC"});
   add_target(data, values_of(lagged, {6.0, 1800.0}, data), 0.3, 18);
-  const std::vector<Term> rivals{lagged, term_of("speed_heating", {"speed_rpm"})};
-  const std::vector<NextTest> tests = next_tests(empty_model(), data, undecided(empty_model(), data, rivals));
+  const std::vector<Term> competitors{lagged, term_of("speed_heating", {"speed_rpm"})};
+  const std::vector<NextTest> tests = next_tests(empty_model(), data, undecided(empty_model(), data, competitors));
   ASSERT_FALSE(tests.empty());
   EXPECT_EQ(tests.front().name, "coolant step");
   EXPECT_GT(tests.front().separation, 20.0);
@@ -402,8 +403,8 @@ TEST(next_test, a_load_step_where_there_is_a_load) {
   data.columns.push_back(load);
   const Term heating = term_of("load_heating", {"load_W"});
   add_target(data, values_of(heating, {8.0, 1800.0}, data), 0.3, 19);
-  const std::vector<Term> rivals{heating, term_of("speed_heating", {"speed_rpm"})};
-  const std::vector<NextTest> tests = next_tests(empty_model(), data, undecided(empty_model(), data, rivals));
+  const std::vector<Term> competitors{heating, term_of("speed_heating", {"speed_rpm"})};
+  const std::vector<NextTest> tests = next_tests(empty_model(), data, undecided(empty_model(), data, competitors));
   ASSERT_FALSE(tests.empty());
   EXPECT_EQ(tests.front().name, "load step");
   EXPECT_GT(tests.front().separation, 10.0);
@@ -452,10 +453,10 @@ TEST(next_test, a_diagnosis_of_other_data_is_refused) {
 }
 
 // Names of the tests, all numbers checked to be numbers.
-std::vector<std::string> names_of(const Model& model, const Series& data, const std::vector<Term>& rivals) {
+std::vector<std::string> names_of(const Model& model, const Series& data, const std::vector<Term>& competitors) {
   std::vector<std::string> names;
   double last = std::numeric_limits<double>::infinity();
-  for (const NextTest& test : next_tests(model, data, undecided(model, data, rivals))) {
+  for (const NextTest& test : next_tests(model, data, undecided(model, data, competitors))) {
     EXPECT_TRUE(std::isfinite(test.separation) && std::isfinite(test.separation_so_far)) << test.name;
     EXPECT_GE(test.separation, test.separation_so_far * 0.999) << test.name;
     EXPECT_LE(test.separation, last);
@@ -527,8 +528,8 @@ TEST(next_test, nothing_is_promised_for_a_column_that_follows_nothing) {
   data.columns.push_back(own);
   const Term expansion = term_of("expansion", {"T_own_degC"});
   add_target(data, values_of(expansion, {2.0}, data), 0.3, 14);
-  const std::vector<Term> rivals{expansion, term_of("lagged_expansion", {"T_own_degC"})};
-  for (const NextTest& test : next_tests(empty_model(), data, undecided(empty_model(), data, rivals))) {
+  const std::vector<Term> competitors{expansion, term_of("lagged_expansion", {"T_own_degC"})};
+  for (const NextTest& test : next_tests(empty_model(), data, undecided(empty_model(), data, competitors))) {
     if (test.name == "the same again" || test.name == "new set-up") continue;
     EXPECT_EQ(test.separation, test.separation_so_far);
     EXPECT_NE(test.text.find("What T_own_degC would do in it is not known"), std::string::npos) << test.text;

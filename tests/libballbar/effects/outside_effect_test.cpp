@@ -108,7 +108,7 @@ DiagnosisOptions quick(const Catalogue& catalogue) {
   DiagnosisOptions options;
   options.search.catalogue = catalogue;
   options.draws = 500;
-  options.fakes = 100;
+  options.surrogates = 100;
   return options;
 }
 
@@ -135,8 +135,8 @@ TEST(outside_effect, is_known_by_no_other_catalogue) {
 
 TEST(outside_effect, is_told_of_before_the_residual_is_looked_at) {
   const Preflight found = preflight(by_room(), made(0.0), 0, std::nullopt, with_hose_creep());
-  ASSERT_FALSE(found.prospects.empty());
-  const Prospect& own = found.prospects.back();
+  ASSERT_FALSE(found.detectability.empty());
+  const Detectability& own = found.detectability.back();
   EXPECT_EQ(own.effect->name, "hose_creep");
   EXPECT_EQ(own.testability, Testability::testable);
   EXPECT_EQ(own.bindings, 1U);  // not the spindle's load
@@ -188,7 +188,7 @@ TEST(outside_effect, runs_live) {
   }
 }
 
-TEST(outside_effect, recordings_need_a_base) { EXPECT_THROW(circles_of(Series{}, Catalogue{}), Error); }
+TEST(outside_effect, recordings_need_a_base) { EXPECT_THROW(recording_base_model(Series{}, Catalogue{}), Error); }
 
 }  // namespace
 }  // namespace ballbar

@@ -37,7 +37,7 @@ TEST(Ledger, row_of_a_constant_by_hand) {
   EXPECT_EQ(found.parameters, 1u);
   EXPECT_NEAR(found.rmse_um, std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(found.held_out_um, 1.25 * std::sqrt(2.0), 1e-9);
-  EXPECT_TRUE(std::isnan(found.evidence));
+  EXPECT_TRUE(std::isnan(found.likelihood_ratio));
 }
 
 TEST(Ledger, family_wise_error_is_spent_by_additions) {
@@ -64,14 +64,15 @@ TEST(Ledger, sentence_of_recordings) {
 TEST(Ledger, sentence_of_an_addition) {
   const LedgerRow before = row(1, "+ expansion(T2_degC)", 12.34, 14.0, 14.04);
   LedgerRow after = row(2, "+ lagged_expansion(T16_degC)", 3.1, 1.0, 3.9);
-  after.evidence = 431.23;
+  after.likelihood_ratio = 431.23;
   after.threshold = 25.0;
-  after.best_fake_fall = 0.271;
+  after.best_surrogate_fall = 0.271;
   after.still_needed = {"speed_heating(speed_rpm)"};
   EXPECT_EQ(
       sentence(after, &before),
       "Revision 2 added lagged_expansion(T16_degC): RMSE 12.3 -> 3.10 um (14.0 -> 1.00 times the floor), left-out "
-      "cycles 14.0 -> 3.90 um; evidence 431.2, which counts from 25.0, and a fake effect would have bought up to "
+      "cycles 14.0 -> 3.90 um; likelihood ratio 431.2, which counts from 25.0, and a surrogate effect would have "
+      "bought up to "
       "27 %; speed_heating(speed_rpm) is still needed.");
 }
 

@@ -25,8 +25,8 @@ Model constant() {
   return model;
 }
 
-TEST(Trial, six_values_by_hand) {
-  const Trial found = trial(constant(), {term_of("expansion", {"T_degC"})}, six_values());
+TEST(EffectTest, six_values_by_hand) {
+  const EffectTest found = effect_test(constant(), {term_of("expansion", {"T_degC"})}, six_values());
   EXPECT_NEAR(found.before.rmse_um, std::sqrt(154.0 / 6.0), 1e-6);
   EXPECT_NEAR(found.after.rmse_um, std::sqrt(4.0 / 6.0), 1e-6);
   EXPECT_EQ(found.before.parameters, 1u);
@@ -35,18 +35,18 @@ TEST(Trial, six_values_by_hand) {
   EXPECT_TRUE(found.earlier.empty());
   ASSERT_EQ(found.added.size(), 1u);
   EXPECT_NEAR(found.added[0].amplitude_um, 10.0, 1e-6);
-  EXPECT_NEAR(found.added[0].evidence, 6.0 * std::log(154.0 / 4.0), 1e-4);  // 21.9
-  EXPECT_NEAR(found.after.evidence, found.added[0].evidence, 1e-12);
+  EXPECT_NEAR(found.added[0].likelihood_ratio, 6.0 * std::log(154.0 / 4.0), 1e-4);  // 21.9
+  EXPECT_NEAR(found.after.likelihood_ratio, found.added[0].likelihood_ratio, 1e-12);
   ASSERT_FALSE(found.added[0].doubts.empty());
-  EXPECT_EQ(found.added[0].doubts[0], "its evidence is below 25 (d = 5)");
+  EXPECT_EQ(found.added[0].doubts[0], "its likelihood ratio is below 25 (d = 5)");
   EXPECT_EQ(found.after.verdict, "not supported");
 }
 
-// chi^2 with one degree of freedom: p = erfc(sqrt(evidence / 2)).
-TEST(Trial, stays_by_chi_squared) {
+// chi^2 with one degree of freedom: p = erfc(sqrt(likelihood ratio / 2)).
+TEST(EffectTest, stays_by_chi_squared) {
   Model model = constant();
   model.terms.push_back(term_of("expansion", {"T_degC"}));
-  const std::vector<Stay> found = stays(model, 1, six_values());
+  const std::vector<DropTest> found = drop_tests(model, 1, six_values());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].label, "expansion(T_degC)");
   EXPECT_EQ(found[0].parameters, 1u);
@@ -54,21 +54,21 @@ TEST(Trial, stays_by_chi_squared) {
   EXPECT_TRUE(found[0].needed);
 }
 
-TEST(Trial, held_effects_are_not_tested) {
+TEST(EffectTest, held_effects_are_not_tested) {
   Model model = constant();
   model.terms.push_back(term_of("expansion", {"T_degC"}));
   model.terms[0].settings[0] = {true, 10.0, -1e9, 1e9, true};
-  EXPECT_TRUE(stays(model, 1, six_values()).empty());
+  EXPECT_TRUE(drop_tests(model, 1, six_values()).empty());
 }
 
 // With the constant held nothing is free without the effect: the residual is then 10 T + e whole, 300 + 4 + 2 * 10 * 0.
-TEST(Trial, nothing_free_without_the_effect) {
+TEST(EffectTest, nothing_free_without_the_effect) {
   Model model = constant();
   model.constant_um = 0.0;
   model.terms.push_back(term_of("expansion", {"T_degC"}));
-  const std::vector<Stay> found = stays(model, 1, six_values());
+  const std::vector<DropTest> found = drop_tests(model, 1, six_values());
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found[0].evidence, 6.0 * std::log(304.0 / 4.0), 1e-4);
+  EXPECT_NEAR(found[0].likelihood_ratio, 6.0 * std::log(304.0 / 4.0), 1e-4);
 }
 
 // 300 rows of 5 steps of the speed; z follows the room, nothing else.
@@ -89,36 +89,36 @@ Series warm_up() {
   return data;
 }
 
-TEST(Trial, of_what_is_there) {
-  const Trial found = trial(constant(), {term_of("expansion", {"T_room_degC"})}, warm_up());
+TEST(EffectTest, of_what_is_there) {
+  const EffectTest found = effect_test(constant(), {term_of("expansion", {"T_room_degC"})}, warm_up());
   EXPECT_EQ(found.after.verdict, "supported");
   EXPECT_TRUE(found.added[0].doubts.empty());
-  EXPECT_GT(found.added[0].gain, found.added[0].best_fake_gain);
+  EXPECT_GT(found.added[0].gain, found.added[0].best_surrogate_gain);
   EXPECT_LT(found.after.held_out_um, found.before.held_out_um);
   EXPECT_NEAR(found.after.rmse_um, 0.2, 0.03);  // the noise: 300 values, 4 % of sigma
 }
 
-TEST(Trial, of_what_is_not) {
+TEST(EffectTest, of_what_is_not) {
   Model model = constant();
   model.terms.push_back(term_of("expansion", {"T_room_degC"}));
-  const Trial found = trial(model, {term_of("expansion", {"T_oil_degC"})}, warm_up());
+  const EffectTest found = effect_test(model, {term_of("expansion", {"T_oil_degC"})}, warm_up());
   EXPECT_EQ(found.after.verdict, "not supported");
   EXPECT_EQ(found.after.still_needed, std::vector<std::string>{"expansion(T_room_degC)"});
 }
 
-TEST(Trial, pruned_of_what_is_not_needed) {
+TEST(EffectTest, pruned_of_what_is_not_needed) {
   Model model = constant();
   model.terms.push_back(term_of("linear_drift", {}));
   model.terms.push_back(term_of("expansion", {"T_oil_degC"}));
   const Series data = warm_up();
-  const Trial tried = trial(model, {term_of("expansion", {"T_room_degC"})}, data);
+  const EffectTest tried = effect_test(model, {term_of("expansion", {"T_room_degC"})}, data);
   EXPECT_EQ(tried.after.no_longer_needed.size(), 2u);
   const Pruned smaller = pruned(tried, data);
   EXPECT_EQ(smaller.removed, (std::vector<std::size_t>{0, 1}));
-  ASSERT_EQ(smaller.trial.model.terms.size(), 1u);
-  EXPECT_EQ(smaller.trial.after.parameters, 2u);
-  EXPECT_TRUE(smaller.trial.after.no_longer_needed.empty());
-  EXPECT_TRUE(smaller.trial.after.change.starts_with("+ expansion(T_room_degC), - "));
+  ASSERT_EQ(smaller.effect_test.model.terms.size(), 1u);
+  EXPECT_EQ(smaller.effect_test.after.parameters, 2u);
+  EXPECT_TRUE(smaller.effect_test.after.no_longer_needed.empty());
+  EXPECT_TRUE(smaller.effect_test.after.change.starts_with("+ expansion(T_room_degC), - "));
 }
 
 }  // namespace

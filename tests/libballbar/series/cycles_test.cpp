@@ -25,22 +25,22 @@ Series with_speed(const std::vector<std::pair<std::size_t, double>>& stretches) 
 std::vector<std::size_t> cycles_of_all(const Series& data) {
   std::vector<std::size_t> rows(data.time_s.size());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
-  return cycles_of(data, rows);
+  return folds_of(data, rows);
 }
 
-std::map<std::size_t, std::size_t> lengths(const std::vector<std::size_t>& cycle) {
+std::map<std::size_t, std::size_t> lengths(const std::vector<std::size_t>& fold) {
   std::map<std::size_t, std::size_t> count;
-  for (const std::size_t one : cycle) ++count[one];
+  for (const std::size_t one : fold) ++count[one];
   return count;
 }
 
 // One long run of 100 rows after 20 at rest: no cycle is longer than a fifth of the record.
 TEST(Cycles, a_long_stretch_is_cut_into_equal_pieces) {
-  const std::vector<std::size_t> cycle = cycles_of_all(with_speed({{20, 0.0}, {100, 5000.0}}));
-  EXPECT_TRUE(std::is_sorted(cycle.begin(), cycle.end()));
-  EXPECT_EQ(cycle[19], 0U);
-  EXPECT_EQ(cycle[20], 1U);
-  const auto length = lengths(cycle);
+  const std::vector<std::size_t> fold = cycles_of_all(with_speed({{20, 0.0}, {100, 5000.0}}));
+  EXPECT_TRUE(std::is_sorted(fold.begin(), fold.end()));
+  EXPECT_EQ(fold[19], 0U);
+  EXPECT_EQ(fold[20], 1U);
+  const auto length = lengths(fold);
   EXPECT_EQ(length.size(), 6U);
   for (const auto& [one, rows] : length) EXPECT_EQ(rows, 20U) << one;
 }
@@ -53,22 +53,23 @@ TEST(Cycles, a_speed_that_never_changes_leaves_five_parts) {
 
 // A column that lives in the cycle left out but for a trace: as a gain what little the others tell of it is believed,
 // as a shape it goes no further than its reach.
-TEST(HeldOut, a_shape_the_others_hardly_tell_stays_where_it_is) {
-  Leftover leftover;
-  leftover.residual_um = Eigen::VectorXd::Zero(20);
-  leftover.model = Eigen::MatrixXd::Zero(20, 1);
-  std::vector<std::size_t> cycle;
+TEST(CrossValidation, a_shape_the_others_hardly_tell_stays_where_it_is) {
+  LinearisedFit linearised;
+  linearised.residual_um = Eigen::VectorXd::Zero(20);
+  linearised.model = Eigen::MatrixXd::Zero(20, 1);
+  std::vector<std::size_t> fold;
   for (Eigen::Index i = 0; i < 20; ++i) {
-    leftover.time_s.push_back(60.0 * static_cast<double>(i));
-    cycle.push_back(i < 10 ? 0 : 1);
-    leftover.model(i, 0) = i < 10 ? 0.01 : 1.0;
-    leftover.residual_um[i] = i < 10 ? 0.5 : 0.0;
+    linearised.time_s.push_back(60.0 * static_cast<double>(i));
+    fold.push_back(i < 10 ? 0 : 1);
+    linearised.model(i, 0) = i < 10 ? 0.01 : 1.0;
+    linearised.residual_um[i] = i < 10 ? 0.5 : 0.0;
   }
   const Noise noise{0.5, 0.0, 0.0, 0.0};
-  leftover.reach_um = {std::numeric_limits<double>::infinity()};
-  EXPECT_NEAR(held_out(leftover, noise, cycle, false).rmse_um, std::sqrt((50.0 * 50.0 + 0.5 * 0.5) / 2.0), 1e-6);
-  leftover.reach_um = {0.1};
-  EXPECT_LT(held_out(leftover, noise, cycle, false).rmse_um, 0.4);
+  linearised.reach_um = {std::numeric_limits<double>::infinity()};
+  EXPECT_NEAR(cross_validation(linearised, noise, fold, false).rmse_um, std::sqrt((50.0 * 50.0 + 0.5 * 0.5) / 2.0),
+              1e-6);
+  linearised.reach_um = {0.1};
+  EXPECT_LT(cross_validation(linearised, noise, fold, false).rmse_um, 0.4);
 }
 
 }  // namespace

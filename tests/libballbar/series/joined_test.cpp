@@ -37,8 +37,8 @@ void expect_values(const Series& series, std::string_view name, const std::vecto
 
 // Rows at 0, 60, 400, 600, 800, 1200 s; 1500 s is outside the signals. T at 60 s: 20 + 4 * 60 / 400; at 600 s, across
 // the gap at 800 s: 24 + 4 * 200 / 800; speed at 60 s: 8000 * 60 / 400.
-TEST(Joined, signals_are_lines_and_measured_values_stand_where_they_are) {
-  const Series series = joined({drift(), signals()}, 800.0);
+TEST(Merged, signals_are_lines_and_measured_values_stand_where_they_are) {
+  const Series series = merged({drift(), signals()}, 800.0);
   EXPECT_EQ(series.time_s, (std::vector<double>{0.0, 60.0, 400.0, 600.0, 800.0, 1200.0}));
   expect_values(series, "x_um", {kGap, 0.0, kGap, 3.0, kGap, kGap});
   expect_values(series, "T_degC", {20.0, 20.6, 24.0, 25.0, 26.0, 28.0});
@@ -46,24 +46,24 @@ TEST(Joined, signals_are_lines_and_measured_values_stand_where_they_are) {
   expect_values(series, "door", {0.0, 0.0, 1.0, 1.0, 1.0, 0.0});
 }
 
-TEST(Joined, one_part_without_signals_is_itself) {
-  const Series series = joined({drift()}, 60.0);
+TEST(Merged, one_part_without_signals_is_itself) {
+  const Series series = merged({drift()}, 60.0);
   EXPECT_EQ(series.time_s, drift().time_s);
   expect_values(series, "x_um", {0.0, 3.0, 5.0});
 }
 
 // A gap outside the common time is nobody's: T ends the time at 400 s, speed's long gap is after it.
-TEST(Joined, gaps_outside_the_common_time_do_not_matter) {
+TEST(Merged, gaps_outside_the_common_time_do_not_matter) {
   const Series a{{0.0, 100.0, 400.0}, {{"T_degC", Role::structure, {1.0, 2.0, 3.0}}}, std::nullopt};
   const Series b{{0.0, 400.0, 9000.0}, {{"speed_rpm", Role::speed, {1.0, 1.0, 1.0}}}, std::nullopt};
-  EXPECT_EQ(joined({a, b}, 400.0).time_s, (std::vector<double>{0.0, 100.0, 400.0}));
+  EXPECT_EQ(merged({a, b}, 400.0).time_s, (std::vector<double>{0.0, 100.0, 400.0}));
 }
 
 // Joining in any order gives the same values; joining again changes nothing.
-TEST(Joined, order_does_not_matter_and_again_changes_nothing) {
-  const Series one = joined({drift(), signals()}, 800.0), other = joined({signals(), drift()}, 800.0);
+TEST(Merged, order_does_not_matter_and_again_changes_nothing) {
+  const Series one = merged({drift(), signals()}, 800.0), other = merged({signals(), drift()}, 800.0);
   EXPECT_EQ(one.time_s, other.time_s);
-  const Series again = joined({one}, 800.0);
+  const Series again = merged({one}, 800.0);
   for (const Column& column : one.columns) {
     expect_values(other, column.name, column.values);
     expect_values(again, column.name, column.values);
@@ -72,14 +72,14 @@ TEST(Joined, order_does_not_matter_and_again_changes_nothing) {
 
 std::string message_of(const std::vector<Series>& parts, double max_gap_s) {
   try {
-    joined(parts, max_gap_s);
+    merged(parts, max_gap_s);
   } catch (const Error& error) {
     return error.what();
   }
   return "";
 }
 
-TEST(Joined, says_what_is_wrong) {
+TEST(Merged, says_what_is_wrong) {
   EXPECT_EQ(message_of({drift(), drift()}, 800.0), "expected every column once, found x_um twice.");
   EXPECT_EQ(message_of({drift(), signals()}, 600.0),
             "expected values of T_degC at most 10 min apart, found none between 6.67 and 20 min.");

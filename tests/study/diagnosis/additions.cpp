@@ -7,13 +7,13 @@
 
 namespace ballbar::study {
 
-std::vector<double> falls(const Bank& bank, const Projected& seen, const Eigen::MatrixXd& beside,
+std::vector<double> falls(const SignatureLibrary& library, const Projected& seen, const Eigen::MatrixXd& beside,
                           const Eigen::VectorXd& target) {
   constexpr double kNothing = 1e-6;
   const Eigen::VectorXd along = seen.columns.transpose() * target;
   const Eigen::MatrixXd inside = beside.transpose() * seen.columns;
   std::vector<double> result;
-  for (const Signature& signature : bank.signatures) {
+  for (const Signature& signature : library.signatures) {
     const Eigen::VectorXd c = along.segment(signature.first, signature.width);
     const auto b = inside.middleCols(signature.first, signature.width);
     const Eigen::MatrixXd g = Eigen::MatrixXd::Identity(signature.width, signature.width) - b.transpose() * b;

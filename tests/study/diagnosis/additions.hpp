@@ -1,4 +1,4 @@
-// What each signature of a bank would explain beside columns that are there already.
+// What each signature of a signature library would explain beside columns that are there already.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@ namespace ballbar::study {
 // Fall of |target|^2 by each signature with its gains free. beside: orthonormal columns (n by m, m may be 0) that are
 // free too; target: freed of them. With U the orthonormal columns of a signature and B those beside it,
 //   c = U' t,  G = I - (B' U)' (B' U),  fall = c' G^-1 c
-std::vector<double> falls(const Bank& bank, const Projected& seen, const Eigen::MatrixXd& beside,
+std::vector<double> falls(const SignatureLibrary& library, const Projected& seen, const Eigen::MatrixXd& beside,
                           const Eigen::VectorXd& target);
 
 // `beside` and the columns of one more signature, orthonormal.

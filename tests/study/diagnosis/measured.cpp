@@ -38,14 +38,14 @@ std::optional<Outcome> measured_room(std::uint64_t seed) {
   const Diagnosis found = diagnose(set.model, set.data, 0, set.options);
   Outcome outcome = judged(set, found, Expected::nothing);
   const bool named = std::any_of(found.named.begin(), found.named.end(), reads_room);
-  const bool goes_with = std::any_of(found.goes_with.begin(), found.goes_with.end(),
-                                     [](const Candidate& candidate) { return reads_room(candidate.bound); });
-  outcome.in_set = named || goes_with ||
+  const bool associations = std::any_of(found.associations.begin(), found.associations.end(),
+                                        [](const Candidate& candidate) { return reads_room(candidate.bound); });
+  outcome.in_set = named || associations ||
                    std::any_of(found.equivalent.begin(), found.equivalent.end(),
                                [](const auto& group) { return std::any_of(group.begin(), group.end(), reads_room); });
   double training = 0.0, held_out = 0.0;
   std::vector<Candidate> seen = found.candidates;
-  seen.insert(seen.end(), found.goes_with.begin(), found.goes_with.end());
+  seen.insert(seen.end(), found.associations.begin(), found.associations.end());
   for (const Candidate& candidate : seen) {
     if (!reads_room(candidate.bound)) continue;
     training = std::max(training, 1.0 - candidate.rmse_after_um / found.base.rmse_um);
@@ -65,11 +65,11 @@ std::optional<Outcome> measured_room(std::uint64_t seed) {
 Outcome measured_fakes(std::uint64_t seed) {
   DataSet set = measured_set(seed);
   Random random(seed * 7919 + 13);
-  for (Column& fake : fake_temperatures(set.data.time_s, 20, random)) log_also(set, std::move(fake));
+  for (Column& surrogate : fake_temperatures(set.data.time_s, 20, random)) log_also(set, std::move(surrogate));
   const Diagnosis found = diagnose(set.model, set.data, 0, set.options);
   Outcome outcome = judged(set, found, Expected::nothing);
-  outcome.wrong = *outcome.fake;
-  outcome.right = !*outcome.fake;
+  outcome.wrong = *outcome.surrogate;
+  outcome.right = !*outcome.surrogate;
   if (is_verbose()) print(set, found, outcome);
   return outcome;
 }

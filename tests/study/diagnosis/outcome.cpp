@@ -85,7 +85,7 @@ Outcome judged(const DataSet& set, const Diagnosis& found, Expected expected) {
     return std::any_of(bound.columns.begin(), bound.columns.end(), is_fake);
   };
   if (std::any_of(set.data.columns.begin(), set.data.columns.end(), [](const Column& c) { return is_fake(c.name); })) {
-    outcome.fake = std::any_of(found.named.begin(), found.named.end(), reads_fake);
+    outcome.surrogate = std::any_of(found.named.begin(), found.named.end(), reads_fake);
   }
   switch (expected) {
     case Expected::nothing:
@@ -118,17 +118,19 @@ void print(const DataSet& set, const Diagnosis& found, const Outcome& outcome) {
                      : outcome.in_set.value_or(false) ? "inset"
                                                       : "miss ";
   fmt::print("{:4} {} truth [{}] {} named [{}] equivalent [{}] p {:.4f} smooth {:.1f}\n", set.options.search.seed, word,
-             truth, name_of(found.verdict), labels(found.named), equivalent, found.p_anything, found.smooth_evidence);
-  if (outcome.loss) fmt::print("       loss {:.1f} by {}\n", *outcome.loss, outcome.rival);
+             truth, name_of(found.verdict), labels(found.named), equivalent, found.p_anything,
+             found.smooth_likelihood_ratio);
+  if (outcome.loss) fmt::print("       loss {:.1f} by {}\n", *outcome.loss, outcome.competitor);
   if (outcome.training)
     fmt::print("       training {:.3f} other duty {:.3f}\n", *outcome.training, *outcome.other_duty);
   for (const std::string& reason : found.reasons) fmt::print("       {}\n", reason);
   for (const Candidate& c : found.candidates) {
     fmt::print(
-        "       {:60} {:8.2f} evidence {:7.1f} threshold {:5.1f} p {:.4f} same {:.3f} held {:.3f}->{:.3f} fake "
+        "       {:60} {:8.2f} likelihood ratio {:7.1f} threshold {:5.1f} p {:.4f} same {:.3f} held {:.3f}->{:.3f} "
+        "surrogate "
         "{:.1f}\n",
-        label_of(c.bound), c.amplitude_um, c.evidence, c.threshold, c.p_search, c.p_same_gain, c.held_out_before_um,
-        c.held_out_after_um, c.best_fake_gain);
+        label_of(c.bound), c.amplitude_um, c.likelihood_ratio, c.threshold, c.p_search, c.p_same_gain,
+        c.held_out_before_um, c.held_out_after_um, c.best_surrogate_gain);
   }
 }
 
@@ -138,7 +140,7 @@ Outcome judged_and_weighed(const DataSet& set, const Diagnosis& found, Expected 
     const Oracle allowed = oracle(set);
     outcome.separable = allowed.loss >= kSeparable;
     outcome.loss = allowed.loss;
-    outcome.rival = allowed.rival;
+    outcome.competitor = allowed.competitor;
   }
   if (is_verbose()) print(set, found, outcome);
   return outcome;

@@ -12,7 +12,7 @@ namespace ballbar {
 
 // Of trace_of(); target deviation_um. The terms are those of the catalogue's base effect on recordings: its gains that
 // are one for all (EffectRules::one_for_all) are the radius, the others the centre. Throws Error where it has none.
-Model circles_of(const Series& trace, const Catalogue& catalogue = built_in_catalogue());
+Model recording_base_model(const Series& trace, const Catalogue& catalogue = built_in_catalogue());
 
 // The model with the circles of the trace before its own terms; as it is where it has a circle of its own.
 Model with_circles(Model model, const Series& trace);

@@ -1,7 +1,7 @@
 // The story of a model: one row a revision, what it changed, what it bought, and whether the data demanded it.
 //
 // A falling error alone is no evidence: every row also carries 2 ln L gained, the value from which that counts, and
-// the fall that a fake effect would have bought, where these are known.
+// the fall that a surrogate effect would have bought, where these are known.
 #pragma once
 
 #include <cstddef>
@@ -18,19 +18,19 @@ namespace ballbar {
 // NaN: not known.
 struct LedgerRow {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  std::size_t revision = 0;          // 0: the model as it started
-  std::string change = "start";      // "+ lagged_expansion(T_air_degC), - speed_heating(speed_rpm)"
-  Level level = Level::series;       // of the model
-  std::string target;                // which the figures are of
-  std::vector<std::string> data;     // files, as they were named
-  std::size_t parameters = 0;        // free ones
-  double rmse_um = 0.0;              // of the fit to all rows
-  double times_floor = kUnknown;     // RMSE over the floor
-  double held_out_um = kUnknown;     // RMSE of cycles (recordings) left out, each predicted from the others
-  double evidence = kUnknown;        // 2 ln L gained by the change, the noise estimated anew on both sides
-  double threshold = kUnknown;       // from which the evidence counts
-  double best_fake_fall = kUnknown;  // relative fall of the RMSE by the best of 200 fakes
-  std::string verdict = "start";     // "start", "named", "supported", "time only", "not supported"
+  std::size_t revision = 0;               // 0: the model as it started
+  std::string change = "start";           // "+ lagged_expansion(T_air_degC), - speed_heating(speed_rpm)"
+  Level level = Level::series;            // of the model
+  std::string target;                     // which the figures are of
+  std::vector<std::string> data;          // files, as they were named
+  std::size_t parameters = 0;             // free ones
+  double rmse_um = 0.0;                   // of the fit to all rows
+  double times_floor = kUnknown;          // RMSE over the floor
+  double held_out_um = kUnknown;          // RMSE of cycles (recordings) left out, each predicted from the others
+  double likelihood_ratio = kUnknown;     // 2 ln L gained by the change, the noise estimated anew on both sides
+  double threshold = kUnknown;            // from which the likelihood ratio counts
+  double best_surrogate_fall = kUnknown;  // relative fall of the RMSE by the best of 200 surrogates
+  std::string verdict = "start";          // "start", "named", "supported", "time only", "not supported"
   std::vector<std::string> still_needed, no_longer_needed;  // labels of earlier effects, tested anew
 };
 
@@ -44,7 +44,7 @@ LedgerRow row_of(const Model& model, const Series& data, std::size_t target = 0)
 double family_wise_error(std::span<const LedgerRow> rows);
 
 // "Revision 2 added lagged_expansion(T16_degC): RMSE 12.3 -> 3.1 um (4.0 -> 1.0 times the floor), left-out cycles
-// 14.0 -> 3.9 um; evidence 431, which counts from 25, and a fake effect would have bought up to 27 %;
+// 14.0 -> 3.9 um; likelihood ratio 431, which counts from 25, and a surrogate effect would have bought up to 27 %;
 // speed_heating(speed_rpm) is still needed." Without figures from before where `before` is nullptr or of another
 // target or other data; of recordings "left-out recordings".
 std::string sentence(const LedgerRow& row, const LedgerRow* before);

@@ -11,6 +11,6 @@ namespace ballbar {
 // Cycle of every row, from 0: stretches between changes of speed, short ones joined to their neighbour, those of more
 // than a fifth of the rows cut into equal pieces; without a speed five parts of the time. Of a trace each recording is
 // one; a single recording is left out by quarters of its sweep.
-std::vector<std::size_t> cycles_of(const Series& data, const std::vector<std::size_t>& rows);
+std::vector<std::size_t> folds_of(const Series& data, const std::vector<std::size_t>& rows);
 
 }  // namespace ballbar

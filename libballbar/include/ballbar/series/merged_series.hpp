@@ -14,6 +14,6 @@ namespace ballbar {
 //
 // Throws Error: a column that two parts have, a signal without any value, a gap between two values that is longer,
 // parts with no time in common.
-Series joined(const std::vector<Series>& parts, double max_gap_s);
+Series merged(const std::vector<Series>& parts, double max_gap_s);
 
 }  // namespace ballbar

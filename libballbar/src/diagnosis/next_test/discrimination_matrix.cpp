@@ -55,111 +55,111 @@ std::vector<std::size_t> gains_of(const Effect& effect) {
 
 }  // namespace
 
-std::optional<Rival> rival_of(const Candidate& candidate, const Series& data, std::size_t most_points) {
+std::optional<Competitor> competitor_of(const Candidate& candidate, const Series& data, std::size_t most_points) {
   const Effect* effect = candidate.bound.effect;
   if (effect == nullptr || candidate.parameters.size() != effect->parameters.size()) return std::nullopt;
   if (candidate.bound.columns.size() != effect->inputs.size()) return std::nullopt;
   for (const std::string& name : candidate.bound.columns) {
     if (find_column(data, name) == nullptr) return std::nullopt;
   }
-  Rival rival;
-  rival.bound = candidate.bound;
+  Competitor competitor;
+  competitor.bound = candidate.bound;
   for (std::size_t k = 0; k < candidate.parameters.size(); ++k) {
     if (!std::isfinite(candidate.parameters[k].value)) return std::nullopt;
-    rival.parameters.push_back(candidate.parameters[k].value);
+    competitor.parameters.push_back(candidate.parameters[k].value);
     if (candidate.parameters[k].state != ParameterState::held) {
-      rival.free.push_back(k);
-      if (effect->parameters[k].kind == ParameterKind::gain) rival.gains.push_back(k);
+      competitor.free.push_back(k);
+      if (effect->parameters[k].kind == ParameterKind::gain) competitor.gains.push_back(k);
     }
   }
-  if (rival.gains.size() == rival.free.size() || most_points == 0) return rival;
+  if (competitor.gains.size() == competitor.free.size() || most_points == 0) return competitor;
   // No lag at all, the longest one: where effects become each other.
-  for (const std::size_t k : rival.free) {
+  for (const std::size_t k : competitor.free) {
     const Parameter& parameter = effect->parameters[k];
     if (parameter.kind != ParameterKind::shape || parameter.shape_of == ShapeOf::onset) continue;
     for (const double bound : {parameter.lower, parameter.upper}) {
       if (!std::isfinite(bound)) continue;
-      rival.points.push_back(rival.parameters);
-      rival.points.back()[k] = bound;
+      competitor.points.push_back(competitor.parameters);
+      competitor.points.back()[k] = bound;
     }
   }
-  BankOptions options;
+  SignatureOptions options;
   options.every_onset = false;
   const BoundInputs inputs = inputs_of(*effect, candidate.bound.columns, data);
   const std::vector<std::vector<double>> grid = shapes_of(*effect, inputs.rows, options);
   const std::size_t stride = 1 + (grid.size() - 1) / most_points;
   for (std::size_t i = 0; i < grid.size(); i += stride) {
-    rival.points.push_back(rival.parameters);
-    for (const std::size_t k : rival.free) {
-      if (effect->parameters[k].kind == ParameterKind::shape) rival.points.back()[k] = grid[i][k];
+    competitor.points.push_back(competitor.parameters);
+    for (const std::size_t k : competitor.free) {
+      if (effect->parameters[k].kind == ParameterKind::shape) competitor.points.back()[k] = grid[i][k];
     }
   }
-  return rival;
+  return competitor;
 }
 
-Places places_of(const CandidateRows& candidates, Eigen::Index own) {
+Places places_of(const DiscriminationMatrix& candidates, Eigen::Index own) {
   Places places;
   Eigen::Index next = 0;
   const auto shared = static_cast<Eigen::Index>(used_parameters(*candidates.base).size()) + own;
   while (next < shared) places.shared.push_back(next++);
-  for (const Rival& rival : candidates.rivals) {
+  for (const Competitor& competitor : candidates.competitors) {
     places.signal.push_back(next++);
     places.free.emplace_back();
     const auto add = [&](std::size_t count) {
       std::vector<Eigen::Index>& fit = places.free.back().emplace_back();
       while (fit.size() < count) fit.push_back(next++);
     };
-    add(rival.free.size());
-    for (std::size_t point = 0; point < rival.points.size(); ++point) add(rival.gains.size());
+    add(competitor.free.size());
+    for (std::size_t point = 0; point < competitor.points.size(); ++point) add(competitor.gains.size());
   }
   return places;
 }
 
 namespace {
 
-Eigen::Index width_of(const CandidateRows& candidates, Eigen::Index own) {
+Eigen::Index width_of(const DiscriminationMatrix& candidates, Eigen::Index own) {
   auto width = static_cast<Eigen::Index>(used_parameters(*candidates.base).size()) + own;
-  for (const Rival& rival : candidates.rivals) {
-    width += 1 + static_cast<Eigen::Index>(rival.free.size() + rival.gains.size() * rival.points.size());
+  for (const Competitor& competitor : candidates.competitors) {
+    width += 1 + static_cast<Eigen::Index>(competitor.free.size() + competitor.gains.size() * competitor.points.size());
   }
   return width;
 }
 
 // at: the effect's values with given parameters, nullopt where it has none; false then.
 template <class At>
-bool put(const Rival& rival, const At& at, Eigen::Index& column, Eigen::MatrixXd& result) {
+bool put(const Competitor& competitor, const At& at, Eigen::Index& column, Eigen::MatrixXd& result) {
   const auto slopes = [&](const EffectAt& values, const std::vector<std::size_t>& by) {
     for (const std::size_t k : by) result.col(column++) = values.slopes.col(static_cast<Eigen::Index>(k));
   };
-  const std::optional<EffectAt> fitted = at(rival.parameters);
+  const std::optional<EffectAt> fitted = at(competitor.parameters);
   if (!fitted) return false;
   result.col(column++) = fitted->values;
-  slopes(*fitted, rival.free);
-  for (const std::vector<double>& point : rival.points) slopes(*at(point), rival.gains);
+  slopes(*fitted, competitor.free);
+  for (const std::vector<double>& point : competitor.points) slopes(*at(point), competitor.gains);
   return true;
 }
 
 }  // namespace
 
-std::optional<Eigen::MatrixXd> columns_in_data(const CandidateRows& candidates, Eigen::Index own) {
+std::optional<Eigen::MatrixXd> columns_in_data(const DiscriminationMatrix& candidates, Eigen::Index own) {
   const Fit& base = *candidates.base;
   const std::vector<Eigen::Index> used = used_parameters(base);
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(base.row.size()), width_of(candidates, own));
   Eigen::Index column = 0;
   for (const Eigen::Index k : used) result.col(column++) = base.jacobian.col(k);
   column += own;
-  for (const Rival& rival : candidates.rivals) {
-    const BoundInputs inputs = inputs_of(*rival.bound.effect, rival.bound.columns, *candidates.data);
+  for (const Competitor& competitor : candidates.competitors) {
+    const BoundInputs inputs = inputs_of(*competitor.bound.effect, competitor.bound.columns, *candidates.data);
     const auto at = [&](const std::vector<double>& parameters) {
-      return std::optional(effect_at(*rival.bound.effect, inputs.rows, parameters, base.row));
+      return std::optional(effect_at(*competitor.bound.effect, inputs.rows, parameters, base.row));
     };
-    put(rival, at, column, result);
+    put(competitor, at, column, result);
   }
   if (!result.allFinite()) return std::nullopt;
   return result;
 }
 
-Eigen::MatrixXd own_columns(const CandidateRows& candidates, const PlannedTest& test) {
+Eigen::MatrixXd own_columns(const DiscriminationMatrix& candidates, const PlannedTest& test) {
   const auto n = static_cast<Eigen::Index>(test.rows.size());
   const std::vector<Term>& terms = candidates.model->terms;
   const auto first = std::find_if(terms.begin(), terms.end(), is_base);
@@ -192,7 +192,7 @@ Eigen::MatrixXd own_columns(const CandidateRows& candidates, const PlannedTest& 
   return result;
 }
 
-std::optional<Eigen::MatrixXd> columns_in_test(const CandidateRows& candidates, const PlannedTest& test,
+std::optional<Eigen::MatrixXd> columns_in_test(const DiscriminationMatrix& candidates, const PlannedTest& test,
                                                const Eigen::MatrixXd& own) {
   const Fit& base = *candidates.base;
   const auto n = static_cast<Eigen::Index>(test.rows.size());
@@ -212,17 +212,17 @@ std::optional<Eigen::MatrixXd> columns_in_test(const CandidateRows& candidates, 
   Eigen::Index column = 0;
   for (const Eigen::Index k : used_parameters(base)) result.col(column++) = all.col(k);
   for (Eigen::Index k = 0; k < own.cols(); ++k) result.col(column++) = own.col(k);
-  for (const Rival& rival : candidates.rivals) {
+  for (const Competitor& competitor : candidates.competitors) {
     const auto at = [&](const std::vector<double>& parameters) {
       std::optional<EffectAt> values =
-          in_test(*rival.bound.effect, rival.bound.columns, parameters, test, *candidates.data);
-      if (values && rival.only_once) {
+          in_test(*competitor.bound.effect, competitor.bound.columns, parameters, test, *candidates.data);
+      if (values && competitor.only_once) {
         values->values.setZero();
         values->slopes.setZero();
       }
       return values;
     };
-    if (!put(rival, at, column, result)) return std::nullopt;
+    if (!put(competitor, at, column, result)) return std::nullopt;
   }
   if (!result.allFinite()) return std::nullopt;
   return result;

@@ -1,8 +1,8 @@
 // The candidates of a diagnosis, the model and the set-up as columns over the rows of the data and of a test.
 //
 // Columns of both, in this order: those that the model was free in; the test's own constant (recordings: circles), 0 in
-// the data; for every rival what it adds with its fitted parameters, its derivatives by its free parameters there, and
-// those by its gains at points of the grid and on the bounds of its shapes, as a shape that moves far leaves the
+// the data; for every competitor what it adds with its fitted parameters, its derivatives by its free parameters there,
+// and those by its gains at points of the grid and on the bounds of its shapes, as a shape that moves far leaves the
 // straight line.
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace ballbar {
 
-struct Rival {
+struct Competitor {
   BoundEffect bound;
   std::vector<double> parameters;           // all of the effect
   std::vector<std::vector<double>> points;  // the same, shapes from the grid
@@ -28,34 +28,35 @@ struct Rival {
 };
 
 // With up to `most_points` shapes. nullopt where the candidate does not suit the data.
-std::optional<Rival> rival_of(const Candidate& candidate, const Series& data, std::size_t most_points);
+std::optional<Competitor> competitor_of(const Candidate& candidate, const Series& data, std::size_t most_points);
 
-struct CandidateRows {
+struct DiscriminationMatrix {
   const Model* model = nullptr;
   const Series* data = nullptr;
   const Fit* base = nullptr;
-  std::vector<Rival> rivals;
+  std::vector<Competitor> competitors;
 };
 
 struct Places {
-  std::vector<Eigen::Index> shared;                          // model and the test's own
-  std::vector<Eigen::Index> signal;                          // one a rival
-  std::vector<std::vector<std::vector<Eigen::Index>>> free;  // a rival, a point: where it was fitted, then `points`
+  std::vector<Eigen::Index> shared;  // model and the test's own
+  std::vector<Eigen::Index> signal;  // one a competitor
+  std::vector<std::vector<std::vector<Eigen::Index>>>
+      free;  // a competitor, a point: where it was fitted, then `points`
 };
 
 // own: number of columns of the test's own.
-Places places_of(const CandidateRows& candidates, Eigen::Index own);
+Places places_of(const DiscriminationMatrix& candidates, Eigen::Index own);
 
 // n rows of the data where the target has a value; nullopt where a value is not finite.
-std::optional<Eigen::MatrixXd> columns_in_data(const CandidateRows& candidates, Eigen::Index own);
+std::optional<Eigen::MatrixXd> columns_in_data(const DiscriminationMatrix& candidates, Eigen::Index own);
 
 // The test's own columns: a constant; on recordings a circle for each new one, or for all where the model has one for
 // all and the set-up is new, or none where it is not.
-Eigen::MatrixXd own_columns(const CandidateRows& candidates, const PlannedTest& test);
+Eigen::MatrixXd own_columns(const DiscriminationMatrix& candidates, const PlannedTest& test);
 
 // Effects without inputs go on after the data as long as nothing is set up anew: the test begins 12 h after their
 // end.
-std::optional<Eigen::MatrixXd> columns_in_test(const CandidateRows& candidates, const PlannedTest& test,
+std::optional<Eigen::MatrixXd> columns_in_test(const DiscriminationMatrix& candidates, const PlannedTest& test,
                                                const Eigen::MatrixXd& own);
 
 }  // namespace ballbar

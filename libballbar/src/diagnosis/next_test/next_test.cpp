@@ -36,13 +36,13 @@ bool suits(const Model& model, const Series& data, const Diagnosis& diagnosis) {
 }
 
 // Of the fit with the best set: the noise of the base fit holds what is missing in it.
-Noise noise_with_best_set(const CandidateRows& candidates, const Diagnosis& diagnosis, const Eigen::MatrixXd& columns,
-                          const Places& places) {
+Noise noise_with_best_set(const DiscriminationMatrix& candidates, const Diagnosis& diagnosis,
+                          const Eigen::MatrixXd& columns, const Places& places) {
   std::vector<Eigen::Index> added;
   for (const Candidate& candidate : diagnosis.candidates) {
-    for (std::size_t k = 0; candidate.in_best_set && k < candidates.rivals.size(); ++k) {
-      const Rival& rival = candidates.rivals[k];
-      if (rival.only_once || !(rival.bound == candidate.bound)) continue;
+    for (std::size_t k = 0; candidate.in_best_set && k < candidates.competitors.size(); ++k) {
+      const Competitor& competitor = candidates.competitors[k];
+      if (competitor.only_once || !(competitor.bound == candidate.bound)) continue;
       added.insert(added.end(), places.free[k][0].begin(), places.free[k][0].end());
     }
   }
@@ -50,7 +50,7 @@ Noise noise_with_best_set(const CandidateRows& candidates, const Diagnosis& diag
   for (Eigen::Index k = 0; k < best.cols(); ++k) {
     if (best.col(k).norm() > 0.0) best.col(k).normalize();
   }
-  return explained(leftover_of(diagnosis.base), best, diagnosis.base.noise).noise;
+  return gls_fit(linearised_fit_of(diagnosis.base), best, diagnosis.base.noise).noise;
 }
 
 // d of both orders: a true and b fitted, b true and a fitted.
@@ -59,9 +59,9 @@ struct Orders {
 };
 
 Orders orders_of(const Eigen::MatrixXd& factor, const Places& places, const Pair& pair) {
-  const auto one_way = [&](std::size_t truth, std::size_t rival) {
+  const auto one_way = [&](std::size_t truth, std::size_t competitor) {
     double least = std::numeric_limits<double>::infinity();
-    for (const std::vector<Eigen::Index>& free : places.free[rival]) {
+    for (const std::vector<Eigen::Index>& free : places.free[competitor]) {
       std::vector<Eigen::Index> columns = places.shared;
       columns.insert(columns.end(), free.begin(), free.end());
       for (const std::size_t other : pair.others) {
@@ -76,16 +76,16 @@ Orders orders_of(const Eigen::MatrixXd& factor, const Places& places, const Pair
 
 enum class Holds { neither, a_holds_b, b_holds_a };
 
-// A rival with more parameters that makes all that the other does, whatever is done: a lag of nothing is no lag.
-Holds holds(const Orders& orders, const Question& question, const Pair& pair) {
-  const auto count = [&](std::size_t rival) { return question.candidates.rivals[rival].free.size(); };
+// A competitor with more parameters that makes all that the other does, whatever is done: a lag of nothing is no lag.
+Holds holds(const Orders& orders, const UndecidedPairs& question, const Pair& pair) {
+  const auto count = [&](std::size_t competitor) { return question.candidates.competitors[competitor].free.size(); };
   const auto imitated = [](double d, double other) { return d < std::max(kImitated, kNearlyImitated * other); };
   if (count(pair.a) > count(pair.b) && imitated(orders.b_true, orders.a_true)) return Holds::a_holds_b;
   if (count(pair.b) > count(pair.a) && imitated(orders.a_true, orders.b_true)) return Holds::b_holds_a;
   return Holds::neither;
 }
 
-// The smaller of both orders; where one rival holds the other, of that which can be seen.
+// The smaller of both orders; where one competitor holds the other, of that which can be seen.
 double separation(const Orders& orders, Holds holds) {
   if (holds == Holds::a_holds_b) return orders.a_true;
   if (holds == Holds::b_holds_a) return orders.b_true;
@@ -93,11 +93,12 @@ double separation(const Orders& orders, Holds holds) {
 }
 
 // Columns of the pair that the list has.
-std::vector<std::size_t> listed(const std::vector<std::string>& list, const Question& question, const Pair& pair) {
+std::vector<std::size_t> listed(const std::vector<std::string>& list, const UndecidedPairs& question,
+                                const Pair& pair) {
   std::vector<std::size_t> result;
   for (std::size_t k = 0; k < list.size(); ++k) {
-    for (const std::size_t rival : {pair.a, pair.b}) {
-      const std::vector<std::string>& columns = question.candidates.rivals[rival].bound.columns;
+    for (const std::size_t competitor : {pair.a, pair.b}) {
+      const std::vector<std::string>& columns = question.candidates.competitors[competitor].bound.columns;
       if (std::find(columns.begin(), columns.end(), list[k]) == columns.end()) continue;
       if (result.empty() || result.back() != k) result.push_back(k);
     }
@@ -127,7 +128,7 @@ std::string interval_text(const Series& all, const std::string& target) {
   return fmt::format(", readings every {} as now", every);
 }
 
-struct Judged {
+struct RatedTest {
   PlannedTest test;
   double smallest = std::numeric_limits<double>::infinity();
   double so_far = 0.0;      // of the same pair in the data
@@ -136,42 +137,42 @@ struct Judged {
   std::size_t settled = 0;  // pairs with d of kIdentifiable or more
 };
 
-bool better(const Judged& a, const Judged& b) {
+bool better(const RatedTest& a, const RatedTest& b) {
   const bool a_seen = a.smallest >= kDetectable, b_seen = b.smallest >= kDetectable;
   if (a_seen != b_seen) return a_seen;
   if (!a_seen && a.settled != b.settled) return a.settled > b.settled;
   return a.smallest > b.smallest;
 }
 
-std::string pair_text(const Question& question, const Pair& pair, Holds holds) {
-  const std::string a = label_of(question.candidates.rivals[pair.a].bound),
-                    b = label_of(question.candidates.rivals[pair.b].bound);
-  if (question.candidates.rivals[pair.b].only_once) return fmt::format("show whether {} comes again", a);
+std::string pair_text(const UndecidedPairs& question, const Pair& pair, Holds holds) {
+  const std::string a = label_of(question.candidates.competitors[pair.a].bound),
+                    b = label_of(question.candidates.competitors[pair.b].bound);
+  if (question.candidates.competitors[pair.b].only_once) return fmt::format("show whether {} comes again", a);
   if (holds == Holds::a_holds_b) return fmt::format("show whether {} is more than {}", a, b);
   if (holds == Holds::b_holds_a) return fmt::format("show whether {} is more than {}", b, a);
   return fmt::format("tell {} from {}", a, b);
 }
 
-std::string text_of(const Question& question, const Judged& judged, const std::string& interval) {
-  std::string text = judged.test.name + ": " + judged.test.doing + interval + ".";
+std::string text_of(const UndecidedPairs& question, const RatedTest& rated, const std::string& interval) {
+  std::string text = rated.test.name + ": " + rated.test.doing + interval + ".";
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  const Pair& hardest = question.pairs[judged.hardest];
-  const double d = judged.smallest;
+  const Pair& hardest = question.pairs[rated.hardest];
+  const double d = rated.smallest;
   const std::string outcome =
       fmt::format("{} ({}); the data so far have {}.", d_text(d),
-                  d < kDetectable ? "5 is needed, 7.5 to name one" : "named from 7.5", d_text(judged.so_far));
-  const std::string pair = pair_text(question, hardest, judged.holds);
+                  d < kDetectable ? "5 is needed, 7.5 to name one" : "named from 7.5", d_text(rated.so_far));
+  const std::string pair = pair_text(question, hardest, rated.holds);
   if (question.pairs.size() == 1) {
     text += fmt::format(" It would {} with {}", pair, outcome);
   } else {
     text += fmt::format(" Of {} pairs of candidates it would settle {} (d of 7.5 or more); the hardest is to {}: {}",
-                        question.pairs.size(), judged.settled, pair, outcome);
+                        question.pairs.size(), rated.settled, pair, outcome);
   }
   std::vector<std::string> predicted, unknown;
-  for (const std::size_t k : listed(judged.test.forecast_columns, question, hardest)) {
-    predicted.push_back(judged.test.forecast[k]);
+  for (const std::size_t k : listed(rated.test.forecast_columns, question, hardest)) {
+    predicted.push_back(rated.test.forecast[k]);
   }
-  for (const std::size_t k : listed(judged.test.unknown, question, hardest)) unknown.push_back(judged.test.unknown[k]);
+  for (const std::size_t k : listed(rated.test.unknown, question, hardest)) unknown.push_back(rated.test.unknown[k]);
   if (!predicted.empty()) text += fmt::format(" Predicted as in the data: {}.", fmt::join(predicted, ", "));
   if (!unknown.empty()) {
     text += fmt::format(" What {} would do in it is not known, so that nothing is promised.", fmt::join(unknown, ", "));
@@ -184,12 +185,12 @@ std::string text_of(const Question& question, const Judged& judged, const std::s
 std::vector<NextTest> next_tests(const Model& model, const Series& all, const Diagnosis& diagnosis) {
   std::vector<NextTest> result;
   if (diagnosis.verdict == Verdict::nothing || find_column(all, diagnosis.target) == nullptr) return result;
-  const Series data = thinned(all, diagnosis.target, kMostTested);
+  const Series data = subsampled(all, diagnosis.target, kMostTested);
   if (!suits(model, data, diagnosis)) return result;
-  const Question question = question_of(model, data, diagnosis);
+  const UndecidedPairs question = undecided_pairs_of(model, data, diagnosis);
   if (question.pairs.empty()) return result;
 
-  const CandidateRows& candidates = question.candidates;
+  const DiscriminationMatrix& candidates = question.candidates;
   const Fit& base = diagnosis.base;
   const Places without_own = places_of(candidates, 0);
   const std::optional<Eigen::MatrixXd> in_data = columns_in_data(candidates, 0);
@@ -202,7 +203,7 @@ std::vector<NextTest> next_tests(const Model& model, const Series& all, const Di
 
   std::vector<double> sigma = base.sigma_um;
   std::sort(sigma.begin(), sigma.end());
-  std::vector<Judged> tests;
+  std::vector<RatedTest> tests;
   for (PlannedTest& test : model.level == Level::series ? drift_tests(data, diagnosis.target, base.row)
                                                         : recording_tests(data, diagnosis.target, base.row)) {
     if (test.rows.size() < 2) continue;
@@ -219,34 +220,34 @@ std::vector<NextTest> next_tests(const Model& model, const Series& all, const Di
         factor.rightCols(factor.cols() - model_width);
     const Eigen::MatrixXd together = both(before, *in_test, Whitening(noise, time_s, sigma_um));
     const Places places = places_of(candidates, own.cols());
-    Judged judged;
-    judged.test = std::move(test);
+    RatedTest rated;
+    rated.test = std::move(test);
     for (std::size_t k = 0; k < question.pairs.size(); ++k) {
       const Pair& pair = question.pairs[k];
-      const bool known = listed(judged.test.unknown, question, pair).empty();
+      const bool known = listed(rated.test.unknown, question, pair).empty();
       const Orders orders = known ? orders_of(together, places, pair) : so_far[k];
       const Holds held = holds(orders, question, pair);
       const double d = separation(orders, held);
-      if (d >= kIdentifiable) ++judged.settled;
-      if (!(d < judged.smallest)) continue;
-      judged.smallest = d;
-      judged.so_far = separation(so_far[k], held);
-      judged.hardest = k;
-      judged.holds = held;
+      if (d >= kIdentifiable) ++rated.settled;
+      if (!(d < rated.smallest)) continue;
+      rated.smallest = d;
+      rated.so_far = separation(so_far[k], held);
+      rated.hardest = k;
+      rated.holds = held;
     }
-    if (std::isfinite(judged.smallest)) tests.push_back(std::move(judged));
+    if (std::isfinite(rated.smallest)) tests.push_back(std::move(rated));
   }
   std::stable_sort(tests.begin(), tests.end(), better);
   const std::string interval = model.level == Level::series ? interval_text(all, diagnosis.target) : std::string();
-  for (const Judged& judged : tests) {
-    std::string text = text_of(question, judged, interval);
-    if (result.empty() && judged.smallest < kUseless) {
+  for (const RatedTest& rated : tests) {
+    std::string text = text_of(question, rated, interval);
+    if (result.empty() && rated.smallest < kUseless) {
       text = fmt::format("None on the list would tell all of them apart: the best ({}) reaches {}, 5 is needed.",
-                         judged.test.name, d_text(judged.smallest));
-    } else if (result.empty() && judged.smallest < kDetectable) {
+                         rated.test.name, d_text(rated.smallest));
+    } else if (result.empty() && rated.smallest < kDetectable) {
       text = "No test on the list tells all of them apart (d of 5 or more); the best is this. " + text;
     }
-    result.push_back({judged.test.name, std::move(text), judged.smallest, judged.test.duration_s, judged.so_far});
+    result.push_back({rated.test.name, std::move(text), rated.smallest, rated.test.duration_s, rated.so_far});
   }
   return result;
 }

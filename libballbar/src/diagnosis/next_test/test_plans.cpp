@@ -61,9 +61,9 @@ std::vector<Plan> plans_of(const Speeds& speeds, const Logged& logged) {
                      fmt::format("2 h at {:.0f} rpm, 1 h at rest", speeds.other_rpm),
                      {{2.0, speeds.other_rpm}, {1.0, 0.0}}});
   }
-  Plan cycles{"several cycles", fmt::format("40 min {} and 40 min at rest, three times", at_full), {}};
-  for (int k = 0; k < 3; ++k) cycles.stretches.insert(cycles.stretches.end(), {{2.0 / 3.0, full}, {2.0 / 3.0, 0.0}});
-  plans.push_back(std::move(cycles));
+  Plan folds{"several cycles", fmt::format("40 min {} and 40 min at rest, three times", at_full), {}};
+  for (int k = 0; k < 3; ++k) folds.stretches.insert(folds.stretches.end(), {{2.0 / 3.0, full}, {2.0 / 3.0, 0.0}});
+  plans.push_back(std::move(folds));
   Plan dwells{"two dwell lengths",
               fmt::format("10 min {0} and 10 min at rest, six times, then 1 h {0} and 1 h at rest", at_full),
               {}};

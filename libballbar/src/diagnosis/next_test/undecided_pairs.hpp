@@ -11,19 +11,19 @@
 
 namespace ballbar {
 
-// Indices of CandidateRows::rivals; `others`: of the rest of the best set, fitted beside them.
+// Indices of DiscriminationMatrix::competitors; `others`: of the rest of the best set, fitted beside them.
 struct Pair {
   std::size_t a = 0, b = 0;
   std::vector<std::size_t> others;
 };
 
-struct Question {
-  CandidateRows candidates;
+struct UndecidedPairs {
+  DiscriminationMatrix candidates;
   std::vector<Pair> pairs;
 };
 
-// Pairs within the groups of the diagnosis; a group of one has the rival that it does not come again. Without groups
-// the strongest two candidates that are not named. Refers to all three arguments.
-Question question_of(const Model& model, const Series& data, const Diagnosis& diagnosis);
+// Pairs within the groups of the diagnosis; a group of one has the competitor that it does not come again. Without
+// groups the strongest two candidates that are not named. Refers to all three arguments.
+UndecidedPairs undecided_pairs_of(const Model& model, const Series& data, const Diagnosis& diagnosis);
 
 }  // namespace ballbar

@@ -17,15 +17,16 @@ namespace {
 
 class Search {
  public:
-  Search(const Bank& bank, const Projected& projected, const SearchNull* null) : bank_(bank), projected_(projected) {
+  Search(const SignatureLibrary& library, const Projected& projected, const MaxScoreNull* null)
+      : library_(library), projected_(projected) {
     along_ = projected.columns.transpose() * projected.residual;
-    scores_ = scores(bank, projected, projected.residual);
-    for (const Family& family : bank.families) {
+    scores_ = scores(library, projected, projected.residual);
+    for (const Family& family : library.families) {
       threshold_.push_back(null != nullptr ? null->threshold(*family.bound.effect) : kPriceInSearch);
     }
   }
 
-  const Signature& at(std::size_t index) const { return bank_.signatures[index]; }
+  const Signature& at(std::size_t index) const { return library_.signatures[index]; }
   double score(std::size_t index) const { return scores_[static_cast<Eigen::Index>(index)]; }
   double threshold(std::size_t index) const { return threshold_[at(index).family]; }
 
@@ -57,7 +58,7 @@ class Search {
 
   std::vector<std::size_t> best_of_every_family() const {
     std::vector<std::size_t> best;
-    for (const Family& family : bank_.families) {
+    for (const Family& family : library_.families) {
       std::size_t most = family.first;
       for (std::size_t i = family.first; i < family.first + family.count; ++i) {
         if (score(i) > score(most)) most = i;
@@ -71,7 +72,7 @@ class Search {
   std::vector<std::size_t> reduced() const {
     std::map<std::string, std::vector<std::size_t>> of_effect;  // by name
     for (const std::size_t best : best_of_every_family()) {
-      of_effect[bank_.families[at(best).family].bound.effect->name].push_back(best);
+      of_effect[library_.families[at(best).family].bound.effect->name].push_back(best);
     }
     std::vector<std::size_t> result;
     for (auto& [effect, bests] : of_effect) {
@@ -81,7 +82,7 @@ class Search {
       std::stable_sort(bests.begin(), bests.end(), stronger);
       bests.resize(std::min(bests.size(), kFamiliesOfAnEffect));
       for (const std::size_t best : bests) {
-        const Family& family = bank_.families[at(best).family];
+        const Family& family = library_.families[at(best).family];
         std::vector<std::size_t> shapes(family.count);
         std::iota(shapes.begin(), shapes.end(), family.first);
         std::stable_sort(shapes.begin(), shapes.end(), stronger);
@@ -115,11 +116,11 @@ class Search {
     return best;
   }
 
-  const Bank& bank() const { return bank_; }
+  const SignatureLibrary& library() const { return library_; }
   const Projected& projected() const { return projected_; }
 
  private:
-  const Bank& bank_;
+  const SignatureLibrary& library_;
   const Projected& projected_;
   Eigen::VectorXd along_, scores_;
   std::vector<double> threshold_;  // of each family
@@ -191,8 +192,8 @@ std::vector<Subset> best_pairs(const Search& search, const std::vector<std::size
   in_parallel(pairs.size(), [&](std::size_t k) {
     Subset& pair = pairs[k];
     if (pair.signatures.size() < 2) return;
-    const Subset finer = search.best_pair(search.bank().families[search.at(pair.signatures[0]).family],
-                                          search.bank().families[search.at(pair.signatures[1]).family]);
+    const Subset finer = search.best_pair(search.library().families[search.at(pair.signatures[0]).family],
+                                          search.library().families[search.at(pair.signatures[1]).family]);
     if (finer.net > pair.net) pair = finer;
   });
   return pairs;
@@ -227,13 +228,13 @@ std::vector<Subset> with_one_more(const Search& search, const Subset& subset, co
 
 }  // namespace
 
-std::vector<Subset> best_subsets(const Bank& bank, const Projected& projected, const SearchNull* null,
+std::vector<Subset> best_subsets(const SignatureLibrary& library, const Projected& projected, const MaxScoreNull* null,
                                  std::size_t largest) {
-  const Search search(bank, projected, null);
+  const Search search(library, projected, null);
   std::vector<Subset> all;
   for (const std::size_t index : search.best_of_every_family())
     all.push_back(search.made({index}, search.score(index)));
-  if (largest >= 2 && bank.families.size() >= 2) {
+  if (largest >= 2 && library.families.size() >= 2) {
     const std::vector<std::size_t> reduced = search.reduced();
     std::vector<Subset> pairs = best_pairs(search, reduced);
     std::vector<Subset> triples;

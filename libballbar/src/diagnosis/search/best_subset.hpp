@@ -1,4 +1,5 @@
-// Which few signatures of a bank together explain a residual best: not greedily, one after the other, but together.
+// Which few signatures of a signature library together explain a residual best: not greedily, one after the other, but
+// together.
 #pragma once
 
 #include <vector>
@@ -19,7 +20,7 @@ struct Subset {
 // All singles; all pairs of the strongest shapes of the strongest families of every effect, then of all shapes of the
 // best 25 pairs of families; triples of these pairs with every family. The best by `net` first; of the same families
 // only the best shapes. null: nullptr for net = gain - 10 for each effect.
-std::vector<Subset> best_subsets(const Bank& bank, const Projected& projected, const SearchNull* null,
+std::vector<Subset> best_subsets(const SignatureLibrary& library, const Projected& projected, const MaxScoreNull* null,
                                  std::size_t largest = 3);
 
 }  // namespace ballbar

@@ -15,7 +15,7 @@
 namespace ballbar {
 namespace {
 
-double thresholds(const Hypotheses& now, const SearchNull& null, const Set& set) {
+double thresholds(const SubsetFits& now, const MaxScoreNull& null, const Set& set) {
   double sum = 0.0;
   for (const std::size_t index : set) sum += null.threshold(*now.bound(index).effect);
   return sum;
@@ -24,7 +24,7 @@ double thresholds(const Hypotheses& now, const SearchNull& null, const Set& set)
 // Fitted sets, each set of effects once.
 class Fitted {
  public:
-  Fitted(const Hypotheses& now, const Ground& ground) : now_(now), ground_(ground) {}
+  Fitted(const SubsetFits& now, const NullModel& null_model) : now_(now), null_model_(null_model) {}
 
   // Those that are new, at most so many.
   void add(const std::vector<Set>& sets, std::size_t most) {
@@ -42,7 +42,7 @@ class Fitted {
     std::vector<std::optional<SubsetFit>> fitted(fresh.size());
     in_parallel(fresh.size(), [&](std::size_t i) {
       try {
-        fitted[i] = judged(now_.refitted(fresh[i], ground_.noise));
+        fitted[i] = penalised_fit(now_.refitted(fresh[i], null_model_.noise));
       } catch (const Error&) {
         return;  // a set that cannot be fitted explains nothing
       }
@@ -60,8 +60,8 @@ class Fitted {
                                       [&](std::size_t index) { return has(now_, near.set, now_.bound(index)); });
       if (!shares) return;
       try {
-        SubsetFit again = judged(now_.refitted_from(near, other.set));
-        if (again.likely.log_likelihood > other.likely.log_likelihood) other = std::move(again);
+        SubsetFit again = penalised_fit(now_.refitted_from(near, other.set));
+        if (again.noise_fit.log_likelihood > other.noise_fit.log_likelihood) other = std::move(again);
       } catch (const Error&) {
         return;  // from there it has no fit
       }
@@ -76,13 +76,13 @@ class Fitted {
   std::vector<SubsetFit>& refits() { return refits_; }
 
  private:
-  SubsetFit judged(SubsetFit refitted) const {
-    refitted.penalised = 2.0 * refitted.likely.log_likelihood - thresholds(now_, ground_.null, refitted.set);
+  SubsetFit penalised_fit(SubsetFit refitted) const {
+    refitted.penalised = 2.0 * refitted.noise_fit.log_likelihood - thresholds(now_, null_model_.null, refitted.set);
     return refitted;
   }
 
-  const Hypotheses& now_;
-  const Ground& ground_;
+  const SubsetFits& now_;
+  const NullModel& null_model_;
   std::vector<SubsetFit> refits_;
   std::vector<std::vector<std::string>> done_;
 };
@@ -94,35 +94,35 @@ struct WorthALook {
 };
 
 // On the grid: 2 ln L less what a search without any effect finds.
-double penalised(const Hypotheses& now, const Ground& ground, const Evaluations& evaluated, const Set& set) {
-  return 2.0 * evaluation_of(evaluated, set).log_likelihood - thresholds(now, ground.null, set);
+double penalised(const SubsetFits& now, const NullModel& null_model, const Evaluations& evaluated, const Set& set) {
+  return 2.0 * evaluation_of(evaluated, set).log_likelihood - thresholds(now, null_model.null, set);
 }
 
-WorthALook worth_a_look(const Hypotheses& now, const Ground& ground) {
+WorthALook worth_a_look(const SubsetFits& now, const NullModel& null_model) {
   std::vector<Set> sets;
-  for (const Subset& subset : best_subsets(now.bank(), ground.seen, &ground.null, now.largest_set())) {
+  for (const Subset& subset : best_subsets(now.library(), null_model.seen, &null_model.null, now.largest_set())) {
     sets.push_back(subset.signatures);
     if (sets.size() == kWorthALook) break;
   }
-  if (!ground.first.empty()) sets.push_back(ground.first);
+  if (!null_model.first.empty()) sets.push_back(null_model.first);
   if (sets.empty()) return {};
-  Evaluations evaluated = now.evaluated(ground.evaluated, sets, ground.noise);
+  Evaluations evaluated = now.evaluated(null_model.evaluated, sets, null_model.noise);
   const auto by_likelihood = [&](const Set& a, const Set& b) {
-    return penalised(now, ground, evaluated, a) > penalised(now, ground, evaluated, b);
+    return penalised(now, null_model, evaluated, a) > penalised(now, null_model, evaluated, b);
   };
   std::stable_sort(sets.begin(), sets.end(), by_likelihood);
-  for (Set& swapped : swaps(now, ground.seen, sets.front())) sets.push_back(std::move(swapped));
-  evaluated = now.evaluated(std::move(evaluated), sets, ground.noise);
+  for (Set& swapped : swaps(now, null_model.seen, sets.front())) sets.push_back(std::move(swapped));
+  evaluated = now.evaluated(std::move(evaluated), sets, null_model.noise);
   std::stable_sort(sets.begin(), sets.end(), by_likelihood);
   return {std::move(sets), std::move(evaluated)};
 }
 
 // In the place of each effect of the best set others: a grid point far from the truth ends in a hollow of its own.
-void add_in_place(const Hypotheses& now, const Ground& ground, Fitted& fitted) {
+void add_in_place(const SubsetFits& now, const NullModel& null_model, Fitted& fitted) {
   for (std::size_t round = 0; round < kInPlaceRounds; ++round) {
     const SubsetFit whole = fitted.refits().front();
     std::vector<std::vector<std::size_t>> others(whole.set.size());
-    in_parallel(others.size(), [&](std::size_t out) { others[out] = in_place_of(now, whole, out, ground.null); });
+    in_parallel(others.size(), [&](std::size_t out) { others[out] = in_place_of(now, whole, out, null_model.null); });
     std::vector<Set> swapped;
     for (std::size_t out = 0; out < others.size(); ++out) {
       for (const std::size_t other : others[out]) {
@@ -160,20 +160,21 @@ bool is_open_between(const SubsetFit& best, const SubsetFit& other) {
   const double nearly = best.set.size() < 3 ? kNearlyAsGood : kThreeNearlyAsGood;
   return other.penalised > best.penalised - nearly ||
          (other.set.size() == best.set.size() &&
-          2.0 * (best.likely.log_likelihood - other.likely.log_likelihood) < kNearlyAsGood);
+          2.0 * (best.noise_fit.log_likelihood - other.noise_fit.log_likelihood) < kNearlyAsGood);
 }
 
-std::vector<SubsetFit> rival_sets(const Hypotheses& now, const Ground& ground) {
-  const auto [sets, evaluated] = worth_a_look(now, ground);
+std::vector<SubsetFit> competing_subsets(const SubsetFits& now, const NullModel& null_model) {
+  const auto [sets, evaluated] = worth_a_look(now, null_model);
   if (sets.empty()) return {};
-  const double gained = 2.0 * (evaluation_of(evaluated, sets.front()).log_likelihood - ground.log_likelihood);
+  const double gained = 2.0 * (evaluation_of(evaluated, sets.front()).log_likelihood - null_model.log_likelihood);
   const double allowance = kWorthRefitting + kGridError * std::max(0.0, gained);
   const std::size_t most = kMostRefitted * (sets.front().size() + 1) / 2;
-  Fitted fitted(now, ground);
+  Fitted fitted(now, null_model);
   std::vector<SubsetFit>& refits = fitted.refits();
   std::vector<Set> tried;
   for (const Set& set : sets) {
-    if (penalised(now, ground, evaluated, set) < penalised(now, ground, evaluated, sets.front()) - allowance) break;
+    if (penalised(now, null_model, evaluated, set) < penalised(now, null_model, evaluated, sets.front()) - allowance)
+      break;
     tried.push_back(set);
   }
   fitted.add(tried, most);
@@ -182,7 +183,7 @@ std::vector<SubsetFit> rival_sets(const Hypotheses& now, const Ground& ground) {
 
   for (std::size_t size = 0; size != refits.front().set.size();) {
     size = refits.front().set.size();
-    add_in_place(now, ground, fitted);
+    add_in_place(now, null_model, fitted);
     add_with_fewer(fitted);
   }
   for (std::size_t k = 1; k < refits.size(); ++k) {

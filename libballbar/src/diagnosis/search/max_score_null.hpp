@@ -11,10 +11,10 @@ namespace ballbar {
 
 // From draws of the noise through the same whitening: the largest score of every effect (all its columns and shapes)
 // and, for each draw, the rarest of them. Beyond the draws the tails are exponential, from their mean excess.
-class SearchNull {
+class MaxScoreNull {
  public:
   // maxima: draws by effects.
-  SearchNull(std::vector<const Effect*> effects, Eigen::MatrixXf maxima);
+  MaxScoreNull(std::vector<const Effect*> effects, Eigen::MatrixXf maxima);
 
   // Chance that this effect's best score is as large.
   double p_of_effect(const Effect& effect, double score) const;
@@ -41,7 +41,8 @@ class SearchNull {
 };
 
 // Draws through the whitening by `noise`; each from one of `plausible`.
-SearchNull search_null(const Bank& bank, const Projected& projected, const Leftover& leftover, const Noise& noise,
-                       const std::vector<Noise>& plausible, std::size_t draws, std::uint64_t seed);
+MaxScoreNull max_score_null(const SignatureLibrary& library, const Projected& projected,
+                            const LinearisedFit& linearised, const Noise& noise, const std::vector<Noise>& plausible,
+                            std::size_t draws, std::uint64_t seed);
 
 }  // namespace ballbar

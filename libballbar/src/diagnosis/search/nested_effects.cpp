@@ -18,11 +18,11 @@ bool becomes(const BoundEffect& rich, const BoundEffect& plain) {
 namespace {
 
 // A shape lies on its lower bound: a lag of 10 s where the plain effect has none.
-bool is_at_its_least(const Hypotheses& now, const SubsetFit& with, std::size_t place) {
+bool is_at_its_least(const SubsetFits& now, const SubsetFit& with, std::size_t place) {
   const std::size_t term = now.model().terms.size() + place;
   const std::size_t first = first_parameter(with.model, term), count = with.model.terms[term].settings.size();
-  return std::any_of(with.likely.fit.parameters.begin() + static_cast<std::ptrdiff_t>(first),
-                     with.likely.fit.parameters.begin() + static_cast<std::ptrdiff_t>(first + count),
+  return std::any_of(with.noise_fit.fit.parameters.begin() + static_cast<std::ptrdiff_t>(first),
+                     with.noise_fit.fit.parameters.begin() + static_cast<std::ptrdiff_t>(first + count),
                      [](const FittedParameter& one) {
                        return one.kind == ParameterKind::shape && one.state == ParameterState::on_lower_bound;
                      });
@@ -30,15 +30,16 @@ bool is_at_its_least(const Hypotheses& now, const SubsetFit& with, std::size_t p
 
 }  // namespace
 
-bool draws_the_same(const Hypotheses& now, const SubsetFit& plain, std::size_t m, const SubsetFit& rich,
+bool draws_the_same(const SubsetFits& now, const SubsetFit& plain, std::size_t m, const SubsetFit& rich,
                     std::size_t k) {
   if (!becomes(now.bound(rich.set[k]), now.bound(plain.set[m]))) return false;
-  const Whitening whitening(plain.likely.noise, plain.likely.leftover.time_s, plain.likely.leftover.sigma_um);
+  const Whitening whitening(plain.noise_fit.noise, plain.noise_fit.linearised.time_s,
+                            plain.noise_fit.linearised.sigma_um);
   const auto curve = [&](const SubsetFit& of, std::size_t place) -> Eigen::VectorXd {
-    const std::vector<double>& um = of.likely.fit.contribution_um[now.model().terms.size() + place];
+    const std::vector<double>& um = of.noise_fit.fit.contribution_um[now.model().terms.size() + place];
     return whitened(whitening, Eigen::Map<const Eigen::VectorXd>(um.data(), static_cast<Eigen::Index>(um.size())));
   };
-  const Eigen::MatrixXd basis = orthonormal(whitened(whitening, now.leftover().model));
+  const Eigen::MatrixXd basis = orthonormal(whitened(whitening, now.linearised().model));
   const Eigen::VectorXd one = freed(curve(plain, m), basis), other = freed(curve(rich, k), basis);
   const double square = other.squaredNorm();
   if (!(square > 0.0)) return false;
@@ -46,7 +47,7 @@ bool draws_the_same(const Hypotheses& now, const SubsetFit& plain, std::size_t m
   return apart < kSameCurve || (is_at_its_least(now, rich, k) && apart < kSameShare * one.squaredNorm());
 }
 
-bool redrawn(const Hypotheses& now, const SubsetFit& plain, const SubsetFit& rich) {
+bool redrawn(const SubsetFits& now, const SubsetFit& plain, const SubsetFit& rich) {
   if (plain.set.size() != rich.set.size()) return false;
   std::vector<std::size_t> own, others;  // places of what the other has not
   for (std::size_t m = 0; m < rich.set.size(); ++m) {

@@ -6,7 +6,7 @@
 
 namespace ballbar {
 
-struct Ground {
+struct NullModel {
   Set first;                    // by which the noise is told
   Evaluations evaluated;        // on the way
   Noise noise;                  // beside it
@@ -14,9 +14,9 @@ struct Ground {
   double log_likelihood = 0.0;  // of the model alone
   bool heavy_tails = false;     // of what the first set leaves
   Projected seen;
-  SearchNull null;
+  MaxScoreNull null;
 };
-Ground ground_of(const Hypotheses& now, const Noise& start, const SearchOptions& options);
+NullModel null_model_of(const SubsetFits& now, const Noise& start, const SearchOptions& options);
 
 // By the best score of the search; readings far from the others count less where the noise has heavy tails.
 struct Detected {
@@ -24,6 +24,6 @@ struct Detected {
   double smallest_um = 0.0;  // amplitude that would have been found, of the effect that shows best
   BoundEffect smallest;
 };
-Detected detected(const Hypotheses& now, const Ground& ground);
+Detected detected(const SubsetFits& now, const NullModel& null_model);
 
 }  // namespace ballbar

@@ -9,62 +9,62 @@
 #include "numerics/parallel.hpp"
 
 namespace ballbar {
-Hypotheses::Hypotheses(const Model& model, const Series& data, std::size_t target, const Fit& base,
+SubsetFits::SubsetFits(const Model& model, const Series& data, std::size_t target, const Fit& base,
                        const SearchOptions& options)
-    : model_(model), data_(data), target_(target), progress_(options.progress), leftover_(leftover_of(base)) {
-  BankOptions searched;
+    : model_(model), data_(data), target_(target), progress_(options.progress), linearised_(linearised_fit_of(base)) {
+  SignatureOptions searched;
   searched.motion = options.motion;
   searched.without = options.without;
-  bank_ = bank_of(options.catalogue, model, data, base, searched);
+  library_ = signature_library_of(options.catalogue, model, data, base, searched);
 }
 
-std::size_t Hypotheses::largest_set() const {
-  const auto n = static_cast<std::size_t>(leftover_.residual_um.size());
-  const auto p = static_cast<std::size_t>(leftover_.model.cols());
+std::size_t SubsetFits::largest_set() const {
+  const auto n = static_cast<std::size_t>(linearised_.residual_um.size());
+  const auto p = static_cast<std::size_t>(linearised_.model.cols());
   return n <= p ? 0 : std::min(kLargestSet, (n - p) / kValuesForAnEffect);
 }
 
-Eigen::MatrixXd Hypotheses::columns(const Set& set) const {
+Eigen::MatrixXd SubsetFits::columns(const Set& set) const {
   Eigen::Index width = 0;
   for (const std::size_t index : set) width += at(index).width;
-  Eigen::MatrixXd result(bank_.columns.rows(), width);
+  Eigen::MatrixXd result(library_.columns.rows(), width);
   Eigen::Index column = 0;
   for (const std::size_t index : set) {
-    result.middleCols(column, at(index).width) = bank_.columns.middleCols(at(index).first, at(index).width);
+    result.middleCols(column, at(index).width) = library_.columns.middleCols(at(index).first, at(index).width);
     column += at(index).width;
   }
   return result;
 }
 
-Projected Hypotheses::projected_by(const Noise& noise) const {
-  return projected(bank_, leftover_.residual_um, leftover_.model,
-                   Whitening(noise, leftover_.time_s, leftover_.sigma_um));
+Projected SubsetFits::projected_by(const Noise& noise) const {
+  return projected(library_, linearised_.residual_um, linearised_.model,
+                   Whitening(noise, linearised_.time_s, linearised_.sigma_um));
 }
 
-const Explained& evaluation_of(const Evaluations& known, Set set) {
+const GlsFit& evaluation_of(const Evaluations& known, Set set) {
   std::sort(set.begin(), set.end());
   return known.at(set);
 }
 
-Evaluations Hypotheses::evaluated(Evaluations known, const std::vector<Set>& sets, const Noise& start) const {
+Evaluations SubsetFits::evaluated(Evaluations known, const std::vector<Set>& sets, const Noise& start) const {
   std::vector<Set> keys;
   for (Set key : sets) {
     std::sort(key.begin(), key.end());
     const bool there = known.count(key) > 0 || std::find(keys.begin(), keys.end(), key) != keys.end();
     if (!there) keys.push_back(std::move(key));
   }
-  std::vector<Explained> found(keys.size());
-  in_parallel(keys.size(), [&](std::size_t i) { found[i] = explained(leftover_, columns(keys[i]), start); });
+  std::vector<GlsFit> found(keys.size());
+  in_parallel(keys.size(), [&](std::size_t i) { found[i] = gls_fit(linearised_, columns(keys[i]), start); });
   for (std::size_t i = 0; i < keys.size(); ++i) known.emplace(std::move(keys[i]), std::move(found[i]));
   return known;
 }
 
-SubsetFit Hypotheses::fitted(Set set, Model model, const Noise& noise) const {
-  NoiseFit likely = noise_fit_by(noise, model, data_, target_);
-  return {std::move(set), std::move(model), std::move(likely), 0.0};
+SubsetFit SubsetFits::fitted(Set set, Model model, const Noise& noise) const {
+  NoiseFit noise_fit = noise_fit_by(noise, model, data_, target_);
+  return {std::move(set), std::move(model), std::move(noise_fit), 0.0};
 }
 
-Term Hypotheses::term_at(std::size_t index) const {
+Term SubsetFits::term_at(std::size_t index) const {
   Term term = term_of(*bound(index).effect, bound(index).columns);
   for (std::size_t k = 0; k < term.settings.size(); ++k) {
     if (term.effect->parameters[k].kind != ParameterKind::shape) continue;
@@ -75,14 +75,14 @@ Term Hypotheses::term_at(std::size_t index) const {
   return term;
 }
 
-SubsetFit Hypotheses::refitted(const Set& set, const Noise& noise) const {
+SubsetFit SubsetFits::refitted(const Set& set, const Noise& noise) const {
   Model model = model_;
   for (const std::size_t index : set) model.terms.push_back(term_at(index));
   return fitted(set, std::move(model), noise);
 }
 
-SubsetFit Hypotheses::refitted_from(const SubsetFit& near, const Set& set) const {
-  Model model = from_where_it_is(near.model, near.likely.fit);
+SubsetFit SubsetFits::refitted_from(const SubsetFit& near, const Set& set) const {
+  Model model = from_where_it_is(near.model, near.noise_fit.fit);
   std::vector<Term> shared(model.terms.begin() + static_cast<std::ptrdiff_t>(model_.terms.size()), model.terms.end());
   model.terms.resize(model_.terms.size());
   for (const std::size_t index : set) {
@@ -91,25 +91,25 @@ SubsetFit Hypotheses::refitted_from(const SubsetFit& near, const Set& set) const
     model.terms.push_back(at == near.set.end() ? term_at(index)
                                                : shared[static_cast<std::size_t>(at - near.set.begin())]);
   }
-  return fitted(set, std::move(model), near.likely.noise);
+  return fitted(set, std::move(model), near.noise_fit.noise);
 }
 
-SubsetFit Hypotheses::without(const SubsetFit& whole, std::size_t place) const {
+SubsetFit SubsetFits::without(const SubsetFit& whole, std::size_t place) const {
   Set set = whole.set;
   set.erase(set.begin() + static_cast<std::ptrdiff_t>(place));
-  Model model = from_where_it_is(whole.model, whole.likely.fit);
+  Model model = from_where_it_is(whole.model, whole.noise_fit.fit);
   model.terms.erase(model.terms.begin() + static_cast<std::ptrdiff_t>(model_.terms.size() + place));
-  return fitted(std::move(set), std::move(model), whole.likely.noise);
+  return fitted(std::move(set), std::move(model), whole.noise_fit.noise);
 }
 
-FirstGuess first_guess(const Hypotheses& now, const Noise& base_noise, Evaluations known) {
+FirstGuess first_guess(const SubsetFits& now, const Noise& base_noise, Evaluations known) {
   Noise white = base_noise;
   white.white_um =
       std::sqrt(base_noise.white_um * base_noise.white_um + base_noise.correlated_um * base_noise.correlated_um);
   white.correlated_um = 0.0;
   std::vector<Noise> starts{base_noise};
   if (base_noise.correlated_um > 0.0) starts.push_back(white);
-  if (now.has_few_rows() && !now.leftover().sigma_um.empty()) {
+  if (now.has_few_rows() && !now.linearised().sigma_um.empty()) {
     // What is stated, nothing more; all is judged by it.
     starts = {Noise{}};
     known = now.evaluated({}, {{}}, starts.front());
@@ -125,7 +125,7 @@ FirstGuess first_guess(const Hypotheses& now, const Noise& base_noise, Evaluatio
       // The best few of every size.
       std::map<std::size_t, std::size_t> taken;
       std::vector<Set> sets;
-      for (const Subset& subset : best_subsets(now.bank(), seen, nullptr, now.largest_set())) {
+      for (const Subset& subset : best_subsets(now.library(), seen, nullptr, now.largest_set())) {
         if (++taken[subset.signatures.size()] <= kBestOfEverySize) sets.push_back(subset.signatures);
       }
       known = now.evaluated(std::move(known), sets, start);
@@ -142,7 +142,7 @@ FirstGuess first_guess(const Hypotheses& now, const Noise& base_noise, Evaluatio
   return {std::move(best), std::move(known)};
 }
 
-std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& set) {
+std::vector<Set> swaps(const SubsetFits& now, const Projected& seen, const Set& set) {
   std::vector<Set> result;
   for (std::size_t out = 0; out < set.size(); ++out) {
     Set others = set;
@@ -167,8 +167,8 @@ std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& 
     };
     const double own = gain(set[out]);
     std::vector<std::pair<double, Set>> places;
-    for (std::size_t f = 0; f < now.bank().families.size(); ++f) {
-      const Family& family = now.bank().families[f];
+    for (std::size_t f = 0; f < now.library().families.size(); ++f) {
+      const Family& family = now.library().families[f];
       const bool there = std::any_of(set.begin(), set.end(), [&](std::size_t i) { return now.at(i).family == f; });
       if (there && now.at(set[out]).family != f) continue;
       std::size_t best = family.first;
@@ -187,25 +187,25 @@ std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& 
   return result;
 }
 
-std::vector<std::size_t> in_place_of(const Hypotheses& now, const SubsetFit& whole, std::size_t place,
-                                     const SearchNull& null) {
+std::vector<std::size_t> in_place_of(const SubsetFits& now, const SubsetFit& whole, std::size_t place,
+                                     const MaxScoreNull& null) {
   SubsetFit without;
   try {
     without = now.without(whole, place);
   } catch (const Error&) {
     return {};
   }
-  const Leftover& leftover = without.likely.leftover;
-  const Whitening whitening(whole.likely.noise, leftover.time_s, leftover.sigma_um);
-  const Projected seen = projected(now.bank(), leftover.residual_um, leftover.model, whitening);
-  const Eigen::VectorXd score = scores(now.bank(), seen, seen.residual);
+  const LinearisedFit& linearised = without.noise_fit.linearised;
+  const Whitening whitening(whole.noise_fit.noise, linearised.time_s, linearised.sigma_um);
+  const Projected seen = projected(now.library(), linearised.residual_um, linearised.model, whitening);
+  const Eigen::VectorXd score = scores(now.library(), seen, seen.residual);
   const auto net = [&](std::size_t index) {
     return score[static_cast<Eigen::Index>(index)] - null.threshold(*now.bound(index).effect);
   };
   std::vector<std::size_t> best;
   double own = 0.0;
-  for (std::size_t f = 0; f < now.bank().families.size(); ++f) {
-    const Family& family = now.bank().families[f];
+  for (std::size_t f = 0; f < now.library().families.size(); ++f) {
+    const Family& family = now.library().families[f];
     std::size_t most = family.first;
     for (std::size_t i = family.first; i < family.first + family.count; ++i) {
       if (net(i) > net(most)) most = i;
@@ -223,11 +223,11 @@ std::vector<std::size_t> in_place_of(const Hypotheses& now, const SubsetFit& who
   return best;
 }
 
-bool has(const Hypotheses& now, const Set& set, const BoundEffect& bound) {
+bool has(const SubsetFits& now, const Set& set, const BoundEffect& bound) {
   return std::any_of(set.begin(), set.end(), [&](std::size_t index) { return now.bound(index) == bound; });
 }
 
-bool is_without(const Hypotheses& now, const Set& set, const Set& whole, std::size_t place) {
+bool is_without(const SubsetFits& now, const Set& set, const Set& whole, std::size_t place) {
   if (set.size() + 1 != whole.size()) return false;
   for (std::size_t k = 0; k < whole.size(); ++k) {
     if (k != place && !has(now, set, now.bound(whole[k]))) return false;

@@ -20,29 +20,29 @@
 namespace ballbar {
 
 // Sets on the grid of shapes, each by its rising signatures.
-using Evaluations = std::map<Set, Explained>;
-const Explained& evaluation_of(const Evaluations& known, Set set);
+using Evaluations = std::map<Set, GlsFit>;
+const GlsFit& evaluation_of(const Evaluations& known, Set set);
 
 // Terms of a set added to the model and fitted.
 struct SubsetFit {
   Set set;
   Model model;
-  NoiseFit likely;
+  NoiseFit noise_fit;
   double penalised = 0.0;  // 2 ln L less thresholds
 };
 
 // Everything the steps of a diagnosis share; nothing in it changes. Refers to model and data.
-class Hypotheses {
+class SubsetFits {
  public:
-  Hypotheses(const Model& model, const Series& data, std::size_t target, const Fit& base, const SearchOptions& options);
+  SubsetFits(const Model& model, const Series& data, std::size_t target, const Fit& base, const SearchOptions& options);
 
-  const Bank& bank() const { return bank_; }
-  const Leftover& leftover() const { return leftover_; }
-  const Signature& at(std::size_t index) const { return bank_.signatures[index]; }
-  const Family& family(std::size_t index) const { return bank_.families[at(index).family]; }
+  const SignatureLibrary& library() const { return library_; }
+  const LinearisedFit& linearised() const { return linearised_; }
+  const Signature& at(std::size_t index) const { return library_.signatures[index]; }
+  const Family& family(std::size_t index) const { return library_.families[at(index).family]; }
   const BoundEffect& bound(std::size_t index) const { return family(index).bound; }
   const Model& model() const { return model_; }
-  bool has_few_rows() const { return leftover_.residual_um.size() < kFewestForNoise; }
+  bool has_few_rows() const { return linearised_.residual_um.size() < kFewestForNoise; }
 
   // Says what comes next.
   void tell(std::string_view step) const {
@@ -80,8 +80,8 @@ class Hypotheses {
   const Series& data_;
   std::size_t target_;
   std::function<void(std::string_view)> progress_;
-  Leftover leftover_;
-  Bank bank_;
+  LinearisedFit linearised_;
+  SignatureLibrary library_;
 };
 
 // The set by which the noise is told: from the base residual and from the residual of the best sets found so far,
@@ -90,19 +90,19 @@ struct FirstGuess {
   Set set;
   Evaluations evaluated;
 };
-FirstGuess first_guess(const Hypotheses& now, const Noise& base_noise, Evaluations known);
+FirstGuess first_guess(const SubsetFits& now, const Noise& base_noise, Evaluations known);
 
 // The best shape of every family in the place of one of the set, where it explains nearly as much.
-std::vector<Set> swaps(const Hypotheses& now, const Projected& seen, const Set& set);
+std::vector<Set> swaps(const SubsetFits& now, const Projected& seen, const Set& set);
 
 // The best shapes of other families, at most 8, that in the place of one of a fitted set would explain nearly as much,
 // thresholds taken off: by the residual without it, freed of what the others can make with their shapes free.
-std::vector<std::size_t> in_place_of(const Hypotheses& now, const SubsetFit& whole, std::size_t place,
-                                     const SearchNull& null);
+std::vector<std::size_t> in_place_of(const SubsetFits& now, const SubsetFit& whole, std::size_t place,
+                                     const MaxScoreNull& null);
 
-bool has(const Hypotheses& now, const Set& set, const BoundEffect& bound);
+bool has(const SubsetFits& now, const Set& set, const BoundEffect& bound);
 
 // `set` has the effects of `whole` but that at `place`.
-bool is_without(const Hypotheses& now, const Set& set, const Set& whole, std::size_t place);
+bool is_without(const SubsetFits& now, const Set& set, const Set& whole, std::size_t place);
 
 }  // namespace ballbar

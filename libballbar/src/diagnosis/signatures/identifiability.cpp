@@ -38,7 +38,7 @@ std::vector<std::size_t> some_shapes(const Family& family) {
 }
 
 // Coherence that most of the shapes of `a` have with some shape of `b`: the lower median of the largest.
-double imitated(const Bank& bank, const Projected& seen, const Family& a, const Family& b) {
+double imitated(const SignatureLibrary& library, const Projected& seen, const Family& a, const Family& b) {
   std::vector<double> largest;
   const std::vector<std::size_t> others = some_shapes(b);
   for (const std::size_t mine : some_shapes(a)) {
@@ -46,7 +46,7 @@ double imitated(const Bank& bank, const Projected& seen, const Family& a, const 
     double most = 0.0;
     for (const std::size_t other : others) {
       if (seen.share[other] < kAbsorbed) continue;
-      const Signature &one = bank.signatures[mine], &two = bank.signatures[other];
+      const Signature &one = library.signatures[mine], &two = library.signatures[other];
       most = std::max(most, coherence(block(seen, one).transpose().lazyProduct(block(seen, two))));
     }
     largest.push_back(most);
@@ -58,10 +58,10 @@ double imitated(const Bank& bank, const Projected& seen, const Family& a, const 
 }
 
 // Range of the effect with d = 1, of the shape that shows best.
-double um_for_unit_d(const Bank& bank, const Projected& seen, const Family& family) {
+double um_for_unit_d(const SignatureLibrary& library, const Projected& seen, const Family& family) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = family.first; i < family.first + family.count; ++i) {
-    least = std::min(least, detectable_um(bank, seen, i, 1.0));
+    least = std::min(least, detectable_um(library, seen, i, 1.0));
   }
   return least;
 }
@@ -84,87 +84,91 @@ std::string roles_missing(const Effect& effect, const Series& data) {
   return "there are too few columns of the kind";
 }
 
-// Why an effect that has columns is not in the bank.
-void say_unusable(Prospect& prospect, const Model& model, const Series& data,
+// Why an effect that has columns is not in the signature library.
+void say_unusable(Detectability& detectable, const Model& model, const Series& data,
                   const std::vector<std::vector<std::string>>& bindings) {
-  const auto in_model = [&](const std::vector<std::string>& names) { return has_term(model, *prospect.effect, names); };
+  const auto in_model = [&](const std::vector<std::string>& names) {
+    return has_term(model, *detectable.effect, names);
+  };
   if (std::all_of(bindings.begin(), bindings.end(), in_model)) {
-    prospect.testability = Testability::in_the_model;
-    prospect.why = "it is in the model";
+    detectable.testability = Testability::in_the_model;
+    detectable.why = "it is in the model";
     return;
   }
   const bool usable = std::any_of(bindings.begin(), bindings.end(), [&](const std::vector<std::string>& names) {
-    return inputs_of(*prospect.effect, names, data).usable;
+    return inputs_of(*detectable.effect, names, data).usable;
   });
   if (usable) {
-    prospect.testability = Testability::absorbed;
-    prospect.why = "what it adds is made by the model already";
+    detectable.testability = Testability::absorbed;
+    detectable.why = "what it adds is made by the model already";
     return;
   }
-  prospect.testability = Testability::input_constant;
-  prospect.why = "its input does not change";
+  detectable.testability = Testability::input_constant;
+  detectable.why = "its input does not change";
   for (const std::vector<std::string>& names : bindings) {
-    if (inputs_of(*prospect.effect, names, data).has_gaps) prospect.why = "its input has gaps";
+    if (inputs_of(*detectable.effect, names, data).has_gaps) detectable.why = "its input has gaps";
   }
 }
 
 }  // namespace
 
-std::vector<Prospect> prospects_of(const Catalogue& catalogue, const Bank& bank, const Projected& seen,
-                                   const Model& model, const Series& data, std::optional<Motion> motion) {
-  std::vector<Prospect> prospects;
+std::vector<Detectability> detectability_of(const Catalogue& catalogue, const SignatureLibrary& library,
+                                            const Projected& seen, const Model& model, const Series& data,
+                                            std::optional<Motion> motion) {
+  std::vector<Detectability> detectability;
   std::vector<const Family*> best;
   for (const auto& effect : catalogue) {
     if (effect->level != model.level || effect->rules.is_base) continue;
-    Prospect prospect;
-    prospect.effect = effect.get();
+    Detectability detectable;
+    detectable.effect = effect.get();
     const Family* chosen = nullptr;
     double least = std::numeric_limits<double>::infinity();
     const std::vector<std::vector<std::string>> bindings = bindings_of(*effect, model, data);
-    prospect.bindings = count_of_bindings(*effect, model, data);
-    prospect.searched = bindings.size();
-    for (const Family& family : bank.families) {
+    detectable.bindings = count_of_bindings(*effect, model, data);
+    detectable.searched = bindings.size();
+    for (const Family& family : library.families) {
       if (family.bound.effect != effect.get()) continue;
-      const double um = um_for_unit_d(bank, seen, family);
+      const double um = um_for_unit_d(library, seen, family);
       if (chosen == nullptr || um < least) chosen = &family;
       least = std::min(least, um);
     }
     if (motion && !applies_to(*effect, *motion)) {
-      prospect.testability = Testability::other_motion;
-      prospect.why = fmt::format("it is not one of circles driven by {}", name_of(*motion));
+      detectable.testability = Testability::other_motion;
+      detectable.why = fmt::format("it is not one of circles driven by {}", name_of(*motion));
     } else if (bindings.empty()) {
-      prospect.testability = Testability::input_missing;
-      prospect.why = roles_missing(*effect, data);
+      detectable.testability = Testability::input_missing;
+      detectable.why = roles_missing(*effect, data);
     } else if (chosen == nullptr) {
-      say_unusable(prospect, model, data, bindings);
+      say_unusable(detectable, model, data, bindings);
     } else if (!std::isfinite(least)) {
-      prospect.testability = Testability::absorbed;
-      prospect.why = "what it adds is made by the model already";
+      detectable.testability = Testability::absorbed;
+      detectable.why = "what it adds is made by the model already";
     } else {
-      prospect.columns = chosen->bound.columns;
-      prospect.detectable_um = kDetectable * least;
-      prospect.identifiable_um = kIdentifiable * least;
+      detectable.columns = chosen->bound.columns;
+      detectable.detectable_um = kDetectable * least;
+      detectable.identifiable_um = kIdentifiable * least;
       for (std::size_t i = chosen->first; i < chosen->first + chosen->count; ++i) {
-        prospect.surviving_share = std::max(prospect.surviving_share, seen.share[i]);
+        detectable.surviving_share = std::max(detectable.surviving_share, seen.share[i]);
       }
     }
-    best.push_back(prospect.testability == Testability::testable ? chosen : nullptr);
-    prospects.push_back(std::move(prospect));
+    best.push_back(detectable.testability == Testability::testable ? chosen : nullptr);
+    detectability.push_back(std::move(detectable));
   }
   in_parallel(best.size(), [&](std::size_t i) {
     for (std::size_t j = 0; j < best.size(); ++j) {
       if (i == j || best[i] == nullptr || best[j] == nullptr) continue;
-      const std::string& name = prospects[j].effect->name;
-      prospects[i].imitated_by.push_back({name, imitated(bank, seen, *best[i], *best[j])});
-      if (prospects[i].imitated_by.back().coherence > kInseparable) prospects[i].inseparable_from.push_back(name);
+      const std::string& name = detectability[j].effect->name;
+      detectability[i].imitated_by.push_back({name, imitated(library, seen, *best[i], *best[j])});
+      if (detectability[i].imitated_by.back().coherence > kInseparable)
+        detectability[i].inseparable_from.push_back(name);
     }
   });
-  return prospects;
+  return detectability;
 }
 
 Preflight preflight(const Model& model, const Series& data, std::size_t target, std::optional<Motion> motion,
                     const Catalogue& catalogue) {
-  const Series rows = thinned(data, model.targets.at(target), kMostTested);
+  const Series rows = subsampled(data, model.targets.at(target), kMostTested);
   const Fit fitted = fit(model, rows, target);
   Preflight result;
   result.target = fitted.target;
@@ -174,15 +178,15 @@ Preflight preflight(const Model& model, const Series& data, std::size_t target, 
   result.noise = fitted.noise;
   result.noise_source = model.terms.empty() ? "target about its mean: every effect that is there counts as noise"
                                             : "residual of the model";
-  BankOptions options;
+  SignatureOptions options;
   options.motion = motion;
   options.every_onset = false;
-  const Bank bank = bank_of(catalogue, model, rows, fitted, options);
+  const SignatureLibrary library = signature_library_of(catalogue, model, rows, fitted, options);
   const Eigen::VectorXd residual =
       Eigen::VectorXd::Map(fitted.residual_um.data(), static_cast<Eigen::Index>(fitted.residual_um.size()));
   const Projected seen =
-      projected(bank, residual, model_columns(fitted), Whitening(fitted.noise, fitted.time_s, fitted.sigma_um));
-  result.prospects = prospects_of(catalogue, bank, seen, model, rows, motion);
+      projected(library, residual, model_columns(fitted), Whitening(fitted.noise, fitted.time_s, fitted.sigma_um));
+  result.detectability = detectability_of(catalogue, library, seen, model, rows, motion);
   return result;
 }
 

@@ -1,4 +1,4 @@
-// What each effect of a bank could show.
+// What each effect of a signature library could show.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,8 @@
 namespace ballbar {
 
 // One an effect of the catalogue at the model's level, but for the base that every model has, in its order.
-std::vector<Prospect> prospects_of(const Catalogue& catalogue, const Bank& bank, const Projected& seen,
-                                   const Model& model, const Series& data, std::optional<Motion> motion);
+std::vector<Detectability> detectability_of(const Catalogue& catalogue, const SignatureLibrary& library,
+                                            const Projected& seen, const Model& model, const Series& data,
+                                            std::optional<Motion> motion);
 
 }  // namespace ballbar

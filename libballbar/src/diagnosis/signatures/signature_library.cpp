@@ -88,7 +88,8 @@ BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& name
   return bound;
 }
 
-std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows, const BankOptions& options) {
+std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows,
+                                           const SignatureOptions& options) {
   std::vector<double> first;
   for (const Parameter& parameter : effect.parameters) {
     first.push_back(parameter.kind == ParameterKind::gain ? 0.0 : parameter.start);
@@ -125,7 +126,7 @@ struct Shaped {
 };
 
 std::vector<Shaped> shaped_of(const Catalogue& catalogue, const Model& model, const Series& data,
-                              const BankOptions& options) {
+                              const SignatureOptions& options) {
   std::vector<Shaped> result;
   for (const auto& effect : catalogue) {
     if (effect->level != model.level || effect->rules.is_base) continue;
@@ -161,7 +162,8 @@ void evaluate(std::vector<Shaped>& all, const std::vector<std::size_t>& rows) {
 
 }  // namespace
 
-Bank bank_of(const Catalogue& catalogue, const Model& model, const Series& data, const Fit& fit, BankOptions options) {
+SignatureLibrary signature_library_of(const Catalogue& catalogue, const Model& model, const Series& data,
+                                      const Fit& fit, SignatureOptions options) {
   for (std::size_t i = 1; i < fit.time_s.size(); ++i) {
     // The shortest step: one above half that rate would pass for a slow one.
     options.highest_Hz = i == 1 ? 0.5 / (fit.time_s[1] - fit.time_s[0])
@@ -169,44 +171,44 @@ Bank bank_of(const Catalogue& catalogue, const Model& model, const Series& data,
   }
   std::vector<Shaped> all = shaped_of(catalogue, model, data, options);
   evaluate(all, fit.row);
-  Bank bank;
+  SignatureLibrary library;
   std::vector<Eigen::VectorXd> columns;
   for (Shaped& one : all) {
-    one.family.first = bank.signatures.size();
+    one.family.first = library.signatures.size();
     for (std::size_t i = 0; i < one.points.size(); ++i) {
       std::vector<Eigen::VectorXd>& gains = one.gains[i];
       if (gains.empty()) continue;
-      Signature signature{bank.families.size(), std::move(one.points[i]), static_cast<Eigen::Index>(columns.size()),
+      Signature signature{library.families.size(), std::move(one.points[i]), static_cast<Eigen::Index>(columns.size()),
                           static_cast<Eigen::Index>(gains.size()), gains.front().maxCoeff() - gains.front().minCoeff()};
       for (Eigen::VectorXd& gain : gains) columns.push_back(std::move(gain));
-      bank.signatures.push_back(std::move(signature));
+      library.signatures.push_back(std::move(signature));
       ++one.family.count;
     }
-    if (one.family.count > 0) bank.families.push_back(std::move(one.family));
+    if (one.family.count > 0) library.families.push_back(std::move(one.family));
   }
-  bank.columns.resize(static_cast<Eigen::Index>(fit.row.size()), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t k = 0; k < columns.size(); ++k) bank.columns.col(static_cast<Eigen::Index>(k)) = columns[k];
-  return bank;
+  library.columns.resize(static_cast<Eigen::Index>(fit.row.size()), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) library.columns.col(static_cast<Eigen::Index>(k)) = columns[k];
+  return library;
 }
 
-Projected projected(const Bank& bank, const Eigen::VectorXd& residual_um, const Eigen::MatrixXd& basis,
+Projected projected(const SignatureLibrary& library, const Eigen::VectorXd& residual_um, const Eigen::MatrixXd& basis,
                     const Whitening& whitening) {
   constexpr std::size_t kTogether = 64;  // signatures
   Projected result;
   result.model = orthonormal(whitened(whitening, basis));
   result.residual = freed(Eigen::VectorXd(whitened(whitening, residual_um)), result.model);
-  result.columns.resize(bank.columns.rows(), bank.columns.cols());
-  const std::size_t count = bank.signatures.size();
+  result.columns.resize(library.columns.rows(), library.columns.cols());
+  const std::size_t count = library.signatures.size();
   result.share.resize(count);
   result.norm.resize(count);
   in_parallel((count + kTogether - 1) / kTogether, [&](std::size_t batch) {
     const std::size_t begin = batch * kTogether, end = std::min(count, begin + kTogether);
-    const Signature &front = bank.signatures[begin], &back = bank.signatures[end - 1];
+    const Signature &front = library.signatures[begin], &back = library.signatures[end - 1];
     const Eigen::Index first = front.first, width = back.first + back.width - first;
-    const Eigen::MatrixXd all = whitened(whitening, bank.columns.middleCols(first, width));
+    const Eigen::MatrixXd all = whitened(whitening, library.columns.middleCols(first, width));
     result.columns.middleCols(first, width) = freed(all, result.model);
     for (std::size_t k = begin; k < end; ++k) {
-      const Signature& signature = bank.signatures[k];
+      const Signature& signature = library.signatures[k];
       const Eigen::MatrixXd own = all.middleCols(signature.first - first, signature.width);
       const Eigen::RowVectorXd before = own.colwise().squaredNorm();
       const Eigen::RowVectorXd left =
@@ -221,16 +223,16 @@ Projected projected(const Bank& bank, const Eigen::VectorXd& residual_um, const 
   return result;
 }
 
-double detectable_um(const Bank& bank, const Projected& projected, std::size_t signature, double d) {
+double detectable_um(const SignatureLibrary& library, const Projected& projected, std::size_t signature, double d) {
   if (projected.share[signature] < kAbsorbed) return std::numeric_limits<double>::infinity();
-  return d * bank.signatures[signature].range_um / projected.norm[signature];
+  return d * library.signatures[signature].range_um / projected.norm[signature];
 }
 
-Eigen::VectorXd scores(const Bank& bank, const Projected& projected, const Eigen::VectorXd& residual) {
+Eigen::VectorXd scores(const SignatureLibrary& library, const Projected& projected, const Eigen::VectorXd& residual) {
   const Eigen::VectorXd along = projected.columns.transpose() * residual;
-  Eigen::VectorXd result(static_cast<Eigen::Index>(bank.signatures.size()));
-  for (std::size_t k = 0; k < bank.signatures.size(); ++k) {
-    const Signature& signature = bank.signatures[k];
+  Eigen::VectorXd result(static_cast<Eigen::Index>(library.signatures.size()));
+  for (std::size_t k = 0; k < library.signatures.size(); ++k) {
+    const Signature& signature = library.signatures[k];
     result[static_cast<Eigen::Index>(k)] = along.segment(signature.first, signature.width).squaredNorm();
   }
   return result;

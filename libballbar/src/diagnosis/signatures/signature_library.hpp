@@ -23,34 +23,35 @@ namespace ballbar {
 
 struct Family {
   BoundEffect bound;
-  std::size_t first = 0, count = 0;  // of Bank::signatures
+  std::size_t first = 0, count = 0;  // of SignatureLibrary::signatures
 };
 
 struct Signature {
   std::size_t family = 0;
   std::vector<double> point;          // of all parameters: shapes as here, gains 0
-  Eigen::Index first = 0, width = 0;  // of Bank::columns
+  Eigen::Index first = 0, width = 0;  // of SignatureLibrary::columns
   double range_um = 0.0;              // largest less smallest value of its first gain's column
 };
 
-struct Bank {
+struct SignatureLibrary {
   std::vector<Family> families;
   std::vector<Signature> signatures;
   Eigen::MatrixXd columns;  // n rows where the target has a value
 };
 
-struct BankOptions {
-  std::optional<Motion> motion;                                 // of recordings
-  bool every_onset = true;                                      // up to 400 of them; else 7
-  std::vector<std::string> without;                             // names of effects that are left out
-  double highest_Hz = std::numeric_limits<double>::infinity();  // bank_of: half the rate of the rows that are fitted
+struct SignatureOptions {
+  std::optional<Motion> motion;      // of recordings
+  bool every_onset = true;           // up to 400 of them; else 7
+  std::vector<std::string> without;  // names of effects that are left out
+  double highest_Hz =
+      std::numeric_limits<double>::infinity();  // signature_library_of: half the rate of the rows that are fitted
 };
 
 // Of the effects of the catalogue on the model's level. Families that are in the model on the same columns are left
 // out, but for effects that may repeat, and those whose inputs are constant or have gaps; and shapes with which an
 // effect is another one (EffectRules::same_as_input).
-Bank bank_of(const Catalogue& catalogue, const Model& model, const Series& data, const Fit& fit,
-             BankOptions options = {});
+SignatureLibrary signature_library_of(const Catalogue& catalogue, const Model& model, const Series& data,
+                                      const Fit& fit, SignatureOptions options = {});
 
 // What an effect bound to these columns is evaluated on; `rows` points into `values`.
 struct BoundInputs {
@@ -63,23 +64,24 @@ struct BoundInputs {
 BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& names, const Series& data);
 
 // Points of the grid of an effect's shapes on these rows, held ones that have a grid included.
-std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows, const BankOptions& options);
+std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows,
+                                           const SignatureOptions& options);
 
 struct Projected {
   Eigen::VectorXd residual;   // r, n
-  Eigen::MatrixXd columns;    // U, as Bank::columns; 0 where nothing survives
+  Eigen::MatrixXd columns;    // U, as SignatureLibrary::columns; 0 where nothing survives
   std::vector<double> share;  // of each signature: |P W g|^2 / |W g|^2, of its weakest direction
   std::vector<double> norm;   // |P W g| of its first column
   Eigen::MatrixXd model;      // orthonormal basis of W J, n by p
 };
 
 // basis: columns that the model already makes, n by p, unweighted.
-Projected projected(const Bank& bank, const Eigen::VectorXd& residual_um, const Eigen::MatrixXd& basis,
+Projected projected(const SignatureLibrary& library, const Eigen::VectorXd& residual_um, const Eigen::MatrixXd& basis,
                     const Whitening& whitening);
 
 // Range of the effect with this d, of one signature; infinite where the model absorbs it.
-double detectable_um(const Bank& bank, const Projected& projected, std::size_t signature, double d);
+double detectable_um(const SignatureLibrary& library, const Projected& projected, std::size_t signature, double d);
 
-Eigen::VectorXd scores(const Bank& bank, const Projected& projected, const Eigen::VectorXd& residual);
+Eigen::VectorXd scores(const SignatureLibrary& library, const Projected& projected, const Eigen::VectorXd& residual);
 
 }  // namespace ballbar

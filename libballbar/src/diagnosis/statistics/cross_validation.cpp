@@ -26,50 +26,51 @@ Eigen::MatrixXd with_reach(const Eigen::MatrixXd& white, const std::vector<Eigen
 
 }  // namespace
 
-HeldOut held_out(const Leftover& leftover, const Noise& noise, const std::vector<std::size_t>& cycle,
-                 bool of_recordings) {
-  const std::size_t cycles = *std::max_element(cycle.begin(), cycle.end()) + 1;
-  HeldOut result;
-  for (std::size_t out = 0; out < cycles; ++out) {
+CrossValidation cross_validation(const LinearisedFit& linearised, const Noise& noise,
+                                 const std::vector<std::size_t>& fold, bool of_recordings) {
+  const std::size_t folds = *std::max_element(fold.begin(), fold.end()) + 1;
+  CrossValidation result;
+  for (std::size_t out = 0; out < folds; ++out) {
     std::vector<Eigen::Index> kept, left;
-    Leftover rest, own;
-    for (std::size_t i = 0; i < cycle.size(); ++i) {
+    LinearisedFit rest, own;
+    for (std::size_t i = 0; i < fold.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
-      if (cycle[i] == out) {
+      if (fold[i] == out) {
         left.push_back(row);
-        own.time_s.push_back(leftover.time_s[i]);
-        if (!leftover.sigma_um.empty()) own.sigma_um.push_back(leftover.sigma_um[i]);
+        own.time_s.push_back(linearised.time_s[i]);
+        if (!linearised.sigma_um.empty()) own.sigma_um.push_back(linearised.sigma_um[i]);
         continue;
       }
       kept.push_back(row);
-      rest.time_s.push_back(leftover.time_s[i]);
-      if (!leftover.sigma_um.empty()) rest.sigma_um.push_back(leftover.sigma_um[i]);
+      rest.time_s.push_back(linearised.time_s[i]);
+      if (!linearised.sigma_um.empty()) rest.sigma_um.push_back(linearised.sigma_um[i]);
     }
     std::vector<Eigen::Index> shared, of_its_own;
-    for (Eigen::Index j = 0; j < leftover.model.cols(); ++j) {
+    for (Eigen::Index j = 0; j < linearised.model.cols(); ++j) {
       const bool elsewhere =
-          leftover.model(kept, j).squaredNorm() > kNotInTheseRows * leftover.model.col(j).squaredNorm();
+          linearised.model(kept, j).squaredNorm() > kNotInTheseRows * linearised.model.col(j).squaredNorm();
       (elsewhere || !of_recordings ? shared : of_its_own).push_back(j);
     }
-    Eigen::VectorXd error = leftover.residual_um(left);
+    Eigen::VectorXd error = linearised.residual_um(left);
     const Whitening whitening(noise, rest.time_s, rest.sigma_um), own_whitening(noise, own.time_s, own.sigma_um);
     const auto free_of = [&](const std::vector<Eigen::Index>& columns, const Eigen::MatrixXd& white,
                              const Eigen::VectorXd& white_r) {
       if (columns.empty() || white.rows() == 0) return;
-      const Eigen::MatrixXd x = with_reach(white, columns, leftover.reach_um);
+      const Eigen::MatrixXd x = with_reach(white, columns, linearised.reach_um);
       Eigen::VectorXd r = Eigen::VectorXd::Zero(x.rows());
       r.head(white_r.size()) = white_r;
       Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
       solver.setThreshold(kTold);
       solver.compute(x);
-      error -= leftover.model(left, columns) * solver.solve(r);
+      error -= linearised.model(left, columns) * solver.solve(r);
     };
-    free_of(shared, whitened(whitening, leftover.model(kept, shared)), whitened(whitening, leftover.residual_um(kept)));
-    free_of(of_its_own, whitened(own_whitening, leftover.model(left, of_its_own)), whitened(own_whitening, error));
+    free_of(shared, whitened(whitening, linearised.model(kept, shared)),
+            whitened(whitening, linearised.residual_um(kept)));
+    free_of(of_its_own, whitened(own_whitening, linearised.model(left, of_its_own)), whitened(own_whitening, error));
     result.rmse_um += error.squaredNorm();
     result.chi2 += whitened(own_whitening, error).squaredNorm();
   }
-  result.rmse_um = std::sqrt(result.rmse_um / static_cast<double>(cycle.size()));
+  result.rmse_um = std::sqrt(result.rmse_um / static_cast<double>(fold.size()));
   return result;
 }
 

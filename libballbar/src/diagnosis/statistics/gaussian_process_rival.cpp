@@ -73,10 +73,10 @@ class States {
 
 }  // namespace
 
-double log_likelihood(const Leftover& leftover, const Noise& noise, double amplitude_um, double length_s) {
-  const Eigen::Index n = leftover.residual_um.size(), p = leftover.model.cols();
+double log_likelihood(const LinearisedFit& linearised, const Noise& noise, double amplitude_um, double length_s) {
+  const Eigen::Index n = linearised.residual_um.size(), p = linearised.model.cols();
   RowMajorMatrix columns(n, p + 1);
-  columns << leftover.model, leftover.residual_um;
+  columns << linearised.model, linearised.residual_um;
   States states(p + 1);
   Eigen::Matrix3d variance = Eigen::Matrix3d::Zero(), last = Eigen::Matrix3d::Constant(-1.0);
   Eigen::Vector3d gain = Eigen::Vector3d::Zero();
@@ -85,7 +85,7 @@ double log_likelihood(const Leftover& leftover, const Noise& noise, double ampli
   bool steady = false;
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto row = static_cast<std::size_t>(i);
-    const double dt_s = i == 0 ? 0.0 : leftover.time_s[row] - leftover.time_s[row - 1];
+    const double dt_s = i == 0 ? 0.0 : linearised.time_s[row] - linearised.time_s[row - 1];
     if (i == 0) {
       variance(0, 0) = noise.correlated_um * noise.correlated_um;
       variance(1, 1) = amplitude_um * amplitude_um;
@@ -100,15 +100,15 @@ double log_likelihood(const Leftover& leftover, const Noise& noise, double ampli
       states.predict(step);
       if (!steady) variance = step.a * variance * step.a.transpose() + step.q;
     }
-    if (!steady || !leftover.sigma_um.empty()) {
+    if (!steady || !linearised.sigma_um.empty()) {
       double white = noise.white_um * noise.white_um;
-      if (!leftover.sigma_um.empty()) white += leftover.sigma_um[row] * leftover.sigma_um[row];
+      if (!linearised.sigma_um.empty()) white += linearised.sigma_um[row] * linearised.sigma_um[row];
       const Eigen::Vector3d seen = variance.col(0) + variance.col(1);
       const double innovation_variance = seen[0] + seen[1] + std::max(white, kLeastVariance_um2);
       scale = 1.0 / std::sqrt(innovation_variance);
       log_variance = std::log(innovation_variance);
       gain = seen / innovation_variance;
-      steady = leftover.sigma_um.empty() &&
+      steady = linearised.sigma_um.empty() &&
                (variance - last).cwiseAbs().maxCoeff() <= 1e-13 * variance.cwiseAbs().maxCoeff();
       last = variance;
       variance -= gain * seen.transpose();
@@ -126,10 +126,10 @@ double log_likelihood(const Leftover& leftover, const Noise& noise, double ampli
   return -0.5 * (static_cast<double>(n) * std::log(2.0 * kPi) + log_variances + squares);
 }
 
-SmoothRival smooth_rival(const Leftover& leftover, const Noise& start) {
-  const double span_s = leftover.time_s.back() - leftover.time_s.front();
-  const auto n = static_cast<double>(leftover.residual_um.size());
-  const double rms_um = std::max(1e-9, std::sqrt(leftover.residual_um.squaredNorm() / n));
+GaussianProcessAlternative gaussian_process_alternative(const LinearisedFit& linearised, const Noise& start) {
+  const double span_s = linearised.time_s.back() - linearised.time_s.front();
+  const auto n = static_cast<double>(linearised.residual_um.size());
+  const double rms_um = std::max(1e-9, std::sqrt(linearised.residual_um.squaredNorm() / n));
   const double shortest_s = std::max(2.0 * span_s / n, span_s / 500.0);
   const auto noise_at = [&](const std::array<double, 4>& x) {
     Noise noise = start;
@@ -144,7 +144,7 @@ SmoothRival smooth_rival(const Leftover& leftover, const Noise& start) {
         std::exp(x[0]) > 100.0 * rms_um || std::exp(x[2]) > 100.0 * rms_um) {
       return 1e30;
     }
-    return -log_likelihood(leftover, noise_at(x), std::exp(x[0]), length_s);
+    return -log_likelihood(linearised, noise_at(x), std::exp(x[0]), length_s);
   };
   const bool memory = start.correlated_um > 0.0;
   const double correlated = memory ? start.correlated_um : 0.1 * rms_um;

@@ -1,4 +1,4 @@
-// The rival of every named cause: some smooth curve, nothing more.
+// The competitor of every named cause: some smooth curve, nothing more.
 //
 // residual = J p + f + s + e: f a Gaussian process with the Matern 3/2 covariance
 //   A^2 (1 + sqrt(3) |dt| / l) exp(-sqrt(3) |dt| / l),
@@ -11,17 +11,17 @@
 
 namespace ballbar {
 
-struct SmoothRival {
+struct GaussianProcessAlternative {
   double amplitude_um = 0.0;  // A
   double length_s = 0.0;      // l
   Noise noise;
   double log_likelihood = 0.0;
 };
 
-// The most likely; log_likelihood compares with that of explained(leftover, {}, ...).
-SmoothRival smooth_rival(const Leftover& leftover, const Noise& start);
+// The most likely; log_likelihood compares with that of gls_fit(linearised fit, {}, ...).
+GaussianProcessAlternative gaussian_process_alternative(const LinearisedFit& linearised, const Noise& start);
 
 // ln of the likelihood with these values, J at its most likely.
-double log_likelihood(const Leftover& leftover, const Noise& noise, double amplitude_um, double length_s);
+double log_likelihood(const LinearisedFit& linearised, const Noise& noise, double amplitude_um, double length_s);
 
 }  // namespace ballbar

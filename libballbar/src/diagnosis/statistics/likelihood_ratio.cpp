@@ -15,11 +15,13 @@ namespace ballbar {
 namespace {
 
 // A memory longer than this the record cannot show: what varies so slowly counts as what the model lacks.
-double longest_memory_s(const Leftover& leftover) { return (leftover.time_s.back() - leftover.time_s.front()) / 6.0; }
+double longest_memory_s(const LinearisedFit& linearised) {
+  return (linearised.time_s.back() - linearised.time_s.front()) / 6.0;
+}
 
-Eigen::MatrixXd joined_columns(const Leftover& leftover, const Eigen::MatrixXd& added) {
-  Eigen::MatrixXd all(leftover.residual_um.size(), leftover.model.cols() + added.cols());
-  all << leftover.model, added;
+Eigen::MatrixXd joined_columns(const LinearisedFit& linearised, const Eigen::MatrixXd& added) {
+  Eigen::MatrixXd all(linearised.residual_um.size(), linearised.model.cols() + added.cols());
+  all << linearised.model, added;
   return all;
 }
 
@@ -28,72 +30,74 @@ std::span<const double> span_of(const Eigen::VectorXd& values) {
 }
 
 // Too few rows to tell a memory: white, and what is stated counts as known.
-Noise most_likely_noise(const Leftover& leftover, const Eigen::VectorXd& residual_um, const Noise& before) {
-  if (leftover.residual_um.size() >= kFewestForNoise) {
-    return noise_of(leftover.time_s, span_of(residual_um), leftover.sigma_um, {}, longest_memory_s(leftover));
+Noise most_likely_noise(const LinearisedFit& linearised, const Eigen::VectorXd& residual_um, const Noise& before) {
+  if (linearised.residual_um.size() >= kFewestForNoise) {
+    return noise_of(linearised.time_s, span_of(residual_um), linearised.sigma_um, {}, longest_memory_s(linearised));
   }
-  if (!leftover.sigma_um.empty()) return before;
+  if (!linearised.sigma_um.empty()) return before;
   return {residual_um.norm() / std::sqrt(static_cast<double>(residual_um.size())), 0.0, 0.0, 0.0};
 }
 
 }  // namespace
 
-Explained explained(const Leftover& leftover, const Eigen::MatrixXd& added, const Noise& start, int rounds) {
-  const Eigen::MatrixXd columns = joined_columns(leftover, added);
-  Explained result;
+GlsFit gls_fit(const LinearisedFit& linearised, const Eigen::MatrixXd& added, const Noise& start, int rounds) {
+  const Eigen::MatrixXd columns = joined_columns(linearised, added);
+  GlsFit result;
   result.noise = start;
   if (columns.cols() == 0) {
-    if (rounds > 0) result.noise = most_likely_noise(leftover, leftover.residual_um, start);
-    result.residual_um = leftover.residual_um;
+    if (rounds > 0) result.noise = most_likely_noise(linearised, linearised.residual_um, start);
+    result.residual_um = linearised.residual_um;
     result.log_likelihood =
-        log_likelihood(result.noise, leftover.time_s, span_of(result.residual_um), leftover.sigma_um);
+        log_likelihood(result.noise, linearised.time_s, span_of(result.residual_um), linearised.sigma_um);
     return result;
   }
   for (int round = 0; round <= rounds; ++round) {
-    const Whitening whitening(result.noise, leftover.time_s, leftover.sigma_um);
+    const Whitening whitening(result.noise, linearised.time_s, linearised.sigma_um);
     const Eigen::MatrixXd x = whitened(whitening, columns);
-    const Eigen::VectorXd r = whitened(whitening, leftover.residual_um);
+    const Eigen::VectorXd r = whitened(whitening, linearised.residual_um);
     const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(x);
     const Eigen::VectorXd gains = solver.solve(r);
-    result.residual_um = leftover.residual_um - columns * gains;
+    result.residual_um = linearised.residual_um - columns * gains;
     if (round == rounds) {
       result.gains = gains.tail(added.cols());
       break;
     }
-    result.noise = most_likely_noise(leftover, result.residual_um, result.noise);
+    result.noise = most_likely_noise(linearised, result.residual_um, result.noise);
   }
-  result.log_likelihood = log_likelihood(result.noise, leftover.time_s, span_of(result.residual_um), leftover.sigma_um);
+  result.log_likelihood =
+      log_likelihood(result.noise, linearised.time_s, span_of(result.residual_um), linearised.sigma_um);
   return result;
 }
 
-Noise restricted_noise(const Leftover& leftover, const Eigen::MatrixXd& added, const Eigen::VectorXd& residual_um) {
+Noise restricted_noise(const LinearisedFit& linearised, const Eigen::MatrixXd& added,
+                       const Eigen::VectorXd& residual_um) {
   Noise noise;
   if (residual_um.size() >= kFewestForNoise) {
-    noise = noise_of(leftover.time_s, span_of(residual_um), leftover.sigma_um, joined_columns(leftover, added),
-                     longest_memory_s(leftover));
+    noise = noise_of(linearised.time_s, span_of(residual_um), linearised.sigma_um, joined_columns(linearised, added),
+                     longest_memory_s(linearised));
   }
   if (noise.correlated_um > 0.0) return noise;
   // White: the parameters spent widen it.
   const auto n = static_cast<double>(residual_um.size());
-  const double spent = static_cast<double>(leftover.model.cols() + added.cols());
+  const double spent = static_cast<double>(linearised.model.cols() + added.cols());
   double stated = 0.0;
-  for (const double sigma : leftover.sigma_um) stated += sigma * sigma / n;
+  for (const double sigma : linearised.sigma_um) stated += sigma * sigma / n;
   const double variance = residual_um.squaredNorm() / std::max(1.0, n - spent);
   noise.white_um = std::sqrt(std::max(0.0, variance - stated));
   return noise;
 }
 
-std::vector<Noise> plausible_noises(const Leftover& leftover, const Eigen::MatrixXd& added, const Noise& best,
+std::vector<Noise> plausible_noises(const LinearisedFit& linearised, const Eigen::MatrixXd& added, const Noise& best,
                                     std::size_t count, std::uint64_t seed) {
   std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 1);
   std::vector<Noise> result;
-  const Eigen::MatrixXd columns = joined_columns(leftover, added);
+  const Eigen::MatrixXd columns = joined_columns(linearised, added);
   if (!(best.correlated_um > 0.0)) {
     const double degrees =
-        std::max(1.0, static_cast<double>(leftover.residual_um.size()) - static_cast<double>(columns.cols()));
+        std::max(1.0, static_cast<double>(linearised.residual_um.size()) - static_cast<double>(columns.cols()));
     double stated = 0.0;
-    for (const double sigma : leftover.sigma_um)
-      stated += sigma * sigma / static_cast<double>(leftover.sigma_um.size());
+    for (const double sigma : linearised.sigma_um)
+      stated += sigma * sigma / static_cast<double>(linearised.sigma_um.size());
     const double total = best.white_um * best.white_um + stated;
     for (std::size_t i = 0; i < count; ++i) {
       double chi2 = 0.0;
@@ -106,7 +110,7 @@ std::vector<Noise> plausible_noises(const Leftover& leftover, const Eigen::Matri
   }
   // Random walk in the logarithms of q and theta (Metropolis); the white part is well known and moves with q.
   Noise now = best;
-  RestrictedLikelihood restricted(leftover.time_s, span_of(leftover.residual_um), leftover.sigma_um,
+  RestrictedLikelihood restricted(linearised.time_s, span_of(linearised.residual_um), linearised.sigma_um,
                                   unit_basis(columns));
   const auto log_likelihood_of = [&](const Noise& noise) {
     const Kalman::Sums sums = restricted.sums(variances_of(noise));
@@ -121,7 +125,7 @@ std::vector<Noise> plausible_noises(const Leftover& leftover, const Eigen::Matri
     next.correlation_time_s *= std::exp(along);
     next.correlated_um *= std::exp(0.5 * along + across);
     next.white_um *= std::exp(0.05 * simulation::normal(random));
-    if (next.correlation_time_s < longest_memory_s(leftover)) {
+    if (next.correlation_time_s < longest_memory_s(linearised)) {
       const double there = log_likelihood_of(next);
       if (std::log(simulation::uniform(random)) < there - level) {
         now = next;

@@ -9,12 +9,12 @@
 namespace ballbar {
 namespace {
 
-NoiseFit likely_of(Fit fit, const Series& data) {
+NoiseFit noise_fit_of(Fit fit, const Series& data) {
   NoiseFit result;
-  result.leftover = leftover_of(fit);
-  result.cycle = cycles_of(data, fit.row);
+  result.linearised = linearised_fit_of(fit);
+  result.fold = folds_of(data, fit.row);
   result.of_recordings = recording_numbers(data) != nullptr;
-  const Explained rest = explained(result.leftover, Eigen::MatrixXd(result.leftover.residual_um.size(), 0), fit.noise);
+  const GlsFit rest = gls_fit(result.linearised, Eigen::MatrixXd(result.linearised.residual_um.size(), 0), fit.noise);
   result.noise = rest.noise;
   result.log_likelihood = rest.log_likelihood;
   result.fit = std::move(fit);
@@ -39,11 +39,11 @@ Model from_where_it_is(Model model, const Fit& fit) {
 NoiseFit noise_fit_by(const Noise& noise, const Model& model, const Series& data, std::size_t target) {
   FitOptions options;
   options.noise = noise;
-  return likely_of(fit(model, data, target, options), data);
+  return noise_fit_of(fit(model, data, target, options), data);
 }
 
 NoiseFit noise_fit(const Model& model, const Series& data, std::size_t target) {
-  NoiseFit best = likely_of(fit(model, data, target), data);
+  NoiseFit best = noise_fit_of(fit(model, data, target), data);
   for (int round = 0; round < kFitsByNoise; ++round) {
     NoiseFit again = noise_fit_by(best.noise, from_where_it_is(model, best.fit), data, target);
     const double gained = again.log_likelihood - best.log_likelihood;

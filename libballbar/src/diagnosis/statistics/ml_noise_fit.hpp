@@ -1,4 +1,4 @@
-// A fit with its most likely noise: what the evidence of an effect is made of.
+// A fit with its most likely noise: what the likelihood ratio of an effect is made of.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ namespace ballbar {
 // Model fitted to as many rows as are tested, and what of it is linear.
 struct NoiseFit {
   Fit fit;
-  Leftover leftover;
+  LinearisedFit linearised;
   Noise noise;  // most likely
   double log_likelihood = 0.0;
-  std::vector<std::size_t> cycle;  // of every row that was fitted
+  std::vector<std::size_t> fold;  // of every row that was fitted
   bool of_recordings = false;
 };
 

@@ -28,7 +28,7 @@ std::vector<double> random_phases(std::size_t count, std::mt19937_64& random) {
   return phases;
 }
 
-std::vector<double> scrambled(const Spectrum& spectrum, const std::vector<double>& phases) {
+std::vector<double> phase_randomised(const Spectrum& spectrum, const std::vector<double>& phases) {
   std::vector<std::complex<double>> waves = spectrum.waves;
   const std::size_t n = waves.size();
   for (std::size_t k = 1; 2 * k < n; ++k) {

@@ -18,6 +18,6 @@ Spectrum spectrum_of(std::vector<double> values, bool goes_round = false);
 std::vector<double> random_phases(std::size_t count, std::mt19937_64& random);
 
 // Each wave turned by its phase.
-std::vector<double> scrambled(const Spectrum& spectrum, const std::vector<double>& phases);
+std::vector<double> phase_randomised(const Spectrum& spectrum, const std::vector<double>& phases);
 
 }  // namespace ballbar

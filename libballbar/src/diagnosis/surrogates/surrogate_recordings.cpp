@@ -102,7 +102,7 @@ double at_reading(const Sweep& sweep, const std::vector<double>& grid, double pl
 
 void add_scrambled(const Sweep& sweep, const Spectrum& spectrum, const std::vector<double>& phases,
                    Eigen::Ref<Eigen::VectorXd> column) {
-  const std::vector<double> grid = scrambled(spectrum, phases);
+  const std::vector<double> grid = phase_randomised(spectrum, phases);
   for (std::size_t i = 0; i < sweep.row.size(); ++i) column[sweep.row[i]] = at_reading(sweep, grid, sweep.place[i]);
 }
 
@@ -140,15 +140,15 @@ std::vector<std::vector<Spectrum>> spectra_of(const std::vector<Sweep>& sweeps, 
 
 // Made orthonormal, as far as more than rounding is left of what each column was.
 Eigen::MatrixXd orthonormal_of(Eigen::MatrixXd columns, const Eigen::RowVectorXd& square_before) {
-  orthonormalise(columns, square_before, kNothingLeftOfAFake);
+  orthonormalise(columns, square_before, kNothingLeftOfASurrogate);
   return columns;
 }
 
-// Fakes of one effect on some recordings, with the phases of each group of them drawn.
-class Fakes {
+// Surrogates of one effect on some recordings, with the phases of each group of them drawn.
+class Surrogates {
  public:
-  Fakes(std::vector<Sweep> sweeps, const FakedEffect& traced, const EffectRows& inputs,
-        const std::vector<std::size_t>& rows)
+  Surrogates(std::vector<Sweep> sweeps, const SurrogateSource& traced, const EffectRows& inputs,
+             const std::vector<std::size_t>& rows)
       : sweeps_(std::move(sweeps)), n_(static_cast<Eigen::Index>(rows.size())) {
     for (const std::vector<double>& point : traced.points) {
       spectra_.push_back(
@@ -186,53 +186,55 @@ class Fakes {
   std::vector<std::vector<std::vector<Spectrum>>> spectra_;  // of each point, sweep, gain
 };
 
-struct OneFake {
+struct OneSurrogate {
   double gain = 0.0, fall = 0.0;  // of chi^2, of the square
   bool is_itself = false;
 };
 
 }  // namespace
 
-std::optional<BestFake> best_trace_fake(const FakedEffect& traced, const Series& data,
-                                        const std::vector<std::size_t>& rows, const Leftover& leftover,
-                                        const Noise& noise, std::size_t count, std::uint64_t seed) {
+std::optional<BestSurrogate> best_recording_surrogate(const SurrogateSource& traced, const Series& data,
+                                                      const std::vector<std::size_t>& rows,
+                                                      const LinearisedFit& linearised, const Noise& noise,
+                                                      std::size_t count, std::uint64_t seed) {
   std::vector<Sweep> sweeps = sweeps_of(data, rows);
   const bool enough =
       std::all_of(sweeps.begin(), sweeps.end(), [](const Sweep& sweep) { return sweep.row.size() >= kFewestOfASweep; });
   if (!enough || traced.points.empty() || count == 0) return std::nullopt;
   group(sweeps, traced.added_um);
   const BoundInputs inputs = inputs_of(*traced.bound.effect, traced.bound.columns, data);
-  const Fakes fakes(std::move(sweeps), traced, inputs.rows, rows);
-  const Whitening whitening(noise, leftover.time_s, leftover.sigma_um);
-  const Freed white = freed_of(leftover, whitening), plain = freed_of(leftover);
+  const Surrogates surrogates(std::move(sweeps), traced, inputs.rows, rows);
+  const Whitening whitening(noise, linearised.time_s, linearised.sigma_um);
+  const Freed white = freed_of(linearised, whitening), plain = freed_of(linearised);
   const Eigen::MatrixXd added = whitened(whitening, traced.added_um);
   const Eigen::VectorXd own = orthonormal_of(freed(added, white.basis), added.colwise().squaredNorm());
   std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 4);
   std::vector<std::vector<std::vector<double>>> phases;
-  for (std::size_t number = 0; number < count; ++number) phases.push_back(fakes.phases(random));
-  std::vector<OneFake> found(count);
+  for (std::size_t number = 0; number < count; ++number) phases.push_back(surrogates.phases(random));
+  std::vector<OneSurrogate> found(count);
   in_parallel(count, [&](std::size_t number) {
-    const Eigen::MatrixXd fake = fakes.at(phases[number]), filtered = whitened(whitening, fake);
-    const Eigen::RowVectorXd square = filtered.colwise().squaredNorm(), plain_square = fake.colwise().squaredNorm();
-    const Eigen::MatrixXd left = freed(filtered, white.basis), plain_left = freed(fake, plain.basis);
-    OneFake& one = found[number];
-    for (Eigen::Index first = 0; first < fake.cols(); first += fakes.width()) {
+    const Eigen::MatrixXd surrogate = surrogates.at(phases[number]), filtered = whitened(whitening, surrogate);
+    const Eigen::RowVectorXd square = filtered.colwise().squaredNorm(),
+                             plain_square = surrogate.colwise().squaredNorm();
+    const Eigen::MatrixXd left = freed(filtered, white.basis), plain_left = freed(surrogate, plain.basis);
+    OneSurrogate& one = found[number];
+    for (Eigen::Index first = 0; first < surrogate.cols(); first += surrogates.width()) {
       const Eigen::MatrixXd u =
-          orthonormal_of(left.middleCols(first, fakes.width()), square.segment(first, fakes.width()));
-      if ((u.transpose() * own).norm() > kFakeIsItself) {
+          orthonormal_of(left.middleCols(first, surrogates.width()), square.segment(first, surrogates.width()));
+      if ((u.transpose() * own).norm() > kSurrogateIsItself) {
         one.is_itself = true;
         continue;
       }
-      const Eigen::MatrixXd v =
-          orthonormal_of(plain_left.middleCols(first, fakes.width()), plain_square.segment(first, fakes.width()));
+      const Eigen::MatrixXd v = orthonormal_of(plain_left.middleCols(first, surrogates.width()),
+                                               plain_square.segment(first, surrogates.width()));
       one.gain = std::max(one.gain, (u.transpose() * white.residual).squaredNorm());
       one.fall = std::max(one.fall, (v.transpose() * plain.residual).squaredNorm());
     }
   });
-  BestFake best;
+  BestSurrogate best;
   double most = 0.0;
   std::size_t alike = 0;
-  for (const OneFake& one : found) {
+  for (const OneSurrogate& one : found) {
     best.gain = std::max(best.gain, one.gain);
     most = std::max(most, one.fall);
     alike += one.is_itself ? 1 : 0;

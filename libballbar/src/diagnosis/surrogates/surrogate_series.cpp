@@ -24,10 +24,10 @@ std::vector<double> on_grid(const Effect& effect, const EffectRows& inputs, cons
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   const Eigen::VectorXd gain = effect_at(effect, inputs, point, rows).gains(effect).col(0);
   const std::vector<double> values(gain.begin(), gain.end());
-  std::vector<double> grid(kFakeGrid);
+  std::vector<double> grid(kSurrogateGrid);
   std::size_t row = 0;
-  for (std::size_t i = 0; i < kFakeGrid; ++i) {
-    const double t = begin_s + (end_s - begin_s) * static_cast<double>(i) / static_cast<double>(kFakeGrid - 1);
+  for (std::size_t i = 0; i < kSurrogateGrid; ++i) {
+    const double t = begin_s + (end_s - begin_s) * static_cast<double>(i) / static_cast<double>(kSurrogateGrid - 1);
     while (row + 2 < values.size() && inputs.time_s[row + 1] < t) ++row;
     const double step = inputs.time_s[row + 1] - inputs.time_s[row];
     const double part = std::clamp((t - inputs.time_s[row]) / step, 0.0, 1.0);
@@ -42,8 +42,8 @@ class Places {
   explicit Places(const std::vector<double>& time_s) {
     const double span_s = time_s.back() - time_s.front();
     for (const double t_s : time_s) {
-      const double place = (t_s - time_s.front()) / span_s * static_cast<double>(kFakeGrid - 1);
-      at_.push_back(std::min(kFakeGrid - 2, static_cast<std::size_t>(place)));
+      const double place = (t_s - time_s.front()) / span_s * static_cast<double>(kSurrogateGrid - 1);
+      at_.push_back(std::min(kSurrogateGrid - 2, static_cast<std::size_t>(place)));
       part_.push_back(place - static_cast<double>(at_.back()));
     }
   }
@@ -71,45 +71,46 @@ double largest_fall(const Freed& model, Eigen::MatrixXd columns) {
   return most;
 }
 
-std::vector<Spectrum> spectra_of(const FakedEffect& faked, const Series& data, const Leftover& leftover) {
-  const Effect& effect = *faked.bound.effect;
-  const BoundInputs bound = inputs_of(effect, faked.bound.columns, data);
+std::vector<Spectrum> spectra_of(const SurrogateSource& source, const Series& data, const LinearisedFit& linearised) {
+  const Effect& effect = *source.bound.effect;
+  const BoundInputs bound = inputs_of(effect, source.bound.columns, data);
   std::vector<Spectrum> spectra;
-  const std::size_t stride = 1 + (faked.points.size() - 1) / kFakeShapes;
-  for (std::size_t i = 0; i < faked.points.size(); i += stride) {
-    spectra.push_back(
-        spectrum_of(on_grid(effect, bound.rows, faked.points[i], leftover.time_s.front(), leftover.time_s.back())));
+  const std::size_t stride = 1 + (source.points.size() - 1) / kSurrogateShapes;
+  for (std::size_t i = 0; i < source.points.size(); i += stride) {
+    spectra.push_back(spectrum_of(
+        on_grid(effect, bound.rows, source.points[i], linearised.time_s.front(), linearised.time_s.back())));
   }
   return spectra;
 }
 
 }  // namespace
 
-BestFake best_fake(const FakedEffect& effect, const Series& data, const Leftover& leftover, const Noise& noise,
-                   std::size_t count, std::uint64_t seed) {
+BestSurrogate best_surrogate(const SurrogateSource& effect, const Series& data, const LinearisedFit& linearised,
+                             const Noise& noise, std::size_t count, std::uint64_t seed) {
   constexpr std::size_t kTogether = 8;
-  const std::vector<Spectrum> spectra = spectra_of(effect, data, leftover);
-  const Whitening whitening(noise, leftover.time_s, leftover.sigma_um);
-  const Freed white = freed_of(leftover, whitening), plain = freed_of(leftover);
-  const Places places(leftover.time_s);
+  const std::vector<Spectrum> spectra = spectra_of(effect, data, linearised);
+  const Whitening whitening(noise, linearised.time_s, linearised.sigma_um);
+  const Freed white = freed_of(linearised, whitening), plain = freed_of(linearised);
+  const Places places(linearised.time_s);
   std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 3);
   std::vector<std::vector<double>> phases;
-  for (std::size_t number = 0; number < count; ++number) phases.push_back(random_phases(kFakeGrid, random));
+  for (std::size_t number = 0; number < count; ++number) phases.push_back(random_phases(kSurrogateGrid, random));
   const std::size_t batches = (count + kTogether - 1) / kTogether;
   std::vector<double> gain(batches, 0.0), fall(batches, 0.0);
   in_parallel(batches, [&](std::size_t batch) {
     const std::size_t first = batch * kTogether, last = std::min(count, first + kTogether);
-    Eigen::MatrixXd fakes(leftover.residual_um.size(), static_cast<Eigen::Index>((last - first) * spectra.size()));
+    Eigen::MatrixXd surrogates(linearised.residual_um.size(),
+                               static_cast<Eigen::Index>((last - first) * spectra.size()));
     Eigen::Index column = 0;
     for (std::size_t number = first; number < last; ++number) {
       for (const Spectrum& spectrum : spectra) {
-        places.read(scrambled(spectrum, phases[number]), fakes.col(column++).data());
+        places.read(phase_randomised(spectrum, phases[number]), surrogates.col(column++).data());
       }
     }
-    gain[batch] = largest_fall(white, whitened(whitening, fakes));
-    fall[batch] = largest_fall(plain, std::move(fakes));
+    gain[batch] = largest_fall(white, whitened(whitening, surrogates));
+    fall[batch] = largest_fall(plain, std::move(surrogates));
   });
-  BestFake best;
+  BestSurrogate best;
   double most = 0.0;
   for (std::size_t batch = 0; batch < batches; ++batch) {
     best.gain = std::max(best.gain, gain[batch]);

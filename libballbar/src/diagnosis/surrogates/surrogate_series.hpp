@@ -12,18 +12,19 @@
 
 namespace ballbar {
 
-struct FakedEffect {
+struct SurrogateSource {
   BoundEffect bound;
-  std::vector<std::vector<double>> points;  // all parameters of each shape to be faked
+  std::vector<std::vector<double>> points;  // all parameters of each shape to be replaced by a surrogate
   Eigen::VectorXd added_um;                 // n: what the effect adds as it was fitted; of recordings
 };
 
-// The best of `count` fakes: what the effect adds with its phases scrambled, the same spectrum and no cause.
-struct BestFake {
+// The best of `count` surrogates: what the effect adds with its phases phase-randomised, the same spectrum and no
+// cause.
+struct BestSurrogate {
   double gain = 0.0;  // largest fall of chi^2
   double fall = 0.0;  // largest relative fall of the RMSE by least squares
 };
-BestFake best_fake(const FakedEffect& effect, const Series& data, const Leftover& leftover, const Noise& noise,
-                   std::size_t count, std::uint64_t seed);
+BestSurrogate best_surrogate(const SurrogateSource& effect, const Series& data, const LinearisedFit& linearised,
+                             const Noise& noise, std::size_t count, std::uint64_t seed);
 
 }  // namespace ballbar

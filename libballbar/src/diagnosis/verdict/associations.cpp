@@ -16,13 +16,13 @@ namespace {
 
 // The shape of every family that lowers the sum of squares most, the largest fall first. Least squares: a residual of
 // which no noise is known is not whitened.
-std::vector<std::size_t> by_fall(const Hypotheses& now) {
-  const Freed model = freed_of(now.leftover());
+std::vector<std::size_t> by_fall(const SubsetFits& now) {
+  const Freed model = freed_of(now.linearised());
   const auto fall = [&](std::size_t index) {
     return (orthonormal(freed(now.columns({index}), model.basis)).transpose() * model.residual).squaredNorm();
   };
   std::vector<std::pair<double, std::size_t>> best;
-  for (const Family& family : now.bank().families) {
+  for (const Family& family : now.library().families) {
     if (family.bound.effect->time_only) continue;
     std::pair<double, std::size_t> most{0.0, family.first};
     for (std::size_t i = family.first; i < family.first + family.count; ++i) most = std::max(most, {fall(i), i});
@@ -39,11 +39,11 @@ std::vector<std::size_t> by_fall(const Hypotheses& now) {
 }
 
 // Fitted by the noise that is most likely beside it, as long as that makes it more likely.
-SubsetFit by_its_own_noise(const Hypotheses& now, std::size_t index, const Noise& noise) {
+SubsetFit by_its_own_noise(const SubsetFits& now, std::size_t index, const Noise& noise) {
   SubsetFit with = now.refitted({index}, noise);
   for (std::size_t round = 0; round < kGoesWithRounds; ++round) {
     SubsetFit again = now.refitted_from(with, with.set);
-    if (!(again.likely.log_likelihood > with.likely.log_likelihood + kWorthAnotherRound)) break;
+    if (!(again.noise_fit.log_likelihood > with.noise_fit.log_likelihood + kWorthAnotherRound)) break;
     with = std::move(again);
   }
   return with;
@@ -51,14 +51,14 @@ SubsetFit by_its_own_noise(const Hypotheses& now, std::size_t index, const Noise
 
 }  // namespace
 
-std::vector<Candidate> correlates(const Hypotheses& now, const Noise& noise, const std::vector<std::size_t>& cycle) {
-  const double before = held_out(now.leftover(), noise, cycle, false).rmse_um;
+std::vector<Candidate> associations(const SubsetFits& now, const Noise& noise, const std::vector<std::size_t>& fold) {
+  const double before = cross_validation(now.linearised(), noise, fold, false).rmse_um;
   const std::vector<std::size_t> tried = by_fall(now);
   std::vector<std::optional<Candidate>> found(tried.size());
   in_parallel(tried.size(), [&](std::size_t i) {
     try {
       const SubsetFit with = by_its_own_noise(now, tried[i], noise);
-      const double after = held_out(with.likely.leftover, with.likely.noise, cycle, false).rmse_um;
+      const double after = cross_validation(with.noise_fit.linearised, with.noise_fit.noise, fold, false).rmse_um;
       if (!(after < kGoesWith * before)) return;
       found[i] = candidate_of(now, with, 0);
       found[i]->held_out_before_um = before;

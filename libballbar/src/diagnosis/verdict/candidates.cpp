@@ -15,27 +15,27 @@
 namespace ballbar {
 namespace {
 
-// Of the grid: all of a series, some of recordings, where each shape is faked on every sweep.
-std::vector<std::vector<double>> faked_points(const Hypotheses& now, std::size_t index) {
+// Of the grid: all of a series, some of recordings, where each shape is replaced by a surrogate on every sweep.
+std::vector<std::vector<double>> surrogate_points(const SubsetFits& now, std::size_t index) {
   const Family& family = now.family(index);
   const bool of_recordings = now.model().level == Level::recording;
   if (of_recordings && family.count < 2) return {};
   std::vector<std::vector<double>> points;
-  const std::size_t stride = of_recordings ? 1 + (family.count - 1) / kFakeShapes : 1;
+  const std::size_t stride = of_recordings ? 1 + (family.count - 1) / kSurrogateShapes : 1;
   for (std::size_t i = family.first; i < family.first + family.count; i += stride) points.push_back(now.at(i).point);
   return points;
 }
 
 }  // namespace
 
-double rmse_after_um(const Hypotheses& now, const SubsetFit& with) {
-  if (now.model().level == Level::series) return with.likely.fit.rmse_um;
-  const Eigen::VectorXd left = freed_of(with.likely.leftover).residual;
+double rmse_after_um(const SubsetFits& now, const SubsetFit& with) {
+  if (now.model().level == Level::series) return with.noise_fit.fit.rmse_um;
+  const Eigen::VectorXd left = freed_of(with.noise_fit.linearised).residual;
   return left.norm() / std::sqrt(static_cast<double>(left.size()));
 }
 
-Candidate candidate_of(const Hypotheses& now, const SubsetFit& with, std::size_t place) {
-  Candidate candidate = candidate_of(with.model, with.likely.fit, now.model().terms.size() + place);
+Candidate candidate_of(const SubsetFits& now, const SubsetFit& with, std::size_t place) {
+  Candidate candidate = candidate_of(with.model, with.noise_fit.fit, now.model().terms.size() + place);
   candidate.bound = now.bound(with.set[place]);
   candidate.label = label_of(candidate.bound);
   candidate.rmse_after_um = rmse_after_um(now, with);
@@ -50,17 +50,17 @@ bool is_on_bound(const FittedParameter& parameter) {
 
 }  // namespace
 
-Candidate confirmed(const Hypotheses& now, const Series& data, const SubsetFit& with, std::size_t place,
-                    const SearchNull& null, const DiagnosisOptions& options) {
+Candidate confirmed(const SubsetFits& now, const Series& data, const SubsetFit& with, std::size_t place,
+                    const MaxScoreNull& null, const DiagnosisOptions& options) {
   Candidate candidate = candidate_of(now, with, place);
   const SubsetFit rest = now.without(with, place);
-  const WithAndWithout models{data, with.model, now.model().terms.size() + place, with.likely, rest.likely};
+  const WithAndWithout models{data, with.model, now.model().terms.size() + place, with.noise_fit, rest.noise_fit};
   const Effect& effect = *candidate.bound.effect;
-  const CycleTests tests = cycle_tests(models);
+  const FoldTests tests = fold_tests(models);
   candidate.in_best_set = true;
-  candidate.evidence = 2.0 * (with.likely.log_likelihood - rest.likely.log_likelihood);
+  candidate.likelihood_ratio = 2.0 * (with.noise_fit.log_likelihood - rest.noise_fit.log_likelihood);
   candidate.threshold = null.threshold(effect);
-  candidate.p_search = null.p_search(effect, candidate.evidence);
+  candidate.p_search = null.p_search(effect, candidate.likelihood_ratio);
   candidate.held_out_before_um = tests.before.rmse_um;
   candidate.held_out_after_um = tests.after.rmse_um;
   candidate.p_same_gain = tests.p_same_gain;
@@ -70,15 +70,16 @@ Candidate confirmed(const Hypotheses& now, const Series& data, const SubsetFit& 
     doubt("it needs nothing but time, so that one run cannot name it as a cause");
     return candidate;
   }
-  now.tell(fmt::format("testing {} fakes of {}", options.fakes, candidate.label));
-  candidate = beside_fake(std::move(candidate), fake_of(models, candidate.bound, faked_points(now, with.set[place]),
-                                                        options.fakes, options.search.seed));
+  now.tell(fmt::format("testing {} surrogates of {}", options.surrogates, candidate.label));
+  candidate = beside_surrogate(std::move(candidate),
+                               surrogate_of(models, candidate.bound, surrogate_points(now, with.set[place]),
+                                            options.surrogates, options.search.seed));
   const bool of_recordings = now.model().level == Level::recording;
-  if (candidate.evidence < kFewestEvidence) doubt(std::string(kTooLittleEvidence));
+  if (candidate.likelihood_ratio < kLeastLikelihoodRatio) doubt(std::string(kLowLikelihoodRatio));
   if (null.p_search(effect, tests.gain_of_many) >= kErrorOfASearch) doubt("a few readings alone make it");
   if (candidate.p_search >= kErrorOfASearch) doubt("a search without any effect shows as much too often");
   if (candidate.p_same_gain < kSameGain) doubt(gain_differs(of_recordings));
-  if (!of_recordings && tests.in_one_cycle > kInOneCycle) {
+  if (!of_recordings && tests.in_one_fold > kInOneFold) {
     doubt("it shows in one cycle alone, so that no other can confirm it");
   }
   if (!(tests.after.chi2 < tests.before.chi2) || tests.after.rmse_um > kHeldOutWorse * tests.before.rmse_um) {
@@ -88,7 +89,7 @@ Candidate confirmed(const Hypotheses& now, const Series& data, const SubsetFit& 
     if (!is_on_bound(parameter)) continue;
     doubt(fmt::format("its {} lies on its bound, {:g} {}", parameter.name, parameter.value, parameter.unit));
   }
-  if (candidate.beats_fakes && !*candidate.beats_fakes) doubt(std::string(kFakeDoesAsWell));
+  if (candidate.beats_surrogates && !*candidate.beats_surrogates) doubt(std::string(kSurrogateDoesAsWell));
   return candidate;
 }
 
@@ -100,31 +101,31 @@ bool is_at_the_edge(const Candidate& candidate) {
 namespace {
 
 // The rest of the set is open as well: it does without.
-bool is_spare(const Hypotheses& now, const SubsetFit& rival, std::size_t place, const SubsetFit& best,
-              const std::vector<const SubsetFit*>& rivals) {
-  const auto is_rest = [&](const SubsetFit& other) { return is_without(now, other.set, rival.set, place); };
+bool is_spare(const SubsetFits& now, const SubsetFit& competitor, std::size_t place, const SubsetFit& best,
+              const std::vector<const SubsetFit*>& competitors) {
+  const auto is_rest = [&](const SubsetFit& other) { return is_without(now, other.set, competitor.set, place); };
   return is_rest(best) ||
-         std::any_of(rivals.begin(), rivals.end(), [&](const SubsetFit* other) { return is_rest(*other); });
+         std::any_of(competitors.begin(), competitors.end(), [&](const SubsetFit* other) { return is_rest(*other); });
 }
 
 }  // namespace
 
-std::vector<std::vector<BoundEffect>> groups_of(const Hypotheses& now, const Projected& seen, const SubsetFit& best,
-                                                const std::vector<const SubsetFit*>& rivals) {
+std::vector<std::vector<BoundEffect>> groups_of(const SubsetFits& now, const Projected& seen, const SubsetFit& best,
+                                                const std::vector<const SubsetFit*>& competitors) {
   std::vector<std::vector<BoundEffect>> groups;
   for (const std::size_t index : best.set) groups.push_back({now.bound(index)});
-  for (const SubsetFit* rival : rivals) {
-    for (std::size_t k = 0; k < rival->set.size(); ++k) {
-      const std::size_t extra = rival->set[k];
+  for (const SubsetFit* competitor : competitors) {
+    for (std::size_t k = 0; k < competitor->set.size(); ++k) {
+      const std::size_t extra = competitor->set[k];
       if (has(now, best.set, now.bound(extra))) continue;
       bool same = false;
-      for (std::size_t m = 0; m < best.set.size(); ++m) same = same || draws_the_same(now, best, m, *rival, k);
-      if (same || is_spare(now, *rival, k, best, rivals)) continue;
+      for (std::size_t m = 0; m < best.set.size(); ++m) same = same || draws_the_same(now, best, m, *competitor, k);
+      if (same || is_spare(now, *competitor, k, best, competitors)) continue;
       // In the place of the one it is most like.
       double most = -1.0;
       std::size_t place = groups.size();
       for (std::size_t m = 0; m < best.set.size(); ++m) {
-        if (has(now, rival->set, now.bound(best.set[m]))) continue;
+        if (has(now, competitor->set, now.bound(best.set[m]))) continue;
         const double alike =
             std::abs(seen.columns.col(now.at(best.set[m]).first).dot(seen.columns.col(now.at(extra).first)));
         if (alike > most) {

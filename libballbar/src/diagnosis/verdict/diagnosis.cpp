@@ -17,15 +17,15 @@ namespace ballbar {
 namespace {
 
 // Nothing is said of effects that are not searched.
-std::vector<Prospect> prospects_but(const SearchOptions& options, std::vector<Prospect> prospects) {
+std::vector<Detectability> detectability_but(const SearchOptions& options, std::vector<Detectability> detectability) {
   const auto left_out = [&](const std::string& name) {
     return std::find(options.without.begin(), options.without.end(), name) != options.without.end();
   };
-  std::erase_if(prospects, [&](const Prospect& one) { return left_out(one.effect->name); });
-  for (Prospect& prospect : prospects) {
-    std::erase_if(prospect.imitated_by, [&](const Likeness& likeness) { return left_out(likeness.with); });
+  std::erase_if(detectability, [&](const Detectability& one) { return left_out(one.effect->name); });
+  for (Detectability& detectable : detectability) {
+    std::erase_if(detectable.imitated_by, [&](const Likeness& likeness) { return left_out(likeness.with); });
   }
-  return prospects;
+  return detectability;
 }
 
 }  // namespace
@@ -47,45 +47,47 @@ std::string_view name_of(Verdict verdict) {
 }
 
 Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options) {
-  const Series rows = thinned(data, model.targets.at(target), options.most_rows);
+  const Series rows = subsampled(data, model.targets.at(target), options.most_rows);
   Diagnosis result;
   result.base = fit(model, rows, target);
   result.target = result.base.target;
-  const Hypotheses now(model, rows, target, result.base, options.search);
+  const SubsetFits now(model, rows, target, result.base, options.search);
   std::set<const Effect*> searched;
-  for (const Family& family : now.bank().families) searched.insert(family.bound.effect);
+  for (const Family& family : now.library().families) searched.insert(family.bound.effect);
   result.searched_effects = searched.size();
-  const auto prospects_by = [&](const Projected& seen) {
-    return prospects_but(options.search,
-                         prospects_of(options.search.catalogue, now.bank(), seen, model, rows, options.search.motion));
+  const auto detectability_by = [&](const Projected& seen) {
+    return detectability_but(options.search, detectability_of(options.search.catalogue, now.library(), seen, model,
+                                                              rows, options.search.motion));
   };
-  if (now.bank().families.empty() || now.largest_set() == 0) {
+  if (now.library().families.empty() || now.largest_set() == 0) {
     result.verdict = Verdict::untestable;
-    result.prospects = prospects_by(now.projected_by(result.base.noise));
-    result.reasons.emplace_back(now.bank().families.empty() ? "No effect of the catalogue can be tested on these data."
-                                                            : "There are too few values to test anything more.");
+    result.detectability = detectability_by(now.projected_by(result.base.noise));
+    result.reasons.emplace_back(now.library().families.empty()
+                                    ? "No effect of the catalogue can be tested on these data."
+                                    : "There are too few values to test anything more.");
     return result;
   }
-  now.tell(fmt::format("searching {} shapes of {} effects", now.bank().signatures.size(), searched.size()));
-  const Ground ground = ground_of(now, result.base.noise, options.search);
-  result.prospects = prospects_by(ground.seen);
-  const Detected detection = detected(now, ground);
+  now.tell(fmt::format("searching {} shapes of {} effects", now.library().signatures.size(), searched.size()));
+  const NullModel null_model = null_model_of(now, result.base.noise, options.search);
+  result.detectability = detectability_by(null_model.seen);
+  const Detected detection = detected(now, null_model);
   result.p_anything = detection.p_anything;
   result.smallest_um = detection.smallest_um;
   result.smallest = detection.smallest;
-  const std::vector<SubsetFit> refits = rival_sets(now, ground);
-  Judgement judgement = judged(now, rows, result.base, ground, detection.p_anything, refits, options);
-  result.smooth_evidence = judgement.smooth_evidence;
+  const std::vector<SubsetFit> refits = competing_subsets(now, null_model);
+  Findings findings = findings_of(now, rows, result.base, null_model, detection.p_anything, refits, options);
+  result.smooth_likelihood_ratio = findings.smooth_likelihood_ratio;
   if (!refits.empty()) result.rmse_after_um = rmse_after_um(now, refits.front());
-  for (const Candidate& candidate : judgement.candidates) {
-    if (candidate.best_fake_fall > result.best_fake_fall) result.best_fake_fall = candidate.best_fake_fall;
+  for (const Candidate& candidate : findings.candidates) {
+    if (candidate.best_surrogate_fall > result.best_surrogate_fall)
+      result.best_surrogate_fall = candidate.best_surrogate_fall;
   }
-  result.candidates = std::move(judgement.candidates);
-  result.verdict = judgement.finding.verdict;
-  result.named = std::move(judgement.finding.named);
-  result.equivalent = std::move(judgement.finding.equivalent);
-  result.goes_with = std::move(judgement.finding.goes_with);
-  result.reasons = std::move(judgement.finding.reasons);
+  result.candidates = std::move(findings.candidates);
+  result.verdict = findings.finding.verdict;
+  result.named = std::move(findings.finding.named);
+  result.equivalent = std::move(findings.finding.equivalent);
+  result.associations = std::move(findings.finding.associations);
+  result.reasons = std::move(findings.finding.reasons);
   return result;
 }
 

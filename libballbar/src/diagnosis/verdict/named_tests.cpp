@@ -30,47 +30,48 @@ Candidate candidate_of(const Model& model, const Fit& fit, std::size_t place) {
   return candidate;
 }
 
-CycleTests cycle_tests(const WithAndWithout& models) {
+FoldTests fold_tests(const WithAndWithout& models) {
   const auto& [data, model, term, with, without] = models;
   const Eigen::MatrixXd gains = gain_columns(with.fit, model, term);
-  const std::vector<std::size_t> told = cycles_that_tell(data, with.fit.row, with.cycle, gains);
-  CycleTests tests;
-  tests.p_same_gain = p_same_gain(with.leftover, gains, with.noise, told);
-  tests.before = held_out(without.leftover, with.noise, told, with.of_recordings);
-  tests.after = held_out(with.leftover, with.noise, told, with.of_recordings);
-  tests.in_one_cycle = share_of_one_cycle(without.leftover, gains, with.noise, told);
-  tests.gain_of_many = gain_of_many(without.leftover, gains, with.noise);
+  const std::vector<std::size_t> told = folds_that_tell(data, with.fit.row, with.fold, gains);
+  FoldTests tests;
+  tests.p_same_gain = p_same_gain(with.linearised, gains, with.noise, told);
+  tests.before = cross_validation(without.linearised, with.noise, told, with.of_recordings);
+  tests.after = cross_validation(with.linearised, with.noise, told, with.of_recordings);
+  tests.in_one_fold = share_of_one_fold(without.linearised, gains, with.noise, told);
+  tests.gain_of_many = gain_of_many(without.linearised, gains, with.noise);
   return tests;
 }
 
 double gain_of(const WithAndWithout& models) {
-  return chi2(models.without.leftover, models.with.noise) - chi2(models.with.leftover, models.with.noise);
+  return chi2(models.without.linearised, models.with.noise) - chi2(models.with.linearised, models.with.noise);
 }
 
-std::optional<BestFake> fake_of(const WithAndWithout& models, const BoundEffect& bound,
-                                std::vector<std::vector<double>> points, std::size_t count, std::uint64_t seed) {
+std::optional<BestSurrogate> surrogate_of(const WithAndWithout& models, const BoundEffect& bound,
+                                          std::vector<std::vector<double>> points, std::size_t count,
+                                          std::uint64_t seed) {
   const auto& [data, model, term, with, without] = models;
-  FakedEffect faked{bound, std::move(points), {}};
+  SurrogateSource source{bound, std::move(points), {}};
   if (bound.effect->level == Level::series) {
-    if (faked.points.empty()) return std::nullopt;
-    return best_fake(faked, data, without.leftover, with.noise, count, seed);
+    if (source.points.empty()) return std::nullopt;
+    return best_surrogate(source, data, without.linearised, with.noise, count, seed);
   }
   std::vector<double> fitted;
   const std::size_t first = first_parameter(model, term);
   for (std::size_t k = 0; k < bound.effect->parameters.size(); ++k) {
     fitted.push_back(with.fit.parameters[first + k].value);
   }
-  faked.points.insert(faked.points.begin(), std::move(fitted));
+  source.points.insert(source.points.begin(), std::move(fitted));
   const std::vector<double>& added = with.fit.contribution_um[term];
-  faked.added_um = Eigen::VectorXd::Map(added.data(), static_cast<Eigen::Index>(added.size()));
-  return best_trace_fake(faked, data, with.fit.row, without.leftover, with.noise, count, seed);
+  source.added_um = Eigen::VectorXd::Map(added.data(), static_cast<Eigen::Index>(added.size()));
+  return best_recording_surrogate(source, data, with.fit.row, without.linearised, with.noise, count, seed);
 }
 
-Candidate beside_fake(Candidate candidate, const std::optional<BestFake>& fake) {
-  if (!fake) return candidate;
-  candidate.best_fake_gain = fake->gain;
-  candidate.best_fake_fall = fake->fall;
-  candidate.beats_fakes = candidate.gain > fake->gain;
+Candidate beside_surrogate(Candidate candidate, const std::optional<BestSurrogate>& surrogate) {
+  if (!surrogate) return candidate;
+  candidate.best_surrogate_gain = surrogate->gain;
+  candidate.best_surrogate_fall = surrogate->fall;
+  candidate.beats_surrogates = candidate.gain > surrogate->gain;
   return candidate;
 }
 

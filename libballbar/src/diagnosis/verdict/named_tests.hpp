@@ -30,28 +30,29 @@ struct WithAndWithout {
 };
 
 // By the noise with it.
-struct CycleTests {
+struct FoldTests {
   double p_same_gain = 1.0;
-  HeldOut before, after;      // cycles left out, without and with it
-  double in_one_cycle = 0.0;  // largest share of one cycle in what it shows
-  double gain_of_many = 0.0;  // fall of chi^2 that many readings make
+  CrossValidation before, after;  // cycles left out, without and with it
+  double in_one_fold = 0.0;       // largest share of one cycle in what it shows
+  double gain_of_many = 0.0;      // fall of chi^2 that many readings make
 };
-CycleTests cycle_tests(const WithAndWithout& models);
+FoldTests fold_tests(const WithAndWithout& models);
 
 // Fall of chi^2 by the noise with it.
 double gain_of(const WithAndWithout& models);
 
-// The best fake of the effect; of recordings of the shape as fitted before `points`, which are all that a series has.
-// nullopt: it cannot be faked.
-std::optional<BestFake> fake_of(const WithAndWithout& models, const BoundEffect& bound,
-                                std::vector<std::vector<double>> points, std::size_t count, std::uint64_t seed);
+// The best surrogate of the effect; of recordings of the shape as fitted before `points`, which are all that a series
+// has. nullopt: it cannot be replaced by a surrogate.
+std::optional<BestSurrogate> surrogate_of(const WithAndWithout& models, const BoundEffect& bound,
+                                          std::vector<std::vector<double>> points, std::size_t count,
+                                          std::uint64_t seed);
 
-// The candidate with what the best fake does, which it has to beat.
-Candidate beside_fake(Candidate candidate, const std::optional<BestFake>& fake);
+// The candidate with what the best surrogate does, which it has to beat.
+Candidate beside_surrogate(Candidate candidate, const std::optional<BestSurrogate>& surrogate);
 
 // Phrases of Candidate::doubts.
-inline constexpr std::string_view kTooLittleEvidence = "its evidence is below 25 (d = 5)";
-inline constexpr std::string_view kFakeDoesAsWell = "a fake of the same smoothness does as well";
+inline constexpr std::string_view kLowLikelihoodRatio = "its likelihood ratio is below 25 (d = 5)";
+inline constexpr std::string_view kSurrogateDoesAsWell = "a surrogate of the same smoothness does as well";
 std::string gain_differs(bool of_recordings);
 std::string not_predicted_better(bool of_recordings);
 

@@ -17,7 +17,7 @@
 // pairs. A pair that reads a column which follows neither speed nor room (R2 < 0.5) is promised no more than the data
 // have already. A response of the room that the data hardly show is promised too small rather than too large.
 //
-// Against chi^2 of simulated tests d is right within a factor of 1.5. 1334 rows and 4 rivals: 0.06 s.
+// Against chi^2 of simulated tests d is right within a factor of 1.5. 1334 rows and 4 competitors: 0.06 s.
 #pragma once
 
 #include <cstddef>

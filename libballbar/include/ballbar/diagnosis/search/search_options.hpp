@@ -20,7 +20,7 @@ struct SearchOptions {
   std::vector<std::string> without;            // names of effects that are not searched
   std::size_t draws = 2000;                    // of the noise: data sets without any effect
   std::uint64_t seed = 1;
-  // Told of every step before it begins, by the thread that asked: "testing 200 fakes of expansion(T_room_degC)".
+  // Told of every step before it begins, by the thread that asked: "testing 200 surrogates of expansion(T_room_degC)".
   std::function<void(std::string_view step)> progress;
 };
 

@@ -34,7 +34,7 @@ struct Likeness {
   double coherence = 0.0;
 };
 
-struct Prospect {
+struct Detectability {
   const Effect* effect = nullptr;
   std::vector<std::string> columns;  // of the best binding; empty where there is none
   std::size_t bindings = 0;          // choices of columns that the data offer
@@ -52,8 +52,8 @@ struct Preflight {
   std::string target;
   std::size_t n = 0;
   Noise noise;
-  std::string noise_source;         // a phrase: "residual of the model"
-  std::vector<Prospect> prospects;  // in the order of the catalogue
+  std::string noise_source;                  // a phrase: "residual of the model"
+  std::vector<Detectability> detectability;  // in the order of the catalogue
 };
 
 // By the noise and the Jacobian of the model's fit. Without terms the model is a constant, and every effect that is

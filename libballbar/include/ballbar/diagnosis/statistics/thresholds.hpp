@@ -8,14 +8,14 @@
 namespace ballbar {
 
 // Detectability: what a signature could show, before any residual is looked at.
-inline constexpr double kDetectable = 5.0;           // d
-inline constexpr double kIdentifiable = 7.5;         // d
-inline constexpr double kAbsorbed = 0.05;            // share of a signature's square: with less left it is the model's
-inline constexpr double kInseparable = 0.95;         // coherence of two effects that cannot be told apart
-inline constexpr std::size_t kComparedShapes = 12;   // of one family, compared with those of the others
-inline constexpr double kNothingLeft = 1e-8;         // share of a column's square that is rounding
-inline constexpr double kNothingLeftOfAFake = 1e-6;  // the same of a fake, read off a grid
-inline constexpr double kNotInTheseRows = 1e-12;     // share of a column's square in some of the rows that is none
+inline constexpr double kDetectable = 5.0;          // d
+inline constexpr double kIdentifiable = 7.5;        // d
+inline constexpr double kAbsorbed = 0.05;           // share of a signature's square: with less left it is the model's
+inline constexpr double kInseparable = 0.95;        // coherence of two effects that cannot be told apart
+inline constexpr std::size_t kComparedShapes = 12;  // of one family, compared with those of the others
+inline constexpr double kNothingLeft = 1e-8;        // share of a column's square that is rounding
+inline constexpr double kNothingLeftOfASurrogate = 1e-6;  // the same of a surrogate, read off a grid
+inline constexpr double kNotInTheseRows = 1e-12;          // share of a column's square in some of the rows that is none
 
 // Noise.
 inline constexpr std::ptrdiff_t kFewestForNoise = 30;  // rows; with fewer it is white and not estimated for every set
@@ -47,7 +47,7 @@ inline constexpr std::size_t kSearchRounds = 3;     // of noise and subsets in t
 // Subsets that are fitted.
 inline constexpr std::size_t kWorthALook = 20;    // subsets
 inline constexpr double kWorthRefitting = 12.0;   // 2 ln L from the best
-inline constexpr double kGridError = 0.1;         // share of the evidence that a point of a grid may lack
+inline constexpr double kGridError = 0.1;         // share of the likelihood ratio that a point of a grid may lack
 inline constexpr std::size_t kMostRefitted = 14;  // sets of one effect; half as many more for every other one
 inline constexpr double kFarFromGood = 40.0;      // 2 ln L less thresholds: not worth another fit
 inline constexpr std::size_t kInPlaceRounds = 2;
@@ -63,33 +63,33 @@ inline constexpr double kSameCurve = 2.0;           // chi^2 of the difference o
 inline constexpr double kSameShare = 0.01;          // of a curve's chi^2
 
 // Tests that an effect has to pass to be named.
-inline constexpr double kFewestEvidence = 25.0;  // 2 ln L: d = 5
-inline constexpr double kSameGain = 0.001;       // p_same_gain below which gains differ
-inline constexpr double kOwnDirection = 1e-3;    // pivot of a gain of one cycle, of the largest, that is one
-inline constexpr double kInOneCycle = 0.9;       // share of what it shows
-inline constexpr double kHeldOutWorse = 1.05;    // of the RMSE, which a slow noise makes up by itself
-inline constexpr double kLeastReach_um = 1e-3;   // of a shape that is 0
-inline constexpr double kTold = 1e-6;            // pivot of a column, of the largest, that rows left in tell
-inline constexpr double kMinor = 0.05;           // of the RMSE
-inline constexpr double kStays = 0.001;          // p below which an effect of the model is needed
+inline constexpr double kLeastLikelihoodRatio = 25.0;  // 2 ln L: d = 5
+inline constexpr double kSameGain = 0.001;             // p_same_gain below which gains differ
+inline constexpr double kOwnDirection = 1e-3;          // pivot of a gain of one cycle, of the largest, that is one
+inline constexpr double kInOneFold = 0.9;              // share of what it shows
+inline constexpr double kHeldOutWorse = 1.05;          // of the RMSE, which a slow noise makes up by itself
+inline constexpr double kLeastReach_um = 1e-3;         // of a shape that is 0
+inline constexpr double kTold = 1e-6;                  // pivot of a column, of the largest, that rows left in tell
+inline constexpr double kMinor = 0.05;                 // of the RMSE
+inline constexpr double kDropTest = 0.001;             // p below which an effect of the model is needed
 
-// Fakes.
-inline constexpr std::size_t kFakes = 200;
-inline constexpr std::size_t kFakeShapes = 8;       // of an effect
-inline constexpr std::size_t kFakeGrid = 1024;      // values over the time
-inline constexpr std::size_t kTraceGrid = 512;      // values over the angle
-inline constexpr std::size_t kFewestOfASweep = 16;  // readings
-inline constexpr double kSameOnRecordings = 0.01;   // share of the square by which curves on two recordings may differ
-inline constexpr double kFakeIsItself = 0.95;       // coherence
-inline constexpr double kMostAreItself = 0.01;      // share of the fakes
+// Surrogates.
+inline constexpr std::size_t kSurrogates = 200;
+inline constexpr std::size_t kSurrogateShapes = 8;   // of an effect
+inline constexpr std::size_t kSurrogateGrid = 1024;  // values over the time
+inline constexpr std::size_t kTraceGrid = 512;       // values over the angle
+inline constexpr std::size_t kFewestOfASweep = 16;   // readings
+inline constexpr double kSameOnRecordings = 0.01;    // share of the square by which curves on two recordings may differ
+inline constexpr double kSurrogateIsItself = 0.95;   // coherence
+inline constexpr double kMostAreItself = 0.01;       // share of the surrogates
 
 // Verdict.
-inline constexpr double kSmoothEvidence = 18.0;  // 2 ln L of a smooth curve that is more than noise
-inline constexpr double kWhite = 0.001;          // p of the spectrum of what is left
-inline constexpr double kClustered = 0.001;      // chance of readings far from the others where they are
-inline constexpr double kAfterChange_s = 600.0;  // where such readings lie
-inline constexpr double kCancels = 1.5;          // times the range of all effects of a set together
-inline constexpr std::size_t kShown = 8;         // candidates
+inline constexpr double kSmoothLikelihoodRatio = 18.0;  // 2 ln L of a smooth curve that is more than noise
+inline constexpr double kWhite = 0.001;                 // p of the spectrum of what is left
+inline constexpr double kClustered = 0.001;             // chance of readings far from the others where they are
+inline constexpr double kAfterChange_s = 600.0;         // where such readings lie
+inline constexpr double kCancels = 1.5;                 // times the range of all effects of a set together
+inline constexpr std::size_t kShown = 8;                // candidates
 inline constexpr std::size_t kShownInQuestion = 12;
 inline constexpr double kGoesWith = 0.7;               // of the held-out RMSE
 inline constexpr std::size_t kGoesWithFitted = 8;      // effects

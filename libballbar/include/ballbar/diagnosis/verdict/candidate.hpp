@@ -21,15 +21,15 @@ struct Candidate {
   double amplitude_sigma_um = kUnknown;     // infinite: not determined
   double rmse_after_um = 0.0;
   double held_out_before_um = 0.0, held_out_after_um = 0.0;  // cycles left out, see confirmation
-  double evidence = 0.0;                                     // 2 ln L gained by it
-  double threshold = 0.0;                                    // of the evidence: the search exceeds it by chance in 1 %
-  double p_search = 1.0;             // share of data sets without any effect that show one as rare
-  double p_same_gain = 1.0;          // of gains as different from cycle to cycle
-  double gain = 0.0;                 // fall of chi^2 by the noise with it
-  double best_fake_gain = kUnknown;  // largest fall of chi^2 by a fake
-  double best_fake_fall = kUnknown;  // of the RMSE, relative
-  std::optional<bool> beats_fakes;   // nothing: not tested, see confirmation
-  std::vector<std::string> doubts;   // why it is not a cause, phrases: "its evidence is below 25 (d = 5)"
+  double likelihood_ratio = 0.0;                             // 2 ln L gained by it
+  double threshold = 0.0;                 // of the likelihood ratio: the search exceeds it by chance in 1 %
+  double p_search = 1.0;                  // share of data sets without any effect that show one as rare
+  double p_same_gain = 1.0;               // of gains as different from cycle to cycle
+  double gain = 0.0;                      // fall of chi^2 by the noise with it
+  double best_surrogate_gain = kUnknown;  // largest fall of chi^2 by a surrogate
+  double best_surrogate_fall = kUnknown;  // of the RMSE, relative
+  std::optional<bool> beats_surrogates;   // nothing: not tested, see confirmation
+  std::vector<std::string> doubts;        // why it is not a cause, phrases: "its likelihood ratio is below 25 (d = 5)"
   bool in_best_set = false;
   bool minor = false;                         // below max(5 % of the RMSE, the tolerance)
   std::vector<std::string> inseparable_from;  // labels

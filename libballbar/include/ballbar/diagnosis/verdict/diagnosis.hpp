@@ -6,13 +6,13 @@
 //   noise, each from a noise that the data do not exclude),
 //   every set of up to three effects that explains the data nearly as well (2 ln L within 6 of the best) holds it,
 //   its fall of chi^2 is at least 25 (d >= 5), the same gain holds in every cycle, cycles left out are predicted
-//   better, it beats the best of 200 fakes of its own smoothness and the most likely smooth curve, what it leaves is
-//   noise, and it is driven by a logged input.
-// Evidence: 2 ln of the likelihood ratio, the noise estimated anew under each hypothesis. Sets of effects are searched
+//   better, it beats the best of 200 surrogates of its own smoothness and the most likely smooth curve, what it leaves
+//   is noise, and it is driven by a logged input.
+// 2 ln LR: 2 ln of the likelihood ratio, the noise estimated anew under each hypothesis. Sets of effects are searched
 // together, not one after the other.
 //
-// On recordings a cycle is a recording, of one alone a quarter of its sweep; fakes are curves over the angle, and an
-// effect that is one wave a turn has none: it is not tested against fakes.
+// On recordings a cycle is a recording, of one alone a quarter of its sweep; surrogates are curves over the angle, and
+// an effect that is one wave a turn has none: it is not tested against surrogates.
 //
 // Of more than 1500 values of the target every second, third ... is searched; figures of the effects are of that
 // search. O(n) in rows, linear in signatures; 20 effects take about 1.3 s of processor time at 1500 rows, 4 s at 5000.
@@ -44,24 +44,24 @@ struct Diagnosis {
   Verdict verdict = Verdict::nothing;
   std::vector<BoundEffect> named;
   std::vector<std::vector<BoundEffect>> equivalent;  // each: effects of which one is it
-  std::vector<Candidate> candidates;                 // the best set first, then its rivals; at most 12
+  std::vector<Candidate> candidates;                 // the best set first, then its competitors; at most 12
   // Unexplained: what it goes with, each alone beside the model; the lowest held-out RMSE first, at most 4.
-  std::vector<Candidate> goes_with;
-  double p_anything = 1.0;       // share of data sets without any effect with a best score as rare
-  double smooth_evidence = 0.0;  // 2 ln L gained by the most likely smooth curve
-  double best_fake_fall = 0.0;   // relative fall of the RMSE by the best of the fakes
-  double smallest_um = 0.0;      // amplitude that would have been found, of the effect that shows best
-  BoundEffect smallest;          // that effect
-  double rmse_after_um = 0.0;    // with the best set
+  std::vector<Candidate> associations;
+  double p_anything = 1.0;               // share of data sets without any effect with a best score as rare
+  double smooth_likelihood_ratio = 0.0;  // 2 ln L gained by the most likely smooth curve
+  double best_surrogate_fall = 0.0;      // relative fall of the RMSE by the best of the surrogates
+  double smallest_um = 0.0;              // amplitude that would have been found, of the effect that shows best
+  BoundEffect smallest;                  // that effect
+  double rmse_after_um = 0.0;            // with the best set
   std::size_t searched_effects = 0;
-  std::vector<Prospect> prospects;   // what the data could show, as preflight
-  std::vector<std::string> reasons;  // why not `named`; whole sentences
+  std::vector<Detectability> detectability;  // what the data could show, as preflight
+  std::vector<std::string> reasons;          // why not `named`; whole sentences
 };
 
 struct DiagnosisOptions {
   SearchOptions search;
   double tolerance_um = 0.0;  // smaller effects are called minor
-  std::size_t fakes = 200;
+  std::size_t surrogates = 200;
   std::size_t most_rows = 1500;  // values of the target searched
 };
 
