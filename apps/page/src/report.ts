@@ -163,10 +163,10 @@ export interface Candidate extends Bound {
   rmse_after_um: Num;
   held_out_before_um: Num;
   held_out_after_um: Num;
-  evidence: Num;
-  evidence_needed?: Num;
+  likelihood_ratio: Num;
+  likelihood_ratio_needed?: Num;
   p_search: Num;
-  beats_fakes: boolean | null;
+  beats_surrogates: boolean | null;
   in_best_set: boolean;
   minor: boolean;
   inseparable_from: string[];
@@ -182,8 +182,8 @@ export interface Diagnosed {
   named: Bound[];
   equivalent: Bound[][];
   candidates: Candidate[];
-  goes_with: Candidate[];
-  best_fake_fall: Num;
+  associations: Candidate[];
+  best_surrogate_fall: Num;
   rmse_um: Num;
   rmse_after_um: Num; // with the best set
   floor_um: Num;
@@ -208,9 +208,9 @@ export interface LedgerRow {
   rmse_um: Num;
   times_floor: Num;
   held_out_um: Num;
-  evidence?: Num;
-  threshold?: Num; // from which the evidence counts
-  best_fake_fall?: Num;
+  likelihood_ratio?: Num;
+  threshold?: Num; // from which the likelihood ratio counts
+  best_surrogate_fall?: Num;
   verdict: string;
   sentence: string;
 }

@@ -17,9 +17,9 @@ const change = (before: Num, after: Num, decimals: number): string =>
 const chance_text = (p: Num): string =>
   p === null ? "–" : p < 0.0005 ? "< 0.1 %" : `${(100 * p).toFixed(1)} %`;
 
-// Fakes are tried against the effects of the best set, where they can be.
-const fakes_text = ({ beats_fakes, in_best_set }: Candidate): string =>
-  beats_fakes === null ? (in_best_set ? "not tested" : "–") : beats_fakes ? "yes" : "no";
+// Surrogates are tried against the effects of the best set, where they can be.
+const surrogates_text = ({ beats_surrogates, in_best_set }: Candidate): string =>
+  beats_surrogates === null ? (in_best_set ? "not tested" : "–") : beats_surrogates ? "yes" : "no";
 
 const kTold = 6; // numbers in a cell
 
@@ -43,13 +43,13 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
   const decimals = decimals_of(found.rmse_um);
   const named = set_name(found);
   const star = named === null ? "" : ` * ${named}, each beside the others.`;
-  const fakes = named === null ? "" : "fakes are tried against those with *; ";
+  const surrogates = named === null ? "" : "surrogates are tried against those with *; ";
   return {
     title:
       `Candidates.${star} RMSE with it; held out: ${left_out} left out, before and after. Evidence: 2 ln of the ` +
-      `likelihood ratio; needed: what 1 % of searches find by chance; ${fakes}not told from: rows, and effects without one.`,
+      `likelihood ratio; needed: what 1 % of searches find by chance; ${surrogates}not told from: rows, and effects without one.`,
     heading: [
-      "no.", "candidate", "amplitude, µm", "RMSE, µm", "held out, µm", "evidence", "needed", "by chance", "beats fakes",
+      "no.", "candidate", "amplitude, µm", "RMSE, µm", "held out, µm", "2 ln LR", "needed", "by chance", "beats surrogates",
       "not told from",
     ],
     rows: ranked.map((one, k) => {
@@ -60,10 +60,10 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
         with_sigma(c.amplitude_um, c.amplitude_sigma_um, decimals),
         shown(c.rmse_after_um, decimals + 1),
         change(c.held_out_before_um, c.held_out_after_um, decimals),
-        shown(c.evidence, 0),
-        shown(c.evidence_needed, 0),
+        shown(c.likelihood_ratio, 0),
+        shown(c.likelihood_ratio_needed, 0),
         chance_text(c.p_search),
-        fakes_text(c),
+        surrogates_text(c),
         not_told_from(one, ranked),
       ];
     }),

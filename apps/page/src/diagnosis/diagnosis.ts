@@ -67,7 +67,7 @@ const fall_steps = (found: Diagnosed, history: readonly Step[]): Step[] => {
     rmse_um: found.rmse_um,
     from_um: null,
     floor_um: found.floor_um,
-    fake_fall: null,
+    surrogate_fall: null,
     held_out_um: best.length === 1 ? (best[0]?.held_out_before_um ?? null) : null,
     proposed: false,
   };
@@ -79,8 +79,8 @@ const fall_steps = (found: Diagnosed, history: readonly Step[]): Step[] => {
       rmse_um: found.rmse_after_um,
       from_um: found.rmse_um,
       floor_um: found.floor_um,
-      // A fake stands in the place of one effect, beside the others: of several, its fall does not begin here.
-      fake_fall: best.length === 1 && found.best_fake_fall ? found.best_fake_fall : null,
+      // A surrogate stands in the place of one effect, beside the others: of several, its fall does not begin here.
+      surrogate_fall: best.length === 1 && found.best_surrogate_fall ? found.best_surrogate_fall : null,
       held_out_um: all_equal(left_out) ? (left_out[0] ?? null) : null,
       proposed: true,
     },
@@ -94,11 +94,11 @@ const fall_picture = (report: Report, found: Diagnosed, name: string): Picture[]
   if (steps.length < 2) return [];
   const effects = best_set(found).length;
   const named = set_name(found) ?? kBest;
-  const first = effects > 1 ? no_evidence_of_several(effects, found.best_fake_fall) : no_evidence;
+  const first = effects > 1 ? no_evidence_of_several(effects, found.best_surrogate_fall) : no_evidence;
   const hollow =
     effects === 0
       ? " No effect was found, and none is proposed."
-      : ` The hollow bar is ${named === kBest ? "" : `${named}: it is `}not in the model. Whether an effect beats the fakes ` +
+      : ` The hollow bar is ${named === kBest ? "" : `${named}: it is `}not in the model. Whether an effect beats the surrogates ` +
         "is judged with the memory of the noise, in the table.";
   const left_out =
     history.last_um === null
@@ -134,7 +134,7 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
     sentences: sentences_of(found),
     tables: [
       ...(found.candidates.length > 0 ? [candidate_table(found, left_out, chooses)] : []),
-      ...(found.goes_with.length > 0 ? [companion_table(found, chooses)] : []),
+      ...(found.associations.length > 0 ? [companion_table(found, chooses)] : []),
     ],
     pictures: [
       ...(checked ? [candidates_picture(report, checked, found, over_residual)] : []),

@@ -1,27 +1,27 @@
 // What must be said beside every falling error.
 import type { Num } from "../report";
-import { fake_um, type Step } from "./step";
+import { surrogate_um, type Step } from "./step";
 
 export const no_evidence =
-  "A falling error alone is no evidence: what counts is that it falls below the line of the best fake, a random curve " +
+  "A falling error alone is no evidence: what counts is that it falls below the line of the best surrogate, a random curve " +
   "as smooth that has no cause.";
 
-// Of `effects` that come together. The best fake of one of them begins at what the others leave, of which the RMSE is
+// Of `effects` that come together. The best surrogate of one of them begins at what the others leave, of which the RMSE is
 // not told.
-export const no_evidence_of_several = (effects: number, best_fake_fall: Num): string => {
-  const up_to = best_fake_fall ? `: it took up to ${(100 * best_fake_fall).toFixed(0)} % off the RMSE that they leave` : "";
+export const no_evidence_of_several = (effects: number, best_surrogate_fall: Num): string => {
+  const up_to = best_surrogate_fall ? `: it took up to ${(100 * best_surrogate_fall).toFixed(0)} % off the RMSE that they leave` : "";
   return (
-    "A falling error alone is no evidence: a random curve as smooth that has no cause lowers it too. Such a fake stood in " +
+    "A falling error alone is no evidence: a random curve as smooth that has no cause lowers it too. Such a surrogate stood in " +
     `the place of one of the ${effects} effects, beside the others${up_to}. How low that is is not known, and no line is drawn.`
   );
 };
 
-// " Not known: the floor; ..." of what no step has; empty where all is known. fakes_told: the fakes count too.
-export const not_known = (steps: readonly Step[], fakes_told = true): string => {
+// " Not known: the floor; ..." of what no step has; empty where all is known. surrogates_told: the surrogates count too.
+export const not_known = (steps: readonly Step[], surrogates_told = true): string => {
   const changed = steps.filter((step) => step.from_um !== null);
   const missing = [
     ...(steps.some((step) => step.floor_um !== null) ? [] : ["the floor"]),
-    ...(!fakes_told || changed.length === 0 || changed.some((step) => fake_um(step) !== null) ? [] : ["what a fake would have bought"]),
+    ...(!surrogates_told || changed.length === 0 || changed.some((step) => surrogate_um(step) !== null) ? [] : ["what a surrogate would have bought"]),
     ...(steps.some((step) => step.held_out_um !== null) ? [] : ["the error of what was left out"]),
   ];
   return missing.length > 0 ? ` Not known: ${missing.join("; ")}.` : "";

@@ -10,10 +10,10 @@ import { waterfall } from "./waterfall";
 const table_of = (ledger: LedgerPart): TextTable => {
   const several = targets_of(ledger).length > 1;
   return {
-    title: "Revisions. Evidence: 2 ln of the likelihood ratio; the fall of the best fake is in the RMSE.",
+    title: "Revisions. 2 ln LR: 2 ln of the likelihood ratio; the fall of the best surrogate is in the RMSE.",
     heading: [
       "revision", "change", ...(several ? ["target"] : []), "parameters", "RMSE, µm", "× floor", "left out, µm",
-      "evidence", "counts from", "best fake's fall, %", "verdict",
+      "2 ln LR", "counts from", "best surrogate's fall, %", "verdict",
     ],
     rows: ledger.rows.map((row) => [
       String(row.revision),
@@ -23,9 +23,9 @@ const table_of = (ledger: LedgerPart): TextTable => {
       shown(row.rmse_um, 3),
       shown(row.times_floor, 2),
       shown(row.held_out_um, 3),
-      shown(row.evidence, 1),
+      shown(row.likelihood_ratio, 1),
       shown(row.threshold, 1),
-      shown(typeof row.best_fake_fall === "number" ? 100 * row.best_fake_fall : null, 0),
+      shown(typeof row.best_surrogate_fall === "number" ? 100 * row.best_surrogate_fall : null, 0),
       row.verdict,
     ]),
   };
@@ -47,8 +47,8 @@ export const ledger_section = (report: Report): Section[] => {
       pictures: targets.map((target, k) => {
         const steps = ledger_steps(ledger, target);
         const rows = ledger.rows.filter((row) => row.target === target);
-        const untold = rows.some((row, i) => typeof row.best_fake_fall === "number" && steps[i]?.fake_fall === null);
-        const several = untold ? " Where several effects were added at once, the line of the fake is not known." : "";
+        const untold = rows.some((row, i) => typeof row.best_surrogate_fall === "number" && steps[i]?.surrogate_fall === null);
+        const several = untold ? " Where several effects were added at once, the line of the surrogate is not known." : "";
         const number = targets.length > 1 ? `-${k + 1}` : "";
         return waterfall({
           name: `ledger${number}`,

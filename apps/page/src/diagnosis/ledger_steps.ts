@@ -11,7 +11,7 @@ const before = (rows: readonly LedgerRow[], at: number): LedgerRow | undefined =
   return row && other && other.target === row.target && String(other.data) === String(row.data) ? other : undefined;
 };
 
-// A fake stands in the place of one effect. Where several were added at once that is beside the others, so that its
+// A surrogate stands in the place of one effect. Where several were added at once that is beside the others, so that its
 // fall does not begin at the revision before.
 const added = (row: LedgerRow): number => row.change.match(/(^|, )\+ /g)?.length ?? 0;
 
@@ -28,7 +28,7 @@ export const ledger_steps = (ledger: LedgerPart, target: string): Step[] =>
             rmse_um: row.rmse_um,
             from_um: before(ledger.rows, at)?.rmse_um ?? null,
             floor_um: row.rmse_um !== null && row.times_floor ? row.rmse_um / row.times_floor : null,
-            fake_fall: added(row) > 1 ? null : known(row.best_fake_fall),
+            surrogate_fall: added(row) > 1 ? null : known(row.best_surrogate_fall),
             held_out_um: row.held_out_um,
             proposed: false,
           },

@@ -1,4 +1,4 @@
-// The candidates of a diagnosis in the order of the terminal's table: the best set first, then by evidence; after them
+// The candidates of a diagnosis in the order of the terminal's table: the best set first, then by likelihood ratio; after them
 // what an unexplained misfit goes with. A candidate's place in this order is how picture and tables name it.
 import type { Candidate, Diagnosed } from "../report";
 import { plain } from "../drawing/text";
@@ -29,7 +29,7 @@ export const best_set = (found: Diagnosed): Candidate[] =>
   set_name(found) === null ? [] : found.candidates.filter((candidate) => candidate.in_best_set);
 
 const by_rank = (a: Candidate, b: Candidate): number =>
-  a.in_best_set !== b.in_best_set ? (a.in_best_set ? -1 : 1) : (b.evidence ?? 0) - (a.evidence ?? 0);
+  a.in_best_set !== b.in_best_set ? (a.in_best_set ? -1 : 1) : (b.likelihood_ratio ?? 0) - (a.likelihood_ratio ?? 0);
 
 export const ranked_candidates = (found: Diagnosed): Ranked[] => {
   const drawn = best_set(found);
@@ -47,7 +47,7 @@ export const ranked_candidates = (found: Diagnosed): Ranked[] => {
 };
 
 export const ranked_companions = (found: Diagnosed): Ranked[] =>
-  found.goes_with.map((candidate, k) => ({
+  found.associations.map((candidate, k) => ({
     candidate,
     starred: false,
     alone: true,

@@ -8,11 +8,11 @@ export interface Step {
   rmse_um: Num;
   from_um: Num; // of the step before, where the two can be compared
   floor_um: Num;
-  fake_fall: Num; // share of from_um that the best fake took off; null too where several effects were added at once
+  surrogate_fall: Num; // share of from_um that the best surrogate took off; null too where several effects were added at once
   held_out_um: Num;
   proposed: boolean; // not in the model
 }
 
-// What the best fake would have left.
-export const fake_um = (step: Step): Num =>
-  step.from_um === null || step.fake_fall === null ? null : step.from_um * (1 - step.fake_fall);
+// What the best surrogate would have left.
+export const surrogate_um = (step: Step): Num =>
+  step.from_um === null || step.surrogate_fall === null ? null : step.from_um * (1 - step.surrogate_fall);

@@ -1,6 +1,6 @@
-// The marks of a step of a waterfall, drawn by hand: its bar, the fall from the step before, the best fake and the floor.
+// The marks of a step of a waterfall, drawn by hand: its bar, the fall from the step before, the best surrogate and the floor.
 import type { Look, Toggle } from "../picture";
-import { fake_um, type Step } from "./step";
+import { surrogate_um, type Step } from "./step";
 import { colours, curve_colour, font, shown } from "../drawing/theme";
 
 // Parts of the place of a step: of the bar, and of the marks over it.
@@ -18,7 +18,7 @@ const toggle = (key: string, label: string, colour: number, mark: Toggle["mark"]
 export const toggles = {
   rmse: toggle("rmse", "RMSE", 0, "bar"),
   fall: { ...toggle("fall", "fall from the step before", 0, "band"), colour: (dark: boolean) => colours(dark).faint },
-  fake: toggle("fake", "the best fake", 1, "dashed"),
+  surrogate: toggle("surrogate", "the best surrogate", 1, "dashed"),
   floor: toggle("floor", "floor", 2, "dotted"),
   held_out: toggle("held_out", "left out", 3, "dot"),
 };
@@ -54,8 +54,8 @@ export const bar = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
   const colour = toggles.rmse.colour(look.dark);
   const shape = rectangle(api, k, 0, step.rmse_um);
   const { y: top, height } = shape;
-  // Within the bar where it fits, clear of the lines of fake and floor.
-  const lines_px = [fake_um(step), step.floor_um].flatMap((level) => (level === null ? [] : [api.coord([k, level])[1]]));
+  // Within the bar where it fits, clear of the lines of surrogate and floor.
+  const lines_px = [surrogate_um(step), step.floor_um].flatMap((level) => (level === null ? [] : [api.coord([k, level])[1]]));
   const within = height > 28;
   const y = [top + 14, top + height / 2, top + height - 12].find((at) => lines_px.every((line) => Math.abs(line - at) > 12));
   const style = step.proposed
@@ -94,10 +94,10 @@ export const fall = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
   ];
 };
 
-export const fake = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
-  const level = fake_um(step);
+export const surrogate = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
+  const level = surrogate_um(step);
   if (level === null) return [];
-  const colour = toggles.fake.colour(look.dark);
+  const colour = toggles.surrogate.colour(look.dark);
   const { left, right, width } = place(api, k, kMark);
   const y = api.coord([k, level])[1];
   return [
@@ -108,7 +108,7 @@ export const fake = (api: Api, k: number, step: Step, look: Look): Drawn[] => {
           type: "text",
           silent: true,
           style: {
-            text: `best fake −${(100 * (step.fake_fall ?? 0)).toFixed(0)} %`,
+            text: `best surrogate −${(100 * (step.surrogate_fall ?? 0)).toFixed(0)} %`,
             x: right,
             y: y - 4,
             align: "right",

@@ -1,11 +1,11 @@
-// How far the error falls from step to step, and beside every fall what a fake effect would have bought: a falling
+// How far the error falls from step to step, and beside every fall what a surrogate effect would have bought: a falling
 // error proves fit, not cause.
 import { round_up } from "../drawing/niceness";
 import type { Look, Numbers, Picture, State, Toggle } from "../picture";
 import { kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
 import type { Num } from "../report";
-import { fake_um, type Step } from "./step";
-import { bar, kBar, fake, fall, floor, kRoomy_px, toggles, type Api, type Drawn } from "./step_marks";
+import { surrogate_um, type Step } from "./step";
+import { bar, kBar, surrogate, fall, floor, kRoomy_px, toggles, type Api, type Drawn } from "./step_marks";
 import { plain } from "../drawing/text";
 import { axis, base, colours, legend, shown, tooltip } from "../drawing/theme";
 
@@ -22,7 +22,7 @@ const present = (steps: readonly Step[]): Toggle[] => {
   return [
     toggles.rmse,
     ...(some((step) => step.from_um) ? [toggles.fall] : []),
-    ...(some(fake_um) ? [toggles.fake] : []),
+    ...(some(surrogate_um) ? [toggles.surrogate] : []),
     ...(some((step) => step.floor_um) ? [toggles.floor] : []),
     ...(some((step) => step.held_out_um) ? [toggles.held_out] : []),
   ];
@@ -30,11 +30,11 @@ const present = (steps: readonly Step[]): Toggle[] => {
 
 const told = (step: Step): string => {
   const row = (what: string, value: Num): string[] => (value === null ? [] : [`${what} ${shown(value, 3)} µm`]);
-  const percent = step.fake_fall === null ? "" : ` −${(100 * step.fake_fall).toFixed(0)} %:`;
+  const percent = step.surrogate_fall === null ? "" : ` −${(100 * step.surrogate_fall).toFixed(0)} %:`;
   return [
     plain(step.label, 60),
     ...row("RMSE", step.rmse_um),
-    ...row(`best fake${percent}`, fake_um(step)),
+    ...row(`best surrogate${percent}`, surrogate_um(step)),
     ...row("floor", step.floor_um),
     ...row("left out", step.held_out_um),
   ].join("\n");
@@ -44,7 +44,7 @@ const drawing = ({ steps }: Fall, state: State): Record<string, unknown> => {
   const { look, hidden } = state;
   const c = colours(look.dark);
   const place_px = (look.width_px - 84) / Math.max(1, steps.length);
-  const levels = steps.flatMap((step) => [step.rmse_um, step.held_out_um, step.floor_um, fake_um(step)]);
+  const levels = steps.flatMap((step) => [step.rmse_um, step.held_out_um, step.floor_um, surrogate_um(step)]);
   const most = Math.max(1e-9, ...levels.map((level) => level ?? 0));
   const letters = Math.max(0, ...steps.map((step) => step.label.length));
   const lines = place_px > kRoomy_px ? Math.min(4, Math.ceil((7 * letters) / (place_px - 24))) : 1;
@@ -103,7 +103,7 @@ const drawing = ({ steps }: Fall, state: State): Record<string, unknown> => {
       ...by_hand(toggles.fall, fall, 1),
       ...by_hand(toggles.rmse, bar, 2),
       ...by_hand(toggles.floor, floor, 3),
-      ...by_hand(toggles.fake, fake, 4),
+      ...by_hand(toggles.surrogate, surrogate, 4),
       ...(hidden.has(toggles.held_out.key)
         ? []
         : [{
@@ -126,7 +126,7 @@ const numbers = ({ steps }: Fall): Numbers => ({
     { name: "step", values: steps.map((_, k) => k) },
     { name: "what", values: steps.map((step) => step.label) },
     { name: "rmse_um", values: steps.map((step) => step.rmse_um) },
-    { name: "best_fake_um", values: steps.map(fake_um) },
+    { name: "best_surrogate_um", values: steps.map(surrogate_um) },
     { name: "floor_um", values: steps.map((step) => step.floor_um) },
     { name: "left_out_um", values: steps.map((step) => step.held_out_um) },
   ],
