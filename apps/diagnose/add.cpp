@@ -153,7 +153,7 @@ std::string add_named(const Options& options, const ModelData& data, Story& stor
 std::string unneeded_text(const EffectTest& tried) {
   const std::vector<std::string>& labels = tried.after.no_longer_needed;
   if (labels.empty()) return "";
-  return fmt::format("{} {} no longer needed (p to stay {} or more): --prune takes {} out.", fmt::join(labels, ", "),
+  return fmt::format("{} {} no longer needed (drop test p {} or more): --prune takes {} out.", fmt::join(labels, ", "),
                      labels.size() == 1 ? "is" : "are", kDropTest, labels.size() == 1 ? "it" : "them");
 }
 

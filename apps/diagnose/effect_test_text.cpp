@@ -61,7 +61,7 @@ Table added_table(const EffectTest& effect_test) {
 std::string p_text(double p) { return p < 1e-6 ? "< 0.000001" : fmt::format("{:.2g}", p); }
 
 Table earlier_table(const EffectTest& effect_test) {
-  Table table({"earlier", "2 ln LR", "parameters", "p to stay", "needed"});
+  Table table({"earlier", "2 ln LR", "parameters", "drop test p", "needed"});
   for (const DropTest& drop_test : effect_test.earlier) {
     table.add({shortened(drop_test.label, 44), fixed(drop_test.likelihood_ratio, 1),
                fmt::format("{}", drop_test.parameters), p_text(drop_test.p), drop_test.needed ? "yes" : "no"});
@@ -143,7 +143,7 @@ std::string tables(const EffectTest& effect_test) {
              "holds "
              "for an effect chosen before looking at these data. best surrogate's %: by which the best of {} "
              "surrogates, the "
-             "same smoothness and no cause, lowers the RMSE. p to stay: an earlier effect is needed below {}.",
+             "same smoothness and no cause, lowers the RMSE. drop test p: an earlier effect is needed below {}.",
              kLeastLikelihoodRatio, kSurrogates, kDropTest));
 }
 

@@ -1,7 +1,7 @@
 // Effects added to a model for a try: before, after, and whether the data demand them.
 //
 //   likelihood ratio     2 (ln L with - ln L without), the noise estimated anew under each, at least 0
-//   p to stay    chance of as much likelihood ratio from an effect that is not there: chi^2 with the number of its free
+//   drop test p    chance of as much likelihood ratio from an effect that is not there: chi^2 with the number of its free
 //                parameters; an effect is needed where it is below 0.001
 //
 // An added effect is supported where its likelihood ratio is at least 25 (d = 5), its gain is the same in every cycle
