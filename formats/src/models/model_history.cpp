@@ -28,6 +28,8 @@ constexpr Key kKeys[] = {
     {"likelihood_ratio", "1", "2 ln of the likelihood ratio gained by the change"},
     {"threshold", "1", "from which that counts"},
     {"best_surrogate_fall", "1", "share by which the best of 200 surrogates lowers the RMSE"},
+    {"evidence", "1", "what `likelihood_ratio` was called before"},
+    {"best_fake_fall", "1", "what `best_surrogate_fall` was called before"},
     {"verdict", "text", "\"start\", \"named\", \"supported\", \"time only\" or \"not supported\""},
     {"still_needed", "texts", "earlier effects that are needed beside the new one"},
     {"no_longer_needed", "texts", "earlier effects that are not"},
@@ -74,6 +76,11 @@ double measure(const TomlTable& table, std::string_view key, std::optional<doubl
   return *value;
 }
 
+// Under its name, or the one it had before.
+double renamed(const TomlTable& table, std::string_view key, std::string_view before) {
+  return number(table, key).value_or(number(table, before).value_or(LedgerRow::kUnknown));
+}
+
 LedgerRow row_at(const TomlTable& table, std::size_t place) {
   expect_keys(table, kKeys);
   LedgerRow row;
@@ -99,9 +106,9 @@ LedgerRow row_at(const TomlTable& table, std::size_t place) {
   row.rmse_um = measure(table, "rmse_um", required(number, table, "rmse_um"));
   row.times_floor = measure(table, "times_floor", number(table, "times_floor"));
   row.held_out_um = measure(table, "held_out_um", number(table, "held_out_um"));
-  row.likelihood_ratio = number(table, "likelihood_ratio").value_or(LedgerRow::kUnknown);
+  row.likelihood_ratio = renamed(table, "likelihood_ratio", "evidence");
   row.threshold = number(table, "threshold").value_or(LedgerRow::kUnknown);
-  row.best_surrogate_fall = number(table, "best_surrogate_fall").value_or(LedgerRow::kUnknown);
+  row.best_surrogate_fall = renamed(table, "best_surrogate_fall", "best_fake_fall");
   row.verdict = required(string, table, "verdict");
   row.still_needed = strings(table, "still_needed").value_or(std::vector<std::string>{});
   row.no_longer_needed = strings(table, "no_longer_needed").value_or(std::vector<std::string>{});

@@ -127,6 +127,17 @@ TEST(model_history, read_back) {
   EXPECT_EQ(found.no_longer_needed, expected.no_longer_needed);
 }
 
+TEST(model_history, names_of_before_are_read) {
+  std::string text = once(kModel);
+  for (const auto& [name, before] :
+       {std::pair{"likelihood_ratio", "evidence"}, {"best_surrogate_fall", "best_fake_fall"}}) {
+    text.replace(text.find(name), std::string_view(name).size(), before);
+  }
+  const std::vector<LedgerRow> rows = read_ledger(text, "file");
+  EXPECT_EQ(rows[1].likelihood_ratio, -0.25);
+  EXPECT_EQ(rows[1].best_surrogate_fall, 0.27);
+}
+
 TEST(model_history, taken_back_to_the_byte) {
   const std::string head = "format = \"ballbar-model 1\"\ntarget = \"z_um\"";
   std::string windows(kModel);
