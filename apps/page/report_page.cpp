@@ -69,7 +69,7 @@ std::string as_argument(const Json& report) {
 Json drawn(const std::string& option, std::string_view function, const std::string& arguments) {
   std::string script(page::kPictures);
   script += fmt::format("\n;process.stdout.write(JSON.stringify(ballbar_pictures.{}({})));\n", function, arguments);
-  const ChildProcess node = finished(option, {"node", "-"}, script, "NODE_OPTIONS=");
+  const ChildProcess node = child_process(option, {"node", "-"}, script, "NODE_OPTIONS=");
   if (node.not_found) {
     throw Error(fmt::format(
         "{}: expected the program node to draw with, found none; on Debian it is in the package nodejs.", option));

@@ -27,8 +27,6 @@ std::size_t free_parameters(const Term& term) {
       std::count_if(term.settings.begin(), term.settings.end(), [](const Setting& setting) { return !setting.held; }));
 }
 
-}
-
 // The model without one of its terms, at its most likely: fitted anew, or from where the whole model is and by its
 // noise, whichever is better.
 NoiseFit noise_fit_without(const Model& model, const Series& data, std::size_t target, const NoiseFit& whole,
@@ -101,7 +99,7 @@ std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Se
   std::vector<DropTest> result;
   for (std::size_t t = 0; t < count; ++t) {
     const Term& term = model.terms[t];
-    DropTest stay;
+    DropTest drop_test;
     drop_test.term = t;
     drop_test.label = label_of(term);
     drop_test.parameters = free_parameters(term);

@@ -122,7 +122,7 @@ bool hide_effects(DataSet& set, std::size_t count, double d, Random& random, con
                   const std::string& reads) {
   for (int tries = 0; set.hidden.size() < count; ++tries) {
     if (tries == kMostTries) return false;
-    const std::optional<blind::Hidden> drawn = blind::drawn_effect(set.model, set.data, random);
+    const std::optional<blind::Hidden> drawn = blind::drawn_effect(built_in_catalogue(), set.model, set.data, random);
     if (!drawn) continue;
     const BoundEffect& bound = *drawn->bound;
     if (!only.empty() && bound.effect->name != only) continue;
