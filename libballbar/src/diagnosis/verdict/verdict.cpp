@@ -12,7 +12,7 @@
 #include "diagnosis/search/nested_effects.hpp"
 #include "diagnosis/statistics/cross_validation.hpp"
 #include "diagnosis/statistics/gain_tests.hpp"
-#include "diagnosis/statistics/gaussian_process_rival.hpp"
+#include "diagnosis/statistics/gaussian_process_alternative.hpp"
 #include "diagnosis/statistics/outliers.hpp"
 #include "diagnosis/verdict/associations.hpp"
 #include "diagnosis/verdict/candidates.hpp"

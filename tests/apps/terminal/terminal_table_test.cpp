@@ -1,10 +1,10 @@
 // Tables and numbers for the terminal.
+#include "terminal/terminal_table.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-
-#include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {

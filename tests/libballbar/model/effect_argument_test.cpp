@@ -1,8 +1,9 @@
 // Effects as the command line names them.
+#include "ballbar/model/effect_argument.hpp"
+
 #include <gtest/gtest.h>
 
 #include "ballbar/error.hpp"
-#include "ballbar/model/effect_argument.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,4 +1,6 @@
 // Noise of the virtual machine, and that each stream of it is independent and fixed.
+#include "numerics/random_streams.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 
 #include "ballbar/simulation/simulate.hpp"
 #include "ballbar/units.hpp"
-#include "numerics/random_streams.hpp"
 
 namespace ballbar {
 namespace {

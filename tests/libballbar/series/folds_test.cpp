@@ -1,4 +1,6 @@
 // Cycles that are left out one by one, and the error in them.
+#include "series/folds.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <numeric>
 
 #include "diagnosis/statistics/cross_validation.hpp"
-#include "series/folds.hpp"
 
 namespace ballbar {
 namespace {

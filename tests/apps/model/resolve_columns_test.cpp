@@ -1,7 +1,8 @@
+#include "model/resolve_columns.hpp"
+
 #include <gtest/gtest.h>
 
 #include "ballbar/error.hpp"
-#include "model/resolve_columns.hpp"
 
 namespace ballbar {
 namespace {

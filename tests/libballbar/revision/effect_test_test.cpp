@@ -1,10 +1,10 @@
 // Effects added for a try, and earlier ones tested anew.
+#include "ballbar/revision/effect_test.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
-
-#include "ballbar/revision/effect_test.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,10 +1,10 @@
+#include "programs/child_process.hpp"
+
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
 #include <csignal>
 #include <string>
-
-#include "programs/child_process.hpp"
 
 namespace ballbar {
 namespace {

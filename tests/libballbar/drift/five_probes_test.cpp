@@ -1,3 +1,5 @@
+#include "ballbar/drift/five_probes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -5,7 +7,6 @@
 #include <limits>
 #include <string_view>
 
-#include "ballbar/drift/five_probes.hpp"
 #include "ballbar/error.hpp"
 #include "numerics/random_streams.hpp"
 

@@ -1,4 +1,4 @@
-#include "diagnosis/statistics/gaussian_process_rival.hpp"
+#include "diagnosis/statistics/gaussian_process_alternative.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

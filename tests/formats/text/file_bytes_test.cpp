@@ -1,10 +1,11 @@
+#include "ballbar/formats/text/file_bytes.hpp"
+
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <iterator>
 
-#include "ballbar/formats/text/file_bytes.hpp"
 #include "scratch_folder.hpp"
 
 namespace ballbar {

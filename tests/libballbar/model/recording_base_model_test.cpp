@@ -1,8 +1,9 @@
+#include "ballbar/model/recording_base_model.hpp"
+
 #include <gtest/gtest.h>
 
 #include "../diagnosis/made_recordings.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/model/recording_base_model.hpp"
 
 namespace ballbar {
 namespace {

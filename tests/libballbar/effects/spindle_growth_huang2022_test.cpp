@@ -1,9 +1,10 @@
+#include "ballbar/effects/spindle_growth_huang2022.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <string>
 
-#include "ballbar/effects/spindle_growth_huang2022.hpp"
 #include "ballbar/error.hpp"
 
 namespace ballbar {

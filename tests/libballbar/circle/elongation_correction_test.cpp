@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "ballbar/circle/elongation_correction.hpp"
+
+#include <gtest/gtest.h>
 
 namespace ballbar {
 namespace {

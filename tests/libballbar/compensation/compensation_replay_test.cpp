@@ -1,9 +1,10 @@
+#include "ballbar/compensation/compensation_replay.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "ballbar/compensation/compensation_replay.hpp"
 #include "ballbar/error.hpp"
 
 namespace ballbar {

@@ -1,8 +1,9 @@
+#include "ballbar/batches/merged_batches.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "ballbar/batches/merged_batches.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
 

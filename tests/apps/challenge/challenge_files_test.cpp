@@ -1,6 +1,7 @@
+#include "challenge/challenge_files.hpp"
+
 #include <gtest/gtest.h>
 
-#include "challenge/challenge_files.hpp"
 #include "scratch_folder.hpp"
 
 namespace ballbar {

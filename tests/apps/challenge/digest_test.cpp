@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "challenge/digest.hpp"
+
+#include <gtest/gtest.h>
 
 namespace ballbar {
 namespace {

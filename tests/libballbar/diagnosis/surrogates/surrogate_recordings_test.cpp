@@ -1,0 +1,81 @@
+// Surrogates of effects on recordings.
+#include "diagnosis/surrogates/surrogate_recordings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "../made_recordings.hpp"
+#include "diagnosis/surrogates/surrogate_series.hpp"
+
+namespace ballbar {
+namespace {
+
+std::vector<std::size_t> all_rows(const Series& data) {
+  std::vector<std::size_t> rows(data.time_s.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
+  return rows;
+}
+
+Series circles(std::vector<made::Sweep> sweeps, std::size_t readings) {
+  made::Plan plan;
+  plan.sweeps = std::move(sweeps);
+  plan.readings = readings;
+  return made::circles(plan);
+}
+
+struct WithSurrogate {
+  std::optional<BestSurrogate> surrogate;
+  double own = 0.0;  // fall of chi^2 by the effect itself
+};
+
+// The residual: `scale` times what the effect adds, and noise of 1 um; nothing else is in the model.
+WithSurrogate with_surrogate(const char* effect, const std::vector<made::Sweep>& sweeps, double scale) {
+  const Series trace = circles(sweeps, 120);
+  const Term term = term_of(effect, {}, Level::recording);
+  std::vector<double> parameters;
+  for (const Parameter& parameter : term.effect->parameters) {
+    parameters.push_back(parameter.kind == ParameterKind::gain ? 1.0 : parameter.start);
+  }
+  const Eigen::VectorXd added = made::added_um(term, parameters, trace).normalized();
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  LinearisedFit linearised;
+  linearised.time_s = trace.time_s;
+  linearised.residual_um = scale * added;
+  for (double& value : linearised.residual_um) value += normal(random);
+  linearised.model = Eigen::MatrixXd(added.size(), 0);
+  const SurrogateSource traced{{term.effect.get(), term.columns}, {parameters}, added};
+  return {best_recording_surrogate(traced, trace, all_rows(trace), linearised, {1.0, 0.0, 0.0, 0.0}, 200, 1),
+          std::pow(linearised.residual_um.dot(added), 2)};
+}
+
+TEST(SurrogateRecordings, of_an_effect_that_is_there_do_worse) {
+  const WithSurrogate found = with_surrogate("reversal_spike_a", made::both_ways(), 10.0);
+  ASSERT_TRUE(found.surrogate);
+  EXPECT_LT(found.surrogate->gain, 0.9 * found.own);
+  EXPECT_GT(found.surrogate->gain, 0.1 * found.own);
+}
+
+TEST(SurrogateRecordings, of_an_effect_that_is_not_there_do_better) {
+  const WithSurrogate found = with_surrogate("reversal_spike_a", made::both_ways(), 0.0);
+  ASSERT_TRUE(found.surrogate);
+  EXPECT_GT(found.surrogate->gain, found.own);
+}
+
+TEST(SurrogateRecordings, of_one_wave_are_the_effect_itself) {
+  EXPECT_FALSE(with_surrogate("scale_mismatch", made::two_feeds(), 10.0).surrogate);
+  EXPECT_FALSE(with_surrogate("servo_mismatch", made::one_way(), 10.0).surrogate);
+  EXPECT_FALSE(with_surrogate("lobing", made::both_ways(), 10.0).surrogate);
+}
+
+// In each direction and at each feed another curve: to be right in all of them takes more than luck.
+TEST(SurrogateRecordings, of_a_wave_that_changes_with_direction_and_feed_can_be_tried) {
+  const WithSurrogate found = with_surrogate("servo_mismatch", made::two_feeds(), 10.0);
+  ASSERT_TRUE(found.surrogate);
+  EXPECT_LT(found.surrogate->gain, found.own);
+}
+
+}  // namespace
+}  // namespace ballbar

@@ -1,0 +1,31 @@
+// A long series with fewer values of its target.
+#include "series/subsampled.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "diagnosis/by_hand.hpp"
+
+namespace ballbar {
+namespace {
+
+TEST(Subsampled, keeps_every_kth_value_of_the_target_and_all_inputs) {
+  Series data = by_hand::rows_of(6, 10.0);
+  data.columns = {{"z_um", Role::measured, {1, 3, std::nan(""), 5, 7, 9}},
+                  {"T_degC", Role::structure, {1, 2, 3, 4, 5, 6}}};
+  const Series found = subsampled(data, "z_um", 3);
+  EXPECT_EQ(found.time_s, data.time_s);
+  EXPECT_EQ(found.columns[1].values, data.columns[1].values);
+  const std::vector<double>& left = found.columns[0].values;
+  EXPECT_EQ(left[0], 1.0);
+  EXPECT_TRUE(std::isnan(left[1]));
+  EXPECT_TRUE(std::isnan(left[2]));
+  EXPECT_EQ(left[3], 5.0);
+  EXPECT_TRUE(std::isnan(left[4]));
+  EXPECT_EQ(left[5], 9.0);
+  EXPECT_EQ(subsampled(data, "z_um", 5).columns[0].values[1], 3.0);
+}
+
+}  // namespace
+}  // namespace ballbar
