@@ -380,7 +380,7 @@ TEST(batch_regression, trained_model) {
     EXPECT_EQ(batch.rows, 120U);
     EXPECT_EQ(batch.weight, weights[k]);
     EXPECT_EQ(batch.rmse_um, rmse_um(batches[k].moments, model.regression));
-    EXPECT_EQ(batch.held_out_um, cross_validation(static_cast<Eigen::Index>(k), 0));
+    EXPECT_EQ(batch.held_out_um, held_out(static_cast<Eigen::Index>(k), 0));
     square += weights[k] * batch.held_out_um * batch.held_out_um / 7.5;
     sigma.push_back(batch.held_out_um);
     used.push_back(weights[k]);

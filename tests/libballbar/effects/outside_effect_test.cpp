@@ -107,7 +107,7 @@ Model by_room() {
 DiagnosisOptions quick(const Catalogue& catalogue) {
   DiagnosisOptions options;
   options.search.catalogue = catalogue;
-  options.draws = 500;
+  options.search.draws = 500;
   options.surrogates = 100;
   return options;
 }

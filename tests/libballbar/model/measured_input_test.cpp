@@ -52,7 +52,7 @@ Series session(double gain) {
     signals.time_s.push_back(time_s);
     signals.columns[0].values.push_back(room(time_s));
   }
-  return joined({drift, signals}, 600.0);
+  return merged({drift, signals}, 600.0);
 }
 
 Model model_of(std::vector<Term> terms) { return {Level::series, {"x_um"}, std::move(terms), std::nullopt}; }
