@@ -50,7 +50,7 @@ void expect_one_plane(const std::vector<Recording>& recordings, const std::files
     if (recording.plane == recordings.front().plane) continue;
     throw Error(
         fmt::format("{}: expected recordings of one plane, whose axes the effects are of, found {} after {}; "
-                    "each plane is diagnosis_report alone.",
+                    "each plane is diagnosed alone.",
                     last.string(), name_of(recording.plane), name_of(recordings.front().plane)));
   }
 }

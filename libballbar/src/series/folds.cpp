@@ -23,7 +23,7 @@ std::vector<std::size_t> parts_of(const std::vector<double>& time_s, const std::
   return fold;
 }
 
-// Whole numbers: 0, 1, 2 ... in the order they come in, those of the same recording the same; at most kMostCycles, of
+// Whole numbers: 0, 1, 2 ... in the order they come in, those of the same recording the same; at most kMostFolds, of
 // more recordings neighbours together.
 std::vector<std::size_t> recordings_of(const Column& recording, const std::vector<std::size_t>& rows) {
   std::vector<std::size_t> fold;

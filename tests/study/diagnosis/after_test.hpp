@@ -1,4 +1,4 @@
-// The proposed test is done, and the data are diagnosis_report again.
+// The proposed test is done, and the data are diagnosed again.
 #pragma once
 
 #include <optional>

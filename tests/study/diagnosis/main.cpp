@@ -8,7 +8,7 @@
 // Wilson 95 % intervals. Right, wrong, in set, called: outcome.hpp. Separable: what the data allow, oracle.hpp. Below a
 // cell what four usual ways to select effects make of the same data (baselines.hpp), how near amplitudes and time
 // constants are, and how far the error falls. Fails where a gate is clearly missed, or a data set cannot be
-// diagnosis_report.
+// diagnosed.
 #include <fmt/format.h>
 
 #include <algorithm>

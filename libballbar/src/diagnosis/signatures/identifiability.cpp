@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
-#include "diagnosis/signatures/prospects.hpp"
+#include "diagnosis/signatures/detectability.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "fit/linearised_fit.hpp"
 #include "model/bindings.hpp"

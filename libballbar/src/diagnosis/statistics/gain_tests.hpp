@@ -11,7 +11,7 @@ namespace ballbar {
 double chi2(const LinearisedFit& linearised, const Noise& noise);
 
 // Chance of gains as different from cycle to cycle as these: chi^2 of one gain for each cycle against one for all.
-// columns: of the candidate alone, n by its gains; linearised fit.model the rest.
+// columns: of the candidate alone, n by its gains; linearised.model the rest.
 double p_same_gain(const LinearisedFit& linearised, const Eigen::MatrixXd& columns, const Noise& noise,
                    const std::vector<std::size_t>& fold);
 

@@ -1,4 +1,4 @@
-// The competitor of every named cause: some smooth curve, nothing more.
+// The alternative to every named cause: some smooth curve, nothing more.
 //
 // residual = J p + f + s + e: f a Gaussian process with the Matern 3/2 covariance
 //   A^2 (1 + sqrt(3) |dt| / l) exp(-sqrt(3) |dt| / l),
@@ -18,7 +18,7 @@ struct GaussianProcessAlternative {
   double log_likelihood = 0.0;
 };
 
-// The most likely; log_likelihood compares with that of gls_fit(linearised fit, {}, ...).
+// The most likely; log_likelihood compares with that of gls_fit(linearised, {}, ...).
 GaussianProcessAlternative gaussian_process_alternative(const LinearisedFit& linearised, const Noise& start);
 
 // ln of the likelihood with these values, J at its most likely.

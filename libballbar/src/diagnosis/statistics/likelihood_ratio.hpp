@@ -21,7 +21,7 @@ struct GlsFit {
 };
 GlsFit gls_fit(const LinearisedFit& linearised, const Eigen::MatrixXd& added, const Noise& start, int rounds = 2);
 
-// As `explained`, but the noise by restricted maximum likelihood: that which a test should use.
+// As `gls_fit`, but the noise by restricted maximum likelihood: that which a test should use.
 Noise restricted_noise(const LinearisedFit& linearised, const Eigen::MatrixXd& added,
                        const Eigen::VectorXd& residual_um);
 

@@ -10,7 +10,7 @@
 namespace ballbar {
 
 // Effects driven by an input that, each alone beside the model, lower the held-out RMSE to less than 70 % of what it
-// was; the lowest first, at most 4. `cycle`: of every row fitted. None of them is claimed to be the cause.
+// was; the lowest first, at most 4. `fold`: of every row fitted. None of them is claimed to be the cause.
 std::vector<Candidate> associations(const SubsetFits& now, const Noise& noise, const std::vector<std::size_t>& fold);
 
 }  // namespace ballbar

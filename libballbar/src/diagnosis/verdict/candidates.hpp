@@ -25,8 +25,8 @@ Candidate confirmed(const SubsetFits& now, const Series& data, const SubsetFit& 
 // A shape lies on its bound: something like it, but not it.
 bool is_at_the_edge(const Candidate& candidate);
 
-// Effects that stand in the place of one of the best set in a competitor set, one group for each; not what draws the
-// same, nor what the competitor could do without.
+// Effects that stand in the place of one of the best set in a competing set, one group for each; not what draws the
+// same, nor what the competing set could do without.
 std::vector<std::vector<BoundEffect>> groups_of(const SubsetFits& now, const Projected& seen, const SubsetFit& best,
                                                 const std::vector<const SubsetFit*>& competitors);
 

@@ -8,7 +8,7 @@
 
 #include "diagnosis/search/competing_subsets.hpp"
 #include "diagnosis/search/null_model.hpp"
-#include "diagnosis/signatures/prospects.hpp"
+#include "diagnosis/signatures/detectability.hpp"
 #include "diagnosis/verdict/candidates.hpp"
 #include "diagnosis/verdict/verdict.hpp"
 #include "series/subsampled.hpp"
