@@ -1,5 +1,5 @@
 // The component images of the installed package: a picture through a PNG and back.
-#include <ballbar/formats/picture_file.hpp>
+#include <ballbar/formats/pictures/picture_file.hpp>
 
 int main() {
   const ballbar::Picture picture{2, 1, {255, 0, 0, 0, 0, 255}};

@@ -1,8 +1,8 @@
 // A program of someone else's, built against the installed package: a circle from readings in the code, a
 // log from a string.
-#include <ballbar/circle_fit.hpp>
+#include <ballbar/circle/circle_fit.hpp>
 #include <ballbar/error.hpp>
-#include <ballbar/formats/ballbar_log.hpp>
+#include <ballbar/formats/recordings/ballbar_log.hpp>
 #include <ballbar/units.hpp>
 #include <cmath>
 #include <iostream>

@@ -136,7 +136,7 @@ class CondensedCost final : public ceres::CostFunction {
 template <int P>
 struct Solution {
   Eigen::Vector<double, P> p;
-  Eigen::Matrix<double, P, P> inverse_information;  // (J'J)^-1 at p; meaningless unless determined
+  Eigen::Matrix<double, P, P> inverse_information;  // (J'J)^-1 at p; NaN unless determined
   double sum_squares = 0.0;
   bool determined = false;  // J has full rank to working precision
   bool converged = false;
@@ -207,6 +207,7 @@ template <int P, class Rows>
 Solution<P> minimise_once(const Rows& rows, const Eigen::Vector<double, P>& p0, Basis basis, Aim aim,
                           const ceres::LossFunction* loss, double scale, double& moved) {
   Solution<P> solution;
+  solution.inverse_information.setConstant(p0.size(), p0.size(), std::numeric_limits<double>::quiet_NaN());
   const Unknowns<P> unknowns = unknowns_at<P>(rows, p0, basis, solution.determined);
   CondensedCost<P, Rows> cost(rows, unknowns, loss, scale);
   ceres::Problem::Options problem_options;
