@@ -28,7 +28,7 @@ kRenamed = {  # old key: new key
     "fakes": "surrogates",
     "p_stay": "p_drop",
 }
-kGone = set()  # old keys that are no more
+kGone = {"huang2022_table_3"}  # old keys that are no more
 
 arcs, huang = "sample-runs/two-arcs-he2015", "sample-runs/spindle-rotation-huang2022"
 hidden, record = "sample-runs/hidden-effect", "sample-runs/spindle-46h"
