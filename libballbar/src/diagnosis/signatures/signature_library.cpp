@@ -16,10 +16,6 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kMostOnsets = 400;
-constexpr std::size_t kMostPeriods = 200;
-constexpr std::size_t kMostWaves = 400;  // of one shape on recordings
-
 bool is_constant(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return !(*high > *low);

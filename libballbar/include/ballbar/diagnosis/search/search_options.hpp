@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ballbar/circle/recording.hpp"
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/effects/effect.hpp"
 
 namespace ballbar {
@@ -18,7 +19,7 @@ struct SearchOptions {
   Catalogue catalogue = built_in_catalogue();  // searched; a diagnosis refers to its effects
   std::optional<Motion> motion;                // of recordings
   std::vector<std::string> without;            // names of effects that are not searched
-  std::size_t draws = 2000;                    // of the noise: data sets without any effect
+  std::size_t draws = kDraws;                  // of the noise: data sets without any effect
   std::uint64_t seed = 1;
   // Told of every step before it begins, by the thread that asked: "testing 200 surrogates of expansion(T_room_degC)".
   std::function<void(std::string_view step)> progress;

@@ -7,6 +7,11 @@
 
 namespace ballbar {
 
+// Shapes of an effect that are tried.
+inline constexpr std::size_t kMostOnsets = 400;
+inline constexpr std::size_t kMostPeriods = 200;
+inline constexpr std::size_t kMostWaves = 400;  // of one shape on recordings
+
 // Detectability: what a signature could show, before any residual is looked at.
 inline constexpr double kDetectable = 5.0;          // d
 inline constexpr double kIdentifiable = 7.5;        // d
@@ -26,6 +31,7 @@ inline constexpr std::size_t kPlausibleNoises = 64;    // of which data sets wit
 // Errors of a search: share of data sets without any effect that show as much.
 inline constexpr double kErrorOfASearch = 0.01;
 inline constexpr double kErrorOfTimeOnly = 0.001;  // of what needs nothing but time, and so imitates anything slow
+inline constexpr std::size_t kDraws = 2000;        // of data sets without any effect
 inline constexpr double kTail = 0.1;               // share of the draws from which a tail is told
 inline constexpr std::size_t kFewestDraws = 100;   // fewer have no tail
 

@@ -4,15 +4,17 @@
 // is named only where
 //   the search as a whole shows scores as large in less than 1 % of data sets without any effect (2000 draws of the
 //   noise, each from a noise that the data do not exclude),
-//   every set of up to three effects that explains the data nearly as well (2 ln L within 6 of the best) holds it,
-//   its fall of chi^2 is at least 25 (d >= 5), the same gain holds in every cycle, cycles left out are predicted
-//   better, it beats the best of 200 surrogates of its own smoothness and the most likely smooth curve, what it leaves
-//   is noise, and it is driven by a logged input.
+//   no competing set of up to three effects that explains the data nearly as well (2 ln L less thresholds within 6 of
+//   the best, 12 where that has three effects) has another in its place,
+//   its 2 ln LR is at least 25 (d >= 5) and not made by a few readings or one cycle alone, the same gain holds in every
+//   cycle, cycles left out are predicted better, no parameter lies on its bound, it beats the best of 200 surrogates of
+//   its own smoothness, it is driven by a logged input,
+//   and what the best set leaves is noise and no smooth curve.
 // 2 ln LR: 2 ln of the likelihood ratio, the noise estimated anew under each hypothesis. Sets of effects are searched
 // together, not one after the other.
 //
 // On recordings a cycle is a recording, of one alone a quarter of its sweep; surrogates are curves over the angle, and
-// an effect that is one wave a turn has none: it is not tested against surrogates.
+// an effect of one or two waves a turn has none: it is not tested against surrogates.
 //
 // Of more than 1500 values of the target every second, third ... is searched; figures of the effects are of that
 // search. O(n) in rows, linear in signatures; 20 effects take about 1.3 s of processor time at 1500 rows, 4 s at 5000.
@@ -61,7 +63,7 @@ struct Diagnosis {
 struct DiagnosisOptions {
   SearchOptions search;
   double tolerance_um = 0.0;  // smaller effects are called minor
-  std::size_t surrogates = 200;
+  std::size_t surrogates = kSurrogates;
   std::size_t most_rows = 1500;  // values of the target searched
 };
 
