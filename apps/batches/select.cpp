@@ -256,8 +256,8 @@ void run(const Options& given) {
   const std::optional<Moments> moments = measured ? std::optional(as_batch.moments) : std::nullopt;
   add_remarks(options, opened, as_batch, opened.remarks);
   if (target != nullptr && !measured) {
-    opened.remarks.push_back(fmt::format("{} has gaps in {}: what is predicted for it is not residual_report.",
-                                         opened.columns.target, options.job));
+    opened.remarks.push_back(
+        fmt::format("{} has gaps in {}: what is predicted for it is not checked.", opened.columns.target, options.job));
   }
   SelectionOptions how = options.selection;
   how.method = static_cast<RegressionMethod>(options.method.value_or(0));
@@ -301,9 +301,7 @@ void add_select(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("select", "Which recorded batches to train on for the job at hand");
   add_batch_options(*command, options->batches);
-  command
-      ->add_option("--for", options->job,
-                   "the job: a series of its temperatures; with the target, it is residual_report")
+  command->add_option("--for", options->job, "the job: a series of its temperatures; with the target, it is checked")
       ->required()
       ->type_name("DATA");
   add_method_option(*command, options->method, "pcr");

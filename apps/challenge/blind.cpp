@@ -75,7 +75,7 @@ void make(const MakeOptions& options) {
   fmt::print("sealed   SHA-256 {} in {}\n", digest, (fs::path(options.out) / "SEAL").string());
 }
 
-BlindVerdict diagnosis_report(const fs::path& folder) {
+BlindVerdict diagnosis_verdict(const fs::path& folder) {
   ModelOptions options;
   options.data = {(folder / "data.csv").string()};
   options.model = (folder / "model.toml").string();
@@ -185,8 +185,8 @@ void score(const ScoreOptions& options) {
     verdicts = read_verdicts(read_bytes(options.by_hand, kLargestText), options.by_hand, sets);
   } else {
     for (const SealedSet& set : sets) {
-      verdicts.push_back(diagnosis_report(fs::path(options.folder) / set.name));
-      show_progress_of("diagnosis_report set", verdicts.size(), sets.size());
+      verdicts.push_back(diagnosis_verdict(fs::path(options.folder) / set.name));
+      show_progress_of("diagnosed set", verdicts.size(), sets.size());
     }
   }
   std::vector<BlindAnswer> answers;

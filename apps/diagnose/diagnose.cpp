@@ -183,7 +183,7 @@ void show_one_of_several(const Options& options, const Model& model, const Model
       targets.push_back({{"target", model.targets[target]}, {"not_diagnosed", error.what()}});
     } else {
       fmt::print("{}\n{}\n\n{}", data.title, model.targets[target],
-                 wrapped(fmt::format("Not diagnosis_report: {}", error.what())));
+                 wrapped(fmt::format("Not diagnosed: {}", error.what())));
     }
   }
 }

@@ -167,8 +167,7 @@ void add_model(Made& made, const Options& options) {
       add_target(made, options, model, data, target);
     } catch (const Error& error) {  // the rest of the report is worth having
       const std::string& name = model.targets[target];
-      made.conclude(
-          fmt::format("{}: not {}: {}", name, options.no_diagnosis ? "fitted" : "diagnosis_report", error.what()));
+      made.conclude(fmt::format("{}: not {}: {}", name, options.no_diagnosis ? "fitted" : "diagnosed", error.what()));
       if (options.no_diagnosis) continue;
       made.json["diagnose"]["targets"].push_back({{"target", name}, {"not_diagnosed", error.what()}});
     }

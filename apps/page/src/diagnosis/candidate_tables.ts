@@ -46,7 +46,7 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
   const surrogates = named === null ? "" : "surrogates are tried against those with *; ";
   return {
     title:
-      `Candidates.${star} RMSE with it; held out: ${left_out} left out, before and after. Evidence: 2 ln of the ` +
+      `Candidates.${star} RMSE with it; held out: ${left_out} left out, before and after. 2 ln LR: 2 ln of the ` +
       `likelihood ratio; needed: what 1 % of searches find by chance; ${surrogates}not told from: rows, and effects without one.`,
     heading: [
       "no.", "candidate", "amplitude, µm", "RMSE, µm", "held out, µm", "2 ln LR", "needed", "by chance", "beats surrogates",
