@@ -1,4 +1,4 @@
-// A seal: a digest that nobody can keep while changing what it was made of. In a build without OpenSSL
+// A digest (SHA-256), which nobody can keep while changing what it was made of, and base64. In a build without OpenSSL
 // (BALLBAR_BLIND=OFF) every function throws an Error that says what to install.
 #pragma once
 

@@ -1,4 +1,4 @@
-// In place of seal.cpp where ballbar is built without OpenSSL.
+// In place of digest.cpp where ballbar is built without OpenSSL.
 #include "ballbar/error.hpp"
 #include "challenge/digest.hpp"
 

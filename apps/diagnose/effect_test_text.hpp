@@ -1,4 +1,4 @@
-// A trial (trial.hpp) for the terminal and for a program.
+// The test of an effect (effect_test.hpp) for the terminal and for a program.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ namespace ballbar {
 // "The data support X.", or why they do not.
 std::string conclusion(const EffectTest& effect_test);
 
-// Error before and after, added effects with likelihood ratio and surrogates, earlier effects tested anew, all
+// Error before and after, added effects with their likelihood ratios and surrogates, earlier effects tested anew, all
 // parameters.
 std::string tables(const EffectTest& effect_test);
 

@@ -9,7 +9,7 @@
 
 namespace ballbar {
 
-// What several effects have in common once: each reason with their names, in the order of the detectability.
+// What several effects have in common once: each reason with their names, in the order of the detectabilities.
 std::vector<std::pair<std::string, std::vector<std::string>>> by_reason(const std::vector<Detectability>& untestable);
 
 }  // namespace ballbar

@@ -56,7 +56,7 @@ double likelihood_ratio_of(const NoiseFit& with, const NoiseFit& without) {
   return std::max(0.0, 2.0 * (with.log_likelihood - without.log_likelihood));
 }
 
-// Of the grid of its shapes; nullopt where it cannot be replaced by a surrogate.
+// Of the grid of its shapes; nullopt where it has no surrogates.
 std::optional<BestSurrogate> surrogate_of(const WithAndWithout& models) {
   const Term& term = models.model.terms[models.term];
   const BoundEffect bound{term.effect.get(), term.columns};

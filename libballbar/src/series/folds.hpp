@@ -13,7 +13,7 @@ namespace ballbar {
 // Of a trace the column that numbers its recordings; nullptr: a drift series.
 const Column* recording_numbers(const Series& data);
 
-// Cycles by which the gains of these columns can be tested: as `fold`, but where a gain belongs to one recording (a
+// Folds by which the gains of these columns can be tested: `fold`, but where a gain belongs to one recording (a
 // vibration has a phase of its own in each direction) that recording cannot be told from the others, and quarters of
 // all sweeps are left out.
 std::vector<std::size_t> folds_that_tell(const Series& data, const std::vector<std::size_t>& rows,

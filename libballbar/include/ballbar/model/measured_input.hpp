@@ -4,7 +4,7 @@
 // effect on a drift series that reads a measured column (axial_crosstalk, bearing_clearance, an expression ...) takes
 // it as a straight line from one measured value to the next, however far apart, and as the nearest value before the
 // first and after the last. At the tests themselves it is what was measured. Signals have no such lines: their gaps are
-// closed by joined() or are an error. Nor have recordings, whose readings are whole.
+// closed by merged() or are an error. Nor have recordings, whose readings are whole.
 #pragma once
 
 #include <string>

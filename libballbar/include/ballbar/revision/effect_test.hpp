@@ -1,14 +1,14 @@
 // Effects added to a model for a try: before, after, and whether the data demand them.
 //
-//   likelihood ratio     2 (ln L with - ln L without), the noise estimated anew under each, at least 0
-//   drop test p    chance of as much likelihood ratio from an effect that is not there: chi^2 with the number of its free
-//                parameters; an effect is needed where it is below 0.001
+//   likelihood ratio   2 (ln L with - ln L without), the noise estimated anew under each, at least 0
+//   drop test p        chance of as large a ratio from an effect that is not there: chi^2 with the number of its free
+//                      parameters; an effect is needed where it is below 0.001
 //
 // An added effect is supported where its likelihood ratio is at least 25 (d = 5), its gain is the same in every cycle
 // (p >= 0.001), cycles left out are predicted better, and its fall of chi^2 is larger than that of the best of 200
-// surrogates, its own signatures with their phases phase-randomised. That holds for an effect chosen before looking at
-// these data; one found by searching them is for diagnose(). Figures but those of the rows are, of series with more
-// than 1500 values of the target, of every second, third ..., as diagnose() has them.
+// surrogates, its own signatures with random phases. That holds for an effect chosen before looking at these data; one
+// found by searching them is for diagnose(). Figures but those of the rows are, of series with more than 1500 values of
+// the target, of every second, third ..., as diagnose() has them.
 #pragma once
 
 #include <cstddef>

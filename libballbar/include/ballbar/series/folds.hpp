@@ -8,7 +8,7 @@
 
 namespace ballbar {
 
-// Cycle of every row, from 0: stretches between changes of speed, short ones joined to their neighbour, those of more
+// Fold of every row, from 0: stretches between changes of speed, short ones merged with their neighbour, those of more
 // than a fifth of the rows cut into equal pieces; without a speed five parts of the time. Of a trace each recording is
 // one; a single recording is left out by quarters of its sweep.
 std::vector<std::size_t> folds_of(const Series& data, const std::vector<std::size_t>& rows);

@@ -40,8 +40,8 @@ struct DiscriminationMatrix {
 struct Places {
   std::vector<Eigen::Index> shared;  // model and the test's own
   std::vector<Eigen::Index> signal;  // one a competitor
-  std::vector<std::vector<std::vector<Eigen::Index>>>
-      free;  // a competitor, a point: where it was fitted, then `points`
+  // A competitor, a point: where it was fitted, then `points`.
+  std::vector<std::vector<std::vector<Eigen::Index>>> free;
 };
 
 // own: number of columns of the test's own.

@@ -3,8 +3,8 @@
 // A test on a drift is a plan of speeds, room and coolant over 2 to 4 h, begun cold and at rest, read as often as the
 // data were. Speed columns are as planned. The room (columns of role ambient) stays at its mean but for a step of 3 K,
 // events stay at their means, loads at those that they had at rest and turning, but for a step to twice as much. Every
-// other column follows speed, room and coolant as it did in the data (thermal_forecast.hpp); one that follows nothing is
-// `unknown`. A repetition takes the columns of the data themselves.
+// other column follows speed, room and coolant as it did in the data (thermal_forecast.hpp); one that follows nothing
+// is `unknown`. A repetition takes the columns of the data themselves.
 //
 // A test on recordings drives the circles of the data again the other way round, at another feed or radius.
 #pragma once

@@ -22,7 +22,7 @@ struct UndecidedPairs {
   std::vector<Pair> pairs;
 };
 
-// Pairs within the groups of the diagnosis; a group of one has the competitor that it does not come again. Without
+// Pairs within the groups of the diagnosis; a group of one is paired with itself as what does not come again. Without
 // groups the strongest two candidates that are not named. Refers to all three arguments.
 UndecidedPairs undecided_pairs_of(const Model& model, const Series& data, const Diagnosis& diagnosis);
 

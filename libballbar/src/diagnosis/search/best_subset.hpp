@@ -1,5 +1,4 @@
-// Which few signatures of a signature library together explain a residual best: not greedily, one after the other, but
-// together.
+// Which few signatures of a library together explain a residual best: not greedily, one after the other, but together.
 #pragma once
 
 #include <vector>

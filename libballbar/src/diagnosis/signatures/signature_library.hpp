@@ -43,8 +43,8 @@ struct SignatureOptions {
   std::optional<Motion> motion;      // of recordings
   bool every_onset = true;           // up to 400 of them; else 7
   std::vector<std::string> without;  // names of effects that are left out
-  double highest_Hz =
-      std::numeric_limits<double>::infinity();  // signature_library_of: half the rate of the rows that are fitted
+  // signature_library_of: half the rate of the rows that are fitted.
+  double highest_Hz = std::numeric_limits<double>::infinity();
 };
 
 // Of the effects of the catalogue on the model's level. Families that are in the model on the same columns are left

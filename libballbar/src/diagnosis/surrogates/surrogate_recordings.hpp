@@ -1,8 +1,8 @@
 // Surrogates of an effect on a recording: curves over the angle as smooth as what it adds, and without its cause.
 //
-// What the effect adds is taken as a function of the angle, on each recording apart, and its phases are
-// phase-randomised. Recordings on which it adds the same share the phases: the surrogate of a squareness is the same
-// both ways, that of a play of the axis is another curve in each direction.
+// What the effect adds is taken as a function of the angle, on each recording apart, and its phases are drawn at
+// random. Recordings on which it adds the same share the phases: the surrogate of a squareness is the same both ways,
+// that of a play of the axis is another curve in each direction.
 //
 // An effect of one or two waves a turn has no surrogates: turned by a random angle it is still nearly itself, or the
 // effect that stands beside it in the catalogue.

@@ -1,4 +1,4 @@
-// What effects without any cause would buy on a drift series.
+// The best surrogate of an effect on a drift series: what a curve without any cause would buy.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,12 +14,11 @@ namespace ballbar {
 
 struct SurrogateSource {
   BoundEffect bound;
-  std::vector<std::vector<double>> points;  // all parameters of each shape to be replaced by a surrogate
+  std::vector<std::vector<double>> points;  // all parameters of each shape that has surrogates
   Eigen::VectorXd added_um;                 // n: what the effect adds as it was fitted; of recordings
 };
 
-// The best of `count` surrogates: what the effect adds with its phases phase-randomised, the same spectrum and no
-// cause.
+// The best of `count` surrogates: what the effect adds with random phases, the same spectrum and no cause.
 struct BestSurrogate {
   double gain = 0.0;  // largest fall of chi^2
   double fall = 0.0;  // largest relative fall of the RMSE by least squares

@@ -32,7 +32,7 @@ std::vector<std::size_t> by_fall(const SubsetFits& now) {
   std::map<const Effect*, std::size_t> taken;
   std::vector<std::size_t> result;
   for (const auto& [value, index] : best) {
-    if (result.size() < kGoesWithFitted && ++taken[now.bound(index).effect] <= kGoesWithOfAnEffect)
+    if (result.size() < kAssociationsFitted && ++taken[now.bound(index).effect] <= kAssociationsOfAnEffect)
       result.push_back(index);
   }
   return result;
@@ -41,7 +41,7 @@ std::vector<std::size_t> by_fall(const SubsetFits& now) {
 // Fitted by the noise that is most likely beside it, as long as that makes it more likely.
 SubsetFit by_its_own_noise(const SubsetFits& now, std::size_t index, const Noise& noise) {
   SubsetFit with = now.refitted({index}, noise);
-  for (std::size_t round = 0; round < kGoesWithRounds; ++round) {
+  for (std::size_t round = 0; round < kAssociationRounds; ++round) {
     SubsetFit again = now.refitted_from(with, with.set);
     if (!(again.noise_fit.log_likelihood > with.noise_fit.log_likelihood + kWorthAnotherRound)) break;
     with = std::move(again);
@@ -59,7 +59,7 @@ std::vector<Candidate> associations(const SubsetFits& now, const Noise& noise, c
     try {
       const SubsetFit with = by_its_own_noise(now, tried[i], noise);
       const double after = cross_validation(with.noise_fit.linearised, with.noise_fit.noise, fold, false).rmse_um;
-      if (!(after < kGoesWith * before)) return;
+      if (!(after < kAssociation * before)) return;
       found[i] = candidate_of(now, with, 0);
       found[i]->held_out_before_um = before;
       found[i]->held_out_after_um = after;
@@ -73,7 +73,7 @@ std::vector<Candidate> associations(const SubsetFits& now, const Noise& noise, c
   }
   std::stable_sort(result.begin(), result.end(),
                    [](const Candidate& a, const Candidate& b) { return a.held_out_after_um < b.held_out_after_um; });
-  if (result.size() > kGoesWithShown) result.erase(result.begin() + kGoesWithShown, result.end());
+  if (result.size() > kAssociationsShown) result.erase(result.begin() + kAssociationsShown, result.end());
   return result;
 }
 

@@ -15,7 +15,7 @@
 namespace ballbar {
 namespace {
 
-// Of the grid: all of a series, some of recordings, where each shape is replaced by a surrogate on every sweep.
+// Of the grid: all of a series, some of recordings, where each shape needs surrogates on every sweep.
 std::vector<std::vector<double>> surrogate_points(const SubsetFits& now, std::size_t index) {
   const Family& family = now.family(index);
   const bool of_recordings = now.model().level == Level::recording;

@@ -42,7 +42,7 @@ FoldTests fold_tests(const WithAndWithout& models);
 double gain_of(const WithAndWithout& models);
 
 // The best surrogate of the effect; of recordings of the shape as fitted before `points`, which are all that a series
-// has. nullopt: it cannot be replaced by a surrogate.
+// has. nullopt: it has no surrogates.
 std::optional<BestSurrogate> surrogate_of(const WithAndWithout& models, const BoundEffect& bound,
                                           std::vector<std::vector<double>> points, std::size_t count,
                                           std::uint64_t seed);

@@ -14,7 +14,7 @@
 //   revision = 1
 //   change = "+ lagged_expansion(T16_degC)"
 //   ...                                      # as above
-//   likelihood ratio = 431.0                         # and threshold, best_surrogate_fall; each absent where not known
+//   likelihood_ratio = 431.0                 # and threshold, best_surrogate_fall; each absent where not known
 //   still_needed = ["speed_heating(speed_rpm)"]
 //   no_longer_needed = []
 //   effects_before = '''                     # the text of the effects as they were, to the letter

@@ -22,7 +22,7 @@ struct ModelData {
   std::optional<Motion> motion;  // recordings: what drove all of them
 };
 
-// A session: its drift (drift_of with the options) joined with its signals; a series: its gaps closed as `joined` does;
+// A session: its drift (drift_of with the options) merged with its signals; a series: its gaps closed as `merged` does;
 // one or more recordings (.b5r, logs) of one plane: their trace. Throws Error for anything else, a mixture, or the same
 // file twice.
 ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,

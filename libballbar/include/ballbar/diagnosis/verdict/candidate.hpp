@@ -11,7 +11,7 @@
 
 namespace ballbar {
 
-// Beside the model alone, or, for those of the best set or of a trial, beside the rest of that. NaN: not known.
+// Beside the model alone, or, for those of the best set or of an effect test, beside the rest of that. NaN: not known.
 struct Candidate {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   BoundEffect bound;
@@ -20,7 +20,7 @@ struct Candidate {
   double amplitude_um = 0.0;                // largest less smallest of what it adds
   double amplitude_sigma_um = kUnknown;     // infinite: not determined
   double rmse_after_um = 0.0;
-  double held_out_before_um = 0.0, held_out_after_um = 0.0;  // cycles left out, see confirmation
+  double held_out_before_um = 0.0, held_out_after_um = 0.0;  // cycles left out, see diagnosis.hpp
   double likelihood_ratio = 0.0;                             // 2 ln L gained by it
   double threshold = 0.0;                 // of the likelihood ratio: the search exceeds it by chance in 1 %
   double p_search = 1.0;                  // share of data sets without any effect that show one as rare
@@ -28,7 +28,7 @@ struct Candidate {
   double gain = 0.0;                      // fall of chi^2 by the noise with it
   double best_surrogate_gain = kUnknown;  // largest fall of chi^2 by a surrogate
   double best_surrogate_fall = kUnknown;  // of the RMSE, relative
-  std::optional<bool> beats_surrogates;   // nothing: not tested, see confirmation
+  std::optional<bool> beats_surrogates;   // nothing: not tested, see diagnosis.hpp
   std::vector<std::string> doubts;        // why it is not a cause, phrases: "its likelihood ratio is below 25 (d = 5)"
   bool in_best_set = false;
   bool minor = false;                         // below max(5 % of the RMSE, the tolerance)
