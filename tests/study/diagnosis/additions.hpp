@@ -1,4 +1,4 @@
-// What each signature of a signature library would explain beside columns that are there already.
+// What each signature of a library would explain beside columns that are there already.
 #pragma once
 
 #include <Eigen/Core>

@@ -127,11 +127,11 @@ std::optional<Outcome> after_tests(DataSet set, std::size_t most) {
   return judged_and_weighed(set, found, Expected::effects);
 }
 
-// Means of 150 s: 24 temperatures make a signature library of thousands.
-Outcome surrogates(std::size_t count, std::uint64_t seed) {
+// Means of 150 s: 24 temperatures make a library of thousands.
+Outcome fakes(std::size_t count, std::uint64_t seed) {
   Random random = random_of(seed);
   DataSet set = rich_set(seed, count, 10.0, {.phi = 0.81}, 10);
-  for (Column& surrogate : fake_temperatures(set.data.time_s, 20, random)) log_also(set, std::move(surrogate));
+  for (Column& fake : fake_temperatures(set.data.time_s, 20, random)) log_also(set, std::move(fake));
   return examined(set, expected_of(count));
 }
 
@@ -184,9 +184,9 @@ std::vector<Cell> cells() {
       {"poor, after the proposed test", "right >= 95 %",
        [](std::uint64_t s) { return after_tests(poor_set(s, 10.0), 1); }},
       {"poor, after up to three", "right >= 95 %", [](std::uint64_t s) { return after_tests(poor_set(s, 10.0), 3); }},
-      {"20 surrogates, nothing", "wrong <= 1 %", [](std::uint64_t s) { return surrogates(0, s); }},
-      {"20 surrogates, one, d = 10", "wrong <= 1 %", [](std::uint64_t s) { return surrogates(1, s); }},
-      {"20 surrogates, measured", "wrong <= 3 %", measured_fakes},
+      {"20 fakes, nothing", "wrong <= 1 %", [](std::uint64_t s) { return fakes(0, s); }},
+      {"20 fakes, one, d = 10", "wrong <= 1 %", [](std::uint64_t s) { return fakes(1, s); }},
+      {"20 fakes, measured", "wrong <= 3 %", measured_fakes},
       same_verdict("30 % of the rows less", Change::fewer_rows),
       same_verdict("60 s instead of 15 s", Change::resampled),
       same_verdict("columns renamed", Change::renamed),

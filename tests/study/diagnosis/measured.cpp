@@ -65,11 +65,11 @@ std::optional<Outcome> measured_room(std::uint64_t seed) {
 Outcome measured_fakes(std::uint64_t seed) {
   DataSet set = measured_set(seed);
   Random random(seed * 7919 + 13);
-  for (Column& surrogate : fake_temperatures(set.data.time_s, 20, random)) log_also(set, std::move(surrogate));
+  for (Column& fake : fake_temperatures(set.data.time_s, 20, random)) log_also(set, std::move(fake));
   const Diagnosis found = diagnose(set.model, set.data, 0, set.options);
   Outcome outcome = judged(set, found, Expected::nothing);
-  outcome.wrong = *outcome.surrogate;
-  outcome.right = !*outcome.surrogate;
+  outcome.wrong = *outcome.fake;
+  outcome.right = !*outcome.fake;
   if (is_verbose()) print(set, found, outcome);
   return outcome;
 }

@@ -12,7 +12,7 @@ namespace ballbar::study {
 // named or reported on ch3 and ch1, the RMSE falls by 55 % and that of cycles left out by 50 %; on ch5 none is named.
 std::optional<Outcome> measured_room(std::uint64_t seed);
 
-// 20 surrogate temperatures beside the measured ones, channel by channel. Wrong: one of them is named; of other names
+// 20 fake temperatures beside the measured ones, channel by channel. Wrong: one of them is named; of other names
 // nobody knows.
 Outcome measured_fakes(std::uint64_t seed);
 

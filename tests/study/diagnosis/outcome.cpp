@@ -85,7 +85,7 @@ Outcome judged(const DataSet& set, const Diagnosis& found, Expected expected) {
     return std::any_of(bound.columns.begin(), bound.columns.end(), is_fake);
   };
   if (std::any_of(set.data.columns.begin(), set.data.columns.end(), [](const Column& c) { return is_fake(c.name); })) {
-    outcome.surrogate = std::any_of(found.named.begin(), found.named.end(), reads_fake);
+    outcome.fake = std::any_of(found.named.begin(), found.named.end(), reads_fake);
   }
   switch (expected) {
     case Expected::nothing:

@@ -29,7 +29,7 @@ struct Outcome {
                        // of `undecided`: anything is named
   std::optional<bool> in_set;     // all that is hidden is named or among what is reported
   bool called = false;            // any verdict but nothing and untestable
-  std::optional<bool> surrogate;  // one is named, where there are any
+  std::optional<bool> fake;       // temperature: one is named, where there are any
   std::optional<bool> separable;  // oracle.hpp, as the next two
   std::optional<double> loss;
   std::string competitor;
@@ -51,7 +51,7 @@ struct Besides {
 // And held against the oracle where something is hidden; printed where every data set is.
 Outcome judged_and_weighed(const DataSet& set, const Diagnosis& found, Expected expected);
 
-// DiagnosisReport first.
+// Diagnosed first.
 Outcome examined(const DataSet& set, Expected expected, const Besides& besides = {});
 
 void print(const DataSet& set, const Diagnosis& found, const Outcome& outcome);

@@ -152,9 +152,9 @@ Column logged_again(const Column& column) {
 }
 
 std::vector<Column> fake_temperatures(const std::vector<double>& time_s, std::size_t count, Random& random) {
-  std::vector<Column> surrogates;
+  std::vector<Column> fakes;
   for (std::size_t k = 0; k < count; ++k) {
-    Column surrogate{fmt::format("{}{}_degC", kFake, k + 1), Role::structure, std::vector<double>(time_s.size(), 0.0)};
+    Column fake{fmt::format("{}{}_degC", kFake, k + 1), Role::structure, std::vector<double>(time_s.size(), 0.0)};
     for (int part = 0; part < 2; ++part) {
       const double follows_s = 600.0 * std::pow(20.0, simulation::uniform(random));  // 10 min to 3.3 h
       double walk = 0.0, state = 0.0;
@@ -162,17 +162,17 @@ std::vector<Column> fake_temperatures(const std::vector<double>& time_s, std::si
         const double step_s = time_s[i] - time_s[i - 1];
         walk += std::sqrt(step_s) * simulation::normal(random);
         state += (walk - state) * -std::expm1(-step_s / follows_s);
-        surrogate.values[i] += state;
+        fake.values[i] += state;
       }
     }
     double mean = 0.0, square = 0.0;
-    for (const double value : surrogate.values) mean += value / static_cast<double>(time_s.size());
-    for (const double value : surrogate.values) square += (value - mean) * (value - mean);
+    for (const double value : fake.values) mean += value / static_cast<double>(time_s.size());
+    for (const double value : fake.values) square += (value - mean) * (value - mean);
     const double to_K = 1.0 / std::sqrt(square / static_cast<double>(time_s.size()));
-    for (double& value : surrogate.values) value = 22.0 + to_K * (value - mean) + 0.02 * simulation::normal(random);
-    surrogates.push_back(std::move(surrogate));
+    for (double& value : fake.values) value = 22.0 + to_K * (value - mean) + 0.02 * simulation::normal(random);
+    fakes.push_back(std::move(fake));
   }
-  return surrogates;
+  return fakes;
 }
 
 bool is_fake(const std::string& column) { return column.starts_with(kFake); }

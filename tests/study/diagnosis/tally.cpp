@@ -41,8 +41,8 @@ void Tally::add(const Outcome& outcome) {
   hiding += outcome.in_set.has_value();
   in_set += outcome.in_set.value_or(false);
   called += outcome.called;
-  with_fakes += outcome.surrogate.has_value();
-  surrogate += outcome.surrogate.value_or(false);
+  with_fakes += outcome.fake.has_value();
+  fake += outcome.fake.value_or(false);
   if (outcome.separable) {
     ++asked_oracle;
     separable += *outcome.separable;
@@ -78,8 +78,7 @@ std::string lines_of(std::size_t number, const Cell& cell, const Tally& tally) {
                         percent(tally.baseline_right[k], tally.asked_baselines),
                         percent(tally.baseline_wrong[k], tally.asked_baselines));
   }
-  if (tally.with_fakes > 0)
-    text += fmt::format("     a surrogate named: {} %\n", percent(tally.surrogate, tally.with_fakes));
+  if (tally.with_fakes > 0) text += fmt::format("     a fake named: {} %\n", percent(tally.fake, tally.with_fakes));
   if (!tally.amplitude.empty()) {
     text += fmt::format(
         "     of the rightly named: amplitude within 25 %: {} %; time constant within 35 %: {} %; 95 % intervals cover "

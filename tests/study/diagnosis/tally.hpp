@@ -14,7 +14,7 @@ namespace ballbar::study {
 struct Tally {
   std::size_t sets = 0;
   std::size_t right = 0, wrong = 0, called = 0;
-  std::size_t with_fakes = 0, surrogate = 0;
+  std::size_t with_fakes = 0, fake = 0;
   std::size_t hiding = 0, in_set = 0;
   std::size_t asked_oracle = 0, separable = 0, right_of_separable = 0;
   std::size_t asked_baselines = 0;
