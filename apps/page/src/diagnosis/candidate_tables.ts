@@ -47,10 +47,11 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
   return {
     title:
       `Candidates.${star} RMSE with it; held out: ${left_out} left out, before and after. 2 ln LR: 2 ln of the ` +
-      `likelihood ratio; needed: what 1 % of searches find by chance; ${surrogates}not told from: rows, and effects without one.`,
+      `likelihood ratio; needed: what 1 % of searches find by chance; ${surrogates}not told from: rows, and effects ` +
+      "without one.",
     heading: [
-      "no.", "candidate", "amplitude, µm", "RMSE, µm", "held out, µm", "2 ln LR", "needed", "by chance", "beats surrogates",
-      "not told from",
+      "no.", "candidate", "amplitude, µm", "RMSE, µm", "held out, µm", "2 ln LR", "needed", "by chance",
+      "beats surrogates", "not told from",
     ],
     rows: ranked.map((one, k) => {
       const c = one.candidate;

@@ -98,8 +98,8 @@ const fall_picture = (report: Report, found: Diagnosed, name: string): Picture[]
   const hollow =
     effects === 0
       ? " No effect was found, and none is proposed."
-      : ` The hollow bar is ${named === kBest ? "" : `${named}: it is `}not in the model. Whether an effect beats the surrogates ` +
-        "is judged with the memory of the noise, in the table.";
+      : ` The hollow bar is ${named === kBest ? "" : `${named}: it is `}not in the model. Whether an effect beats the ` +
+        "surrogates is judged with the memory of the noise, in the table.";
   const left_out =
     history.last_um === null
       ? ""

@@ -11,8 +11,8 @@ const before = (rows: readonly LedgerRow[], at: number): LedgerRow | undefined =
   return row && other && other.target === row.target && String(other.data) === String(row.data) ? other : undefined;
 };
 
-// A surrogate stands in the place of one effect. Where several were added at once that is beside the others, so that its
-// fall does not begin at the revision before.
+// A surrogate stands in the place of one effect. Where several were added at once that is beside the others, so that
+// its fall does not begin at the revision before.
 const added = (row: LedgerRow): number => row.change.match(/(^|, )\+ /g)?.length ?? 0;
 
 export const targets_of = (ledger: LedgerPart): string[] => [...new Set(ledger.rows.map((row) => row.target))];

@@ -1,5 +1,5 @@
-// The candidates of a diagnosis in the order of the terminal's table: the best set first, then by likelihood ratio; after them
-// what an unexplained misfit goes with. A candidate's place in this order is how picture and tables name it.
+// The candidates of a diagnosis in the order of the terminal's table: the best set first, then by likelihood ratio;
+// after them what an unexplained misfit goes with. A candidate's place in this order is how picture and tables name it.
 import type { Candidate, Diagnosed } from "../report";
 import { plain } from "../drawing/text";
 

@@ -8,7 +8,7 @@ export interface Step {
   rmse_um: Num;
   from_um: Num; // of the step before, where the two can be compared
   floor_um: Num;
-  surrogate_fall: Num; // share of from_um that the best surrogate took off; null too where several effects were added at once
+  surrogate_fall: Num; // share of from_um that the best surrogate took off; null too where several effects were added
   held_out_um: Num;
   proposed: boolean; // not in the model
 }

@@ -1,4 +1,5 @@
-// The marks of a step of a waterfall, drawn by hand: its bar, the fall from the step before, the best surrogate and the floor.
+// The marks of a step of a waterfall, drawn by hand: its bar, the fall from the step before, the best surrogate and the
+// floor.
 import type { Look, Toggle } from "../picture";
 import { surrogate_um, type Step } from "./step";
 import { colours, curve_colour, font, shown } from "../drawing/theme";
