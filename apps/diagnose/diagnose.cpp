@@ -67,7 +67,7 @@ Table candidate_table(const Diagnosis& found) {
   return table;
 }
 
-Table goes_with_table(const Diagnosis& found) {
+Table association_table(const Diagnosis& found) {
   Table table({"it goes with", "amplitude um", "RMSE um", "held out um"});
   const int decimals = decimals_of(found.base.rmse_um);
   for (const Candidate& candidate : found.associations) {
@@ -152,7 +152,7 @@ void print_text(const DiagnosisReport& diagnosis_report, const std::string& titl
     fmt::print("\n{}", wrapped(falls));
   }
   if (!found.associations.empty()) {
-    fmt::print("\n{}{}", goes_with_table(found).text(kWidest),
+    fmt::print("\n{}{}", association_table(found).text(kWidest),
                wrapped("Each alone beside the model. That it goes with something is no proof of a cause."));
   }
   if (!found.reasons.empty() && found.verdict != Verdict::nothing) {

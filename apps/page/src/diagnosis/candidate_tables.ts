@@ -1,7 +1,7 @@
 // The tables of a diagnosis, with the figures that `ballbar diagnose` prints. A row that is hovered or focused chooses
 // its curve in the picture of the candidates, where there is one.
 import type { TextTable } from "../picture";
-import { ranked_candidates, ranked_companions, set_name, type Ranked } from "./ranking";
+import { ranked_candidates, ranked_associations, set_name, type Ranked } from "./ranking";
 import type { Candidate, Diagnosed, Num } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
@@ -72,8 +72,8 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
   };
 };
 
-export const companion_table = (found: Diagnosed, picture: string | null): TextTable => {
-  const ranked = ranked_companions(found);
+export const association_table = (found: Diagnosed, picture: string | null): TextTable => {
+  const ranked = ranked_associations(found);
   const decimals = decimals_of(found.rmse_um);
   return {
     title: "It goes with. Each alone beside the model; that it goes with something is no proof of a cause.",

@@ -1,5 +1,5 @@
 // Which effect the model lacks, or that the data cannot tell: a section for each target.
-import { companion_table, candidate_table } from "./candidate_tables";
+import { association_table, candidate_table } from "./candidate_tables";
 import { candidates_picture } from "./candidates";
 import { coherence_picture } from "./coherence";
 import { no_evidence, no_evidence_of_several, not_known } from "./falls";
@@ -134,7 +134,7 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
     sentences: sentences_of(found),
     tables: [
       ...(found.candidates.length > 0 ? [candidate_table(found, left_out, chooses)] : []),
-      ...(found.associations.length > 0 ? [companion_table(found, chooses)] : []),
+      ...(found.associations.length > 0 ? [association_table(found, chooses)] : []),
     ],
     pictures: [
       ...(checked ? [candidates_picture(report, checked, found, over_residual)] : []),

@@ -46,7 +46,7 @@ export const ranked_candidates = (found: Diagnosed): Ranked[] => {
   });
 };
 
-export const ranked_companions = (found: Diagnosed): Ranked[] =>
+export const ranked_associations = (found: Diagnosed): Ranked[] =>
   found.associations.map((candidate, k) => ({
     candidate,
     starred: false,

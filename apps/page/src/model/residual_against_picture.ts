@@ -10,7 +10,7 @@ import type { Checked, Num, Report } from "../report";
 import type { Strand } from "../drawing/strands";
 import { plain } from "../drawing/text";
 import { axis, base, colours, legend, minutes, shown, tooltip } from "../drawing/theme";
-import { thinned_rows } from "../drawing/thinned_rows";
+import { subsampled_rows } from "../drawing/subsampled_rows";
 import { x_axis } from "../drawing/two_grids";
 
 const kMost_points = 4000;
@@ -92,7 +92,7 @@ export const residual_against_picture = (
     const rows = rows_of(state, against.values);
     const { kinds, of_row } = kinds_for(against);
     const c = colours(look.dark);
-    const drawn = thinned_rows(rows, series.residual_um, kMost_points);
+    const drawn = subsampled_rows(rows, series.residual_um, kMost_points);
     const side_by_side = few_values(against.values, drawn);
     const size = drawn.length <= 60 ? 10 : drawn.length <= 400 ? 7 : 5;
     const clouds = kinds.flatMap((kind, k) =>

@@ -1,5 +1,5 @@
 // All tests of one kind on the circle: how it grows and wanders from the first test to the last.
-import { bar_of_tests, extent_of_tests, quantities, tests_of, thinned, toggles_of_tests } from "./all_tests";
+import { bar_of_tests, extent_of_tests, quantities, subsampled, tests_of, toggles_of_tests } from "./all_tests";
 import { magnifications, radial_scale } from "./magnification";
 import type { Picture } from "../picture";
 import { group_choice, type Group } from "./recording_groups";
@@ -43,7 +43,7 @@ export const all_round_picture = (groups: readonly Group[]): Picture => ({
     const curves = tests
       .filter((test) => !state.hidden.has(test.key))
       .map((test) => ({
-        ...thinned(test),
+        ...subsampled(test),
         colour: sequence_colour(test.place, state.look.dark),
         dash: "solid" as const,
       }));

@@ -95,7 +95,7 @@ export const tests_of = (groups: readonly Group[], chosen: State["chosen"]): Tes
   });
 };
 
-export const thinned = (test: Test, stretches = kStretches): Test => {
+export const subsampled = (test: Test, stretches = kStretches): Test => {
   const kept = kept_readings(test.value_um, stretches);
   return { ...test, angle_deg: picked(test.angle_deg, kept), value_um: picked(test.value_um, kept) };
 };

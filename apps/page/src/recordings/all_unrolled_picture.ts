@@ -1,5 +1,5 @@
 // All tests of one kind against the angle.
-import { bar_of_tests, kStretches, quantities, tests_of, thinned, toggles_of_tests } from "./all_tests";
+import { bar_of_tests, kStretches, quantities, subsampled, tests_of, toggles_of_tests } from "./all_tests";
 import { curve, type Point } from "../drawing/curve";
 import { hover_text } from "../drawing/hover";
 import type { Picture } from "../picture";
@@ -37,7 +37,7 @@ export const all_unrolled_picture = (groups: readonly Group[]): Picture => ({
     const series = tests
       .filter((test) => !state.hidden.has(test.key))
       .map((test) => {
-        const { angle_deg, value_um } = thinned(test, kStretches / seen);
+        const { angle_deg, value_um } = subsampled(test, kStretches / seen);
         const points: Point[] = angle_deg.map((angle, i) => [angle, value_um[i] ?? null]);
         return curve(test.name, sequence_colour(test.place, look.dark), "solid", test.width_px, points);
       });

@@ -100,8 +100,8 @@ double at_reading(const Sweep& sweep, const std::vector<double>& grid, double pl
   return grid[left] + (at - static_cast<double>(left)) * (grid[right] - grid[left]);
 }
 
-void add_scrambled(const Sweep& sweep, const Spectrum& spectrum, const std::vector<double>& phases,
-                   Eigen::Ref<Eigen::VectorXd> column) {
+void add_phase_randomised(const Sweep& sweep, const Spectrum& spectrum, const std::vector<double>& phases,
+                          Eigen::Ref<Eigen::VectorXd> column) {
   const std::vector<double> grid = phase_randomised(spectrum, phases);
   for (std::size_t i = 0; i < sweep.row.size(); ++i) column[sweep.row[i]] = at_reading(sweep, grid, sweep.place[i]);
 }
@@ -171,8 +171,8 @@ class Surrogates {
     for (const std::vector<std::vector<Spectrum>>& point : spectra_) {
       for (std::size_t s = 0; s < sweeps_.size(); ++s) {
         for (std::size_t g = 0; g < point[s].size(); ++g) {
-          add_scrambled(sweeps_[s], point[s][g], phases[sweeps_[s].group],
-                        columns.col(first + static_cast<Eigen::Index>(g)));
+          add_phase_randomised(sweeps_[s], point[s][g], phases[sweeps_[s].group],
+                               columns.col(first + static_cast<Eigen::Index>(g)));
         }
       }
       first += width();

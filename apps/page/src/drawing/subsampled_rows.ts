@@ -3,7 +3,7 @@ import type { Num } from "../report";
 
 const kStretches = 200; // whose extremes are kept
 
-export const thinned_rows = (rows: readonly number[], values: readonly Num[], most: number): number[] => {
+export const subsampled_rows = (rows: readonly number[], values: readonly Num[], most: number): number[] => {
   if (rows.length <= most) return [...rows];
   const step = rows.length / (most - 2 * kStretches);
   const kept = new Set<number>();
