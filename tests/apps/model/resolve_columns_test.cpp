@@ -25,7 +25,7 @@ std::string bound(const std::string& text) {
   }
 }
 
-TEST(BoundTo, ColumnsAreStatedOrTheOnlyChoice) {
+TEST(ResolveColumns, ColumnsAreStatedOrTheOnlyChoice) {
   EXPECT_EQ(bound("lagged_expansion:temperature=T_air_degC"), "lagged_expansion(T_air_degC)");
   EXPECT_EQ(bound("speed_heating"), "speed_heating(speed_rpm)");
   EXPECT_EQ(bound("gradient_bending:cold=T_air_degC,hot=T_oil_degC"), "gradient_bending(T_oil_degC, T_air_degC)");
@@ -33,7 +33,7 @@ TEST(BoundTo, ColumnsAreStatedOrTheOnlyChoice) {
   EXPECT_EQ(bound("linear_drift"), "linear_drift");
 }
 
-TEST(BoundTo, ColumnsThatDoNotSuitAreNamed) {
+TEST(ResolveColumns, ColumnsThatDoNotSuitAreNamed) {
   const std::pair<std::string, std::string> table[] = {
       {"expansion:temperature=T_iar_degC",
        "expected a column of the data for temperature of expansion, found \"T_iar_degC\"; the nearest is T_air_degC."},

@@ -13,7 +13,7 @@ ChildProcess shell(const std::string& command, std::string_view in = {}) {
   return child_process("--plot", {"sh", "-c", command}, in);
 }
 
-TEST(finished, tells_what_was_written_and_how_it_ended) {
+TEST(ChildProcess, tells_what_was_written_and_how_it_ended) {
   const ChildProcess said = shell("cat; echo wrong >&2; exit 3", "text");
   EXPECT_EQ(said.out, "text");
   EXPECT_EQ(said.err, "wrong\n");
@@ -23,21 +23,21 @@ TEST(finished, tells_what_was_written_and_how_it_ended) {
   EXPECT_EQ(shell("kill -9 $$").signal, SIGKILL);
 }
 
-TEST(finished, a_program_that_is_not_there_is_no_error) {
+TEST(ChildProcess, a_program_that_is_not_there_is_no_error) {
   EXPECT_TRUE(child_process("--plot", {"ballbar-has-no-such-program"}, "text").not_found);
 }
 
 // More than a pipe holds (64 KiB) both ways, and back before all is read.
-TEST(finished, long_texts_do_not_block) {
+TEST(ChildProcess, long_texts_do_not_block) {
   const std::string in(300000, 'a');
   EXPECT_EQ(shell("head -c 250000 /dev/zero | tr '\\0' b; cat", in).out, std::string(250000, 'b') + in);
 }
 
-TEST(finished, arguments_are_not_read_by_a_shell) {
+TEST(ChildProcess, arguments_are_not_read_by_a_shell) {
   EXPECT_EQ(child_process("--plot", {"printf", "%s", "$(echo x) `y` '\"; z"}, "").out, "$(echo x) `y` '\"; z");
 }
 
-TEST(finished, the_environment_is_ours_but_for_what_is_left_out) {
+TEST(ChildProcess, the_environment_is_ours_but_for_what_is_left_out) {
   setenv("BALLBAR_TEST_A", "1", 1);
   setenv("BALLBAR_TEST_B", "2", 1);
   const ChildProcess said =
@@ -48,7 +48,7 @@ TEST(finished, the_environment_is_ours_but_for_what_is_left_out) {
 }
 
 // One that ends before it reads is no SIGPIPE here, and the caller's choice stays.
-TEST(finished, signals_stay_as_they_are) {
+TEST(ChildProcess, signals_stay_as_they_are) {
   struct sigaction before {};
   struct sigaction after {};
   sigaction(SIGPIPE, nullptr, &before);

@@ -67,7 +67,7 @@ TEST(DiagnosisOfRecordings, one_feed_cannot_show_dynamic_contraction) {
   EXPECT_NE(at->testability, Testability::testable);
 }
 
-TEST(DiagnosisOfRecordings, both_ways_name_backlash_and_it_beats_its_fakes) {
+TEST(DiagnosisOfRecordings, both_ways_name_backlash_and_it_beats_its_surrogates) {
   const Diagnosis found = of(plan_of(made::both_ways(), 120), "backlash_a");
   EXPECT_EQ(named(found), "backlash_a");
   ASSERT_FALSE(found.candidates.empty());
@@ -75,7 +75,7 @@ TEST(DiagnosisOfRecordings, both_ways_name_backlash_and_it_beats_its_fakes) {
   EXPECT_GT(found.best_surrogate_fall, 0.0);
 }
 
-TEST(DiagnosisOfRecordings, a_wave_of_two_a_turn_has_no_fakes) {
+TEST(DiagnosisOfRecordings, a_wave_of_two_a_turn_has_no_surrogates) {
   const Diagnosis found = of(plan_of(made::both_ways(), 120), "scale_mismatch");
   EXPECT_EQ(named(found), "scale_mismatch");
   ASSERT_FALSE(found.candidates.empty());
@@ -108,7 +108,7 @@ TEST(DiagnosisOfRecordings, nothing_hidden_is_nothing) {
   EXPECT_EQ(called, 0);
 }
 
-TEST(CirclesOf, has_one_radius_at_several_feeds) {
+TEST(RecordingBaseModel, has_one_radius_at_several_feeds) {
   const auto radii = [](const std::vector<made::Sweep>& sweeps) {
     made::Plan plan;
     plan.sweeps = sweeps;

@@ -173,7 +173,7 @@ TEST(Diagnosis, a_temperature_that_stands_still_may_be_half_of_a_difference) {
   EXPECT_TRUE(bends);
 }
 
-TEST(Diagnosis, what_becomes_the_same_curve_is_no_rival) {
+TEST(Diagnosis, what_becomes_the_same_curve_is_no_competitor) {
   std::set<std::string> also;
   int named = 0;
   for (std::uint64_t seed = 4; seed <= 9; ++seed) {

@@ -9,7 +9,7 @@ namespace ballbar {
 namespace {
 
 // 19 columns, 300 rows: two groups of eight, blocks of rows, and what is left over.
-TEST(Whitened, many_columns_are_each_as_alone) {
+TEST(Whitening, many_columns_are_each_as_alone) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
   std::vector<double> time_s;

@@ -43,7 +43,7 @@ TEST(EffectTest, six_values_by_hand) {
 }
 
 // chi^2 with one degree of freedom: p = erfc(sqrt(likelihood ratio / 2)).
-TEST(EffectTest, stays_by_chi_squared) {
+TEST(EffectTest, needed_by_chi_squared) {
   Model model = constant();
   model.terms.push_back(term_of("expansion", {"T_degC"}));
   const std::vector<DropTest> found = drop_tests(model, 1, six_values());

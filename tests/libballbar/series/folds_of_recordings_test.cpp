@@ -1,4 +1,4 @@
-// Cycles of recordings.
+// Folds of recordings.
 #include <gtest/gtest.h>
 
 #include "../diagnosis/made_recordings.hpp"
@@ -21,20 +21,20 @@ Series circles(std::vector<made::Sweep> sweeps, std::size_t readings) {
   return made::circles(plan);
 }
 
-TEST(CyclesOfRecordings, are_the_recordings) {
+TEST(FoldsOfRecordings, are_the_recordings) {
   const Series trace = circles(made::both_ways(), 8);
   const std::vector<std::size_t> expected{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
   EXPECT_EQ(folds_of(trace, all_rows(trace)), expected);
 }
 
-TEST(CyclesOfRecordings, are_quarters_of_a_sweep_that_is_alone) {
+TEST(FoldsOfRecordings, are_quarters_of_a_sweep_that_is_alone) {
   const Series trace = circles(made::one_way(), 8);
   const std::vector<std::size_t> expected{0, 0, 1, 1, 2, 2, 3, 3};
   EXPECT_EQ(folds_of(trace, all_rows(trace)), expected);
 }
 
 // A gain that one recording alone knows cannot be predicted from the other.
-TEST(CyclesOfRecordings, are_quarters_of_all_sweeps_for_a_gain_of_one_recording) {
+TEST(FoldsOfRecordings, are_quarters_of_all_sweeps_for_a_gain_of_one_recording) {
   const Series trace = circles(made::both_ways(), 8);
   const std::vector<std::size_t> fold = folds_of(trace, all_rows(trace));
   const std::vector<std::size_t> quarters{0, 0, 1, 1, 2, 2, 3, 3, 0, 0, 1, 1, 2, 2, 3, 3};

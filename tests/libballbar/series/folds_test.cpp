@@ -1,4 +1,4 @@
-// Cycles that are left out one by one, and the error in them.
+// Folds that are left out one by one, and the error in them.
 #include "series/folds.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ std::map<std::size_t, std::size_t> lengths(const std::vector<std::size_t>& fold)
 }
 
 // One long run of 100 rows after 20 at rest: no cycle is longer than a fifth of the record.
-TEST(Cycles, a_long_stretch_is_cut_into_equal_pieces) {
+TEST(Folds, a_long_stretch_is_cut_into_equal_pieces) {
   const std::vector<std::size_t> fold = cycles_of_all(with_speed({{20, 0.0}, {100, 5000.0}}));
   EXPECT_TRUE(std::is_sorted(fold.begin(), fold.end()));
   EXPECT_EQ(fold[19], 0U);
@@ -46,7 +46,7 @@ TEST(Cycles, a_long_stretch_is_cut_into_equal_pieces) {
   for (const auto& [one, rows] : length) EXPECT_EQ(rows, 20U) << one;
 }
 
-TEST(Cycles, a_speed_that_never_changes_leaves_five_parts) {
+TEST(Folds, a_speed_that_never_changes_leaves_five_parts) {
   const auto length = lengths(cycles_of_all(with_speed({{120, 3000.0}})));
   EXPECT_EQ(length.size(), 5U);
   for (const auto& [one, rows] : length) EXPECT_EQ(rows, 24U) << one;

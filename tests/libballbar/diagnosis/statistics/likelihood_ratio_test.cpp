@@ -15,7 +15,7 @@ namespace ballbar {
 namespace {
 
 // Generalised least squares and its likelihood against dense matrices.
-TEST(LikelihoodRatio, explained_is_generalised_least_squares) {
+TEST(LikelihoodRatio, gls_fit_is_generalised_least_squares) {
   const std::vector<double> residual{0.3, -0.2, 0.5, 0.9, 1.4, 1.1, 1.9, 2.3};
   const LinearisedFit linearised = by_hand::fit_with(residual);
   const Noise noise{0.2, 0.4, 120.0, 0.0};
