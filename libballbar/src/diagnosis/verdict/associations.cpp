@@ -32,7 +32,7 @@ std::vector<std::size_t> by_fall(const SubsetFits& now) {
   std::map<const Effect*, std::size_t> taken;
   std::vector<std::size_t> result;
   for (const auto& [value, index] : best) {
-    if (result.size() < kAssociationsFitted && ++taken[now.bound(index).effect] <= kAssociationsOfAnEffect)
+    if (result.size() < kAssociationsFitted && ++taken[now.bound(index).effect] <= kAssociationColumns)
       result.push_back(index);
   }
   return result;

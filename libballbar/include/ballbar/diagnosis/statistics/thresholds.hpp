@@ -97,10 +97,10 @@ inline constexpr double kAfterChange_s = 600.0;         // where such readings l
 inline constexpr double kCancels = 1.5;                 // times the range of all effects of a set together
 inline constexpr std::size_t kShown = 8;                // candidates
 inline constexpr std::size_t kShownInQuestion = 12;
-inline constexpr double kAssociation = 0.7;                // of the held-out RMSE
-inline constexpr std::size_t kAssociationsFitted = 8;      // effects
-inline constexpr std::size_t kAssociationsOfAnEffect = 2;  // choices of columns
-inline constexpr std::size_t kAssociationRounds = 4;       // fits by the noise of the fit before
+inline constexpr double kAssociation = 0.7;            // of the held-out RMSE
+inline constexpr std::size_t kAssociationsFitted = 8;  // effects
+inline constexpr std::size_t kAssociationColumns = 2;  // choices of columns
+inline constexpr std::size_t kAssociationRounds = 4;   // fits by the noise of the fit before
 inline constexpr std::size_t kAssociationsShown = 4;
 
 // The next test.
