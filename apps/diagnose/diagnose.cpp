@@ -126,9 +126,9 @@ void print_text(const DiagnosisReport& diagnosis_report, const std::string& titl
     fmt::print("\n{}", candidate_table(found).text(kWidest));
     const bool of_recordings = found.candidates.front().bound.effect->level == Level::recording;
     fmt::print("{}", wrapped(fmt::format("* the best set, each beside the others. RMSE with it; held out: {} left out, "
-                                         "before and after. 2 ln LR: 2 ln of the likelihood ratio; needed: what 1 % "
-                                         "of searches find by chance.",
+                                         "before and after.",
                                          of_recordings ? "recordings, or quarters of their sweeps," : "cycles")));
+    fmt::print("2 ln LR: 2 ln of the likelihood ratio; needed: what 1 % of searches find by chance.\n");
   }
   for (const Candidate& candidate : found.candidates) {
     if (candidate.also_drawn_by.empty()) continue;

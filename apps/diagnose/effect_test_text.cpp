@@ -139,11 +139,10 @@ std::string tables(const EffectTest& effect_test) {
   text += "\n" + parameter_table(effect_test).text(kWidest);
   return text + "\n" +
          wrapped(fmt::format(
-             "2 ln LR: 2 ln of the likelihood ratio, the noise estimated anew on both sides; {:.0f} is d = 5. It "
-             "holds "
+             "2 ln LR: 2 ln of the likelihood ratio, the noise estimated anew on both sides; {:.0f} is d = 5. It holds "
              "for an effect chosen before looking at these data. best surrogate's %: by which the best of {} "
-             "surrogates, the "
-             "same smoothness and no cause, lowers the RMSE. drop test p: an earlier effect is needed below {}.",
+             "surrogates, the same smoothness and no cause, lowers the RMSE. drop test p: an earlier effect is needed "
+             "below {}.",
              kLeastLikelihoodRatio, kSurrogates, kDropTest));
 }
 

@@ -94,7 +94,8 @@ std::string defaults_of(std::span<const Key> keys, const std::set<std::string_vi
 std::string default_sweeps() {
   static const std::regex stated(R"re(.*default (-?\d+) to (\d+) deg, (\d+) readings)re");
   std::string out;
-  for (const Key& key : machine_keys().front().keys) {
+  const std::vector<KeyTable> tables = machine_keys();
+  for (const Key& key : tables.front().keys) {
     std::cmatch found;
     if (!std::regex_match(key.meaning.data(), key.meaning.data() + key.meaning.size(), found, stated)) continue;
     out += fmt::format("[{}]\nstart_deg = {}\nend_deg = {}\nreadings = {}\n", key.name, found[1].str(), found[2].str(),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -71,9 +72,9 @@ Candidate confirmed(const SubsetFits& now, const Series& data, const SubsetFit& 
     return candidate;
   }
   now.tell(fmt::format("testing {} surrogates of {}", options.surrogates, candidate.label));
-  candidate = beside_surrogate(std::move(candidate),
-                               surrogate_of(models, candidate.bound, surrogate_points(now, with.set[place]),
-                                            options.surrogates, options.search.seed));
+  const std::optional<BestSurrogate> surrogate = surrogate_of(
+      models, candidate.bound, surrogate_points(now, with.set[place]), options.surrogates, options.search.seed);
+  candidate = beside_surrogate(std::move(candidate), surrogate);
   const bool of_recordings = now.model().level == Level::recording;
   if (candidate.likelihood_ratio < kLeastLikelihoodRatio) doubt(std::string(kLowLikelihoodRatio));
   if (null.p_search(effect, tests.gain_of_many) >= kErrorOfASearch) doubt("a few readings alone make it");
