@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ballbar/circle/trace.hpp"
@@ -54,6 +55,19 @@ inline Series circles(const Plan& plan) {
     recordings.push_back(std::move(recording));
   }
   return trace_of(recordings);
+}
+
+inline Series circles(std::vector<Sweep> sweeps, std::size_t readings) {
+  Plan plan;
+  plan.sweeps = std::move(sweeps);
+  plan.readings = readings;
+  return circles(plan);
+}
+
+inline std::vector<std::size_t> all_rows(const Series& data) {
+  std::vector<std::size_t> rows(data.time_s.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
+  return rows;
 }
 
 // What the effect adds with these parameters.

@@ -8,40 +8,27 @@
 namespace ballbar {
 namespace {
 
-std::vector<std::size_t> all_rows(const Series& data) {
-  std::vector<std::size_t> rows(data.time_s.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
-  return rows;
-}
-
-Series circles(std::vector<made::Sweep> sweeps, std::size_t readings) {
-  made::Plan plan;
-  plan.sweeps = std::move(sweeps);
-  plan.readings = readings;
-  return made::circles(plan);
-}
-
 TEST(FoldsOfRecordings, are_the_recordings) {
-  const Series trace = circles(made::both_ways(), 8);
+  const Series trace = made::circles(made::both_ways(), 8);
   const std::vector<std::size_t> expected{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
-  EXPECT_EQ(folds_of(trace, all_rows(trace)), expected);
+  EXPECT_EQ(folds_of(trace, made::all_rows(trace)), expected);
 }
 
 TEST(FoldsOfRecordings, are_quarters_of_a_sweep_that_is_alone) {
-  const Series trace = circles(made::one_way(), 8);
+  const Series trace = made::circles(made::one_way(), 8);
   const std::vector<std::size_t> expected{0, 0, 1, 1, 2, 2, 3, 3};
-  EXPECT_EQ(folds_of(trace, all_rows(trace)), expected);
+  EXPECT_EQ(folds_of(trace, made::all_rows(trace)), expected);
 }
 
 // A gain that one recording alone knows cannot be predicted from the other.
 TEST(FoldsOfRecordings, are_quarters_of_all_sweeps_for_a_gain_of_one_recording) {
-  const Series trace = circles(made::both_ways(), 8);
-  const std::vector<std::size_t> fold = folds_of(trace, all_rows(trace));
+  const Series trace = made::circles(made::both_ways(), 8);
+  const std::vector<std::size_t> fold = folds_of(trace, made::all_rows(trace));
   const std::vector<std::size_t> quarters{0, 0, 1, 1, 2, 2, 3, 3, 0, 0, 1, 1, 2, 2, 3, 3};
   Eigen::MatrixXd columns = Eigen::MatrixXd::Ones(16, 1);
-  EXPECT_EQ(folds_that_tell(trace, all_rows(trace), fold, columns), fold);
+  EXPECT_EQ(folds_that_tell(trace, made::all_rows(trace), fold, columns), fold);
   columns.bottomRows(8).setZero();
-  EXPECT_EQ(folds_that_tell(trace, all_rows(trace), fold, columns), quarters);
+  EXPECT_EQ(folds_that_tell(trace, made::all_rows(trace), fold, columns), quarters);
 }
 
 TEST(Folds, cycles_end_with_changes_of_speed) {

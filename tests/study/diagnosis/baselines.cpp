@@ -16,17 +16,17 @@ namespace {
 constexpr std::size_t kMostAdded = 6;
 
 struct Columns {
-  SignatureLibrary library;
+  SignatureLibrary known;
   Projected seen;
   double n = 0.0;
   double fitted = 0.0;  // parameters of the base model
 
   BoundEffect bound(std::size_t signature) const {
-    const Family& family = library.families[library.signatures[signature].family];
+    const Family& family = known.families[known.signatures[signature].family];
     return family.bound;
   }
   double freedom(std::size_t signature) const {
-    return static_cast<double>(freedom_of(*library.families[library.signatures[signature].family].bound.effect));
+    return static_cast<double>(freedom_of(*known.families[known.signatures[signature].family].bound.effect));
   }
 };
 
@@ -43,7 +43,7 @@ Columns columns_of(const DataSet& set) {
   columns.n = static_cast<double>(base.row.size());
   columns.fitted = static_cast<double>(model.cols());
   columns.seen =
-      projected(columns.library, Eigen::VectorXd::Map(base.residual_um.data(), static_cast<Eigen::Index>(columns.n)),
+      projected(columns.known, Eigen::VectorXd::Map(base.residual_um.data(), static_cast<Eigen::Index>(columns.n)),
                 model, Whitening(noise, base.time_s, base.sigma_um));
   return columns;
 }
@@ -61,7 +61,7 @@ std::vector<BoundEffect> greedy(const Columns& columns, Worth worth) {
   Eigen::VectorXd left = columns.seen.residual;
   double parameters = columns.fitted;
   while (selected.size() < kMostAdded) {
-    const std::vector<double> fall = falls(columns.library, columns.seen, beside, left);
+    const std::vector<double> fall = falls(columns.known, columns.seen, beside, left);
     const double rss = left.squaredNorm();
     double most = 0.0;
     std::size_t best = fall.size();
@@ -76,7 +76,7 @@ std::vector<BoundEffect> greedy(const Columns& columns, Worth worth) {
     if (best == fall.size()) break;
     selected.push_back(columns.bound(best));
     parameters += columns.freedom(best);
-    beside = with_signature(beside, columns.seen, columns.library.signatures[best]);
+    beside = with_signature(beside, columns.seen, columns.known.signatures[best]);
     left = freed(columns.seen.residual, beside);
   }
   return selected;
@@ -101,7 +101,7 @@ std::vector<BoundEffect> subset_bic(const Columns& columns) {
   double least = criterion(columns.n, rss, columns.fitted, price);
   std::vector<BoundEffect> selected;
   const auto largest = static_cast<std::size_t>(std::clamp((columns.n - columns.fitted) / 4.0, 1.0, 3.0));
-  for (const Subset& subset : best_subsets(columns.library, columns.seen, nullptr, largest)) {
+  for (const Subset& subset : best_subsets(columns.known, columns.seen, nullptr, largest)) {
     double parameters = columns.fitted;
     std::vector<BoundEffect> bounds;
     for (const std::size_t k : subset.signatures) {
@@ -119,9 +119,9 @@ std::vector<BoundEffect> subset_bic(const Columns& columns) {
 std::vector<BoundEffect> lasso(const Columns& columns) {
   std::vector<BoundEffect> selected;
   for (const Eigen::Index column : lasso_selection(columns.seen.columns, columns.seen.residual)) {
-    const auto at = std::find_if(columns.library.signatures.begin(), columns.library.signatures.end(),
+    const auto at = std::find_if(columns.known.signatures.begin(), columns.known.signatures.end(),
                                  [&](const Signature& one) { return column < one.first + one.width; });
-    const BoundEffect bound = columns.bound(static_cast<std::size_t>(at - columns.library.signatures.begin()));
+    const BoundEffect bound = columns.bound(static_cast<std::size_t>(at - columns.known.signatures.begin()));
     if (std::find(selected.begin(), selected.end(), bound) == selected.end()) selected.push_back(bound);
   }
   return selected;

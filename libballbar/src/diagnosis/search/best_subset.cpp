@@ -116,7 +116,7 @@ class Search {
     return best;
   }
 
-  const SignatureLibrary& library() const { return library_; }
+  const SignatureLibrary& signatures() const { return library_; }
   const Projected& projected() const { return projected_; }
 
  private:
@@ -192,8 +192,8 @@ std::vector<Subset> best_pairs(const Search& search, const std::vector<std::size
   in_parallel(pairs.size(), [&](std::size_t k) {
     Subset& pair = pairs[k];
     if (pair.signatures.size() < 2) return;
-    const Subset finer = search.best_pair(search.library().families[search.at(pair.signatures[0]).family],
-                                          search.library().families[search.at(pair.signatures[1]).family]);
+    const Subset finer = search.best_pair(search.signatures().families[search.at(pair.signatures[0]).family],
+                                          search.signatures().families[search.at(pair.signatures[1]).family]);
     if (finer.net > pair.net) pair = finer;
   });
   return pairs;

@@ -100,7 +100,7 @@ double penalised(const SubsetFits& now, const NullModel& null_model, const Evalu
 
 WorthALook worth_a_look(const SubsetFits& now, const NullModel& null_model) {
   std::vector<Set> sets;
-  for (const Subset& subset : best_subsets(now.library(), null_model.seen, &null_model.null, now.largest_set())) {
+  for (const Subset& subset : best_subsets(now.signatures(), null_model.seen, &null_model.null, now.largest_set())) {
     sets.push_back(subset.signatures);
     if (sets.size() == kWorthALook) break;
   }

@@ -26,7 +26,7 @@ NullModel null_model_of(const SubsetFits& now, const Noise& start, const SearchO
   }
   Projected seen = now.projected_by(noise);
   now.tell(fmt::format("searching {} data sets without any effect", options.draws));
-  MaxScoreNull null = max_score_null(now.library(), seen, linearised, noise,
+  MaxScoreNull null = max_score_null(now.signatures(), seen, linearised, noise,
                                      plausible_noises(linearised, columns, noise, kPlausibleNoises, options.seed),
                                      options.draws, options.seed);
   const bool heavy = has_heavy_tails(whitened(Whitening(noise, linearised.time_s, linearised.sigma_um), left_um));
@@ -37,14 +37,14 @@ NullModel null_model_of(const SubsetFits& now, const Noise& start, const SearchO
 Detected detected(const SubsetFits& now, const NullModel& null_model) {
   const Projected& seen = null_model.seen;
   const Eigen::VectorXd score =
-      scores(now.library(), seen, null_model.heavy_tails ? clipped(seen.residual) : seen.residual);
+      scores(now.signatures(), seen, null_model.heavy_tails ? clipped(seen.residual) : seen.residual);
   Detected result;
   result.smallest_um = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < now.library().signatures.size(); ++i) {
+  for (std::size_t i = 0; i < now.signatures().signatures.size(); ++i) {
     const Effect& effect = *now.bound(i).effect;
     result.p_anything =
         std::min(result.p_anything, null_model.null.p_search(effect, score[static_cast<Eigen::Index>(i)]));
-    const double um = detectable_um(now.library(), seen, i, std::sqrt(null_model.null.threshold(effect)));
+    const double um = detectable_um(now.signatures(), seen, i, std::sqrt(null_model.null.threshold(effect)));
     if (um >= result.smallest_um) continue;
     result.smallest_um = um;
     result.smallest = now.bound(i);

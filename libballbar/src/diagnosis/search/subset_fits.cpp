@@ -125,7 +125,7 @@ FirstGuess first_guess(const SubsetFits& now, const Noise& base_noise, Evaluatio
       // The best few of every size.
       std::map<std::size_t, std::size_t> taken;
       std::vector<Set> sets;
-      for (const Subset& subset : best_subsets(now.library(), seen, nullptr, now.largest_set())) {
+      for (const Subset& subset : best_subsets(now.signatures(), seen, nullptr, now.largest_set())) {
         if (++taken[subset.signatures.size()] <= kBestOfEverySize) sets.push_back(subset.signatures);
       }
       known = now.evaluated(std::move(known), sets, start);
@@ -167,8 +167,8 @@ std::vector<Set> swaps(const SubsetFits& now, const Projected& seen, const Set& 
     };
     const double own = gain(set[out]);
     std::vector<std::pair<double, Set>> places;
-    for (std::size_t f = 0; f < now.library().families.size(); ++f) {
-      const Family& family = now.library().families[f];
+    for (std::size_t f = 0; f < now.signatures().families.size(); ++f) {
+      const Family& family = now.signatures().families[f];
       const bool there = std::any_of(set.begin(), set.end(), [&](std::size_t i) { return now.at(i).family == f; });
       if (there && now.at(set[out]).family != f) continue;
       std::size_t best = family.first;
@@ -197,15 +197,15 @@ std::vector<std::size_t> in_place_of(const SubsetFits& now, const SubsetFit& who
   }
   const LinearisedFit& linearised = without.noise_fit.linearised;
   const Whitening whitening(whole.noise_fit.noise, linearised.time_s, linearised.sigma_um);
-  const Projected seen = projected(now.library(), linearised.residual_um, linearised.model, whitening);
-  const Eigen::VectorXd score = scores(now.library(), seen, seen.residual);
+  const Projected seen = projected(now.signatures(), linearised.residual_um, linearised.model, whitening);
+  const Eigen::VectorXd score = scores(now.signatures(), seen, seen.residual);
   const auto net = [&](std::size_t index) {
     return score[static_cast<Eigen::Index>(index)] - null.threshold(*now.bound(index).effect);
   };
   std::vector<std::size_t> best;
   double own = 0.0;
-  for (std::size_t f = 0; f < now.library().families.size(); ++f) {
-    const Family& family = now.library().families[f];
+  for (std::size_t f = 0; f < now.signatures().families.size(); ++f) {
+    const Family& family = now.signatures().families[f];
     std::size_t most = family.first;
     for (std::size_t i = family.first; i < family.first + family.count; ++i) {
       if (net(i) > net(most)) most = i;

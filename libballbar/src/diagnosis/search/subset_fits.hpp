@@ -36,7 +36,7 @@ class SubsetFits {
  public:
   SubsetFits(const Model& model, const Series& data, std::size_t target, const Fit& base, const SearchOptions& options);
 
-  const SignatureLibrary& library() const { return library_; }
+  const SignatureLibrary& signatures() const { return library_; }
   const LinearisedFit& linearised() const { return linearised_; }
   const Signature& at(std::size_t index) const { return library_.signatures[index]; }
   const Family& family(std::size_t index) const { return library_.families[at(index).family]; }

@@ -22,7 +22,7 @@ std::vector<std::size_t> by_fall(const SubsetFits& now) {
     return (orthonormal(freed(now.columns({index}), model.basis)).transpose() * model.residual).squaredNorm();
   };
   std::vector<std::pair<double, std::size_t>> best;
-  for (const Family& family : now.library().families) {
+  for (const Family& family : now.signatures().families) {
     if (family.bound.effect->time_only) continue;
     std::pair<double, std::size_t> most{0.0, family.first};
     for (std::size_t i = family.first; i < family.first + family.count; ++i) most = std::max(most, {fall(i), i});

@@ -53,21 +53,21 @@ Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, c
   result.target = result.base.target;
   const SubsetFits now(model, rows, target, result.base, options.search);
   std::set<const Effect*> searched;
-  for (const Family& family : now.library().families) searched.insert(family.bound.effect);
+  for (const Family& family : now.signatures().families) searched.insert(family.bound.effect);
   result.searched_effects = searched.size();
   const auto detectability_by = [&](const Projected& seen) {
-    return detectability_but(options.search, detectability_of(options.search.catalogue, now.library(), seen, model,
+    return detectability_but(options.search, detectability_of(options.search.catalogue, now.signatures(), seen, model,
                                                               rows, options.search.motion));
   };
-  if (now.library().families.empty() || now.largest_set() == 0) {
+  if (now.signatures().families.empty() || now.largest_set() == 0) {
     result.verdict = Verdict::untestable;
     result.detectability = detectability_by(now.projected_by(result.base.noise));
-    result.reasons.emplace_back(now.library().families.empty()
+    result.reasons.emplace_back(now.signatures().families.empty()
                                     ? "No effect of the catalogue can be tested on these data."
                                     : "There are too few values to test anything more.");
     return result;
   }
-  now.tell(fmt::format("searching {} shapes of {} effects", now.library().signatures.size(), searched.size()));
+  now.tell(fmt::format("searching {} shapes of {} effects", now.signatures().signatures.size(), searched.size()));
   const NullModel null_model = null_model_of(now, result.base.noise, options.search);
   result.detectability = detectability_by(null_model.seen);
   const Detected detection = detected(now, null_model);

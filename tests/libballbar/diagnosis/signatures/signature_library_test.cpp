@@ -31,17 +31,10 @@ TEST(SignatureLibrary, score_is_the_fall_of_chi2) {
   EXPECT_NEAR(seen.norm[0], 4.0 / 2.0, 1e-12);
 }
 
-Series circles(std::vector<made::Sweep> sweeps, std::size_t readings) {
-  made::Plan plan;
-  plan.sweeps = std::move(sweeps);
-  plan.readings = readings;
-  return made::circles(plan);
-}
-
 // 360 readings in a sweep of 18.8 s, or every third: 19.1 or 6.4 a second. Above half of that a vibration passes for a
 // slow one, and for the form of the path.
 TEST(SignatureLibraryOfRecordings, has_no_frequency_above_half_the_rate_of_the_rows) {
-  const Series all = circles(made::both_ways(), 360);
+  const Series all = made::circles(made::both_ways(), 360);
   const Effect* vibration = find_effect("vibration", Level::recording);
   const auto highest_Hz = [&](std::size_t most) {
     const Series trace = subsampled(all, "deviation_um", most);

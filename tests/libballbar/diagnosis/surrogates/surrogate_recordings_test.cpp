@@ -12,19 +12,6 @@
 namespace ballbar {
 namespace {
 
-std::vector<std::size_t> all_rows(const Series& data) {
-  std::vector<std::size_t> rows(data.time_s.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
-  return rows;
-}
-
-Series circles(std::vector<made::Sweep> sweeps, std::size_t readings) {
-  made::Plan plan;
-  plan.sweeps = std::move(sweeps);
-  plan.readings = readings;
-  return made::circles(plan);
-}
-
 struct WithSurrogate {
   std::optional<BestSurrogate> surrogate;
   double own = 0.0;  // fall of chi^2 by the effect itself
@@ -32,7 +19,7 @@ struct WithSurrogate {
 
 // The residual: `scale` times what the effect adds, and noise of 1 um; nothing else is in the model.
 WithSurrogate with_surrogate(const char* effect, const std::vector<made::Sweep>& sweeps, double scale) {
-  const Series trace = circles(sweeps, 120);
+  const Series trace = made::circles(sweeps, 120);
   const Term term = term_of(effect, {}, Level::recording);
   std::vector<double> parameters;
   for (const Parameter& parameter : term.effect->parameters) {
@@ -47,7 +34,7 @@ WithSurrogate with_surrogate(const char* effect, const std::vector<made::Sweep>&
   for (double& value : linearised.residual_um) value += normal(random);
   linearised.model = Eigen::MatrixXd(added.size(), 0);
   const SurrogateSource traced{{term.effect.get(), term.columns}, {parameters}, added};
-  return {best_recording_surrogate(traced, trace, all_rows(trace), linearised, {1.0, 0.0, 0.0, 0.0}, 200, 1),
+  return {best_recording_surrogate(traced, trace, made::all_rows(trace), linearised, {1.0, 0.0, 0.0, 0.0}, 200, 1),
           std::pow(linearised.residual_um.dot(added), 2)};
 }
 
