@@ -108,8 +108,8 @@ Eigen::MatrixXd matrix_of(const Columns& columns, const std::vector<std::size_t>
 std::vector<Forecast> forecasts_of(const Drives& drives, const std::vector<std::vector<double>>& values) {
   std::vector<Columns> bases;
   for (const double exponent : kExponents) bases.push_back(driven(drives, exponent));
-  Columns at_rest{std::vector<double>(drives.time_s.size(), 1.0)};
-  for (std::vector<double>& decay : decays(drives.time_s)) at_rest.push_back(std::move(decay));
+  Columns at_rest = decays(drives.time_s);
+  at_rest.insert(at_rest.begin(), std::vector<double>(drives.time_s.size(), 1.0));
   std::vector<Forecast> result;
   for (const std::vector<double>& column : values) {
     std::vector<std::size_t> rows;

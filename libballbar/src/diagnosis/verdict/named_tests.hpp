@@ -17,8 +17,8 @@
 
 namespace ballbar {
 
-// The term of a fitted model: what it is, its parameters and its amplitude.
-Candidate candidate_of(const Model& model, const Fit& fit, std::size_t term);
+// The term at `place` of a fitted model: what it is, its parameters and its amplitude.
+Candidate candidate_of(const Model& model, const Fit& fit, std::size_t place);
 
 // A model with and without one of its terms. Refers to all.
 struct WithAndWithout {

@@ -42,6 +42,6 @@ struct NextTest {
 // `diagnosis.equivalent` (of a group with one member: whether it comes again, once the data alone may no longer speak
 // for it), else the strongest two that are not named; none: empty, as for the verdict `nothing` and a diagnosis of
 // other data. Does not throw.
-std::vector<NextTest> next_tests(const Model& model, const Series& data, const Diagnosis& diagnosis);
+std::vector<NextTest> next_tests(const Model& model, const Series& all, const Diagnosis& diagnosis);
 
 }  // namespace ballbar
