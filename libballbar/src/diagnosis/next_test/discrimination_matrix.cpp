@@ -45,14 +45,6 @@ std::optional<std::size_t> recording_of(const Effect& effect) {
   return std::nullopt;
 }
 
-std::vector<std::size_t> gains_of(const Effect& effect) {
-  std::vector<std::size_t> gains;
-  for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
-    if (effect.parameters[k].kind == ParameterKind::gain) gains.push_back(k);
-  }
-  return gains;
-}
-
 }  // namespace
 
 std::optional<Competitor> competitor_of(const Candidate& candidate, const Series& data, std::size_t most_points) {
@@ -184,7 +176,7 @@ Eigen::MatrixXd own_columns(const DiscriminationMatrix& candidates, const Planne
     if (recording) parameters[*recording] = number;
     const std::optional<EffectAt> values = in_test(circle, first->columns, parameters, test, *candidates.data);
     if (!values) continue;
-    const Eigen::MatrixXd slopes = values->slopes(Eigen::all, gains_of(circle));
+    const Eigen::MatrixXd slopes = values->gains(circle);
     Eigen::MatrixXd more(n, result.cols() + slopes.cols());
     more << result, slopes;
     result = std::move(more);
