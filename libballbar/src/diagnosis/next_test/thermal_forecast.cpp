@@ -107,6 +107,7 @@ Eigen::MatrixXd matrix_of(const Columns& columns, const std::vector<std::size_t>
 
 std::vector<Forecast> forecasts_of(const Drives& drives, const std::vector<std::vector<double>>& values) {
   std::vector<Columns> bases;
+  bases.reserve(std::size(kExponents));
   for (const double exponent : kExponents) bases.push_back(driven(drives, exponent));
   Columns at_rest = decays(drives.time_s);
   at_rest.insert(at_rest.begin(), std::vector<double>(drives.time_s.size(), 1.0));
