@@ -1,0 +1,96 @@
+// The errors of a machine's two axes from one ballbar test: all of them fitted together, over all of its recordings.
+//
+// Linear in every error, so that one least squares gives them all (y: deviations in um, X: what a unit of each adds):
+//
+//   b = (X' X + L)^-1 X' y,      cov b = (X' X + L)^-1 (X' V X + L T L) (X' X + L)^-1
+//
+// Unweighted over the readings farther than 1.5 deg from a reversal, as instrument software does, so that its stored
+// values are found again. L are the precisions of the prior, T its variances; V the covariance of the noise that this
+// full model leaves: white and with a memory, by restricted likelihood, averaged over memory and share. The
+// width of the reversal spikes and the pitch of the cyclic errors are the only shapes; both are searched on a grid.
+// Errors are the catalogue's effects with EffectRules::machine_error, one row a gain, or a pair of sine and cosine.
+//
+// Sources: the forward model is worked out from simulated curves that instrument software stores in `.b5r` files, which
+// it reproduces to 0.003 um. Sandwich covariance: H. White, Econometrica 48 (1980).
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ballbar/circle/recording.hpp"
+#include "ballbar/effects/effect.hpp"
+#include "ballbar/noise/noise.hpp"
+
+namespace ballbar {
+
+// What is known of the two axes beside the readings.
+struct MachineErrorOptions {
+  bool prior = true;                             // false: `--prior none`
+  std::optional<double> pitch_a_mm, pitch_b_mm;  // of the screws, where they are known; else searched
+};
+
+// One row of the table.
+struct MachineError {
+  std::string name;  // "squareness", "backlash_a_pos", "cyclic_error_a_fwd", "centre_a", "global_scale", ...
+  std::string unit;  // "um", "um/m", "ms"
+  double value = 0.0;
+  double sigma = 0.0;
+  const Effect* effect = nullptr;  // whose it is; nullptr: of the circle (set-up and scale), which is not ranked
+};
+
+// One effect with all of its rows: what the circle shows of it.
+struct RankedError {
+  const Effect* effect = nullptr;
+  std::vector<std::size_t> rows;           // places in MachineErrors::errors
+  double individual_circularity_um = 0.0;  // IC: peak to peak of its own curve over all recordings
+  double share_percent = 0.0;              // of the sum of all IC
+  std::optional<std::size_t> rank;         // 1: the largest IC; nothing: not significant, no row above 2.6 sigma
+  double p_value = 1.0;                    // of all of its rows together being 0 (chi^2)
+  bool significant = false;                // p_value small enough for as many errors as were looked at
+  std::optional<bool> predicts_other_run;  // its value from one run alone lowers what is left in the other
+  double circularity_without_um = 0.0;     // that remains if it is mended
+};
+
+// A harmonic that is left in the residual.
+struct LeftHarmonic {
+  int harmonic = 0;           // waves a turn
+  std::size_t recording = 0;  // the one in which it is largest
+  double peak_to_peak_um = 0.0;
+  double p_value = 1.0;  // after the number of harmonics and recordings looked at
+  bool in_both = false;  // alike in the other direction too
+};
+
+struct PriorOfError {
+  std::string name;
+  double sigma = 0.0;  // 0 +- sigma, in the row's unit
+  std::string unit;
+};
+
+struct MachineErrors {
+  std::vector<MachineError> errors;
+  Eigen::MatrixXd covariance;       // of the values, in the order of errors
+  std::vector<RankedError> ranked;  // falling IC
+  double circularity_um = 0.0;      // max - min of all readings about the fitted centre
+  double residual_rms_um = 0.0;
+  double repeatability_um = 0.0;     // what of the residual is not the same in both directions; NaN: one direction
+  std::optional<LeftHarmonic> left;  // what the model does not explain; nothing: nothing clear
+  std::vector<std::string>
+      undetermined;                     // "scale_mismatch with straightness_b and centre_a": the data do not tell apart
+  std::vector<PriorOfError> prior;      // empty: none
+  Noise noise;                          // the most likely one
+  std::vector<std::size_t> recordings;  // readings of each
+};
+
+// Recordings of one plane, one bar and linear axes, of one test or of several at the same place. Throws Error for
+// others, and for fewer readings than the errors need. O(n) in readings, some 2 ms for 2 times 1500.
+MachineErrors machine_errors(std::span<const Recording> recordings, const MachineErrorOptions& options = {});
+
+// What one ranked error, or all of them (nullptr: and the circles), adds to each reading, um; n in the order of the
+// recordings.
+std::vector<double> curve_of(const MachineErrors& found, const Effect* effect, std::span<const Recording> recordings);
+
+}  // namespace ballbar
