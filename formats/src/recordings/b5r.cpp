@@ -186,9 +186,8 @@ void read_runs(const SourceText& text, pugi::xml_node document, pugi::xml_node b
   for (const pugi::xml_node analysis : document.children("ANALYSIS")) {
     add_features(text, analysis, analysis_name(analysis), test.stored);
   }
-  if (test.run_results.empty() && test.stored.empty()) {
-    fail_at(text, offset_of(results ? results : document),
-            "expected a BALLBAR_RUN in RUN_RESULTS, or stored results, found neither.");
+  if (test.runs.empty() && test.stored.empty()) {
+    fail_at(text, offset_of(results ? results : document), "expected READINGS or stored results, found neither.");
   }
   remark_runs(nodes, results ? results : document, test, remarks);
 }

@@ -10,6 +10,9 @@
 
 namespace ballbar {
 
+// NAME of the ANALYSIS that has the simulated curves.
+inline constexpr const char* kCurveAnalysis = "RENISHAW_DIAGNOSTICS";
+
 // Sentences with their place. No more than 20: to say where costs a pass through the file.
 class B5rRemarks {
  public:
