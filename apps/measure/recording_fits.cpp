@@ -101,11 +101,17 @@ bool are_pair(const FittedRecording& first, const FittedRecording& second) {
 
 }  // namespace
 
-Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options) {
+Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options, bool results_alone) {
   Fitted fitted;
   std::size_t next_of_pair = 0;  // recordings before it are in a pair already, or cannot be
   for (const std::string& file : files) {
     RecordingFile opened = open_recording(file);
+    std::move(opened.remarks.begin(), opened.remarks.end(), std::back_inserter(fitted.remarks));
+    if (results_alone && opened.recordings.empty() && opened.b5r) {
+      fitted.results_alone.push_back({file, std::move(*opened.b5r)});
+      next_of_pair = fitted.recordings.size();
+      continue;
+    }
     expect_readings(opened, file);
     const std::size_t first_of_file = fitted.recordings.size();
     for (std::size_t i = 0; i < opened.recordings.size(); ++i) {

@@ -110,6 +110,18 @@ void read_curves(const SourceText& text, pugi::xml_node document, B5r& test, B5r
   }
 }
 
+std::string_view unit_of_data_type(std::string_view data_type) {
+  constexpr std::pair<std::string_view, std::string_view> kUnits[] = {
+      {"UT_LENGTH_MM", "mm"},      {"UT_LENGTH_UM", "um"},    {"UT_FEEDRATE", "mm/min"},
+      {"UT_ANGLE", "deg"},         {"UT_SQUARENESS", "um/m"}, {"UT_SCALE_ERROR", "ppm"},
+      {"UT_SERVO_MISMATCH", "ms"}, {"UT_PERCENT", "%"},       {"UT_RANKING", ""},
+  };
+  for (const auto& [type, unit] : kUnits) {
+    if (type == data_type) return unit;
+  }
+  return data_type;
+}
+
 const SimulatedCurve* simulated_curve(const B5r& test, Direction direction) {
   for (const SimulatedCurve& curve : test.simulated_um) {
     if (curve.direction == direction) return &curve;

@@ -33,7 +33,7 @@ Text text_of(const SourceText& text, pugi::xml_node node);
 // A finite number; `name` stands in the message.
 double number_of(const SourceText& text, const Text& found, std::string_view name);
 
-constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+constexpr bool is_xml_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 // Calls use(number, its text) for each of the numbers between blanks, in order; returns how many there are.
 template <class Use>
@@ -43,10 +43,10 @@ std::size_t each_number(const SourceText& text, const Text& found, std::string_v
   std::size_t count = 0;
   for (const char* at = begin; at != end; ++count) {  // trimmed: it begins with a number
     const char* last = at;
-    while (last != end && !is_blank(*last)) ++last;
+    while (last != end && !is_xml_blank(*last)) ++last;
     const Text one{{at, static_cast<std::size_t>(last - at)}, found.offset + static_cast<std::size_t>(at - begin)};
     use(number_of(text, one, name), one);
-    for (at = last; at != end && is_blank(*at);) ++at;
+    for (at = last; at != end && is_xml_blank(*at);) ++at;
   }
   return count;
 }

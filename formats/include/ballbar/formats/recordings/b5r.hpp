@@ -90,6 +90,9 @@ B5r read_b5r(std::string_view bytes, std::string_view name);
 std::optional<double> stored_value(const B5r& test, std::string_view parent, std::string_view name,
                                    std::string_view data_type);
 
+// "um", "um/m", "mm/min": the unit that a data_type means; a type that is not known stands as it is.
+std::string_view unit_of_data_type(std::string_view data_type);
+
 // Parent of the values stored for that recording of the file: "run 0".
 std::string parent_of(const B5r& test, std::size_t recording);
 
