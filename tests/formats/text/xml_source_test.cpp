@@ -39,6 +39,9 @@ TEST(xml_source, numbers_of_other_forms) {
   EXPECT_EQ(numbers("1e-3 2. .5 +1E2 -0"), (std::vector<double>{1e-3, 2.0, 0.5, 100.0, 0.0}));
   EXPECT_EQ(numbers("123456789012345 1234567890123456 0.0000000000000001 99999999999999999999"),
             (std::vector<double>{123456789012345.0, 1234567890123456.0, 1e-16, 1e20}));
+  // Of 16 digits both the whole and the quotient would be rounded.
+  EXPECT_EQ(numbers("91399620.84340797 944608837.2433843"),
+            (std::vector<double>{91399620.84340797, 944608837.2433843}));
   EXPECT_EQ(numbers(""), std::vector<double>{});
   for (const char* text : {".", "+", "-", "1.2.3", "1,2", "--1", "+-1", "1x", "0x1", "inf", "nan", "1e999"}) {
     EXPECT_THROW(numbers(text), Error) << text;
