@@ -130,7 +130,7 @@ TEST(b5r_remarks, are_not_more_than_twenty) {
   for (int i = 0; i < 100; ++i) limits += "<LOWER_LIMIT>x</LOWER_LIMIT></TOLERANCE><TOLERANCE>";
   const B5r test = read_b5r(changed("both", "<LOWER_LIMIT>-</LOWER_LIMIT>", limits), "file");
   EXPECT_EQ(test.remarks.size(), 20u);
-  EXPECT_EQ(test.limits.size(), 3u);
+  EXPECT_EQ(test.limits.size(), 2u);  // the third would stand behind the faults
 }
 
 TEST(b5r_remarks, neither_readings_nor_results_are_an_error) {
