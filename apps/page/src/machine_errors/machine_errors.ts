@@ -1,0 +1,62 @@
+// The errors of the machine, found from one test: the circle and the ranked table beside it.
+import { error_tests, type ErrorTest } from "./error_curves";
+import { error_name, unit_shown } from "./error_names";
+import { circle_table, errors_table } from "./error_tables";
+import { errors_picture, kErrors_picture } from "./errors_picture";
+import type { Section, Told } from "../picture";
+import { ranked_errors } from "./ranked_errors";
+import type { Report } from "../report";
+import { shown } from "../drawing/theme";
+
+const kRemedies = 3;
+
+const told_of = (test: ErrorTest): Told => {
+  const { part, recordings } = test;
+  const plane = recordings[0]?.plane;
+  const remedies = ranked_errors(part)
+    .filter(({ first }) => first.rank !== null && first.remedy)
+    .slice(0, kRemedies)
+    .map(({ effect, first }) => `${error_name(effect, plane)}: ${first.remedy}`);
+  const repeats =
+    part.repeatability_um === null
+      ? ""
+      : `; ${shown(part.repeatability_um, 2)} µm of it is not the same in both directions`;
+  return {
+    beside: errors_table(test),
+    sentences: [
+      ...(part.conclusion === "" ? [] : [part.conclusion]),
+      `All errors together leave ${shown(part.residual_rms_um, 2)} µm rms${repeats}.`,
+      ...(part.left === null ? [] : [part.left]),
+      "IC: peak to peak of an error's own curve. G without: the circularity that remains if it is mended.",
+    ],
+    lists: [
+      { title: "Remedies", items: remedies },
+      { title: "Not told apart by this test", items: part.undetermined },
+      {
+        title: "Assumed before the readings (prior)",
+        items: part.prior.map(({ name, sigma, unit }) => `${error_name(name, plane)}: 0 ± ${shown(sigma)} ${unit_shown(unit)}`),
+      },
+    ],
+    tables: circle_table(test),
+  };
+};
+
+export const machine_errors_section = (report: Report): Section[] => {
+  const tests = error_tests(report);
+  const [first] = tests;
+  if (!first) return [];
+  return [
+    {
+      id: "machine-errors",
+      heading: "Errors of the machine",
+      sentences: [],
+      tables: [],
+      pictures: [errors_picture(tests)],
+      beside: {
+        picture: kErrors_picture,
+        key: "test",
+        told: (chosen) => told_of(tests.find(({ value }) => value === chosen) ?? first),
+      },
+    },
+  ];
+};
