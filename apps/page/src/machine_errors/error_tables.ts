@@ -37,7 +37,7 @@ export const errors_table = ({ part, recordings }: ErrorTest): TextTable => {
   const plane = recordings[0]?.plane;
   const most = Math.max(1e-9, ...ranked.map(({ first }) => first.share_percent ?? 0));
   return {
-    title: "Errors of the machine, largest first",
+    title: "Ranked by the circularity that each makes alone (IC)",
     heading: ["rank", "error", "value", "unit", "IC µm", "share %", "stored (rank)", "predicts other run", "G without µm"],
     rows: ranked.flatMap((one) => cells_of(one, plane)),
     choose: {

@@ -51,7 +51,7 @@ const toggles_of = (test: ErrorTest, error: string): Toggle[] => [
   ...(error === ""
     ? []
     : ([
-        { key: "error", label: label_of(test, error), colour: (dark) => effect_colour(0, dark), mark: "dotted", on: true },
+        { key: "error", label: label_of(test, error), colour: (dark) => effect_colour(0, dark), mark: "dashed", on: true },
         { key: kWithout, label: kWithout_label, colour: (dark) => curve_colour(2, dark), mark: "line", on: false },
       ] satisfies Toggle[])),
 ];
