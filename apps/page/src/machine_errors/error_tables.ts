@@ -21,16 +21,21 @@ const yes_no = (value: boolean | null): string => (value === null ? "–" : valu
 // What belongs to the effect stands in the first of its rows.
 const cells_of = ({ first, rows }: RankedError, plane: string | undefined): string[][] =>
   rows.map((row, k) => [
-    ...(k > 0 ? [""] : [first.rank === null ? "not significant" : String(first.rank)]),
     error_name(row.name, plane),
     with_sigma(row.value, row.sigma, decimals_of(row)),
     unit_shown(row.unit),
-    ...(k > 0 ? ["", ""] : [shown(first.individual_circularity_um, 2), shown(first.share_percent, 1)]),
+    ...(k > 0
+      ? ["", "", ""]
+      : [
+          shown(first.individual_circularity_um, 2),
+          shown(first.share_percent, 1),
+          first.rank === null ? "not significant" : String(first.rank),
+        ]),
     stored(row),
     ...(k > 0 ? ["", ""] : [yes_no(first.predicts_other_run), shown(first.circularity_without_um, 2)]),
   ]);
 
-const kShare = 5; // its column
+const kShare = 4; // its column
 
 export const errors_table = ({ part, recordings }: ErrorTest): TextTable => {
   const ranked = ranked_errors(part);
@@ -38,7 +43,7 @@ export const errors_table = ({ part, recordings }: ErrorTest): TextTable => {
   const most = Math.max(1e-9, ...ranked.map(({ first }) => first.share_percent ?? 0));
   return {
     title: "Ranked by the circularity that each makes alone (IC)",
-    heading: ["rank", "error", "value", "unit", "IC µm", "share %", "stored (rank)", "predicts other run", "G without µm"],
+    heading: ["error", "value", "unit", "IC µm", "share %", "rank", "stored (rank)", "predicts other run", "G without µm"],
     rows: ranked.flatMap((one) => cells_of(one, plane)),
     choose: {
       picture: kErrors_picture,
