@@ -91,6 +91,7 @@ test("below: what is left, remedies of the first, the prior, the set-up", async 
     "scale_mismatch with straightness_b",
   ])
     assert.ok(text.includes(said), `${said} is not in ${text}`);
+  assert.ok(!text.includes(part.conclusion), "of one test the conclusion is at the head of the page");
   const rows = page.locator("#machine-errors table", { hasText: "not ranked" }).locator("tbody tr");
   const [centre, scale] = await Promise.all((await rows.all()).map(cells));
   const { value } = part.errors.find(({ name }) => name === "centre_a");
@@ -212,6 +213,7 @@ test("several tests: a list chooses one, and the table is its own", async () => 
   const value = (k) => parts[k].errors.find(({ name }) => name === "centre_a").value.toFixed(3);
   const set_up = () => many.locator("#machine-errors table:visible", { hasText: "not ranked" }).innerText();
   assert.equal(await table(many).count(), 1);
+  assert.ok((await many.locator("#machine-errors").innerText()).includes(parts[0].conclusion));
   assert.ok((await set_up()).includes(value(0)));
   await figure(many, kPicture).getByRole("combobox", { name: "Test" }).selectOption({ index: 2 });
   await drawn(many);

@@ -159,8 +159,8 @@ export const errors_picture = (tests: readonly ErrorTest[]): Picture => {
     name: kErrors_picture,
     title: "On the circle",
     about:
-      "Each reading about the circle fitted to all runs, magnified. An error chosen in the table draws its curve about the " +
-      "dark ring; “without it” takes that curve off the readings.",
+      "Each reading about the circle fitted to all runs, magnified. An error chosen in the table (a click, or ↑ ↓) draws its " +
+      "curve about the dark ring; “without it” (Space) takes that curve off the readings.",
     height_px: 440,
     zoom: "none",
     choices: [...test_choice(tests), error_choice(tests)],

@@ -10,7 +10,8 @@ import { shown } from "../drawing/theme";
 
 const kRemedies = 3;
 
-const told_of = (test: ErrorTest): Told => {
+// What is concluded from the only test stands at the head of the page.
+const told_of = (test: ErrorTest, alone: boolean): Told => {
   const { part, recordings } = test;
   const plane = recordings[0]?.plane;
   const remedies = ranked_errors(part)
@@ -24,7 +25,7 @@ const told_of = (test: ErrorTest): Told => {
   return {
     beside: errors_table(test),
     sentences: [
-      ...(part.conclusion === "" ? [] : [part.conclusion]),
+      ...(alone || part.conclusion === "" ? [] : [part.conclusion]),
       `All errors together leave ${shown(part.residual_rms_um, 2)} µm rms${repeats}.`,
       ...(part.left === null ? [] : [part.left]),
       "IC: peak to peak of an error's own curve. G without: the circularity that remains if it is mended.",
@@ -55,7 +56,7 @@ export const machine_errors_section = (report: Report): Section[] => {
       beside: {
         picture: kErrors_picture,
         key: "test",
-        told: (chosen) => told_of(tests.find(({ value }) => value === chosen) ?? first),
+        told: (chosen) => told_of(tests.find(({ value }) => value === chosen) ?? first, tests.length === 1),
       },
     },
   ];
