@@ -69,6 +69,9 @@ Text text_of(const SourceText& text, pugi::xml_node node) {
 }
 
 double number_of(const SourceText& text, const Text& found, std::string_view name) {
+  const char* const end = found.value.data() + found.value.size();
+  const PlainDecimal plain = plain_decimal(found.value.data(), end);
+  if (plain.rest != nullptr && plain.rest == end) return plain.value;
   const std::string_view digits = found.value.starts_with('+') ? found.value.substr(1) : found.value;
   double value = 0.0;
   const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
