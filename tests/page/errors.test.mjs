@@ -87,8 +87,9 @@ test("below: what is left, remedies of the first, the prior, the set-up", async 
     "A wave of 4 a turn is left.",
     "squareness: Square the axes.",
     "backlash X: Adjust the backlash in the control.",
-    "lateral play X +: 0 ± 2 µm",
-    "scale_mismatch with straightness_b",
+    "lateral play X +: 0 ± 2.0 µm",
+    "(backlash Y + less backlash Y −)/2: 0 ± 1.5 µm",
+    "scale mismatch with straightness Y, centre X",
   ])
     assert.ok(text.includes(said), `${said} is not in ${text}`);
   assert.ok(!text.includes(part.conclusion), "of one test the conclusion is at the head of the page");

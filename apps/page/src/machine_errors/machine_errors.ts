@@ -7,6 +7,7 @@ import type { Section, Told } from "../picture";
 import { ranked_errors } from "./ranked_errors";
 import type { Report } from "../report";
 import { shown } from "../drawing/theme";
+import { decimals_for } from "../drawing/with_sigma";
 
 const kRemedies = 3;
 
@@ -32,10 +33,13 @@ const told_of = (test: ErrorTest, alone: boolean): Told => {
     ],
     lists: [
       { title: "Remedies", items: remedies },
-      { title: "Not told apart by this test", items: part.undetermined },
+      { title: "Not told apart by this test", items: part.undetermined.map((names) => error_name(names, plane, 300)) },
       {
         title: "Assumed before the readings (prior)",
-        items: part.prior.map(({ name, sigma, unit }) => `${error_name(name, plane)}: 0 ± ${shown(sigma)} ${unit_shown(unit)}`),
+        items: part.prior.map(
+          ({ name, sigma, unit }) =>
+            `${error_name(name, plane)}: 0 ± ${shown(sigma, decimals_for(null, sigma))} ${unit_shown(unit)}`,
+        ),
       },
     ],
     tables: circle_table(test),
