@@ -1,12 +1,13 @@
 // The errors of a machine: the circle and the ranked table on the first screen; what a choice and the switch draw is what
 // the page's data say. The data are made up here, so that each number is known.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { drawn, figure, launched, opened, saved } from "./browser.mjs";
 import { drawing, polar } from "./drawing.mjs";
 import { data_of, page_with, with_errors } from "./machine_errors.mjs";
-import { of_run, report } from "./reports.mjs";
+import { folder, json_of, of_run, report, run } from "./reports.mjs";
 
 const kPicture = "machine-errors";
 
@@ -83,8 +84,8 @@ test("the table: by rank, what is not significant last, stored values beside", a
 test("below: what is left, remedies of the first, the prior, the set-up", async () => {
   const text = await page.locator("#machine-errors").innerText();
   for (const said of [
-    "All errors together leave 0.58 µm rms; 0.44 µm of it is not the same in both directions.",
-    "A wave of 4 a turn is left.",
+    "All of them together leave 0.58 µm rms; CCW and CW repeat to 0.44 µm. Unexplained is a wave of 6 a turn.",
+    "pass: circularity 4.6 µm, tolerance 10 µm",
     "squareness: Square the axes.",
     "backlash X: Adjust the backlash in the control.",
     "lateral play X +: 0 ± 2.0 µm",
@@ -97,6 +98,8 @@ test("below: what is left, remedies of the first, the prior, the set-up", async 
   const [centre, scale] = await Promise.all((await rows.all()).map(cells));
   const { value } = part.errors.find(({ name }) => name === "centre_a");
   assert.deepEqual(centre, ["centre X", `${value.toFixed(3)} ± 0.050`, "µm", "1.50"]);
+  const stated = page.locator("#machine-errors table", { hasText: "What the file states" }).locator("tbody tr");
+  assert.deepEqual(await Promise.all((await stated.all()).map(cells)), [["machine", "Mill 7"], ["operator", "N. N."], ["started", "2024-04-16 09:45"], ["programmed feed", "2000 mm/min"]]);
   assert.deepEqual(scale, ["global scale", "0.500 ± 0.040", "µm", "–"]);
 });
 
@@ -200,7 +203,7 @@ test("files: the drawing by the ruler, the numbers, the caption", async () => {
     places.forEach((one, i) => assert.ok(nearest(line, one) < 1.7, `${key}: reading ${i} is not drawn`));
   }
   const said = found.texts.map(({ text }) => text);
-  for (const text of ["On the circle, backlash X", "circularity 4.62 µm", "without backlash X: 3.21 µm", "backlash X", "without it"])
+  for (const text of ["Errors on the circle, backlash X", "circularity 4.62 µm", "without backlash X: 3.21 µm", "backlash X", "without it"])
     assert.ok(said.includes(text), `${text} is not in ${said}`);
   await figure(page, kPicture).getByRole("checkbox", { name: "without it" }).uncheck();
 });
@@ -247,7 +250,7 @@ test("a test of one direction, and values that are not known", async () => {
   const one = data.machine_errors[0];
   const errors = one.errors.map((row) => ({ ...row, sigma: null, predicts_other_run: null, rank: null, share_percent: null, circularity_without_um: null }));
   const curves = Object.fromEntries(Object.entries(one.curves).map(([name, [first]]) => [name, [first.map((value, i) => (i % 7 ? value : null))]]));
-  const alone = { ...one, errors, curves, recordings: one.recordings.slice(0, 1), circle_um: one.circle_um.slice(0, 1), repeatability_um: null, left: null, prior: [], undetermined: [] };
+  const alone = { ...one, errors, curves, recordings: one.recordings.slice(0, 1), circle_um: one.circle_um.slice(0, 1), repeatability_um: null, left_text: "", file: undefined, tolerances: [], prior: [], undetermined: [] };
   const { page: few, wrong, close } = await opened(browser, page_with("errors-of-one", file, { ...data, machine_errors: [alone] }));
   await drawn(few);
   assert.deepEqual(await cells(table(few).locator("tbody tr", { hasText: "squareness" })), ["squareness", "18.04 ± ?", "µm/m", "1.80", "–", "not significant", "17.63 (1)", "–", "–"]);
@@ -255,7 +258,77 @@ test("a test of one direction, and values that are not known", async () => {
   assert.equal(chosen, "", "what is not significant is not drawn at first");
   await few.locator("tr.chooses", { hasText: "squareness" }).click();
   await drawn(few);
-  assert.doesNotMatch(await few.locator("#machine-errors").innerText(), /NaN|undefined|null|Remedies|prior/);
+  assert.doesNotMatch(await few.locator("#machine-errors").innerText(), /NaN|undefined|null|Remedies|prior|Tolerances|states/);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+// As the program finds them.
+test("of the program: the numbers of `diagnose --json`, and curves that make its circularities", async () => {
+  const path = of_run("qc20-style-b5r", "00.b5r");
+  const found = json_of("diagnose", path);
+  const own = await report("errors-own", path);
+  const { machine_errors: [part, ...more], summary, fit } = data_of(own);
+  assert.deepEqual(more, []);
+  for (const key of ["errors", "circularity_um", "undetermined", "prior", "conclusion", "left_text"]) assert.deepEqual(part[key], found[key], key);
+  assert.deepEqual(summary, [found.conclusion]);
+  assert.deepEqual([part.files, part.recordings], [["00.b5r"], [0, 1]]);
+  const range = (values) => values.flat().reduce((most, one) => Math.max(most, one), -Infinity) - values.flat().reduce((least, one) => Math.min(least, one), Infinity);
+  // The fit takes readings together that are 0.4 deg apart.
+  const near = (value, expected, what) => assert.ok(Math.abs(value - expected) < 0.1, `${what}: ${value} for ${expected}`);
+  const about = part.recordings.map((place, k) => fit.recordings[place].trace.deviation_um.map((value, i) => value - part.circle_um[k][i]));
+  near(range(about), found.circularity_um, "circularity");
+  const ranked = found.errors.filter(({ effect }) => effect);
+  assert.deepEqual(Object.keys(part.curves).sort(), [...new Set(ranked.map(({ effect }) => effect))].sort());
+  for (const { effect, individual_circularity_um, circularity_without_um } of ranked) {
+    near(range(part.curves[effect]), individual_circularity_um, `IC of ${effect}`);
+    near(range(about.map((values, k) => values.map((value, i) => value - part.curves[effect][k][i]))), circularity_without_um, `without ${effect}`);
+  }
+  const { page: one, wrong, close } = await opened(browser, own);
+  await drawn(one);
+  const names = await table(one).locator("tbody tr").count();
+  assert.equal(names, ranked.length);
+  const [largest] = ranked;
+  assert.equal(largest.rank, 1);
+  const [name, value, , circularity, , rank] = await cells(table(one).locator("tbody tr").first());
+  assert.deepEqual([name, circularity, rank], [largest.effect.replaceAll("_", " "), largest.individual_circularity_um.toFixed(2), "1"]);
+  assert.ok(Math.abs(parseFloat(value) - largest.value) < largest.sigma / 5, value);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("of the program: a picture of a chosen error without the page", async () => {
+  const out = join(folder, "errors.svg");
+  const printed = run("report", of_run("qc20-style-b5r", "00.b5r"), "--format", "svg", "--picture", kPicture, "--choose", "error=backlash_a", "--out", out);
+  assert.equal(printed.toString(), `${out}  Errors on the circle\n`);
+  const { texts } = await drawing(paper, out);
+  assert.ok(texts.some(({ text }) => text === "Errors on the circle, backlash X"));
+});
+
+// Readings of a log on two linear axes, in one direction.
+const log_of = (name, readings) => {
+  const path = join(folder, `${name}.csv`);
+  const rows = Array.from({ length: readings }, (_, k) => {
+    const angle = (360 * (k + 0.5)) / readings;
+    return `${(0.02 * k).toFixed(2)},${angle.toFixed(4)},${(100 + 0.004 * Math.sin((angle * Math.PI) / 90) + 0.0002 * Math.sin(7.3 * k)).toFixed(6)}`;
+  });
+  const head = ['format = "ballbar-log 1"', 'kind = "circle"', 'motion = "linear_axes"', 'plane = "ZX"', 'moving_ball = "spindle"', "nominal_length_mm = 100.0", 'direction = "CCW"', "feed_mm_per_min = 1000.0"];
+  writeFileSync(path, `${head.map((one) => `# ${one}\n`).join("")}time_s,angle_deg,length_mm\n${rows.join("\n")}\n`);
+  return path;
+};
+
+test("of the program: logs of one direction each are tests; one with too few readings is a remark", async () => {
+  const own = await report("errors-of-logs", log_of("first", 800), log_of("second", 900), log_of("few", 60));
+  const { machine_errors: parts, fit, summary } = data_of(own);
+  assert.deepEqual(parts.map(({ files, recordings }) => [files, recordings]), [[["first.csv"], [0]], [["second.csv"], [1]]]);
+  assert.deepEqual(summary, []);
+  assert.equal(fit.remarks.filter((one) => /few\.csv.*expected at least \d+ readings, found 60/.test(one)).length, 1, fit.remarks.join());
+  assert.ok(!readFileSync(own, "utf8").includes(folder), "where the files lay is not told");
+  const { page: one, wrong, close } = await opened(browser, own);
+  await drawn(one);
+  assert.equal((await cells(table(one).locator("tr", { hasText: "squareness" })))[7], "–", "nothing is predicted for another run");
+  await figure(one, kPicture).getByRole("combobox", { name: "Test" }).selectOption({ label: "second.csv, ZX" });
+  await drawn(one);
   assert.deepEqual(wrong, []);
   await close();
 });

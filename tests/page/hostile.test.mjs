@@ -71,8 +71,8 @@ const of_errors = async () => {
   const data = data_of(file);
   const parts = data.machine_errors.flatMap((part) => {
     const errors = part.errors.map((row) => ({ ...row, unit: `${script}${long}`, remedy: row.effect && `${script}${turned}${long}` }));
-    const said = { conclusion: `${image}${turned}`, left: `${script}${long}`, undetermined: [image, long], prior: [{ name: script, sigma: 1, unit: image }] };
-    return ["", long].map((more) => ({ ...part, ...said, errors, file: `${script}${rich}${turned}${more}` }));
+    const said = { conclusion: `${image}${turned}`, left_text: `${script}${long}`, tolerances: [`${script}${turned}`], file: { machine: `${image}${long}`, [script]: rich, started_s: 1e99 }, undetermined: [image, long], prior: [{ name: script, sigma: 1, unit: image }] };
+    return ["", long].map((more) => ({ ...part, ...said, errors, files: [`${script}${rich}${turned}${more}`] }));
   });
   return page_with("hostile-errors", file, { ...data, machine_errors: parts });
 };

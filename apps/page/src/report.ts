@@ -82,11 +82,10 @@ export interface FitPart {
 // The errors of a machine from one test, ranked: the keys of `diagnose --json` of recordings, and what the page draws.
 export interface MachineErrorRow {
   name: string; // "squareness", "backlash_a_pos", "centre_a"
-  effect: string | null; // for the page: whose curve is its own, as in `curves`; null: of the circle, not ranked
+  effect?: string; // whose curve is its own, as in `curves`; one of the circle has none and is not ranked
   value: Num;
   sigma: Num;
   unit: string;
-  significant: boolean;
   predicts_other_run: boolean | null;
   individual_circularity_um: Num; // this and what follows but `stored` are alike in all rows of an effect
   share_percent: Num;
@@ -94,19 +93,19 @@ export interface MachineErrorRow {
   stored: Num;
   stored_rank: number | null;
   circularity_without_um: Num;
-  remedy: string | null;
+  remedy?: string;
 }
 export interface MachineErrorsPart {
-  file: string;
+  files: string[];
+  file?: Record<string, string | number>; // what the only file states: machine, operator, serial_number ...
   recordings: number[]; // places in fit.recordings
   errors: MachineErrorRow[];
   circularity_um: Num;
-  residual_rms_um: Num;
-  repeatability_um: Num; // null: one direction
   undetermined: string[];
   prior: { name: string; sigma: Num; unit: string }[];
   conclusion: string;
-  left: string | null; // what the errors do not explain, a sentence
+  left_text: string; // what the errors do not explain
+  tolerances: string[];
   // for the page, at the readings of each recording
   circle_um: Num[][]; // the fitted circle: centre and scale of all recordings together
   curves: Record<string, Num[][]>; // by effect: what it adds

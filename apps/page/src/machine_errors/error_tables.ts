@@ -5,6 +5,7 @@ import type { ErrorTest } from "./error_curves";
 import type { TextTable } from "../picture";
 import { circle_rows, ranked_errors, type RankedError } from "./ranked_errors";
 import type { MachineErrorRow } from "../report";
+import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { decimals_for, with_sigma } from "../drawing/with_sigma";
 
@@ -76,4 +77,18 @@ export const circle_table = ({ part, recordings }: ErrorTest): TextTable[] => {
       ]),
     },
   ];
+};
+
+const stated_text = (key: string, value: string | number): string[] => {
+  if (key === "started_s" && typeof value === "number") {
+    const started = new Date(1000 * value); // on the machine's own clock
+    return ["started", Number.isNaN(started.getTime()) ? "–" : started.toISOString().slice(0, 16).replace("T", " ")];
+  }
+  const [name, unit] = /^(.*)_mm_per_min$/.test(key) ? [key.slice(0, -"_mm_per_min".length), " mm/min"] : [key, ""];
+  return [plain(name.replaceAll("_", " "), 60), `${typeof value === "number" ? shown(value) : plain(value, 200)}${unit}`];
+};
+
+export const stated_table = ({ part }: ErrorTest): TextTable[] => {
+  const rows = Object.entries(part.file ?? {}).map(([key, value]) => stated_text(key, value));
+  return rows.length === 0 ? [] : [{ title: "What the file states", heading: ["", ""], rows }];
 };

@@ -119,10 +119,7 @@ const circularity_note = (test: ErrorTest, error: string): string => {
 
 const test_choice = (tests: readonly ErrorTest[]): Choice[] => {
   if (tests.length < 2) return [];
-  const names = tests.map(({ part, recordings }) => {
-    const plane = recordings[0]?.plane;
-    return plain([part.file, ...(plane ? [plane] : [])].join(", "), 60);
-  });
+  const names = tests.map(({ recordings: [first] }) => plain(`${first?.test}, ${first?.plane}`, 60));
   const values = tests.map(({ value }, k) => {
     const name = names[k] ?? "";
     return { value, label: names.indexOf(name) === names.lastIndexOf(name) ? name : `${name} (${k + 1})` };
@@ -157,7 +154,7 @@ export const errors_picture = (tests: readonly ErrorTest[]): Picture => {
   };
   return {
     name: kErrors_picture,
-    title: "On the circle",
+    title: "Errors on the circle",
     about:
       "Each reading about the circle fitted to all runs, magnified. An error chosen in the table (a click, or ↑ ↓) draws its " +
       "curve about the dark ring; “without it” (Space) takes that curve off the readings.",

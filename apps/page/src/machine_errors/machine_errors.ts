@@ -1,7 +1,7 @@
 // The errors of the machine, found from one test: the circle and the ranked table beside it.
 import { error_tests, type ErrorTest } from "./error_curves";
 import { error_name, unit_shown } from "./error_names";
-import { circle_table, errors_table } from "./error_tables";
+import { circle_table, errors_table, stated_table } from "./error_tables";
 import { errors_picture, kErrors_picture } from "./errors_picture";
 import type { Section, Told } from "../picture";
 import { ranked_errors } from "./ranked_errors";
@@ -19,20 +19,16 @@ const told_of = (test: ErrorTest, alone: boolean): Told => {
     .filter(({ first }) => first.rank !== null && first.remedy)
     .slice(0, kRemedies)
     .map(({ effect, first }) => `${error_name(effect, plane)}: ${first.remedy}`);
-  const repeats =
-    part.repeatability_um === null
-      ? ""
-      : `; ${shown(part.repeatability_um, 2)} µm of it is not the same in both directions`;
   return {
     beside: errors_table(test),
     sentences: [
       ...(alone || part.conclusion === "" ? [] : [part.conclusion]),
-      `All errors together leave ${shown(part.residual_rms_um, 2)} µm rms${repeats}.`,
-      ...(part.left === null ? [] : [part.left]),
+      ...(part.left_text === "" ? [] : [part.left_text]),
       "IC: peak to peak of an error's own curve. G without: the circularity that remains if it is mended.",
     ],
     lists: [
       { title: "Remedies", items: remedies },
+      { title: "Tolerances", items: part.tolerances },
       { title: "Not told apart by this test", items: part.undetermined.map((names) => error_name(names, plane, 300)) },
       {
         title: "Assumed before the readings (prior)",
@@ -42,7 +38,7 @@ const told_of = (test: ErrorTest, alone: boolean): Told => {
         ),
       },
     ],
-    tables: circle_table(test),
+    tables: [...circle_table(test), ...stated_table(test)],
   };
 };
 

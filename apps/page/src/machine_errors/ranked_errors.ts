@@ -16,7 +16,7 @@ const compared = ({ first: a }: RankedError, { first: b }: RankedError): number 
 export const ranked_errors = ({ errors }: MachineErrorsPart): RankedError[] => {
   const by_effect = new Map<string, RankedError>();
   for (const row of errors) {
-    if (row.effect === null) continue;
+    if (row.effect === undefined) continue;
     const { first = row, rows = [] } = by_effect.get(row.effect) ?? {};
     by_effect.set(row.effect, { effect: row.effect, first, rows: [...rows, row] });
   }
@@ -25,4 +25,4 @@ export const ranked_errors = ({ errors }: MachineErrorsPart): RankedError[] => {
 
 // Of the circle: where the test was set up, and scale.
 export const circle_rows = ({ errors }: MachineErrorsPart): MachineErrorRow[] =>
-  errors.filter(({ effect }) => effect === null);
+  errors.filter(({ effect }) => effect === undefined);
