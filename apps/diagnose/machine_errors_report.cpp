@@ -191,14 +191,20 @@ std::vector<std::string> tolerance_texts(const ErrorsReport& report) {
                                 report.found.circularity_um, *report.options.tolerance_um));
   }
   if (!report.b5r) return texts;
+  std::size_t within = 0;
   for (const StoredFeature& feature : report.b5r->stored) {
     if (!feature.valid) continue;
     const std::optional<Judgement> judgement =
         judged(report.b5r->limits, feature.name, feature.value, feature.data_type);
     if (!judgement) continue;
-    texts.push_back(fmt::format("{}: {} {:g} {} ({})", name_of(*judgement), feature.name, feature.value,
+    if (*judgement == Judgement::pass) {
+      ++within;
+      continue;
+    }
+    texts.push_back(fmt::format("{}: stored {} of {:g} {} ({})", name_of(*judgement), feature.name, feature.value,
                                 unit_of_data_type(feature.data_type), feature.parent));
   }
+  if (within > 0) texts.push_back(fmt::format("pass: {} stored results are within the file's limits", within));
   return texts;
 }
 

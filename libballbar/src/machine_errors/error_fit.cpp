@@ -227,6 +227,11 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, dou
         cyclic_effects.push_back(effect.get());
         break;
       case ErrorFit::where_it_shows:
+        if (arc_rad < kFullTurn_rad) {
+          fitted.undetermined.push_back(effect->name + ", for which a full turn is needed");
+          break;
+        }
+        [[fallthrough]];
       case ErrorFit::at_reversals:
         extra_effects.push_back(effect.get());
         break;
@@ -306,7 +311,8 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, dou
   {
     const ErrorColumns told_apart = joined({&together, &extra});
     const Eigen::MatrixXd weighted = of.count.asDiagonal() * told_apart.values;
-    fitted.undetermined = undetermined(told_apart.values.transpose() * weighted, told_apart);
+    const std::vector<std::string> alike = undetermined(told_apart.values.transpose() * weighted, told_apart);
+    fitted.undetermined.insert(fitted.undetermined.begin(), alike.begin(), alike.end());
   }
 
   // Z: together and extra without the reversals, cyclic, together and extra with them.
