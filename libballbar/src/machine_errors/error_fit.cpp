@@ -201,6 +201,10 @@ Eigen::VectorXd ErrorFitted::residual() const {
   return left;
 }
 
+double ErrorFitted::rms_um(const Eigen::VectorXd& left) const {
+  return std::sqrt(within_um2 + left.cwiseAbs2().dot(rows.count) / rows.count.sum());
+}
+
 ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, const ErrorSetUp& set_up) {
   ErrorFitted fitted;
   fitted.arc_rad = set_up.arc_rad;
