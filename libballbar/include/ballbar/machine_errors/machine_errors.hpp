@@ -89,6 +89,16 @@ struct MachineErrors {
 // others, and for fewer readings than the errors need. O(n) in readings, some 2 ms for 2 times 1500.
 MachineErrors machine_errors(std::span<const Recording> recordings, const MachineErrorOptions& options = {});
 
+// Scales of both axes, (GS +- MM/4)/R, um/m, from the joint covariance; nothing where the test does not tell them.
+struct AxisScales {
+  double a_ppm = 0.0, b_ppm = 0.0;
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+};
+std::optional<AxisScales> axis_scales(const MachineErrors& found, double nominal_length_mm);
+
+// The row of the plane's squareness; nothing where there is none.
+std::optional<MachineError> squareness_of(const MachineErrors& found);
+
 // What one ranked error, or all of them (nullptr: and the circles), adds to each reading, um; n in the order of the
 // recordings.
 std::vector<double> curve_of(const MachineErrors& found, const Effect* effect, std::span<const Recording> recordings);
