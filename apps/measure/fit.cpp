@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "measure/recording_fits.hpp"
 #include "terminal/output_guard.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -167,7 +168,7 @@ std::string stored_runs_text(const Fitted& fitted) {
   return runs.empty() ? text : text + runs_text(runs);
 }
 
-std::string text_of(const Fitted& fitted, const Options& options) {
+std::string fits_text(const Fitted& fitted, const Options& options) {
   const std::string circles = circles_text(fitted);
   std::string text;
   if (fitted.recordings.front().file == fitted.recordings.back().file) text += fitted.recordings.front().file + '\n';
@@ -193,12 +194,21 @@ std::string text_of(const Fitted& fitted, const Options& options) {
   return text;
 }
 
+std::string text_of(const Fitted& fitted, const Options& options) {
+  std::string text = fitted.recordings.empty() ? "" : fits_text(fitted, options);
+  for (const ResultsAlone& alone : fitted.results_alone) {
+    text += (text.empty() ? "" : "\n") + ballbar::text_of(alone);
+  }
+  return text;
+}
+
 void run(const Options& options) {
   CircleOptions how;
   how.model = options.polar ? CircleModel::polar : CircleModel::length_equation;
   how.robust = options.robust;
   if (!options.out.empty()) expect_no_input({options.out}, {options.files.begin(), options.files.end()});
-  const Fitted fitted = fit_files(options.files, how);
+  const Fitted fitted = fit_files(options.files, how, true);
+  for (const std::string& remark : fitted.remarks) stderr_line(remark);
   const bool wants_json = options.json || !options.out.empty();
   const std::string json = wants_json ? json_of(fitted).dump(2) + '\n' : std::string();
   if (!options.out.empty()) write_bytes(options.out, json);

@@ -70,6 +70,7 @@ Json json_of(const Fitted& fitted) {
   Json json;
   json["recordings"] = Json::array();
   for (const FittedRecording& recording : fitted.recordings) json["recordings"].push_back(json_of(recording));
+  for (const ResultsAlone& alone : fitted.results_alone) json["results_alone"].push_back(json_of(alone));
   if (fitted.pairs.size() == 1) json["iso230_4"] = json_of(fitted.pairs.front());
   if (fitted.pairs.size() > 1) {
     for (const FittedPair& pair : fitted.pairs) {

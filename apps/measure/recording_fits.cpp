@@ -31,7 +31,7 @@ FittedRecording fit_recording(const std::string& file, std::size_t index, Record
   }
   const Circle circle = fit_circle(fitted.recording, options);
   const Circularity round = circularity(fitted.recording, circle);
-  const std::string run = fmt::format("run {}", index);
+  const std::string run = b5r ? parent_of(*b5r, index) : std::string();
   const auto radius_mm = b5r ? stored_value(*b5r, run, "AF_BEST_RADIUS", "UT_LENGTH_MM") : std::nullopt;
   fitted.results = {
       {"centre_a_um", "centre A um", 2, circle.centre_a_um, stored_um_from_mm(b5r, run, "AF_CENTRE_OFFSET_A")},
@@ -101,11 +101,18 @@ bool are_pair(const FittedRecording& first, const FittedRecording& second) {
 
 }  // namespace
 
-Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options) {
+Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options, bool results_alone) {
   Fitted fitted;
   std::size_t next_of_pair = 0;  // recordings before it are in a pair already, or cannot be
   for (const std::string& file : files) {
     RecordingFile opened = open_recording(file);
+    std::move(opened.remarks.begin(), opened.remarks.end(), std::back_inserter(fitted.remarks));
+    if (results_alone && opened.recordings.empty() && opened.b5r) {
+      fitted.results_alone.push_back({file, std::move(*opened.b5r)});
+      next_of_pair = fitted.recordings.size();
+      continue;
+    }
+    expect_readings(opened, file);
     const std::size_t first_of_file = fitted.recordings.size();
     for (std::size_t i = 0; i < opened.recordings.size(); ++i) {
       try {

@@ -40,18 +40,31 @@ struct FittedPair {
   std::vector<std::string> remarks;
 };
 
+// A `.b5r` without readings: nothing to fit.
+struct ResultsAlone {
+  std::string file;
+  B5r b5r;
+};
+
 struct Fitted {
   std::vector<FittedRecording> recordings;
   std::vector<FittedPair> pairs;
+  std::vector<ResultsAlone> results_alone;
+  std::vector<std::string> remarks;  // of the readers
 };
 
 // Opens and fits every file. A pair is the two directions of one `.b5r`, or two logs that stand one after the
-// other and differ only in direction. Throws Error with the file's name.
-Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options);
+// other and differ only in direction. Throws Error with the file's name; for a file without readings too, unless
+// `results_alone` keeps those.
+Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options, bool results_alone = false);
 
-// The keys of `fit --json`, of one recording, of a pair, of all.
+// What a file without readings stores, as a table for the terminal.
+std::string text_of(const ResultsAlone& alone);
+
+// The keys of `fit --json`, of one recording, of a pair, of a file without readings, of all.
 nlohmann::ordered_json json_of(const FittedRecording& fitted);
 nlohmann::ordered_json json_of(const FittedPair& pair);
+nlohmann::ordered_json json_of(const ResultsAlone& alone);
 nlohmann::ordered_json json_of(const Fitted& fitted);
 
 }  // namespace ballbar

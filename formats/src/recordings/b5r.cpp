@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -11,34 +10,13 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/units.hpp"
+#include "recordings/b5r_parts.hpp"
 #include "text/head.hpp"
 #include "text/readers.hpp"
 #include "text/xml_source.hpp"
 
 namespace ballbar {
 namespace {
-
-// YYYYMMDD-HHMMSS on the machine's own clock.
-std::optional<std::int64_t> started_s(const SourceText& text, pugi::xml_node document) {
-  const pugi::xml_node node = child_of(text, document, "DATE_STARTED", false);
-  if (!node) return std::nullopt;
-  const Text found = text_of(text, node);
-  if (found.value.empty() || found.value == "-") return std::nullopt;
-  const auto part = [&](std::size_t at, std::size_t digits) {
-    int value = 0;
-    for (const char c : found.value.substr(at, digits)) value = c >= '0' && c <= '9' ? value * 10 + (c - '0') : 1000000;
-    return value;
-  };
-  if (found.value.size() == 15 && found.value[8] == '-') {
-    const auto date = std::chrono::year(part(0, 4)) / part(4, 2) / part(6, 2);
-    if (date.ok() && part(9, 2) < 24 && part(11, 2) < 60 && part(13, 2) < 60) {
-      const std::chrono::seconds day = std::chrono::sys_days(date).time_since_epoch();
-      return day.count() + part(9, 2) * 3600 + part(11, 2) * 60 + part(13, 2);
-    }
-  }
-  fail_at(text, found.offset,
-          fmt::format("expected a date as YYYYMMDD-HHMMSS for DATE_STARTED, found {}.", in_quotes(found.value)));
-}
 
 Plane plane_of(const SourceText& text, pugi::xml_node ballbar) {
   const pugi::xml_node node = child_of(text, ballbar, "PLANE");
@@ -60,40 +38,37 @@ Plane plane_of(const SourceText& text, pugi::xml_node ballbar) {
           fmt::format("expected a PLANE with TEST_PLANE XY, YZ or ZX, found {}.", in_quotes(name)));
 }
 
-std::vector<StoredFeature> features_of(const SourceText& text, pugi::xml_node node, const std::string& parent) {
-  std::vector<StoredFeature> features;
+void add_features(const SourceText& text, pugi::xml_node node, const std::string& parent,
+                  std::vector<StoredFeature>& stored) {
   for (const pugi::xml_node feature : node.children("FEATURE")) {
-    StoredFeature stored{parent, feature.attribute("NAME").value(), feature.attribute("DT").value()};
-    if (stored.name.empty() || stored.data_type.empty()) {
+    StoredFeature one{parent, feature.attribute("NAME").value(), feature.attribute("DT").value()};
+    if (one.name.empty() || one.data_type.empty()) {
       fail_at(text, offset_of(feature), "expected a FEATURE with NAME and DT, found one without.");
     }
-    stored.valid = std::string_view(feature.attribute("VALID").value()) != "False";
+    one.valid = std::string_view(feature.attribute("VALID").value()) != "False";
+    one.status = feature.attribute("STATUS").value();
     const Text found = text_of(text, feature);
     // A value marked as not valid may be missing.
-    if (stored.valid || !found.value.empty()) stored.value = number_of(text, found, stored.name);
-    features.push_back(std::move(stored));
+    if (one.valid || !found.value.empty()) one.value = number_of(text, found, one.name);
+    stored.push_back(std::move(one));
   }
-  return features;
 }
 
 // Lengths from the readings `first` to `last` inclusive.
 std::vector<double> lengths_of(const SourceText& text, const Text& readings, std::size_t first, std::size_t last,
                                double nominal_mm) {
   std::vector<double> length_mm;
-  std::size_t count = 0;
+  length_mm.reserve(std::min(last - first, readings.value.size() / 2) + 1);  // a reading has a digit and a blank
   std::size_t at = 0;
-  while (at < readings.value.size()) {
-    const std::size_t end = std::min(readings.value.find_first_of(kBlank, at), readings.value.size());
-    const Text reading{readings.value.substr(at, end - at), readings.offset + at};
-    const double length = nominal_mm + number_of(text, reading, "a reading");
+  const std::size_t count = each_number(text, readings, "a reading", [&](double reading_mm, const Text& reading) {
+    const double length = nominal_mm + reading_mm;
     if (!(length > 0.0) || !std::isfinite(length)) {
       fail_at(text, reading.offset,
               fmt::format("expected a reading that leaves a length above 0 mm, found {}.", in_quotes(reading.value)));
     }
-    if (count >= first && count <= last) length_mm.push_back(length);
-    ++count;
-    at = std::min(readings.value.find_first_not_of(kBlank, end), readings.value.size());
-  }
+    if (at >= first && at <= last) length_mm.push_back(length);
+    ++at;
+  });
   if (last >= count) {
     fail_at(text, readings.offset,
             fmt::format("expected readings up to END_INDEX {}, found {} readings, counted from 0.", last, count));
@@ -101,40 +76,53 @@ std::vector<double> lengths_of(const SourceText& text, const Text& readings, std
   return length_mm;
 }
 
-// What all runs of a test share.
-struct TestSpec {
+// START_ANGLE or END_ANGLE.
+std::optional<double> stated_angle(const SourceText& text, pugi::xml_node ballbar, const char* name) {
+  const Text found = text_of(text, child_of(text, ballbar, name, false));
+  if (found.value.empty() || found.value == "-") return std::nullopt;
+  return angle_in(text, ballbar, name);
+}
+
+// What all recordings of a test share.
+struct TestArc {
   Recording recording;
   double start_deg = 0.0;
   double arc_deg = 360.0;
 };
 
-TestSpec test_spec(const SourceText& text, pugi::xml_node document, pugi::xml_node ballbar) {
-  TestSpec spec;
-  spec.recording.nominal_length_mm = positive_in(text, ballbar, "NOMINAL_LENGTH");
-  spec.recording.plane = plane_of(text, ballbar);
-  spec.recording.started_s = started_s(text, document);
-  spec.start_deg = angle_in(text, ballbar, "START_ANGLE");
-  spec.arc_deg = std::fmod(angle_in(text, ballbar, "END_ANGLE") - spec.start_deg, 360.0);
-  if (spec.arc_deg <= 0.0) spec.arc_deg += 360.0;
-  return spec;
+// Needed only where there are readings, which lie on that arc.
+TestArc arc_of(const SourceText& text, pugi::xml_node ballbar, const B5r& test) {
+  for (const auto& [angle, name] : {std::pair(test.start_deg, "START_ANGLE"), std::pair(test.end_deg, "END_ANGLE")}) {
+    if (angle) continue;
+    const pugi::xml_node node = ballbar.child(name);
+    fail_at(text, offset_of(node ? node : ballbar),
+            fmt::format("expected START_ANGLE and END_ANGLE, the arc of the readings in deg, found no {}.", name));
+  }
+  TestArc arc;
+  arc.recording.nominal_length_mm = test.nominal_length_mm;
+  arc.recording.plane = test.plane;
+  arc.recording.started_s = test.started_s;
+  arc.start_deg = *test.start_deg;
+  arc.arc_deg = std::fmod(*test.end_deg - arc.start_deg, 360.0);
+  if (arc.arc_deg <= 0.0) arc.arc_deg += 360.0;
+  return arc;
 }
 
-Recording run_of(const SourceText& text, pugi::xml_node run, const TestSpec& spec) {
-  Recording recording = spec.recording;
-  const Text direction = text_of(text, child_of(text, run, "RUN_DIRECTION"));
-  if (direction.value != "CCW" && direction.value != "CW") {
-    fail_at(text, direction.offset,
-            fmt::format("expected RUN_DIRECTION CCW or CW, found {}.", in_quotes(direction.value)));
-  }
-  const bool ccw = direction.value == "CCW";
-  recording.direction = ccw ? Direction::CCW : Direction::CW;
-  recording.bar_temperature_degC = optional_number_in(text, run, "RUN_TEMPERATURE");
-  const pugi::xml_node readings = child_of(text, run, "READINGS", false);
-  if (!readings || text_of(text, readings).value.empty()) {
-    fail_at(
-        text, offset_of(run),
-        "expected READINGS in BALLBAR_RUN, found none; this file stores results only, and drift needs the readings.");
-  }
+std::optional<Direction> direction_of(const SourceText& text, pugi::xml_node run, bool needed) {
+  const Text direction = text_of(text, child_of(text, run, "RUN_DIRECTION", needed));
+  if (direction.value == "CCW") return Direction::CCW;
+  if (direction.value == "CW") return Direction::CW;
+  if (direction.value.empty() && !needed) return std::nullopt;
+  fail_at(text, direction.offset,
+          fmt::format("expected RUN_DIRECTION CCW or CW, found {}.", in_quotes(direction.value)));
+}
+
+Recording recording_of(const SourceText& text, pugi::xml_node run, const Text& readings, Direction direction,
+                       const TestArc& arc) {
+  Recording recording = arc.recording;
+  const bool ccw = direction == Direction::CCW;
+  recording.direction = direction;
+  recording.bar_temperature_degC = stated_number(text, run, "RUN_TEMPERATURE");
   const std::size_t first = index_in(text, run, "START_INDEX");
   const std::size_t last = index_in(text, run, "END_INDEX");
   if (first > last) {
@@ -142,15 +130,66 @@ Recording run_of(const SourceText& text, pugi::xml_node run, const TestSpec& spe
             fmt::format("expected END_INDEX at or above START_INDEX {}, found {}.", first, last));
   }
   const double sample_rate_Hz = positive_in(text, run, "SAMPLE_RATE");
-  recording.length_mm = lengths_of(text, text_of(text, readings), first, last, recording.nominal_length_mm);
+  recording.length_mm = lengths_of(text, readings, first, last, recording.nominal_length_mm);
+  recording.angle_rad.reserve(recording.length_mm.size());
   const auto n = static_cast<double>(recording.length_mm.size());
   for (double i = 0.5; i < n; ++i) {
-    const double travelled_deg = i * spec.arc_deg / n;
-    recording.angle_rad.push_back(rad_from_deg(spec.start_deg + (ccw ? travelled_deg : spec.arc_deg - travelled_deg)));
+    const double travelled_deg = i * arc.arc_deg / n;
+    recording.angle_rad.push_back(rad_from_deg(arc.start_deg + (ccw ? travelled_deg : arc.arc_deg - travelled_deg)));
   }
   recording.feed_mm_per_min =
-      2.0 * kPi * recording.nominal_length_mm * (spec.arc_deg / 360.0) * sample_rate_Hz / n * 60.0;
+      2.0 * kPi * recording.nominal_length_mm * (arc.arc_deg / 360.0) * sample_rate_Hz / n * 60.0;
   return recording;
+}
+
+std::string_view direction_phrase(const StoredRun& run) { return run.direction ? name_of(*run.direction) : "a"; }
+
+// A run without readings, one that misses, or both of one direction.
+void remark_runs(const std::vector<pugi::xml_node>& nodes, pugi::xml_node place, const B5r& test, B5rRemarks& remarks) {
+  if (test.runs.empty()) {
+    remarks.add(offset_of(place), "expected READINGS, found stored results alone; these are read.");
+    return;
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (test.run_results[i].recording) continue;
+    remarks.add(offset_of(nodes[i]), fmt::format("expected READINGS in BALLBAR_RUN, found none; of the {} run there "
+                                                 "are the stored results alone.",
+                                                 direction_phrase(test.run_results[i])));
+  }
+  const std::string_view direction = name_of(test.runs.front().direction);
+  if (nodes.size() == 1) {
+    remarks.add(offset_of(place), fmt::format("expected a CCW and a CW run, found one {} run.", direction));
+  } else if (nodes.size() == 2 && test.runs.size() == 2 && test.runs[0].direction == test.runs[1].direction) {
+    remarks.add(offset_of(nodes[1]), fmt::format("expected a CCW and a CW run, found two {} runs.", direction));
+  }
+}
+
+void read_runs(const SourceText& text, pugi::xml_node document, pugi::xml_node ballbar, B5r& test,
+               B5rRemarks& remarks) {
+  const pugi::xml_node results = child_of(text, document, "RUN_RESULTS", false);
+  std::vector<pugi::xml_node> nodes;
+  std::optional<TestArc> arc;
+  for (const pugi::xml_node run : results.children("BALLBAR_RUN")) {
+    StoredRun stored;
+    stored.parent = fmt::format("run {}", nodes.size());
+    nodes.push_back(run);
+    const Text readings = text_of(text, child_of(text, run, "READINGS", false));
+    stored.direction = direction_of(text, run, !readings.value.empty());
+    if (!readings.value.empty()) {
+      if (!arc) arc = arc_of(text, ballbar, test);
+      stored.recording = test.runs.size();
+      test.runs.push_back(recording_of(text, run, readings, *stored.direction, *arc));
+    }
+    add_features(text, run, stored.parent, test.stored);
+    test.run_results.push_back(std::move(stored));
+  }
+  for (const pugi::xml_node analysis : document.children("ANALYSIS")) {
+    add_features(text, analysis, analysis_name(analysis), test.stored);
+  }
+  if (test.runs.empty() && test.stored.empty()) {
+    fail_at(text, offset_of(results ? results : document), "expected READINGS or stored results, found neither.");
+  }
+  remark_runs(nodes, results ? results : document, test, remarks);
 }
 
 RecordingFile b5r_file(std::string_view bytes, std::string_view name) {
@@ -160,6 +199,7 @@ RecordingFile b5r_file(std::string_view bytes, std::string_view name) {
   RecordingFile file;
   file.b5r = read_b5r(bytes, name);
   file.recordings = std::exchange(file.b5r->runs, {});
+  file.remarks = std::exchange(file.b5r->remarks, {});
   return file;
 }
 
@@ -183,6 +223,11 @@ constinit const Reader readers::kOtherXml = {
 };
 
 B5r read_b5r(std::string_view bytes, std::string_view name) {
+  std::string utf8;
+  if (is_utf16(bytes)) {
+    utf8 = utf8_from_utf16(bytes);
+    bytes = utf8;
+  }
   const SourceText text = source_text(bytes, name);
   pugi::xml_document file;
   parse_xml(text, file);
@@ -193,29 +238,17 @@ B5r read_b5r(std::string_view bytes, std::string_view name) {
   }
   const pugi::xml_node test = child_of(text, document, "TEST_SPEC");
   const pugi::xml_node ballbar = child_of(text, child_of(text, test, "INSTRUMENT"), "DYNAMIC_BALLBAR");
-  const pugi::xml_node equipment = document.child("EQUIPMENT");
-  const auto optional_text = [&](pugi::xml_node node) { return std::string(text_of(text, node).value); };
-
   B5r b5r;
+  B5rRemarks remarks(text, b5r.remarks);
   b5r.test_name = test.attribute("NAME").value();
-  b5r.ballbar_model = optional_text(equipment.child("BALLBAR").child("MODEL"));
-  b5r.software_version = optional_text(equipment.child("SOFTWARE").child("VERSION"));
-  b5r.programmed_feed_mm_per_min = optional_number_in(text, ballbar, "PROGRAMMED_FEEDRATE");
-  const TestSpec spec = test_spec(text, document, ballbar);
-  const pugi::xml_node results = child_of(text, document, "RUN_RESULTS");
-  const auto keep = [&](std::vector<StoredFeature> features) {
-    std::move(features.begin(), features.end(), std::back_inserter(b5r.stored));
-  };
-  for (const pugi::xml_node run : results.children("BALLBAR_RUN")) {
-    keep(features_of(text, run, fmt::format("run {}", b5r.runs.size())));
-    b5r.runs.push_back(run_of(text, run, spec));
-  }
-  if (b5r.runs.empty()) fail_at(text, offset_of(results), "expected a BALLBAR_RUN in RUN_RESULTS, found none.");
-  for (const pugi::xml_node analysis : document.children("ANALYSIS")) {
-    const std::string_view version = analysis.attribute("version").value();
-    keep(features_of(text, analysis,
-                     fmt::format("{}{}{}", analysis.attribute("NAME").value(), version.empty() ? "" : " ", version)));
-  }
+  b5r.nominal_length_mm = positive_in(text, ballbar, "NOMINAL_LENGTH");
+  b5r.start_deg = stated_angle(text, ballbar, "START_ANGLE");
+  b5r.end_deg = stated_angle(text, ballbar, "END_ANGLE");
+  b5r.plane = plane_of(text, ballbar);
+  read_head(text, document, b5r, remarks);
+  read_limits(text, test, b5r, remarks);
+  read_runs(text, document, ballbar, b5r, remarks);
+  read_curves(text, document, b5r, remarks);
   return b5r;
 }
 
@@ -226,6 +259,13 @@ std::optional<double> stored_value(const B5r& test, std::string_view parent, std
       return stored.value;
   }
   return std::nullopt;
+}
+
+std::string parent_of(const B5r& test, std::size_t recording) {
+  for (const StoredRun& run : test.run_results) {
+    if (run.recording == recording) return run.parent;
+  }
+  return fmt::format("run {}", recording);
 }
 
 }  // namespace ballbar

@@ -1,47 +1,16 @@
 #include <fmt/format.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/b5r.hpp"
 #include "ballbar/units.hpp"
+#include "recordings/b5r_parts.hpp"
+#include "recordings/b5r_written.hpp"
 
 namespace ballbar {
 namespace {
-
-using Out = std::back_insert_iterator<fmt::memory_buffer>;
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        // XML 1.0 has no other control characters, not even escaped.
-        result += static_cast<unsigned char>(c) < 0x20 && c != '\t' ? ' ' : c;
-    }
-  }
-  return result;
-}
-
-// START_ANGLE and END_ANGLE, deg, in [0, 360), counter-clockwise; equal for a full circle.
-struct Sweep_deg {
-  double start = 0.0;
-  double arc = 360.0;
-  double end = 0.0;
-};
 
 // Seven decimals are far below a reading's own place and turn 179.99999999999997 into 180.
 double rounded_deg(double angle_deg) {
@@ -63,7 +32,21 @@ Sweep_deg sweep_of(const Recording& run) {
 }
 
 void expect_writable(const B5r& test) {
-  if (test.runs.empty()) throw Error("a .b5r file is written from at least one run, found none.");
+  if (test.runs.empty() && test.run_results.empty() && test.stored.empty()) {
+    throw Error("a .b5r file is written from at least one run or stored result, found none.");
+  }
+  for (const StoredRun& run : test.run_results) {
+    if (run.recording && *run.recording >= test.runs.size()) {
+      throw Error("the run_results of a .b5r file name its recordings, found one that is not there.");
+    }
+  }
+  for (const SimulatedCurve& curve : test.simulated_um) {
+    const auto run = std::find_if(test.runs.begin(), test.runs.end(),
+                                  [&](const Recording& one) { return one.direction == curve.direction; });
+    if (run != test.runs.end() && run->length_mm.size() == curve.deviation_um.size()) continue;
+    throw Error("a .b5r file has simulated curves as long as its runs of that direction, found another.");
+  }
+  if (test.runs.empty()) return;
   const Recording& first = test.runs.front();
   for (const Recording& run : test.runs) {
     if (run.kind != Kind::circle || run.angle_rad.size() < 2 || run.angle_rad.size() != run.length_mm.size()) {
@@ -81,108 +64,101 @@ void expect_writable(const B5r& test) {
   }
 }
 
-std::string date(std::int64_t local_time_s) {
-  const std::chrono::sys_seconds time{std::chrono::seconds(local_time_s)};
-  const auto day = std::chrono::floor<std::chrono::days>(time);
-  const std::chrono::year_month_day ymd(day);
-  const std::chrono::hh_mm_ss clock(time - day);
-  return fmt::format("{:04}{:02}{:02}-{:02}{:02}{:02}", static_cast<int>(ymd.year()),
-                     static_cast<unsigned>(ymd.month()), static_cast<unsigned>(ymd.day()), clock.hours().count(),
-                     clock.minutes().count(), clock.seconds().count());
-}
-
-double sample_rate_Hz(const Recording& run, double arc_deg) {
-  const double path_mm = 2.0 * kPi * run.nominal_length_mm * (arc_deg / 360.0);
-  return *run.feed_mm_per_min / 60.0 * static_cast<double>(run.length_mm.size()) / path_mm;
-}
-
-void write_spec(Out to, const B5r& test, const Sweep_deg& sweep) {
-  const Recording& run = test.runs.front();
-  const std::string_view plane = name_of(run.plane);
-  fmt::format_to(to,
-                 "  <TEST_SPEC NAME=\"{}\" version=\"2.0\">\n"
-                 "    <INSTRUMENT MANUFACTURER=\"Renishaw\" MODEL=\"{}\">\n"
-                 "      <DYNAMIC_BALLBAR>\n"
-                 "        <NOMINAL_LENGTH>{}</NOMINAL_LENGTH>\n"
-                 "        <PROGRAMMED_FEEDRATE>{}</PROGRAMMED_FEEDRATE>\n"
-                 "        <START_ANGLE>{}</START_ANGLE>\n"
-                 "        <END_ANGLE>{}</END_ANGLE>\n",
-                 escaped(test.test_name), escaped(test.ballbar_model), run.nominal_length_mm,
-                 test.programmed_feed_mm_per_min.value_or(*run.feed_mm_per_min), sweep.start, sweep.end);
-  fmt::format_to(to,
-                 "        <TEST_RADIUS>{}</TEST_RADIUS>\n"
-                 "        <PLANE VIEW=\"+A+B\" TEST_PLANE=\"{}\">\n"
-                 "          <A_AXIS_NAME>{}</A_AXIS_NAME>\n"
-                 "          <B_AXIS_NAME>{}</B_AXIS_NAME>\n"
-                 "        </PLANE>\n"
-                 "        <SAMPLE_RATE>{}</SAMPLE_RATE>\n"
-                 "      </DYNAMIC_BALLBAR>\n"
-                 "    </INSTRUMENT>\n"
-                 "  </TEST_SPEC>\n",
-                 run.nominal_length_mm, plane, plane[0], plane[1], sample_rate_Hz(run, sweep.arc));
-}
-
 void write_feature(Out to, const StoredFeature& feature) {
-  fmt::format_to(to, "      <FEATURE NAME=\"{}\" DT=\"{}\"{}>{}</FEATURE>\n", escaped(feature.name),
-                 escaped(feature.data_type), feature.valid ? "" : " VALID=\"False\"", feature.value);
+  fmt::format_to(to, "      <FEATURE NAME=\"{}\" DT=\"{}\"{}{}>{}</FEATURE>\n", escaped(feature.name),
+                 escaped(feature.data_type), feature.valid ? "" : " VALID=\"False\"",
+                 feature.status.empty() ? "" : fmt::format(" STATUS=\"{}\"", escaped(feature.status)), feature.value);
 }
 
-void write_run(Out to, const B5r& test, std::size_t index, const Sweep_deg& sweep, std::size_t overshoot) {
-  const Recording& run = test.runs[index];
+void write_readings(Out to, const Recording& run, double arc_deg, std::size_t overshoot) {
   const std::size_t n = run.length_mm.size();
-  fmt::format_to(to, "    <BALLBAR_RUN>\n      <RUN_DIRECTION>{}</RUN_DIRECTION>\n", name_of(run.direction));
   if (run.bar_temperature_degC) {
     fmt::format_to(to, "      <RUN_TEMPERATURE>{}</RUN_TEMPERATURE>\n", *run.bar_temperature_degC);
   }
   fmt::format_to(to,
                  "      <START_INDEX>{}</START_INDEX>\n      <END_INDEX>{}</END_INDEX>\n"
                  "      <SAMPLE_RATE>{}</SAMPLE_RATE>\n      <READINGS>",
-                 overshoot, overshoot + n - 1, sample_rate_Hz(run, sweep.arc));
+                 overshoot, overshoot + n - 1, sample_rate_Hz(run, arc_deg));
   for (std::size_t i = 0; i < n + 2 * overshoot; ++i) {
     const std::size_t reading = i < overshoot ? 0 : i - overshoot < n ? i - overshoot : n - 1;
     fmt::format_to(to, "{}{:+.5f}", i == 0 ? "" : " ", run.length_mm[reading] - run.nominal_length_mm);
   }
   fmt::format_to(to, "</READINGS>\n");
-  const std::string parent = fmt::format("run {}", index);
+}
+
+// As the file had them; of a test made by hand the recordings alone.
+std::vector<StoredRun> all_runs(const B5r& test) {
+  if (!test.run_results.empty()) return test.run_results;
+  std::vector<StoredRun> runs;
+  runs.reserve(test.runs.size());
+  for (std::size_t i = 0; i < test.runs.size(); ++i) {
+    runs.push_back({fmt::format("run {}", i), test.runs[i].direction, i});
+  }
+  return runs;
+}
+
+void write_run(Out to, const B5r& test, const StoredRun& run, const Sweep_deg& sweep, std::size_t overshoot) {
+  const Recording* const recording = run.recording ? &test.runs.at(*run.recording) : nullptr;
+  const std::optional<Direction> direction = recording ? recording->direction : run.direction;
+  fmt::format_to(to, "    <BALLBAR_RUN>\n");
+  if (direction) fmt::format_to(to, "      <RUN_DIRECTION>{}</RUN_DIRECTION>\n", name_of(*direction));
+  if (recording) write_readings(to, *recording, sweep.arc, overshoot);
   for (const StoredFeature& feature : test.stored) {
-    if (feature.parent == parent) write_feature(to, feature);
+    if (feature.parent == run.parent) write_feature(to, feature);
   }
   fmt::format_to(to, "    </BALLBAR_RUN>\n");
 }
 
-// One ANALYSIS for each stretch of features with the same parent.
+void write_curves(Out to, const B5r& test) {
+  for (const SimulatedCurve& curve : test.simulated_um) {
+    fmt::format_to(to, "      <SIMULATION NAME=\"AF_SIMULATED_READINGS_{}\">", name_of(curve.direction));
+    for (std::size_t i = 0; i < curve.deviation_um.size(); ++i) {
+      fmt::format_to(to, "{}{:.5f}", i == 0 ? "" : " ", mm_from_um(curve.deviation_um[i]));
+    }
+    fmt::format_to(to, "</SIMULATION>\n");
+  }
+}
+
+// One ANALYSIS for each stretch of features with the same parent; the curves in the first that may have them.
 void write_analyses(Out to, const B5r& test) {
+  bool curves = !test.simulated_um.empty();
   std::string_view open;
+  const auto close = [&] {
+    if (open.empty()) return;
+    if (curves && open.substr(0, open.find(' ')) == kCurveAnalysis) {
+      write_curves(to, test);
+      curves = false;
+    }
+    fmt::format_to(to, "  </ANALYSIS>\n");
+  };
   for (const StoredFeature& feature : test.stored) {
     if (feature.parent.starts_with("run ")) continue;
     if (feature.parent != open) {
-      if (!open.empty()) fmt::format_to(to, "  </ANALYSIS>\n");
+      close();
       open = feature.parent;
-      const std::size_t space = open.find(' ');
-      fmt::format_to(to, "  <ANALYSIS NAME=\"{}\"", escaped(open.substr(0, space)));
-      if (space != std::string_view::npos) fmt::format_to(to, " version=\"{}\"", escaped(open.substr(space + 1)));
-      fmt::format_to(to, ">\n");
+      fmt::format_to(to, "  <ANALYSIS {}>\n", analysis_attributes(open));
     }
     write_feature(to, feature);
   }
-  if (!open.empty()) fmt::format_to(to, "  </ANALYSIS>\n");
+  close();
+  if (!curves) return;
+  fmt::format_to(to, "  <ANALYSIS NAME=\"{}\">\n", kCurveAnalysis);
+  write_curves(to, test);
+  fmt::format_to(to, "  </ANALYSIS>\n");
 }
 
 }  // namespace
 
 std::string write_b5r(const B5r& test, std::size_t overshoot_readings) {
   expect_writable(test);
-  const Sweep_deg sweep = sweep_of(test.runs.front());
+  const Sweep_deg sweep = test.runs.empty() ? Sweep_deg() : sweep_of(test.runs.front());
   fmt::memory_buffer out;
   const Out to = std::back_inserter(out);
   fmt::format_to(to, "\xEF\xBB\xBF<?xml version=\"1.0\" encoding=\"utf-8\" standalone=\"yes\"?>\n<TEST_DOCUMENT>\n");
   write_spec(to, test, sweep);
-  fmt::format_to(to, "  <DATE_STARTED>{}</DATE_STARTED>\n", date(*test.runs.front().started_s));
-  fmt::format_to(to,
-                 "  <EQUIPMENT>\n    <BALLBAR>\n      <MODEL>{}</MODEL>\n    </BALLBAR>\n"
-                 "    <SOFTWARE>\n      <VERSION>{}</VERSION>\n    </SOFTWARE>\n  </EQUIPMENT>\n  <RUN_RESULTS>\n",
-                 escaped(test.ballbar_model), escaped(test.software_version));
-  for (std::size_t i = 0; i < test.runs.size(); ++i) write_run(to, test, i, sweep, overshoot_readings);
+  write_head(to, test);
+  fmt::format_to(to, "  <RUN_RESULTS>\n");
+  for (const StoredRun& run : all_runs(test)) write_run(to, test, run, sweep, overshoot_readings);
   fmt::format_to(to, "  </RUN_RESULTS>\n");
   write_analyses(to, test);
   fmt::format_to(to, "</TEST_DOCUMENT>\n");

@@ -40,4 +40,10 @@ RecordingFile open_recording(const std::filesystem::path& path, std::span<const 
                           found_in(reader)));
 }
 
+void expect_readings(const RecordingFile& file, const std::filesystem::path& path) {
+  if (!file.recordings.empty()) return;
+  throw Error(fmt::format("{}: expected readings, found {}.", path.string(),
+                          file.b5r ? "stored results alone; ballbar fit prints those" : "none"));
+}
+
 }  // namespace ballbar

@@ -66,6 +66,7 @@ ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths, st
                               path.string()));
     }
     RecordingFile file = open_recording(path, readers);
+    expect_readings(file, path);
     std::move(file.recordings.begin(), file.recordings.end(), std::back_inserter(recordings));
     expect_one_plane(recordings, path);
   }

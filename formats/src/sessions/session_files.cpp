@@ -24,8 +24,14 @@ void expect_nominal_length(const Recording& recording, const fs::path& path, dou
                           nominal_length_mm, recording.nominal_length_mm));
 }
 
+std::vector<Recording> readings_in(const fs::path& path, Readers readers) {
+  RecordingFile file = open_recording(path, readers);
+  expect_readings(file, path);
+  return std::move(file.recordings);
+}
+
 std::vector<Recording> recordings_in(const SessionPlan& plan, const fs::path& path, Readers readers) {
-  std::vector<Recording> recordings = open_recording(path, readers).recordings;
+  std::vector<Recording> recordings = readings_in(path, readers);
   for (const Recording& recording : recordings) expect_nominal_length(recording, path, plan.nominal_length_mm);
   return recordings;
 }
@@ -155,11 +161,12 @@ SessionFiles session_of_folder(const fs::path& folder, Readers readers) {
   for (const fs::path& path : paths) {
     Started started;
     started.test.name = path.filename().string();
-    started.test.circles = open_recording(path, readers).recordings;
+    started.test.circles = readings_in(path, readers);
     const std::optional<std::int64_t> started_s = started.test.circles.front().started_s;
     if (!started_s)
       throw Error(
-          fmt::format("{}: expected DATE_STARTED, the time of this test in the session, found none.", path.string()));
+          fmt::format("{}: expected DATE_STARTED, the time of this test in the session, found none that can be read.",
+                      path.string()));
     started.started_s = *started_s;
     tests.push_back(std::move(started));
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "ballbar/nearest_name.hpp"  // in_quotes too
@@ -13,10 +14,19 @@ struct SourceText {
   std::string_view name;   // stands in messages
 };
 
+// UTF-16 with a byte order mark, which is what makes it that.
+bool is_utf16(std::string_view bytes);
+
+// UTF-8 of that, without byte order mark; of half a pair, or of an odd byte at the end, U+FFFD.
+std::string utf8_from_utf16(std::string_view bytes);
+
 // Strips the byte order mark. Throws Error: empty, a NUL (binary), UTF-16, not UTF-8.
 SourceText source_text(std::string_view bytes, std::string_view name);
 
-// Throws Error "name:line:column: sentence". Columns count characters, not bytes.
+// "name:line:column: sentence". Columns count characters, not bytes.
+std::string located(const SourceText& text, std::size_t offset, std::string_view sentence);
+
+// Throws that as an Error.
 [[noreturn]] void fail_at(const SourceText& text, std::size_t offset, std::string_view sentence);
 
 }  // namespace ballbar

@@ -4,6 +4,7 @@
 
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "text/head.hpp"
+#include "text/located_text.hpp"
 
 namespace ballbar {
 namespace {
@@ -38,6 +39,11 @@ std::span<const Reader> known_readers() {
 
 const Reader* reader_of(std::string_view head, std::span<const Reader> readers) {
   head = head.substr(0, kHeadBytes);
+  std::string utf8;
+  if (is_utf16(head)) {
+    utf8 = utf8_from_utf16(head);
+    head = utf8;
+  }
   const auto reader =
       std::find_if(readers.begin(), readers.end(), [&](const Reader& one) { return one.is_yours(head); });
   return reader == readers.end() ? nullptr : &*reader;

@@ -33,6 +33,24 @@ Text text_of(const SourceText& text, pugi::xml_node node);
 // A finite number; `name` stands in the message.
 double number_of(const SourceText& text, const Text& found, std::string_view name);
 
+constexpr bool is_xml_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+// Calls use(number, its text) for each of the numbers between blanks, in order; returns how many there are.
+template <class Use>
+std::size_t each_number(const SourceText& text, const Text& found, std::string_view name, Use use) {
+  const char* const begin = found.value.data();
+  const char* const end = begin + found.value.size();
+  std::size_t count = 0;
+  for (const char* at = begin; at != end; ++count) {  // trimmed: it begins with a number
+    const char* last = at;
+    while (last != end && !is_xml_blank(*last)) ++last;
+    const Text one{{at, static_cast<std::size_t>(last - at)}, found.offset + static_cast<std::size_t>(at - begin)};
+    use(number_of(text, one, name), one);
+    for (at = last; at != end && is_xml_blank(*at);) ++at;
+  }
+  return count;
+}
+
 // Of the child of that name.
 double positive_in(const SourceText& text, pugi::xml_node parent, const char* name);
 std::optional<double> optional_number_in(const SourceText& text, pugi::xml_node parent, const char* name);

@@ -157,7 +157,7 @@ TEST(b5r, writer_refuses_what_the_format_cannot_hold) {
     return std::string("no complaint");
   };
   B5r test;
-  EXPECT_EQ(message(test), "a .b5r file is written from at least one run, found none.");
+  EXPECT_EQ(message(test), "a .b5r file is written from at least one run or stored result, found none.");
   test = read_b5r(good_text("b5r"), "file");
   EXPECT_EQ(message(test), "no complaint");
   B5r other_plane = test;

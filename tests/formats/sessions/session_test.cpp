@@ -244,7 +244,8 @@ TEST(session, folders_that_are_no_session) {
   EXPECT_EQ(opening(),
             "DIR: expected tests that started at different times, found the same DATE_STARTED in a.b5r and b.b5r.");
   folder.write("b.b5r", changed("b5r", "  <DATE_STARTED>20200229-120001</DATE_STARTED>\n", ""));
-  EXPECT_EQ(opening(), "DIR/b.b5r: expected DATE_STARTED, the time of this test in the session, found none.");
+  EXPECT_EQ(opening(),
+            "DIR/b.b5r: expected DATE_STARTED, the time of this test in the session, found none that can be read.");
   folder.write("b.b5r", replaced(changed("b5r", "20200229-120001", "20200301-000001"), "<NOMINAL_LENGTH>100",
                                  "<NOMINAL_LENGTH>50"));
   EXPECT_EQ(opening(), "DIR/b.b5r: expected the session's nominal length 100 mm, found 50 mm.");

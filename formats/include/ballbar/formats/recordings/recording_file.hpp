@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ballbar/circle/recording.hpp"
@@ -12,9 +13,10 @@
 namespace ballbar {
 
 struct RecordingFile {
-  std::vector<Recording> recordings;  // two for most `.b5r`, one for a log
-  std::optional<B5r> b5r;             // stored results and equipment, where the file is a `.b5r`; its
-                                      // runs are moved to `recordings`
+  std::vector<Recording> recordings;   // two for most `.b5r`, one for a log; none where a `.b5r` has results alone
+  std::optional<B5r> b5r;              // stored results and equipment, where the file is a `.b5r`; its
+                                       // runs and remarks are moved out
+  std::vector<std::string> remarks{};  // whole sentences with name:line:column
 };
 
 // A file whose content is that of a recording, a .b5r or a log, though it may have faults.
@@ -22,5 +24,8 @@ bool is_recording_file(const std::filesystem::path& path, std::span<const Reader
 
 // Throws Error; lists the known formats if none fits.
 RecordingFile open_recording(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
+
+// Throws Error where the file has no recording: for what needs readings.
+void expect_readings(const RecordingFile& file, const std::filesystem::path& path);
 
 }  // namespace ballbar
