@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
+#include "ballbar/numerics/parallel.hpp"
 #include "numerics/not_finite.hpp"
-#include "numerics/parallel.hpp"
 
 namespace ballbar {
 namespace {

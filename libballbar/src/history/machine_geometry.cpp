@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "ballbar/history/trend.hpp"
 #include "numerics/not_finite.hpp"
@@ -98,84 +99,143 @@ bool has_covariance(const AxisScales& scales) {
   return scales.covariance.allFinite() && scales.covariance.determinant() > 0.0;
 }
 
-// Least squares for the axes that the tests reach; unweighted where no test has a covariance.
-void solve_scales(std::span<const MachineTest> tests, MachineGeometry& geometry) {
-  bool weighted = false;
-  for (const std::size_t i : geometry.tests)
-    weighted = weighted || (tests[i].scales && has_covariance(*tests[i].scales));
-  std::vector<std::size_t> used;
-  std::array<int, 3> column{-1, -1, -1};
-  for (const std::size_t i : geometry.tests) {
-    if (tests[i].scales && (!weighted || has_covariance(*tests[i].scales))) used.push_back(i);
-  }
-  if (used.empty()) return;
-  for (const std::size_t i : used) {
-    for (const int axis : axes_of(tests[i].plane)) column[static_cast<std::size_t>(axis)] = 0;
-  }
-  int axes = 0;
-  for (int& place : column) {
-    if (place == 0) place = axes++;
-  }
-  const auto rows = static_cast<Eigen::Index>(2 * used.size());
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(rows, axes);
-  Eigen::VectorXd y(rows);
-  std::vector<Eigen::Matrix2d> covariances;
-  covariances.reserve(used.size());
-  for (std::size_t k = 0; k < used.size(); ++k) {
-    const AxisScales& scales = *tests[used[k]].scales;
-    const auto pair = axes_of(tests[used[k]].plane);
-    const auto row = static_cast<Eigen::Index>(2 * k);
-    for (int side = 0; side < 2; ++side) {
-      a(row + side, column[static_cast<std::size_t>(pair[static_cast<std::size_t>(side)])]) = 1.0;
-    }
-    y.segment<2>(row) << scales.a_ppm, scales.b_ppm;
-    covariances.push_back(weighted ? scales.covariance : Eigen::Matrix2d::Identity());
-  }
+// Two equations a test: the scales of its axes.
+struct Equations {
+  std::vector<std::size_t> tests;
+  std::array<int, 3> column{-1, -1, -1};  // of the axes' unknowns
+  Eigen::MatrixXd a;
+  Eigen::VectorXd y;
+  std::vector<Eigen::Matrix2d> covariance;
+
+  Eigen::Index row(std::size_t k) const { return static_cast<Eigen::Index>(2 * k); }
+};
+
+struct Solved {
+  Eigen::VectorXd scale;
+  Eigen::MatrixXd covariance;
+  double chi2 = 0.0;
+};
+
+// With a scatter of each equation added to the covariances.
+Solved solved(const Equations& equations, double scatter_ppm) {
+  const Eigen::Index axes = equations.a.cols();
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(axes, axes);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(axes);
-  for (std::size_t k = 0; k < used.size(); ++k) {
-    const auto row = static_cast<Eigen::Index>(2 * k);
-    const Eigen::Matrix2d weight = covariances[k].inverse();
-    normal += a.middleRows<2>(row).transpose() * weight * a.middleRows<2>(row);
-    right += a.middleRows<2>(row).transpose() * (weight * y.segment<2>(row));
+  std::vector<Eigen::Matrix2d> weight;
+  weight.reserve(equations.tests.size());
+  for (std::size_t k = 0; k < equations.tests.size(); ++k) {
+    const auto a = equations.a.middleRows<2>(equations.row(k));
+    weight.emplace_back((equations.covariance[k] + scatter_ppm * scatter_ppm * Eigen::Matrix2d::Identity()).inverse());
+    normal += a.transpose() * weight.back() * a;
+    right += a.transpose() * (weight.back() * equations.y.segment<2>(equations.row(k)));
   }
-  const Eigen::MatrixXd covariance = normal.inverse();
-  const Eigen::VectorXd scale = covariance * right;
-  const Eigen::VectorXd left = y - a * scale;
-  for (std::size_t k = 0; k < used.size(); ++k) {
-    const auto row = static_cast<Eigen::Index>(2 * k);
-    const Eigen::Vector2d part = left.segment<2>(row);
-    if (weighted) geometry.chi2 += part.dot(covariances[k].inverse() * part);
-    const Eigen::Matrix2d of_residual =
-        covariances[k] - a.middleRows<2>(row) * covariance * a.middleRows<2>(row).transpose();
-    const auto pair = axes_of(tests[used[k]].plane);
+  Solved solution;
+  solution.covariance = normal.inverse();
+  solution.scale = solution.covariance * right;
+  const Eigen::VectorXd left = equations.y - equations.a * solution.scale;
+  for (std::size_t k = 0; k < equations.tests.size(); ++k) {
+    const Eigen::Vector2d part = left.segment<2>(equations.row(k));
+    solution.chi2 += part.dot(weight[k] * part);
+  }
+  return solution;
+}
+
+// With which chi^2 is what it is on average, the degrees of freedom (Mandel and Paule).
+double scatter_for(const Equations& equations, std::size_t degrees) {
+  const double wanted = static_cast<double>(degrees);
+  double low = 0.0, high = 1.0;
+  while (solved(equations, high).chi2 > wanted && high < 1e9) high *= 2.0;
+  for (int halving = 0; halving < 40; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (solved(equations, middle).chi2 > wanted ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+// Of the axes that the tests reach; unweighted where no test has a covariance.
+Equations equations_of(std::span<const MachineTest> tests, const std::vector<std::size_t>& set, bool weighted) {
+  Equations equations;
+  for (const std::size_t i : set) {
+    if (tests[i].scales && (!weighted || has_covariance(*tests[i].scales))) equations.tests.push_back(i);
+  }
+  for (const std::size_t i : equations.tests) {
+    for (const int axis : axes_of(tests[i].plane)) equations.column[static_cast<std::size_t>(axis)] = 0;
+  }
+  int axes = 0;
+  for (int& place : equations.column) {
+    if (place == 0) place = axes++;
+  }
+  const Eigen::Index rows = equations.row(equations.tests.size());
+  equations.a = Eigen::MatrixXd::Zero(rows, axes);
+  equations.y.resize(rows);
+  equations.covariance.reserve(equations.tests.size());
+  for (std::size_t k = 0; k < equations.tests.size(); ++k) {
+    const MachineTest& test = tests[equations.tests[k]];
+    const auto [a, b] = axes_of(test.plane);
+    equations.a(equations.row(k), equations.column[static_cast<std::size_t>(a)]) = 1.0;
+    equations.a(equations.row(k) + 1, equations.column[static_cast<std::size_t>(b)]) = 1.0;
+    equations.y.segment<2>(equations.row(k)) << test.scales->a_ppm, test.scales->b_ppm;
+    equations.covariance.push_back(weighted ? test.scales->covariance : Eigen::Matrix2d::Identity());
+  }
+  return equations;
+}
+
+// Each equation's residual over its sigma.
+std::vector<ScalePull> pulls_of(std::span<const MachineTest> tests, const Equations& equations, const Solved& solution,
+                                bool weighted) {
+  std::vector<ScalePull> pulls;
+  const Eigen::VectorXd left = equations.y - equations.a * solution.scale;
+  for (std::size_t k = 0; k < equations.tests.size(); ++k) {
+    const auto a = equations.a.middleRows<2>(equations.row(k));
+    const Eigen::Matrix2d of_residual = equations.covariance[k] - a * solution.covariance * a.transpose();
+    const auto pair = axes_of(tests[equations.tests[k]].plane);
     for (int side = 0; side < 2; ++side) {
-      const double variance = covariances[k](side, side);
+      const double variance = equations.covariance[k](side, side);
       constexpr double kRounding = 1e-9;  // an axis that one test alone tells leaves no residual
       const bool compared = weighted && of_residual(side, side) > kRounding * variance;
-      geometry.pulls.push_back({used[k], pair[static_cast<std::size_t>(side)], y[row + side],
-                                weighted ? std::sqrt(variance) : kUnknown,
-                                compared ? part[side] / std::sqrt(of_residual(side, side)) : kUnknown});
+      const Eigen::Index row = equations.row(k) + side;
+      pulls.push_back({equations.tests[k], pair[static_cast<std::size_t>(side)], equations.y[row],
+                       weighted ? std::sqrt(variance) : kUnknown,
+                       compared ? left[row] / std::sqrt(of_residual(side, side)) : kUnknown});
     }
   }
-  if (weighted) geometry.degrees = 2 * used.size() - static_cast<std::size_t>(axes);
+  return pulls;
+}
+
+std::size_t planes_with(std::span<const MachineTest> tests, const Equations& equations, int axis) {
+  std::set<Plane> planes;
+  for (const std::size_t i : equations.tests) {
+    const auto [a, b] = axes_of(tests[i].plane);
+    if (a == axis || b == axis) planes.insert(tests[i].plane);
+  }
+  return planes.size();
+}
+
+void solve_scales(std::span<const MachineTest> tests, MachineGeometry& geometry) {
+  bool weighted = false;
+  for (const std::size_t i : geometry.tests) {
+    weighted = weighted || (tests[i].scales && has_covariance(*tests[i].scales));
+  }
+  const Equations equations = equations_of(tests, geometry.tests, weighted);
+  if (equations.tests.empty()) return;
+  Solved solution = solved(equations, 0.0);
+  geometry.pulls = pulls_of(tests, equations, solution, weighted);
+  if (weighted) {
+    geometry.chi2 = solution.chi2;
+    geometry.degrees = static_cast<std::size_t>(equations.a.rows() - equations.a.cols());
+  }
   if (geometry.degrees > 0) {
     geometry.p_value = chi2_upper_tail(geometry.chi2, geometry.degrees);
     if (geometry.p_value < kDisagree) {
-      geometry.widened = std::sqrt(geometry.chi2 / static_cast<double>(geometry.degrees));
+      geometry.scatter_ppm = scatter_for(equations, geometry.degrees);
+      solution = solved(equations, geometry.scatter_ppm);
     }
   }
   for (int axis = 0; axis < 3; ++axis) {
-    const int place = column[static_cast<std::size_t>(axis)];
+    const int place = equations.column[static_cast<std::size_t>(axis)];
     if (place < 0) continue;
-    std::vector<Plane> planes;
-    for (const std::size_t i : used) {
-      const auto pair = axes_of(tests[i].plane);
-      if (pair[0] != axis && pair[1] != axis) continue;
-      if (std::find(planes.begin(), planes.end(), tests[i].plane) == planes.end()) planes.push_back(tests[i].plane);
-    }
-    const double sigma = weighted ? geometry.widened * std::sqrt(covariance(place, place)) : kUnknown;
-    geometry.scales.push_back({axis, scale[place], sigma, planes.size()});
+    const double sigma = weighted ? std::sqrt(solution.covariance(place, place)) : kUnknown;
+    geometry.scales.push_back({axis, solution.scale[place], sigma, planes_with(tests, equations, axis)});
   }
 }
 

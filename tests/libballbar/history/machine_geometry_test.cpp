@@ -46,16 +46,19 @@ TEST(machine_geometry, planes_that_agree) {
 }
 
 // Two planes share Y, which they see 6 um/m apart, sigma 1 and 1: chi^2 = 36 / 2 = 18 at one degree, each pull
-// 3 / sqrt(1 / 2), the scale in the middle, sigmas sqrt(18) times wider.
+// 3 / sqrt(1 / 2), the scale in the middle. With a variance of 17 more each chi^2 is 1: sigma of Y sqrt(18 / 2), of X
+// sqrt(18).
 TEST(machine_geometry, planes_that_disagree) {
   const std::vector<MachineTest> tests{test_in(Plane::XY, 0, 10, 20, 1, 5), test_in(Plane::YZ, 60, 26, 30, 1, 6)};
   const MachineGeometry found = machine_geometry(tests);
   EXPECT_EQ(found.degrees, 1u);
   EXPECT_NEAR(found.chi2, 18.0, 1e-9);
   EXPECT_NEAR(found.p_value, chi2_upper_tail(18.0, 1), 1e-12);
-  EXPECT_NEAR(found.widened, std::sqrt(18.0), 1e-9);
+  EXPECT_NEAR(found.scatter_ppm, std::sqrt(17.0), 1e-6);
+  EXPECT_NEAR(found.scales[0].value_ppm, 10.0, 1e-9);
+  EXPECT_NEAR(found.scales[0].sigma_ppm, std::sqrt(18.0), 1e-6);
   EXPECT_NEAR(found.scales[1].value_ppm, 23.0, 1e-9);
-  EXPECT_NEAR(found.scales[1].sigma_ppm, 3.0, 1e-9) << "sqrt(18 / 2)";
+  EXPECT_NEAR(found.scales[1].sigma_ppm, 3.0, 1e-6);
   ASSERT_EQ(found.pulls.size(), 4u);
   EXPECT_TRUE(std::isnan(found.pulls[0].pull)) << "X is in one plane alone";
   EXPECT_NEAR(found.pulls[1].pull, -std::sqrt(18.0), 1e-9);

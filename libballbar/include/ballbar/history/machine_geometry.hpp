@@ -6,8 +6,10 @@
 //
 // All tests together: weighted least squares for the axes they reach. An axis in two planes is measured twice; how far
 // both agree is chi^2, and the pull of each is its residual over the residual's sigma. Where they agree worse than one
-// in a hundred would by chance, sigmas are widened by sqrt(chi^2 / degrees) (Birge). A bar of wrong length moves all
-// scales alike: that no test of its own shows.
+// in a hundred would by chance, each scale of a test is taken to scatter by as much more as makes chi^2 the degrees of
+// freedom. A bar of wrong length moves all scales alike: that no test of its own shows.
+//
+// Source of the scatter: R. C. Paule and J. Mandel, J. Res. Natl. Bur. Stand. 87 (1982).
 #pragma once
 
 #include <cstddef>
@@ -51,7 +53,7 @@ struct MachineGeometry {
   double chi2 = 0.0;
   std::size_t degrees = 0;  // 0: nothing to compare
   double p_value = 1.0;
-  double widened = 1.0;  // of the sigmas of the scales
+  double scatter_ppm = 0.0;  // of each scale of a test beyond its sigma, where the tests disagree
 };
 
 // The tests within a day before the newest; of a plane without one there, its newest. Tests with a sigma go before
