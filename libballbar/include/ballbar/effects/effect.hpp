@@ -63,6 +63,8 @@ struct Parameter {
   GridOnRows grid_on = {};    // in place of `grid`, where starts depend on the rows
   UsualOnRows usual_on = {};  // shape: for blind challenges; empty: evenly in the logarithm from the grid's second
                               // value to its last but one
+  std::string row = {};       // gain of an error of the machine: the row of the table it makes, "pos" of "NAME_pos";
+                              // two of one row are sine and cosine of an amplitude
 };
 
 // Starts to try on these rows: of `grid_on` or of `grid`, those from `lower` to `upper`. Empty: the parameter's start
@@ -124,6 +126,39 @@ struct ExplainedCause {
   bool on_its_sensors = false;
 };
 
+// What an error says of the two axes of its plane beside each other.
+enum class AxisRelation {
+  none,
+  scale,  // how much longer A is over a diameter, um
+  angle,  // from +A to +B less a right angle, um/m
+};
+
+// Where an error of the machine is fitted (machine_errors.hpp).
+enum class ErrorFit {
+  none,              // it is none
+  together,          // with all others of this kind, on all readings but those at a reversal
+  where_it_shows,    // with them where it is clear
+  at_reversals,      // likewise; a shape is its width
+  along_the_travel,  // on what they leave, between the reversals; a shape is its wave length; each recording its own
+};
+
+// Of an error of the machine: a sum of its gains that is held near 0 where the readings say little
+// of it, as if so many readings more, all of them where it shows most, had found nothing of it. Worked out from what
+// instrument software stores.
+struct Damping {
+  enum class Where {
+    arcs,               // less than a full turn
+    arcs_on_a,          // as far as the arc's middle lies along A: cos^2 of it
+    arcs_on_b,          // along B: sin^2
+    arcs_on_axes,       // along an axis: cos^2 of twice the middle
+    arcs_on_diagonals,  // between them: sin^2
+    full_turns,
+  };
+  std::vector<double> gains;  // the sum, a number for each gain
+  double readings = 0.0;
+  Where where = Where::arcs;
+};
+
 // What searches, tests and challenges are told of an effect.
 struct EffectRules {
   bool is_base = false;  // in every model of its level: not searched, not tested by leaving it out
@@ -136,6 +171,10 @@ struct EffectRules {
   std::optional<double> same_as_input = std::nullopt;
   std::string becomes = {};           // effect of its inputs, or of some, that it is at the edge of its shapes
   bool hidden_in_challenges = false;  // one that blind challenges hide
+  ErrorFit error_fit = ErrorFit::none;
+  double reversal_deg = 0.0;  // of an error of one axis: where the axis turns back at its + end, 0 (A) or 90 (B)
+  std::vector<Damping> damping = {};
+  AxisRelation relation = AxisRelation::none;
   std::vector<ExplainedCause> explains = {};
 };
 

@@ -8,7 +8,7 @@
 // values are found again. L are the precisions of the prior, T its variances; V the covariance of the noise that this
 // full model leaves: white and with a memory, by restricted likelihood, averaged over memory and share. The
 // width of the reversal spikes and the pitch of the cyclic errors are the only shapes; both are searched on a grid.
-// Errors are the catalogue's effects with EffectRules::machine_error, one row a gain, or a pair of sine and cosine.
+// Errors are the catalogue's effects with EffectRules::error_fit, one row a gain, or a pair of sine and cosine.
 //
 // Sources: the forward model is worked out from simulated curves that instrument software stores in `.b5r` files, which
 // it reproduces to 0.003 um. Sandwich covariance: H. White, Econometrica 48 (1980).
@@ -27,10 +27,14 @@
 
 namespace ballbar {
 
+enum class CyclicOfRuns { larger, mean };
+
 // What is known of the two axes beside the readings.
 struct MachineErrorOptions {
   bool prior = true;                             // false: `--prior none`
   std::optional<double> pitch_a_mm, pitch_b_mm;  // of the screws, where they are known; else searched
+  // What an amplitude of the cyclic error is of several recordings, each of which has its own.
+  CyclicOfRuns cyclic_of_runs = CyclicOfRuns::larger;
 };
 
 // One row of the table.
@@ -45,6 +49,7 @@ struct MachineError {
 // One effect with all of its rows: what the circle shows of it.
 struct RankedError {
   const Effect* effect = nullptr;
+  std::optional<double> shape;             // width of a spike, deg; pitch of a cyclic error, mm
   std::vector<std::size_t> rows;           // places in MachineErrors::errors
   double individual_circularity_um = 0.0;  // IC: peak to peak of its own curve over all recordings
   double share_percent = 0.0;              // of the sum of all IC
@@ -70,6 +75,17 @@ struct PriorOfError {
   std::string unit;
 };
 
+// One gain as it was fitted: of an effect, or of the circle (effect nullptr, gain 0 radius, 1 and 2 centre).
+struct FittedGain {
+  const Effect* effect = nullptr;
+  std::size_t gain = 0;                  // among the effect's gains
+  std::optional<std::size_t> recording;  // of this one alone
+  double value = 0.0;
+  double shape = 0.0;
+  std::string name;        // of its row
+  bool in_the_fit = true;  // false: did not show; its value is that beside all others
+};
+
 struct MachineErrors {
   std::vector<MachineError> errors;
   Eigen::MatrixXd covariance;       // of the values, in the order of errors
@@ -78,29 +94,29 @@ struct MachineErrors {
   double residual_rms_um = 0.0;
   double repeatability_um = 0.0;     // what of the residual is not the same in both directions; NaN: one direction
   std::optional<LeftHarmonic> left;  // what the model does not explain; nothing: nothing clear
-  std::vector<std::string>
-      undetermined;                     // "scale_mismatch with straightness_b and centre_a": the data do not tell apart
-  std::vector<PriorOfError> prior;      // empty: none
-  Noise noise;                          // the most likely one
-  std::vector<std::size_t> recordings;  // readings of each
+  // What the readings do not tell apart: "scale_mismatch with straightness_b, centre_a".
+  std::vector<std::string> undetermined;
+  std::vector<PriorOfError> prior;  // empty: none
+  std::vector<FittedGain> gains;
+  Noise noise;  // the most likely one
 };
+
+// Of both axes, from the joint covariance of scale and mismatch; nothing where the readings do not tell them.
+struct AxisScales {
+  double a_ppm = 0.0, b_ppm = 0.0;
+  Eigen::Matrix2d covariance;  // ppm^2
+};
+std::optional<AxisScales> axis_scales(const MachineErrors& found, double nominal_length_mm);
+
+// The row of the angle between the axes.
+std::optional<MachineError> squareness_of(const MachineErrors& found);
 
 // Recordings of one plane, one bar and linear axes, of one test or of several at the same place. Throws Error for
 // others, and for fewer readings than the errors need. O(n) in readings, some 2 ms for 2 times 1500.
 MachineErrors machine_errors(std::span<const Recording> recordings, const MachineErrorOptions& options = {});
 
-// Scales of both axes, (GS +- MM/4)/R, um/m, from the joint covariance; nothing where the test does not tell them.
-struct AxisScales {
-  double a_ppm = 0.0, b_ppm = 0.0;
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-};
-std::optional<AxisScales> axis_scales(const MachineErrors& found, double nominal_length_mm);
-
-// The row of the plane's squareness; nothing where there is none.
-std::optional<MachineError> squareness_of(const MachineErrors& found);
-
-// What one ranked error, or all of them (nullptr: and the circles), adds to each reading, um; n in the order of the
-// recordings.
+// What one ranked error, or all that are in the fit (nullptr; without the circle), adds to each reading, um; n in the
+// order of the recordings.
 std::vector<double> curve_of(const MachineErrors& found, const Effect* effect, std::span<const Recording> recordings);
 
 }  // namespace ballbar

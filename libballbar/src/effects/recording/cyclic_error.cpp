@@ -9,18 +9,20 @@
 namespace ballbar::catalogue {
 namespace {
 
-// (s sin(2 pi x / p) + c cos(2 pi x / p)) x / R, x the axis' position from the circle's centre
+// (s / 2 sin(2 pi x / p) + c / 2 cos(2 pi x / p)) x / R, x the axis' position from the circle's centre; s and c of
+// their own forwards (fwd) and backwards (rev), so that the amplitude is from peak to peak
 struct CyclicError {
   Axis axis;
 
   template <class T>
   void operator()(const EffectRows& rows, const T* p, T* out) const {
     using std::cos, std::sin;
-    const std::span<const double> angle_rad = rows.inputs[0], radius_mm = rows.inputs[1];
+    const std::span<const double> angle_rad = rows.inputs[0], radius_mm = rows.inputs[1], direction = rows.inputs[2];
     for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      const double position = state_of(axis, angle_rad[i], 1.0).position;
-      const T phase_rad = 2.0 * kPi * radius_mm[i] * position / p[2];
-      out[i] = position * (p[0] * sin(phase_rad) + p[1] * cos(phase_rad));
+      const AxisState state = state_of(axis, angle_rad[i], direction[i]);
+      const T* wave = state.velocity_sign < 0.0 ? p + 2 : p;
+      const T phase_rad = 2.0 * kPi * radius_mm[i] * state.position / p[4];
+      out[i] = 0.5 * state.position * (wave[0] * sin(phase_rad) + wave[1] * cos(phase_rad));
     }
   }
 };
@@ -34,6 +36,10 @@ std::vector<double> pitches(const EffectRows& rows, double lower, double upper, 
   return wave_lengths(std::max(lower, kFinest_mm), upper, travel_mm, most);
 }
 
+Parameter wave(const char* name, const char* row, const char* meaning) {
+  return {name, "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, meaning, false, ShapeOf::curve, {}, {}, row};
+}
+
 Effect cyclic_error(Axis axis) {
   const bool a = axis == Axis::A;
   return {
@@ -43,19 +49,23 @@ Effect cyclic_error(Axis axis) {
                     : "Axis B has an error that repeats with every turn of its screw.",
        .cause =
            "A ball screw that runs out or wobbles, an encoder or coupling off centre, or interpolation of a scale.",
-       .formula = "(sine sin(2 pi x / pitch) + cosine cos(2 pi x / pitch)) x / R, x the position of the axis",
+       .formula =
+           "(sine sin(2 pi x / pitch) + cosine cos(2 pi x / pitch)) x / (2 R), x the position of the axis; _fwd while "
+           "it moves towards +, _rev towards -",
        .signature =
            "A wave that is fixed in the axis' position: long near the reversals, short where the axis is fast, "
            "and nothing where it crosses the middle.",
        .confused_with = {"vibration", "lobing", a ? "cyclic_error_b" : "cyclic_error_a"},
        .separated_by = "Another feed: a cyclic error stays where it is, a vibration moves along the path.",
        .remedy = "Bearing and alignment of the screw, coupling, mounting of the encoder.",
-       .validity = "Linear axes; one wave of one pitch, the same forwards and backwards.",
+       .validity = "Linear axes; one wave of one pitch, the same in all recordings.",
        .source = "Periodic error along the axis; pitch and phase as AF_CYCLIC_PITCH and AF_CYCLIC_PHASE of measured "
                  ".b5r files."},
-      {angle_input(), radius_input()},
-      {{"sine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "sine part of the axis' error"},
-       {"cosine_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "cosine part of the axis' error"},
+      {angle_input(), radius_input(), direction_input()},
+      {wave("sine_fwd_um", "fwd", "sine part while it moves towards +, peak to peak"),
+       wave("cosine_fwd_um", "fwd", "cosine part of it"),
+       wave("sine_rev_um", "rev", "sine part while it moves towards -, peak to peak"),
+       wave("cosine_rev_um", "rev", "cosine part of it"),
        {"pitch_mm",
         "mm",
         ParameterKind::shape,
@@ -68,9 +78,10 @@ Effect cyclic_error(Axis axis) {
         false,
         ShapeOf::curve,
         pitches}},
-      evaluated_by<3>(CyclicError{axis}),
+      evaluated_by<5>(CyclicError{axis}),
       false,
       {Motion::linear_axes},
+      {.error_fit = ErrorFit::along_the_travel, .reversal_deg = a ? 0.0 : 90.0},
   };
 }
 

@@ -5,7 +5,8 @@ namespace ballbar::catalogue {
 namespace {
 
 // The slide of one axis is pushed sideways, along the other axis, by + (u / 2) sign(v): along the bar that is
-// (u / 2) sign(v_A) sin theta for play of A and (u / 2) sign(v_B) cos theta for play of B.
+// (u / 2) sign(v_A) sin theta for play of A and (u / 2) sign(v_B) cos theta for play of B. The play goes linearly from
+// one end of the travel to the other, as backlash does.
 struct LateralPlay {
   Axis axis;
 
@@ -14,10 +15,15 @@ struct LateralPlay {
     const std::span<const double> angle_rad = rows.inputs[0], direction = rows.inputs[1];
     for (std::size_t i = 0; i < angle_rad.size(); ++i) {
       const AxisState state = state_of(axis, angle_rad[i], direction[i]);
-      out[i] = p[0] * (0.5 * state.velocity_sign * state.across);
+      const double push = 0.5 * state.velocity_sign * state.across;
+      out[i] = p[0] * (0.5 * (1.0 + state.position) * push) + p[1] * (0.5 * (1.0 - state.position) * push);
     }
   }
 };
+
+Parameter side(const char* name, const char* row, const char* meaning) {
+  return {name, "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, meaning, false, ShapeOf::curve, {}, {}, row};
+}
 
 Effect lateral_play(Axis axis) {
   const bool a = axis == Axis::A;
@@ -29,7 +35,9 @@ Effect lateral_play(Axis axis) {
        .cause =
            "Play or wear of the guideway: the drive is not in the middle of the slide, and each reversal pushes the "
            "slide to the other flank.",
-       .formula = "(play / 2) sign(velocity of the axis) times the other axis' position over R",
+       .formula =
+           "(play / 2) sign(velocity of the axis) times the other axis' position over R; play = play_pos (1 + x) / 2 "
+           "+ play_neg (1 - x) / 2, x the axis' own position over R",
        .signature = "One direction is a little larger, the other a little smaller, most of all across the axis; a kink "
                     "at the reversals, the same at every feed.",
        .confused_with = {"scale_mismatch", a ? "lateral_play_b" : "lateral_play_a", "circle",
@@ -38,14 +46,20 @@ Effect lateral_play(Axis axis) {
            "Both directions with one set-up: play changes sign with the direction, scale does not. A single "
            "direction shows play and scale alike.",
        .remedy = "Adjust gibs or preload of the guideways; lubrication; look for wear.",
-       .validity = "Linear axes; play that is the same everywhere. Where every recording has a radius of its own, only "
+       .validity = "Linear axes; play that changes evenly along the travel. Where every recording has a radius of its "
+                   "own, only "
                    "the kink is left to tell it by.",
        .source = "Kinematics of a slide between two flanks; size as AF_LATERAL_PLAY of measured .b5r files."},
       {angle_input(), direction_input()},
-      {{"play_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "whole sideways movement at a reversal"}},
-      evaluated_by<1>(LateralPlay{axis}),
+      {side("play_pos_um", "pos", "whole sideways movement when it reverses on the + end"),
+       side("play_neg_um", "neg", "whole sideways movement when it reverses on the - end")},
+      evaluated_by<2>(LateralPlay{axis}),
       false,
       {Motion::linear_axes},
+      // On a full turn the difference of both axes' plays is nearly that of both directions' radii.
+      {.error_fit = ErrorFit::together,
+       .reversal_deg = a ? 0.0 : 90.0,
+       .damping = {{{0.5, -0.5}, 320.0, Damping::Where::arcs}, {{0.5, 0.5}, 80.0, Damping::Where::full_turns}}},
   };
 }
 

@@ -26,6 +26,10 @@ struct ReversalSpike {
   }
 };
 
+Parameter peak(const char* name, const char* row, const char* meaning) {
+  return {name, "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, meaning, false, ShapeOf::curve, {}, {}, row};
+}
+
 Effect reversal_spike(Axis axis) {
   const bool a = axis == Axis::A;
   return {
@@ -47,19 +51,20 @@ Effect reversal_spike(Axis axis) {
        .source = "Description of the form, no paper's equation; heights as AF_REVERSAL_SPIKES_POS and _NEG, outwards "
                  "positive."},
       {angle_input(), direction_input()},
-      {{"height_pos_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "height after the reversal at the + end"},
-       {"height_neg_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "height after the reversal at the - end"},
+      {peak("height_pos_um", "pos", "height after the reversal at the + end"),
+       peak("height_neg_um", "neg", "height after the reversal at the - end"),
        {"width_deg",
         "deg",
         ParameterKind::shape,
         3.0,
         0.2,
-        30.0,
+        9.0,
         {0.5, 1.0, 2.0, 4.0, 8.0},
         "angle over which it falls to 37 %"}},
       evaluated_by<3>(ReversalSpike{axis}),
       false,
       {Motion::linear_axes},
+      {.error_fit = ErrorFit::at_reversals, .reversal_deg = a ? 0.0 : 90.0},
   };
 }
 

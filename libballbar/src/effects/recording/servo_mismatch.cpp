@@ -38,6 +38,7 @@ extern const Effect kServoMismatch{
     evaluated_by<1>(ServoMismatch{}),
     false,
     {Motion::linear_axes},
+    {.error_fit = ErrorFit::together},
 };
 
 }  // namespace ballbar::catalogue

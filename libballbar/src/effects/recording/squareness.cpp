@@ -44,6 +44,9 @@ extern const Effect kSquareness{
     evaluated_by<1>(Squareness{}),
     false,
     {Motion::linear_axes},
+    {.error_fit = ErrorFit::together,
+     .damping = {{{1.0}, 555.0, Damping::Where::arcs_on_diagonals}},
+     .relation = AxisRelation::angle},
 };
 
 }  // namespace ballbar::catalogue

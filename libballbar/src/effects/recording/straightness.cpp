@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "effects/evaluate.hpp"
 #include "effects/recording_rows.hpp"
 
@@ -8,7 +10,8 @@ namespace {
 //
 //   s cos^2 theta sin theta = (s / 4) (sin theta + sin 3 theta),
 //
-// and for B s sin^2 theta cos theta = (s / 4) (cos theta - cos 3 theta). The first harmonic is a shift of the centre.
+// and for B s sin^2 theta cos theta = (s / 4) (cos theta - cos 3 theta). The first harmonic is a shift of the centre
+// and is left to it: what the circle shows of a bow are its three lobes.
 struct Straightness {
   Axis axis;
 
@@ -16,8 +19,8 @@ struct Straightness {
   void operator()(const EffectRows& rows, const T* p, T* out) const {
     const std::span<const double> angle_rad = rows.inputs[0];
     for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      const AxisState state = state_of(axis, angle_rad[i], 1.0);
-      out[i] = p[0] * (state.position * state.position * state.across);
+      const double lobes = axis == Axis::A ? std::sin(3.0 * angle_rad[i]) : -std::cos(3.0 * angle_rad[i]);
+      out[i] = p[0] * (0.25 * lobes);
     }
   }
 };
@@ -29,8 +32,8 @@ Effect straightness(Axis axis) {
       Level::recording,
       {.summary = a ? "Axis A runs along a bow, towards B." : "Axis B runs along a bow, towards A.",
        .cause = "A bent guideway: by its own weight, by clamping, by a bed that is warmer on top than below.",
-       .formula = "bow (x / R)^2 times the other axis' position over R, x the position of the axis",
-       .signature = "Three lobes a turn and a shift of the centre, the same in both directions and at every feed.",
+       .formula = a ? "(bow / 4) sin 3 theta" : "- (bow / 4) cos 3 theta",
+       .signature = "Three lobes a turn, the same in both directions and at every feed.",
        .confused_with = {"circle", "lobing", a ? "straightness_b" : "straightness_a"},
        .separated_by =
            "A full turn: half an arc cannot tell a bow from the centre. A longer bar shows a bow that grows "
@@ -43,6 +46,9 @@ Effect straightness(Axis axis) {
       evaluated_by<1>(Straightness{axis}),
       false,
       {Motion::linear_axes},
+      // An arc about +A or -A sees little of cos 3 theta beside the centre, one about B of sin 3 theta.
+      {.error_fit = ErrorFit::together,
+       .damping = {{{1.0}, 309.0, a ? Damping::Where::arcs_on_b : Damping::Where::arcs_on_a}}},
   };
 }
 

@@ -1,0 +1,57 @@
+#include <cmath>
+
+#include "effects/evaluate.hpp"
+#include "effects/recording_rows.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// An error k (4 x^3 - 3 x) of axis A along itself, x = cos theta its position over R, is k cos 3 theta, and along the
+// bar
+//
+//   k cos 3 theta cos theta = (k / 2) (cos 4 theta + cos 2 theta);
+//
+// of B - (k / 2) (cos 2 theta - cos 4 theta); across the axes the same with sines. The second harmonic is that of scale
+// and squareness and is left to them; the fourth is the sum of both axes'.
+struct CubicError {
+  template <class T>
+  void operator()(const EffectRows& rows, const T* p, T* out) const {
+    const std::span<const double> angle_rad = rows.inputs[0];
+    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
+      out[i] = p[0] * (0.5 * std::cos(4.0 * angle_rad[i])) + p[1] * (0.5 * std::sin(4.0 * angle_rad[i]));
+    }
+  }
+};
+
+Parameter sum(const char* name, const char* row, const char* meaning) {
+  return {name, "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, meaning, false, ShapeOf::curve, {}, {}, row};
+}
+
+}  // namespace
+
+extern const Effect kCubicError{
+    "cubic_error",
+    Level::recording,
+    {.summary = "An axis is longer in the middle of its travel than at the ends, or bends one way and then the other.",
+     .cause = "A screw or scale whose error is not even along the travel, an error table that does not fit any more, a "
+              "guideway bent in the form of an S.",
+     .formula = "(along / 2) cos 4 theta + (across / 2) sin 4 theta",
+     .signature = "Four lobes a turn, at the same angles in both directions and at every feed.",
+     .confused_with = {"sin_4_theta", "scale_mismatch", "lobing", "straightness_a", "straightness_b"},
+     .separated_by =
+         "A full turn. Which of the two axes it is a circle cannot tell; a shorter bar at several places or a "
+         "laser along each axis does.",
+     .remedy = "Measure both axes along their travel and renew the table of pitch errors; check their straightness.",
+     .validity = "Linear axes; the sum of both, that of each over half its travel from end to end.",
+     .source = "Kinematics as written; found as what is left in measured .b5r files, alike in both directions."},
+    {angle_input()},
+    {sum("along_um", "along", "peak to peak of the errors along both axes"),
+     sum("across_um", "across", "peak to peak of the errors across them")},
+    evaluated_by<2>(CubicError{}),
+    false,
+    {Motion::linear_axes},
+    {.error_fit = ErrorFit::where_it_shows,
+     .damping = {{{1.0, 0.0}, 8000.0, Damping::Where::arcs}, {{0.0, 1.0}, 8000.0, Damping::Where::arcs}}},
+};
+
+}  // namespace ballbar::catalogue

@@ -1,0 +1,44 @@
+#include <cmath>
+
+#include "effects/evaluate.hpp"
+#include "effects/recording_rows.hpp"
+
+namespace ballbar::catalogue {
+namespace {
+
+// dir (s / 2) sin 4 theta
+struct Sin4Theta {
+  template <class T>
+  void operator()(const EffectRows& rows, const T* p, T* out) const {
+    const std::span<const double> angle_rad = rows.inputs[0], direction = rows.inputs[1];
+    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
+      out[i] = p[0] * (0.5 * direction[i] * std::sin(4.0 * angle_rad[i]));
+    }
+  }
+};
+
+}  // namespace
+
+extern const Effect kSin4Theta{
+    "sin_4_theta",
+    Level::recording,
+    {.summary = "The axes follow each other unevenly: four lobes that turn with the direction.",
+     .cause = "Delays of the position loops that change with the speed of the axis, such as friction or a feed-forward "
+              "that suits one speed only.",
+     .formula = "dir (size / 2) sin 4 theta",
+     .signature = "Four lobes a turn, in the other direction at the other angles.",
+     .confused_with = {"servo_mismatch", "backlash_a", "backlash_b", "cubic_error"},
+     .separated_by = "Both directions: what keeps its place in both is a cubic error of the axes.",
+     .remedy =
+         "Tune the position loops of both axes at the test's feed, feed-forward and friction compensation included.",
+     .validity = "Linear axes. A form that is there beside the errors with a name of their own, not a cause.",
+     .source = "Form, sign and size as AF_SIN_4_THETA of measured .b5r files."},
+    {angle_input(), direction_input()},
+    {{"size_um", "um", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "peak to peak in one direction"}},
+    evaluated_by<1>(Sin4Theta{}),
+    false,
+    {Motion::linear_axes},
+    {.error_fit = ErrorFit::together},
+};
+
+}  // namespace ballbar::catalogue

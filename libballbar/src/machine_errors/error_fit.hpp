@@ -1,0 +1,50 @@
+// The linear least squares of a machine's errors: gains, their covariance, and what is left.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "ballbar/machine_errors/machine_errors.hpp"
+#include "machine_errors/error_model.hpp"
+#include "machine_errors/error_noise.hpp"
+
+namespace ballbar {
+
+// One effect of the fit: where its columns stand, and its chance to be nothing.
+struct FittedEffect {
+  const Effect* effect = nullptr;
+  std::optional<double> shape;
+  std::vector<std::size_t> columns;  // among ErrorFitted::columns
+  std::size_t searched = 1;          // shapes that were tried
+  bool in_the_fit = true;            // false: fitted beside it, to be looked at alone
+};
+
+struct ErrorFitted {
+  ErrorRows rows;  // deviation_um freed of what a centre adds in second order
+  ErrorColumns columns;
+  Eigen::VectorXd gains;       // one a column
+  Eigen::MatrixXd covariance;  // of the gains
+  std::vector<FittedEffect> effects;
+  std::vector<WeightedNoise> noise;
+  std::vector<PriorStatement> prior;
+  std::vector<std::string> undetermined;
+  Eigen::VectorXd second_order_um;  // of the fine rows, taken off
+  double slow_variance_um2 = 0.0;
+
+  // Fine rows of the curve of one effect; nullptr: the circles.
+  Eigen::VectorXd fine_curve(const Effect* effect) const;
+  // Rows: deviation less all that is in the fit.
+  Eigen::VectorXd residual() const;
+};
+
+// z'^2 of z = these gains, all together: chi^2 with as many degrees of freedom.
+double chi2_of(const Eigen::VectorXd& values, const Eigen::MatrixXd& covariance);
+
+// Significance of one effect among `looked_at`: 1 % that any is found in noise.
+inline constexpr double kFalseErrors = 0.01;
+
+ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, double arc_rad, double middle_rad,
+                         double length_mm, double height_mm);
+
+}  // namespace ballbar

@@ -1,0 +1,55 @@
+// The columns of a machine's errors on rows of readings, and the prior of their gains.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballbar/effects/effect.hpp"
+#include "machine_errors/error_rows.hpp"
+
+namespace ballbar {
+
+// What one gain adds: of an effect, or of the circle (effect nullptr).
+struct ErrorColumn {
+  std::string name;  // as in the table: "squareness", "backlash_a_pos", "centre_a"
+  std::string unit;
+  const Effect* effect = nullptr;
+  std::size_t gain = 0;                       // among the effect's gains
+  std::optional<std::size_t> recording = {};  // of this one alone
+};
+
+struct ErrorColumns {
+  std::vector<ErrorColumn> columns;
+  Eigen::MatrixXd values;  // rows by columns
+  Eigen::MatrixXd fine;    // fine rows by columns
+
+  Eigen::Index size() const { return values.cols(); }
+};
+
+// Centre, radius, and how those of CW and of further recordings differ: 3 for each recording.
+ErrorColumns circle_columns(const ErrorRows& rows);
+
+// Of one effect; `recordings`: for each recording its own.
+ErrorColumns effect_columns(const Effect& effect, double shape, const ErrorRows& rows, bool of_each_recording);
+
+ErrorColumns joined(const std::vector<const ErrorColumns*>& parts);
+
+// One statement of the prior: sum of coefficients times gains = 0, as `readings` readings would say.
+struct PriorStatement {
+  std::string name;
+  std::string unit;
+  Eigen::VectorXd coefficients;  // one a column
+  double precision = 0.0;        // to be added to X' X
+};
+
+// What holds for readings over an arc (2 pi: a full turn) about this middle.
+std::vector<PriorStatement> prior_of(const ErrorColumns& columns, double arc_rad, double middle_rad);
+
+Eigen::MatrixXd precision_of(const std::vector<PriorStatement>& prior, Eigen::Index columns);
+
+// Combinations of columns that these readings do not tell apart, as phrases: of the undamped X' X.
+std::vector<std::string> undetermined(const Eigen::MatrixXd& normal, const ErrorColumns& columns);
+
+}  // namespace ballbar

@@ -1,0 +1,35 @@
+// The noise that the full model of a ballbar test leaves, and what sums of its readings scatter by.
+//
+// White (w^2 a reading) and with a memory (Ornstein-Uhlenbeck: q^2, theta); of a row of c readings the white part is
+// w^2 / c. The restricted likelihood (REML) is computed on a grid of theta and of w / q, its amplitude analytically:
+//
+//   -2 ln L = (n - p) ln(s^2) + ln det V + ln det(X' V^-1 X),      s^2 = r' V^-1 r / (n - p)
+//
+// and all points of the grid count by their likelihood: one of them alone would be taken for too certain.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "ballbar/noise/noise.hpp"
+#include "machine_errors/error_rows.hpp"
+
+namespace ballbar {
+
+struct WeightedNoise {
+  double weight = 0.0;  // they sum to 1
+  Noise noise;          // white_um a reading
+};
+
+// Of the deviation and the columns that are fitted to it, row by row; falling weight, the last parts in a thousand left
+// out.
+std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::MatrixXd& columns);
+
+// Z' V Z of columns Z (rows by k), which hold the weight of each row, over all points of the grid.
+Eigen::MatrixXd scatter_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,
+                           const std::vector<WeightedNoise>& noises);
+
+// Variance of one reading by which a mean of many scatters as if its readings were independent: that of slow columns.
+double slow_variance_um2(const ErrorRows& rows, const std::vector<WeightedNoise>& noises);
+
+}  // namespace ballbar

@@ -1,0 +1,200 @@
+#include "machine_errors/error_ranks.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "numerics/tails.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kRanked = 2.6;     // sigma
+constexpr double kTwoSided = 1.96;  // sigma of a 95 % interval
+
+// Columns of one row: one, or a sine and a cosine for each recording or for all.
+struct RowColumns {
+  std::string name;
+  std::vector<std::size_t> columns;
+};
+
+std::vector<RowColumns> rows_of(const ErrorColumns& columns) {
+  std::vector<RowColumns> rows;
+  for (std::size_t k = 0; k < columns.columns.size(); ++k) {
+    const ErrorColumn& column = columns.columns[k];
+    if (column.effect == nullptr && column.recording) continue;  // the circle of a further recording
+    const auto same =
+        std::find_if(rows.begin(), rows.end(), [&](const RowColumns& row) { return row.name == column.name; });
+    if (same == rows.end()) {
+      rows.push_back({column.name, {k}});
+    } else {
+      same->columns.push_back(k);
+    }
+  }
+  return rows;
+}
+
+// Largest square of an amplitude over its sigma that noise reaches in 5 % of cases: of `of` amplitudes of two parts.
+double noise_square(std::size_t of) { return -2.0 * std::log(1.0 - std::pow(0.95, 1.0 / static_cast<double>(of))); }
+
+struct Amplitude {
+  double value = 0.0;
+  double sigma = 0.0;
+  Eigen::RowVectorXd slope;  // of the value with each gain
+};
+
+Amplitude amplitude_of(const ErrorFitted& fitted, const std::vector<std::size_t>& columns, CyclicOfRuns of_runs,
+                       std::size_t searched) {
+  // Each recording's, or that of all.
+  std::map<std::size_t, std::vector<Eigen::Index>> pairs;
+  for (const std::size_t k : columns) {
+    pairs[fitted.columns.columns[k].recording.value_or(0)].push_back(static_cast<Eigen::Index>(k));
+  }
+  Amplitude all{0.0, 0.0, Eigen::RowVectorXd::Zero(fitted.gains.size())};
+  for (const auto& [recording, pair] : pairs) {
+    Eigen::RowVectorXd slope = Eigen::RowVectorXd::Zero(fitted.gains.size());
+    double square = 0.0;
+    for (const Eigen::Index k : pair) square += fitted.gains[k] * fitted.gains[k];
+    const double value = std::sqrt(square);
+    for (const Eigen::Index k : pair) slope[k] = value > 0.0 ? fitted.gains[k] / value : 1.0;
+    if (of_runs == CyclicOfRuns::mean) {
+      all.value += value / static_cast<double>(pairs.size());
+      all.slope += slope / static_cast<double>(pairs.size());
+    } else if (value >= all.value) {
+      all.value = value;
+      all.slope = slope;
+    }
+  }
+  all.sigma = std::sqrt(std::max(0.0, (all.slope * fitted.covariance * all.slope.transpose()).value()));
+  if (all.value * all.value < noise_square(pairs.size() * searched) * all.sigma * all.sigma) {
+    all.sigma = std::max(all.sigma, 1.0001 * all.value / kTwoSided);
+  }
+  return all;
+}
+
+// Gains of the effect that all recordings share: means over those that have their own.
+Eigen::MatrixXd shared_gains(const ErrorFitted& fitted, const FittedEffect& effect) {
+  std::map<std::size_t, std::vector<std::size_t>> by_gain;
+  for (const std::size_t k : effect.columns) by_gain[fitted.columns.columns[k].gain].push_back(k);
+  Eigen::MatrixXd means = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(by_gain.size()), fitted.gains.size());
+  Eigen::Index row = 0;
+  for (const auto& [gain, columns] : by_gain) {
+    for (const std::size_t k : columns) {
+      means(row, static_cast<Eigen::Index>(k)) = 1.0 / static_cast<double>(columns.size());
+    }
+    ++row;
+  }
+  return means;
+}
+
+// Its gains from the rows of one direction alone, all else as fitted: do they lower what is left in the other?
+std::optional<bool> predicts_other(const ErrorFitted& fitted, const FittedEffect& effect,
+                                   const Eigen::VectorXd& residual) {
+  const Eigen::Index n = fitted.rows.size();
+  std::map<std::size_t, Eigen::VectorXd> by_gain;  // recordings' own put together
+  Eigen::VectorXd curve = Eigen::VectorXd::Zero(n);
+  for (const std::size_t k : effect.columns) {
+    const auto column = fitted.columns.values.col(static_cast<Eigen::Index>(k));
+    Eigen::VectorXd& sum = by_gain.try_emplace(fitted.columns.columns[k].gain, Eigen::VectorXd::Zero(n)).first->second;
+    sum += column;
+    if (effect.in_the_fit) curve += fitted.gains[static_cast<Eigen::Index>(k)] * column;
+  }
+  Eigen::MatrixXd columns(n, static_cast<Eigen::Index>(by_gain.size()));
+  Eigen::Index at = 0;
+  for (const auto& [gain, column] : by_gain) columns.col(at++) = column;
+  const Eigen::VectorXd data = residual + curve;
+  const Eigen::VectorXd ccw = (fitted.rows.direction.array() > 0.0).cast<double>() * fitted.rows.count.array();
+  const Eigen::VectorXd cw = fitted.rows.count - ccw;
+  if (!(ccw.sum() > 0.0) || !(cw.sum() > 0.0)) return std::nullopt;
+  double lowers = 0.0;
+  for (const auto& [from, to] : {std::pair{&ccw, &cw}, std::pair{&cw, &ccw}}) {
+    const Eigen::MatrixXd weighted = from->asDiagonal() * columns;
+    Eigen::MatrixXd normal = columns.transpose() * weighted;
+    normal.diagonal() *= 1.0 + 1e-9;
+    normal.diagonal().array() += 1e-12;
+    const Eigen::VectorXd gains = normal.llt().solve(weighted.transpose() * data);
+    const Eigen::VectorXd predicted = columns * gains;
+    lowers += to->dot(data.cwiseAbs2()) - to->dot((data - predicted).cwiseAbs2());
+  }
+  return lowers > 0.0;
+}
+
+}  // namespace
+
+ErrorTable error_table(const ErrorFitted& fitted, CyclicOfRuns cyclic_of_runs) {
+  const std::vector<RowColumns> rows = rows_of(fitted.columns);
+  ErrorTable table;
+  table.rows.reserve(rows.size());
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), fitted.gains.size());
+  std::vector<double> widened(rows.size(), 0.0);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const ErrorColumn& first = fitted.columns.columns[rows[r].columns.front()];
+    MachineError row{rows[r].name, first.unit, 0.0, 0.0, first.effect};
+    if (rows[r].columns.size() == 1) {
+      const auto k = static_cast<Eigen::Index>(rows[r].columns.front());
+      row.value = fitted.gains[k];
+      row.sigma = std::sqrt(std::max(0.0, fitted.covariance(k, k)));
+      slopes(static_cast<Eigen::Index>(r), k) = 1.0;
+    } else {
+      std::size_t searched = 1;
+      for (const FittedEffect& effect : fitted.effects) {
+        if (effect.effect == first.effect) searched = effect.searched;
+      }
+      const Amplitude amplitude = amplitude_of(fitted, rows[r].columns, cyclic_of_runs, searched);
+      row.value = amplitude.value;
+      row.sigma = amplitude.sigma;
+      slopes.row(static_cast<Eigen::Index>(r)) = amplitude.slope;
+    }
+    table.rows.push_back(std::move(row));
+  }
+  table.covariance = slopes * fitted.covariance * slopes.transpose();
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const auto k = static_cast<Eigen::Index>(r);
+    const double sigma = table.rows[r].sigma;
+    table.covariance(k, k) = std::max(table.covariance(k, k), sigma * sigma);
+  }
+  return table;
+}
+
+std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTable& table) {
+  const Eigen::VectorXd residual = fitted.residual();
+  std::vector<RankedError> ranked;
+  ranked.reserve(fitted.effects.size());
+  double sum_um = 0.0;
+  for (const FittedEffect& effect : fitted.effects) {
+    RankedError one;
+    one.effect = effect.effect;
+    one.shape = effect.shape;
+    double clearest = 0.0;
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+      if (table.rows[r].effect != effect.effect) continue;
+      one.rows.push_back(r);
+      if (table.rows[r].sigma > 0.0) clearest = std::max(clearest, std::abs(table.rows[r].value) / table.rows[r].sigma);
+    }
+    const Eigen::VectorXd curve = fitted.fine_curve(effect.effect);
+    one.individual_circularity_um = curve.maxCoeff() - curve.minCoeff();
+    sum_um += one.individual_circularity_um;
+    const Eigen::MatrixXd shared = shared_gains(fitted, effect);
+    const double chi2 = chi2_of(shared * fitted.gains, shared * fitted.covariance * shared.transpose());
+    one.p_value = std::min(
+        1.0, chi2_upper_tail(chi2, static_cast<std::size_t>(shared.rows())) * static_cast<double>(effect.searched));
+    one.predicts_other_run = predicts_other(fitted, effect, residual);
+    one.significant = one.p_value * static_cast<double>(fitted.effects.size()) < kFalseErrors;
+    const bool of_each_recording = fitted.columns.columns[effect.columns.front()].recording.has_value();
+    if (of_each_recording && one.predicts_other_run == false) one.significant = false;
+    if (clearest >= kRanked || one.significant) one.rank = 0;
+    ranked.push_back(std::move(one));
+  }
+  std::stable_sort(ranked.begin(), ranked.end(), [](const RankedError& a, const RankedError& b) {
+    return a.individual_circularity_um > b.individual_circularity_um;
+  });
+  std::size_t rank = 0;
+  for (RankedError& one : ranked) {
+    one.share_percent = sum_um > 0.0 ? 100.0 * one.individual_circularity_um / sum_um : 0.0;
+    if (one.rank) one.rank = ++rank;
+  }
+  return ranked;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,24 @@
+// From the gains of a fit to the table: rows, circularity, shares and ranks.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "ballbar/machine_errors/machine_errors.hpp"
+#include "machine_errors/error_fit.hpp"
+
+namespace ballbar {
+
+struct ErrorTable {
+  std::vector<MachineError> rows;
+  Eigen::MatrixXd covariance;  // of the rows' values
+};
+
+// A row a gain; of sine and cosine, which may be each recording's own, one amplitude. The sigma of an amplitude is
+// widened where its 95 % interval reaches 0: an amplitude is never negative, and in noise alone it is not 0.
+ErrorTable error_table(const ErrorFitted& fitted, CyclicOfRuns cyclic_of_runs);
+
+// Falling IC. A rank wants a row of 2.6 sigma.
+std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTable& table);
+
+}  // namespace ballbar

@@ -1,0 +1,141 @@
+#include "machine_errors/error_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ballbar/circle/trace.hpp"
+#include "ballbar/units.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kFine_deg = 0.4;  // between the first and the last of its readings
+constexpr double kRow_deg = 1.0;
+
+// Which stretch of the path a reading is of: rows never hold two.
+struct Stretch {
+  double recording = -1.0;
+  double quarter = 0.0;
+  bool at_reversal = false;
+  bool near_reversal = false;
+  bool operator==(const Stretch&) const = default;
+};
+
+Stretch stretch_of(double recording, double angle_deg) {
+  const double quarter = std::floor(angle_deg / 90.0);
+  const double within_deg = angle_deg - 90.0 * quarter;
+  const double from_deg = std::min(within_deg, 90.0 - within_deg);
+  return {recording, quarter, from_deg <= kAtReversal_deg, from_deg <= kNearReversal_deg};
+}
+
+// The row of each: a new one where the stretch changes, or where it would be longer than this.
+std::vector<std::size_t> joined(std::span<const double> recording, std::span<const double> angle_rad,
+                                double longest_deg, double near_reversal_deg) {
+  std::vector<std::size_t> rows(angle_rad.size());
+  Stretch last;
+  double first_deg = 0.0;
+  std::size_t row = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double angle_deg = deg_from_rad(angle_rad[i]);
+    const Stretch stretch = stretch_of(recording[i], angle_deg);
+    const double longest = stretch.near_reversal ? near_reversal_deg : longest_deg;
+    if (i > 0 && (stretch != last || std::abs(angle_deg - first_deg) > longest)) ++row;
+    if (i == 0 || row != rows[i - 1]) first_deg = angle_deg;
+    rows[i] = row;
+    last = stretch;
+  }
+  return rows;
+}
+
+}  // namespace
+
+double from_reversal_deg(double angle_rad, double reversal_deg) {
+  const double angle_deg = deg_from_rad(angle_rad) - reversal_deg;
+  return std::abs(angle_deg - 180.0 * std::round(angle_deg / 180.0));
+}
+
+Eigen::VectorXd ErrorRows::mean(std::span<const double> of_fine) const {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(size());
+  for (std::size_t i = 0; i < of_fine.size(); ++i) {
+    sum[static_cast<Eigen::Index>(row_of[i])] += fine_count[static_cast<Eigen::Index>(i)] * of_fine[i];
+  }
+  return sum.cwiseQuotient(count);
+}
+
+ErrorRows error_rows(const Series& trace) {
+  ErrorRows rows;
+  const std::vector<double>& recording = find_column(trace, trace_column("recording"))->values;
+  const std::vector<double>& angle_rad = find_column(trace, trace_column("angle"))->values;
+  rows.fine_of = joined(recording, angle_rad, kFine_deg, kFine_deg);
+  const std::size_t n = rows.fine_of.empty() ? 0 : rows.fine_of.back() + 1;
+  rows.fine_count = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n));
+  for (const std::size_t row : rows.fine_of) rows.fine_count[static_cast<Eigen::Index>(row)] += 1.0;
+  const auto mean_of = [&](const std::vector<double>& values) {
+    std::vector<double> means(n, 0.0);
+    for (std::size_t i = 0; i < values.size(); ++i) means[rows.fine_of[i]] += values[i];
+    for (std::size_t i = 0; i < n; ++i) means[i] /= rows.fine_count[static_cast<Eigen::Index>(i)];
+    return means;
+  };
+  rows.fine.time_s = mean_of(trace.time_s);
+  rows.fine.columns.reserve(trace.columns.size());
+  for (const Column& column : trace.columns) {
+    rows.fine.columns.push_back({column.name, column.role, mean_of(column.values)});
+  }
+  const std::vector<double>& fine_recording = find_column(rows.fine, trace_column("recording"))->values;
+  const std::vector<double>& fine_angle_rad = find_column(rows.fine, trace_column("angle"))->values;
+  // Of means: half a fine row at either end less.
+  rows.row_of = joined(fine_recording, fine_angle_rad, kRow_deg - kFine_deg, 0.0);
+  rows.count = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.row_of.empty() ? 0 : rows.row_of.back() + 1));
+  rows.recording.resize(static_cast<std::size_t>(rows.count.size()));
+  for (std::size_t i = 0; i < n; ++i) {
+    rows.count[static_cast<Eigen::Index>(rows.row_of[i])] += rows.fine_count[static_cast<Eigen::Index>(i)];
+    rows.recording[rows.row_of[i]] = static_cast<std::size_t>(fine_recording[i]);
+  }
+  rows.recordings = rows.recording.empty() ? 0 : rows.recording.back() + 1;
+  rows.time_s = rows.mean(rows.fine.time_s);
+  rows.angle_rad = rows.mean(fine_angle_rad);
+  rows.direction = rows.mean(find_column(rows.fine, trace_column("direction"))->values);
+  rows.deviation_um = rows.mean(find_column(rows.fine, "deviation_um")->values);
+  rows.from_reversal_deg = rows.angle_rad.unaryExpr(
+      [](double angle) { return std::min(from_reversal_deg(angle, 0.0), from_reversal_deg(angle, 90.0)); });
+  return rows;
+}
+
+std::vector<std::size_t> gains_of(const Effect& effect) {
+  std::vector<std::size_t> gains;
+  for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
+    if (effect.parameters[k].kind == ParameterKind::gain) gains.push_back(k);
+  }
+  return gains;
+}
+
+std::size_t shape_of(const Effect& effect) {
+  for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
+    if (effect.parameters[k].kind == ParameterKind::shape) return k;
+  }
+  return kNoShape;
+}
+
+Eigen::MatrixXd unit_curves(const Effect& effect, const Series& fine, double shape) {
+  EffectRows rows{fine.time_s, {}};
+  for (const Input& input : effect.inputs)
+    rows.inputs.emplace_back(find_column(fine, trace_column(input.role))->values);
+  std::vector<double> parameters;
+  parameters.reserve(effect.parameters.size());
+  for (const Parameter& parameter : effect.parameters) {
+    parameters.push_back(parameter.kind == ParameterKind::gain ? 0.0 : shape);
+  }
+  const std::vector<std::size_t> gains = gains_of(effect);
+  const auto n = static_cast<Eigen::Index>(fine.time_s.size());
+  const auto all = static_cast<Eigen::Index>(parameters.size());
+  std::vector<double> values(fine.time_s.size());
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> derivatives(n, all);
+  effect.evaluate(rows, parameters.data(), values.data(), derivatives.data());
+  Eigen::MatrixXd curves(n, static_cast<Eigen::Index>(gains.size()));
+  for (std::size_t k = 0; k < gains.size(); ++k) {
+    curves.col(static_cast<Eigen::Index>(k)) = derivatives.col(static_cast<Eigen::Index>(gains[k]));
+  }
+  return curves;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,52 @@
+// Readings of recordings joined to means, on which the errors of a machine are fitted.
+//
+// Two steps, since what an effect adds must be followed closely, a least squares needs fewer: fine rows of up to 0.5
+// deg (readings within 9 deg of a reversal alone), on which effects are evaluated; and rows of up to 1 deg, means of
+// fine ones, on which is fitted. No row lies across a reversal, or across 1.5 deg from one.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "ballbar/circle/recording.hpp"
+#include "ballbar/effects/effect.hpp"
+#include "ballbar/series/series.hpp"
+
+namespace ballbar {
+
+inline constexpr double kAtReversal_deg = 1.5;    // readings that near are not those of the path
+inline constexpr double kNearReversal_deg = 9.0;  // as far as a spike reaches
+
+struct ErrorRows {
+  Series fine;                                                 // columns of trace_of, means of readings
+  std::vector<std::size_t> fine_of;                            // n readings: their fine row
+  std::vector<std::size_t> row_of;                             // of each fine row
+  Eigen::VectorXd fine_count;                                  // readings of each fine row
+  Eigen::VectorXd count;                                       // of each row
+  Eigen::VectorXd time_s, angle_rad, direction, deviation_um;  // means of each row
+  Eigen::VectorXd from_reversal_deg;                           // to the nearest, of either axis
+  std::vector<std::size_t> recording;                          // of each row
+  std::size_t recordings = 0;
+
+  Eigen::Index size() const { return count.size(); }
+  // Means over the rows of values of fine rows.
+  Eigen::VectorXd mean(std::span<const double> of_fine) const;
+};
+
+// Of trace_of(recordings).
+ErrorRows error_rows(const Series& trace);
+
+// Angle from the nearest end of an axis' travel, which reverses at this angle and opposite: 0 to 90 deg.
+double from_reversal_deg(double angle_rad, double reversal_deg);
+
+// What a unit of each gain of the effect adds at each fine row, its shapes as they are given: fine rows by gains.
+Eigen::MatrixXd unit_curves(const Effect& effect, const Series& fine, double shape);
+
+// Places of the gains and of the one shape among an effect's parameters; no_shape: none.
+std::vector<std::size_t> gains_of(const Effect& effect);
+inline constexpr std::size_t kNoShape = static_cast<std::size_t>(-1);
+std::size_t shape_of(const Effect& effect);
+
+}  // namespace ballbar

@@ -1,0 +1,188 @@
+#include "ballbar/machine_errors/machine_errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ballbar/circle/trace.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/units.hpp"
+#include "machine_errors/error_fit.hpp"
+#include "machine_errors/error_ranks.hpp"
+#include "machine_errors/left_harmonic.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kFewestReadings = 120;  // of a recording
+
+void expect_one_plane(std::span<const Recording> recordings) {
+  if (recordings.empty()) throw Error("expected recordings, found none.");
+  const Recording& first = recordings.front();
+  for (std::size_t k = 0; k < recordings.size(); ++k) {
+    const Recording& one = recordings[k];
+    const auto expected = [&](std::string_view what, std::string_view found) {
+      throw Error(fmt::format("recording {}: expected {}, found {}.", k + 1, what, found));
+    };
+    if (one.kind != Kind::circle) expected("a circle", "an axial recording, which has no angles");
+    if (one.motion != Motion::linear_axes) {
+      expected("a circle that two linear axes drive, whose errors these are", name_of(one.motion));
+    }
+    if (one.plane != first.plane) {
+      expected(fmt::format("the plane {} of the first, since each plane has errors of its own", name_of(first.plane)),
+               name_of(one.plane));
+    }
+    if (one.nominal_length_mm != first.nominal_length_mm) {
+      expected(fmt::format("the bar of {:g} mm of the first", first.nominal_length_mm),
+               fmt::format("one of {:g} mm", one.nominal_length_mm));
+    }
+    if (one.length_mm.size() < kFewestReadings) {
+      expected(fmt::format("at least {} readings", kFewestReadings), fmt::format("{}", one.length_mm.size()));
+    }
+  }
+}
+
+struct Arc {
+  double arc_rad = 2.0 * kPi;
+  double middle_rad = 0.0;
+};
+
+// What all recordings cover, about the mean direction of their readings.
+Arc arc_of(std::span<const Recording> recordings) {
+  double cos = 0.0, sin = 0.0;
+  Arc arc{0.0, 0.0};
+  for (const Recording& recording : recordings) {
+    arc.arc_rad = std::max(arc.arc_rad, arc_rad(recording));
+    for (const double angle : recording.angle_rad) cos += std::cos(angle), sin += std::sin(angle);
+  }
+  arc.middle_rad = std::atan2(sin, cos);
+  return arc;
+}
+
+// Servo mismatch wants a feed; where none is stated there is nothing to tell its size by.
+Series trace_with_feed(std::span<const Recording> recordings) {
+  Series trace = trace_of(recordings);
+  for (Column& column : trace.columns) {
+    for (double& value : column.values) {
+      if (!std::isfinite(value)) value = 0.0;
+    }
+  }
+  return trace;
+}
+
+std::vector<double> readings_freed(const ErrorFitted& fitted, const Series& trace) {
+  // Of the circle's centre, its second order included; the radius stays.
+  Eigen::VectorXd off = fitted.second_order_um;
+  for (std::size_t k = 0; k < fitted.columns.columns.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    const std::string& name = fitted.columns.columns[k].name;
+    if (name == "centre_a" || name == "centre_b") off += fitted.gains[column] * fitted.columns.fine.col(column);
+  }
+  std::vector<double> freed = find_column(trace, "deviation_um")->values;
+  for (std::size_t i = 0; i < freed.size(); ++i) freed[i] -= off[static_cast<Eigen::Index>(fitted.rows.fine_of[i])];
+  return freed;
+}
+
+double range_without(const std::vector<double>& freed, const ErrorRows& rows, const Eigen::VectorXd* curve) {
+  double least = INFINITY, most = -INFINITY;
+  for (std::size_t i = 0; i < freed.size(); ++i) {
+    const double value = freed[i] - (curve == nullptr ? 0.0 : (*curve)[static_cast<Eigen::Index>(rows.fine_of[i])]);
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  return most - least;
+}
+
+}  // namespace
+
+MachineErrors machine_errors(std::span<const Recording> recordings, const MachineErrorOptions& options) {
+  expect_one_plane(recordings);
+  const Arc arc = arc_of(recordings);
+  const Series trace = trace_with_feed(recordings);
+  const ErrorFitted fitted = error_fitted(error_rows(trace), options, arc.arc_rad, arc.middle_rad,
+                                          recordings.front().nominal_length_mm, recordings.front().height_offset_mm);
+  MachineErrors found;
+  const ErrorTable table = error_table(fitted, options.cyclic_of_runs);
+  found.errors = table.rows;
+  found.covariance = table.covariance;
+  found.ranked = ranked_errors(fitted, table);
+  found.undetermined = fitted.undetermined;
+  found.noise = fitted.noise.front().noise;
+  found.prior.reserve(fitted.prior.size());
+  for (const PriorStatement& statement : fitted.prior) {
+    found.prior.push_back({statement.name, std::sqrt(fitted.slow_variance_um2 / statement.precision), statement.unit});
+  }
+  found.gains.reserve(fitted.columns.columns.size());
+  for (std::size_t k = 0; k < fitted.columns.columns.size(); ++k) {
+    const ErrorColumn& column = fitted.columns.columns[k];
+    double shape = 0.0;
+    bool in_the_fit = true;
+    for (const FittedEffect& effect : fitted.effects) {
+      if (effect.effect != column.effect) continue;
+      shape = effect.shape.value_or(0.0);
+      in_the_fit = effect.in_the_fit;
+    }
+    found.gains.push_back({column.effect, column.gain, column.recording, fitted.gains[static_cast<Eigen::Index>(k)],
+                           shape, column.name, in_the_fit});
+  }
+  const std::vector<double> freed = readings_freed(fitted, trace);
+  found.circularity_um = range_without(freed, fitted.rows, nullptr);
+  for (RankedError& one : found.ranked) {
+    const Eigen::VectorXd curve = fitted.fine_curve(one.effect);
+    one.circularity_without_um = range_without(freed, fitted.rows, &curve);
+  }
+  const Eigen::VectorXd residual = fitted.residual();
+  found.residual_rms_um = std::sqrt(residual.cwiseAbs2().dot(fitted.rows.count) / fitted.rows.count.sum());
+  found.repeatability_um = repeatability_um(fitted.rows, residual);
+  found.left = left_harmonic(fitted.rows, residual, fitted.noise, arc.arc_rad);
+  return found;
+}
+
+std::optional<AxisScales> axis_scales(const MachineErrors& found, double nominal_length_mm) {
+  std::optional<std::size_t> scale, mismatch;
+  for (std::size_t k = 0; k < found.errors.size(); ++k) {
+    const Effect* effect = found.errors[k].effect;
+    if (effect == nullptr && found.errors[k].name == "global_scale") scale = k;
+    if (effect != nullptr && effect->rules.relation == AxisRelation::scale) mismatch = k;
+  }
+  if (!scale || !mismatch) return std::nullopt;
+  // (scale +- mismatch / 4) / R; um over m are ppm
+  const auto s = static_cast<Eigen::Index>(*scale), m = static_cast<Eigen::Index>(*mismatch);
+  const double radius_m = 1e-3 * nominal_length_mm;
+  Eigen::Matrix2d of_rows;
+  of_rows << 1.0, 0.25, 1.0, -0.25;
+  of_rows /= radius_m;
+  Eigen::Matrix2d joint;
+  joint << found.covariance(s, s), found.covariance(s, m), found.covariance(m, s), found.covariance(m, m);
+  const Eigen::Vector2d scales = of_rows * Eigen::Vector2d(found.errors[*scale].value, found.errors[*mismatch].value);
+  return AxisScales{scales[0], scales[1], of_rows * joint * of_rows.transpose()};
+}
+
+std::optional<MachineError> squareness_of(const MachineErrors& found) {
+  for (const MachineError& error : found.errors) {
+    if (error.effect != nullptr && error.effect->rules.relation == AxisRelation::angle) return error;
+  }
+  return std::nullopt;
+}
+
+std::vector<double> curve_of(const MachineErrors& found, const Effect* effect, std::span<const Recording> recordings) {
+  const Series trace = trace_with_feed(recordings);
+  const std::vector<double>& recording = find_column(trace, trace_column("recording"))->values;
+  std::vector<double> curve(trace.time_s.size(), 0.0);
+  Eigen::MatrixXd unit;
+  const Effect* of = nullptr;
+  for (const FittedGain& gain : found.gains) {
+    if (gain.effect == nullptr || (effect != nullptr && gain.effect != effect)) continue;
+    if (effect == nullptr && !gain.in_the_fit) continue;
+    if (gain.effect != of) unit = unit_curves(*gain.effect, trace, gain.shape);
+    of = gain.effect;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      if (gain.recording && static_cast<double>(*gain.recording) != recording[i]) continue;
+      curve[i] += gain.value * unit(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(gain.gain));
+    }
+  }
+  return curve;
+}
+
+}  // namespace ballbar
