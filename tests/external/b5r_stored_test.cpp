@@ -116,5 +116,48 @@ TEST(StoredResults, Iso230_4) {
   EXPECT_GE(count.compared, 30);
 }
 
+TEST(StoredResults, LimitsJudgeAsTheStatusesDo) {
+  REQUIRE_EXTERNAL_DATA(data);
+  int judgements = 0;
+  for (const auto& path : b5r_files(data)) {
+    const RecordingFile file = open_recording(path);
+    EXPECT_EQ(file.remarks, std::vector<std::string>{}) << path;
+    EXPECT_GE(file.b5r->limits.size(), 3U) << path;
+    EXPECT_FALSE(file.b5r->last_calibrated.empty()) << path;
+    for (const StoredFeature& feature : file.b5r->stored) {
+      const auto found = judged(file.b5r->limits, feature.name, feature.value, feature.data_type, "RUN_SPEC");
+      if (!feature.parent.starts_with("run ")) continue;
+      EXPECT_EQ(found.has_value(), !feature.status.empty()) << path << feature.name;
+      if (!found) continue;
+      ++judgements;
+      EXPECT_EQ(*found == Judgement::pass, feature.status == "AF_TOLERANCE_OK") << path << feature.name;
+    }
+  }
+  EXPECT_GE(judgements, 12);
+}
+
+// A curve is the software's own fit to the readings.
+TEST(StoredResults, SimulatedCurvesFollowTheReadings) {
+  REQUIRE_EXTERNAL_DATA(data);
+  for (const auto& path : b5r_files(data)) {
+    const RecordingFile file = open_recording(path);
+    for (const Recording& recording : file.recordings) {
+      const SimulatedCurve* const curve = simulated_curve(*file.b5r, recording.direction);
+      ASSERT_NE(curve, nullptr) << path;
+      const std::size_t n = recording.length_mm.size();
+      ASSERT_EQ(curve->deviation_um.size(), n) << path;
+      double squares = 0.0;
+      for (std::size_t i = 0; i < n; ++i) {
+        const double deviation_um = um_from_mm(recording.length_mm[i] - recording.nominal_length_mm);
+        squares += std::pow(deviation_um - curve->deviation_um[i], 2);
+      }
+      const double rms_um = std::sqrt(squares / static_cast<double>(n));
+      fmt::print("{} {}: readings less curve {:.3f} um rms\n", path.filename().string(), name_of(recording.direction),
+                 rms_um);
+      EXPECT_LT(rms_um, 2.0) << path;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ballbar

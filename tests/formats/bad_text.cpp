@@ -139,7 +139,7 @@ constexpr std::string_view kBoth = R"(<?xml version="1.0" encoding="utf-8"?>
         <START_ANGLE>330</START_ANGLE>
         <END_ANGLE>30</END_ANGLE>
         <OVERSHOOT_ANGLE>45</OVERSHOOT_ANGLE>
-        <TEST_RADIUS>50</TEST_RADIUS>
+        <TEST_RADIUS>49.5</TEST_RADIUS>
         <PLANE VIEW="+A+B" TEST_PLANE="XY">
           <A_AXIS_NAME>X</A_AXIS_NAME>
           <B_AXIS_NAME>Y</B_AXIS_NAME>
@@ -202,6 +202,7 @@ constexpr std::string_view kBoth = R"(<?xml version="1.0" encoding="utf-8"?>
   <RUN_RESULTS>
     <BALLBAR_RUN>
       <RUN_DIRECTION>CCW</RUN_DIRECTION>
+      <RUN_TEMPERATURE>20.5</RUN_TEMPERATURE>
       <START_INDEX>1</START_INDEX>
       <END_INDEX>3</END_INDEX>
       <SAMPLE_RATE>10</SAMPLE_RATE>

@@ -6,8 +6,8 @@
 
 namespace ballbar {
 
-// A good text of the kind "log", "axial", "series", "probes" (a series), "session", "rotation" (a session), "b5r" or "both" (a .b5r
-// of both runs with a whole head).
+// A good text of the kind "log", "axial", "series", "probes" (a series), "session", "rotation" (a session), "b5r" or
+// "both" (a .b5r of both runs with a whole head).
 std::string good_text(std::string_view kind);
 
 // good_text with every `from` replaced by `to`; `to` alone where `from` is "*".

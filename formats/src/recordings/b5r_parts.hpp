@@ -13,14 +13,16 @@ namespace ballbar {
 // NAME of the ANALYSIS that has the simulated curves.
 inline constexpr const char* kCurveAnalysis = "RENISHAW_DIAGNOSTICS";
 
-// Sentences with their place. No more than 20: to say where costs a pass through the file.
+// Sentences with their place. No more than 20, and after those nothing more is read that would cost one: to say where
+// costs a pass through the file.
 class B5rRemarks {
  public:
   B5rRemarks(const SourceText& text, std::vector<std::string>& sentences) : text_(text), sentences_(sentences) {}
 
   void add(std::size_t offset, std::string_view sentence);
 
-  // What `read` returns, or, where it throws Error, its default and a remark: the message and then `consequence`.
+  // What `read` returns, or, where it throws Error, its default and a remark: the message and then `consequence`. The
+  // default too where there are 20.
   template <class Read>
   auto or_remark(std::string_view consequence, Read read) -> decltype(read());
 
@@ -53,6 +55,7 @@ std::optional<double> stated_number(const SourceText& text, pugi::xml_node paren
 
 template <class Read>
 auto ballbar::B5rRemarks::or_remark(std::string_view consequence, Read read) -> decltype(read()) {
+  if (full()) return {};
   try {
     return read();
   } catch (const Error& error) {

@@ -6,7 +6,7 @@
 namespace ballbar {
 namespace {
 
-// A limit of 0.0001 mm is 0.09999999999999999 um once converted: less than rounding is no excess.
+// A limit of 0.00007 mm is 0.06999999999999999 um once converted: an excess of no more than rounding is none.
 constexpr double kRounding = 1e-9;
 
 // The name under which the limits of a result stand.

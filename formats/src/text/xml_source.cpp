@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 
 namespace ballbar {
 namespace {
@@ -29,30 +28,6 @@ void expect_plain_xml(const SourceText& text) {
   if (const std::size_t at = text.bytes.find("<!DOCTYPE"); at != std::string_view::npos) {
     fail_at(text, at, "expected XML without a document type, found <!DOCTYPE.");
   }
-}
-
-// Numbers such as +0.05212, of which a file has thousands. Exact: up to 15 digits and the power of ten that they are
-// divided by are whole in a double, so that the quotient is rounded once, as from_chars rounds. Nothing where the text
-// is of another form.
-std::optional<double> plain_decimal(std::string_view text) {
-  constexpr double kPowers[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-  const bool negative = text.starts_with('-');
-  if (negative || text.starts_with('+')) text.remove_prefix(1);
-  std::int64_t whole = 0;
-  std::size_t digits = 0, decimals = 0;
-  bool point = false;
-  for (const char c : text) {
-    if (c == '.' && !point) {
-      point = true;
-      continue;
-    }
-    if (c < '0' || c > '9' || ++digits > 15) return std::nullopt;
-    whole = whole * 10 + (c - '0');
-    decimals += point ? 1 : 0;
-  }
-  if (digits == 0) return std::nullopt;
-  const double value = static_cast<double>(whole) / kPowers[decimals];
-  return negative ? -value : value;
 }
 
 }  // namespace
@@ -94,7 +69,9 @@ Text text_of(const SourceText& text, pugi::xml_node node) {
 }
 
 double number_of(const SourceText& text, const Text& found, std::string_view name) {
-  if (const std::optional<double> plain = plain_decimal(found.value)) return *plain;
+  const char* const end = found.value.data() + found.value.size();
+  const PlainDecimal plain = plain_decimal(found.value.data(), end);
+  if (plain.rest != nullptr && plain.rest == end) return plain.value;
   const std::string_view digits = found.value.starts_with('+') ? found.value.substr(1) : found.value;
   double value = 0.0;
   const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);

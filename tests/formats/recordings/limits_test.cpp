@@ -36,10 +36,11 @@ TEST(limits, are_converted_to_the_unit_of_the_value) {
   EXPECT_EQ(judged(kLimits, "AF_CENTRE_OFFSET_A", 100.1, "UT_LENGTH_UM"), Judgement::warning);
   EXPECT_EQ(judged(kLimits, "AF_CIRCULARITY", 0.0101, "UT_LENGTH_MM"), Judgement::fail);
   EXPECT_EQ(judged(kLimits, "AF_CIRCULARITY", 5.1, "UT_LENGTH_UM"), Judgement::warning);
-  // 0.0001 mm is 0.09999999999999999 um times 1e3 or 1e-3 the other way; neither is an excess.
-  const std::vector<Limit> fine = {{"RUN_SPEC", "A", "UT_LENGTH_MM", "WARNING", -0.0003, 0.0003}};
-  EXPECT_EQ(judged(fine, "A", 0.3, "UT_LENGTH_UM"), Judgement::pass);
-  EXPECT_EQ(judged(fine, "A", -0.3, "UT_LENGTH_UM"), Judgement::pass);
+  // 0.00007 mm times 1e3 is 0.06999999999999999: no excess.
+  const std::vector<Limit> fine = {{"RUN_SPEC", "A", "UT_LENGTH_MM", "WARNING", -0.00007, 0.00007}};
+  EXPECT_EQ(judged(fine, "A", 0.07, "UT_LENGTH_UM"), Judgement::pass);
+  EXPECT_EQ(judged(fine, "A", -0.07, "UT_LENGTH_UM"), Judgement::pass);
+  EXPECT_EQ(judged(fine, "A", 0.0701, "UT_LENGTH_UM"), Judgement::warning);
 }
 
 TEST(limits, of_another_parent_name_or_unit_say_nothing) {

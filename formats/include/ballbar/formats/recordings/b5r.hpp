@@ -80,7 +80,8 @@ struct B5r {
   std::vector<StoredFeature> stored;
   std::vector<Limit> limits;
   std::vector<SimulatedCurve> simulated_um;  // at most one a direction
-  std::vector<std::string> remarks;          // whole sentences with name:line:column, at most 20
+  std::vector<std::string> remarks;          // whole sentences with name:line:column; after 20 no limits
+                                             // and curves are read
 };
 
 // `name` stands in messages. Throws Error with name:line:column; what can be done without is a remark.
