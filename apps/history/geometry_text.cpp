@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "history/history_text.hpp"
+#include "history/quantity_text.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

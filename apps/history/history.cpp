@@ -69,11 +69,8 @@ void run(const Options& options) {
   tolerances.reserve(options.tolerances.size());
   for (const std::string& text : options.tolerances) tolerances.push_back(tolerance_of(text));
   const TestFiles files = read_tests(options.folders, options.strict);
-  std::vector<std::string> outputs;
-  for (const std::string& path : {options.csv, options.out}) {
-    if (!path.empty()) outputs.push_back(path);
-  }
-  expect_no_input(outputs, files.files);
+  if (!options.csv.empty()) expect_no_input({options.csv}, files.files, "--csv");
+  if (!options.out.empty()) expect_no_input({options.out}, files.files);
   expect_known(tolerances, files.tests);
   const std::vector<MachineHistory> machines = history_of(files.tests, tolerances);
   const bool wants_json = options.json || !options.out.empty();
@@ -81,7 +78,9 @@ void run(const Options& options) {
   if (!options.csv.empty()) write_bytes(options.csv, history_csv(files.tests));
   if (!options.out.empty()) write_bytes(options.out, json);
   fmt::print("{}", options.json ? json : history_text(files, machines, options.all));
-  for (const std::string& path : outputs) fmt::print(stderr, "wrote {}\n", path);
+  for (const std::string& path : {options.csv, options.out}) {
+    if (!path.empty()) fmt::print(stderr, "wrote {}\n", path);
+  }
 }
 
 }  // namespace
@@ -100,7 +99,7 @@ void add_history(CLI::App& app) {
   command->add_option("--csv", options->csv, "write one row a test and quantity")->type_name("FILE");
   command->add_flag("--json", options->json, "the history for a program");
   command->add_option("--out", options->out, "write the JSON to a file as well")->type_name("FILE");
-  command->footer("Example:\n  ballbar history sample-runs/machine-history --tolerance circularity=8");
+  command->footer("Example:\n  ballbar history sample-runs/machine-history --tolerance backlash_a_pos=5");
   command->callback([options] { run(*options); });
 }
 

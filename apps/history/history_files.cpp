@@ -6,7 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "history/history_text.hpp"
+#include "history/quantity_text.hpp"
 #include "terminal/json_number.hpp"
 
 namespace ballbar {
@@ -49,7 +49,10 @@ Json json_of(const QuantityHistory& quantity, const std::vector<MachineTest>& te
   Json json{{"name", quantity.name},
             {"unit", quantity.unit},
             {"of_set_up", quantity.of_set_up},
-            {"last", {{"value", number(quantity.last_value)}, {"sigma", number(quantity.last_sigma)}}}};
+            {"last",
+             {{"value", number(quantity.last_value)},
+              {"sigma", number(quantity.last_sigma)},
+              {"significant", quantity.significant}}}};
   if (!quantity.tests.empty()) json["last"]["date"] = date_json(tests[quantity.tests.back()].started_s);
   if (quantity.change) {
     json["change"] = {{"since", date_json(quantity.change->since_s)},
@@ -154,6 +157,7 @@ Json history_json(const TestFiles& files, const std::vector<MachineHistory>& mac
   for (const MachineTest& test : files.tests) {
     if (!test.started_s) json["without_date"].push_back(test.file);
   }
+  json["remarks"] = files.remarks;
   json["skipped"] = Json::array();
   for (const SkippedFile& file : files.skipped) {
     json["skipped"].push_back({{"file", file.file}, {"sentence", file.sentence}});

@@ -33,6 +33,7 @@ QuantityHistory history_of_quantity(std::span<const MachineTest> tests, const st
   history.of_set_up = last.of_set_up;
   history.last_value = last.value;
   history.last_sigma = last.sigma;
+  history.significant = last.significant && std::abs(last.value) > kSignificantSigmas * last.sigma;
   std::vector<DatedValue> dated;
   dated.reserve(values.size());
   for (const auto& [test, quantity] : values) {

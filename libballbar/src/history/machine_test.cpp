@@ -69,6 +69,9 @@ MachineTest machine_test(const MachineErrors& errors, std::span<const Recording>
     const bool of_set_up = row.effect == nullptr && row.name.starts_with("centre_");
     test.quantities.push_back({row.name, row.unit, row.value, row.sigma, of_set_up});
   }
+  for (const RankedError& ranked : errors.ranked) {
+    for (const std::size_t row : ranked.rows) test.quantities[row].significant = ranked.significant;
+  }
   test.quantities.push_back({"circularity", "um", errors.circularity_um,
                              std::sqrt(2.0) * std::hypot(errors.noise.white_um, errors.noise.correlated_um)});
   test.quantities.push_back({"residual_rms", "um", errors.residual_rms_um, sigma_of_rms(errors, recordings)});

@@ -162,9 +162,11 @@ TEST(machine_test, of_recordings) {
   recordings[1].started_s = 4000;
   MachineErrors errors;
   errors.errors = {{"centre_a", "um", 3.0, 0.1}, {"global_scale", "um", 1.0, 0.2}};
-  errors.covariance = Eigen::Vector2d(0.01, 0.04).asDiagonal();
+  errors.covariance = Eigen::Vector3d(0.01, 0.04, 0.01).asDiagonal();
   errors.circularity_um = 5.0;
   errors.residual_rms_um = 0.5;
+  errors.errors.push_back({"play", "um", 0.5, 0.1});
+  errors.ranked.push_back({.rows = {2}, .significant = false});
   errors.noise.white_um = 0.3;
   errors.noise.correlated_um = 0.4;
   errors.noise.correlation_time_s = 0.0;
@@ -174,12 +176,14 @@ TEST(machine_test, of_recordings) {
   EXPECT_NEAR(test.arc_deg, 220.0, 1e-9);
   EXPECT_EQ(test.feed_mm_per_min, 1005.0);
   EXPECT_EQ(test.started_s, 4000);
-  ASSERT_GE(test.quantities.size(), 4u);
+  ASSERT_GE(test.quantities.size(), 5u);
   EXPECT_TRUE(test.quantities[0].of_set_up);
   EXPECT_FALSE(test.quantities[1].of_set_up);
-  EXPECT_EQ(test.quantities[2].name, "circularity");
-  EXPECT_NEAR(test.quantities[2].sigma, std::sqrt(0.5), 1e-12);
-  EXPECT_NEAR(test.quantities[3].sigma, 0.5 / std::sqrt(2.0 * 880.0), 1e-12) << "no memory: all readings count";
+  EXPECT_TRUE(test.quantities[1].significant);
+  EXPECT_FALSE(test.quantities[2].significant) << "the error does not show";
+  EXPECT_EQ(test.quantities[3].name, "circularity");
+  EXPECT_NEAR(test.quantities[3].sigma, std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(test.quantities[4].sigma, 0.5 / std::sqrt(2.0 * 880.0), 1e-12) << "no memory: all readings count";
 }
 
 }  // namespace

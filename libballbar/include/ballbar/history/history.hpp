@@ -30,6 +30,7 @@ struct QuantityHistory {
   std::vector<std::size_t> tests;  // with a date, by date
   double last_value = 0.0;
   double last_sigma = 0.0;
+  bool significant = false;  // the last value: its error is, and it is beyond kSignificantSigmas
   std::optional<QuantityChange> change;
   std::optional<Trend> trend;
   std::optional<Tolerance> tolerance;
