@@ -92,11 +92,11 @@ Json json_of(const GroupHistory& history, const std::vector<MachineTest>& tests)
 }
 
 Json json_of(const MachineGeometry& geometry, const std::vector<MachineTest>& tests) {
-  Json json{{"within_a_day", geometry.within_a_day}, {"squareness_um_per_m", Json::array()}};
+  Json json{{"within_a_day", geometry.within_a_day}, {"out_of_square_um_per_m", Json::array()}};
   for (const PlaneSquareness& plane : geometry.squareness) {
     Json files = Json::array();
     for (const std::size_t i : plane.tests) files.push_back(tests[i].file);
-    json["squareness_um_per_m"].push_back({{"plane", name_of(plane.plane)},
+    json["out_of_square_um_per_m"].push_back({{"plane", name_of(plane.plane)},
                                            {"value", number(plane.value)},
                                            {"sigma", number(plane.sigma)},
                                            {"p_value", number(plane.p_value)},
