@@ -13,9 +13,11 @@
 #include "ballbar/error.hpp"
 #include "commands.hpp"
 #include "diagnose/diagnosis_report.hpp"
+#include "diagnose/machine_errors_report.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 #include "model/untestable_reasons.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -26,6 +28,8 @@ constexpr std::size_t kWidest = 120;
 struct Options {
   ModelOptions model;
   DiagnoseOptions how;
+  ErrorsOptions errors;
+  std::string prior = "usual";
   bool json = false;
 };
 
@@ -188,7 +192,24 @@ void show_one_of_several(const Options& options, const Model& model, const Model
   }
 }
 
+// Recordings of two linear axes: all of their errors together, ranked.
+void run_on_circles(Options options) {
+  options.errors.prior = options.prior == "usual";
+  if (!options.model.model.empty()) {
+    const ModelData data = open_data(options.model);
+    for (const Term& term : open_model(options.model, data).terms)
+      options.errors.in_the_model.insert(term.effect->name);
+  }
+  const ErrorsReports reports = errors_reports_of(options.model.data, options.errors);
+  options.json ? fmt::print("{}\n", json_of(reports).dump(2)) : print_text(reports);
+  for (const std::string& remark : reports.remarks) stderr_line(remark);
+}
+
 void run(const Options& options) {
+  if (are_of_linear_axes(options.model.data)) {
+    run_on_circles(options);
+    return;
+  }
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
   if (model.targets.size() == 1) {
@@ -216,6 +237,11 @@ void add_diagnose(CLI::App& app) {
       ->add_option("--most-rows", options->how.most_rows,
                    "values of the target that are searched, of longer series every k-th")
       ->check(CLI::Range(30, 5000));
+  command->add_option("--prior", options->prior, "circles: what holds errors that the readings hardly tell, or none")
+      ->check(CLI::IsMember({"usual", "none"}));
+  command->add_option("--tolerance", options->errors.tolerance_um, "circles: largest circularity in um that passes")
+      ->check(CLI::Range(0.0, 1e6));
+  command->add_flag("--strict", options->errors.strict, "circles: stop at the first file that cannot be read");
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"

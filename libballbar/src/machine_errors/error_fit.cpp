@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kFromOwnReversal_deg[2] = {12.0, 63.0};  // where cyclic errors are read
 constexpr double kClearExcess = 1.5;                      // of variances
+constexpr double kIndependentWidths = 2.0;                // of a spike: the curves of all are alike
 constexpr double kRidge = 1e-9;                           // of a column's own square
 constexpr double kAbsent = 1e-5;                          // mean square of a unit's curve: not in these readings
 
@@ -78,6 +79,7 @@ ErrorRows some_rows(const ErrorRows& rows, const Indices& kept) {
   some.count = rows.count(kept);
   some.time_s = rows.time_s(kept);
   some.angle_rad = rows.angle_rad(kept);
+  some.interval_s = rows.interval_s(kept);
   some.deviation_um = rows.deviation_um(kept);
   some.recordings = rows.recordings;
   some.recording.reserve(kept.size());
@@ -173,8 +175,12 @@ std::optional<double> known_pitch(const Effect& effect, const MachineErrorOption
 
 }  // namespace
 
-double chi2_of(const Eigen::VectorXd& values, const Eigen::MatrixXd& covariance) {
-  return values.dot(covariance.ldlt().solve(values));
+double p_of(const Eigen::VectorXd& values, const Eigen::MatrixXd& covariance) {
+  const auto number = static_cast<std::size_t>(values.size());
+  const double together = chi2_upper_tail(values.dot(covariance.ldlt().solve(values)), number);
+  const double clearest = values.cwiseAbs2().cwiseQuotient(covariance.diagonal().cwiseMax(1e-300)).maxCoeff();
+  const double alone = static_cast<double>(number) * chi2_upper_tail(clearest, 1);
+  return std::min(1.0, std::min(together, alone));
 }
 
 Eigen::VectorXd ErrorFitted::fine_curve(const Effect* effect) const {
@@ -221,6 +227,11 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, dou
         cyclic_effects.push_back(effect.get());
         break;
       case ErrorFit::where_it_shows:
+        if (arc_rad < kFullTurn_rad) {
+          fitted.undetermined.push_back(effect->name + ", for which a full turn is needed");
+          break;
+        }
+        [[fallthrough]];
       case ErrorFit::at_reversals:
         extra_effects.push_back(effect.get());
         break;
@@ -240,14 +251,10 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, dou
   const Block first = block_of(together.values, far, precision);
   const Eigen::VectorXd first_gains = first.solve(of.deviation_um);
   const Eigen::VectorXd first_left = of.deviation_um - together.values * first_gains;
-  {
-    Eigen::MatrixXd normal = together.values.transpose() * first.weighted;
-    fitted.undetermined = undetermined(normal, together);
-  }
   std::vector<ErrorColumns> cyclic_parts;
   std::vector<Block> cyclic_blocks;
   std::vector<double> pitches;
-  std::vector<std::size_t> pitches_tried;
+  std::vector<double> pitches_tried;
   for (const Effect* effect : cyclic_effects) {
     Eigen::VectorXd weight = of.count;
     for (Eigen::Index i = 0; i < of.size(); ++i) {
@@ -259,7 +266,7 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, dou
     const std::vector<double> tried = known ? std::vector<double>{*known} : pitch.grid;
     pitches.push_back(tried.size() == 1 ? tried.front()
                                         : best_shape(*effect, tried, of, {}, {}, first_left, weight, false));
-    pitches_tried.push_back(tried.size());
+    pitches_tried.push_back(static_cast<double>(tried.size()));
     cyclic_parts.push_back(present(effect_columns(*effect, pitches.back(), of, true), of));
     const Eigen::Index n = cyclic_parts.back().size();
     cyclic_blocks.push_back(block_of(cyclic_parts.back().values, weight, Eigen::MatrixXd::Zero(n, n)));
@@ -280,7 +287,7 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, dou
   const Eigen::VectorXd left = without_cyclic - together.values * all_rows.solve(without_cyclic);
   std::vector<ErrorColumns> extra_parts;
   std::vector<std::optional<double>> extra_shapes;
-  std::vector<std::size_t> shapes_tried;
+  std::vector<double> shapes_tried;
   for (const Effect* effect : extra_effects) {
     const std::size_t shape = shape_of(*effect);
     const std::vector<double> tried = shape == kNoShape ? std::vector<double>{0.0} : effect->parameters[shape].grid;
@@ -289,7 +296,7 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, dou
                             : best_shape(*effect, tried, of, together.values, all_rows, left, of.count, false);
     extra_parts.push_back(present(effect_columns(*effect, best, of, false), of));
     extra_shapes.push_back(shape == kNoShape ? std::nullopt : std::optional<double>(best));
-    shapes_tried.push_back(tried.size());
+    shapes_tried.push_back(tried.size() == 1 ? 1.0 : kIndependentWidths);
   }
   pointers.clear();
   for (const ErrorColumns& part : extra_parts) pointers.push_back(&part);
@@ -300,6 +307,13 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, dou
   const Indices quiet = quiet_rows(of);
   fitted.noise = error_noise(some_rows(of, quiet), fitted.columns.values(quiet, Eigen::all));
   fitted.slow_variance_um2 = slow_variance_um2(of, fitted.noise);
+
+  {
+    const ErrorColumns told_apart = joined({&together, &extra});
+    const Eigen::MatrixXd weighted = of.count.asDiagonal() * told_apart.values;
+    const std::vector<std::string> alike = undetermined(told_apart.values.transpose() * weighted, told_apart);
+    fitted.undetermined.insert(fitted.undetermined.begin(), alike.begin(), alike.end());
+  }
 
   // Z: together and extra without the reversals, cyclic, together and extra with them.
   const Eigen::MatrixXd together_extra =
@@ -362,8 +376,7 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, dou
     FittedEffect effect{extra_effects[k], extra_shapes[k], {}, shapes_tried[k], false};
     for (const Eigen::Index i : own) effect.columns.push_back(static_cast<std::size_t>(i + c));
     if (!own.empty()) {
-      const double chi2 = chi2_of(whole_gains(own), whole_covariance(own, own));
-      const double p_value = chi2_upper_tail(chi2, own.size()) * static_cast<double>(shapes_tried[k]);
+      const double p_value = p_of(whole_gains(own), whole_covariance(own, own)) * effect.searched;
       effect.in_the_fit = p_value * looked_at < kFalseErrors;
       if (effect.in_the_fit) {
         chosen = joined_indices(chosen, own);

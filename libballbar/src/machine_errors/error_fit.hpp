@@ -16,7 +16,7 @@ struct FittedEffect {
   const Effect* effect = nullptr;
   std::optional<double> shape;
   std::vector<std::size_t> columns;  // among ErrorFitted::columns
-  std::size_t searched = 1;          // shapes that were tried
+  double searched = 1.0;             // independent shapes that were tried
   bool in_the_fit = true;            // false: fitted beside it, to be looked at alone
 };
 
@@ -38,8 +38,8 @@ struct ErrorFitted {
   Eigen::VectorXd residual() const;
 };
 
-// z'^2 of z = these gains, all together: chi^2 with as many degrees of freedom.
-double chi2_of(const Eigen::VectorXd& values, const Eigen::MatrixXd& covariance);
+// Chance that noise alone shows these gains: all together (chi^2), or the clearest of them.
+double p_of(const Eigen::VectorXd& values, const Eigen::MatrixXd& covariance);
 
 // Significance of one effect among `looked_at`: 1 % that any is found in noise.
 inline constexpr double kFalseErrors = 0.01;

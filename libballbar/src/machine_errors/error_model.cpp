@@ -14,7 +14,6 @@
 namespace ballbar {
 namespace {
 
-constexpr double kFullTurn_rad = 2.0 * kPi * 0.995;
 constexpr double kShiftReadings = 80.0;    // of what CCW and CW differ by
 constexpr double kOpenSideReadings = 2.0;  // of the centre, along the middle of the arc
 constexpr double kLeftOfNormal = 0.01;     // share of a combination's square that readings must see

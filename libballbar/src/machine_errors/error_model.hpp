@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "ballbar/effects/effect.hpp"
+#include "ballbar/units.hpp"
 #include "machine_errors/error_rows.hpp"
 
 namespace ballbar {
+
+inline constexpr double kFullTurn_rad = 2.0 * kPi * 0.995;  // with what a reading's share may lack
 
 // What one gain adds: of an effect, or of the circle (effect nullptr).
 struct ErrorColumn {

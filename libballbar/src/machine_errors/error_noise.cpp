@@ -12,11 +12,14 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr std::array kWhiteOfCorrelated = {0.05, 0.3, 1.0, 5.0};  // w / q
+constexpr std::array kWhiteOfCorrelated = {0.1, 0.33, 1.0, 3.0};  // w / q
+constexpr double kUsualWhite = 0.33;
+constexpr std::array kFineMemories = {0.45, 0.58, 0.75, 1.0, 1.3, 1.7, 2.2};  // times the best of the first look
 constexpr std::size_t kMemories = 6;
 constexpr double kMemoriesATurn = 16.0;
 constexpr double kLeastWeight = 1e-3;
-constexpr double kLeast_um = 1e-4;  // readings are written to 0.01 um
+constexpr double kLeastVariance = 1e-6;  // of q = 1
+constexpr double kLeast_um = 1e-4;       // readings are written to 0.01 um
 
 // From two rows to a sixteenth of a turn, evenly in the logarithm: what lasts longer has the forms of the errors, and
 // the readings cannot tell it from them.
@@ -46,6 +49,20 @@ double decay_before(const ErrorRows& rows, Eigen::Index i, double memory_s) {
   return std::exp(-(rows.time_s[i] - rows.time_s[i - 1]) / memory_s);
 }
 
+// Of the part with a memory, for q = 1, what a mean over a row keeps: `with_others` k, and its own variance beyond k^2.
+struct RowMean {
+  double with_others = 1.0;
+  double own = 0.0;
+};
+RowMean row_mean(double count, double interval_s, double memory_s) {
+  if (count < 1.5) return {};
+  const double half = 0.5 * interval_s / memory_s;
+  const double with_others = std::sinh(count * half) / (count * std::sinh(half));
+  double variance = count;
+  for (double m = 1.0; m < count - 0.5; m += 1.0) variance += 2.0 * (count - m) * std::exp(-2.0 * half * m);
+  return {with_others, variance / (count * count) - with_others * with_others};
+}
+
 struct Restricted {
   double log_likelihood = 0.0;
   double variance = 0.0;  // s^2: of q^2 = 1
@@ -61,13 +78,15 @@ Restricted restricted(const ErrorRows& rows, const RowMajor& data, double memory
   for (Eigen::Index i = 0; i < n; ++i) {
     const double decay = decay_before(rows, i, memory_s);
     known = decay * decay * known + (1.0 - decay * decay);
-    const double variance = known + white * white / rows.count[i];
-    const double gain = known / variance;
+    const RowMean mean = row_mean(rows.count[i], rows.interval_s[i], memory_s);
+    const double variance = std::max(
+        mean.with_others * mean.with_others * known + mean.own + white * white / rows.count[i], kLeastVariance);
+    const double gain = known * mean.with_others / variance;
     predicted *= decay;
-    innovations.row(i) -= predicted;
+    innovations.row(i) -= mean.with_others * predicted;
     predicted += gain * innovations.row(i);
     innovations.row(i) /= std::sqrt(variance);
-    known *= 1.0 - gain;
+    known *= 1.0 - gain * mean.with_others;
     log_variances += std::log(variance);
   }
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(p + 1, p + 1);
@@ -96,15 +115,23 @@ std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::Matri
   }
   data.col(columns.cols()) = rows.deviation_um;
   std::vector<WeightedNoise> noises;
-  noises.reserve(kMemories * kWhiteOfCorrelated.size());
-  for (const double memory_s : memories_s(rows)) {
-    for (const double white : kWhiteOfCorrelated) {
-      const Restricted found = restricted(rows, data, memory_s, white);
-      const double correlated_um = std::sqrt(found.variance);
-      noises.push_back({found.log_likelihood, {white * correlated_um, correlated_um, memory_s, found.log_likelihood}});
-    }
+  noises.reserve(kMemories + kFineMemories.size() * kWhiteOfCorrelated.size());
+  const auto look_at = [&](double memory_s, double white) {
+    const Restricted found = restricted(rows, data, memory_s, white);
+    const double correlated_um = std::sqrt(found.variance);
+    noises.push_back({found.log_likelihood, {white * correlated_um, correlated_um, memory_s, found.log_likelihood}});
+  };
+  const auto likelier = [](const WeightedNoise& a, const WeightedNoise& b) { return a.weight > b.weight; };
+  const std::array<double, kMemories> memories = memories_s(rows);
+  for (const double memory_s : memories) look_at(memory_s, kUsualWhite);
+  const double best_s = std::min_element(noises.begin(), noises.end(), likelier)->noise.correlation_time_s;
+  noises.clear();
+  for (const double times : kFineMemories) {
+    const double memory_s = times * best_s;
+    if (memory_s > 1.0001 * memories.back()) continue;
+    for (const double white : kWhiteOfCorrelated) look_at(memory_s, white);
   }
-  std::stable_sort(noises.begin(), noises.end(), [](const auto& a, const auto& b) { return a.weight > b.weight; });
+  std::stable_sort(noises.begin(), noises.end(), likelier);
   const double most = noises.front().weight;
   double sum = 0.0;
   for (WeightedNoise& noise : noises) {
@@ -124,16 +151,20 @@ Eigen::MatrixXd scatter_of(const Eigen::MatrixXd& columns, const ErrorRows& rows
   for (const WeightedNoise& one : noises) {
     const double q2 = one.weight * one.noise.correlated_um * one.noise.correlated_um;
     const double w2 = one.weight * one.noise.white_um * one.noise.white_um;
-    // sum over j of exp(-|t_i - t_j| / theta) z_j: those before and the row itself, then those after.
+    const double memory_s = one.noise.correlation_time_s;
+    // sum over j of k_j exp(-|t_i - t_j| / theta) z_j: those before and the row itself, then those after.
     Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(z.cols());
     for (Eigen::Index i = 0; i < z.rows(); ++i) {
-      sum = decay_before(rows, i, one.noise.correlation_time_s) * sum + z.row(i);
-      correlated.row(i) += q2 * sum + (w2 / rows.count[i]) * z.row(i);
+      const RowMean mean = row_mean(rows.count[i], rows.interval_s[i], memory_s);
+      sum = decay_before(rows, i, memory_s) * sum + mean.with_others * z.row(i);
+      correlated.row(i) += (q2 * mean.with_others) * sum + (q2 * mean.own + w2 / rows.count[i]) * z.row(i);
     }
     sum.setZero();
     for (Eigen::Index i = z.rows() - 1; i > 0; --i) {
-      sum = decay_before(rows, i, one.noise.correlation_time_s) * (sum + z.row(i));
-      correlated.row(i - 1) += q2 * sum;
+      const double kept = row_mean(rows.count[i], rows.interval_s[i], memory_s).with_others;
+      sum = decay_before(rows, i, memory_s) * (sum + kept * z.row(i));
+      const double before = row_mean(rows.count[i - 1], rows.interval_s[i - 1], memory_s).with_others;
+      correlated.row(i - 1) += (q2 * before) * sum;
     }
   }
   Eigen::MatrixXd scatter = z.transpose() * correlated;

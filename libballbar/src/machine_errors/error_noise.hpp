@@ -1,7 +1,12 @@
 // The noise that the full model of a ballbar test leaves, and what sums of its readings scatter by.
 //
-// White (w^2 a reading) and with a memory (Ornstein-Uhlenbeck: q^2, theta); of a row of c readings the white part is
-// w^2 / c. The restricted likelihood (REML) is computed on a grid of theta and of w / q, its amplitude analytically:
+// White (w^2 a reading) and with a memory (Ornstein-Uhlenbeck: q^2, theta). A row is a mean of c readings dt apart;
+// with h = dt / (2 theta), k = sinh(c h) / (c sinh h):
+//
+//   cov of two rows   q^2 k_i k_j exp(-|t_i - t_j| / theta)
+//   variance of one   q^2 f + w^2 / c,      f = 1/c^2 (c + 2 sum over m of (c - m) exp(-m dt / theta))
+//
+// The restricted likelihood (REML) is computed on a grid of theta and of w / q, its amplitude analytically:
 //
 //   -2 ln L = (n - p) ln(s^2) + ln det V + ln det(X' V^-1 X),      s^2 = r' V^-1 r / (n - p)
 //

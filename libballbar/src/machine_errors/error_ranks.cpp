@@ -36,7 +36,7 @@ std::vector<RowColumns> rows_of(const ErrorColumns& columns) {
 }
 
 // Largest square of an amplitude over its sigma that noise reaches in 5 % of cases: of `of` amplitudes of two parts.
-double noise_square(std::size_t of) { return -2.0 * std::log(1.0 - std::pow(0.95, 1.0 / static_cast<double>(of))); }
+double noise_square(double of) { return -2.0 * std::log(1.0 - std::pow(0.95, 1.0 / of)); }
 
 struct Amplitude {
   double value = 0.0;
@@ -45,7 +45,7 @@ struct Amplitude {
 };
 
 Amplitude amplitude_of(const ErrorFitted& fitted, const std::vector<std::size_t>& columns, CyclicOfRuns of_runs,
-                       std::size_t searched) {
+                       double searched) {
   // Each recording's, or that of all.
   std::map<std::size_t, std::vector<Eigen::Index>> pairs;
   for (const std::size_t k : columns) {
@@ -67,7 +67,7 @@ Amplitude amplitude_of(const ErrorFitted& fitted, const std::vector<std::size_t>
     }
   }
   all.sigma = std::sqrt(std::max(0.0, (all.slope * fitted.covariance * all.slope.transpose()).value()));
-  if (all.value * all.value < noise_square(pairs.size() * searched) * all.sigma * all.sigma) {
+  if (all.value * all.value < noise_square(static_cast<double>(pairs.size()) * searched) * all.sigma * all.sigma) {
     all.sigma = std::max(all.sigma, 1.0001 * all.value / kTwoSided);
   }
   return all;
@@ -137,7 +137,7 @@ ErrorTable error_table(const ErrorFitted& fitted, CyclicOfRuns cyclic_of_runs) {
       row.sigma = std::sqrt(std::max(0.0, fitted.covariance(k, k)));
       slopes(static_cast<Eigen::Index>(r), k) = 1.0;
     } else {
-      std::size_t searched = 1;
+      double searched = 1.0;
       for (const FittedEffect& effect : fitted.effects) {
         if (effect.effect == first.effect) searched = effect.searched;
       }
@@ -176,9 +176,8 @@ std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTab
     one.individual_circularity_um = curve.maxCoeff() - curve.minCoeff();
     sum_um += one.individual_circularity_um;
     const Eigen::MatrixXd shared = shared_gains(fitted, effect);
-    const double chi2 = chi2_of(shared * fitted.gains, shared * fitted.covariance * shared.transpose());
-    one.p_value = std::min(
-        1.0, chi2_upper_tail(chi2, static_cast<std::size_t>(shared.rows())) * static_cast<double>(effect.searched));
+    one.p_value =
+        std::min(1.0, effect.searched * p_of(shared * fitted.gains, shared * fitted.covariance * shared.transpose()));
     one.predicts_other_run = predicts_other(fitted, effect, residual);
     one.significant = one.p_value * static_cast<double>(fitted.effects.size()) < kFalseErrors;
     const bool of_each_recording = fitted.columns.columns[effect.columns.front()].recording.has_value();

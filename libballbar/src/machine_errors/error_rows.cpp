@@ -92,6 +92,19 @@ ErrorRows error_rows(const Series& trace) {
     rows.recording[rows.row_of[i]] = static_cast<std::size_t>(fine_recording[i]);
   }
   rows.recordings = rows.recording.empty() ? 0 : rows.recording.back() + 1;
+  rows.interval_s = Eigen::VectorXd::Zero(rows.count.size());
+  for (std::size_t first = 0; first < recording.size();) {
+    std::size_t last = first;
+    while (last + 1 < recording.size() && recording[last + 1] == recording[first]) ++last;
+    const double interval_s =
+        (trace.time_s[last] - trace.time_s[first]) / static_cast<double>(std::max<std::size_t>(last - first, 1));
+    for (Eigen::Index i = 0; i < rows.count.size(); ++i) {
+      if (rows.recording[static_cast<std::size_t>(i)] == static_cast<std::size_t>(recording[first])) {
+        rows.interval_s[i] = interval_s;
+      }
+    }
+    first = last + 1;
+  }
   rows.time_s = rows.mean(rows.fine.time_s);
   rows.angle_rad = rows.mean(fine_angle_rad);
   rows.direction = rows.mean(find_column(rows.fine, trace_column("direction"))->values);

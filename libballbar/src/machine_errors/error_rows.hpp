@@ -25,6 +25,7 @@ struct ErrorRows {
   std::vector<std::size_t> row_of;                             // of each fine row
   Eigen::VectorXd fine_count;                                  // readings of each fine row
   Eigen::VectorXd count;                                       // of each row
+  Eigen::VectorXd interval_s;                                  // between the readings of its recording
   Eigen::VectorXd time_s, angle_rad, direction, deviation_um;  // means of each row
   Eigen::VectorXd from_reversal_deg;                           // to the nearest, of either axis
   std::vector<std::size_t> recording;                          // of each row

@@ -137,7 +137,7 @@ enum class AxisRelation {
 enum class ErrorFit {
   none,              // it is none
   together,          // with all others of this kind, on all readings but those at a reversal
-  where_it_shows,    // with them where it is clear
+  where_it_shows,    // with them where it is clear, on full turns alone
   at_reversals,      // likewise; a shape is its width
   along_the_travel,  // on what they leave, between the reversals; a shape is its wave length; each recording its own
 };

@@ -50,8 +50,7 @@ extern const Effect kCubicError{
     evaluated_by<2>(CubicError{}),
     false,
     {Motion::linear_axes},
-    {.error_fit = ErrorFit::where_it_shows,
-     .damping = {{{1.0, 0.0}, 8000.0, Damping::Where::arcs}, {{0.0, 1.0}, 8000.0, Damping::Where::arcs}}},
+    {.error_fit = ErrorFit::where_it_shows},
 };
 
 }  // namespace ballbar::catalogue

@@ -1,0 +1,211 @@
+#include "diagnose/machine_errors_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "ballbar/circle/circularity.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/formats/recordings/stored_errors.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kMoreThanRepeats = 1.5;  // times the repeatability: a form is left
+
+MachineErrorOptions fit_options(const ErrorsReport& report, const ErrorsOptions& options) {
+  MachineErrorOptions how;
+  how.prior = options.prior;
+  if (!report.b5r) return how;
+  how.pitch_a_mm = stored_pitch_mm(*report.b5r, 'A');
+  how.pitch_b_mm = stored_pitch_mm(*report.b5r, 'B');
+  if (stores_cyclic_means(*report.b5r)) how.cyclic_of_runs = CyclicOfRuns::mean;
+  return how;
+}
+
+// The group of recordings that these belong to, a new one where there is none yet.
+ErrorsReport& group_of(ErrorsReports& reports, const Recording& recording) {
+  for (ErrorsReport& group : reports.groups) {
+    const Recording& first = group.recordings.front();
+    if (first.plane == recording.plane && first.nominal_length_mm == recording.nominal_length_mm) return group;
+  }
+  return reports.groups.emplace_back();
+}
+
+void read_into(ErrorsReports& reports, const std::string& file) {
+  RecordingFile read = open_recording(file);
+  std::move(read.remarks.begin(), read.remarks.end(), std::back_inserter(reports.remarks));
+  if (read.recordings.empty() && read.b5r) {
+    reports.without_readings.push_back(std::move(*read.b5r));
+    reports.files_without_readings.push_back(file);
+    return;
+  }
+  bool first = true;
+  for (Recording& recording : read.recordings) {
+    if (recording.kind != Kind::circle || recording.motion != Motion::linear_axes) {
+      throw Error(fmt::format("{}: expected circles that two linear axes drive, found {}.", file,
+                              recording.kind == Kind::axial ? name_of(recording.kind) : name_of(recording.motion)));
+    }
+    ErrorsReport& group = group_of(reports, recording);
+    group.recordings.push_back(std::move(recording));
+    if (first) {
+      group.files.push_back(file);
+      group.b5r = group.files.size() == 1 ? read.b5r : std::nullopt;
+    }
+    first = false;
+  }
+}
+
+void expect_once(const std::vector<std::string>& files) {
+  for (auto file = files.begin(); file != files.end(); ++file) {
+    const auto before = std::find_if(files.begin(), file, [&](const std::string& other) {
+      std::error_code absent;
+      return std::filesystem::equivalent(*file, other, absent);
+    });
+    if (before == file) continue;
+    throw Error(fmt::format("{}: expected each file once, found it again{}.", *file,
+                            *before == *file ? "" : fmt::format(", the same as {}", *before)));
+  }
+}
+
+std::vector<const RankedError*> significant_of(const MachineErrors& found) {
+  std::vector<const RankedError*> significant;
+  for (const RankedError& one : found.ranked) {
+    if (one.significant) significant.push_back(&one);
+  }
+  return significant;
+}
+
+}  // namespace
+
+bool are_of_linear_axes(const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
+    if (!is_recording_file(file)) return false;
+    try {
+      for (const Recording& recording : open_recording(file).recordings) {
+        if (recording.kind != Kind::circle || recording.motion != Motion::linear_axes) return false;
+      }
+    } catch (const Error&) {  // told where it is read
+    }
+  }
+  return !files.empty();
+}
+
+ErrorsReports errors_reports_of(const std::vector<std::string>& files, const ErrorsOptions& options) {
+  expect_once(files);
+  ErrorsReports reports;
+  for (const std::string& file : files) {
+    try {
+      read_into(reports, file);
+    } catch (const Error& error) {
+      if (options.strict || files.size() == 1) throw;
+      reports.skipped.push_back({file, error.what()});
+    }
+  }
+  for (ErrorsReport& group : reports.groups) {
+    group.options = options;
+    try {
+      group.found = machine_errors(group.recordings, fit_options(group, options));
+    } catch (const Error& error) {
+      const std::string why = fmt::format("{}: {}", fmt::join(group.files, ", "), error.what());
+      if (options.strict || reports.groups.size() == 1) throw Error(why);
+      reports.skipped.push_back({group.files.front(), why});
+      group.recordings.clear();
+    }
+  }
+  std::erase_if(reports.groups, [](const ErrorsReport& group) { return group.recordings.empty(); });
+  if (reports.groups.empty() && reports.without_readings.empty() && !reports.skipped.empty()) {
+    throw Error(reports.skipped.front().why);
+  }
+  return reports;
+}
+
+std::optional<double> stored_value_of(const ErrorsReport& report, const MachineError& error) {
+  return report.b5r ? stored_error(*report.b5r, error.name) : std::nullopt;
+}
+
+std::optional<int> stored_rank_of(const ErrorsReport& report, const RankedError& ranked) {
+  return report.b5r ? stored_rank(*report.b5r, ranked.effect->name) : std::nullopt;
+}
+
+std::string verdict_of(const ErrorsReport& report) {
+  if (!significant_of(report.found).empty()) return "named";
+  return report.found.left ? "unexplained" : "nothing";
+}
+
+std::string conclusion(const ErrorsReport& report) {
+  const MachineErrors& found = report.found;
+  const std::vector<const RankedError*> significant = significant_of(found);
+  std::string text = fmt::format("Circularity {:.1f} um. ", found.circularity_um);
+  if (significant.empty()) return text + "No error of the axes stands out of the noise.";
+  std::vector<std::string> names;
+  names.reserve(significant.size());
+  for (const RankedError* one : significant) names.push_back(one->effect->name);
+  const RankedError& most = *significant.front();
+  text += fmt::format("The largest error is {}, which alone makes {:.1f} um", most.effect->name,
+                      most.individual_circularity_um);
+  if (most.circularity_without_um < found.circularity_um) {
+    text += fmt::format("; without it {:.1f} um would remain", most.circularity_without_um);
+  }
+  text += ". ";
+  text += names.size() == 1 ? "No other error stands out of the noise."
+                            : fmt::format("Out of the noise stand {}.", fmt::join(names, ", "));
+  return text;
+}
+
+std::string left_text(const ErrorsReport& report) {
+  const MachineErrors& found = report.found;
+  std::string text = fmt::format("All of them together leave {:.2f} um rms", found.residual_rms_um);
+  if (std::isfinite(found.repeatability_um)) {
+    text += fmt::format("; CCW and CW repeat to {:.2f} um", found.repeatability_um);
+  }
+  text += ". ";
+  if (found.left) {
+    const LeftHarmonic& left = *found.left;
+    text += fmt::format(
+        "Unexplained is a wave of {} a turn, {:.2f} um from peak to peak, {}: no error of the catalogue "
+        "has this form.",
+        left.harmonic, left.peak_to_peak_um,
+        left.in_both ? "alike in both directions"
+                     : fmt::format("in recording {} ({})", left.recording + 1,
+                                   name_of(report.recordings[left.recording].direction)));
+  } else if (found.residual_rms_um > kMoreThanRepeats * found.repeatability_um) {
+    text +=
+        "What is left is the same in both directions, without a wave that stands out: a form that these errors do "
+        "not have.";
+  } else {
+    text += "No form stands out of what is left.";
+  }
+  return text;
+}
+
+std::vector<std::string> tolerance_texts(const ErrorsReport& report) {
+  std::vector<std::string> texts;
+  if (report.options.tolerance_um) {
+    const bool passes = report.found.circularity_um <= *report.options.tolerance_um;
+    texts.push_back(fmt::format("{}: circularity {:.1f} um, tolerance {:g} um", passes ? "pass" : "fail",
+                                report.found.circularity_um, *report.options.tolerance_um));
+  }
+  if (!report.b5r) return texts;
+  std::size_t within = 0;
+  for (const StoredFeature& feature : report.b5r->stored) {
+    if (!feature.valid) continue;
+    const std::optional<Judgement> judgement =
+        judged(report.b5r->limits, feature.name, feature.value, feature.data_type);
+    if (!judgement) continue;
+    if (*judgement == Judgement::pass) {
+      ++within;
+      continue;
+    }
+    texts.push_back(fmt::format("{}: stored {} of {:g} {} ({})", name_of(*judgement), feature.name, feature.value,
+                                unit_of_data_type(feature.data_type), feature.parent));
+  }
+  if (within > 0) texts.push_back(fmt::format("pass: {} stored results are within the file's limits", within));
+  return texts;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,72 @@
+// The errors of a machine from its ballbar files: fitted, beside what the files store, for the terminal, a program and
+// the page.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ballbar/formats/recordings/b5r.hpp"
+#include "ballbar/machine_errors/machine_errors.hpp"
+
+namespace ballbar {
+
+struct ErrorsOptions {
+  bool prior = true;
+  bool strict = false;                 // a file that cannot be read ends all
+  std::optional<double> tolerance_um;  // of the circularity
+  std::set<std::string> in_the_model;  // effects that a model has already
+};
+
+// One group of recordings: those of one plane and one bar, whatever their feed.
+struct ErrorsReport {
+  std::vector<std::string> files;
+  std::vector<Recording> recordings;
+  std::optional<B5r> b5r;  // of the only file, where it is a `.b5r`; its runs are in `recordings`
+  MachineErrors found;
+  ErrorsOptions options;
+};
+
+struct SkippedFile {
+  std::string file;
+  std::string why;
+};
+
+struct ErrorsReports {
+  std::vector<ErrorsReport> groups;
+  std::vector<B5r> without_readings;  // stored values alone
+  std::vector<std::string> files_without_readings;
+  std::vector<SkippedFile> skipped;
+  std::vector<std::string> remarks;
+};
+
+// Whether these are recordings that linear axes drive, all that can be read of them: what this is for.
+bool are_of_linear_axes(const std::vector<std::string>& files);
+
+// Reads and fits. Throws Error where a file cannot be read and is the only one, or with `strict`.
+ErrorsReports errors_reports_of(const std::vector<std::string>& files, const ErrorsOptions& options);
+
+// What stands in the file about each row and effect.
+std::optional<double> stored_value_of(const ErrorsReport& report, const MachineError& error);
+std::optional<int> stored_rank_of(const ErrorsReport& report, const RankedError& ranked);
+
+// Whole sentences: what is out most, and what is left.
+std::string conclusion(const ErrorsReport& report);
+std::string left_text(const ErrorsReport& report);
+
+// "named", "unexplained", "nothing": as the other verdicts.
+std::string verdict_of(const ErrorsReport& report);
+
+// "pass: circularity 6.6 um, at most 10 um": of the tolerance that was given, else of the limits in the file; one a
+// line.
+std::vector<std::string> tolerance_texts(const ErrorsReport& report);
+
+void print_text(const ErrorsReports& reports);
+
+// The keys of `diagnose --json`.
+nlohmann::ordered_json json_of(const ErrorsReport& report);
+nlohmann::ordered_json json_of(const ErrorsReports& reports);
+
+}  // namespace ballbar

@@ -1,0 +1,168 @@
+// The ranked errors of a machine on the terminal.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "ballbar/units.hpp"
+#include "diagnose/machine_errors_report.hpp"
+#include "terminal/terminal_table.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kRemedies = 3;
+constexpr std::size_t kWidest = 140;
+
+std::string plain(double value, int decimals) { return fixed(value, decimals); }
+
+// Enough digits that sigma shows two.
+int decimals_of_sigma(double sigma) {
+  if (!(sigma > 0.0) || !std::isfinite(sigma)) return 2;
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 4);
+}
+
+std::string moment(std::int64_t started_s) {
+  const std::time_t time = static_cast<std::time_t>(started_s);
+  return fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(time));
+}
+
+// What the file says of itself, in one or two lines.
+std::string head_text(const ErrorsReport& report) {
+  std::string text = fmt::format("{}\n", fmt::join(report.files, "\n"));
+  const Recording& first = report.recordings.front();
+  std::vector<std::string> parts;
+  if (report.b5r) {
+    const B5r& b5r = *report.b5r;
+    if (!b5r.machine.empty()) parts.push_back("machine " + shortened(b5r.machine, 40));
+    if (!b5r.operator_name.empty()) parts.push_back("operator " + shortened(b5r.operator_name, 40));
+    if (b5r.started_s) parts.push_back(moment(*b5r.started_s));
+    std::string bar = shortened(b5r.ballbar_model, 20);
+    if (!b5r.serial_number.empty()) bar += " " + shortened(b5r.serial_number, 20);
+    if (!b5r.last_calibrated.empty()) bar += ", calibrated " + shortened(b5r.last_calibrated, 20);
+    if (!bar.empty()) parts.push_back(bar);
+    if (!b5r.software_title.empty()) {
+      parts.push_back(shortened(fmt::format("{} {}", b5r.software_title, b5r.software_version), 40));
+    }
+  }
+  if (!parts.empty()) text += wrapped(fmt::format("{}", fmt::join(parts, "; ")));
+  parts.clear();
+  std::vector<std::string> runs;
+  for (const Recording& recording : report.recordings) {
+    runs.push_back(recording.feed_mm_per_min
+                       ? fmt::format("{} {:.0f} mm/min", name_of(recording.direction), *recording.feed_mm_per_min)
+                       : fmt::format("{} feed not stated", name_of(recording.direction)));
+  }
+  if (runs.size() > 6) runs = {fmt::format("{} recordings", runs.size())};
+  text += wrapped(fmt::format("{}, bar of {:g} mm, {:.0f} deg: {}", name_of(first.plane), first.nominal_length_mm,
+                              deg_from_rad(arc_rad(first)), fmt::join(runs, ", ")));
+  return text;
+}
+
+std::string table_text(const ErrorsReport& report) {
+  const bool has_stored = report.b5r.has_value();
+  std::vector<std::string> heading{"error", "value", "unit", "IC um", "share %", "rank"};
+  if (has_stored) heading.insert(heading.end(), {"stored", "its rank"});
+  heading.insert(heading.end(), {"predicts the other run", "without it um"});
+  Table table(heading);
+  const auto add = [&](const MachineError& error, const RankedError* ranked, bool first) {
+    const int decimals = decimals_of_sigma(error.sigma);
+    const bool marked = ranked != nullptr && report.options.in_the_model.contains(ranked->effect->name);
+    std::vector<std::string> row{(marked ? "+ " : "") + error.name, with_sigma(error.value, error.sigma, decimals),
+                                 error.unit};
+    const auto once = [&](const std::string& text) { row.push_back(ranked == nullptr || !first ? "" : text); };
+    once(ranked == nullptr ? "" : plain(ranked->individual_circularity_um, 2));
+    once(ranked == nullptr ? "" : fmt::format("{:.0f}", ranked->share_percent));
+    once(ranked == nullptr     ? ""
+         : ranked->significant ? fmt::format("{}", *ranked->rank)
+         : ranked->rank        ? fmt::format("({})", *ranked->rank)
+                               : "not significant");
+    if (has_stored) {
+      const std::optional<double> stored = stored_value_of(report, error);
+      row.push_back(stored ? fmt::format("{:g}", *stored) : "-");
+      const std::optional<int> rank = ranked == nullptr ? std::nullopt : stored_rank_of(report, *ranked);
+      once(rank ? fmt::format("{}", *rank) : "-");
+    }
+    once(ranked == nullptr || !ranked->predicts_other_run ? "-" : *ranked->predicts_other_run ? "yes" : "no");
+    once(ranked == nullptr ? "" : plain(ranked->circularity_without_um, 1));
+    table.add(row);
+  };
+  std::vector<bool> listed(report.found.errors.size(), false);
+  for (const RankedError& ranked : report.found.ranked) {
+    for (const std::size_t row : ranked.rows) {
+      add(report.found.errors[row], &ranked, row == ranked.rows.front());
+      listed[row] = true;
+    }
+  }
+  for (std::size_t row = 0; row < listed.size(); ++row) {
+    if (!listed[row]) add(report.found.errors[row], nullptr, true);
+  }
+  return table.text(kWidest);
+}
+
+std::string prior_text(const ErrorsReport& report) {
+  if (report.found.prior.empty()) {
+    return report.options.prior ? "" : "Without a prior: the readings alone.\n";
+  }
+  std::vector<std::string> texts;
+  texts.reserve(report.found.prior.size());
+  for (const PriorOfError& prior : report.found.prior) {
+    texts.push_back(fmt::format("{} 0 ± {} {}", prior.name, plain(prior.sigma, 2), prior.unit));
+  }
+  return wrapped(fmt::format("Prior, in ±: {}; --prior none does without.", fmt::join(texts, ", ")));
+}
+
+void print_group(const ErrorsReport& report) {
+  const MachineErrors& found = report.found;
+  fmt::print("{}\n{}", head_text(report), wrapped(conclusion(report)));
+  for (const std::string& text : tolerance_texts(report)) fmt::print("{}\n", shortened(text, 100));
+  fmt::print("\n{}", table_text(report));
+  fmt::print("{}", wrapped("IC: circularity that this error alone would make; ± one sigma by the noise that all errors "
+                           "together leave; rank in brackets: clear alone (2.6 sigma), not among so many; without it: "
+                           "circularity that would remain."));
+  std::size_t said = 0;
+  for (const RankedError& ranked : found.ranked) {
+    if (!ranked.significant || said == kRemedies) continue;
+    ++said;
+    fmt::print("{}{}", said == 1 ? "\n" : "",
+               wrapped(fmt::format("{}. {}: {}", said, ranked.effect->name, ranked.effect->explanation.remedy)));
+  }
+  fmt::print("\n{}", wrapped(left_text(report)));
+  if (!found.undetermined.empty()) {
+    fmt::print("{}", wrapped(fmt::format("The readings do not tell apart: {}.", fmt::join(found.undetermined, "; "))));
+  }
+  fmt::print("{}", prior_text(report));
+}
+
+}  // namespace
+
+void print_text(const ErrorsReports& reports) {
+  bool first = true;
+  for (const ErrorsReport& group : reports.groups) {
+    if (!first) fmt::print("\n");
+    first = false;
+    print_group(group);
+  }
+  for (std::size_t k = 0; k < reports.without_readings.size(); ++k) {
+    fmt::print("{}{}\nThis file stores results alone, no readings:\n\n", first ? "" : "\n",
+               reports.files_without_readings[k]);
+    first = false;
+    Table table({"stored", "value", "unit", "of"});
+    for (const StoredFeature& feature : reports.without_readings[k].stored) {
+      if (!feature.valid) continue;
+      table.add({shortened(feature.name, 40), fmt::format("{:g}", feature.value),
+                 std::string(unit_of_data_type(feature.data_type)), shortened(feature.parent, 30)});
+    }
+    fmt::print("{}", table.text(kWidest));
+  }
+  if (!reports.skipped.empty()) {
+    fmt::print("\nLeft out: {}\n",
+               reports.skipped.size() == 1 ? "one file" : fmt::format("{} files", reports.skipped.size()));
+    for (const SkippedFile& skipped : reports.skipped) fmt::print("  {}\n", skipped.why);
+  }
+}
+
+}  // namespace ballbar

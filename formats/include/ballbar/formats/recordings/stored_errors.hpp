@@ -1,0 +1,24 @@
+// What a `.b5r` stores of the errors of the machine (analysis RENISHAW_DIAGNOSTICS), by the names of machine_errors.hpp.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "ballbar/formats/recordings/b5r.hpp"
+
+namespace ballbar {
+
+// Of a row, "backlash_a_pos"; nothing where the file stores none or calls it not valid.
+std::optional<double> stored_error(const B5r& test, std::string_view row);
+
+// Of an effect, "backlash_a": its place among the software's, and its own circularity in um.
+std::optional<int> stored_rank(const B5r& test, std::string_view effect);
+std::optional<double> stored_individual_circularity_um(const B5r& test, std::string_view effect);
+
+// Pitch of the screw of axis A or B that its cyclic error was looked for with.
+std::optional<double> stored_pitch_mm(const B5r& test, char axis);
+
+// Whether the software takes the mean of both runs for a cyclic error (versions before 20), not the larger.
+bool stores_cyclic_means(const B5r& test);
+
+}  // namespace ballbar
