@@ -97,10 +97,10 @@ Json json_of(const MachineGeometry& geometry, const std::vector<MachineTest>& te
     Json files = Json::array();
     for (const std::size_t i : plane.tests) files.push_back(tests[i].file);
     json["out_of_square_um_per_m"].push_back({{"plane", name_of(plane.plane)},
-                                           {"value", number(plane.value)},
-                                           {"sigma", number(plane.sigma)},
-                                           {"p_value", number(plane.p_value)},
-                                           {"files", files}});
+                                              {"value", number(plane.value)},
+                                              {"sigma", number(plane.sigma)},
+                                              {"p_value", number(plane.p_value)},
+                                              {"files", files}});
   }
   json["scales_um_per_m"] = Json::array();
   for (const AxisScale& scale : geometry.scales) {
@@ -159,7 +159,7 @@ Json history_json(const TestFiles& files, const std::vector<MachineHistory>& mac
   }
   json["remarks"] = files.remarks;
   json["skipped"] = Json::array();
-  for (const SkippedFile& file : files.skipped) {
+  for (const SkippedTest& file : files.skipped) {
     json["skipped"].push_back({{"file", file.file}, {"sentence", file.sentence}});
   }
   return json;

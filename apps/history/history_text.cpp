@@ -116,7 +116,7 @@ std::string history_text(const TestFiles& files, const std::vector<MachineHistor
   if (!undated.empty()) text += "\nWithout a date, in no change and no trend:\n" + list_text(undated);
   std::vector<std::string> sentences;
   sentences.reserve(files.skipped.size());
-  for (const SkippedFile& file : files.skipped) sentences.push_back(file.sentence);
+  for (const SkippedTest& file : files.skipped) sentences.push_back(file.sentence);
   if (!sentences.empty()) {
     text += fmt::format("\nSkipped, {}:\n", several(sentences.size(), "file")) + list_text(sentences);
   }

@@ -14,7 +14,7 @@
 #include "ballbar/circle/circularity.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
-#include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/formats/recordings/stored_errors.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "history/stored_test.hpp"
 
@@ -107,13 +107,14 @@ void expect_two_axes(const Recording& recording) {
                                                           name_of(recording.motion)));
 }
 
-MachineTest fitted_test(std::span<const Recording> recordings) {
+MachineTest fitted_test(std::span<const Recording> recordings, const MachineErrorOptions& options) {
   for (const Recording& recording : recordings) expect_two_axes(recording);
-  return machine_test(machine_errors(recordings), recordings);
+  return machine_test(machine_errors(recordings, options), recordings);
 }
 
 MachineTest test_of(const RecordingFile& file) {
-  MachineTest test = file.recordings.empty() ? stored_test(*file.b5r) : fitted_test(file.recordings);
+  MachineTest test =
+      file.recordings.empty() ? stored_test(*file.b5r) : fitted_test(file.recordings, error_options(*file.b5r));
   if (test.quantities.empty()) throw Error("expected readings or stored errors of the machine, found neither.");
   test.machine = file.b5r->machine;
   test.bar = file.b5r->serial_number;
@@ -166,7 +167,7 @@ void fit_logs(std::vector<ReadFile>& files) {
     recordings.reserve(tests[k].count);
     for (std::size_t i = 0; i < tests[k].count; ++i) recordings.push_back(*std::move(files[tests[k].first + i].log));
     try {
-      file.test = fitted_test(recordings);
+      file.test = fitted_test(recordings, {});
     } catch (const Error& error) {
       file.fault = named(file.path, error.what());
     }

@@ -9,14 +9,14 @@
 
 namespace ballbar {
 
-struct SkippedFile {
+struct SkippedTest {
   std::string file;
   std::string sentence;  // with the file's name
 };
 
 struct TestFiles {
   std::vector<MachineTest> tests;            // by name of the file
-  std::vector<SkippedFile> skipped;          // with faults, or of another kind of recording
+  std::vector<SkippedTest> skipped;          // with faults, or of another kind of recording
   std::vector<std::string> remarks;          // the readers'
   std::vector<std::filesystem::path> files;  // all that were read
 };

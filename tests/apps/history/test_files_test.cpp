@@ -76,7 +76,7 @@ TEST(test_files, one_bad_file_is_skipped) {
   EXPECT_EQ(files.skipped[2].sentence,
             name + "/d.b5r: expected a test of its own, found a copy of " + name + "/a.b5r.");
   EXPECT_TRUE(files.skipped[3].sentence.starts_with(name + "/e.csv: ")) << files.skipped[3].sentence;
-  for (const SkippedFile& file : files.skipped) EXPECT_TRUE(file.sentence.ends_with('.')) << file.sentence;
+  for (const SkippedTest& file : files.skipped) EXPECT_TRUE(file.sentence.ends_with('.')) << file.sentence;
   EXPECT_TRUE(complaint(folder, [&] { read_tests({name}, true); }).starts_with("DIR/b.b5r:"));
 }
 
