@@ -43,11 +43,11 @@ std::string chi2_text(const MachineGeometry& geometry) {
                      geometry.degrees == 1 ? "" : "s", p_text(geometry.p_value));
 }
 
-// The tests of which the axes that several planes tell say different things.
-std::string disagreement_text(const TestFiles& files, const MachineGeometry& geometry) {
-  std::string text = wrapped(
+// How the tests differ of which the axes that several planes tell say different things.
+std::vector<std::string> disagreement_texts(const TestFiles& files, const MachineGeometry& geometry) {
+  std::vector<std::string> texts{
       fmt::format("The {} disagree on the scales: {}. Sigmas hold {:.1f} um/m by which they scatter beyond theirs.",
-                  who_text(files, geometry), chi2_text(geometry), geometry.scatter_ppm));
+                  who_text(files, geometry), chi2_text(geometry), geometry.scatter_ppm)};
   for (const AxisScale& scale : geometry.scales) {
     if (scale.planes < 2) continue;
     std::string tests;
@@ -57,23 +57,40 @@ std::string disagreement_text(const TestFiles& files, const MachineGeometry& geo
           fmt::format("{}{} {} um/m ({}{:.1f} sigma)", tests.empty() ? "" : ", ", name_of(files.tests[pull.test].plane),
                       with_sigma(pull.value_ppm, pull.sigma_ppm, 1), pull.pull < 0.0 ? "" : "+", pull.pull);
     }
-    if (!tests.empty()) text += wrapped(fmt::format("  {}: {}", axis_name(scale.axis), tests));
+    if (!tests.empty()) texts.push_back(fmt::format("{}: {}.", axis_name(scale.axis), tests));
   }
-  return text;
+  return texts;
+}
+
+std::vector<std::string> sentences_of(const TestFiles& files, const MachineGeometry& geometry) {
+  std::vector<std::string> sentences;
+  for (const PlaneSquareness& plane : geometry.squareness) {
+    if (plane.p_value >= 0.01) continue;
+    sentences.push_back(fmt::format("The tests of {} disagree on the squareness, {}; its sigma is wider for it.",
+                                    name_of(plane.plane), p_text(plane.p_value)));
+  }
+  if (geometry.degrees > 0 && geometry.scatter_ppm == 0.0) {
+    sentences.push_back(fmt::format("The {} agree on the scales: {}.", who_text(files, geometry), chi2_text(geometry)));
+  } else if (geometry.degrees > 0) {
+    for (std::string& text : disagreement_texts(files, geometry)) sentences.push_back(std::move(text));
+  }
+  if (!geometry.scales.empty()) {
+    sentences.emplace_back("Scales are against the bar as it was calibrated: its own error moves all of them alike.");
+  }
+  return sentences;
 }
 
 }  // namespace
 
-std::string geometry_text(const TestFiles& files, const MachineGeometry& geometry) {
-  if (geometry.squareness.empty() && geometry.scales.empty()) return "";
-  std::string text =
-      fmt::format("Squareness and scales, {}\n",
-                  geometry.within_a_day ? "tests of " + dates_of(files, geometry.tests)
-                                        : "the newest test of each plane: " + dates_of(files, geometry.tests));
-  Table table({"", "um/m", "from"});
+GeometryTexts geometry_texts(const TestFiles& files, const MachineGeometry& geometry) {
+  GeometryTexts texts;
+  if (geometry.squareness.empty() && geometry.scales.empty()) return texts;
+  texts.heading = fmt::format(
+      "Squareness and scales, {}{}",
+      geometry.within_a_day ? "tests of " : "the newest test of each plane: ", dates_of(files, geometry.tests));
   for (const PlaneSquareness& plane : geometry.squareness) {
-    table.add({fmt::format("squareness {}", name_of(plane.plane)), with_sigma(plane.value, plane.sigma, 1),
-               dates_of(files, plane.tests)});
+    texts.rows.push_back({fmt::format("squareness {}", name_of(plane.plane)), with_sigma(plane.value, plane.sigma, 1),
+                          dates_of(files, plane.tests)});
   }
   for (const AxisScale& scale : geometry.scales) {
     std::string planes;
@@ -82,23 +99,20 @@ std::string geometry_text(const TestFiles& files, const MachineGeometry& geometr
       if (pull.axis != scale.axis || planes.find(plane) != std::string::npos) continue;
       planes += (planes.empty() ? "" : ", ") + plane;
     }
-    table.add(
+    texts.rows.push_back(
         {fmt::format("scale {}", axis_name(scale.axis)), with_sigma(scale.value_ppm, scale.sigma_ppm, 1), planes});
   }
-  text += table.text();
-  for (const PlaneSquareness& plane : geometry.squareness) {
-    if (plane.p_value >= 0.01) continue;
-    text += wrapped(fmt::format("The tests of {} disagree on the squareness, {}; its sigma is wider for it.",
-                                name_of(plane.plane), p_text(plane.p_value)));
-  }
-  if (geometry.degrees > 0 && geometry.scatter_ppm == 0.0) {
-    text += wrapped(fmt::format("The {} agree on the scales: {}.", who_text(files, geometry), chi2_text(geometry)));
-  } else if (geometry.degrees > 0) {
-    text += disagreement_text(files, geometry);
-  }
-  if (!geometry.scales.empty()) {
-    text += wrapped("Scales are against the bar as it was calibrated: its own error moves all of them alike.");
-  }
+  texts.sentences = sentences_of(files, geometry);
+  return texts;
+}
+
+std::string geometry_text(const TestFiles& files, const MachineGeometry& geometry) {
+  const GeometryTexts texts = geometry_texts(files, geometry);
+  if (texts.rows.empty()) return "";
+  Table table({"", "um/m", "from"});
+  for (const std::vector<std::string>& row : texts.rows) table.add(row);
+  std::string text = texts.heading + '\n' + table.text();
+  for (const std::string& sentence : texts.sentences) text += wrapped(sentence);
   return text + '\n';
 }
 

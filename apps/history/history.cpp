@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -15,8 +16,10 @@
 #include "ballbar/nearest_name.hpp"
 #include "commands.hpp"
 #include "history/history_files.hpp"
+#include "history/history_page.hpp"
 #include "history/history_text.hpp"
 #include "history/test_files.hpp"
+#include "page/report_page.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -26,7 +29,7 @@ namespace {
 struct Options {
   std::vector<std::string> folders;
   std::vector<std::string> tolerances;
-  std::string csv, out;
+  std::string csv, out, page;
   bool all = false;
   bool strict = false;
   bool json = false;
@@ -64,21 +67,30 @@ void expect_known(const std::vector<Tolerance>& tolerances, const std::vector<Ma
   }
 }
 
+std::string title_of(const std::vector<std::string>& folders) {
+  std::error_code error;
+  const std::string name = std::filesystem::weakly_canonical(folders.front(), error).filename().string();
+  return folders.size() == 1 ? name : fmt::format("{} and {} more", name, folders.size() - 1);
+}
+
 void run(const Options& options) {
   std::vector<Tolerance> tolerances;
   tolerances.reserve(options.tolerances.size());
   for (const std::string& text : options.tolerances) tolerances.push_back(tolerance_of(text));
+  if (!options.page.empty()) expect_page("--page");
   const TestFiles files = read_tests(options.folders, options.strict);
   if (!options.csv.empty()) expect_no_input({options.csv}, files.files, "--csv");
   if (!options.out.empty()) expect_no_input({options.out}, files.files);
+  if (!options.page.empty()) expect_no_input({options.page}, files.files, "--page");
   expect_known(tolerances, files.tests);
   const std::vector<MachineHistory> machines = history_of(files.tests, tolerances);
   const bool wants_json = options.json || !options.out.empty();
   const std::string json = wants_json ? history_json(files, machines).dump(2) + '\n' : std::string();
   if (!options.csv.empty()) write_bytes(options.csv, history_csv(files.tests));
   if (!options.out.empty()) write_bytes(options.out, json);
+  if (!options.page.empty()) write_bytes(options.page, history_page(title_of(options.folders), files, machines));
   fmt::print("{}", options.json ? json : history_text(files, machines, options.all));
-  for (const std::string& path : {options.csv, options.out}) {
+  for (const std::string& path : {options.csv, options.out, options.page}) {
     if (!path.empty()) fmt::print(stderr, "wrote {}\n", path);
   }
 }
@@ -99,6 +111,7 @@ void add_history(CLI::App& app) {
   command->add_option("--csv", options->csv, "write one row a test and quantity")->type_name("FILE");
   command->add_flag("--json", options->json, "the history for a program");
   command->add_option("--out", options->out, "write the JSON to a file as well")->type_name("FILE");
+  command->add_option("--page", options->page, "write a page with pictures of all quantities")->type_name("FILE");
   command->footer("Example:\n  ballbar history sample-runs/machine-history --tolerance backlash_a_pos=5");
   command->callback([options] { run(*options); });
 }

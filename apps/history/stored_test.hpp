@@ -12,9 +12,9 @@
 namespace ballbar {
 
 // Its stored values, without sigma; no quantities where it stores none of these.
-MachineTest stored_test(const B5r& test);
+MachineTest stored_test(const B5r& b5r);
 
 // Of its limits those that hold for a quantity of the machine; where one warns and one fails, the one that fails.
-std::vector<Tolerance> stated_tolerances(const B5r& test);
+std::vector<Tolerance> stated_tolerances(const B5r& b5r);
 
 }  // namespace ballbar

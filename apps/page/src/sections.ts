@@ -3,6 +3,7 @@ import { batch_section } from "./batch/batch";
 import { comparison_section } from "./comparison/comparison";
 import { diagnosis_sections } from "./diagnosis/diagnosis";
 import { drift_section } from "./drift/drift";
+import { history_sections } from "./history/history";
 import { ledger_section } from "./diagnosis/ledger";
 import { mean_point_section } from "./mean_point/mean_point";
 import { model_sections } from "./model/model";
@@ -11,6 +12,7 @@ import { recordings_section } from "./recordings/recordings";
 import type { Report } from "./report";
 
 export const sections_of = (report: Report): Section[] => [
+  ...history_sections(report),
   ...drift_section(report),
   ...comparison_section(report),
   ...recordings_section(report),
