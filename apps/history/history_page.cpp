@@ -110,7 +110,7 @@ std::string history_page(const std::string& title, const TestFiles& files,
   Json report{{"format", "ballbar-report 1"}, {"title", title},         {"made_by", "ballbar " BALLBAR_VERSION},
               {"made_on", page_date()},       {"files", Json::array()}, {"summary", Json::array()},
               {"signals", Json::array()}};
-  for (const std::filesystem::path& file : files.files) report["files"].push_back(file.filename().string());
+  for (const std::filesystem::path& file : files.files) report["files"].push_back(file.string());
   Json part{{"groups", Json::array()}, {"geometry", Json::array()}, {"geometry_rows", Json::array()}};
   for (const MachineHistory& machine : machines) {
     for (const std::string& line : lines_of(conclusion(machine))) report["summary"].push_back(line);

@@ -43,8 +43,12 @@ const tolerance = (limits: readonly number[], colour: string): Series => ({
 // A limit far from all values would press them flat: then it is not drawn.
 const limits_near = ({ lower, upper, values, trend }: HistoryQuantity): number[] => {
   const all = [...values, ...(trend?.values ?? [])].filter((value): value is number => value !== null);
-  const most = Math.max(...all.map(Math.abs), 0);
-  return [lower, upper].filter((limit): limit is number => limit !== undefined && Math.abs(limit) <= 4 * most);
+  if (all.length === 0) return [];
+  const [least, most] = [Math.min(...all), Math.max(...all)];
+  const reach = Math.max(most - least, 0.5 * Math.abs(least), 0.5 * Math.abs(most));
+  return [lower, upper].filter(
+    (limit): limit is number => limit !== undefined && limit > least - reach && limit < most + reach,
+  );
 };
 
 const ends_of = ({ year, trend }: HistoryQuantity): Record<string, unknown> => {
