@@ -37,7 +37,7 @@ QuantityHistory history_of_quantity(std::span<const MachineTest> tests, const st
   std::vector<DatedValue> dated;
   dated.reserve(values.size());
   for (const auto& [test, quantity] : values) {
-    if (!tests[test].started_s) continue;
+    if (!tests[test].started_s || std::isinf(quantity->sigma)) continue;  // undetermined: it says nothing
     history.tests.push_back(test);
     dated.push_back({static_cast<double>(*tests[test].started_s), quantity->value, quantity->sigma});
   }

@@ -135,6 +135,15 @@ TEST(history, tests_without_a_date_stand_beside) {
   EXPECT_EQ(play.last_value, 1.0);
 }
 
+TEST(history, what_a_test_does_not_determine_is_no_value) {
+  std::vector<MachineTest> tests{test_on(0, 1.0), test_on(40, 50.0, std::numeric_limits<double>::infinity()),
+                                 test_on(80, 1.1)};
+  const QuantityHistory play = history_of(tests)[0].groups[0].quantities[0];
+  EXPECT_EQ(play.tests, (std::vector<std::size_t>{0, 2}));
+  EXPECT_NEAR(play.change->value, 0.1, 1e-12);
+  EXPECT_FALSE(play.trend) << "two values";
+}
+
 // A hundred times the tests take some hundred times as long, and a step that looks at all others ten thousand.
 TEST(history, time_grows_with_the_number_of_tests) {
   const auto seconds = [](int count) {

@@ -27,7 +27,7 @@ struct QuantityChange {
 struct QuantityHistory {
   std::string name, unit;
   bool of_set_up = false;          // then without change, trend and tolerance
-  std::vector<std::size_t> tests;  // with a date, by date
+  std::vector<std::size_t> tests;  // with a date, by date; those that do not determine it (sigma infinite) left out
   double last_value = 0.0;
   double last_sigma = 0.0;
   bool significant = false;  // the last value: its error is, and it is beyond kSignificantSigmas
