@@ -57,8 +57,6 @@ std::optional<double> stored_pitch_mm(const B5r& test, char axis) {
 
 MachineErrorOptions error_options(const B5r& test) {
   MachineErrorOptions options;
-  options.pitch_a_mm = stored_pitch_mm(test, 'A');
-  options.pitch_b_mm = stored_pitch_mm(test, 'B');
   if (stores_cyclic_means(test)) options.cyclic_of_runs = CyclicOfRuns::mean;
   return options;
 }

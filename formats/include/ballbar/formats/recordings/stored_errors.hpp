@@ -19,7 +19,7 @@ std::optional<double> stored_individual_circularity_um(const B5r& test, std::str
 // Pitch of the screw of axis A or B that its cyclic error was looked for with.
 std::optional<double> stored_pitch_mm(const B5r& test, char axis);
 
-// What the file tells a fit that is held against it: pitches and what a cyclic error of both runs is.
+// How a test is fitted so that the file's values can stand beside: what a cyclic error of both runs is.
 MachineErrorOptions error_options(const B5r& test);
 
 // Whether the software takes the mean of both runs for a cyclic error (versions before 20), not the larger.
