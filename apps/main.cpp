@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
   ballbar::commands::add_fit(app);
   ballbar::commands::add_drift(app);
   ballbar::commands::add_compare(app);
+  ballbar::commands::add_history(app);
   ballbar::commands::add_simulate(app);
   ballbar::commands::add_effects(app);
   ballbar::commands::add_preflight(app);

@@ -18,10 +18,8 @@ namespace {
 constexpr double kMoreThanRepeats = 1.5;  // times the repeatability: a form is left
 
 MachineErrorOptions fit_options(const ErrorsReport& report, const ErrorsOptions& options) {
-  MachineErrorOptions how;
+  MachineErrorOptions how = report.b5r ? error_options(*report.b5r) : MachineErrorOptions{};
   how.prior = options.prior;
-  if (!report.b5r) return how;
-  if (stores_cyclic_means(*report.b5r)) how.cyclic_of_runs = CyclicOfRuns::mean;
   return how;
 }
 
