@@ -122,14 +122,14 @@ TEST(MachineErrorsInNoise, NothingIsLeftInNoiseAlone) {
 }
 
 // Whatever the noise, sigma is the scatter of the value over tests: of 40, which know a scatter to 11 %.
-struct Kind {
+struct NoiseKind {
   const char* name;
   double white_um, memory_um, memory_s, resolution_um;
 };
 
-void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
+void PrintTo(const NoiseKind& kind, std::ostream* out) { *out << kind.name; }
 
-class NoiseOfAKind : public testing::TestWithParam<Kind> {};
+class NoiseOfAKind : public testing::TestWithParam<NoiseKind> {};
 
 TEST_P(NoiseOfAKind, SigmaIsTheScatterOfTests) {
   made::ErrorTest test = made::full_turn();
@@ -155,10 +155,11 @@ TEST_P(NoiseOfAKind, SigmaIsTheScatterOfTests) {
 }
 
 INSTANTIATE_TEST_SUITE_P(machine_errors, NoiseOfAKind,
-                         testing::Values(Kind{"white", 0.3, 0.0, 1.0, 0.01}, Kind{"short_memory", 0.1, 0.3, 0.1, 0.01},
-                                         Kind{"measured_like", 0.1, 0.3, 0.4, 0.01},
-                                         Kind{"long_memory", 0.05, 0.3, 1.5, 0.01},
-                                         Kind{"rounded_to_0_1_um", 0.1, 0.3, 0.4, 0.1}),
+                         testing::Values(NoiseKind{"white", 0.3, 0.0, 1.0, 0.01},
+                                         NoiseKind{"short_memory", 0.1, 0.3, 0.1, 0.01},
+                                         NoiseKind{"measured_like", 0.1, 0.3, 0.4, 0.01},
+                                         NoiseKind{"long_memory", 0.05, 0.3, 1.5, 0.01},
+                                         NoiseKind{"rounded_to_0_1_um", 0.1, 0.3, 0.4, 0.1}),
                          [](const auto& one) { return std::string(one.param.name); });
 
 // Readings that are all alike, or rounded so coarsely that most are: numbers, not NaN.
