@@ -12,9 +12,11 @@
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/error.hpp"
+#include "ballbar/fit/fit.hpp"
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/machine_errors/machine_errors.hpp"
 #include "commands.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "model/effect_options.hpp"
@@ -130,6 +132,28 @@ Term as_diagnosed(const BoundEffect& bound, const Diagnosis& diagnosis) {
   return term;
 }
 
+// The errors of the axes that are significant, the largest first, each a revision. Returns why it stopped.
+std::string add_errors(const Options& options, const ModelData& data, Story& story) {
+  const MachineErrors found =
+      with_source(options.effect.model.data.front(), [&] { return machine_errors_of_trace(data.series); });
+  for (const RankedError& one : found.ranked) {
+    const bool has = std::any_of(story.model.terms.begin(), story.model.terms.end(),
+                                 [&](const Term& term) { return term.effect.get() == one.effect; });
+    if (!one.significant || has) continue;
+    add_terms(options, data, {term_of(one.effect->name, {}, Level::recording)}, nullptr, story);
+    story.effect_tests.back().after.verdict = name_of(Verdict::named);
+  }
+  const double left_um = found.residual_rms_um;
+  return found.left ? fmt::format(
+                          "Stopped: no other error is clear among all of the axes; what is left, a wave of {} a "
+                          "turn, no effect of the catalogue explains.",
+                          found.left->harmonic)
+                    : fmt::format(
+                          "Stopped: no other error is clear among all of the axes; all of them together leave "
+                          "{:.2f} um.",
+                          left_um);
+}
+
 // Effects that diagnose() names, until it names none. Returns why it stopped.
 std::string add_named(const Options& options, const ModelData& data, Story& story, Verdict& verdict) {
   while (true) {
@@ -182,7 +206,12 @@ void run(Options options) {
   std::string stopped;
   Verdict verdict = Verdict::named;
   if (options.automatic) {
-    stopped = add_named(options, data, story, verdict);
+    if (is_of_machine_errors(story.model, data.series)) {
+      stopped = add_errors(options, data, story);
+      verdict = Verdict::nothing;
+    } else {
+      stopped = add_named(options, data, story, verdict);
+    }
   } else {
     add_terms(options, data, terms_of(options.effect.effects, story.model, data), nullptr, story);
   }

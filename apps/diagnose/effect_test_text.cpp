@@ -52,7 +52,7 @@ Table added_table(const EffectTest& effect_test) {
                std::isfinite(tried.amplitude_sigma_um)
                    ? with_sigma(tried.amplitude_um, tried.amplitude_sigma_um, digits_of(tried.amplitude_um))
                    : fixed(tried.amplitude_um, digits_of(tried.amplitude_um)),
-               fixed(tried.likelihood_ratio, 1), fixed(kLeastLikelihoodRatio, 1),
+               fixed(tried.likelihood_ratio, 1), fixed(tried.threshold, 1),
                effect_test.added.size() == 1 ? percent(fall) : "-", percent(tried.best_surrogate_fall)});
   }
   return table;
@@ -137,6 +137,13 @@ std::string tables(const EffectTest& effect_test) {
   std::string text = figures(effect_test).text(kWidest) + "\n" + added_table(effect_test).text(kWidest);
   if (!effect_test.earlier.empty()) text += "\n" + earlier_table(effect_test).text(kWidest);
   text += "\n" + parameter_table(effect_test).text(kWidest);
+  if (effect_test.after.level == Level::recording && !std::isfinite(effect_test.after.best_surrogate_fall)) {
+    return text + "\n" +
+           wrapped(
+               "Each error has the value that it has beside all errors of the axes, sigma by the noise that these "
+               "leave together. 2 ln LR: of all its gains together (chi^2); it counts from where noise shows as "
+               "much among all of them in 1 % of tests. Left-out recordings: CCW from CW and the other way round.");
+  }
   return text + "\n" +
          wrapped(fmt::format(
              "2 ln LR: 2 ln of the likelihood ratio, the noise estimated anew on both sides; {:.0f} is d = 5. It holds "
@@ -167,7 +174,7 @@ nlohmann::ordered_json json_of(const EffectTest& effect_test) {
                                {"amplitude_um", number(tried.amplitude_um)},
                                {"amplitude_sigma_um", number(tried.amplitude_sigma_um)},
                                {"likelihood_ratio", number(tried.likelihood_ratio)},
-                               {"threshold", kLeastLikelihoodRatio},
+                               {"threshold", number(tried.threshold)},
                                {"best_surrogate_fall", number(tried.best_surrogate_fall)},
                                {"p_same_gain", number(tried.p_same_gain)},
                                {"time_only", term.effect->time_only},

@@ -21,8 +21,6 @@ MachineErrorOptions fit_options(const ErrorsReport& report, const ErrorsOptions&
   MachineErrorOptions how;
   how.prior = options.prior;
   if (!report.b5r) return how;
-  how.pitch_a_mm = stored_pitch_mm(*report.b5r, 'A');
-  how.pitch_b_mm = stored_pitch_mm(*report.b5r, 'B');
   if (stores_cyclic_means(*report.b5r)) how.cyclic_of_runs = CyclicOfRuns::mean;
   return how;
 }

@@ -104,6 +104,7 @@ Fit fit_of(const ModelOptions& options, const Model& model, const ModelData& dat
   FitOptions how;
   how.robust = options.robust;
   how.white = options.white;
+  how.beside_all_errors = !options.white && !options.robust;
   return with_source(options.data.front(), [&] { return fit(model, data.series, target, how); });
 }
 

@@ -69,9 +69,19 @@ std::string file_name(const fs::path& path) {
                                                      : name.string();
 }
 
+// Of several tests the page says each conclusion with its table.
+void add_machine_errors(Made& made, const Fitted& fitted) {
+  MachineErrorsPart part = machine_errors_part(fitted);
+  for (const std::string& remark : part.remarks) made.json["fit"]["remarks"].push_back(remark);
+  if (part.tests.empty()) return;
+  if (part.conclusions.size() == 1) made.conclude(part.conclusions.front());
+  made.json["machine_errors"] = std::move(part.tests);
+}
+
 void add_recordings(Made& made, const Options& options) {
   const Fitted fitted = fit_files(options.model.data, {});
   made.json["fit"] = recordings_part(fitted);
+  add_machine_errors(made, fitted);
   const std::string& test_name = fitted.recordings.front().test_name;
   const bool one_name = std::all_of(fitted.recordings.begin(), fitted.recordings.end(),
                                     [&](const FittedRecording& one) { return one.test_name == test_name; });
@@ -91,7 +101,9 @@ void add_session(Made& made, const SessionFiles& files, const Options& options) 
   made.json["title"] = session.title.empty() ? file_name(path) : session.title;
   std::vector<std::string> recordings;
   for (const TestFile& one : files.recordings) recordings.push_back(one.file.string());
-  made.json["fit"] = recordings_part(fit_files(recordings, {}), files);
+  const Fitted fitted = fit_files(recordings, {});
+  made.json["fit"] = recordings_part(fitted, files);
+  add_machine_errors(made, fitted);
   const DriftSeries drift = drift_of(session);
   made.json["drift"] = drift_part(drift);
   for (const std::string& largest : largest_drifts(drift)) made.conclude(fmt::format("Largest drift: {}.", largest));

@@ -32,6 +32,15 @@ nlohmann::ordered_json recordings_part(const Fitted& fitted, const SessionFiles&
 void overlay(nlohmann::ordered_json& recordings, const std::string& effect, const std::vector<double>& values_um,
              const Fit& fit, const Series& trace);
 
+// The errors of a machine from each test of two linear axes among these, with the curves that the page draws. One that
+// cannot be fitted is a remark.
+struct MachineErrorsPart {
+  nlohmann::ordered_json tests;
+  std::vector<std::string> conclusions;  // one a test
+  std::vector<std::string> remarks;
+};
+MachineErrorsPart machine_errors_part(const Fitted& fitted);
+
 nlohmann::ordered_json drift_part(const DriftSeries& drift);
 nlohmann::ordered_json probes_part(const MeasuredDrift& drift);
 nlohmann::ordered_json signals_part(const std::string& source, const Series& series);

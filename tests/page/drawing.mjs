@@ -70,6 +70,31 @@ export const axes = ({ texts }, plot = 0) => {
   };
 };
 
+// Of a magnified circle: { place: (angle_deg, value_um) => [x, y] in pixels, per_px }. Its ring of the nominal length is
+// the line of 121 points; numbers are written at the rings, along a ray, and must lie on them.
+export const polar = ({ paths, texts }) => {
+  const rings = paths.filter((one) => one.points.length === 121);
+  if (rings.length !== 1) throw new Error(`${rings.length} rings of the nominal length`);
+  const [{ x, y, points }] = rings;
+  const nominal_px = Math.hypot(points[0][0] - x, points[0][1] - y);
+  const named = texts
+    .map((one) => ({ value: /^[+-]\d+(\.\d+)?$/.test(one.text) ? Number(one.text) : NaN, px: Math.hypot(one.x - x, one.y - y) }))
+    .filter(({ value, px }) => Number.isFinite(value) && px > 30);
+  if (named.length < 2) throw new Error(`${named.length} numbers at the rings`);
+  const most = named.reduce((a, b) => (a.value > b.value ? a : b));
+  const per_px = most.value / (most.px - nominal_px);
+  for (const { value, px } of named) {
+    if (Math.abs(nominal_px + value / per_px - px) > 1.5) throw new Error(`${value} is written ${px} from the middle`);
+  }
+  return {
+    per_px,
+    place: (angle_deg, value_um) => {
+      const [t, r] = [(angle_deg * Math.PI) / 180, nominal_px + value_um / per_px];
+      return [x + r * Math.cos(t), y - r * Math.sin(t)];
+    },
+  };
+};
+
 // The marks of a colour as [x, value, ...], in the order drawn.
 export const marks = ({ paths }, { x, y }, colour) =>
   paths.filter((one) => one.fill === colour && !one.legend).map((one) => [x.at(one.x), y.at(one.y)]);

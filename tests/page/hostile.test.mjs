@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { figure, launched, opened, saved, seen } from "./browser.mjs";
+import { data_of, page_with, with_errors } from "./machine_errors.mjs";
 import { folder, of_run, report, run } from "./reports.mjs";
 
 const image = "<img src=x onerror=alert(1)>";
@@ -60,6 +61,22 @@ const of_recordings = () => {
   return report("hostile-recordings", ...paths);
 };
 
+// No file gives such names to the errors of a machine; the page does not rely on that.
+const of_errors = async () => {
+  const file = with_errors("hostile-errors-named", await report("hostile-errors-plain", of_run("qc20-style-b5r", "00.b5r")), {
+    squareness: image,
+    straightness_b: `${rich}${turned}_${formula}`,
+    backlash_a: `__proto___${long}`,
+  });
+  const data = data_of(file);
+  const parts = data.machine_errors.flatMap((part) => {
+    const errors = part.errors.map((row) => ({ ...row, unit: `${script}${long}`, remedy: row.effect && `${script}${turned}${long}` }));
+    const said = { conclusion: `${image}${turned}`, left_text: `${script}${long}`, tolerances: [`${script}${turned}`], file: { machine: `${image}${long}`, [script]: rich, started_s: 1e99 }, undetermined: [image, long], prior: [{ name: script, sigma: 1, unit: image }] };
+    return ["", long].map((more) => ({ ...part, ...said, errors, files: [`${script}${rich}${turned}${more}`] }));
+  });
+  return page_with("hostile-errors", file, { ...data, machine_errors: parts });
+};
+
 let browser;
 before(async () => {
   browser = await launched();
@@ -97,6 +114,7 @@ const cases = [
   ["series", of_series, [image, rich, formula]],
   ["session", of_session, [script, image, rich]],
   ["recordings", of_recordings, [image]],
+  ["errors of a machine", of_errors, [image, script]],
 ];
 
 for (const [what, make, shown] of cases) {

@@ -5,7 +5,7 @@ import { readFileSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { launched, opened, figure, saved, seen } from "./browser.mjs";
-import { axes, drawing, lines, marks } from "./drawing.mjs";
+import { axes, drawing, lines, marks, polar } from "./drawing.mjs";
 import { folder, json_of, of_run, report, run as ballbar, two_arcs } from "./reports.mjs";
 import { session } from "./session.mjs";
 
@@ -282,24 +282,12 @@ test("recording: unrolled, CSV and SVG have the readings of 00-c.csv", async () 
 test("recording: on the circle, the SVG has the readings of 00-c.csv", async () => {
   const drawn = await svg("recording-circle");
   const hue = await colour("recording-circle", "trace0");
-  // The ring of the nominal length: where all of a circle is, less the readings, the fitted circle and marks.
-  const rings = drawn.paths.filter((one) => one.points.length === 121);
-  assert.equal(rings.length, 1);
-  const centre = rings[0];
-  const nominal_px = Math.hypot(rings[0].points[0][0] - centre.x, rings[0].points[0][1] - centre.y);
-  // Numbers are written at the rings, along a ray.
-  const named = drawn.texts
-    .filter((one) => /^[+-]\d+(\.\d+)?$/.test(one.text) && Math.hypot(one.x - centre.x, one.y - centre.y) > 30)
-    .map((one) => [Math.hypot(one.x - centre.x, one.y - centre.y), Number(one.text)]);
-  assert.ok(named.length >= 2, "numbers at the rings");
-  const per_px = Math.max(...named.map((one) => one[1])) / (named.find((one) => one[1] === Math.max(...named.map((one) => one[1])))[0] - nominal_px);
-  for (const [px, value] of named) assert.ok(Math.abs(nominal_px + value / per_px - px) < 1.5, `${value} is written ${px} from the middle`);
+  const { place } = polar(drawn);
   const trace = drawn.paths.filter((one) => one.stroke === hue && !one.legend).sort((a, b) => b.points.length - a.points.length)[0].points;
   assert.equal(trace.length, readings.angle_deg.length);
   trace.forEach(([x, y], k) => {
-    const t = (readings.angle_deg[k] * Math.PI) / 180;
-    const r = nominal_px + deviation_um[k] / per_px;
-    const beside = Math.hypot(x - (centre.x + r * Math.cos(t)), y - (centre.y - r * Math.sin(t)));
+    const [px, py] = place(readings.angle_deg[k], deviation_um[k]);
+    const beside = Math.hypot(x - px, y - py);
     assert.ok(beside < 1.5, `reading ${k} is drawn ${beside} pixels beside its place`);
   });
 });

@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { launched, opened, seen } from "./browser.mjs";
 import { long_series } from "./long_series.mjs";
+import { with_errors } from "./machine_errors.mjs";
 import { batch, folder, hidden_effect, of_run, report, two_arcs } from "./reports.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -20,8 +21,13 @@ const comparison = ["comparison-x", "comparison-y", "comparison-z"];
 const cases = [
   ["two-arcs", two_arcs, ["drift", "five-probe", "five-probe-tilt", "speed", "temperatures", ...comparison, ...recordings, ...all_tests, ...model("y_um"), ...diagnosis]],
   ["spindle-rotation", (name) => report(name, of_run("spindle-rotation-huang2022")), ["drift", "speed", "temperatures", ...recordings, ...all_tests, "axial"]],
-  ["b5r", (name) => report(name, of_run("qc20-style-b5r", "00.b5r"), "--diagnose"), [...recordings, ...model("deviation_um").slice(0, 3), ...diagnosis]],
-  ["b5r-folder", (name) => report(name, of_run("qc20-style-b5r")), ["drift", ...recordings, ...all_tests]],
+  ["b5r", (name) => report(name, of_run("qc20-style-b5r", "00.b5r"), "--diagnose"), ["machine-errors", ...recordings, ...model("deviation_um").slice(0, 3), ...diagnosis]],
+  ["b5r-folder", (name) => report(name, of_run("qc20-style-b5r")), ["machine-errors", "drift", ...recordings, ...all_tests]],
+  [
+    "errors",
+    async (name) => with_errors(name, await report(`${name}-of`, of_run("qc20-style-b5r"))),
+    ["machine-errors", "drift", ...recordings, ...all_tests],
+  ],
   ["five-probe", (name) => report(name, of_run("two-arcs-he2015", "five-probe.csv")), ["five-probe", "five-probe-tilt", "measured"]],
   ["hidden-effect", hidden_effect, ["measured", "speed", "temperatures", ...model("y_um"), ...diagnosis, "ledger"]],
   ["batch", batch, ["measured", "speed", "temperatures", "batch", "batch-range", "batch-weights"]],
@@ -33,7 +39,7 @@ const cases = [
   ],
 ];
 
-const in_the_dark = ["two-arcs", "hidden-effect", "batch"]; // all kinds of sections; colours are the only difference
+const in_the_dark = ["two-arcs", "errors", "hidden-effect", "batch"]; // all kinds of sections; colours are the only difference
 
 let browser;
 const pages = {};

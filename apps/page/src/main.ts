@@ -18,10 +18,11 @@ const files_of = (files: readonly string[]): HTMLElement => {
   return files.length <= 3 ? list : element("details", {}, element("summary", {}, `From ${files.length} files`), list);
 };
 
-const header_of = (report: Report): HTMLElement =>
+// Short above a section that is to be seen on the first screen.
+const header_of = (report: Report, short: boolean): HTMLElement =>
   element(
     "header",
-    {},
+    short ? { class: "short" } : {},
     text_in("h1", report.title),
     files_of(report.files),
     element("p", { class: "made" }, `Made by ${report.made_by} on ${report.made_on}.`),
@@ -52,7 +53,8 @@ const open = (report: Report): Shared => {
   const sections = sections_of(report);
   const parts = sections.map((section) => section_of(section, shared));
   const main = element("main", {}, summary_of(report), ...parts);
-  document.body.append(contents_of(sections, appearance(shared)), header_of(report), main, voice);
+  const short = sections[0]?.beside !== undefined;
+  document.body.append(contents_of(sections, appearance(shared)), header_of(report, short), main, voice);
   // What is on the screen is drawn at once; the rest when it comes near.
   for (const figure of shared.figures.values()) {
     if (figure.element.getBoundingClientRect().top < innerHeight) figure.draw_now();

@@ -64,7 +64,36 @@ export interface TextTable {
   heading: readonly string[];
   rows: readonly (readonly string[])[];
   // Rows that, hovered or focused, choose something in a picture of the same section.
-  choose?: { picture: string; key: string; values: readonly string[] };
+  choose?: Choosing;
+  // Shares of the largest, 0 to 1, drawn below the text of a column's cells.
+  bars?: { column: number; shares: readonly Num[] };
+}
+
+export interface Choosing {
+  picture: string;
+  key: string; // of the choice
+  values: readonly string[]; // one a row
+  focus_keeps?: boolean; // what the focus came to stays chosen when it goes
+  space?: string; // key of a toggle that the space bar switches
+}
+
+export interface List {
+  title: string;
+  items: readonly string[];
+}
+
+// What stands beside a picture and below both, and tells of what is chosen in the picture.
+export interface Beside {
+  picture: string;
+  key: string; // of the choice that it tells of
+  told: (chosen: string) => Told;
+}
+
+export interface Told {
+  beside: TextTable;
+  sentences: readonly string[]; // below, as the rest
+  lists: readonly List[];
+  tables: readonly TextTable[];
 }
 
 export interface Section {
@@ -73,5 +102,6 @@ export interface Section {
   sentences: readonly string[];
   tables: readonly TextTable[];
   pictures: readonly Picture[];
-  lists?: readonly { title: string; items: readonly string[] }[];
+  lists?: readonly List[];
+  beside?: Beside;
 }

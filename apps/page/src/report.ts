@@ -79,6 +79,38 @@ export interface FitPart {
   remarks: string[];
 }
 
+// The errors of a machine from one test, ranked: the keys of `diagnose --json` of recordings, and what the page draws.
+export interface MachineErrorRow {
+  name: string; // "squareness", "backlash_a_pos", "centre_a"
+  effect?: string; // whose curve is its own, as in `curves`; one of the circle has none and is not ranked
+  value: Num;
+  sigma: Num;
+  unit: string;
+  predicts_other_run: boolean | null;
+  individual_circularity_um: Num; // this and what follows but `stored` are alike in all rows of an effect
+  share_percent: Num;
+  rank: number | null; // null: not significant
+  stored: Num;
+  stored_rank: number | null;
+  circularity_without_um: Num;
+  remedy?: string;
+}
+export interface MachineErrorsPart {
+  files: string[];
+  file?: Record<string, string | number>; // what the only file states: machine, operator, serial_number ...
+  recordings: number[]; // places in fit.recordings
+  errors: MachineErrorRow[];
+  circularity_um: Num;
+  undetermined: string[];
+  prior: { name: string; sigma: Num; unit: string }[];
+  conclusion: string;
+  left_text: string; // what the errors do not explain
+  tolerances: string[];
+  // for the page, at the readings of each recording
+  circle_um: Num[][]; // the fitted circle: centre and scale of all recordings together
+  curves: Record<string, Num[][]>; // by effect: what it adds
+}
+
 export interface DriftPoint {
   time_s: number;
   [key: string]: Num; // x_um, x_sigma_um, ... elongation_correction_um
@@ -257,6 +289,7 @@ export interface Report {
   files: string[];
   summary: string[]; // the conclusions, whole sentences, first to be read
   fit?: FitPart;
+  machine_errors?: MachineErrorsPart[]; // one a test
   drift?: DriftPart;
   five_probe?: ProbesPart;
   compare?: ComparePart;

@@ -4,6 +4,7 @@ import { comparison_section } from "./comparison/comparison";
 import { diagnosis_sections } from "./diagnosis/diagnosis";
 import { drift_section } from "./drift/drift";
 import { ledger_section } from "./diagnosis/ledger";
+import { machine_errors_section } from "./machine_errors/machine_errors";
 import { mean_point_section } from "./mean_point/mean_point";
 import { model_sections } from "./model/model";
 import type { Section } from "./picture";
@@ -11,6 +12,7 @@ import { recordings_section } from "./recordings/recordings";
 import type { Report } from "./report";
 
 export const sections_of = (report: Report): Section[] => [
+  ...machine_errors_section(report),
   ...drift_section(report),
   ...comparison_section(report),
   ...recordings_section(report),

@@ -8,6 +8,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/formats/recordings/stored_errors.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/units.hpp"
 #include "recordings/b5r_parts.hpp"
@@ -199,6 +200,10 @@ RecordingFile b5r_file(std::string_view bytes, std::string_view name) {
   RecordingFile file;
   file.b5r = read_b5r(bytes, name);
   file.recordings = std::exchange(file.b5r->runs, {});
+  for (Recording& recording : file.recordings) {
+    recording.pitch_a_mm = stored_pitch_mm(*file.b5r, 'A');
+    recording.pitch_b_mm = stored_pitch_mm(*file.b5r, 'B');
+  }
   file.remarks = std::exchange(file.b5r->remarks, {});
   return file;
 }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kBetweenSweeps_s = 1.0;
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kColumns = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kColumns = {{
     {"angle", "angle_rad"},
     {"direction", "direction"},
     {"feed", "feed_mm_per_min"},
@@ -29,6 +29,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kColumns 
     {"sweep", "sweep_s"},
     {"bar", "bar_degC"},
     {"recording", "recording"},
+    {"linear_axes", "linear_axes"},
+    {"pitch_a", "pitch_a_mm"},
+    {"pitch_b", "pitch_b_mm"},
 }};
 
 // From one reading to the next where the recording has no times: T / n with the sweep's time T = L arc / V.
@@ -94,7 +97,10 @@ Series trace_of(std::span<const Recording> recordings) {
                               recording.height_offset_mm,
                               times[i] - middle_s,
                               recording.bar_temperature_degC.value_or(kNotStated),
-                              static_cast<double>(k)};
+                              static_cast<double>(k),
+                              recording.motion == Motion::linear_axes ? 1.0 : 0.0,
+                              recording.pitch_a_mm.value_or(kNotStated),
+                              recording.pitch_b_mm.value_or(kNotStated)};
       static_assert(std::tuple_size_v<decltype(row)> == 1 + kColumns.size());
       for (std::size_t column = 0; column < row.size(); ++column) trace.columns[column].values.push_back(row[column]);
     }

@@ -9,6 +9,7 @@
 #include "fit/fit_uncertainty.hpp"
 #include "fit/inlier_rows.hpp"
 #include "fit/irls_and_gls.hpp"
+#include "fit/machine_error_fit.hpp"
 #include "fit/multi_start.hpp"
 #include "fit/robust_weights.hpp"
 #include "fit/series_cost.hpp"
@@ -96,6 +97,9 @@ Eigen::VectorXd values_of(const std::vector<FittedParameter>& parameters) {
 
 Fit fit(const Model& model, const Series& data, std::size_t target, const FitOptions& options) {
   expect_suits(model, data);
+  if (options.beside_all_errors && is_of_machine_errors(model, data)) {
+    return fit_of_machine_errors(model, data, target, error_fitted(data, MachineErrorOptions{}));
+  }
   Fit result;
   result.target = model.targets.at(target);
   const Column& column = *find_column(data, result.target);

@@ -164,13 +164,8 @@ double best_shape(const Effect& effect, const std::vector<double>& shapes, const
   return best;
 }
 
-struct Parts {
-  ErrorColumns together, cyclic, extra;
-  std::vector<FittedEffect> effects;  // columns within their part, the other parts before them added later
-};
-
-std::optional<double> known_pitch(const Effect& effect, const MachineErrorOptions& options) {
-  return effect.rules.reversal_deg == 0.0 ? options.pitch_a_mm : options.pitch_b_mm;
+std::optional<double> known_pitch(const Effect& effect, const ErrorSetUp& set_up) {
+  return effect.rules.reversal_deg == 0.0 ? set_up.pitch_a_mm : set_up.pitch_b_mm;
 }
 
 }  // namespace
@@ -206,13 +201,13 @@ Eigen::VectorXd ErrorFitted::residual() const {
   return left;
 }
 
-ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, double arc_rad, double middle_rad,
-                         double length_mm, double height_mm) {
+ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, const ErrorSetUp& set_up) {
   ErrorFitted fitted;
+  fitted.arc_rad = set_up.arc_rad;
   fitted.rows = std::move(rows);
   const ErrorRows& of = fitted.rows;
   const ErrorColumns circle = circle_columns(of);
-  free_of_second_order(fitted, circle, length_mm, height_mm);
+  free_of_second_order(fitted, circle, set_up.length_mm, set_up.height_mm);
   const Eigen::VectorXd far =
       of.count.cwiseProduct((of.from_reversal_deg.array() > kAtReversal_deg).cast<double>().matrix());
 
@@ -227,7 +222,7 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, dou
         cyclic_effects.push_back(effect.get());
         break;
       case ErrorFit::where_it_shows:
-        if (arc_rad < kFullTurn_rad) {
+        if (set_up.arc_rad < kFullTurn_rad) {
           fitted.undetermined.push_back(effect->name + ", for which a full turn is needed");
           break;
         }
@@ -243,7 +238,7 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, dou
   pointers.reserve(parts.size());
   for (const ErrorColumns& part : parts) pointers.push_back(&part);
   const ErrorColumns together = joined(pointers);
-  const std::vector<PriorStatement> statements = prior_of(together, arc_rad, middle_rad);
+  const std::vector<PriorStatement> statements = prior_of(together, set_up.arc_rad, set_up.middle_rad);
   if (options.prior) fitted.prior = statements;
   const Eigen::MatrixXd precision = precision_of(fitted.prior, together.size());
 
@@ -261,7 +256,7 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, dou
       const double from_deg = from_reversal_deg(of.angle_rad[i], effect->rules.reversal_deg);
       if (from_deg < kFromOwnReversal_deg[0] || from_deg > kFromOwnReversal_deg[1]) weight[i] = 0.0;
     }
-    const std::optional<double> known = known_pitch(*effect, options);
+    const std::optional<double> known = known_pitch(*effect, set_up);
     const Parameter& pitch = effect->parameters[shape_of(*effect)];
     const std::vector<double> tried = known ? std::vector<double>{*known} : pitch.grid;
     pitches.push_back(tried.size() == 1 ? tried.front()

@@ -31,6 +31,7 @@ struct ErrorFitted {
   std::vector<std::string> undetermined;
   Eigen::VectorXd second_order_um;  // of the fine rows, taken off
   double slow_variance_um2 = 0.0;
+  double arc_rad = 0.0;
 
   // Fine rows of the curve of one effect; nullptr: the circles.
   Eigen::VectorXd fine_curve(const Effect* effect) const;
@@ -44,7 +45,20 @@ double p_of(const Eigen::VectorXd& values, const Eigen::MatrixXd& covariance);
 // Significance of one effect among `looked_at`: 1 % that any is found in noise.
 inline constexpr double kFalseErrors = 0.01;
 
-ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, double arc_rad, double middle_rad,
-                         double length_mm, double height_mm);
+// What is the same for all readings of a test.
+struct ErrorSetUp {
+  double arc_rad = 0.0;     // that the longest recording covers
+  double middle_rad = 0.0;  // mean direction of all readings
+  double length_mm = 0.0, height_mm = 0.0;
+  std::optional<double> pitch_a_mm, pitch_b_mm;
+};
+
+ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, const ErrorSetUp& set_up);
+
+// Of trace_of() recordings of one plane, one bar and linear axes.
+ErrorFitted error_fitted(const Series& trace, const MachineErrorOptions& options);
+
+// Deviation freed of the fitted centre: readings of the trace.
+std::vector<double> freed_of_centre(const ErrorFitted& fitted, const Series& trace);
 
 }  // namespace ballbar

@@ -3,7 +3,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <set>
 
 #include "numerics/tails.hpp"
 
@@ -88,36 +90,75 @@ Eigen::MatrixXd shared_gains(const ErrorFitted& fitted, const FittedEffect& effe
   return means;
 }
 
+// Columns of some effects, those that recordings have of their own put together, and what they add as fitted.
+struct OwnColumns {
+  Eigen::MatrixXd columns;
+  Eigen::VectorXd fitted;  // 0 of an effect that is not in the fit
+};
+OwnColumns own_columns(const ErrorFitted& fitted, const std::set<const Effect*>& effects) {
+  const Eigen::Index n = fitted.rows.size();
+  std::map<std::pair<const Effect*, std::size_t>, Eigen::VectorXd> by_gain;
+  OwnColumns own{{}, Eigen::VectorXd::Zero(n)};
+  for (const FittedEffect& effect : fitted.effects) {
+    if (!effects.contains(effect.effect)) continue;
+    for (const std::size_t k : effect.columns) {
+      const auto column = fitted.columns.values.col(static_cast<Eigen::Index>(k));
+      const std::pair key{effect.effect, fitted.columns.columns[k].gain};
+      by_gain.try_emplace(key, Eigen::VectorXd::Zero(n)).first->second += column;
+      if (effect.in_the_fit) own.fitted += fitted.gains[static_cast<Eigen::Index>(k)] * column;
+    }
+  }
+  own.columns.resize(n, static_cast<Eigen::Index>(by_gain.size()));
+  Eigen::Index at = 0;
+  for (const auto& [key, column] : by_gain) own.columns.col(at++) = column;
+  return own;
+}
+
+struct Directions {
+  Eigen::VectorXd ccw, cw;  // weights of the rows
+
+  bool both() const { return ccw.sum() > 0.0 && cw.sum() > 0.0; }
+};
+Directions directions_of(const ErrorRows& rows) {
+  const Eigen::VectorXd ccw = (rows.direction.array() > 0.0).cast<double>() * rows.count.array();
+  return {ccw, rows.count - ccw};
+}
+
+// Squares that are left in each direction, the gains from the other.
+double squares_left(const OwnColumns& own, const Eigen::VectorXd& data, const Directions& directions) {
+  double left = 0.0;
+  for (const auto& [from, to] :
+       {std::pair{&directions.ccw, &directions.cw}, std::pair{&directions.cw, &directions.ccw}}) {
+    Eigen::VectorXd predicted = Eigen::VectorXd::Zero(data.size());
+    if (own.columns.cols() > 0) {
+      const Eigen::MatrixXd weighted = from->asDiagonal() * own.columns;
+      Eigen::MatrixXd normal = own.columns.transpose() * weighted;
+      normal.diagonal() *= 1.0 + 1e-9;
+      normal.diagonal().array() += 1e-12;
+      predicted = own.columns * normal.llt().solve(weighted.transpose() * data);
+    }
+    left += to->dot((data - predicted).cwiseAbs2());
+  }
+  return left;
+}
+
 // Its gains from the rows of one direction alone, all else as fitted: do they lower what is left in the other?
 std::optional<bool> predicts_other(const ErrorFitted& fitted, const FittedEffect& effect,
-                                   const Eigen::VectorXd& residual) {
-  const Eigen::Index n = fitted.rows.size();
-  std::map<std::size_t, Eigen::VectorXd> by_gain;  // recordings' own put together
-  Eigen::VectorXd curve = Eigen::VectorXd::Zero(n);
-  for (const std::size_t k : effect.columns) {
-    const auto column = fitted.columns.values.col(static_cast<Eigen::Index>(k));
-    Eigen::VectorXd& sum = by_gain.try_emplace(fitted.columns.columns[k].gain, Eigen::VectorXd::Zero(n)).first->second;
-    sum += column;
-    if (effect.in_the_fit) curve += fitted.gains[static_cast<Eigen::Index>(k)] * column;
+                                   const Eigen::VectorXd& residual, const Directions& directions) {
+  if (!directions.both()) return std::nullopt;
+  const OwnColumns own = own_columns(fitted, {effect.effect});
+  const Eigen::VectorXd data = residual + own.fitted;
+  return squares_left(own, data, directions) < fitted.rows.count.dot(data.cwiseAbs2());
+}
+
+// A chi^2 of so many degrees of freedom that noise exceeds with this chance.
+double chi2_of_p(double p, std::size_t degrees) {
+  double low = 0.0, high = 200.0;
+  for (int step = 0; step < 60; ++step) {
+    const double middle = 0.5 * (low + high);
+    (chi2_upper_tail(middle, degrees) > p ? low : high) = middle;
   }
-  Eigen::MatrixXd columns(n, static_cast<Eigen::Index>(by_gain.size()));
-  Eigen::Index at = 0;
-  for (const auto& [gain, column] : by_gain) columns.col(at++) = column;
-  const Eigen::VectorXd data = residual + curve;
-  const Eigen::VectorXd ccw = (fitted.rows.direction.array() > 0.0).cast<double>() * fitted.rows.count.array();
-  const Eigen::VectorXd cw = fitted.rows.count - ccw;
-  if (!(ccw.sum() > 0.0) || !(cw.sum() > 0.0)) return std::nullopt;
-  double lowers = 0.0;
-  for (const auto& [from, to] : {std::pair{&ccw, &cw}, std::pair{&cw, &ccw}}) {
-    const Eigen::MatrixXd weighted = from->asDiagonal() * columns;
-    Eigen::MatrixXd normal = columns.transpose() * weighted;
-    normal.diagonal() *= 1.0 + 1e-9;
-    normal.diagonal().array() += 1e-12;
-    const Eigen::VectorXd gains = normal.llt().solve(weighted.transpose() * data);
-    const Eigen::VectorXd predicted = columns * gains;
-    lowers += to->dot(data.cwiseAbs2()) - to->dot((data - predicted).cwiseAbs2());
-  }
-  return lowers > 0.0;
+  return high;
 }
 
 }  // namespace
@@ -159,6 +200,7 @@ ErrorTable error_table(const ErrorFitted& fitted, CyclicOfRuns cyclic_of_runs) {
 
 std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTable& table) {
   const Eigen::VectorXd residual = fitted.residual();
+  const Directions directions = directions_of(fitted.rows);
   std::vector<RankedError> ranked;
   ranked.reserve(fitted.effects.size());
   double sum_um = 0.0;
@@ -176,10 +218,15 @@ std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTab
     one.individual_circularity_um = curve.maxCoeff() - curve.minCoeff();
     sum_um += one.individual_circularity_um;
     const Eigen::MatrixXd shared = shared_gains(fitted, effect);
-    one.p_value =
-        std::min(1.0, effect.searched * p_of(shared * fitted.gains, shared * fitted.covariance * shared.transpose()));
-    one.predicts_other_run = predicts_other(fitted, effect, residual);
-    one.significant = one.p_value * static_cast<double>(fitted.effects.size()) < kFalseErrors;
+    const Eigen::VectorXd values = shared * fitted.gains;
+    const Eigen::MatrixXd covariance = shared * fitted.covariance * shared.transpose();
+    const auto looked_at = static_cast<double>(fitted.effects.size());
+    one.chi2 = values.dot(covariance.ldlt().solve(values));
+    one.chi2_needed =
+        chi2_of_p(kFalseErrors / (looked_at * effect.searched), static_cast<std::size_t>(values.size()));
+    one.p_value = std::min(1.0, effect.searched * p_of(values, covariance));
+    one.predicts_other_run = predicts_other(fitted, effect, residual, directions);
+    one.significant = one.p_value * looked_at < kFalseErrors;
     const bool of_each_recording = fitted.columns.columns[effect.columns.front()].recording.has_value();
     if (of_each_recording && one.predicts_other_run == false) one.significant = false;
     if (clearest >= kRanked || one.significant) one.rank = 0;
@@ -189,11 +236,39 @@ std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTab
     return a.individual_circularity_um > b.individual_circularity_um;
   });
   std::size_t rank = 0;
+  std::set<const Effect*> taken;
   for (RankedError& one : ranked) {
+    taken.insert(one.effect);
+    one.rms_with_um = rms_with_um(fitted, taken);
     one.share_percent = sum_um > 0.0 ? 100.0 * one.individual_circularity_um / sum_um : 0.0;
     if (one.rank) one.rank = ++rank;
   }
   return ranked;
+}
+
+double held_out_rms_um(const ErrorFitted& fitted, const std::set<const Effect*>& effects) {
+  const Directions directions = directions_of(fitted.rows);
+  if (!directions.both()) return std::numeric_limits<double>::quiet_NaN();
+  // What the model does not have is left in the data.
+  std::set<const Effect*> all;
+  for (const FittedEffect& effect : fitted.effects) all.insert(effect.effect);
+  const Eigen::VectorXd data = fitted.residual() + own_columns(fitted, all).fitted;
+  return std::sqrt(squares_left(own_columns(fitted, effects), data, directions) / fitted.rows.count.sum());
+}
+
+double rms_with_um(const ErrorFitted& fitted, const std::set<const Effect*>& effects) {
+  Eigen::VectorXd left = fitted.rows.deviation_um - own_columns(fitted, effects).fitted;
+  Eigen::Index circles = 0;
+  while (circles < fitted.columns.size() &&
+         fitted.columns.columns[static_cast<std::size_t>(circles)].effect == nullptr) {
+    ++circles;
+  }
+  const Eigen::MatrixXd columns = fitted.columns.values.leftCols(circles);
+  const Eigen::MatrixXd weighted = fitted.rows.count.asDiagonal() * columns;
+  Eigen::MatrixXd normal = columns.transpose() * weighted;
+  normal.diagonal() *= 1.0 + 1e-9;
+  left -= columns * normal.llt().solve(weighted.transpose() * left);
+  return std::sqrt(left.cwiseAbs2().dot(fitted.rows.count) / fitted.rows.count.sum());
 }
 
 }  // namespace ballbar

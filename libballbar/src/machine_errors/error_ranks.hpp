@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <set>
 #include <vector>
 
 #include "ballbar/machine_errors/machine_errors.hpp"
@@ -20,5 +21,12 @@ ErrorTable error_table(const ErrorFitted& fitted, CyclicOfRuns cyclic_of_runs);
 
 // Falling IC. A rank wants a row of 2.6 sigma.
 std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTable& table);
+
+// RMS of the rows of one direction, the errors of these effects taken from the readings of the other (all else as
+// fitted), both ways; one direction alone: NaN.
+double held_out_rms_um(const ErrorFitted& fitted, const std::set<const Effect*>& effects);
+
+// RMS that the circles leave, fitted anew beside the errors of these effects.
+double rms_with_um(const ErrorFitted& fitted, const std::set<const Effect*>& effects);
 
 }  // namespace ballbar

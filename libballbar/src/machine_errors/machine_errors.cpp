@@ -43,47 +43,6 @@ void expect_one_plane(std::span<const Recording> recordings) {
   }
 }
 
-struct Arc {
-  double arc_rad = 2.0 * kPi;
-  double middle_rad = 0.0;
-};
-
-// What all recordings cover, about the mean direction of their readings.
-Arc arc_of(std::span<const Recording> recordings) {
-  double cos = 0.0, sin = 0.0;
-  Arc arc{0.0, 0.0};
-  for (const Recording& recording : recordings) {
-    arc.arc_rad = std::max(arc.arc_rad, arc_rad(recording));
-    for (const double angle : recording.angle_rad) cos += std::cos(angle), sin += std::sin(angle);
-  }
-  arc.middle_rad = std::atan2(sin, cos);
-  return arc;
-}
-
-// Servo mismatch wants a feed; where none is stated there is nothing to tell its size by.
-Series trace_with_feed(std::span<const Recording> recordings) {
-  Series trace = trace_of(recordings);
-  for (Column& column : trace.columns) {
-    for (double& value : column.values) {
-      if (!std::isfinite(value)) value = 0.0;
-    }
-  }
-  return trace;
-}
-
-std::vector<double> readings_freed(const ErrorFitted& fitted, const Series& trace) {
-  // Of the circle's centre, its second order included; the radius stays.
-  Eigen::VectorXd off = fitted.second_order_um;
-  for (std::size_t k = 0; k < fitted.columns.columns.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
-    const std::string& name = fitted.columns.columns[k].name;
-    if (name == "centre_a" || name == "centre_b") off += fitted.gains[column] * fitted.columns.fine.col(column);
-  }
-  std::vector<double> freed = find_column(trace, "deviation_um")->values;
-  for (std::size_t i = 0; i < freed.size(); ++i) freed[i] -= off[static_cast<Eigen::Index>(fitted.rows.fine_of[i])];
-  return freed;
-}
-
 double range_without(const std::vector<double>& freed, const ErrorRows& rows, const Eigen::VectorXd* curve) {
   double least = INFINITY, most = -INFINITY;
   for (std::size_t i = 0; i < freed.size(); ++i) {
@@ -98,10 +57,11 @@ double range_without(const std::vector<double>& freed, const ErrorRows& rows, co
 
 MachineErrors machine_errors(std::span<const Recording> recordings, const MachineErrorOptions& options) {
   expect_one_plane(recordings);
-  const Arc arc = arc_of(recordings);
-  const Series trace = trace_with_feed(recordings);
-  const ErrorFitted fitted = error_fitted(error_rows(trace), options, arc.arc_rad, arc.middle_rad,
-                                          recordings.front().nominal_length_mm, recordings.front().height_offset_mm);
+  return machine_errors_of_trace(trace_of(recordings), options);
+}
+
+MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOptions& options) {
+  const ErrorFitted fitted = error_fitted(trace, options);
   MachineErrors found;
   const ErrorTable table = error_table(fitted, options.cyclic_of_runs);
   found.errors = table.rows;
@@ -126,16 +86,17 @@ MachineErrors machine_errors(std::span<const Recording> recordings, const Machin
     found.gains.push_back({column.effect, column.gain, column.recording, fitted.gains[static_cast<Eigen::Index>(k)],
                            shape, column.name, in_the_fit});
   }
-  const std::vector<double> freed = readings_freed(fitted, trace);
+  const std::vector<double> freed = freed_of_centre(fitted, trace);
   found.circularity_um = range_without(freed, fitted.rows, nullptr);
   for (RankedError& one : found.ranked) {
     const Eigen::VectorXd curve = fitted.fine_curve(one.effect);
     one.circularity_without_um = range_without(freed, fitted.rows, &curve);
   }
+  found.circle_rms_um = rms_with_um(fitted, {});
   const Eigen::VectorXd residual = fitted.residual();
   found.residual_rms_um = std::sqrt(residual.cwiseAbs2().dot(fitted.rows.count) / fitted.rows.count.sum());
   found.repeatability_um = repeatability_um(fitted.rows, residual);
-  found.left = left_harmonic(fitted.rows, residual, fitted.noise, arc.arc_rad);
+  found.left = left_harmonic(fitted.rows, residual, fitted.noise, fitted.arc_rad);
   return found;
 }
 
@@ -167,7 +128,7 @@ std::optional<MachineError> squareness_of(const MachineErrors& found) {
 }
 
 std::vector<double> curve_of(const MachineErrors& found, const Effect* effect, std::span<const Recording> recordings) {
-  const Series trace = trace_with_feed(recordings);
+  const Series trace = trace_of(recordings);
   const std::vector<double>& recording = find_column(trace, trace_column("recording"))->values;
   std::vector<double> curve(trace.time_s.size(), 0.0);
   Eigen::MatrixXd unit;

@@ -13,8 +13,10 @@
 #include "diagnosis/signatures/signature_library.hpp"
 #include "diagnosis/statistics/ml_noise_fit.hpp"
 #include "diagnosis/verdict/named_tests.hpp"
+#include "fit/machine_error_fit.hpp"
 #include "numerics/tails.hpp"
 #include "revision/ledger_row.hpp"
+#include "revision/machine_error_test.hpp"
 #include "series/subsampled.hpp"
 
 namespace ballbar {
@@ -128,15 +130,17 @@ void tell_earlier(const std::vector<DropTest>& earlier, LedgerRow& row) {
 }  // namespace
 
 std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Series& data, std::size_t target) {
+  if (is_of_machine_errors(model, data)) return machine_error_drop_tests(model, count, data);
   const Series seen = subsampled(data, model.targets.at(target), kMostTested);
   return drop_tests(model, count, seen, target, noise_fit(model, seen, target));
 }
 
 EffectTest effect_test(const Model& model, const std::vector<Term>& added, const Series& data, std::size_t target) {
-  const Series seen = subsampled(data, model.targets.at(target), kMostTested);
   EffectTest result;
   result.model = model;
   result.model.terms.insert(result.model.terms.end(), added.begin(), added.end());
+  if (is_of_machine_errors(result.model, data)) return machine_error_test(model, added, data, target);
+  const Series seen = subsampled(data, model.targets.at(target), kMostTested);
   result.fit_before = fit(model, data, target);
   result.fit_after = fit(result.model, data, target);
   const NoiseFit base = noise_fit(model, seen, target);
@@ -181,8 +185,10 @@ Pruned pruned(EffectTest effect_test, const Series& data, std::size_t target) {
   }
   std::sort(result.removed.begin(), result.removed.end());
   if (result.removed.empty()) return result;
-  now.fit_after = fit(now.model, data, target);
-  const LedgerRow figures = row_of(now.fit_after, noise_fit(now.model, seen, target));
+  now.fit_after = fit(now.model, data, target, {.beside_all_errors = true});
+  const LedgerRow figures = is_of_machine_errors(now.model, data)
+                                ? machine_error_row(now.model, data, target)
+                                : row_of(now.fit_after, noise_fit(now.model, seen, target));
   now.after.parameters = figures.parameters;
   now.after.rmse_um = figures.rmse_um;
   now.after.times_floor = figures.times_floor;

@@ -9,7 +9,9 @@
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "diagnosis/statistics/cross_validation.hpp"
 #include "diagnosis/statistics/ml_noise_fit.hpp"
+#include "fit/machine_error_fit.hpp"
 #include "revision/ledger_row.hpp"
+#include "revision/machine_error_test.hpp"
 #include "series/subsampled.hpp"
 
 namespace ballbar {
@@ -69,6 +71,7 @@ LedgerRow row_of(const Fit& fit, const NoiseFit& seen) {
 }
 
 LedgerRow row_of(const Model& model, const Series& data, std::size_t target) {
+  if (is_of_machine_errors(model, data)) return machine_error_row(model, data, target);
   const Series seen = subsampled(data, model.targets.at(target), kMostTested);
   return row_of(fit(model, data, target), noise_fit(model, seen, target));
 }

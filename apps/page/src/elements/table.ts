@@ -1,4 +1,5 @@
 // Tables of the page. Columns of numbers are aligned at their ends.
+import type { TextTable } from "../picture";
 import { button, element, text_in } from "./elements";
 
 const kRows = 200; // at first; a longer table is a slow page
@@ -13,14 +14,18 @@ const numeric_columns = (rows: readonly (readonly string[])[], columns: number):
     (_, k) => rows.length > 0 && rows.slice(0, kRows).every((row) => numeric.test(row[k] ?? "")),
   );
 
-export interface TableOf {
-  title: string;
-  heading: readonly string[];
-  rows: readonly (readonly string[])[];
+export interface TableOf extends Pick<TextTable, "title" | "heading" | "rows" | "bars"> {
   row?: (made: HTMLTableRowElement, index: number) => void;
 }
 
-export const table_of = ({ title, heading, rows, row }: TableOf): HTMLElement => {
+// Its length is a property, not an attribute: the page allows no styles in its markup.
+const bar_in = (cell: Element | undefined, share: number): void => {
+  if (!(cell instanceof HTMLElement)) return;
+  cell.classList.add("bar");
+  cell.style.setProperty("--share", String(Math.min(1, Math.max(0, share))));
+};
+
+export const table_of = ({ title, heading, rows, bars, row }: TableOf): HTMLElement => {
   const numbers = numeric_columns(rows, heading.length);
   const kind = (k: number): Record<string, string> => (numbers[k] ? { class: "number" } : {});
   const cell = (tag: "td" | "th", text: string, k: number): HTMLElement => {
@@ -34,6 +39,8 @@ export const table_of = ({ title, heading, rows, row }: TableOf): HTMLElement =>
   const append = (from: number, to: number): void => {
     for (let k = from; k < Math.min(to, rows.length); ++k) {
       const made = element("tr", {}, ...(rows[k] ?? []).map((text, column) => cell("td", text, column)));
+      const share = bars?.shares[k] ?? null;
+      if (bars && share !== null) bar_in(made.children[bars.column], share);
       row?.(made, k);
       body.append(made);
     }

@@ -23,6 +23,8 @@ export interface Figure {
   chart(): Chart | null; // null: not drawn yet
   whole(): Range | null; // the x axis without a window
   choose(key: string, value: string): void;
+  turn(key: string, on: boolean): void; // a curve, on or off
+  watch(changed: (state: State) => void): void; // at once, and with every change
   see(window: Range | null): void;
   select(stretch: Range | null): void;
   point(x: number | null): void; // a line at this place
@@ -68,8 +70,10 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   const canvas = element("div", { class: "canvas" });
   box.append(canvas, line);
 
+  const watching: ((state: State) => void)[] = [];
   const change = (part: Partial<State>): void => {
     state = { ...state, ...part };
+    for (const changed of watching) changed(state);
     figure.redraw();
   };
 
@@ -102,12 +106,14 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     change({ chosen, hidden });
   };
 
-  const controls = controls_of(picture, choose, (key, on) => {
+  const turn = (key: string, on: boolean): void => {
     const hidden = new Set(state.hidden);
     if (on) hidden.delete(key);
     else hidden.add(key);
     change({ hidden });
-  });
+  };
+
+  const controls = controls_of(picture, choose, turn);
 
   const panel = stretch_panel(
     (stretch) => select(stretch),
@@ -226,6 +232,11 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     chart: () => chart,
     whole: () => whole,
     choose,
+    turn,
+    watch(changed) {
+      watching.push(changed);
+      changed(state);
+    },
     see,
     select,
     point,

@@ -1,4 +1,5 @@
 // A section of the page: sentences first, then pictures, tables and lists.
+import { beside_figure, lists_of } from "./beside";
 import { choosing_rows } from "./choosing_rows";
 import { element, text_in } from "../elements/elements";
 import { figure_of } from "../figure/figure";
@@ -19,21 +20,23 @@ const body_of = (section: Section, shared: Shared): HTMLElement[] => {
   for (const picture of section.pictures) {
     const figure = figure_of(picture, shared);
     shared.add(figure);
+    if (section.beside?.picture === picture.name) {
+      made.push(...beside_figure(figure, section.beside, (table) => text_table(table, shared)));
+      continue;
+    }
     made.push(figure.element);
     // What is chosen in a table is looked at right above it.
     const choosing = section.tables.filter(({ choose }) => choose?.picture === picture.name);
     made.push(...choosing.map((table) => text_table(table, shared)));
   }
   made.push(...section.tables.filter(of_none).map((table) => text_table(table, shared)));
-  for (const { title, items } of section.lists ?? []) {
-    if (items.length === 0) continue;
-    made.push(element("h3", {}, title), element("ul", {}, ...items.map((item) => text_in("li", item))));
-  }
+  made.push(...lists_of(section.lists ?? []));
   return made;
 };
 
 export const section_of = (section: Section, shared: Shared): HTMLElement => {
-  const made = element("section", { id: section.id, "aria-labelledby": `${section.id}-heading` });
+  const wide: Record<string, string> = section.beside ? { class: "wide" } : {};
+  const made = element("section", { id: section.id, "aria-labelledby": `${section.id}-heading`, ...wide });
   made.append(element("h2", { id: `${section.id}-heading` }, section.heading));
   made.append(...section.sentences.map((sentence) => text_in("p", sentence)));
   const body = body_of(section, shared);

@@ -34,27 +34,38 @@ export const fitted_at = (recording: Recording, angle_deg: number): Num => {
   return a * Math.cos(t) + b * Math.sin(t) + (radius_mm - recording.nominal_length_mm) * 1000;
 };
 
-// One table for one or two recordings: a column of its own for each curve, so that the statistics of a stretch do not
-// mix directions.
-export const recording_numbers = (recordings: readonly Recording[]): Numbers => {
-  const traces = recordings.map((recording) => recording.trace);
-  const rows = traces.reduce((sum, trace) => sum + (trace?.deviation_um.length ?? 0), 0);
+// One table for several recordings, one below the other: a column of its own for each curve of each, so that the
+// statistics of a stretch do not mix directions. `of`: the end of a column's name, such as "_ccw".
+export const stacked_numbers = (
+  recordings: readonly Recording[],
+  columns_of: (recording: Recording, of: string, k: number) => { name: string; values: readonly Num[] }[],
+): Numbers => {
+  const sizes = recordings.map(({ trace }) => trace?.deviation_um.length ?? 0);
+  const rows = sizes.reduce((sum, size) => sum + size, 0);
   const columns: { name: string; values: Num[] }[] = [
-    { name: "angle_deg", values: unwrapped_together(traces.map((trace) => trace?.angle_deg ?? [])).flat() },
+    { name: "angle_deg", values: unwrapped_together(recordings.map(({ trace }) => trace?.angle_deg ?? [])).flat() },
   ];
+  const each_once = new Set(recordings.map(({ direction }) => direction)).size === recordings.length;
   let before = 0;
-  traces.forEach((trace, k) => {
-    if (!trace) return;
-    const of = recordings.length > 1 ? `_${(recordings[k]?.direction ?? String(k + 1)).toLowerCase()}` : "";
+  recordings.forEach((recording, k) => {
+    const end = each_once ? (recording.direction ?? String(k + 1)).toLowerCase() : String(k + 1);
     const start = before;
-    const column = (name: string, values: readonly Num[]): void => {
+    for (const { name, values } of columns_of(recording, recordings.length > 1 ? `_${end}` : "", k)) {
       columns.push({ name, values: Array.from({ length: rows }, (_, i) => values[i - start] ?? null) });
-    };
-    column(`deviation${of}_um`, trace.deviation_um);
-    column(`fitted${of}_um`, trace.fitted_um);
-    column(`residual${of}_um`, trace.residual_um);
-    for (const { effect, values_um } of trace.effects) column(`${plain(effect, 60)}${of}_um`, values_um);
-    before += trace.deviation_um.length;
+    }
+    before += sizes[k] ?? 0;
   });
   return { columns };
 };
+
+export const recording_numbers = (recordings: readonly Recording[]): Numbers =>
+  stacked_numbers(recordings, ({ trace }, of) =>
+    trace
+      ? [
+          { name: `deviation${of}_um`, values: trace.deviation_um },
+          { name: `fitted${of}_um`, values: trace.fitted_um },
+          { name: `residual${of}_um`, values: trace.residual_um },
+          ...trace.effects.map(({ effect, values_um }) => ({ name: `${plain(effect, 60)}${of}_um`, values: values_um })),
+        ]
+      : [],
+  );

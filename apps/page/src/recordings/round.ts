@@ -17,6 +17,8 @@ export interface RoundCurve {
   angle_deg: readonly number[];
   value_um: readonly Num[];
   beside?: boolean; // no readings: the rings may be named where it is
+  faint?: boolean; // behind the others
+  hover_name?: string; // where several curves have one name
 }
 
 const signed = (value: number): string => `${value > 0 ? "+" : ""}${shown(value)}`;
@@ -86,7 +88,12 @@ export const round_option = (
       if (value !== null && value < scale.middle_um) ++beyond;
       return [value !== null && value >= scale.middle_um ? value : null, within_turn(angle)];
     });
-    return curve(one.name, one.colour, one.dash, one.width_px, data, { coordinateSystem: "polar", z: 3 });
+    const drawn = curve(one.name, one.colour, one.dash, one.width_px, data, { coordinateSystem: "polar", z: 3 });
+    return {
+      ...drawn,
+      ...(one.faint ? { z: 2, lineStyle: { ...(drawn["lineStyle"] as object), opacity: 0.3 } } : {}),
+      ...(one.hover_name ? { hover_name: one.hover_name } : {}),
+    };
   });
   const note = [
     `magnified ${shown(scale.magnification)} times`,

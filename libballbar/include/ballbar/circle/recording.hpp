@@ -35,6 +35,7 @@ struct Recording {
                                   // nearer the table than the table's ball, so that elongation adds
   std::optional<double> feed_mm_per_min;
   std::optional<double> bar_temperature_degC;
+  std::optional<double> pitch_a_mm, pitch_b_mm;  // of the screws of the two axes, where they are known
   std::optional<double> elapsed_s;        // start of the test since the session's own zero
   std::optional<std::int64_t> started_s;  // start on the machine's local clock, s since 1970-01-01T00:00:00
   std::vector<double> time_s;             // n readings from the start of the sweep; empty: uniform in time

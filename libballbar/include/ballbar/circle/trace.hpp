@@ -20,9 +20,11 @@ namespace ballbar {
 //   sweep_s           time since the middle of its recording's sweep, half way from the first reading to the last
 //   bar_degC          temperature of the bar, NaN where it is not stated
 //   recording         0, 1, 2 ...
+//   linear_axes       1 where two linear axes drive the circle, else 0
+//   pitch_a_mm, _b    of the screws, NaN where they are not stated
 // Where a recording has no times, its n readings are at mid-sample of a sweep of nominal length times arc over feed;
 // one a second where the feed is not stated either. time_s starts at 0 and rises by the sweeps, put end to end 1 s
-// apart. Throws Error for an axial recording, and for times that do not rise. O(n), 80 bytes a reading.
+// apart. Throws Error for an axial recording, and for times that do not rise. O(n), 104 bytes a reading.
 Series trace_of(std::span<const Recording> recordings);
 
 // The column of trace_of that an input's role stands for: "angle" -> "angle_rad"; empty for none.

@@ -41,6 +41,10 @@ struct FitOptions {
   bool white = false;                         // ordinary least squares: no noise model
   std::size_t starts = 3;                     // of the shape parameters
   std::optional<Noise> noise = std::nullopt;  // of the residual, known: not estimated
+  // Of circles that linear axes drive, with a model of errors of the machine alone: every error has the value that it
+  // has beside all of them, whether the model has them or not, and sigma by the noise that all leave
+  // (machine_errors.hpp).
+  bool beside_all_errors = false;
 };
 
 struct Fit {
@@ -64,6 +68,10 @@ struct Fit {
 
 // Throws Error where the model does not suit the data (expect_suits), or the target has fewer than 3 values.
 Fit fit(const Model& model, const Series& data, std::size_t target = 0, const FitOptions& options = {});
+
+// Whether FitOptions::beside_all_errors says anything: circles of one bar that linear axes drive, and a model of
+// nothing but circles and errors of the machine, all gains free.
+bool is_of_machine_errors(const Model& model, const Series& data);
 
 // The model's series with the fit's parameters on any data that has its columns.
 struct Prediction {

@@ -24,15 +24,14 @@
 #include "ballbar/circle/recording.hpp"
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/noise/noise.hpp"
+#include "ballbar/series/series.hpp"
 
 namespace ballbar {
 
 enum class CyclicOfRuns { larger, mean };
 
-// What is known of the two axes beside the readings.
 struct MachineErrorOptions {
-  bool prior = true;                             // false: `--prior none`
-  std::optional<double> pitch_a_mm, pitch_b_mm;  // of the screws, where they are known; else searched
+  bool prior = true;  // false: `--prior none`
   // What an amplitude of the cyclic error is of several recordings, each of which has its own.
   CyclicOfRuns cyclic_of_runs = CyclicOfRuns::larger;
 };
@@ -54,10 +53,14 @@ struct RankedError {
   double individual_circularity_um = 0.0;  // IC: peak to peak of its own curve over all recordings
   double share_percent = 0.0;              // of the sum of all IC
   std::optional<std::size_t> rank;         // 1: the largest IC; nothing: not significant, no row above 2.6 sigma
-  double p_value = 1.0;                    // of all of its rows together being 0 (chi^2)
+  double chi2 = 0.0;                       // of all of its gains together: z^2 of one
+  double chi2_needed = 0.0;                // from which it is significant
+  double p_value = 1.0;                    // of noise that shows as much, by all of its gains or by the clearest
   bool significant = false;                // p_value small enough for as many errors as were looked at
   std::optional<bool> predicts_other_run;  // its value from one run alone lowers what is left in the other
   double circularity_without_um = 0.0;     // that remains if it is mended
+  // RMS that is left with the circle, this error and all before it in the list: how far the error falls, one by one.
+  double rms_with_um = 0.0;
 };
 
 // A harmonic that is left in the residual.
@@ -88,10 +91,11 @@ struct FittedGain {
 
 struct MachineErrors {
   std::vector<MachineError> errors;
-  Eigen::MatrixXd covariance;       // of the values, in the order of errors
-  std::vector<RankedError> ranked;  // falling IC
-  double circularity_um = 0.0;      // max - min of all readings about the fitted centre
-  double residual_rms_um = 0.0;
+  Eigen::MatrixXd covariance;        // of the values, in the order of errors
+  std::vector<RankedError> ranked;   // falling IC
+  double circularity_um = 0.0;       // max - min of all readings about the fitted centre
+  double circle_rms_um = 0.0;        // that the circles alone leave
+  double residual_rms_um = 0.0;      // that all errors leave
   double repeatability_um = 0.0;     // what of the residual is not the same in both directions; NaN: one direction
   std::optional<LeftHarmonic> left;  // what the model does not explain; nothing: nothing clear
   // What the readings do not tell apart: "scale_mismatch with straightness_b, centre_a".
@@ -114,6 +118,9 @@ std::optional<MachineError> squareness_of(const MachineErrors& found);
 // Recordings of one plane, one bar and linear axes, of one test or of several at the same place. Throws Error for
 // others, and for fewer readings than the errors need. O(n) in readings, some 2 ms for 2 times 1500.
 MachineErrors machine_errors(std::span<const Recording> recordings, const MachineErrorOptions& options = {});
+
+// The same of trace_of() such recordings.
+MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOptions& options = {});
 
 // What one ranked error, or all that are in the fit (nullptr; without the circle), adds to each reading, um; n in the
 // order of the recordings.

@@ -1,0 +1,94 @@
+// The ranked table of a machine's errors, and below it those of the circle.
+import { error_name, unit_shown } from "./error_names";
+import { kErrors_picture, kWithout } from "./errors_picture";
+import type { ErrorTest } from "./error_curves";
+import type { TextTable } from "../picture";
+import { circle_rows, ranked_errors, type RankedError } from "./ranked_errors";
+import type { MachineErrorRow } from "../report";
+import { plain } from "../drawing/text";
+import { shown } from "../drawing/theme";
+import { decimals_for, with_sigma } from "../drawing/with_sigma";
+
+const decimals_of = (row: MachineErrorRow): number => Math.min(4, decimals_for(row.value, row.sigma));
+
+// Beside it, with as many decimals: the instrument prints no more than two.
+const stored_value = (row: MachineErrorRow): string => shown(row.stored, Math.min(2, decimals_of(row)));
+
+const stored = (row: MachineErrorRow): string =>
+  row.stored === null || row.stored_rank === null ? stored_value(row) : `${stored_value(row)} (${row.stored_rank})`;
+
+const yes_no = (value: boolean | null): string => (value === null ? "–" : value ? "yes" : "no");
+
+// What belongs to the effect stands in the first of its rows.
+const cells_of = ({ first, rows }: RankedError, plane: string | undefined): string[][] =>
+  rows.map((row, k) => [
+    error_name(row.name, plane),
+    with_sigma(row.value, row.sigma, decimals_of(row)),
+    unit_shown(row.unit),
+    ...(k > 0
+      ? ["", "", ""]
+      : [
+          shown(first.individual_circularity_um, 2),
+          shown(first.share_percent, 1),
+          first.rank === null ? "not significant" : String(first.rank),
+        ]),
+    stored(row),
+    ...(k > 0 ? ["", ""] : [yes_no(first.predicts_other_run), shown(first.circularity_without_um, 2)]),
+  ]);
+
+const kShare = 4; // its column
+
+export const errors_table = ({ part, recordings }: ErrorTest): TextTable => {
+  const ranked = ranked_errors(part);
+  const plane = recordings[0]?.plane;
+  const most = Math.max(1e-9, ...ranked.map(({ first }) => first.share_percent ?? 0));
+  return {
+    title: "Ranked by the circularity that each makes alone (IC)",
+    heading: ["error", "value", "unit", "IC µm", "share %", "rank", "stored (rank)", "predicts other run", "G without µm"],
+    rows: ranked.flatMap((one) => cells_of(one, plane)),
+    choose: {
+      picture: kErrors_picture,
+      key: "error",
+      values: ranked.flatMap(({ effect, rows }) => rows.map(() => effect)),
+      focus_keeps: true,
+      space: kWithout,
+    },
+    bars: {
+      column: kShare,
+      shares: ranked.flatMap(({ first, rows }) =>
+        rows.map((_, k) => (k > 0 || first.share_percent === null ? null : first.share_percent / most)),
+      ),
+    },
+  };
+};
+
+export const circle_table = ({ part, recordings }: ErrorTest): TextTable[] => {
+  const rows = circle_rows(part);
+  if (rows.length === 0) return [];
+  return [
+    {
+      title: "Set-up and scale, not ranked",
+      heading: ["", "value", "unit", "stored"],
+      rows: rows.map((row) => [
+        error_name(row.name, recordings[0]?.plane),
+        with_sigma(row.value, row.sigma, decimals_of(row)),
+        unit_shown(row.unit),
+        stored_value(row),
+      ]),
+    },
+  ];
+};
+
+const stated_text = (key: string, value: string | number): string[] => {
+  if (key === "started_s" && typeof value === "number") {
+    const started = new Date(1000 * value); // on the machine's own clock
+    return ["started", Number.isNaN(started.getTime()) ? "–" : started.toISOString().slice(0, 16).replace("T", " ")];
+  }
+  const [name, unit] = /^(.*)_mm_per_min$/.test(key) ? [key.slice(0, -"_mm_per_min".length), " mm/min"] : [key, ""];
+  return [plain(name.replaceAll("_", " "), 60), `${typeof value === "number" ? shown(value) : plain(value, 200)}${unit}`];
+};
+
+export const stated_table = ({ part }: ErrorTest): TextTable[] => {
+  const rows = Object.entries(part.file ?? {}).map(([key, value]) => stated_text(key, value));
+  return rows.length === 0 ? [] : [{ title: "What the file states", heading: ["", ""], rows }];
+};

@@ -1,0 +1,265 @@
+// The errors of a machine: the circle and the ranked table on the first screen; what a choice and the switch draw is what
+// the page's data say. The data are made up here, so that each number is known.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { drawn, figure, launched, opened, saved } from "./browser.mjs";
+import { drawing, polar } from "./drawing.mjs";
+import { data_of, page_with, with_errors } from "./machine_errors.mjs";
+import { of_run, report } from "./reports.mjs";
+
+const kPicture = "machine-errors";
+
+let browser, page, wrong, paper, file, part, fit;
+before(async () => {
+  browser = await launched();
+  file = with_errors("errors", await report("b5r", of_run("qc20-style-b5r", "00.b5r")));
+  ({ fit, machine_errors: [part] } = data_of(file));
+  ({ page, wrong } = await opened(browser, file, { viewport: { width: 1280, height: 800 } }));
+  await drawn(page);
+  paper = await browser.newPage();
+});
+after(() => browser.close());
+
+const state = () =>
+  page.evaluate((name) => {
+    const { chosen, hidden } = window.ballbar.figures.get(name).state();
+    return { error: chosen.error, hidden: [...hidden] };
+  }, kPicture);
+
+const table = (of = page) => of.locator(".side-by-side table:visible");
+const row = (text) => table().locator("tbody tr", { hasText: text }).first();
+const cells = async (one) => one.locator("td").allTextContents();
+const marked = () => table().locator("tr[aria-current]").evaluateAll((rows) => rows.map((one) => one.cells[0].textContent));
+const away = () => page.mouse.move(5, 5);
+
+const about_circle = (k) => fit.recordings[part.recordings[k]].trace.deviation_um.map((value, i) => value - part.circle_um[k][i]);
+const without = (error, k) => about_circle(k).map((value, i) => value - part.curves[error][k][i]);
+
+// What the chart has drawn now: { name: [values of each curve of that name] }.
+const series = () =>
+  page.evaluate((name) => {
+    const found = {};
+    for (const one of window.ballbar.figures.get(name).chart().getOption().series) {
+      if (one.type === "line") (found[one.name] ??= []).push(one.data.map(([value]) => value));
+    }
+    return found;
+  }, kPicture);
+
+const close_to = (found, expected, what) => {
+  assert.equal(found.length, expected.length, what);
+  found.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) < 1e-5, `${what}, reading ${i}: ${value} for ${expected[i]}`));
+};
+
+const choose_none = async () => {
+  await figure(page, kPicture).getByRole("combobox", { name: "Error" }).selectOption("");
+  await drawn(page);
+};
+
+test("first screen: circle and table side by side, both whole", async () => {
+  const box = (selector) => page.locator(selector).first().boundingBox();
+  const [chart, made, first] = [await box(".side-by-side .chart"), await box(".side-by-side .table"), await box(".side-by-side figure")];
+  assert.ok(chart.y + chart.height <= 800, `the circle ends at ${chart.y + chart.height}`);
+  assert.ok(made.y + made.height <= 800);
+  assert.ok(made.x >= first.x + first.width && Math.abs(made.y - first.y) < 20);
+  const { scrollWidth, clientWidth } = await page.locator(".side-by-side .table").evaluate(({ scrollWidth, clientWidth }) => ({ scrollWidth, clientWidth }));
+  assert.ok(scrollWidth <= clientWidth, "no column is hidden");
+  assert.equal(await page.locator("main > section[id]").first().getAttribute("id"), "machine-errors");
+  assert.equal(await page.locator("main .summary").textContent(), "Squareness is the largest error.");
+});
+
+test("the table: by rank, what is not significant last, stored values beside", async () => {
+  const rows = await Promise.all((await table().locator("tbody tr").all()).map(cells));
+  assert.deepEqual(rows, [
+    ["squareness", "18.0 ± 1.5", "µm/m", "1.80", "35.3", "1", "17.6 (1)", "yes", "2.87"],
+    ["backlash X +", "1.40 ± 0.13", "µm", "1.40", "27.5", "2", "1.37 (2)", "yes", "3.21"],
+    ["backlash X −", "-0.40 ± 0.13", "µm", "", "", "", "-0.41 (2)", "", ""],
+    ["straightness Y", "-0.20 ± 0.30", "µm", "1.90", "37.3", "not significant", "–", "no", "4.55"],
+  ]);
+  const bars = await table().locator("td.bar").evaluateAll((all) => all.map((one) => Number(one.style.getPropertyValue("--share"))));
+  close_to(bars, [35.3 / 37.3, 27.5 / 37.3, 1], "bars");
+});
+
+test("below: what is left, remedies of the first, the prior, the set-up", async () => {
+  const text = await page.locator("#machine-errors").innerText();
+  for (const said of [
+    "All of them together leave 0.58 µm rms; CCW and CW repeat to 0.44 µm. Unexplained is a wave of 6 a turn.",
+    "pass: circularity 4.6 µm, tolerance 10 µm",
+    "squareness: Square the axes.",
+    "backlash X: Adjust the backlash in the control.",
+    "lateral play X +: 0 ± 2.0 µm",
+    "(backlash Y + less backlash Y −)/2: 0 ± 1.5 µm",
+    "scale mismatch with straightness Y, centre X",
+  ])
+    assert.ok(text.includes(said), `${said} is not in ${text}`);
+  assert.ok(!text.includes(part.conclusion), "of one test the conclusion is at the head of the page");
+  const rows = page.locator("#machine-errors table", { hasText: "not ranked" }).locator("tbody tr");
+  const [centre, scale] = await Promise.all((await rows.all()).map(cells));
+  const { value } = part.errors.find(({ name }) => name === "centre_a");
+  assert.deepEqual(centre, ["centre X", `${value.toFixed(3)} ± 0.050`, "µm", "1.50"]);
+  const stated = page.locator("#machine-errors table", { hasText: "What the file states" }).locator("tbody tr");
+  assert.deepEqual(await Promise.all((await stated.all()).map(cells)), [["machine", "Mill 7"], ["operator", "N. N."], ["started", "2024-04-16 09:45"], ["programmed feed", "2000 mm/min"]]);
+  assert.deepEqual(scale, ["global scale", "0.500 ± 0.040", "µm", "–"]);
+});
+
+test("at first the largest error is drawn, without the switch", async () => {
+  assert.deepEqual(await state(), { error: "squareness", hidden: ["without"] });
+  const found = await series();
+  assert.deepEqual(Object.keys(found).sort(), ["measured, CCW", "measured, CW", "nominal", "squareness"]);
+  for (const k of [0, 1]) {
+    close_to(found.squareness[k], part.curves.squareness[k], "squareness");
+    close_to(found[`measured, ${["CCW", "CW"][k]}`][0], about_circle(k), "measured");
+  }
+  assert.deepEqual(await marked(), ["squareness"]);
+});
+
+test("a click draws an error's curve, and keeps it; under the pointer it is shown for as long", async () => {
+  await row("backlash X −").click();
+  await away();
+  await drawn(page);
+  assert.equal((await state()).error, "backlash_a");
+  assert.deepEqual(await marked(), ["backlash X +", "backlash X −"]);
+  const found = await series();
+  for (const k of [0, 1]) close_to(found["backlash X"][k], part.curves.backlash_a[k], "backlash");
+  await page.evaluate(() => document.activeElement.blur());
+  await row("straightness Y").hover();
+  await drawn(page);
+  assert.equal((await state()).error, "straightness_b");
+  await away();
+  await drawn(page);
+  assert.equal((await state()).error, "backlash_a");
+});
+
+test("keys: arrows choose, space takes the error off, and what is chosen stays when the focus goes", async () => {
+  await row("squareness").focus();
+  await drawn(page);
+  assert.equal((await state()).error, "squareness");
+  for (const error of ["backlash_a", "backlash_a", "straightness_b"]) {
+    await page.keyboard.press("ArrowDown");
+    await drawn(page);
+    assert.equal((await state()).error, error);
+  }
+  await page.keyboard.press("Home");
+  await page.keyboard.press(" ");
+  await drawn(page);
+  const found = await series();
+  for (const k of [0, 1]) close_to(found["without it"][k], without("squareness", k), "without squareness");
+  assert.ok(await figure(page, kPicture).getByRole("checkbox", { name: "without it" }).isChecked());
+  await page.keyboard.press("ArrowDown");
+  await drawn(page);
+  for (const [k, values] of (await series())["without it"].entries()) close_to(values, without("backlash_a", k), "without backlash");
+  await page.keyboard.press("End");
+  await page.keyboard.press("Tab");
+  await drawn(page);
+  assert.equal((await state()).error, "straightness_b");
+  // By its own switch.
+  await figure(page, kPicture).getByRole("checkbox", { name: "without it" }).focus();
+  await page.keyboard.press("Space");
+  await drawn(page);
+  assert.equal((await series())["without it"], undefined);
+});
+
+test("the list chooses too, and “none” draws the readings alone", async () => {
+  await figure(page, kPicture).getByRole("combobox", { name: "Error" }).selectOption({ label: "straightness Y" });
+  await drawn(page);
+  assert.deepEqual(await marked(), ["straightness Y"]);
+  assert.ok((await series())["straightness Y"]);
+  await choose_none();
+  assert.deepEqual(Object.keys(await series()).sort(), ["measured, CCW", "measured, CW", "nominal"]);
+  assert.deepEqual(await marked(), []);
+});
+
+test("files: the drawing by the ruler, the numbers, the caption", async () => {
+  await row("backlash X +").click();
+  await away();
+  await figure(page, kPicture).getByRole("checkbox", { name: "without it" }).check();
+  await drawn(page);
+  const csv = await saved(page, kPicture, "CSV");
+  const [head, ...rows] = readFileSync(csv.path, "utf8").trimEnd().split("\r\n").map((one) => one.split(","));
+  assert.deepEqual(head, ["angle_deg", ...["ccw", "cw"].flatMap((way) => [`measured_${way}_um`, `backlash_a_${way}_um`, `without_${way}_um`])]);
+  const n = part.curves.backlash_a[0].length;
+  const column = (name, from, to) => rows.slice(from, to).map((one) => Number(one[head.indexOf(name)]));
+  close_to(column("without_ccw_um", 0, n), without("backlash_a", 0), "without, CCW");
+  close_to(column("without_cw_um", n), without("backlash_a", 1), "without, CW");
+  close_to(column("backlash_a_cw_um", n), part.curves.backlash_a[1], "backlash, CW");
+
+  const svg = await saved(page, kPicture, "SVG");
+  const found = await drawing(paper, svg.path);
+  const { place, per_px } = polar(found);
+  assert.ok(per_px < 0.2, `${per_px} um a pixel`);
+  const hue = await page.evaluate((name) => {
+    const { picture, state } = window.ballbar.figures.get(name);
+    return Object.fromEntries(picture.toggles(state()).map(({ key, colour }) => [key, colour(false)]));
+  }, kPicture);
+  const drawn_in = (colour) => found.paths.filter((one) => one.stroke === colour && !one.legend && one.points.length > 100).map((one) => one.points);
+  for (const [key, values] of [["without", without("backlash_a", 0)], ["error", part.curves.backlash_a[0]], ["trace0", about_circle(0)]]) {
+    const [line] = drawn_in(hue[key]);
+    const angles = fit.recordings[part.recordings[0]].trace.angle_deg;
+    // Readings less than a pixel apart are one point of the line.
+    const places = angles.map((angle, i) => place(angle, values[i]));
+    const nearest = (points, [x, y]) => Math.min(...points.map(([px, py]) => Math.hypot(x - px, y - py)));
+    line.forEach((point, i) => assert.ok(nearest(places, point) < 1.2, `${key}: point ${i} is at no reading`));
+    places.forEach((one, i) => assert.ok(nearest(line, one) < 1.7, `${key}: reading ${i} is not drawn`));
+  }
+  const said = found.texts.map(({ text }) => text);
+  for (const text of ["Errors on the circle, backlash X", "circularity 4.62 µm", "without backlash X: 3.21 µm", "backlash X", "without it"])
+    assert.ok(said.includes(text), `${text} is not in ${said}`);
+  await figure(page, kPicture).getByRole("checkbox", { name: "without it" }).uncheck();
+});
+
+test("several tests: a list chooses one, and the table is its own", async () => {
+  const folder_file = with_errors("errors-of-a-folder", await report("b5r-folder", of_run("qc20-style-b5r")));
+  const { machine_errors: parts, fit } = data_of(folder_file);
+  assert.ok(parts.length > 2);
+  const { page: many, wrong, close } = await opened(browser, folder_file);
+  await drawn(many);
+  const value = (k) => parts[k].errors.find(({ name }) => name === "centre_a").value.toFixed(3);
+  const set_up = () => many.locator("#machine-errors table:visible", { hasText: "not ranked" }).innerText();
+  assert.equal(await table(many).count(), 1);
+  assert.ok((await many.locator("#machine-errors").innerText()).includes(parts[0].conclusion));
+  assert.ok((await set_up()).includes(value(0)));
+  await figure(many, kPicture).getByRole("combobox", { name: "Test" }).selectOption({ index: 2 });
+  await drawn(many);
+  assert.equal(await table(many).count(), 1);
+  assert.ok((await set_up()).includes(value(2)));
+  // Rows that are made later choose as well.
+  await table(many).locator("tbody tr", { hasText: "straightness Y" }).click();
+  await drawn(many);
+  const curve = await many.evaluate((name) => window.ballbar.figures.get(name).chart().getOption().series.find((one) => one.name === "straightness Y").data.length, kPicture);
+  assert.equal(curve, fit.recordings[parts[2].recordings[0]].readings);
+  const [chart, made] = [await many.locator(".side-by-side .chart").boundingBox(), await table(many).boundingBox()];
+  assert.ok(chart.y + chart.height <= 900 && made.y < chart.y);
+  assert.ok((await many.pdf({ format: "A4" })).length > 1000);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("on a narrow screen the table is below the circle", async () => {
+  const { page: narrow, close } = await opened(browser, file, { viewport: { width: 400, height: 800 } });
+  await drawn(narrow);
+  const [chart, made] = [await narrow.locator(".side-by-side .chart").boundingBox(), await table(narrow).boundingBox()];
+  assert.ok(made.y >= chart.y + chart.height);
+  assert.ok(chart.y + chart.height <= 900, `the circle ends at ${chart.y + chart.height}`);
+  assert.ok((await narrow.evaluate(() => document.documentElement.scrollWidth)) <= 400);
+  await close();
+});
+
+test("a test of one direction, and values that are not known", async () => {
+  const data = data_of(file);
+  const one = data.machine_errors[0];
+  const errors = one.errors.map((row) => ({ ...row, sigma: null, predicts_other_run: null, rank: null, share_percent: null, circularity_without_um: null }));
+  const curves = Object.fromEntries(Object.entries(one.curves).map(([name, [first]]) => [name, [first.map((value, i) => (i % 7 ? value : null))]]));
+  const alone = { ...one, errors, curves, recordings: one.recordings.slice(0, 1), circle_um: one.circle_um.slice(0, 1), repeatability_um: null, left_text: "", file: undefined, tolerances: [], prior: [], undetermined: [] };
+  const { page: few, wrong, close } = await opened(browser, page_with("errors-of-one", file, { ...data, machine_errors: [alone] }));
+  await drawn(few);
+  assert.deepEqual(await cells(table(few).locator("tbody tr", { hasText: "squareness" })), ["squareness", "18.04 ± ?", "µm/m", "1.80", "–", "not significant", "17.63 (1)", "–", "–"]);
+  const chosen = await few.evaluate((name) => window.ballbar.figures.get(name).state().chosen.error, kPicture);
+  assert.equal(chosen, "", "what is not significant is not drawn at first");
+  await few.locator("tr.chooses", { hasText: "squareness" }).click();
+  await drawn(few);
+  assert.doesNotMatch(await few.locator("#machine-errors").innerText(), /NaN|undefined|null|Remedies|prior|Tolerances|states/);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("console and network are quiet", () => assert.deepEqual(wrong, []));
