@@ -25,9 +25,9 @@ void machine_errors(benchmark::State& state) {
 
 // Pitches that a file states are not searched.
 void machine_errors_known_pitch(benchmark::State& state) {
-  ballbar::MachineErrorOptions options;
-  options.pitch_a_mm = options.pitch_b_mm = 10.0;
-  for (auto _ : state) benchmark::DoNotOptimize(ballbar::machine_errors(runs(), options));
+  std::vector<ballbar::Recording> recordings = runs();
+  for (ballbar::Recording& recording : recordings) recording.pitch_a_mm = recording.pitch_b_mm = 10.0;
+  for (auto _ : state) benchmark::DoNotOptimize(ballbar::machine_errors(recordings));
 }
 
 // Four tests at one place together.

@@ -149,8 +149,6 @@ constexpr Limit kLimits[] = {
 
 MachineErrors found_in(const RecordingFile& file) {
   MachineErrorOptions options;
-  options.pitch_a_mm = stored_pitch_mm(*file.b5r, 'A');
-  options.pitch_b_mm = stored_pitch_mm(*file.b5r, 'B');
   if (stores_cyclic_means(*file.b5r)) options.cyclic_of_runs = CyclicOfRuns::mean;
   return machine_errors(file.recordings, options);
 }

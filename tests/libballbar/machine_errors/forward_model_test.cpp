@@ -13,11 +13,8 @@
 namespace ballbar {
 namespace {
 
-MachineErrorOptions known_pitch(bool prior) {
-  MachineErrorOptions options;
-  options.prior = prior;
-  options.pitch_a_mm = options.pitch_b_mm = 10.0;
-  return options;
+MachineErrors without_prior(const made::ErrorTest& test) {
+  return machine_errors(made::both_runs(test), {.prior = false});
 }
 
 struct Alone {
@@ -81,7 +78,7 @@ class ErrorAlone : public testing::TestWithParam<Alone> {};
 TEST_P(ErrorAlone, IsFoundAndNothingElse) {
   made::ErrorTest test = made::full_turn();
   test.errors[GetParam().name] = GetParam().value;
-  const MachineErrors found = machine_errors(made::both_runs(test), known_pitch(false));
+  const MachineErrors found = without_prior(test);
   EXPECT_EQ(found.errors.size(), std::size(kErrors));
   for (const MachineError& row : found.errors) {
     EXPECT_NEAR(row.value, test.of(row.name), limit_um(GetParam())) << row.name;
@@ -97,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(machine_errors, ErrorAlone, testing::ValuesIn(kErrors),
 TEST(MachineErrors, AllTogetherAreFound) {
   made::ErrorTest test = made::full_turn();
   for (const Alone& one : kErrors) test.errors[one.name] = is_wave(one.name) ? 0.0 : one.value;
-  const MachineErrors found = machine_errors(made::both_runs(test), known_pitch(false));
+  const MachineErrors found = without_prior(test);
   EXPECT_TRUE(found.prior.empty());
   for (const MachineError& row : found.errors) EXPECT_NEAR(row.value, test.of(row.name), 0.05) << row.name;
   EXPECT_LT(found.residual_rms_um, 0.02);
@@ -109,7 +106,7 @@ TEST(MachineErrors, WavesBesideAllOthersAreFound) {
   for (const Alone& one : kErrors) {
     if (!std::string(one.name).starts_with("reversal")) test.errors[one.name] = one.value;
   }
-  const MachineErrors found = machine_errors(made::both_runs(test), known_pitch(false));
+  const MachineErrors found = without_prior(test);
   for (const MachineError& row : found.errors) EXPECT_NEAR(row.value, test.of(row.name), 0.6) << row.name;
 }
 
@@ -117,7 +114,7 @@ TEST(MachineErrors, WavesBesideAllOthersAreFound) {
 TEST(MachineErrors, AFarCentreIsNoOval) {
   made::ErrorTest test = made::full_turn();
   test.errors = {{"centre_a", 500.0}, {"centre_b", -300.0}, {"global_scale", 20.0}, {"squareness", 20.0}};
-  const MachineErrors found = machine_errors(made::both_runs(test), known_pitch(false));
+  const MachineErrors found = without_prior(test);
   for (const MachineError& row : found.errors) EXPECT_NEAR(row.value, test.of(row.name), 0.02) << row.name;
 }
 
@@ -128,6 +125,7 @@ TEST(MachineErrors, PitchIsSearched) {
                  {"cyclic_error_a_rev", 2.0},
                  {"cyclic_error_b_fwd", 2.0},
                  {"cyclic_error_b_rev", 2.0}};
+  test.pitch_stated = false;
   test.pitch_a_mm = 12.0;
   test.pitch_b_mm = 16.0;
   const MachineErrors found = machine_errors(made::both_runs(test));
@@ -148,9 +146,7 @@ TEST(MachineErrors, CyclicAmplitudeIsTheLargerOrTheMeanOfBothRuns) {
   const std::vector<Recording> recordings{made::run_of(ccw, Direction::CCW, random),
                                           made::run_of(cw, Direction::CW, random)};
   const auto forwards_um = [&](CyclicOfRuns of_runs) {
-    MachineErrorOptions options = known_pitch(true);
-    options.cyclic_of_runs = of_runs;
-    const MachineErrors found = machine_errors(recordings, options);
+    const MachineErrors found = machine_errors(recordings, {.cyclic_of_runs = of_runs});
     for (const MachineError& row : found.errors) {
       if (row.name == "cyclic_error_a_fwd") return row.value;
     }
@@ -166,7 +162,7 @@ TEST(MachineErrors, IndividualCircularityIsPeakToPeakOfItsOwnCurve) {
   test.errors = {{"squareness", 20.0},        {"scale_mismatch", 8.0},    {"straightness_a", -5.0},
                  {"servo_mismatch", 0.09},    {"backlash_a_pos", 2.0},    {"backlash_a_neg", 1.0},
                  {"lateral_play_b_pos", 1.7}, {"lateral_play_b_neg", 1.7}};
-  const MachineErrors found = machine_errors(made::both_runs(test), known_pitch(false));
+  const MachineErrors found = without_prior(test);
   const std::map<std::string, double> by_hand{{"squareness", 3.0},     {"scale_mismatch", 4.0},
                                               {"straightness_a", 2.5}, {"servo_mismatch", 1.5},
                                               {"backlash_a", 2.0},     {"lateral_play_b", 1.7}};
@@ -194,7 +190,7 @@ TEST(MachineErrors, IndividualCircularityIsPeakToPeakOfItsOwnCurve) {
 TEST(MachineErrors, CircularityWithoutTheOnlyErrorIsNothing) {
   made::ErrorTest test = made::full_turn();
   test.errors = {{"scale_mismatch", 8.0}, {"global_scale", 7.0}};
-  const MachineErrors found = machine_errors(made::both_runs(test), known_pitch(false));
+  const MachineErrors found = without_prior(test);
   EXPECT_NEAR(found.circularity_um, 4.0, 0.01);
   EXPECT_EQ(found.ranked.front().effect->name, "scale_mismatch");
   EXPECT_NEAR(found.ranked.front().circularity_without_um, 0.0, 0.05);  // of curves at means over 0.4 deg

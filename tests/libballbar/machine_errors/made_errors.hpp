@@ -31,6 +31,7 @@ struct ErrorTest {
   double readings_a_second = 60.0;
   double first_deg = 180.0, arc_deg = 360.0;
   double pitch_a_mm = 10.0, pitch_b_mm = 10.0;
+  bool pitch_stated = true;
   double phase_a_rad = 1.0, phase_b_rad = 2.0;
   double spike_width_deg = 2.0;
   double sixth_harmonic_um = 0.0;  // peak to peak, in the CCW run alone: no error of the catalogue
@@ -112,6 +113,7 @@ inline Recording run_of(const ErrorTest& test, Direction direction, std::mt19937
   recording.nominal_length_mm = test.radius_mm;
   recording.direction = direction;
   recording.feed_mm_per_min = test.feed_mm_per_min;
+  if (test.pitch_stated) recording.pitch_a_mm = test.pitch_a_mm, recording.pitch_b_mm = test.pitch_b_mm;
   const double arc_rad = test.arc_deg * std::numbers::pi / 180.0;
   const double whole_s = test.radius_mm * arc_rad / (test.feed_mm_per_min / 60.0);
   // A multiple of 44, so that no reading is at a reversal, where no sign is right: of 360 and of 220 deg.

@@ -13,12 +13,6 @@
 namespace ballbar {
 namespace {
 
-MachineErrorOptions known_pitch() {
-  MachineErrorOptions options;
-  options.pitch_a_mm = options.pitch_b_mm = 10.0;
-  return options;
-}
-
 std::vector<std::string> significant_of(const MachineErrors& found) {
   std::vector<std::string> names;
   for (const RankedError& one : found.ranked) {
@@ -40,7 +34,7 @@ TEST(MachineErrorsInNoise, IntervalsOf95PercentHoldTheTruth) {
           "servo_mismatch", "sin_4_theta", "backlash_a_pos", "backlash_a_neg", "backlash_b_pos", "backlash_b_neg"}) {
       test.errors[name] = 3.0 * normal(random) * (name[2] == 'r' && name[0] == 's' && name[1] == 'e' ? 0.1 : 1.0);
     }
-    const MachineErrors found = machine_errors(made::both_runs(test, random), known_pitch());
+    const MachineErrors found = machine_errors(made::both_runs(test, random));
     for (const MachineError& row : found.errors) {
       if (row.name.starts_with("reversal")) continue;
       ++number;
@@ -57,10 +51,7 @@ TEST(MachineErrorsInNoise, IntervalsOf95PercentHoldTheTruth) {
 TEST(MachineErrorsInNoise, NothingHiddenIsHardlyEverNamed) {
   int named = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    named +=
-        significant_of(machine_errors(made::both_runs(made::noisy(made::full_turn()), seed), known_pitch())).empty()
-            ? 0
-            : 1;
+    named += significant_of(machine_errors(made::both_runs(made::noisy(made::full_turn()), seed))).empty() ? 0 : 1;
   }
   fmt::print("nothing hidden: {} of 60 name something\n", named);
   EXPECT_LE(named, 7);
@@ -78,11 +69,11 @@ class HiddenError : public testing::TestWithParam<Hidden> {};
 // 8 sigma: named, with its value, and nothing beside it.
 TEST_P(HiddenError, IsNamedAlone) {
   made::ErrorTest test = made::noisy(made::full_turn());
-  for (const MachineError& row : machine_errors(made::both_runs(test, 5), known_pitch()).errors) {
+  for (const MachineError& row : machine_errors(made::both_runs(test, 5)).errors) {
     if (row.name == GetParam().name) test.errors[row.name] = 8.0 * row.sigma;
   }
   ASSERT_EQ(test.errors.size(), 1U);
-  const MachineErrors found = machine_errors(made::both_runs(test, 6), known_pitch());
+  const MachineErrors found = machine_errors(made::both_runs(test, 6));
   EXPECT_EQ(significant_of(found), (std::vector<std::string>{GetParam().effect}));
   for (const MachineError& row : found.errors) {
     if (row.name != GetParam().name) continue;
@@ -103,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(MachineErrorsInNoise, AFormOfNoErrorIsLeftAndNothingIsNamed) {
   made::ErrorTest test = made::noisy(made::full_turn());
   test.sixth_harmonic_um = 1.0;
-  const MachineErrors found = machine_errors(made::both_runs(test, 3), known_pitch());
+  const MachineErrors found = machine_errors(made::both_runs(test, 3));
   EXPECT_EQ(significant_of(found), std::vector<std::string>{});
   ASSERT_TRUE(found.left.has_value());
   EXPECT_EQ(found.left->harmonic, 6);
@@ -116,7 +107,7 @@ TEST(MachineErrorsInNoise, AFormOfNoErrorIsLeftAndNothingIsNamed) {
 TEST(MachineErrorsInNoise, NothingIsLeftInNoiseAlone) {
   int left = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-    left += machine_errors(made::both_runs(made::noisy(made::full_turn()), seed), known_pitch()).left ? 1 : 0;
+    left += machine_errors(made::both_runs(made::noisy(made::full_turn()), seed)).left ? 1 : 0;
   }
   EXPECT_LE(left, 3);
 }
@@ -140,7 +131,7 @@ TEST_P(NoiseOfAKind, SigmaIsTheScatterOfTests) {
   std::map<std::string, std::pair<double, double>> squares;  // of errors, of sigmas
   constexpr int kTests = 40;
   for (std::uint64_t seed = 1; seed <= kTests; ++seed) {
-    for (const MachineError& row : machine_errors(made::both_runs(test, seed), known_pitch()).errors) {
+    for (const MachineError& row : machine_errors(made::both_runs(test, seed)).errors) {
       squares[row.name].first += row.value * row.value;
       squares[row.name].second += row.sigma * row.sigma;
     }
