@@ -5,8 +5,10 @@
 FILES_FOLDER is what bench_files wrote. Each figure is processor time, the median of the repetitions. A `.b5r` is read from disk and
 both its circles fitted, by the peer in two ways: as usually written, and with the exact Jacobian and MINPACK. The peer has no
 autocorrelation in its covariance, the second way no covariance; ours has both. Five probes: read, drift and tilt, written; the peer
-without sigma, ours with a column of it for each. Batches of thermal tests: the peer stacks the rows of the first 1, 2 ... and fits each
-stack by PCA and linear regression, once and not by the median, with one number of components; ours chooses that number by leaving out
+without sigma, ours with a column of it for each. Errors of a machine: the peer is one least squares of their columns over all readings,
+with the covariance of white noise and the pitches of the screws known; ours searches the pitches, adds what shows at the reversals, and
+has the noise with a memory, the ranks and what is left. Batches of thermal tests: the peer stacks the rows of the first 1, 2 ... and fits
+each stack by PCA and linear regression, once and not by the median, with one number of components; ours chooses that number by leaving out
 one batch at a time, fits the first 1, 2 ... all, and predicts 30 batches from their neighbours by number and by weight.
 """
 import json
@@ -76,6 +78,38 @@ def read_b5r(path):
     return runs
 
 
+def machine_errors(runs, length_mm=100.0, feed_mm_per_min=1000.0, pitch_mm=10.0):
+    """Values and white sigma of the errors that are linear, over both runs."""
+    blocks = []
+    for run, (angle_rad, _) in enumerate(runs):
+        way = 1.0 if angle_rad[1] > angle_rad[0] else -1.0
+        c, s = np.cos(angle_rad), np.sin(angle_rad)
+        along_a, along_b = -np.sign(s) * way, np.sign(c) * way
+        double = np.sin(2.0 * angle_rad)
+        columns = [np.ones_like(c), c, s, way / 2.0 * np.ones_like(c), way / 2.0 * c, way / 2.0 * s,
+                   np.cos(2.0 * angle_rad) / 4.0, -length_mm / 2e3 * double, np.sin(3.0 * angle_rad) / 4.0,
+                   -np.cos(3.0 * angle_rad) / 4.0, way * feed_mm_per_min / 120.0 * double,
+                   way / 2.0 * np.sin(4.0 * angle_rad), np.cos(4.0 * angle_rad) / 2.0, np.sin(4.0 * angle_rad) / 2.0]
+        for end in (1.0, -1.0):
+            columns += [-along_a * c * (1.0 + end * c) / 4.0, -along_b * s * (1.0 + end * s) / 4.0,
+                        along_a * s * (1.0 + end * c) / 4.0, along_b * c * (1.0 + end * s) / 4.0]
+        for x, along in ((c, along_a), (s, along_b)):
+            wave = 2.0 * np.pi * length_mm / pitch_mm * x
+            for of_run in range(len(runs)):
+                for forwards in (1.0, -1.0):
+                    here = (along == forwards) * (of_run == run) * x / 2.0
+                    columns += [here * np.sin(wave), here * np.cos(wave)]
+        away = np.abs((np.degrees(angle_rad) + 45.0) % 90.0 - 45.0) > 1.5
+        blocks.append(np.column_stack(columns)[away])
+        runs[run] = (angle_rad, runs[run][1], away)
+    x = np.vstack(blocks)
+    y = np.concatenate([1e3 * (length - length_mm)[away] for _, length, away in runs])
+    inverse = np.linalg.pinv(x.T @ x)
+    gains = inverse @ (x.T @ y)
+    variance = np.sum((y - x @ gains) ** 2) / (y.size - x.shape[1])
+    return gains, np.sqrt(variance * np.diag(inverse))
+
+
 def read_log(path):
     with open(path, encoding="utf-8") as file:
         header = next(line for line in file if not line.startswith("#")).strip().split(",")
@@ -132,6 +166,7 @@ def of_first_batches(batches):
 
 
 circle = read_log(folder / "circle.csv")
+both_runs = read_b5r(folder / "test.b5r")
 with open(folder / "probes.csv", encoding="utf-8") as probes:
     probe_rows = sum(1 for line in probes if line[0].isdigit())
 batches = warm_ups(int(os.environ.get("BALLBAR_BENCH_BATCHES", "1000")))
@@ -148,6 +183,7 @@ rows = [
      median_ms(lambda: [fit_usual(*run) for run in read_b5r(folder / "test.b5r")])),
     (".b5r, the peer with exact Jacobian, method lm", "b5r_open_and_fit",
      median_ms(lambda: [fit(*run) for run in read_b5r(folder / "test.b5r")])),
+    ("all errors of a machine, 2 x 1500 readings", "machine_errors", median_ms(lambda: machine_errors(list(both_runs)))),
     (f"log of {log_MB:.0f} MB read", "log_read", median_ms(lambda: read_log(folder / "log.csv"))),
     (f"circle of {circle[0].size} readings fitted", "circle_fit", median_ms(lambda: fit(*circle))),
     (f"sine and cosine of {circle[0].size} angles", "circle_sine_pass",

@@ -24,13 +24,16 @@ mkdir -p "$results"
 export BALLBAR_BENCH_LOG_MB="$size_MB" BALLBAR_BENCH_READINGS="$readings" BALLBAR_BENCH_ROWS="$rows"
 export BALLBAR_BENCH_BATCHES="$batches" BALLBAR_BENCH_TESTS="$tests"
 for name in b5r batches compensation history log circle session five_probe spindle; do
+export BALLBAR_BENCH_BATCHES="$batches"
+for name in b5r batches compensation log circle machine_errors session five_probe spindle; do
   "$programs/bench_$name" --benchmark_min_time="$min_time" --benchmark_repetitions="$repetitions" \
     --benchmark_out="$results/$name.json" --benchmark_out_format=json
 done
 echo
 # Debian's own python3: numpy, scipy and sklearn are installed for that one.
 /usr/bin/python3 tests/bench/peer.py "$results" "$repetitions" \
-  "$results/b5r.json" "$results/log.json" "$results/circle.json" "$results/session.json" \
+  "$results/b5r.json" "$results/log.json" "$results/circle.json" \
+  "$results/machine_errors.json" "$results/session.json" \
   "$results/five_probe.json" "$results/spindle.json" "$results/batches.json"
 echo
 echo "One row of sensors through a pipe, written and its offset waited for:"

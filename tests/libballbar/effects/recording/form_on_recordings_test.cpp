@@ -31,7 +31,7 @@ TEST(circle, is_zero_in_other_recordings) {
 // Renishaw stores 2 R (s_a - s_b): 30 ppm on 50 mm are 3.0 um over the diameter, and + - 0.75 um on the length.
 TEST(scale_mismatch, lengthens_along_a_and_shortens_along_b) {
   const auto at = [](double angle_deg) {
-    return added_um("scale_mismatch", {30.0}, {.angle_deg = angle_deg, .radius_mm = 50.0});
+    return added_um("scale_mismatch", {3.0}, {.angle_deg = angle_deg, .radius_mm = 50.0});
   };
   EXPECT_NEAR(at(0.0), 0.75, kRounding_um);
   EXPECT_NEAR(at(45.0), 0.0, kRounding_um);
@@ -48,17 +48,33 @@ TEST(squareness, shortens_at_45_deg_where_the_angle_is_obtuse) {
   EXPECT_NEAR(added_um("squareness", {20.0}, {.angle_deg = 30.0}), (std::hypot(a_mm, b_mm) - 100.0) * 1e3, 1e-4);
 }
 
-// A bow of 8 um: at 45 deg, cos^2 = 1/2 and sin = 0.7071 leave 2.828 um; in the middle of the axis nothing.
-TEST(straightness, is_a_bow_towards_the_other_axis) {
-  EXPECT_NEAR(added_um("straightness_a", {8.0}, {.angle_deg = 45.0}), 8.0 / std::sqrt(8.0), kRounding_um);
-  EXPECT_NEAR(added_um("straightness_a", {8.0}, {.angle_deg = -45.0}), -8.0 / std::sqrt(8.0), kRounding_um);
-  EXPECT_NEAR(added_um("straightness_a", {8.0}, {.angle_deg = 90.0}), 0.0, kRounding_um);
-  EXPECT_NEAR(added_um("straightness_b", {8.0}, {.angle_deg = 45.0}), 8.0 / std::sqrt(8.0), kRounding_um);
-  EXPECT_NEAR(added_um("straightness_b", {8.0}, {.angle_deg = 135.0}), -8.0 / std::sqrt(8.0), kRounding_um);
-  // the harmonics of the derivation: (s / 4) (sin + sin 3)
-  const double theta_rad = rad_from_deg(20.0);
-  EXPECT_NEAR(added_um("straightness_a", {8.0}, {.angle_deg = 20.0}),
-              2.0 * (std::sin(theta_rad) + std::sin(3.0 * theta_rad)), kRounding_um);
+// A bow of 8 um is 8 cos^2 sin = 2 sin + 2 sin 3: the circle keeps the three lobes of 2 um, the rest is its centre.
+TEST(straightness, has_three_lobes_of_a_quarter_of_the_bow) {
+  EXPECT_NEAR(added_um("straightness_a", {8.0}, {.angle_deg = 30.0}), 2.0, kRounding_um);
+  EXPECT_NEAR(added_um("straightness_a", {8.0}, {.angle_deg = 90.0}), -2.0, kRounding_um);
+  EXPECT_NEAR(added_um("straightness_a", {8.0}, {.angle_deg = 60.0, .direction = kCw}), 0.0, kRounding_um);
+  EXPECT_NEAR(added_um("straightness_b", {8.0}, {.angle_deg = 0.0}), -2.0, kRounding_um);
+  EXPECT_NEAR(added_um("straightness_b", {8.0}, {.angle_deg = 60.0, .direction = kCw}), 2.0, kRounding_um);
+  // with its part of the centre it is the bow: at 45 deg, cos^2 = 1/2 and sin = 0.7071 leave 2.828 um
+  const double theta_rad = rad_from_deg(45.0);
+  EXPECT_NEAR(added_um("straightness_a", {8.0}, {.angle_deg = 45.0}) + 2.0 * std::sin(theta_rad), 8.0 / std::sqrt(8.0),
+              kRounding_um);
+  EXPECT_NEAR(added_um("straightness_b", {8.0}, {.angle_deg = 45.0}) + 2.0 * std::cos(theta_rad), 8.0 / std::sqrt(8.0),
+              kRounding_um);
+}
+
+// 6 (4 x^3 - 3 x) along A and 6 (4 y^3 - 3 y) along B: at 0 deg 6 um along A and nothing along B, 3 of them of the
+// second harmonic, which is left to scale and squareness.
+TEST(cubic_error, has_four_lobes_alike_in_both_directions) {
+  EXPECT_NEAR(added_um("cubic_error", {6.0, 0.0}, {.angle_deg = 0.0}), 3.0, kRounding_um);
+  EXPECT_NEAR(added_um("cubic_error", {6.0, 0.0}, {.angle_deg = 45.0, .direction = kCw}), -3.0, kRounding_um);
+  EXPECT_NEAR(added_um("cubic_error", {6.0, 0.0}, {.angle_deg = 22.5}), 0.0, kRounding_um);
+  EXPECT_NEAR(added_um("cubic_error", {0.0, 4.0}, {.angle_deg = 22.5}), 2.0, kRounding_um);
+  EXPECT_NEAR(added_um("cubic_error", {0.0, 4.0}, {.angle_deg = 67.5, .direction = kCw}), -2.0, kRounding_um);
+  // with cos 2 theta it is the error of axis A along the bar
+  const double theta_rad = rad_from_deg(20.0), x = std::cos(theta_rad);
+  EXPECT_NEAR(added_um("cubic_error", {6.0, 0.0}, {.angle_deg = 20.0}) + 3.0 * std::cos(2.0 * theta_rad),
+              6.0 * (4.0 * x * x * x - 3.0 * x) * x, kRounding_um);
 }
 
 TEST(oval, has_two_lobes) {

@@ -24,12 +24,28 @@ TEST(dynamic_contraction, grows_with_the_square_of_the_feed) {
   EXPECT_NEAR(added_um("dynamic_contraction", {0.5}, {.feed_mm_per_min = 3000.0}), -4.5, kRounding_um);
 }
 
-// At 60 deg A is at 50 mm: pitch 8 mm, 6.25 waves, a quarter: the sine is 1 and the cosine 0, times 1/2.
+// 4 um from peak to peak in one direction, at the other angles in the other.
+TEST(sin_4_theta, has_four_lobes_that_turn_with_the_direction) {
+  EXPECT_NEAR(added_um("sin_4_theta", {4.0}, {.angle_deg = 22.5}), 2.0, kRounding_um);
+  EXPECT_NEAR(added_um("sin_4_theta", {4.0}, {.angle_deg = 22.5, .direction = kCw}), -2.0, kRounding_um);
+  EXPECT_NEAR(added_um("sin_4_theta", {4.0}, {.angle_deg = 67.5}), -2.0, kRounding_um);
+  EXPECT_NEAR(added_um("sin_4_theta", {4.0}, {.angle_deg = 45.0}), 0.0, kRounding_um);
+}
+
+// At 60 deg A is at 50 mm of 100 and moves towards -A when CCW. Pitch 8 mm, 6.25 waves, a quarter: the sine is 1 and
+// the cosine 0, times 1/2 of the bar and 1/2 of peak to peak.
 TEST(cyclic_error, is_fixed_in_the_position_of_the_axis) {
-  EXPECT_NEAR(added_um("cyclic_error_a", {2.0, 7.0, 8.0}, {.angle_deg = 60.0}), 1.0, 1e-8);
-  EXPECT_NEAR(added_um("cyclic_error_b", {2.0, 7.0, 8.0}, {.angle_deg = 30.0, .direction = kCw}), 1.0, 1e-8);
-  EXPECT_NEAR(added_um("cyclic_error_b", {2.0, 7.0, 10.0}, {.angle_deg = 30.0}), 3.5, 1e-8);  // 5 waves
-  EXPECT_NEAR(added_um("cyclic_error_a", {2.0, 7.0, 8.0}, {.angle_deg = 90.0}), 0.0, 1e-8);
+  const std::vector<double> quarter{2.0, 7.0, 4.0, 5.0, 8.0};  // fwd sine, cosine, rev sine, cosine, pitch
+  EXPECT_NEAR(added_um("cyclic_error_a", quarter, {.angle_deg = 60.0}), 1.0, 1e-8);
+  EXPECT_NEAR(added_um("cyclic_error_a", quarter, {.angle_deg = 60.0, .direction = kCw}), 0.5, 1e-8);
+  EXPECT_NEAR(added_um("cyclic_error_a", quarter, {.angle_deg = -60.0}), 0.5, 1e-8);
+  EXPECT_NEAR(added_um("cyclic_error_a", quarter, {.angle_deg = 90.0}), 0.0, 1e-8);
+  // B at 30 deg is at + 50 mm and moves towards +B when CCW
+  EXPECT_NEAR(added_um("cyclic_error_b", quarter, {.angle_deg = 30.0}), 0.5, 1e-8);
+  EXPECT_NEAR(added_um("cyclic_error_b", quarter, {.angle_deg = 30.0, .direction = kCw}), 1.0, 1e-8);
+  const std::vector<double> whole{2.0, 7.0, 4.0, 5.0, 10.0};  // 5 waves: the cosine is 1
+  EXPECT_NEAR(added_um("cyclic_error_b", whole, {.angle_deg = 30.0}), 1.75, 1e-8);
+  EXPECT_NEAR(added_um("cyclic_error_b", whole, {.angle_deg = 30.0, .direction = kCw}), 1.25, 1e-8);
 }
 
 // 5 Hz: a quarter of a wave 50 ms after the middle of the sweep.
