@@ -166,8 +166,8 @@ std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::Matri
   return noises;
 }
 
-Eigen::MatrixXd scatter_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,
-                           const std::vector<WeightedNoise>& noises) {
+Eigen::MatrixXd spread_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,
+                          const std::vector<WeightedNoise>& noises) {
   std::map<double, std::pair<double, double>> by_memory;  // q^2 and w^2, each times its weight
   for (const WeightedNoise& one : noises) {
     auto& [q2, w2] = by_memory[one.noise.correlation_time_s];
@@ -194,8 +194,14 @@ Eigen::MatrixXd scatter_of(const Eigen::MatrixXd& columns, const ErrorRows& rows
       correlated.row(i - 1) += (q2 * memory.with_others[at - 1]) * sum;
     }
   }
-  const Eigen::MatrixXd scatter = z.transpose() * correlated;
-  return 0.5 * (scatter + scatter.transpose());
+  return correlated;
+}
+
+Eigen::MatrixXd scatter_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,
+                           const std::vector<WeightedNoise>& noises) {
+  Eigen::MatrixXd scatter(columns.cols(), columns.cols());
+  scatter.triangularView<Eigen::Lower>() = columns.transpose() * spread_of(columns, rows, noises);
+  return scatter.selfadjointView<Eigen::Lower>();
 }
 
 double slow_variance_um2(const ErrorRows& rows, const std::vector<WeightedNoise>& noises) {

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <map>
 
@@ -30,14 +31,16 @@ std::vector<Wave> waves_of(const ErrorRows& rows, const Eigen::VectorXd& residua
       continue;
     }
     weight[i] = rows.count[i];
-    for (Eigen::Index k = 0; k < kWaves; ++k) {
-      const double phase_rad = static_cast<double>(kFirst + k) * rows.angle_rad[i];
-      columns(i, 2 * k) = std::cos(phase_rad);
-      columns(i, 2 * k + 1) = std::sin(phase_rad);
+    // From one wave to the next by a turn of one angle.
+    const std::complex<double> turn = std::polar(1.0, rows.angle_rad[i]);
+    std::complex<double> wave = std::polar(1.0, kFirst * rows.angle_rad[i]);
+    for (Eigen::Index k = 0; k < kWaves; ++k, wave *= turn) {
+      columns(i, 2 * k) = wave.real();
+      columns(i, 2 * k + 1) = wave.imag();
     }
   }
   const Eigen::MatrixXd weighted = weight.asDiagonal() * columns;
-  const Eigen::MatrixXd scatter = scatter_of(weighted, rows, noises);
+  const Eigen::MatrixXd spread = spread_of(weighted, rows, noises);
   const Eigen::VectorXd seen = weighted.transpose() * residual;
   std::vector<Wave> waves;
   waves.reserve(static_cast<std::size_t>(kWaves));
@@ -45,7 +48,8 @@ std::vector<Wave> waves_of(const ErrorRows& rows, const Eigen::VectorXd& residua
     const auto own = columns.middleCols<2>(2 * k);
     const Eigen::Matrix2d inverse = Eigen::Matrix2d(own.transpose() * weighted.middleCols<2>(2 * k)).inverse();
     const Eigen::Vector2d wave = inverse * seen.segment<2>(2 * k);
-    const Eigen::Matrix2d covariance = inverse * scatter.block<2, 2>(2 * k, 2 * k) * inverse;
+    const Eigen::Matrix2d scatter = weighted.middleCols<2>(2 * k).transpose() * spread.middleCols<2>(2 * k);
+    const Eigen::Matrix2d covariance = inverse * scatter * inverse;
     const double chi2 = wave.dot(covariance.ldlt().solve(wave));
     waves.push_back({wave[0], wave[1], std::exp(-0.5 * chi2)});
   }
