@@ -14,15 +14,10 @@ GainMaps::GainMaps(const GainStages& stages)
   // G (C' y - C' M b), b = N^-1 M' y of the first fit.
   Eigen::MatrixXd t_first = Eigen::MatrixXd::Zero(p_, z_.cols());
   t_first.leftCols(p_) = stages.first->inverse;
-  t_cyclic_ = Eigen::MatrixXd::Zero(c_, z_.cols());
-  Eigen::Index at = 0;
-  for (const Block& block : *stages.cyclic_blocks) {
-    const Eigen::Index k = block.inverse.rows();
-    z_.middleCols(p_ + e_ + at, k) = block.weighted;
-    t_cyclic_.block(at, p_ + e_ + at, k, k) = block.inverse;
-    t_cyclic_.middleRows(at, k) -= block.inverse * (block.weighted.transpose() * stages.together->values) * t_first;
-    at += k;
-  }
+  const Block& cyclic = *stages.cyclic_block;
+  z_.middleCols(p_ + e_, c_) = cyclic.weighted;
+  t_cyclic_ = -cyclic.inverse * (cyclic.weighted.transpose() * stages.together->values) * t_first;
+  t_cyclic_.middleCols(p_ + e_, c_) += cyclic.inverse;
 }
 
 Eigen::MatrixXd GainMaps::normal() const { return columns_.transpose() * z_.rightCols(p_ + e_); }

@@ -97,7 +97,7 @@ TEST(MachineErrors, AllTogetherAreFound) {
   const MachineErrors found = without_prior(test);
   EXPECT_TRUE(found.prior.empty());
   for (const MachineError& row : found.errors) EXPECT_NEAR(row.value, test.of(row.name), 0.05) << row.name;
-  EXPECT_LT(found.residual_rms_um, 0.02);
+  EXPECT_LT(found.residual_rms_um, 0.04);  // the curves at means of half a degree
 }
 
 // Of the reversals' steps the waves of the screws leave 0.5 um.
