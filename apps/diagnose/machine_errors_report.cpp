@@ -15,6 +15,7 @@
 namespace ballbar {
 namespace {
 
+constexpr double kNothing_um = 0.02;      // readings are written to 0.01 um
 constexpr double kMoreThanRepeats = 1.5;  // times the repeatability: a form is left
 
 MachineErrorOptions fit_options(const ErrorsReport& report, const ErrorsOptions& options) {
@@ -79,8 +80,13 @@ std::vector<const RankedError*> significant_of(const MachineErrors& found) {
 }  // namespace
 
 bool are_of_linear_axes(const std::vector<std::string>& files) {
+  bool any = false;
   for (const std::string& file : files) {
+    std::error_code error;
+    const bool has_bytes = std::filesystem::is_regular_file(file, error) && std::filesystem::file_size(file, error) > 0;
+    if (!has_bytes && !std::filesystem::is_directory(file, error)) continue;  // told where it is read
     if (!is_recording_file(file)) return false;
+    any = true;
     try {
       for (const Recording& recording : open_recording(file).recordings) {
         if (recording.kind != Kind::circle || recording.motion != Motion::linear_axes) return false;
@@ -88,7 +94,7 @@ bool are_of_linear_axes(const std::vector<std::string>& files) {
     } catch (const Error&) {  // told where it is read
     }
   }
-  return !files.empty();
+  return any;
 }
 
 ErrorsReports errors_reports_of(const std::vector<std::string>& files, const ErrorsOptions& options) {
@@ -142,7 +148,7 @@ std::string conclusion(const ErrorsReport& report) {
   names.reserve(significant.size());
   for (const RankedError* one : significant) names.push_back(one->effect->name);
   const RankedError& most = *significant.front();
-  text += fmt::format("The largest error is {}, which alone makes {:.1f} um", most.effect->name,
+  text += fmt::format("The largest that is clear is {}, which alone makes {:.1f} um", most.effect->name,
                       most.individual_circularity_um);
   if (most.circularity_without_um < found.circularity_um) {
     text += fmt::format("; without it {:.1f} um would remain", most.circularity_without_um);
@@ -161,12 +167,14 @@ std::string left_text(const ErrorsReport& report) {
     for (const AddedError& one : found.one_by_one) text += fmt::format(", + {} {:.2f}", one.effect->name, one.rms_um);
     text += ". ";
   }
-  text += fmt::format("All of them together leave {:.2f} um rms", found.residual_rms_um);
+  text += fmt::format("All errors together leave {:.2f} um rms", found.residual_rms_um);
   if (std::isfinite(found.repeatability_um)) {
     text += fmt::format("; CCW and CW repeat to {:.2f} um", found.repeatability_um);
   }
   text += ". ";
-  if (found.left) {
+  if (found.residual_rms_um < kNothing_um) {
+    text += "That is nothing.";
+  } else if (found.left) {
     const LeftHarmonic& left = *found.left;
     text += fmt::format(
         "Unexplained is a wave of {} a turn, {:.2f} um from peak to peak, {}: no error of the catalogue "

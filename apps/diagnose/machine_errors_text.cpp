@@ -32,7 +32,8 @@ std::string moment(std::int64_t started_s) {
 
 // What the file says of itself, in one or two lines.
 std::string head_text(const ErrorsReport& report) {
-  std::string text = fmt::format("{}\n", fmt::join(report.files, "\n"));
+  std::string text;
+  for (const std::string& file : report.files) text += shortened(file, kWidest) + '\n';
   const Recording& first = report.recordings.front();
   std::vector<std::string> parts;
   if (report.b5r) {
@@ -161,7 +162,7 @@ void print_text(const ErrorsReports& reports) {
   if (!reports.skipped.empty()) {
     fmt::print("\nLeft out: {}\n",
                reports.skipped.size() == 1 ? "one file" : fmt::format("{} files", reports.skipped.size()));
-    for (const SkippedFile& skipped : reports.skipped) fmt::print("  {}\n", skipped.why);
+    for (const SkippedFile& skipped : reports.skipped) fmt::print("  {}\n", shortened(skipped.why, 1000));
   }
 }
 

@@ -78,6 +78,7 @@ bool is_of_machine_errors(const Model& model, const Series& data) {
     if (static_cast<std::size_t>(std::count(recording.begin(), recording.end(), number)) < kFewestReadings)
       return false;
   }
+  if (longest_arc_rad(data) < kShortestArc_rad) return false;
   return std::all_of(model.terms.begin(), model.terms.end(),
                      [](const Term& term) { return term.effect->rules.is_base || is_error(term); });
 }

@@ -8,6 +8,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kAbsent = 1e-5;  // mean square of a unit's curve: not in these readings
+constexpr double kOfSpike = 0.3;  // of its height
 constexpr double kLeast = 1e-12;  // a column of zeros has an inverse too
 
 }  // namespace
@@ -34,12 +35,17 @@ Block block_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& weight, co
   return block;
 }
 
-ErrorColumns present(const ErrorColumns& all, const ErrorRows& rows) {
-  const Eigen::VectorXd squares =
-      (all.values.array().square().colwise() * rows.count.array()).colwise().sum().transpose() / rows.count.sum();
+ErrorColumns present(const ErrorColumns& all, const Eigen::VectorXd& weight) {
+  const Eigen::VectorXd squares = (all.values.array().square().colwise() * weight.array()).colwise().sum().transpose() /
+                                  std::max(weight.sum(), 1.0);
   Indices kept;
+  kept.reserve(all.columns.size());
   for (Eigen::Index k = 0; k < all.size(); ++k) {
-    if (squares[k] > kAbsent * std::min(1.0, all.fine.col(k).cwiseAbs().maxCoeff())) kept.push_back(k);
+    const double largest = all.fine.col(k).cwiseAbs().maxCoeff();
+    const Effect* effect = all.columns[static_cast<std::size_t>(k)].effect;
+    const bool is_spike = effect != nullptr && effect->rules.error_fit == ErrorFit::at_reversals;
+    if (is_spike && largest < kOfSpike) continue;
+    if (squares[k] > kAbsent * std::min(1.0, largest)) kept.push_back(k);
   }
   ErrorColumns columns;
   columns.values = all.values(Eigen::all, kept);
@@ -54,7 +60,7 @@ double best_shape(const Effect& effect, const std::vector<double>& shapes, const
   double best = shapes.front(), most = -1.0;
   for (const double shape : shapes) {
     if (shapes.size() == 1) break;
-    const ErrorColumns columns = present(effect_columns(effect, shape, rows, false), rows);
+    const ErrorColumns columns = present(effect_columns(effect, shape, rows, false), weight);
     if (columns.size() == 0) continue;
     const Eigen::MatrixXd weighted = weight.asDiagonal() * columns.values;
     Eigen::MatrixXd normal = columns.values.transpose() * weighted;

@@ -24,8 +24,8 @@ struct Block {
 Block block_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& weight, const Eigen::MatrixXd& precision);
 Eigen::MatrixXd inverse_of(Eigen::MatrixXd normal, const Eigen::MatrixXd& precision);
 
-// Columns that say something in these readings.
-ErrorColumns present(const ErrorColumns& all, const ErrorRows& rows);
+// Columns that say something in the rows of these weights: not the far tail of a spike whose reversal is elsewhere.
+ErrorColumns present(const ErrorColumns& all, const Eigen::VectorXd& weight);
 
 // The shape of `shapes` whose columns lower most what is left of the data, freed of the columns of `base` (none: null).
 struct Base {

@@ -17,7 +17,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kFromOwnReversal_deg[2] = {12.0, 63.0};  // where cyclic errors are read
-constexpr double kIndependentWidths = 2.0;  // of a spike: the curves of all are alike
+constexpr double kIndependentWidths = 2.0;                // of a spike: the curves of all are alike
 
 // What the centre adds beyond its first order, at these angles: exact length less radius, a cos and b sin.
 Eigen::VectorXd second_order(const Eigen::VectorXd& circle, std::span<const double> angle_rad, double length_mm,
@@ -109,7 +109,7 @@ Part together_part(const ErrorColumns& circle, const std::vector<const Effect*>&
   std::vector<std::pair<FittedEffect, ErrorColumns>> own{{FittedEffect{}, circle}};
   own.reserve(effects.size() + 1);
   for (const Effect* effect : effects) {
-    own.emplace_back(FittedEffect{effect}, present(effect_columns(*effect, 0.0, rows, false), rows));
+    own.emplace_back(FittedEffect{effect}, present(effect_columns(*effect, 0.0, rows, false), rows.count));
   }
   Part part = part_of(own);
   part.effects.erase(part.effects.begin());
@@ -138,7 +138,7 @@ CyclicPart cyclic_part(const std::vector<const Effect*>& effects, const ErrorRow
     const std::optional<double> known = effect->rules.reversal_deg == 0.0 ? set_up.pitch_a_mm : set_up.pitch_b_mm;
     const std::vector<double> tried = known ? std::vector<double>{*known} : effect->parameters[shape_of(*effect)].grid;
     const double pitch_mm = best_shape(*effect, tried, rows, {}, left, weight);
-    ErrorColumns columns = present(effect_columns(*effect, pitch_mm, rows, true), rows);
+    ErrorColumns columns = present(effect_columns(*effect, pitch_mm, rows, true), weight);
     weighted.emplace_back(weight.asDiagonal() * columns.values);
     own.emplace_back(FittedEffect{effect, pitch_mm, {}, static_cast<double>(tried.size())}, std::move(columns));
   }
@@ -172,7 +172,7 @@ Part extra_part(const std::vector<const Effect*>& effects, const ErrorRows& rows
                                   {},
                                   tried.size() == 1 ? 1.0 : kIndependentWidths,
                                   false},
-                     present(effect_columns(*effect, best, rows, false), rows));
+                     present(effect_columns(*effect, best, rows, false), rows.count));
   }
   return part_of(own);
 }
@@ -242,7 +242,9 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
   const ErrorKinds kinds = error_kinds(set_up.arc_rad, fitted.undetermined);
   const Part together = together_part(circle, kinds.together, of);
   const Eigen::MatrixXd& columns = together.columns.values;
-  if (options.prior) fitted.prior = prior_of(together.columns, set_up.arc_rad, set_up.middle_rad);
+  if (options.prior)
+    fitted.prior = prior_of(together.columns, of.count.sum() / static_cast<double>(of.recordings), set_up.arc_rad,
+                            set_up.middle_rad);
   const Eigen::MatrixXd precision = precision_of(fitted.prior, together.columns.size());
 
   // The first fit without the reversals, and the cyclic errors on what it leaves.

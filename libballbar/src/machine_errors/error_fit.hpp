@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ballbar/machine_errors/machine_errors.hpp"
+#include "ballbar/units.hpp"
 #include "machine_errors/error_model.hpp"
 #include "machine_errors/error_noise.hpp"
 
@@ -60,6 +61,10 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
 
 // Of trace_of() recordings of one plane, one bar and linear axes.
 ErrorFitted error_fitted(const Series& trace, const MachineErrorOptions& options);
+
+// Arc that the longest recording of a trace covers.
+double longest_arc_rad(const Series& trace);
+inline constexpr double kShortestArc_rad = 60.0 * kPi / 180.0;  // below it the errors are all alike
 
 // Deviation freed of the fitted centre: readings of the trace.
 std::vector<double> freed_of_centre(const ErrorFitted& fitted, const Series& trace);

@@ -15,6 +15,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kShiftReadings = 80.0;    // of what CCW and CW differ by
+constexpr double kUsualReadings = 1550.0;  // of a recording, by which these are meant
 constexpr double kOpenSideReadings = 2.0;  // of the centre, along the middle of the arc
 constexpr double kLeftOfNormal = 0.01;     // share of a combination's square that readings must see
 constexpr double kLoading = 0.3;           // of a name in a combination
@@ -175,22 +176,24 @@ ErrorColumns joined(const std::vector<const ErrorColumns*>& parts) {
   return all;
 }
 
-std::vector<PriorStatement> prior_of(const ErrorColumns& columns, double arc_rad, double middle_rad) {
+std::vector<PriorStatement> prior_of(const ErrorColumns& columns, double readings_of_one, double arc_rad,
+                                     double middle_rad) {
   std::vector<PriorStatement> prior;
   const auto unit_vector = [&](std::size_t column) {
     return Eigen::VectorXd(Eigen::VectorXd::Unit(columns.size(), static_cast<Eigen::Index>(column)));
   };
   const bool full = arc_rad >= kFullTurn_rad;
+  const double share = readings_of_one / kUsualReadings;
   for (std::size_t k = 0; k < columns.columns.size(); ++k) {
     const ErrorColumn& column = columns.columns[k];
     if (column.effect == nullptr) {
       if (full || column.recording) continue;
       for (std::size_t part = 0; part < 3; ++part) {
         if (column.name == kCircleParts[part].shift)
-          add(prior, columns, column.name, "um", unit_vector(k), kShiftReadings);
+          add(prior, columns, column.name, "um", unit_vector(k), share * kShiftReadings);
         if (part == 0 || column.name != kCircleParts[part].mean) continue;
         const double along = circle_part(part, middle_rad);
-        add(prior, columns, column.name, "um", unit_vector(k), kOpenSideReadings * along * along);
+        add(prior, columns, column.name, "um", unit_vector(k), share * kOpenSideReadings * along * along);
       }
       continue;
     }
@@ -201,7 +204,7 @@ std::vector<PriorStatement> prior_of(const ErrorColumns& columns, double arc_rad
         coefficients[static_cast<Eigen::Index>(k + gain)] = damping.gains[gain];
       }
       add(prior, columns, statement_name(columns, k, damping), column.unit, coefficients,
-          damping.readings * share_of(damping.where, arc_rad, middle_rad));
+          share * damping.readings * share_of(damping.where, arc_rad, middle_rad));
     }
   }
   return prior;

@@ -47,8 +47,9 @@ struct PriorStatement {
   double precision = 0.0;        // to be added to X' X
 };
 
-// What holds for readings over an arc (2 pi: a full turn) about this middle.
-std::vector<PriorStatement> prior_of(const ErrorColumns& columns, double arc_rad, double middle_rad);
+// What holds for so many readings of one recording over an arc (2 pi: a full turn) about this middle.
+std::vector<PriorStatement> prior_of(const ErrorColumns& columns, double readings_of_one, double arc_rad,
+                                     double middle_rad);
 
 Eigen::MatrixXd precision_of(const std::vector<PriorStatement>& prior, Eigen::Index columns);
 

@@ -124,8 +124,10 @@ Directions directions_of(const ErrorRows& rows) {
   return {ccw, rows.count - ccw};
 }
 
-// Squares that are left in each direction, the gains from the other.
-double squares_left(const OwnColumns& own, const Eigen::VectorXd& data, const Directions& directions) {
+// Squares that are left in each direction, the gains from the other; `others`: left in the data, but not where the
+// gains are from.
+double squares_left(const OwnColumns& own, const Eigen::VectorXd& data, const Directions& directions,
+                    const Eigen::VectorXd& others) {
   double left = 0.0;
   for (const auto& [from, to] :
        {std::pair{&directions.ccw, &directions.cw}, std::pair{&directions.cw, &directions.ccw}}) {
@@ -137,7 +139,7 @@ double squares_left(const OwnColumns& own, const Eigen::VectorXd& data, const Di
       normal.diagonal().array() += 1e-12;
       predicted = own.columns * normal.llt().solve(weighted.transpose() * data);
     }
-    left += to->dot((data - predicted).cwiseAbs2());
+    left += to->dot((data + others - predicted).cwiseAbs2());
   }
   return left;
 }
@@ -148,7 +150,8 @@ std::optional<bool> predicts_other(const ErrorFitted& fitted, const FittedEffect
   if (!directions.both()) return std::nullopt;
   const OwnColumns own = own_columns(fitted, {effect.effect});
   const Eigen::VectorXd data = residual + own.fitted;
-  return squares_left(own, data, directions) < fitted.rows.count.dot(data.cwiseAbs2());
+  return squares_left(own, data, directions, Eigen::VectorXd::Zero(data.size())) <
+         fitted.rows.count.dot(data.cwiseAbs2());
 }
 
 // A chi^2 of so many degrees of freedom that noise exceeds with this chance.
@@ -245,12 +248,12 @@ std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTab
 double held_out_rms_um(const ErrorFitted& fitted, const std::set<const Effect*>& effects) {
   const Directions directions = directions_of(fitted.rows);
   if (!directions.both()) return std::numeric_limits<double>::quiet_NaN();
-  // What the model does not have is left in the data.
   std::set<const Effect*> all;
   for (const FittedEffect& effect : fitted.effects) all.insert(effect.effect);
-  const Eigen::VectorXd data = fitted.residual() + own_columns(fitted, all).fitted;
-  return std::sqrt(fitted.within_um2 +
-                   squares_left(own_columns(fitted, effects), data, directions) / fitted.rows.count.sum());
+  const OwnColumns own = own_columns(fitted, effects);
+  const Eigen::VectorXd others = own_columns(fitted, all).fitted - own.fitted;
+  const double squares = squares_left(own, fitted.residual() + own.fitted, directions, others);
+  return std::sqrt(fitted.within_um2 + squares / fitted.rows.count.sum());
 }
 
 double rms_with_um(const ErrorFitted& fitted, const std::set<const Effect*>& effects) {

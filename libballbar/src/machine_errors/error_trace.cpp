@@ -1,8 +1,11 @@
 // The errors of a machine from the trace of its recordings.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "ballbar/circle/trace.hpp"
+#include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
 #include "machine_errors/error_fit.hpp"
 
@@ -34,17 +37,9 @@ double arc_of(std::span<const double> angle_rad) {
 ErrorSetUp set_up_of(const Series& trace) {
   ErrorSetUp set_up;
   const std::vector<double>& angle_rad = values_of(trace, "angle");
-  const std::vector<double>& recording = values_of(trace, "recording");
   double cos = 0.0, sin = 0.0;
-  for (std::size_t first = 0; first < angle_rad.size();) {
-    std::size_t last = first;
-    while (last < angle_rad.size() && recording[last] == recording[first]) {
-      cos += std::cos(angle_rad[last]);
-      sin += std::sin(angle_rad[last++]);
-    }
-    set_up.arc_rad = std::max(set_up.arc_rad, arc_of(std::span(angle_rad).subspan(first, last - first)));
-    first = last;
-  }
+  for (const double angle : angle_rad) cos += std::cos(angle), sin += std::sin(angle);
+  set_up.arc_rad = longest_arc_rad(trace);
   set_up.middle_rad = std::atan2(sin, cos);
   set_up.length_mm = values_of(trace, "radius").front();
   set_up.height_mm = values_of(trace, "height").front();
@@ -76,7 +71,26 @@ double within_rows_um2(const ErrorFitted& fitted, const Series& trace) {
 
 }  // namespace
 
+double longest_arc_rad(const Series& trace) {
+  const std::vector<double>& angle_rad = values_of(trace, "angle");
+  const std::vector<double>& recording = values_of(trace, "recording");
+  double longest = 0.0;
+  for (std::size_t first = 0; first < angle_rad.size();) {
+    std::size_t last = first;
+    while (last < angle_rad.size() && recording[last] == recording[first]) ++last;
+    longest = std::max(longest, arc_of(std::span(angle_rad).subspan(first, last - first)));
+    first = last;
+  }
+  return longest;
+}
+
 ErrorFitted error_fitted(const Series& trace, const MachineErrorOptions& options) {
+  const ErrorSetUp set_up = set_up_of(trace);
+  if (set_up.arc_rad < kShortestArc_rad) {
+    throw Error(fmt::format(
+        "expected an arc of at least {:.0f} deg, on less the errors of the axes look alike, found {:.0f} deg.",
+        deg_from_rad(kShortestArc_rad), deg_from_rad(set_up.arc_rad)));
+  }
   // Without a stated feed nothing tells the size of what grows with it.
   Series stated_feed;
   const std::vector<double>& feed = values_of(trace, "feed");
@@ -88,7 +102,7 @@ ErrorFitted error_fitted(const Series& trace, const MachineErrorOptions& options
       for (double& value : column.values) value = std::isfinite(value) ? value : 0.0;
     }
   }
-  ErrorFitted fitted = error_fitted(error_rows(lacks ? stated_feed : trace), options, set_up_of(trace));
+  ErrorFitted fitted = error_fitted(error_rows(lacks ? stated_feed : trace), options, set_up);
   fitted.within_um2 = within_rows_um2(fitted, trace);
   return fitted;
 }
