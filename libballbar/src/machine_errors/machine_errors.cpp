@@ -120,7 +120,8 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
   found.one_by_one = one_by_one(fitted, found.ranked);
   const Eigen::VectorXd residual = fitted.residual();
   found.residual_rms_um = fitted.rms_um(residual);
-  found.repeatability_um = repeatability_um(fitted.rows, residual);
+  const double repeats_um = repeatability_um(fitted.rows, residual);
+  found.repeatability_um = std::sqrt(fitted.within_um2 + repeats_um * repeats_um);  // of readings, as the residual
   found.left = left_harmonic(fitted.rows, residual, fitted.noise, fitted.arc_rad);
   return found;
 }
