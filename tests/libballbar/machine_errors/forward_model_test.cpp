@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/circle/trace.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
 #include "made_errors.hpp"
 
@@ -195,6 +196,35 @@ TEST(MachineErrors, CircularityWithoutTheOnlyErrorIsNothing) {
   EXPECT_EQ(found.ranked.front().effect->name, "scale_mismatch");
   EXPECT_NEAR(found.ranked.front().circularity_without_um, 0.0, 0.05);  // of curves at means over 0.4 deg
   EXPECT_NEAR(found.ranked.back().circularity_without_um, 4.0, 0.02);
+}
+
+// Errors added one by one, largest first: from what the circle leaves to what all leave.
+TEST(MachineErrors, WhatIsLeftFallsErrorByError) {
+  made::ErrorTest test = made::noisy(made::full_turn());
+  test.errors = {{"scale_mismatch", 8.0}, {"squareness", 20.0}, {"backlash_a_pos", 2.0}, {"backlash_a_neg", 2.0}};
+  const MachineErrors found = machine_errors(made::both_runs(test));
+  // mismatch / 4 over the root of 2, and squareness R / 2
+  EXPECT_NEAR(found.circle_rms_um, std::sqrt((4.0 + 2.25) / 2.0), 0.4);
+  double before_um = found.circle_rms_um;
+  for (const RankedError& one : found.ranked) {
+    // its value is that beside all others, so that alone it may do a little harm
+    EXPECT_LE(one.rms_with_um, before_um + 0.05) << one.effect->name;
+    before_um = one.rms_with_um;
+  }
+  EXPECT_LT(found.ranked[0].rms_with_um, 0.75 * found.circle_rms_um);
+  EXPECT_NEAR(found.ranked.back().rms_with_um, found.residual_rms_um, 0.05);
+}
+
+TEST(MachineErrors, OfATraceAreThoseOfItsRecordings) {
+  const std::vector<Recording> recordings = made::both_runs(made::noisy(made::full_turn()));
+  const MachineErrors of_recordings = machine_errors(recordings);
+  const MachineErrors of_trace = machine_errors_of_trace(trace_of(recordings));
+  ASSERT_EQ(of_trace.errors.size(), of_recordings.errors.size());
+  for (std::size_t k = 0; k < of_trace.errors.size(); ++k) {
+    EXPECT_EQ(of_trace.errors[k].name, of_recordings.errors[k].name);
+    EXPECT_EQ(of_trace.errors[k].value, of_recordings.errors[k].value);
+    EXPECT_EQ(of_trace.errors[k].sigma, of_recordings.errors[k].sigma);
+  }
 }
 
 }  // namespace
