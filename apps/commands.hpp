@@ -11,6 +11,7 @@ namespace ballbar::commands {
 void add_fit(CLI::App& app);
 void add_drift(CLI::App& app);
 void add_compare(CLI::App& app);
+void add_history(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_effects(CLI::App& app);
 void add_preflight(CLI::App& app);

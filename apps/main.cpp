@@ -1,6 +1,7 @@
 // `ballbar COMMAND`: exit 0 done, 1 the input is at fault, 2 the command line is at fault.
 #include <fmt/core.h>
 #include <glog/logging.h>
+#include <malloc.h>
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
@@ -37,6 +38,9 @@ std::string told(const CLI::App& app, const CLI::ParseError& error, int argc, ch
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Matrices of some 100 kB come and go: the memory stays with the process instead of being asked for anew each time.
+  mallopt(M_MMAP_THRESHOLD, 64 << 20);
+  mallopt(M_TRIM_THRESHOLD, 256 << 20);
   FLAGS_minloglevel = google::GLOG_FATAL;  // of the solver: what it says stands in the results
   CLI::App app{"Ballbar logs to thermal drift of the spindle."};
   app.name("ballbar");
@@ -45,6 +49,7 @@ int main(int argc, char** argv) {
   ballbar::commands::add_fit(app);
   ballbar::commands::add_drift(app);
   ballbar::commands::add_compare(app);
+  ballbar::commands::add_history(app);
   ballbar::commands::add_simulate(app);
   ballbar::commands::add_effects(app);
   ballbar::commands::add_preflight(app);

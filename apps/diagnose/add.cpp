@@ -132,14 +132,15 @@ Term as_diagnosed(const BoundEffect& bound, const Diagnosis& diagnosis) {
   return term;
 }
 
-// The errors of the axes that are significant, the largest first, each a revision. Returns why it stopped.
+// The errors of the axes that are significant, each a revision, first the one that leaves least. Returns why it
+// stopped.
 std::string add_errors(const Options& options, const ModelData& data, Story& story) {
   const MachineErrors found =
       with_source(options.effect.model.data.front(), [&] { return machine_errors_of_trace(data.series); });
-  for (const RankedError& one : found.ranked) {
+  for (const AddedError& one : found.one_by_one) {
     const bool has = std::any_of(story.model.terms.begin(), story.model.terms.end(),
                                  [&](const Term& term) { return term.effect.get() == one.effect; });
-    if (!one.significant || has) continue;
+    if (has) continue;
     add_terms(options, data, {term_of(one.effect->name, {}, Level::recording)}, nullptr, story);
     story.effect_tests.back().after.verdict = name_of(Verdict::named);
   }

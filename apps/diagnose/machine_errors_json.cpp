@@ -96,6 +96,11 @@ nlohmann::ordered_json json_of(const ErrorsReport& report) {
   for (std::size_t row = 0; row < found.errors.size(); ++row) {
     if (!listed[row]) json["errors"].push_back(row_json(report, found.errors[row], nullptr));
   }
+  json["one_by_one"] = Json::array();
+  for (const AddedError& one : found.one_by_one) {
+    json["one_by_one"].push_back({{"effect", one.effect->name}, {"rms_um", number(one.rms_um)}});
+  }
+  json["circle_rms_um"] = number(found.circle_rms_um);
   json["circularity_um"] = number(found.circularity_um);
   json["residual_rms_um"] = number(found.residual_rms_um);
   json["repeatability_um"] = number(found.repeatability_um);

@@ -18,10 +18,8 @@ namespace {
 constexpr double kMoreThanRepeats = 1.5;  // times the repeatability: a form is left
 
 MachineErrorOptions fit_options(const ErrorsReport& report, const ErrorsOptions& options) {
-  MachineErrorOptions how;
+  MachineErrorOptions how = report.b5r ? error_options(*report.b5r) : MachineErrorOptions{};
   how.prior = options.prior;
-  if (!report.b5r) return how;
-  if (stores_cyclic_means(*report.b5r)) how.cyclic_of_runs = CyclicOfRuns::mean;
   return how;
 }
 
@@ -157,7 +155,13 @@ std::string conclusion(const ErrorsReport& report) {
 
 std::string left_text(const ErrorsReport& report) {
   const MachineErrors& found = report.found;
-  std::string text = fmt::format("All of them together leave {:.2f} um rms", found.residual_rms_um);
+  std::string text;
+  if (!found.one_by_one.empty()) {
+    text = fmt::format("One by one: the circle alone leaves {:.2f} um rms", found.circle_rms_um);
+    for (const AddedError& one : found.one_by_one) text += fmt::format(", + {} {:.2f}", one.effect->name, one.rms_um);
+    text += ". ";
+  }
+  text += fmt::format("All of them together leave {:.2f} um rms", found.residual_rms_um);
   if (std::isfinite(found.repeatability_um)) {
     text += fmt::format("; CCW and CW repeat to {:.2f} um", found.repeatability_um);
   }

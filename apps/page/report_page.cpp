@@ -1,8 +1,11 @@
 #include "page/report_page.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cstdlib>
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "ballbar/error.hpp"
@@ -91,6 +94,12 @@ void expect_page(std::string_view option) {
       "{}{}this ballbar was built without its page: expected node and npm when it was built; on Debian install nodejs "
       "and npm, then run cmake -S . -B build -DBALLBAR_PAGE=ON && cmake --build build.",
       option, option.empty() ? "" : ": "));
+}
+
+std::string page_date() {
+  const char* stated = std::getenv("SOURCE_DATE_EPOCH");
+  const std::time_t now = stated != nullptr ? std::strtoll(stated, nullptr, 10) : std::time(nullptr);
+  return fmt::format("{:%F}", stated != nullptr ? fmt::gmtime(now) : fmt::localtime(now));
 }
 
 std::string page_of(const Json& report) {

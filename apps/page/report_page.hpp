@@ -13,6 +13,9 @@ namespace ballbar {
 // before the work is done.
 void expect_page(std::string_view option = {});
 
+// Today; SOURCE_DATE_EPOCH, where it is set: the same page from the same data on any day.
+std::string page_date();
+
 // Nothing of the data becomes markup, and the page's content security policy lets nothing run or load but its own
 // script.
 std::string page_of(const nlohmann::ordered_json& report);

@@ -1,5 +1,4 @@
 // `ballbar report DATA --out page.html`: everything to look at, in one file.
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -215,18 +214,11 @@ void expect_use(const Options& options, bool of_recordings, bool of_batches) {
   expect(!options.probes.any() || !of_recordings, "options of five probes", "a session or a series");
 }
 
-// SOURCE_DATE_EPOCH, where it is set: the same page from the same data on any day.
-std::string today() {
-  const char* stated = std::getenv("SOURCE_DATE_EPOCH");
-  const std::time_t now = stated != nullptr ? std::strtoll(stated, nullptr, 10) : std::time(nullptr);
-  return fmt::format("{:%F}", stated != nullptr ? fmt::gmtime(now) : fmt::localtime(now));
-}
-
 // Recordings are told from a session and a series by what open_model_data() makes of them.
 Made made_of(const Options& options) {
   Made made;
   made.json = {{"format", "ballbar-report 1"}, {"title", ""}, {"made_by", "ballbar " BALLBAR_VERSION}};
-  made.json["made_on"] = today();
+  made.json["made_on"] = page_date();
   made.json["files"] = Json::array();
   made.json["summary"] = Json::array();
   made.json["signals"] = Json::array();

@@ -6,13 +6,14 @@
 
 namespace ballbar {
 
-void expect_no_input(const std::vector<std::string>& outputs, const std::vector<std::filesystem::path>& inputs) {
+void expect_no_input(const std::vector<std::string>& outputs, const std::vector<std::filesystem::path>& inputs,
+                     std::string_view option) {
   for (const std::string& output : outputs) {
     for (const std::filesystem::path& input : inputs) {
       std::error_code absent;  // then it is not the same file
       if (!std::filesystem::equivalent(output, input, absent)) continue;
-      throw Error(
-          fmt::format("--out {}: expected a file that is not read here, found the input {}.", output, input.string()));
+      throw Error(fmt::format("{} {}: expected a file that is not read here, found the input {}.", option, output,
+                              input.string()));
     }
   }
 }

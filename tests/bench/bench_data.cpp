@@ -38,6 +38,22 @@ std::string b5r_bytes() {
   return write_b5r(test);
 }
 
+std::string b5r_of_week(int week) {
+  VirtualMachine machine = circles_machine(1500);
+  machine.seed = static_cast<std::uint64_t>(week + 1);
+  machine.plane = week % 3 == 0 ? Plane::XY : week % 3 == 1 ? Plane::YZ : Plane::ZX;
+  machine.bar.noise_um = 0.1;
+  machine.backlash_a_um = 1.0 + 0.01 * week;
+  B5r test;
+  test.test_name = "benchmark";
+  test.runs = std::move(simulate(machine).session.tests.at(0).circles);
+  for (Recording& run : test.runs) {
+    run.started_s = 1'425'286'800 + 604'800 * static_cast<std::int64_t>(week);
+    run.feed_mm_per_min = 1000.0;
+  }
+  return write_b5r(test);
+}
+
 std::string log_bytes(std::size_t size) {
   constexpr std::size_t kTurn = 100'000;
   Recording turn = circle_of(kTurn);

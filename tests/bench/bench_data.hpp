@@ -18,6 +18,9 @@ Recording circle_of(std::size_t readings);
 // A test as the instrument stores it: CCW and CW, 1500 readings each.
 std::string b5r_bytes();
 
+// The test of that week of a machine: planes in turn, two runs of 1500 readings, backlash that grows.
+std::string b5r_of_week(int week);
+
 // A ballbar log of at least that many bytes: one circle of 100 000 readings over and over.
 std::string log_bytes(std::size_t size);
 

@@ -7,9 +7,9 @@
 # BALLBAR_BUILD   folder of a Release build to use instead
 set -eu
 cd "$(dirname "$0")/../.."
-size_MB=50 readings=1000000 rows=1000000 batches=1000 live_rows=100000 repetitions=5 min_time=0.2
+size_MB=50 readings=1000000 rows=1000000 batches=1000 live_rows=100000 tests=1000 repetitions=5 min_time=0.2
 if [ "${1:-}" = --reduced ]; then
-  size_MB=2 readings=20000 rows=20000 batches=20 live_rows=2000 repetitions=1 min_time=0.01
+  size_MB=2 readings=20000 rows=20000 batches=20 live_rows=2000 tests=20 repetitions=1 min_time=0.01
 fi
 
 sh apps/install-packages.sh build bench
@@ -22,8 +22,8 @@ results=$build/results
 mkdir -p "$results"
 "$programs/bench_files" "$results" "$size_MB" "$readings" "$rows"
 export BALLBAR_BENCH_LOG_MB="$size_MB" BALLBAR_BENCH_READINGS="$readings" BALLBAR_BENCH_ROWS="$rows"
-export BALLBAR_BENCH_BATCHES="$batches"
-for name in b5r batches compensation log circle machine_errors session five_probe spindle; do
+export BALLBAR_BENCH_BATCHES="$batches" BALLBAR_BENCH_TESTS="$tests"
+for name in b5r batches compensation history log circle machine_errors session five_probe spindle; do
   "$programs/bench_$name" --benchmark_min_time="$min_time" --benchmark_repetitions="$repetitions" \
     --benchmark_out="$results/$name.json" --benchmark_out_format=json
 done

@@ -8,7 +8,7 @@ import { after, before, test } from "node:test";
 import { launched, opened, seen } from "./browser.mjs";
 import { long_series } from "./long_series.mjs";
 import { with_errors } from "./machine_errors.mjs";
-import { batch, folder, hidden_effect, of_run, report, two_arcs } from "./reports.mjs";
+import { batch, folder, hidden_effect, history, of_run, report, two_arcs } from "./reports.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -31,6 +31,7 @@ const cases = [
   ["five-probe", (name) => report(name, of_run("two-arcs-he2015", "five-probe.csv")), ["five-probe", "five-probe-tilt", "measured"]],
   ["hidden-effect", hidden_effect, ["measured", "speed", "temperatures", ...model("y_um"), ...diagnosis, "ledger"]],
   ["batch", batch, ["measured", "speed", "temperatures", "batch", "batch-range", "batch-weights"]],
+  ["history", history, ["history-1", "history-2", "history-3"]],
   ["million-rows", (name) => report(name, long_series(join(folder, "million.csv"), 1e6)), ["measured", "temperatures"]],
   [
     "spindle-46h",

@@ -39,6 +39,12 @@ export const hidden_effect = async () => {
   return report("hidden-effect", data, "--model", model);
 };
 
+export const history = async () => {
+  const out = join(folder, "history.html");
+  await execute(program, ["history", of_run("machine-history"), "--tolerance", "backlash_a_pos=5", "--page", out]);
+  return out;
+};
+
 export const batch = () => {
   const model = join(folder, "batch.json");
   run("select", of_run("batches-tan2024", "runs.csv"), "--target", "y_um", "--for", of_run("batches-tan2024", "test1.csv"), "--out", model);

@@ -281,6 +281,31 @@ export interface MeanPointPart {
   states: MeanPointState[];
 }
 
+// A machine over its tests (`ballbar history --page`).
+export interface HistoryQuantity {
+  name: string;
+  unit: string;
+  year: number[]; // 2025.5; of the tests with a date, rising
+  values: Num[];
+  sigmas: Num[];
+  trend?: { year: number[]; values: Num[]; sigmas: Num[] }; // half of the interval that holds 68 %
+  lower?: number; // tolerance
+  upper?: number;
+}
+export interface HistoryGroup {
+  label: string; // "XY, 100 mm, 1000 mm/min, 360 deg"
+  first: string; // quantity to look at first
+  quantities: HistoryQuantity[];
+  heading: string[]; // of the table
+  rows: string[][];
+}
+export interface HistoryPart {
+  groups: HistoryGroup[];
+  geometry: string[]; // sentences
+  geometry_rows: string[][]; // what, um/m, from
+  skipped: string[];
+}
+
 export interface Report {
   format: "ballbar-report 1";
   title: string;
@@ -299,4 +324,5 @@ export interface Report {
   ledger?: LedgerPart;
   batch?: BatchPart;
   mean_point?: MeanPointPart;
+  history?: HistoryPart;
 }

@@ -55,6 +55,12 @@ std::optional<double> stored_pitch_mm(const B5r& test, char axis) {
   return pitch_mm && *pitch_mm > 0.0 ? pitch_mm : std::nullopt;
 }
 
+MachineErrorOptions error_options(const B5r& test) {
+  MachineErrorOptions options;
+  if (stores_cyclic_means(test)) options.cyclic_of_runs = CyclicOfRuns::mean;
+  return options;
+}
+
 bool stores_cyclic_means(const B5r& test) {
   int major = kFirstWithLarger;
   std::from_chars(test.software_version.data(), test.software_version.data() + test.software_version.size(), major);

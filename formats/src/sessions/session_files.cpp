@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <map>
+#include <set>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
@@ -139,6 +141,25 @@ bool is_b5r(const fs::path& path) {
   return extension == ".b5r";
 }
 
+// A drift is a change: of tests of one plane each there is none, but what a machine's file says.
+void expect_a_repeated_plane(const fs::path& folder, const std::vector<SessionTest>& tests) {
+  std::map<Plane, std::size_t> tests_in;
+  for (const SessionTest& test : tests) {
+    std::set<Plane> planes;
+    for (const Recording& circle : test.circles) planes.insert(circle.plane);
+    for (const Plane plane : planes) ++tests_in[plane];
+  }
+  std::string found;
+  for (const auto& [plane, count] : tests_in) {
+    if (count > 1) return;
+    found += fmt::format("{}{}", found.empty() ? "" : ", ", name_of(plane));
+  }
+  throw Error(
+      fmt::format("{0}: expected at least two tests of the same plane for a drift, found one of {1}; ballbar history "
+                  "{0} gives squareness and scales.",
+                  folder.string(), found));
+}
+
 // Each `.b5r` a test, at its own DATE_STARTED.
 SessionFiles session_of_folder(const fs::path& folder, Readers readers) {
   std::vector<fs::path> paths;
@@ -183,12 +204,18 @@ SessionFiles session_of_folder(const fs::path& folder, Readers readers) {
                       folder.string(), files.session.tests.back().name, started.test.name));
     }
     for (const Recording& circle : started.test.circles) {
-      expect_nominal_length(circle, folder / started.test.name, files.session.nominal_length_mm);
+      if (circle.nominal_length_mm == files.session.nominal_length_mm) continue;
+      throw Error(
+          fmt::format("{0}: expected tests of one nominal length for a drift, found {1} mm in {2} and {3} mm in "
+                      "{4}; ballbar history {0} keeps them apart.",
+                      folder.string(), files.session.nominal_length_mm, files.session.tests.front().name,
+                      circle.nominal_length_mm, started.test.name));
     }
     started.test.elapsed_s = static_cast<double>(started.started_s - tests.front().started_s);
     files.recordings.push_back({folder / started.test.name, i});
     files.session.tests.push_back(std::move(started.test));
   }
+  expect_a_repeated_plane(folder, files.session.tests);
   return files;
 }
 

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "ballbar/error.hpp"
-#include "numerics/parallel.hpp"
+#include "ballbar/numerics/parallel.hpp"
 
 namespace ballbar {
 namespace {

@@ -11,7 +11,7 @@
 #include <random>
 
 #include "ballbar/error.hpp"
-#include "numerics/parallel.hpp"
+#include "ballbar/numerics/parallel.hpp"
 
 namespace ballbar {
 namespace {

@@ -110,6 +110,7 @@ DriftSeries drift_by_circles(const Session& session, const DriftOptions& options
   std::string references;
   std::optional<std::size_t> first_reference;
   bool differ = false;
+  std::string once;  // planes of one test
   for (const Plane plane : kPlanes) {
     std::vector<std::size_t> tests;
     std::vector<double> times_s;
@@ -119,6 +120,11 @@ DriftSeries drift_by_circles(const Session& session, const DriftOptions& options
       times_s.push_back(session.tests[i].elapsed_s);
     }
     if (tests.empty()) continue;
+    // The only test of a plane has nothing to differ from: no drift, which is not a drift of 0.
+    if (tests.size() == 1 && session.tests.size() > 1) {
+      once += fmt::format("{}{}", once.empty() ? "" : ", ", name_of(plane));
+      continue;
+    }
     const std::size_t reference = tests[reference_index(times_s, options.reference_s)];
     const Sweeps start = in_plane(session.tests[reference], fits[reference], plane);
     references += fmt::format("{}{} to the test at {:g} min", references.empty() ? "" : ", ", name_of(plane),
@@ -138,10 +144,14 @@ DriftSeries drift_by_circles(const Session& session, const DriftOptions& options
       average_in(point.radius_change, {change[2], sigma[2]});
     }
   }
+  if (!first_reference) {
+    throw Error(fmt::format("a drift needs at least two tests of the same plane, and there is one of {}", once));
+  }
   series.not_cancelled =
       "Set-up errors cancel in the difference to the reference test; drift of the table, thermal growth of the linear "
       "axes' scales and of the bar (both stand in the radius change), and a ball moved between tests, do not.";
   if (differ) series.not_cancelled += " The planes have references of their own: " + references + ".";
+  if (!once.empty()) series.not_cancelled += " One test alone, and so no drift: " + once + ".";
   return series;
 }
 

@@ -75,7 +75,8 @@ bool is_of_machine_errors(const Model& model, const Series& data) {
   if (!all_are("linear_axes") || linear->values.front() != 1.0 || !all_are("radius")) return false;
   const std::vector<double>& recording = find_column(data, trace_column("recording"))->values;
   for (double number = 0.0; number <= recording.back(); number += 1.0) {
-    if (static_cast<std::size_t>(std::count(recording.begin(), recording.end(), number)) < kFewestReadings) return false;
+    if (static_cast<std::size_t>(std::count(recording.begin(), recording.end(), number)) < kFewestReadings)
+      return false;
   }
   return std::all_of(model.terms.begin(), model.terms.end(),
                      [](const Term& term) { return term.effect->rules.is_base || is_error(term); });
@@ -154,8 +155,7 @@ Fit fit_of_machine_errors(const Model& model, const Series& data, std::size_t ta
   }
   result.noise = errors.noise.front().noise;
   result.rmse_um = std::sqrt(residual.squaredNorm() / static_cast<double>(n));
-  result.floor = {std::sqrt(errors.residual().cwiseAbs2().dot(errors.rows.count) / errors.rows.count.sum()),
-                  kFloorSource};
+  result.floor = {errors.rms_um(errors.residual()), kFloorSource};
   result.n_effective = effective_samples(result.noise, result.time_s, {});
   result.converged = true;
   return result;

@@ -32,11 +32,14 @@ struct ErrorFitted {
   Eigen::VectorXd second_order_um;  // of the fine rows, taken off
   double slow_variance_um2 = 0.0;
   double arc_rad = 0.0;
+  double within_um2 = 0.0;  // mean square of readings about the mean of their row
 
   // Fine rows of the curve of one effect; nullptr: the circles.
   Eigen::VectorXd fine_curve(const Effect* effect) const;
   // Rows: deviation less all that is in the fit.
   Eigen::VectorXd residual() const;
+  // RMS of readings of which the rows leave this.
+  double rms_um(const Eigen::VectorXd& left) const;
 };
 
 // Chance that noise alone shows these gains: all together (chi^2), or the clearest of them.

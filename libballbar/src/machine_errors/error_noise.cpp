@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "ballbar/units.hpp"
 
@@ -43,24 +45,43 @@ std::array<double, kMemories> memories_s(const ErrorRows& rows) {
   return memories;
 }
 
-double decay_before(const ErrorRows& rows, Eigen::Index i, double memory_s) {
-  const auto at = static_cast<std::size_t>(i);
-  if (i == 0 || rows.recording[at] != rows.recording[at - 1]) return 0.0;
-  return std::exp(-(rows.time_s[i] - rows.time_s[i - 1]) / memory_s);
-}
-
-// Of the part with a memory, for q = 1, what a mean over a row keeps: `with_others` k, and its own variance beyond k^2.
-struct RowMean {
-  double with_others = 1.0;
-  double own = 0.0;
+// Of the part with a memory, for q = 1: what of it a row keeps from the row before (0 at the start of a recording),
+// what a mean over a row shares with others (k), and its own variance beyond k^2.
+struct RowMemory {
+  std::vector<double> decay, with_others, own;
 };
-RowMean row_mean(double count, double interval_s, double memory_s) {
-  if (count < 1.5) return {};
+
+// Of a mean of `count` readings.
+std::pair<double, double> mean_of_row(double count, double interval_s, double memory_s) {
+  if (count < 1.5) return {1.0, 0.0};
   const double half = 0.5 * interval_s / memory_s;
   const double with_others = std::sinh(count * half) / (count * std::sinh(half));
   double variance = count;
   for (double m = 1.0; m < count - 0.5; m += 1.0) variance += 2.0 * (count - m) * std::exp(-2.0 * half * m);
   return {with_others, variance / (count * count) - with_others * with_others};
+}
+
+RowMemory row_memory(const ErrorRows& rows, double memory_s) {
+  const auto n = static_cast<std::size_t>(rows.size());
+  RowMemory memory{std::vector<double>(n, 0.0), std::vector<double>(n), std::vector<double>(n)};
+  std::map<std::pair<double, double>, std::pair<double, double>> known;  // few rows differ
+  double step_s = -1.0, decay = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const std::pair key{rows.count[row], rows.interval_s[row]};
+    auto found = known.find(key);
+    if (found == known.end()) found = known.emplace(key, mean_of_row(key.first, key.second, memory_s)).first;
+    memory.with_others[i] = found->second.first;
+    memory.own[i] = found->second.second;
+    if (i == 0 || rows.recording[i] != rows.recording[i - 1]) continue;
+    const double step = rows.time_s[row] - rows.time_s[row - 1];
+    if (std::abs(step - step_s) > 1e-9 * step) {
+      step_s = step;
+      decay = std::exp(-step / memory_s);
+    }
+    memory.decay[i] = decay;
+  }
+  return memory;
 }
 
 struct Restricted {
@@ -69,24 +90,24 @@ struct Restricted {
 };
 
 // Every column becomes its innovations over their standard deviation, for q = 1.
-Restricted restricted(const ErrorRows& rows, const RowMajor& data, double memory_s, double white) {
+Restricted restricted(const ErrorRows& rows, const RowMajor& data, const RowMemory& memory, double white) {
   const Eigen::Index n = rows.size(), p = data.cols() - 1;
   RowMajor innovations = data;
   Eigen::RowVectorXd predicted = Eigen::RowVectorXd::Zero(p + 1);
   double known = 0.0;  // variance of the prediction
   double log_variances = 0.0;
   for (Eigen::Index i = 0; i < n; ++i) {
-    const double decay = decay_before(rows, i, memory_s);
+    const auto at = static_cast<std::size_t>(i);
+    const double decay = memory.decay[at], with_others = memory.with_others[at];
     known = decay * decay * known + (1.0 - decay * decay);
-    const RowMean mean = row_mean(rows.count[i], rows.interval_s[i], memory_s);
-    const double variance = std::max(
-        mean.with_others * mean.with_others * known + mean.own + white * white / rows.count[i], kLeastVariance);
-    const double gain = known * mean.with_others / variance;
+    const double variance =
+        std::max(with_others * with_others * known + memory.own[at] + white * white / rows.count[i], kLeastVariance);
+    const double gain = known * with_others / variance;
     predicted *= decay;
-    innovations.row(i) -= mean.with_others * predicted;
+    innovations.row(i) -= with_others * predicted;
     predicted += gain * innovations.row(i);
     innovations.row(i) /= std::sqrt(variance);
-    known *= 1.0 - gain * mean.with_others;
+    known *= 1.0 - gain * with_others;
     log_variances += std::log(variance);
   }
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(p + 1, p + 1);
@@ -116,20 +137,21 @@ std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::Matri
   data.col(columns.cols()) = rows.deviation_um;
   std::vector<WeightedNoise> noises;
   noises.reserve(kMemories + kFineMemories.size() * kWhiteOfCorrelated.size());
-  const auto look_at = [&](double memory_s, double white) {
-    const Restricted found = restricted(rows, data, memory_s, white);
+  const auto look_at = [&](double memory_s, const RowMemory& memory, double white) {
+    const Restricted found = restricted(rows, data, memory, white);
     const double correlated_um = std::sqrt(found.variance);
     noises.push_back({found.log_likelihood, {white * correlated_um, correlated_um, memory_s, found.log_likelihood}});
   };
   const auto likelier = [](const WeightedNoise& a, const WeightedNoise& b) { return a.weight > b.weight; };
   const std::array<double, kMemories> memories = memories_s(rows);
-  for (const double memory_s : memories) look_at(memory_s, kUsualWhite);
+  for (const double memory_s : memories) look_at(memory_s, row_memory(rows, memory_s), kUsualWhite);
   const double best_s = std::min_element(noises.begin(), noises.end(), likelier)->noise.correlation_time_s;
   noises.clear();
   for (const double times : kFineMemories) {
     const double memory_s = times * best_s;
     if (memory_s > 1.0001 * memories.back()) continue;
-    for (const double white : kWhiteOfCorrelated) look_at(memory_s, white);
+    const RowMemory memory = row_memory(rows, memory_s);
+    for (const double white : kWhiteOfCorrelated) look_at(memory_s, memory, white);
   }
   std::stable_sort(noises.begin(), noises.end(), likelier);
   const double most = noises.front().weight;
@@ -144,31 +166,42 @@ std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::Matri
   return noises;
 }
 
-Eigen::MatrixXd scatter_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,
-                           const std::vector<WeightedNoise>& noises) {
+Eigen::MatrixXd spread_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,
+                          const std::vector<WeightedNoise>& noises) {
+  std::map<double, std::pair<double, double>> by_memory;  // q^2 and w^2, each times its weight
+  for (const WeightedNoise& one : noises) {
+    auto& [q2, w2] = by_memory[one.noise.correlation_time_s];
+    q2 += one.weight * one.noise.correlated_um * one.noise.correlated_um;
+    w2 += one.weight * one.noise.white_um * one.noise.white_um;
+  }
   const RowMajor z = columns;
   RowMajor correlated = RowMajor::Zero(z.rows(), z.cols());  // V Z
-  for (const WeightedNoise& one : noises) {
-    const double q2 = one.weight * one.noise.correlated_um * one.noise.correlated_um;
-    const double w2 = one.weight * one.noise.white_um * one.noise.white_um;
-    const double memory_s = one.noise.correlation_time_s;
+  Eigen::RowVectorXd sum(z.cols());
+  for (const auto& [memory_s, variances] : by_memory) {
+    const auto [q2, w2] = variances;
+    const RowMemory memory = row_memory(rows, memory_s);
     // sum over j of k_j exp(-|t_i - t_j| / theta) z_j: those before and the row itself, then those after.
-    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(z.cols());
+    sum.setZero();
     for (Eigen::Index i = 0; i < z.rows(); ++i) {
-      const RowMean mean = row_mean(rows.count[i], rows.interval_s[i], memory_s);
-      sum = decay_before(rows, i, memory_s) * sum + mean.with_others * z.row(i);
-      correlated.row(i) += (q2 * mean.with_others) * sum + (q2 * mean.own + w2 / rows.count[i]) * z.row(i);
+      const auto at = static_cast<std::size_t>(i);
+      sum = memory.decay[at] * sum + memory.with_others[at] * z.row(i);
+      correlated.row(i) += (q2 * memory.with_others[at]) * sum + (q2 * memory.own[at] + w2 / rows.count[i]) * z.row(i);
     }
     sum.setZero();
     for (Eigen::Index i = z.rows() - 1; i > 0; --i) {
-      const double kept = row_mean(rows.count[i], rows.interval_s[i], memory_s).with_others;
-      sum = decay_before(rows, i, memory_s) * (sum + kept * z.row(i));
-      const double before = row_mean(rows.count[i - 1], rows.interval_s[i - 1], memory_s).with_others;
-      correlated.row(i - 1) += (q2 * before) * sum;
+      const auto at = static_cast<std::size_t>(i);
+      sum = memory.decay[at] * (sum + memory.with_others[at] * z.row(i));
+      correlated.row(i - 1) += (q2 * memory.with_others[at - 1]) * sum;
     }
   }
-  Eigen::MatrixXd scatter = z.transpose() * correlated;
-  return 0.5 * (scatter + scatter.transpose());
+  return correlated;
+}
+
+Eigen::MatrixXd scatter_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,
+                           const std::vector<WeightedNoise>& noises) {
+  Eigen::MatrixXd scatter(columns.cols(), columns.cols());
+  scatter.triangularView<Eigen::Lower>() = columns.transpose() * spread_of(columns, rows, noises);
+  return scatter.selfadjointView<Eigen::Lower>();
 }
 
 double slow_variance_um2(const ErrorRows& rows, const std::vector<WeightedNoise>& noises) {

@@ -30,7 +30,11 @@ struct WeightedNoise {
 // out.
 std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::MatrixXd& columns);
 
-// Z' V Z of columns Z (rows by k), which hold the weight of each row, over all points of the grid.
+// V Z of columns Z (rows by k), V over all points of the grid.
+Eigen::MatrixXd spread_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,
+                          const std::vector<WeightedNoise>& noises);
+
+// Z' V Z of columns that hold the weight of each row.
 Eigen::MatrixXd scatter_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,
                            const std::vector<WeightedNoise>& noises);
 

@@ -222,8 +222,7 @@ std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTab
     const Eigen::MatrixXd covariance = shared * fitted.covariance * shared.transpose();
     const auto looked_at = static_cast<double>(fitted.effects.size());
     one.chi2 = values.dot(covariance.ldlt().solve(values));
-    one.chi2_needed =
-        chi2_of_p(kFalseErrors / (looked_at * effect.searched), static_cast<std::size_t>(values.size()));
+    one.chi2_needed = chi2_of_p(kFalseErrors / (looked_at * effect.searched), static_cast<std::size_t>(values.size()));
     one.p_value = std::min(1.0, effect.searched * p_of(values, covariance));
     one.predicts_other_run = predicts_other(fitted, effect, residual, directions);
     one.significant = one.p_value * looked_at < kFalseErrors;
@@ -236,10 +235,7 @@ std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTab
     return a.individual_circularity_um > b.individual_circularity_um;
   });
   std::size_t rank = 0;
-  std::set<const Effect*> taken;
   for (RankedError& one : ranked) {
-    taken.insert(one.effect);
-    one.rms_with_um = rms_with_um(fitted, taken);
     one.share_percent = sum_um > 0.0 ? 100.0 * one.individual_circularity_um / sum_um : 0.0;
     if (one.rank) one.rank = ++rank;
   }
@@ -253,7 +249,8 @@ double held_out_rms_um(const ErrorFitted& fitted, const std::set<const Effect*>&
   std::set<const Effect*> all;
   for (const FittedEffect& effect : fitted.effects) all.insert(effect.effect);
   const Eigen::VectorXd data = fitted.residual() + own_columns(fitted, all).fitted;
-  return std::sqrt(squares_left(own_columns(fitted, effects), data, directions) / fitted.rows.count.sum());
+  return std::sqrt(fitted.within_um2 +
+                   squares_left(own_columns(fitted, effects), data, directions) / fitted.rows.count.sum());
 }
 
 double rms_with_um(const ErrorFitted& fitted, const std::set<const Effect*>& effects) {
@@ -268,7 +265,7 @@ double rms_with_um(const ErrorFitted& fitted, const std::set<const Effect*>& eff
   Eigen::MatrixXd normal = columns.transpose() * weighted;
   normal.diagonal() *= 1.0 + 1e-9;
   left -= columns * normal.llt().solve(weighted.transpose() * left);
-  return std::sqrt(left.cwiseAbs2().dot(fitted.rows.count) / fitted.rows.count.sum());
+  return fitted.rms_um(left);
 }
 
 }  // namespace ballbar

@@ -9,6 +9,11 @@
 namespace ballbar {
 namespace {
 
+// Of all, or of one recording beside it; not what CCW and CW differ by.
+bool is_centre(const ErrorColumn& column) {
+  return column.effect == nullptr && (column.name.starts_with("centre_a") || column.name.starts_with("centre_b"));
+}
+
 const std::vector<double>& values_of(const Series& trace, std::string_view role) {
   return find_column(trace, trace_column(role))->values;
 }
@@ -48,6 +53,27 @@ ErrorSetUp set_up_of(const Series& trace) {
   return set_up;
 }
 
+// What the fit leaves of readings beyond what it leaves of their rows.
+double within_rows_um2(const ErrorFitted& fitted, const Series& trace) {
+  const std::vector<double> freed = freed_of_centre(fitted, trace);
+  Eigen::VectorXd rest = Eigen::VectorXd::Zero(fitted.columns.fine.rows());
+  std::vector<bool> out(fitted.columns.columns.size(), false);
+  for (const FittedEffect& effect : fitted.effects) {
+    for (const std::size_t k : effect.columns) out[k] = !effect.in_the_fit;
+  }
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    if (!out[k] && !is_centre(fitted.columns.columns[k])) {
+      rest += fitted.gains[static_cast<Eigen::Index>(k)] * fitted.columns.fine.col(static_cast<Eigen::Index>(k));
+    }
+  }
+  double squares = 0.0;
+  for (std::size_t i = 0; i < freed.size(); ++i) {
+    const double left = freed[i] - rest[static_cast<Eigen::Index>(fitted.rows.fine_of[i])];
+    squares += left * left;
+  }
+  return std::max(0.0, (squares - fitted.residual().cwiseAbs2().dot(fitted.rows.count)) / fitted.rows.count.sum());
+}
+
 }  // namespace
 
 ErrorFitted error_fitted(const Series& trace, const MachineErrorOptions& options) {
@@ -62,19 +88,31 @@ ErrorFitted error_fitted(const Series& trace, const MachineErrorOptions& options
       for (double& value : column.values) value = std::isfinite(value) ? value : 0.0;
     }
   }
-  return error_fitted(error_rows(lacks ? stated_feed : trace), options, set_up_of(trace));
+  ErrorFitted fitted = error_fitted(error_rows(lacks ? stated_feed : trace), options, set_up_of(trace));
+  fitted.within_um2 = within_rows_um2(fitted, trace);
+  return fitted;
 }
 
 std::vector<double> freed_of_centre(const ErrorFitted& fitted, const Series& trace) {
-  // Its second order included; the radius stays.
-  Eigen::VectorXd off = fitted.second_order_um;
+  // Centre of all, and what each recording has beside it; the radius stays, and how CCW and CW differ.
+  const std::vector<double>& recording = values_of(trace, "recording");
+  const std::vector<double>& angle_rad = values_of(trace, "angle");
+  std::vector<double> a_um(fitted.rows.recordings, 0.0), b_um = a_um;
   for (std::size_t k = 0; k < fitted.columns.columns.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
-    const std::string& name = fitted.columns.columns[k].name;
-    if (name == "centre_a" || name == "centre_b") off += fitted.gains[column] * fitted.columns.fine.col(column);
+    const ErrorColumn& column = fitted.columns.columns[k];
+    if (column.effect != nullptr) break;
+    if (!is_centre(column)) continue;
+    std::vector<double>& centre_um = column.name.starts_with("centre_a") ? a_um : b_um;
+    for (std::size_t one = 0; one < centre_um.size(); ++one) {
+      if (column.recording.value_or(one) == one) centre_um[one] += fitted.gains[static_cast<Eigen::Index>(k)];
+    }
   }
   std::vector<double> freed = find_column(trace, "deviation_um")->values;
-  for (std::size_t i = 0; i < freed.size(); ++i) freed[i] -= off[static_cast<Eigen::Index>(fitted.rows.fine_of[i])];
+  for (std::size_t i = 0; i < freed.size(); ++i) {
+    const auto of = static_cast<std::size_t>(recording[i]);
+    freed[i] -= a_um[of] * std::cos(angle_rad[i]) + b_um[of] * std::sin(angle_rad[i]) +
+                fitted.second_order_um[static_cast<Eigen::Index>(fitted.rows.fine_of[i])];
+  }
   return freed;
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <map>
 
@@ -19,24 +20,40 @@ struct Wave {
   double p_value = 1.0;
 };
 
-// By least squares, over the rows that are not at a reversal.
-Wave wave_of(const ErrorRows& rows, const Eigen::VectorXd& residual, const std::vector<WeightedNoise>& noises,
-             std::size_t recording, int harmonic) {
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(rows.size(), 2);
+// Of one recording, kFirst to kLast, each by least squares over the rows that are not at a reversal.
+std::vector<Wave> waves_of(const ErrorRows& rows, const Eigen::VectorXd& residual,
+                           const std::vector<WeightedNoise>& noises, std::size_t recording) {
+  constexpr Eigen::Index kWaves = kLast - kFirst + 1;
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(rows.size(), 2 * kWaves);
   Eigen::VectorXd weight = Eigen::VectorXd::Zero(rows.size());
   for (Eigen::Index i = 0; i < rows.size(); ++i) {
-    if (rows.recording[static_cast<std::size_t>(i)] != recording || rows.from_reversal_deg[i] <= kAtReversal_deg)
+    if (rows.recording[static_cast<std::size_t>(i)] != recording || rows.from_reversal_deg[i] <= kAtReversal_deg) {
       continue;
-    columns(i, 0) = std::cos(harmonic * rows.angle_rad[i]);
-    columns(i, 1) = std::sin(harmonic * rows.angle_rad[i]);
+    }
     weight[i] = rows.count[i];
+    // From one wave to the next by a turn of one angle.
+    const std::complex<double> turn = std::polar(1.0, rows.angle_rad[i]);
+    std::complex<double> wave = std::polar(1.0, kFirst * rows.angle_rad[i]);
+    for (Eigen::Index k = 0; k < kWaves; ++k, wave *= turn) {
+      columns(i, 2 * k) = wave.real();
+      columns(i, 2 * k + 1) = wave.imag();
+    }
   }
   const Eigen::MatrixXd weighted = weight.asDiagonal() * columns;
-  const Eigen::Matrix2d inverse = (columns.transpose() * weighted).inverse();
-  const Eigen::Vector2d wave = inverse * (weighted.transpose() * residual);
-  const Eigen::Matrix2d covariance = inverse * scatter_of(weighted, rows, noises) * inverse;
-  const double chi2 = wave.dot(covariance.ldlt().solve(wave));
-  return {wave[0], wave[1], std::exp(-0.5 * chi2)};
+  const Eigen::MatrixXd spread = spread_of(weighted, rows, noises);
+  const Eigen::VectorXd seen = weighted.transpose() * residual;
+  std::vector<Wave> waves;
+  waves.reserve(static_cast<std::size_t>(kWaves));
+  for (Eigen::Index k = 0; k < kWaves; ++k) {
+    const auto own = columns.middleCols<2>(2 * k);
+    const Eigen::Matrix2d inverse = Eigen::Matrix2d(own.transpose() * weighted.middleCols<2>(2 * k)).inverse();
+    const Eigen::Vector2d wave = inverse * seen.segment<2>(2 * k);
+    const Eigen::Matrix2d scatter = weighted.middleCols<2>(2 * k).transpose() * spread.middleCols<2>(2 * k);
+    const Eigen::Matrix2d covariance = inverse * scatter * inverse;
+    const double chi2 = wave.dot(covariance.ldlt().solve(wave));
+    waves.push_back({wave[0], wave[1], std::exp(-0.5 * chi2)});
+  }
+  return waves;
 }
 
 }  // namespace
@@ -65,12 +82,15 @@ double repeatability_um(const ErrorRows& rows, const Eigen::VectorXd& residual) 
 std::optional<LeftHarmonic> left_harmonic(const ErrorRows& rows, const Eigen::VectorXd& residual,
                                           const std::vector<WeightedNoise>& noises, double arc_rad) {
   if (arc_rad < kPi) return std::nullopt;  // waves of a short arc are not told apart
+  std::vector<std::vector<Wave>> waves;
+  waves.reserve(rows.recordings);
+  for (std::size_t k = 0; k < rows.recordings; ++k) waves.push_back(waves_of(rows, residual, noises, k));
   LeftHarmonic most;
   Wave clearest;
   for (std::size_t recording = 0; recording < rows.recordings; ++recording) {
     for (int harmonic = kFirst; harmonic <= kLast; ++harmonic) {
-      const Wave wave = wave_of(rows, residual, noises, recording, harmonic);
-      if (wave.p_value >= clearest.p_value) continue;
+      const Wave& wave = waves[recording][static_cast<std::size_t>(harmonic - kFirst)];
+      if (!(wave.p_value < clearest.p_value)) continue;
       clearest = wave;
       most = {harmonic, recording, 2.0 * std::hypot(wave.cos_um, wave.sin_um), wave.p_value, false};
     }
@@ -79,7 +99,7 @@ std::optional<LeftHarmonic> left_harmonic(const ErrorRows& rows, const Eigen::Ve
   if (!(most.p_value < kClear)) return std::nullopt;
   for (std::size_t recording = 0; recording < rows.recordings; ++recording) {
     if (recording == most.recording) continue;
-    const Wave other = wave_of(rows, residual, noises, recording, most.harmonic);
+    const Wave& other = waves[recording][static_cast<std::size_t>(most.harmonic - kFirst)];
     const double along = other.cos_um * clearest.cos_um + other.sin_um * clearest.sin_um;
     const double square = clearest.cos_um * clearest.cos_um + clearest.sin_um * clearest.sin_um;
     if (other.p_value < 0.05 && along > 0.3 * square) most.in_both = true;

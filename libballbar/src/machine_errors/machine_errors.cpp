@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "ballbar/circle/trace.hpp"
 #include "ballbar/error.hpp"
@@ -53,6 +54,29 @@ double range_without(const std::vector<double>& freed, const ErrorRows& rows, co
   return most - least;
 }
 
+std::vector<AddedError> one_by_one(const ErrorFitted& fitted, const std::vector<RankedError>& ranked) {
+  std::vector<const Effect*> open;
+  for (const RankedError& one : ranked) {
+    if (one.significant) open.push_back(one.effect);
+  }
+  std::vector<AddedError> added;
+  added.reserve(open.size());
+  std::set<const Effect*> taken;
+  while (!open.empty()) {
+    AddedError best;
+    for (const Effect* effect : open) {
+      std::set<const Effect*> with = taken;
+      with.insert(effect);
+      const double rms_um = rms_with_um(fitted, with);
+      if (best.effect == nullptr || rms_um < best.rms_um) best = {effect, rms_um};
+    }
+    taken.insert(best.effect);
+    std::erase(open, best.effect);
+    added.push_back(best);
+  }
+  return added;
+}
+
 }  // namespace
 
 MachineErrors machine_errors(std::span<const Recording> recordings, const MachineErrorOptions& options) {
@@ -93,8 +117,9 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
     one.circularity_without_um = range_without(freed, fitted.rows, &curve);
   }
   found.circle_rms_um = rms_with_um(fitted, {});
+  found.one_by_one = one_by_one(fitted, found.ranked);
   const Eigen::VectorXd residual = fitted.residual();
-  found.residual_rms_um = std::sqrt(residual.cwiseAbs2().dot(fitted.rows.count) / fitted.rows.count.sum());
+  found.residual_rms_um = fitted.rms_um(residual);
   found.repeatability_um = repeatability_um(fitted.rows, residual);
   found.left = left_harmonic(fitted.rows, residual, fitted.noise, fitted.arc_rad);
   return found;

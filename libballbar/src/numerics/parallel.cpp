@@ -1,4 +1,4 @@
-#include "numerics/parallel.hpp"
+#include "ballbar/numerics/parallel.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -248,7 +248,21 @@ TEST(session, folders_that_are_no_session) {
             "DIR/b.b5r: expected DATE_STARTED, the time of this test in the session, found none that can be read.");
   folder.write("b.b5r", replaced(changed("b5r", "20200229-120001", "20200301-000001"), "<NOMINAL_LENGTH>100",
                                  "<NOMINAL_LENGTH>50"));
-  EXPECT_EQ(opening(), "DIR/b.b5r: expected the session's nominal length 100 mm, found 50 mm.");
+  EXPECT_EQ(opening(),
+            "DIR: expected tests of one nominal length for a drift, found 100 mm in a.b5r and 50 mm in b.b5r; ballbar "
+            "history DIR keeps them apart.");
+}
+
+TEST(session, a_folder_of_one_test_a_plane_has_no_drift) {
+  const ScratchFolder folder;
+  const auto opening = [&] { return complaint(folder, [&] { open_session(folder.path()); }); };
+  folder.write("a.b5r", good_text("b5r"));
+  EXPECT_EQ(
+      opening(),
+      "DIR: expected at least two tests of the same plane for a drift, found one of ZX; ballbar history DIR gives "
+      "squareness and scales.");
+  folder.write("b.b5r", changed("b5r", "20200229-120001", "20200301-000001"));
+  EXPECT_NO_THROW(open_session(folder.path()));
 }
 
 TEST(session, files_that_are_no_session) {

@@ -205,6 +205,25 @@ TEST(Drift, EveryPlaneHasItsOwnReference) {
   expect_estimate(series.points[3].z, 24.0, 1e-2);
 }
 
+// What has nothing to differ from is no drift of 0.
+TEST(Drift, ThePlaneOfOneTestHasNone) {
+  VirtualMachine machine = quiet(Method::circles);
+  machine.truth = {{0.0, 0.0, 0.0, 0.0, 0.0}, {1200.0, 12.0, 24.0, 36.0, 0.0}};
+  machine.test_s = {0.0, 400.0, 800.0};
+  Session session = simulate(machine).session;
+  machine.plane = Plane::ZX;
+  session.tests[1] = simulate(machine).session.tests[1];
+  const DriftSeries series = drift_of(session);
+  EXPECT_FALSE(series.points[1].z.has_value());
+  EXPECT_FALSE(series.points[1].x.has_value());
+  expect_estimate(series.points[2].x, 8.0, 1e-2);
+  EXPECT_NE(series.not_cancelled.find("One test alone, and so no drift: ZX."), std::string::npos);
+  session.tests.resize(2);
+  EXPECT_THROW(drift_of(session), Error) << "one of XY, one of ZX";
+  session.tests.resize(1);
+  EXPECT_NO_THROW(drift_of(session)) << "a position";
+}
+
 TEST(Drift, ReferenceIsTheNearestTest) {
   VirtualMachine machine = quiet(Method::circles);
   machine.truth = {{0.0, 0.0, 0.0, 0.0, 0.0}, {1200.0, 4.0, 30.0, 0.0, 0.0}};

@@ -1,5 +1,5 @@
 // Parts of work on several threads.
-#include "numerics/parallel.hpp"
+#include "ballbar/numerics/parallel.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

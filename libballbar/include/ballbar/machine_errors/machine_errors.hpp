@@ -59,8 +59,6 @@ struct RankedError {
   bool significant = false;                // p_value small enough for as many errors as were looked at
   std::optional<bool> predicts_other_run;  // its value from one run alone lowers what is left in the other
   double circularity_without_um = 0.0;     // that remains if it is mended
-  // RMS that is left with the circle, this error and all before it in the list: how far the error falls, one by one.
-  double rms_with_um = 0.0;
 };
 
 // A harmonic that is left in the residual.
@@ -89,13 +87,21 @@ struct FittedGain {
   bool in_the_fit = true;  // false: did not show; its value is that beside all others
 };
 
+// A significant error and what is left once it is taken away too.
+struct AddedError {
+  const Effect* effect = nullptr;
+  double rms_um = 0.0;
+};
+
 struct MachineErrors {
   std::vector<MachineError> errors;
-  Eigen::MatrixXd covariance;        // of the values, in the order of errors
-  std::vector<RankedError> ranked;   // falling IC
-  double circularity_um = 0.0;       // max - min of all readings about the fitted centre
-  double circle_rms_um = 0.0;        // that the circles alone leave
-  double residual_rms_um = 0.0;      // that all errors leave
+  Eigen::MatrixXd covariance;       // of the values, in the order of errors
+  std::vector<RankedError> ranked;  // falling IC
+  double circularity_um = 0.0;      // max - min of all readings about the fitted centre
+  double circle_rms_um = 0.0;       // that the circles alone leave
+  double residual_rms_um = 0.0;     // that all errors leave
+  // Significant errors one by one, each time the one that leaves least beside the circles and those before it.
+  std::vector<AddedError> one_by_one;
   double repeatability_um = 0.0;     // what of the residual is not the same in both directions; NaN: one direction
   std::optional<LeftHarmonic> left;  // what the model does not explain; nothing: nothing clear
   // What the readings do not tell apart: "scale_mismatch with straightness_b, centre_a".

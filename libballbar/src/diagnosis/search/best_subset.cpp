@@ -9,8 +9,8 @@
 #include <string>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/numerics/parallel.hpp"
 #include "numerics/orthonormal.hpp"
-#include "numerics/parallel.hpp"
 
 namespace ballbar {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/error.hpp"
+#include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/search/best_subset.hpp"
 #include "diagnosis/search/nested_effects.hpp"
-#include "numerics/parallel.hpp"
 
 namespace ballbar {
 namespace {

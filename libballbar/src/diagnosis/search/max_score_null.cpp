@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/numerics/parallel.hpp"
 #include "noise/whitening.hpp"
-#include "numerics/parallel.hpp"
 #include "numerics/random_streams.hpp"
 
 namespace ballbar {

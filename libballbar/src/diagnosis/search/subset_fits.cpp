@@ -5,8 +5,8 @@
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/error.hpp"
+#include "ballbar/numerics/parallel.hpp"
 #include "numerics/orthonormal.hpp"
-#include "numerics/parallel.hpp"
 
 namespace ballbar {
 SubsetFits::SubsetFits(const Model& model, const Series& data, std::size_t target, const Fit& base,

@@ -9,11 +9,11 @@
 #include <limits>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/signatures/detectability.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "fit/linearised_fit.hpp"
 #include "model/bindings.hpp"
-#include "numerics/parallel.hpp"
 #include "series/subsampled.hpp"
 
 namespace ballbar {

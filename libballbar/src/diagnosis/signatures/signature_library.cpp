@@ -7,11 +7,11 @@
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/model/measured_input.hpp"
+#include "ballbar/numerics/parallel.hpp"
 #include "effects/effect_at.hpp"
 #include "model/bindings.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
-#include "numerics/parallel.hpp"
 
 namespace ballbar {
 namespace {

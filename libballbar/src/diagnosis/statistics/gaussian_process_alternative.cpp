@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
+#include "ballbar/numerics/parallel.hpp"
 #include "ballbar/units.hpp"
 #include "noise/kalman.hpp"
 #include "numerics/nelder_mead.hpp"
-#include "numerics/parallel.hpp"
 
 namespace ballbar {
 namespace {

@@ -5,13 +5,13 @@
 #include <numeric>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/numerics/parallel.hpp"
 #include "ballbar/units.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "diagnosis/surrogates/phase_randomised.hpp"
 #include "effects/effect_at.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
-#include "numerics/parallel.hpp"
 #include "numerics/random_streams.hpp"
 
 namespace ballbar {

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "diagnosis/surrogates/phase_randomised.hpp"
 #include "effects/effect_at.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
-#include "numerics/parallel.hpp"
 #include "numerics/random_streams.hpp"
 
 namespace ballbar {

@@ -6,10 +6,10 @@
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/error.hpp"
+#include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/statistics/cross_validation.hpp"
 #include "diagnosis/verdict/candidates.hpp"
 #include "numerics/orthonormal.hpp"
-#include "numerics/parallel.hpp"
 
 namespace ballbar {
 namespace {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "ballbar/formats/recordings/b5r.hpp"
+#include "ballbar/machine_errors/machine_errors.hpp"
 
 namespace ballbar {
 
@@ -17,6 +18,9 @@ std::optional<double> stored_individual_circularity_um(const B5r& test, std::str
 
 // Pitch of the screw of axis A or B that its cyclic error was looked for with.
 std::optional<double> stored_pitch_mm(const B5r& test, char axis);
+
+// How a test is fitted so that the file's values can stand beside: what a cyclic error of both runs is.
+MachineErrorOptions error_options(const B5r& test);
 
 // Whether the software takes the mean of both runs for a cyclic error (versions before 20), not the larger.
 bool stores_cyclic_means(const B5r& test);

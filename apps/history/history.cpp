@@ -1,0 +1,119 @@
+// `ballbar history FOLDER...`: the tests of a machine over time, its squareness and scales.
+#include "ballbar/history/history.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/nearest_name.hpp"
+#include "commands.hpp"
+#include "history/history_files.hpp"
+#include "history/history_page.hpp"
+#include "history/history_text.hpp"
+#include "history/test_files.hpp"
+#include "page/report_page.hpp"
+#include "terminal/output_guard.hpp"
+#include "terminal/terminal_table.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+struct Options {
+  std::vector<std::string> folders;
+  std::vector<std::string> tolerances;
+  std::string csv, out, page;
+  bool all = false;
+  bool strict = false;
+  bool json = false;
+};
+
+// NAME=VALUE: from -VALUE to VALUE.
+Tolerance tolerance_of(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const auto wrong = [&] {
+    return Error(fmt::format("--tolerance {}: expected NAME=VALUE with a number above 0.", in_quotes(text)));
+  };
+  if (equals == std::string::npos || equals == 0) throw wrong();
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data() + equals + 1, end, value);
+  if (error != std::errc() || rest != end || !(value > 0.0) || !std::isfinite(value)) throw wrong();
+  return {text.substr(0, equals), -value, value};
+}
+
+// A tolerance on what no test has would never be met.
+void expect_known(const std::vector<Tolerance>& tolerances, const std::vector<MachineTest>& tests) {
+  if (tolerances.empty()) return;
+  std::vector<std::string_view> names;
+  for (const MachineTest& test : tests) {
+    for (const TestQuantity& quantity : test.quantities) {
+      if (!quantity.of_set_up) names.push_back(quantity.name);
+    }
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  for (const Tolerance& tolerance : tolerances) {
+    if (names.empty() || std::binary_search(names.begin(), names.end(), tolerance.quantity)) continue;
+    throw Error(fmt::format("--tolerance: expected a quantity of these tests, found {}; the nearest is {}.",
+                            in_quotes(tolerance.quantity), nearest_name(tolerance.quantity, names)));
+  }
+}
+
+std::string title_of(const std::vector<std::string>& folders) {
+  std::error_code error;
+  const std::string name = std::filesystem::weakly_canonical(folders.front(), error).filename().string();
+  return folders.size() == 1 ? name : fmt::format("{} and {} more", name, folders.size() - 1);
+}
+
+void run(const Options& options) {
+  std::vector<Tolerance> tolerances;
+  tolerances.reserve(options.tolerances.size());
+  for (const std::string& text : options.tolerances) tolerances.push_back(tolerance_of(text));
+  if (!options.page.empty()) expect_page("--page");
+  const TestFiles files = read_tests(options.folders, options.strict);
+  if (!options.csv.empty()) expect_no_input({options.csv}, files.files, "--csv");
+  if (!options.out.empty()) expect_no_input({options.out}, files.files);
+  if (!options.page.empty()) expect_no_input({options.page}, files.files, "--page");
+  expect_known(tolerances, files.tests);
+  const std::vector<MachineHistory> machines = history_of(files.tests, tolerances);
+  const bool wants_json = options.json || !options.out.empty();
+  const std::string json = wants_json ? history_json(files, machines).dump(2) + '\n' : std::string();
+  if (!options.csv.empty()) write_bytes(options.csv, history_csv(files.tests));
+  if (!options.out.empty()) write_bytes(options.out, json);
+  if (!options.page.empty()) write_bytes(options.page, history_page(title_of(options.folders), files, machines));
+  fmt::print("{}", options.json ? json : history_text(files, machines, options.all));
+  for (const std::string& path : {options.csv, options.out, options.page}) {
+    if (!path.empty()) fmt::print(stderr, "wrote {}\n", path);
+  }
+}
+
+}  // namespace
+
+void add_history(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("history", "A machine over its tests: changes, trends, squareness, scales");
+  command->add_option("FOLDER", options->folders, "folders of .b5r files or ballbar logs, with those below")
+      ->required();
+  command
+      ->add_option("--tolerance", options->tolerances,
+                   "limit of a quantity, to both sides of 0; goes before the file's; may be repeated")
+      ->type_name("NAME=VALUE");
+  command->add_flag("--all", options->all, "show quantities too that say nothing");
+  command->add_flag("--strict", options->strict, "stop at a file that would be skipped");
+  command->add_option("--csv", options->csv, "write one row a test and quantity")->type_name("FILE");
+  command->add_flag("--json", options->json, "the history for a program");
+  command->add_option("--out", options->out, "write the JSON to a file as well")->type_name("FILE");
+  command->add_option("--page", options->page, "write a page with pictures of all quantities")->type_name("FILE");
+  command->footer("Example:\n  ballbar history sample-runs/machine-history --tolerance backlash_a_pos=5");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

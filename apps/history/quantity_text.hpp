@@ -1,0 +1,31 @@
+// How a quantity, its change, its trend and its tolerance are written, with dates and groups.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "ballbar/history/history.hpp"
+
+namespace ballbar {
+
+std::string date_text(double time_s);                           // "2025-09-04"
+std::string iso_date_text(std::int64_t time_s);                 // "2025-09-04T16:10:49"
+std::string group_text(const TestGroup& group);                 // "XY, 100 mm, 1000 mm/min, 360 deg"
+std::string several(std::size_t count, std::string_view what);  // "1 test", "2 tests"
+
+int decimals_of(const std::string& unit);
+std::string signed_text(double value, int decimals);
+
+// Cells of a table; "-" where there is nothing to say.
+std::string change_text(const QuantityHistory& quantity);  // "+1.00 *"
+std::string sigmas_text(const QuantityHistory& quantity);
+std::string trend_text(const QuantityHistory& quantity);
+std::string tolerance_text(const QuantityHistory& quantity);
+std::string met_text(const QuantityHistory& quantity);
+
+std::string value_text(const QuantityHistory& quantity);  // name, value, sigma, unit
+std::string expected_text(const ToleranceDate& date);     // "2027-03-01 (2026-11-05 to 2027-10-20)"
+
+}  // namespace ballbar

@@ -1,0 +1,231 @@
+#include "history/test_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <optional>
+#include <set>
+#include <unordered_map>
+
+#include "ballbar/circle/circularity.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/formats/recordings/stored_errors.hpp"
+#include "ballbar/numerics/parallel.hpp"
+#include "history/stored_test.hpp"
+
+namespace ballbar {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
+
+bool is_b5r(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".b5r";
+}
+
+// By content; XML of another kind is none.
+bool is_kind_of_recording(const fs::path& path) {
+  const Reader* const reader = reader_of_file(path);
+  return reader != nullptr && !reader->recording.empty();
+}
+
+// What one file came to.
+struct ReadFile {
+  fs::path path;
+  bool is_recording = true;
+  std::optional<MachineTest> test;  // of a .b5r
+  std::optional<Recording> log;
+  std::vector<std::string> remarks;
+  std::string fault;
+};
+
+// A folder that cannot be listed is a fault of its own.
+std::vector<ReadFile> files_below(const std::vector<std::string>& paths) {
+  std::vector<ReadFile> files;
+  std::vector<fs::path> folders;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    if (fs::is_directory(path, error)) {
+      folders.emplace_back(path);
+    } else {
+      files.push_back({path});
+      if (!fs::exists(path, error)) {
+        throw Error(fmt::format("{}: expected a folder of tests, found nothing of that name.", path));
+      }
+    }
+  }
+  while (!folders.empty()) {
+    const fs::path folder = std::move(folders.back());
+    folders.pop_back();
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+      std::error_code unknown;
+      if (is_hidden(entry->path())) continue;
+      if (entry->is_directory(unknown)) {
+        if (!entry->is_symlink(unknown)) folders.push_back(entry->path());
+      } else if (is_b5r(entry->path()) || entry->is_regular_file(unknown)) {
+        files.push_back({entry->path()});
+      }
+    }
+    if (error) {
+      files.push_back({folder});
+      files.back().fault = fmt::format("{}: expected a readable folder, found: {}.", folder.string(), error.message());
+    }
+  }
+  std::sort(files.begin(), files.end(),
+            [](const ReadFile& left, const ReadFile& right) { return left.path < right.path; });
+  std::set<fs::path> seen;  // by two of the paths given
+  std::erase_if(files, [&](const ReadFile& file) {
+    std::error_code error;
+    const fs::path canonical = fs::canonical(file.path, error);
+    return !error && !seen.insert(canonical).second;
+  });
+  return files;
+}
+
+// A sentence that names its file.
+std::string named(const fs::path& path, const std::string& sentence) {
+  const std::string name = path.string();
+  if (sentence.starts_with(name)) return sentence;
+  return fmt::format("{}: {}{}", name, sentence, sentence.ends_with('.') ? "" : ".");
+}
+
+void expect_two_axes(const Recording& recording) {
+  if (recording.kind == Kind::circle && recording.motion == Motion::linear_axes) return;
+  throw Error(recording.kind == Kind::axial ? "expected a circle of two linear axes, found an axial recording."
+                                            : fmt::format("expected a circle of two linear axes, found one that is "
+                                                          "driven by {}.",
+                                                          name_of(recording.motion)));
+}
+
+MachineTest fitted_test(std::span<const Recording> recordings, const MachineErrorOptions& options) {
+  for (const Recording& recording : recordings) expect_two_axes(recording);
+  return machine_test(machine_errors(recordings, options), recordings);
+}
+
+MachineTest test_of(const RecordingFile& file) {
+  MachineTest test =
+      file.recordings.empty() ? stored_test(*file.b5r) : fitted_test(file.recordings, error_options(*file.b5r));
+  if (test.quantities.empty()) throw Error("expected readings or stored errors of the machine, found neither.");
+  test.machine = file.b5r->machine;
+  test.bar = file.b5r->serial_number;
+  test.tolerances = stated_tolerances(*file.b5r);
+  return test;
+}
+
+void read(ReadFile& file) {
+  if (!file.fault.empty()) return;
+  try {
+    file.is_recording = is_b5r(file.path) || is_kind_of_recording(file.path);
+    if (!file.is_recording) return;
+    RecordingFile opened = open_recording(file.path);
+    file.remarks = std::move(opened.remarks);
+    if (opened.b5r) {
+      file.test = test_of(opened);
+    } else {
+      file.log = std::move(opened.recordings.front());
+      expect_two_axes(*file.log);
+    }
+  } catch (const Error& error) {
+    file.fault = named(file.path, error.what());
+    file.log.reset();
+  }
+}
+
+// Both directions of one test, one after the other.
+bool are_one_test(const ReadFile& first, const ReadFile& second) {
+  constexpr std::int64_t kApart_s = 3600;
+  if (!first.log || !second.log || first.path.parent_path() != second.path.parent_path()) return false;
+  if (!are_both_directions(*first.log, *second.log)) return false;
+  const auto &one = first.log->started_s, &other = second.log->started_s;
+  if (one.has_value() != other.has_value()) return false;
+  return !one || std::abs(*one - *other) <= kApart_s;
+}
+
+void fit_logs(std::vector<ReadFile>& files) {
+  struct Logs {
+    std::size_t first = 0, count = 1;
+  };
+  std::vector<Logs> tests;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (!files[i].log) continue;
+    tests.push_back({i, i + 1 < files.size() && are_one_test(files[i], files[i + 1]) ? 2U : 1U});
+    i += tests.back().count - 1;
+  }
+  in_parallel(tests.size(), [&](std::size_t k) {
+    ReadFile& file = files[tests[k].first];
+    std::vector<Recording> recordings;
+    recordings.reserve(tests[k].count);
+    for (std::size_t i = 0; i < tests[k].count; ++i) recordings.push_back(*std::move(files[tests[k].first + i].log));
+    try {
+      file.test = fitted_test(recordings, {});
+    } catch (const Error& error) {
+      file.fault = named(file.path, error.what());
+    }
+  });
+}
+
+// The same numbers of the same moment under two names: a copy, which would count twice.
+bool is_copy(const MachineTest& test, const MachineTest& of) {
+  if (test.started_s != of.started_s || test.plane != of.plane || test.quantities.size() != of.quantities.size()) {
+    return false;
+  }
+  return std::equal(test.quantities.begin(), test.quantities.end(), of.quantities.begin(),
+                    [](const TestQuantity& left, const TestQuantity& right) {
+                      return left.name == right.name && left.value == right.value;
+                    });
+}
+
+std::size_t hash_of(const MachineTest& test) {
+  std::size_t hash = std::hash<std::int64_t>{}(test.started_s.value_or(0));
+  for (const TestQuantity& quantity : test.quantities) hash = 31 * hash + std::hash<double>{}(quantity.value);
+  return hash;
+}
+
+}  // namespace
+
+TestFiles read_tests(const std::vector<std::string>& paths, bool strict) {
+  std::vector<ReadFile> files = files_below(paths);
+  in_parallel(files.size(), [&](std::size_t i) { read(files[i]); });
+  fit_logs(files);
+  TestFiles found;
+  std::unordered_multimap<std::size_t, std::size_t> known;  // places in tests by hash
+  for (ReadFile& file : files) {
+    if (!file.is_recording) continue;
+    found.files.push_back(file.path);
+    found.remarks.insert(found.remarks.end(), file.remarks.begin(), file.remarks.end());
+    if (file.test) {
+      file.test->file = file.path.string();
+      const std::size_t hash = hash_of(*file.test);
+      const auto [first, last] = known.equal_range(hash);
+      const auto same =
+          std::find_if(first, last, [&](const auto& one) { return is_copy(*file.test, found.tests[one.second]); });
+      if (same == last) {
+        known.emplace(hash, found.tests.size());
+        found.tests.push_back(*std::move(file.test));
+        continue;
+      }
+      file.fault = fmt::format("{}: expected a test of its own, found a copy of {}.", file.path.string(),
+                               found.tests[same->second].file);
+    }
+    if (file.fault.empty()) continue;  // the second log of a test
+    if (strict) throw Error(file.fault);
+    found.skipped.push_back({file.path.string(), file.fault});
+  }
+  if (found.tests.empty()) {
+    throw Error(fmt::format("{}: expected .b5r files or ballbar logs of circles, found none{}", paths.front(),
+                            found.skipped.empty() ? "." : " that can be used: " + found.skipped.front().sentence));
+  }
+  return found;
+}
+
+}  // namespace ballbar

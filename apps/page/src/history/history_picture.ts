@@ -1,0 +1,147 @@
+// One quantity over the tests of a group: its values with sigma, the trend with its own, the tolerance.
+import { curve } from "../drawing/curve";
+import { hover_text } from "../drawing/hover";
+import type { Numbers, Picture, State, Toggle } from "../picture";
+import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
+import type { HistoryGroup, HistoryQuantity, Num } from "../report";
+import { sigma_band, sigma_bars, type Uncertain } from "../drawing/sigma_marks";
+import { plain } from "../drawing/text";
+import { axis, base, colours, curve_colour, legend, tooltip } from "../drawing/theme";
+import { x_axis } from "../drawing/two_grids";
+
+type Series = Record<string, unknown>;
+
+const kTests: Toggle = { key: "tests", label: "tests", colour: (dark) => curve_colour(0, dark), mark: "dot", on: true };
+const kTrend: Toggle = { key: "trend", label: "trend", colour: (dark) => curve_colour(1, dark), mark: "line", on: true };
+
+const uncertain = (year: readonly number[], values: readonly Num[], sigmas: readonly Num[]): Uncertain[] =>
+  year.map((at, i) => [at, values[i] ?? null, sigmas[i] ?? null]);
+
+// "2025-07-02" of 2025.5.
+const date_of = (year: number): string => {
+  const whole = Math.floor(year);
+  const [from, to] = [Date.UTC(whole, 0), Date.UTC(whole + 1, 0)];
+  return new Date(from + (year - whole) * (to - from)).toISOString().slice(0, 10);
+};
+
+// No curve of its own, so that it is there whatever is switched off.
+const tolerance = (limits: readonly number[], colour: string): Series => ({
+  type: "line",
+  name: "",
+  data: [],
+  silent: true,
+  tooltip: { show: false },
+  markLine: {
+    symbol: "none",
+    silent: true,
+    label: { position: "insideEndTop", formatter: "tolerance", color: colour },
+    lineStyle: { color: colour, type: "solid", width: 1.4 },
+    data: limits.map((limit) => ({ yAxis: limit })),
+  },
+});
+
+// A limit far from all values would press them flat: then it is not drawn.
+const limits_near = ({ lower, upper, values, trend }: HistoryQuantity): number[] => {
+  const all = [...values, ...(trend?.values ?? [])].filter((value): value is number => value !== null);
+  if (all.length === 0) return [];
+  const [least, most] = [Math.min(...all), Math.max(...all)];
+  const reach = Math.max(most - least, 0.5 * Math.abs(least), 0.5 * Math.abs(most));
+  return [lower, upper].filter(
+    (limit): limit is number => limit !== undefined && limit > least - reach && limit < most + reach,
+  );
+};
+
+const ends_of = ({ year, trend }: HistoryQuantity): Record<string, unknown> => {
+  const all = [...year, ...(trend?.year ?? [])];
+  const [from, to] = [Math.min(...all), Math.max(...all)];
+  const room = Math.max(0.05 * (to - from), 0.02);
+  return { min: from - room, max: to + room };
+};
+
+export const history_picture = (group: HistoryGroup, k: number): Picture => {
+  const { quantities } = group;
+  const chosen_of = ({ chosen }: Pick<State, "chosen">): HistoryQuantity =>
+    quantities.find(({ name }) => name === chosen["quantity"]) ?? (quantities[0] as HistoryQuantity);
+  const toggles = (state: Pick<State, "chosen">): Toggle[] => (chosen_of(state).trend ? [kTests, kTrend] : [kTests]);
+
+  const draw = (state: State): Series => {
+    const { look, window, hidden } = state;
+    const quantity = chosen_of(state);
+    const { year, values, sigmas, trend, unit } = quantity;
+    const [of_tests, of_trend] = [kTests.colour(look.dark), kTrend.colour(look.dark)];
+    const drawn = [
+      ...(trend && !hidden.has(kTrend.key)
+        ? [curve(kTrend.label, of_trend, "solid", 1.6, trend.year.map((at, i) => [at, trend.values[i] ?? null]))]
+        : []),
+      ...(hidden.has(kTests.key)
+        ? []
+        : [
+            curve(kTests.label, of_tests, "dotted", 1, year.map((at, i) => [at, values[i] ?? null]), {
+              showSymbol: true,
+              symbol: "circle",
+              symbolSize: 7,
+              z: 4,
+            }),
+          ]),
+    ];
+    const marks = [
+      ...(trend && !hidden.has(kTrend.key) ? [sigma_band(uncertain(trend.year, trend.values, trend.sigmas), of_trend)] : []),
+      ...(hidden.has(kTests.key) ? [] : [sigma_bars(uncertain(year, values, sigmas), of_tests)]),
+    ];
+    const limits = limits_near(quantity);
+    return {
+      ...base(look),
+      grid: { left: kLeft_px, right: kRight_px, top: top_px(look, toggles(state).map(({ label }) => label)), bottom: kBottom_px },
+      legend: legend(state, toggles(state)),
+      tooltip: {
+        ...tooltip(look),
+        trigger: "axis",
+        formatter: hover_text({ drawn, x: 0, y: 1, head: date_of, unit }),
+      },
+      xAxis: x_axis(look, "year", window, ends_of(quantity)),
+      yAxis: {
+        ...axis(look, `${plain(quantity.name, 40)}, ${unit}`, "y"),
+        min: ({ min }: { min: number }) => (limits.some((limit) => limit < min) ? Math.min(...limits) * 1.05 : null),
+        max: ({ max }: { max: number }) => (limits.some((limit) => limit > max) ? Math.max(...limits) * 1.05 : null),
+      },
+      series: [...marks, ...drawn, ...(limits.length > 0 ? [tolerance(limits, colours(look.dark).ink)] : [])],
+    };
+  };
+
+  const numbers = (state: State): Numbers => {
+    const { year, values, sigmas, trend } = chosen_of(state);
+    const all = [...year, ...(trend?.year ?? [])];
+    const pad = (column: readonly Num[] | undefined, before: number): Num[] =>
+      all.map((_, i) => column?.[i - before] ?? null);
+    return {
+      columns: [
+        { name: "year", values: all },
+        { name: "value", values: pad(values, 0) },
+        { name: "sigma", values: pad(sigmas, 0) },
+        { name: "trend", values: pad(trend?.values, year.length) },
+        { name: "trend_sigma", values: pad(trend?.sigmas, year.length) },
+      ],
+    };
+  };
+
+  return {
+    name: `history-${k + 1}`,
+    title: plain(group.label, 80),
+    about:
+      "One quantity over the tests. Bars are one standard deviation of the fit; the shaded width is one of the trend, " +
+      "with the scatter of the tests about it. The line across is the tolerance.",
+    height_px: 360,
+    zoom: "own",
+    choices: [
+      {
+        key: "quantity",
+        label: "Quantity",
+        values: quantities.map(({ name }) => ({ value: name, label: name })),
+        initial: group.first,
+      },
+    ],
+    toggles,
+    draw,
+    numbers,
+  };
+};

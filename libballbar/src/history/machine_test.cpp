@@ -1,0 +1,89 @@
+#include "ballbar/history/machine_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ballbar/units.hpp"
+
+namespace ballbar {
+namespace {
+
+// Of the sweep, in whatever direction it went: half a reading's spacing before its first angle.
+double start_deg_of(const Recording& recording, double arc_deg) {
+  const bool ccw = recording.direction == Direction::CCW;
+  const double first_deg = deg_from_rad(ccw ? recording.angle_rad.front() : recording.angle_rad.back());
+  const double start = first_deg - 0.5 * arc_deg / static_cast<double>(recording.angle_rad.size());
+  return start - 360.0 * std::floor(start / 360.0);
+}
+
+double duration_s(std::span<const Recording> recordings) {
+  double total_s = 0.0;
+  for (const Recording& one : recordings) {
+    if (one.time_s.size() > 1) {
+      total_s += one.time_s.back() - one.time_s.front();
+    } else if (one.feed_mm_per_min) {
+      total_s += 60.0 * arc_rad(one) * one.nominal_length_mm / *one.feed_mm_per_min;
+    }
+  }
+  return total_s;
+}
+
+// Variances from n readings are as certain as from 1 / (1/n + share^2 theta / T) independent ones: sum of the squares
+// of the noise's autocorrelation.
+double sigma_of_rms(const MachineErrors& errors, std::span<const Recording> recordings) {
+  double readings = 0.0;
+  for (const Recording& one : recordings) readings += static_cast<double>(one.length_mm.size());
+  const Noise& noise = errors.noise;
+  const double white2 = noise.white_um * noise.white_um;
+  const double memory2 = noise.correlated_um * noise.correlated_um;
+  const double share = white2 + memory2 > 0.0 ? memory2 / (white2 + memory2) : 0.0;
+  const double total_s = duration_s(recordings);
+  const double theta_s = total_s > 0.0 ? noise.correlation_time_s / total_s : 0.0;
+  return errors.residual_rms_um * std::sqrt(0.5 * (1.0 / readings + share * share * theta_s));
+}
+
+}  // namespace
+
+bool within(const Tolerance& tolerance, double value) {
+  return !(tolerance.lower && value < *tolerance.lower) && !(tolerance.upper && value > *tolerance.upper);
+}
+
+std::string scale_name(int axis) { return std::string("scale_") + "xyz"[axis]; }
+
+MachineTest machine_test(const MachineErrors& errors, std::span<const Recording> recordings) {
+  const Recording& first = recordings.front();
+  MachineTest test;
+  test.plane = first.plane;
+  test.nominal_length_mm = first.nominal_length_mm;
+  test.arc_deg = deg_from_rad(arc_rad(first));
+  test.start_deg = start_deg_of(first, test.arc_deg);
+  double feeds = 0.0;
+  for (const Recording& one : recordings) {
+    if (one.started_s) test.started_s = std::min(*one.started_s, test.started_s.value_or(*one.started_s));
+    feeds += one.feed_mm_per_min.value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+  if (std::isfinite(feeds)) test.feed_mm_per_min = feeds / static_cast<double>(recordings.size());
+
+  test.quantities.reserve(errors.errors.size() + 4);
+  for (const MachineError& row : errors.errors) {
+    const bool of_set_up = row.effect == nullptr && row.name.starts_with("centre_");
+    test.quantities.push_back({row.name, row.unit, row.value, row.sigma, of_set_up});
+  }
+  for (const RankedError& ranked : errors.ranked) {
+    for (const std::size_t row : ranked.rows) test.quantities[row].significant = ranked.significant;
+  }
+  test.quantities.push_back({"circularity", "um", errors.circularity_um,
+                             std::sqrt(2.0) * std::hypot(errors.noise.white_um, errors.noise.correlated_um)});
+  test.quantities.push_back({"residual_rms", "um", errors.residual_rms_um, sigma_of_rms(errors, recordings)});
+  test.scales = axis_scales(errors, test.nominal_length_mm);
+  if (test.scales) {
+    const auto [a, b] = axes_of(test.plane);
+    const Eigen::Vector2d sigma = test.scales->covariance.diagonal().cwiseSqrt();
+    test.quantities.push_back({scale_name(a), "um/m", test.scales->a_ppm, sigma[0]});
+    test.quantities.push_back({scale_name(b), "um/m", test.scales->b_ppm, sigma[1]});
+  }
+  test.squareness = squareness_of(errors);
+  return test;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,60 @@
+#include "machine_errors/gain_maps.hpp"
+
+namespace ballbar {
+
+GainMaps::GainMaps(const GainStages& stages)
+    : stages_(stages), p_(stages.together->size()), c_(stages.cyclic->size()), e_(stages.extra->size()) {
+  const Eigen::Index n = stages.rows->size();
+  columns_.resize(n, p_ + e_);
+  columns_.leftCols(p_) = stages.together->values;
+  columns_.rightCols(e_) = stages.extra->values;
+  z_.resize(n, 2 * (p_ + e_) + c_);
+  z_.leftCols(p_ + e_) = stages.far->asDiagonal() * columns_;
+  z_.rightCols(p_ + e_) = stages.rows->count.asDiagonal() * columns_;
+  // G (C' y - C' M b), b = N^-1 M' y of the first fit.
+  Eigen::MatrixXd t_first = Eigen::MatrixXd::Zero(p_, z_.cols());
+  t_first.leftCols(p_) = stages.first->inverse;
+  t_cyclic_ = Eigen::MatrixXd::Zero(c_, z_.cols());
+  Eigen::Index at = 0;
+  for (const Block& block : *stages.cyclic_blocks) {
+    const Eigen::Index k = block.inverse.rows();
+    z_.middleCols(p_ + e_ + at, k) = block.weighted;
+    t_cyclic_.block(at, p_ + e_ + at, k, k) = block.inverse;
+    t_cyclic_.middleRows(at, k) -= block.inverse * (block.weighted.transpose() * stages.together->values) * t_first;
+    at += k;
+  }
+}
+
+Eigen::MatrixXd GainMaps::normal() const { return columns_.transpose() * z_.rightCols(p_ + e_); }
+
+GainMap GainMaps::of(const Indices& chosen, bool with_reversals) const {
+  const Eigen::Index first_column = with_reversals ? p_ + e_ + c_ : 0;
+  Indices in_z;
+  in_z.reserve(chosen.size());
+  for (const Eigen::Index k : chosen) in_z.push_back(first_column + k);
+  const Eigen::MatrixXd weighted = z_(Eigen::all, in_z);
+  const Eigen::MatrixXd inverse = inverse_of(columns_(Eigen::all, chosen).transpose() * weighted, *stages_.precision);
+  GainMap map{Eigen::MatrixXd::Zero(inverse.rows(), z_.cols()), {}};
+  map.t(Eigen::all, in_z) = inverse;
+  map.t -= inverse * (weighted.transpose() * stages_.cyclic->values) * t_cyclic_;
+  // What the prior leaves open: N^-1 L T L N^-1 with L T = s^2.
+  Eigen::MatrixXd precision = Eigen::MatrixXd::Zero(inverse.rows(), inverse.cols());
+  precision.topLeftCorner(p_, p_) = *stages_.precision;
+  map.open = stages_.slow_variance_um2 * inverse * precision * inverse;
+  return map;
+}
+
+GainMap GainMaps::joined(const GainMap& whole, const Indices& chosen, const GainMap& own) const {
+  const Eigen::Index all = p_ + c_ + e_;
+  GainMap map{Eigen::MatrixXd(all, z_.cols()), Eigen::MatrixXd::Zero(all, all)};
+  map.t.middleRows(p_, c_) = t_cyclic_;
+  map.t.bottomRows(e_) = whole.t.bottomRows(e_);
+  Indices places;
+  places.reserve(chosen.size());
+  for (const Eigen::Index k : chosen) places.push_back(k < p_ ? k : k + c_);
+  map.t(places, Eigen::all) = own.t;
+  map.open(places, places) = own.open;
+  return map;
+}
+
+}  // namespace ballbar
