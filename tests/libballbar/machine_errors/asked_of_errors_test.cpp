@@ -98,11 +98,9 @@ TEST(CurveOf, AllCurvesAndTheCircleAreTheDeviationLessTheResidual) {
       squares += std::pow(deviation_um - circle_um - all[i], 2);
     }
   }
-  // Of readings: noise of 0.32 um; of means over a degree, as it is stated, less.
   const double left_um = std::sqrt(squares / static_cast<double>(i));
-  EXPECT_NEAR(left_um, std::hypot(0.3, 0.1), 0.05);
-  EXPECT_LT(found.residual_rms_um, left_um);
-  EXPECT_GT(found.residual_rms_um, 0.8 * left_um);
+  EXPECT_NEAR(left_um, std::hypot(0.3, 0.1), 0.03);
+  EXPECT_NEAR(found.residual_rms_um, left_um, 0.005);
 }
 
 // Of one effect by hand: a servo mismatch of 0.25 ms at 1000 mm/min, v / 2 sin 2 theta.

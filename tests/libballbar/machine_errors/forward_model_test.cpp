@@ -98,7 +98,7 @@ TEST(MachineErrors, AllTogetherAreFound) {
   const MachineErrors found = without_prior(test);
   EXPECT_TRUE(found.prior.empty());
   for (const MachineError& row : found.errors) EXPECT_NEAR(row.value, test.of(row.name), 0.05) << row.name;
-  EXPECT_LT(found.residual_rms_um, 0.02);
+  EXPECT_LT(found.residual_rms_um, 0.05);  // of readings less curves at means over 0.4 deg, spikes of 5 um among them
 }
 
 // Of the reversals' steps the waves of the screws leave 0.5 um.
@@ -198,21 +198,21 @@ TEST(MachineErrors, CircularityWithoutTheOnlyErrorIsNothing) {
   EXPECT_NEAR(found.ranked.back().circularity_without_um, 4.0, 0.02);
 }
 
-// Errors added one by one, largest first: from what the circle leaves to what all leave.
+// Errors added one by one: from what the circle leaves to what all leave, each time the one that lowers it most.
 TEST(MachineErrors, WhatIsLeftFallsErrorByError) {
   made::ErrorTest test = made::noisy(made::full_turn());
   test.errors = {{"scale_mismatch", 8.0}, {"squareness", 20.0}, {"backlash_a_pos", 2.0}, {"backlash_a_neg", 2.0}};
   const MachineErrors found = machine_errors(made::both_runs(test));
-  // mismatch / 4 over the root of 2, and squareness R / 2
-  EXPECT_NEAR(found.circle_rms_um, std::sqrt((4.0 + 2.25) / 2.0), 0.4);
-  double before_um = found.circle_rms_um;
-  for (const RankedError& one : found.ranked) {
-    // its value is that beside all others, so that alone it may do a little harm
-    EXPECT_LE(one.rms_with_um, before_um + 0.05) << one.effect->name;
-    before_um = one.rms_with_um;
-  }
-  EXPECT_LT(found.ranked[0].rms_with_um, 0.75 * found.circle_rms_um);
-  EXPECT_NEAR(found.ranked.back().rms_with_um, found.residual_rms_um, 0.05);
+  // by hand: (mismatch / 4)^2 / 2 + (squareness R / 2)^2 / 2 + backlash^2 / 8 + noise^2 are 2 + 1.125 + 0.5 + 0.1
+  EXPECT_NEAR(found.circle_rms_um, std::sqrt(3.7), 0.15);
+  ASSERT_EQ(found.one_by_one.size(), 3U);
+  EXPECT_EQ(found.one_by_one[0].effect->name, "scale_mismatch");
+  EXPECT_NEAR(found.one_by_one[0].rms_um, std::sqrt(1.7), 0.15);
+  EXPECT_EQ(found.one_by_one[1].effect->name, "squareness");
+  EXPECT_NEAR(found.one_by_one[1].rms_um, std::sqrt(0.6), 0.15);
+  EXPECT_EQ(found.one_by_one[2].effect->name, "backlash_a");
+  EXPECT_NEAR(found.one_by_one[2].rms_um, std::sqrt(0.1), 0.05);
+  EXPECT_NEAR(found.one_by_one[2].rms_um, found.residual_rms_um, 0.03);
 }
 
 TEST(MachineErrors, OfATraceAreThoseOfItsRecordings) {
