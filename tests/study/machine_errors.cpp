@@ -24,7 +24,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -61,7 +60,6 @@ struct Plan {
 constexpr Ranges kFull{.coverage_low = 0.925,
                        .coverage_high = 0.985,
                        .cyclic_low = 0.76,
-                       .any = 0.05,
                        .one = 0.84,
                        .wrong = 0.01,
                        .several = 0.63,
@@ -70,7 +68,6 @@ constexpr Ranges kFull{.coverage_low = 0.925,
 constexpr Ranges kArc{.coverage_low = 0.89,
                       .coverage_high = 0.975,
                       .cyclic_low = 0.76,
-                      .any = 0.05,
                       .one = 0.74,
                       .wrong = 0.02,
                       .several = 0.44,
@@ -79,7 +76,6 @@ constexpr Ranges kArc{.coverage_low = 0.89,
 constexpr Ranges kArcAlone{.coverage_low = 0.79,
                            .coverage_high = 0.975,
                            .cyclic_low = 0.68,
-                           .any = 0.05,
                            .one = 0.89,
                            .wrong = 0.015,
                            .several = 0.69,
