@@ -14,12 +14,12 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr std::array kWhiteOfCorrelated = {0.1, 0.33, 1.0, 3.0};  // w / q
-constexpr double kUsualWhite = 0.33;
-constexpr std::array kFineMemories = {0.45, 0.58, 0.75, 1.0, 1.3, 1.7, 2.2};  // times the best of the first look
+constexpr std::array kWhiteOfCorrelated = {0.1, 0.5, 2.0};  // w / q
+constexpr double kUsualWhite = 0.5;
+constexpr std::array kFineMemories = {0.5, 0.7, 1.0, 1.4, 2.0};  // times the best of the first look
 constexpr std::size_t kMemories = 6;
 constexpr double kMemoriesATurn = 16.0;
-constexpr double kLeastWeight = 1e-3;
+constexpr double kLeastWeight = 0.03;  // of the likeliest
 constexpr double kLeastVariance = 1e-6;  // of q = 1
 constexpr double kLeast_um = 1e-4;       // readings are written to 0.01 um
 

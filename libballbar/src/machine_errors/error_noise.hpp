@@ -26,8 +26,7 @@ struct WeightedNoise {
   Noise noise;          // white_um a reading
 };
 
-// Of the deviation and the columns that are fitted to it, row by row; falling weight, the last parts in a thousand left
-// out.
+// Of the deviation and the columns that are fitted to it, row by row; falling weight, those far less likely left out.
 std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::MatrixXd& columns);
 
 // V Z of columns Z (rows by k), V over all points of the grid.

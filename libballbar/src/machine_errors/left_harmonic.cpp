@@ -1,6 +1,7 @@
 #include "machine_errors/left_harmonic.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -13,7 +14,7 @@ namespace ballbar {
 namespace {
 
 constexpr int kFirst = 5, kLast = 30;  // lower ones are the model's own
-constexpr double kClear = 0.01;
+constexpr double kClear = 0.001;
 
 struct Wave {
   double cos_um = 0.0, sin_um = 0.0;
@@ -40,7 +41,8 @@ std::vector<Wave> waves_of(const ErrorRows& rows, const Eigen::VectorXd& residua
     }
   }
   const Eigen::MatrixXd weighted = weight.asDiagonal() * columns;
-  const Eigen::MatrixXd spread = spread_of(weighted, rows, noises);
+  // A line in the spectrum stands out of the likeliest noise or of none.
+  const Eigen::MatrixXd spread = spread_of(weighted, rows, {{1.0, noises.front().noise}});
   const Eigen::VectorXd seen = weighted.transpose() * residual;
   std::vector<Wave> waves;
   waves.reserve(static_cast<std::size_t>(kWaves));
