@@ -99,7 +99,7 @@ std::string history_text(const TestFiles& files, const std::vector<MachineHistor
   std::string text;
   for (const MachineHistory& machine : machines) {
     const std::vector<std::size_t> places = tests_of(machine);
-    text += fmt::format("{}{}, {}, {}\n\n", machine.machine.empty() ? "" : machine.machine + ": ",
+    text += fmt::format("{}{}, {}, {}\n\n", machine.machine.empty() ? "" : shortened(machine.machine, 80) + ": ",
                         several(places.size(), "test"), several(machine.groups.size(), "group"),
                         first_and_last(files.tests, places));
     text += conclusion(machine) + '\n';

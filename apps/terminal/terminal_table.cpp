@@ -85,8 +85,12 @@ std::string duration_text(double duration_s) {
 
 std::string shortened(const std::string& text, std::size_t width) {
   std::string line;
-  for (const char c : text) {
-    if (std::isspace(static_cast<unsigned char>(c)) == 0) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\xC2' && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0) {  // U+0080 to U+009F
+      line += '?';
+      ++i;
+    } else if (std::isspace(static_cast<unsigned char>(c)) == 0) {
       line += std::iscntrl(static_cast<unsigned char>(c)) == 0 ? c : '?';
     } else if (!line.ends_with(' ')) {
       line += ' ';

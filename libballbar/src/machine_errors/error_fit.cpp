@@ -17,7 +17,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kFromOwnReversal_deg[2] = {12.0, 63.0};  // where cyclic errors are read
-constexpr double kIndependentWidths = 2.0;                // of a spike: the curves of all are alike
+constexpr double kIndependentWidths = 2.0;  // of a spike: the curves of all are alike
 
 // What the centre adds beyond its first order, at these angles: exact length less radius, a cos and b sin.
 Eigen::VectorXd second_order(const Eigen::VectorXd& circle, std::span<const double> angle_rad, double length_mm,
@@ -118,15 +118,17 @@ Part together_part(const ErrorColumns& circle, const std::vector<const Effect*>&
 
 struct CyclicPart {
   Part part;
-  std::vector<Block> blocks;  // one an effect
+  Block block;  // all of them at once, each read on its own rows: the inverse is not symmetric
 };
 
+// left: of the data after the first fit, a block of columns `together`. What that fit takes of the cyclic errors
+// themselves is in the equations.
 CyclicPart cyclic_part(const std::vector<const Effect*>& effects, const ErrorRows& rows, const ErrorSetUp& set_up,
-                       const Eigen::VectorXd& left) {
-  CyclicPart cyclic;
+                       const Eigen::MatrixXd& together, const Block& first, const Eigen::VectorXd& left) {
   std::vector<std::pair<FittedEffect, ErrorColumns>> own;
+  std::vector<Eigen::MatrixXd> weighted;
   own.reserve(effects.size());
-  cyclic.blocks.reserve(effects.size());
+  weighted.reserve(effects.size());
   for (const Effect* effect : effects) {
     Eigen::VectorXd weight = rows.count;
     for (Eigen::Index i = 0; i < rows.size(); ++i) {
@@ -137,21 +139,23 @@ CyclicPart cyclic_part(const std::vector<const Effect*>& effects, const ErrorRow
     const std::vector<double> tried = known ? std::vector<double>{*known} : effect->parameters[shape_of(*effect)].grid;
     const double pitch_mm = best_shape(*effect, tried, rows, {}, left, weight);
     ErrorColumns columns = present(effect_columns(*effect, pitch_mm, rows, true), rows);
-    cyclic.blocks.push_back(block_of(columns.values, weight, Eigen::MatrixXd(0, 0)));
+    weighted.emplace_back(weight.asDiagonal() * columns.values);
     own.emplace_back(FittedEffect{effect, pitch_mm, {}, static_cast<double>(tried.size())}, std::move(columns));
   }
+  CyclicPart cyclic;
   cyclic.part = part_of(own);
-  return cyclic;
-}
-
-Eigen::VectorXd gains_of_blocks(const std::vector<Block>& blocks, const Eigen::VectorXd& left, Eigen::Index number) {
-  Eigen::VectorXd gains(number);
+  const Eigen::MatrixXd& columns = cyclic.part.columns.values;
+  cyclic.block.weighted.resize(rows.size(), columns.cols());
   Eigen::Index at = 0;
-  for (const Block& block : blocks) {
-    gains.segment(at, block.inverse.rows()) = block.solve(left);
-    at += block.inverse.rows();
+  for (const Eigen::MatrixXd& of_one : weighted) {
+    cyclic.block.weighted.middleCols(at, of_one.cols()) = of_one;
+    at += of_one.cols();
   }
-  return gains;
+  const Eigen::MatrixXd taken = first.inverse * (first.weighted.transpose() * columns);
+  Eigen::MatrixXd equations = cyclic.block.weighted.transpose() * (columns - together * taken);
+  equations.diagonal() *= 1.0 + kRidge;
+  cyclic.block.inverse = equations.partialPivLu().inverse();
+  return cyclic;
 }
 
 // Of shapes the one that lowers most what all others leave.
@@ -246,10 +250,9 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
       of.count.cwiseProduct((of.from_reversal_deg.array() > kAtReversal_deg).cast<double>().matrix());
   const Block first = block_of(columns, far, precision);
   const Eigen::VectorXd first_left = of.deviation_um - columns * first.solve(of.deviation_um);
-  const CyclicPart cyclic = cyclic_part(kinds.along_the_travel, of, set_up, first_left);
+  const CyclicPart cyclic = cyclic_part(kinds.along_the_travel, of, set_up, columns, first, first_left);
   const Eigen::Index p = columns.cols(), c = cyclic.part.columns.size();
-  const Eigen::VectorXd without_cyclic =
-      of.deviation_um - cyclic.part.columns.values * gains_of_blocks(cyclic.blocks, first_left, c);
+  const Eigen::VectorXd without_cyclic = of.deviation_um - cyclic.part.columns.values * cyclic.block.solve(first_left);
 
   // Errors that are fitted where they show, on what all others leave.
   const Block all_rows = block_of(columns, of.count, precision);
@@ -260,7 +263,7 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
   fitted.noise = error_noise(quiet.rows, quiet.columns);
   fitted.slow_variance_um2 = slow_variance_um2(of, fitted.noise);
 
-  const GainMaps maps({&of, &far, &first, &together.columns, &cyclic.part.columns, &cyclic.blocks, &extra.columns,
+  const GainMaps maps({&of, &far, &first, &together.columns, &cyclic.part.columns, &cyclic.block, &extra.columns,
                        &precision, fitted.slow_variance_um2});
   const Eigen::MatrixXd scatter = scatter_of(excess_of(of, left).asDiagonal() * maps.z(), of, fitted.noise);
   const Eigen::VectorXd z_data = maps.z().transpose() * of.deviation_um;

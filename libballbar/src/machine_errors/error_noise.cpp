@@ -1,6 +1,7 @@
 #include "machine_errors/error_noise.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,13 +15,14 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr std::array kWhiteOfCorrelated = {0.1, 0.5, 2.0};  // w / q
-constexpr double kUsualWhite = 0.5;
+constexpr std::array kWhiteOfCorrelated = {0.1, 0.33, 1.0, 3.0, 10.0};  // w / q
+constexpr double kUsualWhite = 0.33;
 constexpr std::array kFineMemories = {0.5, 0.7, 1.0, 1.4, 2.0};  // times the best of the first look
 constexpr std::size_t kMemories = 6;
 constexpr double kMemoriesATurn = 16.0;
-constexpr double kLeastWeight = 0.03;  // of the likeliest
+constexpr double kLeastWeight = 0.03;    // of the likeliest
 constexpr double kLeastVariance = 1e-6;  // of q = 1
+constexpr double kLeastOfSpan = 1e-5;    // of a column that the others do not have, or it is theirs
 constexpr double kLeast_um = 1e-4;       // readings are written to 0.01 um
 
 // From two rows to a sixteenth of a turn, evenly in the logarithm: what lasts longer has the forms of the errors, and
@@ -112,8 +114,6 @@ Restricted restricted(const ErrorRows& rows, const RowMajor& data, const RowMemo
   }
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(p + 1, p + 1);
   gram.selfadjointView<Eigen::Lower>().rankUpdate(innovations.transpose());
-  // What a column hardly has beside the others is not fitted.
-  for (Eigen::Index k = 0; k < p; ++k) gram(k, k) *= 1.0 + 1e-9;
   const Eigen::LLT<Eigen::MatrixXd> root(gram);
   const double left = root.matrixLLT()(p, p);
   const auto freedom = static_cast<double>(std::max<Eigen::Index>(n - p, 1));
@@ -124,17 +124,27 @@ Restricted restricted(const ErrorRows& rows, const RowMajor& data, const RowMemo
   return result;
 }
 
+// Orthonormal columns that span these.
+Eigen::MatrixXd span_of(const Eigen::MatrixXd& columns) {
+  Eigen::MatrixXd alike = columns;  // in size, so that none is lost to rounding
+  for (Eigen::Index k = 0; k < alike.cols(); ++k) {
+    const double size = alike.col(k).norm();
+    if (size > 0.0) alike.col(k) /= size;
+  }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> parts(alike.rows(), alike.cols());
+  parts.setThreshold(kLeastOfSpan);
+  parts.compute(alike);
+  return parts.householderQ() * Eigen::MatrixXd::Identity(alike.rows(), parts.rank());
+}
+
 }  // namespace
 
 std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::MatrixXd& columns) {
-  RowMajor data(rows.size(), columns.cols() + 1);
-  data.leftCols(columns.cols()) = columns;
-  // Alike in size, so that none is lost to rounding.
-  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
-    const double size = data.col(k).norm();
-    if (size > 0.0) data.col(k) /= size;
-  }
-  data.col(columns.cols()) = rows.deviation_um;
+  // Of what the columns span: on a short arc some are the sum of others, and their X' V^-1 X has no root.
+  const Eigen::MatrixXd span = span_of(columns);
+  RowMajor data(rows.size(), span.cols() + 1);
+  data.leftCols(span.cols()) = span;
+  data.col(span.cols()) = rows.deviation_um;
   std::vector<WeightedNoise> noises;
   noises.reserve(kMemories + kFineMemories.size() * kWhiteOfCorrelated.size());
   const auto look_at = [&](double memory_s, const RowMemory& memory, double white) {

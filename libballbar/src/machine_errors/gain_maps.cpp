@@ -14,15 +14,10 @@ GainMaps::GainMaps(const GainStages& stages)
   // G (C' y - C' M b), b = N^-1 M' y of the first fit.
   Eigen::MatrixXd t_first = Eigen::MatrixXd::Zero(p_, z_.cols());
   t_first.leftCols(p_) = stages.first->inverse;
-  t_cyclic_ = Eigen::MatrixXd::Zero(c_, z_.cols());
-  Eigen::Index at = 0;
-  for (const Block& block : *stages.cyclic_blocks) {
-    const Eigen::Index k = block.inverse.rows();
-    z_.middleCols(p_ + e_ + at, k) = block.weighted;
-    t_cyclic_.block(at, p_ + e_ + at, k, k) = block.inverse;
-    t_cyclic_.middleRows(at, k) -= block.inverse * (block.weighted.transpose() * stages.together->values) * t_first;
-    at += k;
-  }
+  const Block& cyclic = *stages.cyclic_block;
+  z_.middleCols(p_ + e_, c_) = cyclic.weighted;
+  t_cyclic_ = -cyclic.inverse * (cyclic.weighted.transpose() * stages.together->values) * t_first;
+  t_cyclic_.middleCols(p_ + e_, c_) += cyclic.inverse;
 }
 
 Eigen::MatrixXd GainMaps::normal() const { return columns_.transpose() * z_.rightCols(p_ + e_); }
@@ -33,13 +28,15 @@ GainMap GainMaps::of(const Indices& chosen, bool with_reversals) const {
   in_z.reserve(chosen.size());
   for (const Eigen::Index k : chosen) in_z.push_back(first_column + k);
   const Eigen::MatrixXd weighted = z_(Eigen::all, in_z);
-  const Eigen::MatrixXd inverse = inverse_of(columns_(Eigen::all, chosen).transpose() * weighted, *stages_.precision);
+  const Eigen::MatrixXd normal = columns_(Eigen::all, chosen).transpose() * weighted;
+  const Eigen::MatrixXd inverse = inverse_of(normal, *stages_.precision);
   GainMap map{Eigen::MatrixXd::Zero(inverse.rows(), z_.cols()), {}};
   map.t(Eigen::all, in_z) = inverse;
   map.t -= inverse * (weighted.transpose() * stages_.cyclic->values) * t_cyclic_;
-  // What the prior leaves open: N^-1 L T L N^-1 with L T = s^2.
-  Eigen::MatrixXd precision = Eigen::MatrixXd::Zero(inverse.rows(), inverse.cols());
-  precision.topLeftCorner(p_, p_) = *stages_.precision;
+  // What the prior leaves open: N^-1 L T L N^-1 with L T = s^2. The ridge is one too: without it, a combination that no
+  // reading sees would have the sigma of its sum alone, or of rounding.
+  Eigen::MatrixXd precision = (kRidge * normal.diagonal()).asDiagonal();
+  precision.topLeftCorner(p_, p_) += *stages_.precision;
   map.open = stages_.slow_variance_um2 * inverse * precision * inverse;
   return map;
 }

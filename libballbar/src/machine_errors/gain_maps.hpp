@@ -21,7 +21,7 @@ struct GainStages {
   const Block* first = nullptr;          // of the columns together, by these weights
   const ErrorColumns* together = nullptr;
   const ErrorColumns* cyclic = nullptr;
-  const std::vector<Block>* cyclic_blocks = nullptr;
+  const Block* cyclic_block = nullptr;
   const ErrorColumns* extra = nullptr;
   const Eigen::MatrixXd* precision = nullptr;
   double slow_variance_um2 = 0.0;

@@ -98,9 +98,10 @@ TEST(CurveOf, AllCurvesAndTheCircleAreTheDeviationLessTheResidual) {
       squares += std::pow(deviation_um - circle_um - all[i], 2);
     }
   }
+  // Noise of 0.32 um. What is stated has the curves at means of half a degree.
   const double left_um = std::sqrt(squares / static_cast<double>(i));
-  EXPECT_NEAR(left_um, std::hypot(0.3, 0.1), 0.03);
-  EXPECT_NEAR(found.residual_rms_um, left_um, 0.005);
+  EXPECT_NEAR(left_um, std::hypot(0.3, 0.1), 0.05);
+  EXPECT_NEAR(found.residual_rms_um, left_um, 0.02 * left_um);
 }
 
 // Of one effect by hand: a servo mismatch of 0.25 ms at 1000 mm/min, v / 2 sin 2 theta.
