@@ -59,18 +59,18 @@ constexpr Alone kErrors[] = {
     {"cubic_error_across", -2.0, "um"},
 };
 
-// Without noise a least squares gives back what went in. Not so beside waves of a screw: each cyclic error is read on
-// what a fit without any leaves, so that it takes a share of the other axis' and of a cubic error, and they of the
-// rest.
-// Nor beside spikes, whose ends of 0.3 % the cyclic errors take.
+// Without noise a least squares gives back what went in. Not so beside waves: cyclic errors are read on what a fit
+// without any leaves, so that they take a share of a cubic error. Nor beside spikes, whose ends of 0.3 % they take.
 constexpr double kExact_um = 0.01;
 constexpr double kSpikes_um = 0.05;
-constexpr double kShareOfWaves = 0.15;
+constexpr double kShareOfCyclic = 0.05;
+constexpr double kShareOfCubic = 0.2;
 
 bool is_wave(const std::string& name) { return name.starts_with("cyclic") || name.starts_with("cubic"); }
 
 double limit_um(const Alone& alone) {
-  if (is_wave(alone.name)) return kShareOfWaves * std::abs(alone.value);
+  const bool cubic = std::string(alone.name).starts_with("cubic");
+  if (is_wave(alone.name)) return (cubic ? kShareOfCubic : kShareOfCyclic) * std::abs(alone.value);
   return std::string(alone.name).starts_with("reversal") ? kSpikes_um : kExact_um;
 }
 
