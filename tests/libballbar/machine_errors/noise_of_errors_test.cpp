@@ -112,10 +112,12 @@ TEST(MachineErrorsInNoise, NothingIsLeftInNoiseAlone) {
   EXPECT_LE(left, 3);
 }
 
-// Whatever the noise, sigma is the scatter of the value over tests: of 40, which know a scatter to 11 %.
+// Whatever the noise, sigma is the scatter of the value over tests: of 40, which know a scatter to 11 %. Of noise
+// without any memory it is too wide, since a weak one cannot be ruled out.
 struct NoiseKind {
   const char* name;
   double white_um, memory_um, memory_s, resolution_um;
+  double lowest = 0.65;  // scatter over sigma
 };
 
 void PrintTo(const NoiseKind& kind, std::ostream* out) { *out << kind.name; }
@@ -140,13 +142,13 @@ TEST_P(NoiseOfAKind, SigmaIsTheScatterOfTests) {
                            "backlash_a_pos", "backlash_b_neg"}) {
     const auto [errors, sigmas] = squares[name];
     const double ratio = std::sqrt(errors / sigmas);
-    EXPECT_GT(ratio, 0.65) << name << fmt::format(" scatter {:.4f}", std::sqrt(errors / kTests));
+    EXPECT_GT(ratio, GetParam().lowest) << name << fmt::format(" scatter {:.4f}", std::sqrt(errors / kTests));
     EXPECT_LT(ratio, 1.4) << name << fmt::format(" scatter {:.4f}", std::sqrt(errors / kTests));
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(machine_errors, NoiseOfAKind,
-                         testing::Values(NoiseKind{"white", 0.3, 0.0, 1.0, 0.01},
+                         testing::Values(NoiseKind{"white", 0.3, 0.0, 1.0, 0.01, 0.5},
                                          NoiseKind{"short_memory", 0.1, 0.3, 0.1, 0.01},
                                          NoiseKind{"measured_like", 0.1, 0.3, 0.4, 0.01},
                                          NoiseKind{"long_memory", 0.05, 0.3, 1.5, 0.01},
