@@ -119,8 +119,12 @@ nlohmann::ordered_json json_of(const ErrorsReport& report) {
   json["undetermined"] = found.undetermined;
   json["prior"] = Json::array();
   for (const PriorOfError& prior : found.prior) {
-    json["prior"].push_back(
-        {{"name", prior.name}, {"value", 0.0}, {"sigma", number(prior.sigma)}, {"unit", prior.unit}});
+    json["prior"].push_back({{"name", prior.name},
+                             {"value", 0.0},
+                             {"sigma", number(prior.sigma)},
+                             {"unit", prior.unit},
+                             {"readings_alone", number(prior.alone)},
+                             {"readings_alone_sigma", number(prior.alone_sigma)}});
   }
   json["tolerances"] = tolerance_texts(report);
   return json;

@@ -15,6 +15,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kRemedies = 3;
+constexpr double kApart = 2.6;  // sigma
 constexpr std::size_t kWidest = 140;
 
 std::string plain(double value, int decimals) { return fixed(value, decimals); }
@@ -113,7 +114,18 @@ std::string prior_text(const ErrorsReport& report) {
   for (const PriorOfError& prior : report.found.prior) {
     texts.push_back(fmt::format("{} 0 ± {} {}", prior.name, plain(prior.sigma, 2), prior.unit));
   }
-  return wrapped(fmt::format("Prior, in ±: {}; --prior none does without.", fmt::join(texts, ", ")));
+  std::vector<std::string> apart;
+  for (const PriorOfError& prior : report.found.prior) {
+    if (std::abs(prior.alone) < kApart * std::hypot(prior.alone_sigma, prior.sigma)) continue;
+    apart.push_back(fmt::format("{} {} {}", prior.name, with_sigma(prior.alone, prior.alone_sigma, 1), prior.unit));
+  }
+  if (report.found.prior_contradicted) {
+    return wrapped(
+        fmt::format("The usual prior was not used: the readings contradict it ({}).", fmt::join(apart, ", ")));
+  }
+  std::string text = fmt::format("Prior: {}; --prior none does without.", fmt::join(texts, ", "));
+  if (!apart.empty()) text += fmt::format(" The readings alone say {}.", fmt::join(apart, ", "));
+  return wrapped(text);
 }
 
 void print_group(const ErrorsReport& report) {

@@ -17,6 +17,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kFromOwnReversal_deg[2] = {12.0, 63.0};  // where cyclic errors are read
+constexpr double kContradicts = 5.0;                      // sigma
 constexpr double kIndependentWidths = 2.0;                // of a spike: the curves of all are alike
 
 // What the centre adds beyond its first order, at these angles: exact length less radius, a cos and b sin.
@@ -271,6 +272,20 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
   const Eigen::VectorXd z_data = maps.z().transpose() * of.deviation_um;
   const std::vector<std::string> alike = undetermined(maps.normal(), joined({&together.columns, &extra.columns}));
   fitted.undetermined.insert(fitted.undetermined.begin(), alike.begin(), alike.end());
+
+  // What the prior says, by the readings alone.
+  if (!fitted.prior.empty()) {
+    const GainMap alone = maps.of(range_of(0, p), false, false);
+    const Eigen::VectorXd gains = alone.t * z_data;
+    const Eigen::MatrixXd covariance = alone.t * scatter * alone.t.transpose() + alone.open;
+    for (PriorStatement& statement : fitted.prior) {
+      statement.alone = statement.coefficients.dot(gains);
+      statement.alone_sigma = std::sqrt(statement.coefficients.dot(covariance * statement.coefficients));
+      const double held = fitted.slow_variance_um2 / statement.precision;
+      const double apart = std::abs(statement.alone) / std::hypot(statement.alone_sigma, std::sqrt(held));
+      fitted.prior_contradicted = fitted.prior_contradicted || apart > kContradicts;
+    }
+  }
 
   // All of them together tells which of the extra ones show; these are fitted with the rest.
   const GainMap whole = maps.of(maps.all(), true);

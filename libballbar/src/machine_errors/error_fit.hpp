@@ -33,7 +33,8 @@ struct ErrorFitted {
   Eigen::VectorXd second_order_um;  // of the fine rows, taken off
   double slow_variance_um2 = 0.0;
   double arc_rad = 0.0;
-  double within_um2 = 0.0;  // mean square of readings about the mean of their row
+  bool prior_contradicted = false;  // by the readings, beyond 5 sigma: it was not used
+  double within_um2 = 0.0;          // mean square of readings about the mean of their row
 
   // Fine rows of the curve of one effect; nullptr: the circles.
   Eigen::VectorXd fine_curve(const Effect* effect) const;

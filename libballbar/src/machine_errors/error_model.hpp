@@ -43,8 +43,9 @@ ErrorColumns joined(const std::vector<const ErrorColumns*>& parts);
 struct PriorStatement {
   std::string name;
   std::string unit;
-  Eigen::VectorXd coefficients;  // one a column
-  double precision = 0.0;        // to be added to X' X
+  Eigen::VectorXd coefficients;           // one a column
+  double precision = 0.0;                 // to be added to X' X
+  double alone = 0.0, alone_sigma = 0.0;  // the sum by the readings alone
 };
 
 // What holds for so many readings of one recording over an arc (2 pi: a full turn) about this middle.

@@ -102,7 +102,16 @@ ErrorFitted error_fitted(const Series& trace, const MachineErrorOptions& options
       for (double& value : column.values) value = std::isfinite(value) ? value : 0.0;
     }
   }
-  ErrorFitted fitted = error_fitted(error_rows(lacks ? stated_feed : trace), options, set_up);
+  const ErrorRows rows = error_rows(lacks ? stated_feed : trace);
+  ErrorFitted fitted = error_fitted(rows, options, set_up);
+  if (fitted.prior_contradicted) {
+    const std::vector<PriorStatement> prior = std::move(fitted.prior);
+    MachineErrorOptions without = options;
+    without.prior = false;
+    fitted = error_fitted(rows, without, set_up);
+    fitted.prior = prior;
+    fitted.prior_contradicted = true;
+  }
   fitted.within_um2 = within_rows_um2(fitted, trace);
   return fitted;
 }

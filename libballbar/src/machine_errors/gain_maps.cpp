@@ -22,21 +22,22 @@ GainMaps::GainMaps(const GainStages& stages)
 
 Eigen::MatrixXd GainMaps::normal() const { return columns_.transpose() * z_.rightCols(p_ + e_); }
 
-GainMap GainMaps::of(const Indices& chosen, bool with_reversals) const {
+GainMap GainMaps::of(const Indices& chosen, bool with_reversals, bool with_prior) const {
+  const Eigen::MatrixXd prior = with_prior ? *stages_.precision : Eigen::MatrixXd::Zero(p_, p_);
   const Eigen::Index first_column = with_reversals ? p_ + e_ + c_ : 0;
   Indices in_z;
   in_z.reserve(chosen.size());
   for (const Eigen::Index k : chosen) in_z.push_back(first_column + k);
   const Eigen::MatrixXd weighted = z_(Eigen::all, in_z);
   const Eigen::MatrixXd normal = columns_(Eigen::all, chosen).transpose() * weighted;
-  const Eigen::MatrixXd inverse = inverse_of(normal, *stages_.precision);
+  const Eigen::MatrixXd inverse = inverse_of(normal, prior);
   GainMap map{Eigen::MatrixXd::Zero(inverse.rows(), z_.cols()), {}};
   map.t(Eigen::all, in_z) = inverse;
   map.t -= inverse * (weighted.transpose() * stages_.cyclic->values) * t_cyclic_;
   // What the prior leaves open: N^-1 L T L N^-1 with L T = s^2. The ridge is one too: without it, a combination that no
   // reading sees would have the sigma of its sum alone, or of rounding.
   Eigen::MatrixXd precision = (kRidge * normal.diagonal()).asDiagonal();
-  precision.topLeftCorner(p_, p_) += *stages_.precision;
+  precision.topLeftCorner(p_, p_) += prior;
   map.open = stages_.slow_variance_um2 * inverse * precision * inverse;
   return map;
 }

@@ -38,7 +38,7 @@ class GainMaps {
   Indices all() const { return range_of(0, p_ + e_); }
 
   // Some columns of together and extra, over the rows with or without reversals, freed of the cyclic errors.
-  GainMap of(const Indices& chosen, bool with_reversals) const;
+  GainMap of(const Indices& chosen, bool with_reversals, bool with_prior = true) const;
   // All gains in the order together, cyclic, extra: those chosen by their own map, the other extra ones by that of all.
   GainMap joined(const GainMap& whole, const Indices& chosen, const GainMap& own) const;
 

@@ -93,9 +93,11 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
   found.ranked = ranked_errors(fitted, table);
   found.undetermined = fitted.undetermined;
   found.noise = fitted.noise.front().noise;
+  found.prior_contradicted = fitted.prior_contradicted;
   found.prior.reserve(fitted.prior.size());
   for (const PriorStatement& statement : fitted.prior) {
-    found.prior.push_back({statement.name, std::sqrt(fitted.slow_variance_um2 / statement.precision), statement.unit});
+    found.prior.push_back({statement.name, std::sqrt(fitted.slow_variance_um2 / statement.precision), statement.alone,
+                           statement.alone_sigma, statement.unit});
   }
   found.gains.reserve(fitted.columns.columns.size());
   for (std::size_t k = 0; k < fitted.columns.columns.size(); ++k) {

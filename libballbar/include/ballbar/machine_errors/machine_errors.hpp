@@ -72,7 +72,8 @@ struct LeftHarmonic {
 
 struct PriorOfError {
   std::string name;
-  double sigma = 0.0;  // 0 +- sigma, in the row's unit
+  double sigma = 0.0;                     // 0 +- sigma, in the row's unit
+  double alone = 0.0, alone_sigma = 0.0;  // by the readings alone
   std::string unit;
 };
 
@@ -107,6 +108,7 @@ struct MachineErrors {
   // What the readings do not tell apart: "scale_mismatch with straightness_b, centre_a".
   std::vector<std::string> undetermined;
   std::vector<PriorOfError> prior;  // empty: none
+  bool prior_contradicted = false;  // the readings are beyond 5 sigma from it: it was not used
   std::vector<FittedGain> gains;
   Noise noise;  // the most likely one
 };
