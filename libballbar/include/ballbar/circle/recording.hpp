@@ -36,11 +36,11 @@ struct Recording {
   std::optional<double> feed_mm_per_min;
   std::optional<double> bar_temperature_degC;
   std::optional<double> pitch_a_mm, pitch_b_mm;  // of the screws of the two axes, where they are known
-  std::optional<double> elapsed_s;        // start of the test since the session's own zero
-  std::optional<std::int64_t> started_s;  // start on the machine's local clock, s since 1970-01-01T00:00:00
-  std::vector<double> time_s;             // n readings from the start of the sweep; empty: uniform in time
-  std::vector<double> angle_rad;          // n readings; empty for axial
-  std::vector<double> length_mm;          // n readings, > 0
+  std::optional<double> elapsed_s;               // start of the test since the session's own zero
+  std::optional<std::int64_t> started_s;         // start on the machine's local clock, s since 1970-01-01T00:00:00
+  std::vector<double> time_s;                    // n readings from the start of the sweep; empty: uniform in time
+  std::vector<double> angle_rad;                 // n readings; empty for axial
+  std::vector<double> length_mm;                 // n readings, > 0
 };
 
 // The two axes of a plane as indices into (x, y, z): XY -> {0,1}, YZ -> {1,2}, ZX -> {2,0}.

@@ -1,4 +1,5 @@
-// What a `.b5r` stores of the errors of the machine (analysis RENISHAW_DIAGNOSTICS), by the names of machine_errors.hpp.
+// What a `.b5r` stores of the errors of the machine (analysis RENISHAW_DIAGNOSTICS), by the names of
+// machine_errors.hpp.
 #pragma once
 
 #include <optional>
