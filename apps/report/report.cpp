@@ -161,7 +161,10 @@ void add_target(Made& made, const Options& options, const Model& model, const Mo
     if (!said.empty()) made.conclude(fmt::format("{}: {}", model.targets[target], said.front()));
     overlay_effects(made, residual_report.fit, model, data);
   };
-  if (options.no_diagnosis) return add_checked(residual_report_of(options.model, model, data, target));
+  // What is missing from a model of the errors of the axes, their ranked table says.
+  if (options.no_diagnosis || is_of_machine_errors(model, data.series)) {
+    return add_checked(residual_report_of(options.model, model, data, target));
+  }
   const DiagnosisReport found = diagnosis_report_of(options.model, options.how, model, data, target);
   add_checked(found.residual_report);
   made.json["diagnose"]["targets"].push_back(diagnosis_part(found, data));
