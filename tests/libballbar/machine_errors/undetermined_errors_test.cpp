@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/error.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
 #include "made_errors.hpp"
 
@@ -48,6 +49,31 @@ TEST(UndeterminedErrors, OneDirectionTellsNotSquarenessFromServoMismatch) {
       if (one.significant) ADD_FAILURE() << one.effect->name << " of one direction";
     }
   }
+}
+
+// Below 60 deg all errors look alike.
+TEST(UndeterminedErrors, ShortestArc) {
+  made::ErrorTest test = made::noisy(made::full_turn());
+  test.arc_deg = 40.0;
+  try {
+    machine_errors(made::both_runs(test));
+    ADD_FAILURE() << "not refused";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "expected an arc of at least 60 deg, on less the errors of the axes look alike, found 40 deg.");
+  }
+}
+
+// From 45 to 135 deg only B reverses, at its + end: the far tails of the other spikes are no rows.
+TEST(UndeterminedErrors, SpikesOfReversalsOutsideTheArcAreNoRows) {
+  made::ErrorTest test = made::noisy(made::full_turn());
+  test.first_deg = 45.0;
+  test.arc_deg = 90.0;
+  std::vector<std::string> spikes;
+  for (const MachineError& row : machine_errors(made::both_runs(test)).errors) {
+    if (row.name.starts_with("reversal_spike")) spikes.push_back(row.name);
+  }
+  EXPECT_EQ(spikes, std::vector<std::string>{"reversal_spike_b_pos"});
 }
 
 }  // namespace
