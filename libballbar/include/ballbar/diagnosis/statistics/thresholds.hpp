@@ -3,6 +3,7 @@
 // d: root of the fall of chi^2. 2 ln L: twice the logarithm of the likelihood. Shares and chances: 0 to 1.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 namespace ballbar {
@@ -21,6 +22,39 @@ inline constexpr std::size_t kComparedShapes = 12;  // of one family, compared w
 inline constexpr double kNothingLeft = 1e-8;        // share of a column's square that is rounding
 inline constexpr double kNothingLeftOfASurrogate = 1e-6;  // the same of a surrogate, read off a grid
 inline constexpr double kNotInTheseRows = 1e-12;          // share of a column's square in some of the rows that is none
+
+// The posterior over sets of effects.
+inline constexpr std::size_t kFewestForMemory = 30;      // rows; with fewer the scatter is white
+inline constexpr std::size_t kMemories = 8;              // of the scatter
+inline constexpr std::size_t kMemoriesBesideSlow = 4;    // of the scatter beside a discrepancy
+inline constexpr std::array<double, 6> kGainSizes{4.0, 8.0, 16.0, 32.0, 64.0, 128.0};  // d, prior of a gain
+inline constexpr std::array<double, 4> kPriorOfSize{0.5, 0.3, 0.15, 0.05};             // of sets of 0, 1, 2, 3 effects
+inline constexpr double kPriorOfOwn = 0.15;              // a value that the model holds is another
+inline constexpr double kSurvivingShare = 1e-3;          // of a signature's square beside the model
+inline constexpr double kLikelyPoints = 9.0;             // ln: covariances this far from the likeliest count
+inline constexpr std::size_t kMostPoints = 24;
+inline constexpr std::size_t kThinShapes = 7;            // of a family, where all covariances are looked at
+inline constexpr std::size_t kStrongest = 3;             // effects beside which a second is looked for everywhere
+inline constexpr std::size_t kFamiliesInPairs = 48;
+inline constexpr std::size_t kShapesInPairs = 320;       // of all families together
+inline constexpr std::size_t kPairPoints = 4;            // covariances at which pairs are weighed
+inline constexpr std::size_t kPairsRefined = 10;
+inline constexpr std::size_t kShapesRefined = 48;        // of a family
+inline constexpr std::size_t kPairsExtended = 4;
+inline constexpr double kFarFromBest = 12.0;             // ln
+inline constexpr int kRelinearised = 2;                  // rounds
+inline constexpr std::size_t kSetsRelinearised = 3;      // in a round
+inline constexpr int kStepsBeside = 4;
+
+// Inputs as they were logged.
+inline constexpr std::size_t kFewestChanges = 8;   // of a column, for its sample to be told
+inline constexpr double kRounding = 1e-6;          // of a column's range
+inline constexpr double kJump = 0.03;              // of a column's range, from row to row
+inline constexpr double kLongestRamp_s = 90.0;     // a change that takes longer is none at once
+inline constexpr double kLongestSample_s = 120.0;  // of a logger
+inline constexpr double kJumpTime = 0.35;          // sd of when in its sample an input changed
+inline constexpr double kClockTime = 0.5;          // sd of how late its clock is, in samples
+inline constexpr std::size_t kMostTimes = 40;      // columns
 
 // Noise.
 inline constexpr std::ptrdiff_t kFewestForNoise = 30;  // rows; with fewer it is white and not estimated for every set

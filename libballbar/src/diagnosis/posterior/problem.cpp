@@ -1,0 +1,89 @@
+#include "diagnosis/posterior/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "series/subsampled.hpp"
+
+namespace ballbar {
+namespace {
+
+// Effects alike, columns of an effect alike.
+std::vector<double> log_priors_of(const SignatureLibrary& library) {
+  std::map<const Effect*, double> families;
+  for (const Family& family : library.families) families[family.bound.effect] += 1.0;
+  std::vector<double> result;
+  result.reserve(library.families.size());
+  for (const Family& family : library.families) {
+    result.push_back(-std::log(static_cast<double>(families.size())) - std::log(families[family.bound.effect]));
+  }
+  return result;
+}
+
+std::vector<OwnParameter> own_of(const Model& model) {
+  std::vector<OwnParameter> own;
+  std::size_t place = 1;
+  for (const Term& term : model.terms) {
+    for (std::size_t k = 0; k < term.settings.size(); ++k, ++place) {
+      const Parameter& parameter = term.effect->parameters[k];
+      if (!term.settings[k].held || parameter.kind == ParameterKind::gain || parameter.shape_of != ShapeOf::curve)
+        continue;
+      if (parameter.grid.empty() && parameter.unit != "s") continue;  // a dimension of the part
+      own.push_back({place, term.settings[k].start});
+    }
+  }
+  return own;
+}
+
+}  // namespace
+
+std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std::size_t target,
+                                    const ProblemOptions& options) {
+  auto problem = std::make_unique<Problem>();
+  problem->model = &model;
+  const std::string& name = model.targets.at(target);
+  problem->logged = logged_inputs(subsampled(data, name, options.most_rows), model.targets);
+  problem->base = fit(model, problem->logged.series, target, {.white = true});
+  const Fit& base = problem->base;
+  problem->time_s = base.time_s;
+  const auto n = static_cast<Eigen::Index>(base.row.size());
+  problem->y = Eigen::VectorXd::Map(base.measured_um.data(), n);
+  problem->relative_variance.assign(base.row.size(), 1.0);
+  if (!base.sigma_um.empty()) {
+    double mean = 0.0;
+    for (const double sigma : base.sigma_um) mean += sigma * sigma / static_cast<double>(n);
+    for (std::size_t i = 0; i < base.sigma_um.size(); ++i)
+      problem->relative_variance[i] = base.sigma_um[i] * base.sigma_um[i] / mean;
+    problem->known = {4.0, mean};
+  }
+  // Rows at which an input may have changed already or not yet.
+  std::map<std::size_t, std::size_t> place;
+  for (std::size_t i = 0; i < base.row.size(); ++i) place[base.row[i]] = i;
+  for (const LoggedInput& input : problem->logged.inputs) {
+    for (const Jump& jump : input.jumps) {
+      for (std::size_t row = jump.first; row <= jump.last; ++row) {
+        if (const auto at = place.find(row); at != place.end()) problem->relative_variance[at->second] *= 1e6;
+      }
+    }
+  }
+  if (model.level == Level::series)
+  problem->base_model = std::make_unique<BaseModel>(model, problem->logged, problem->y, base.row);
+  else problem->base_model = std::make_unique<BaseModel>(model, problem->logged, problem->y, base.row);
+  SignatureOptions signatures = options.signatures;
+  signatures.fine = true;
+  signatures.every_onset = false;
+  problem->library = signature_library_of(options.catalogue, model, problem->logged.series, base, signatures);
+  problem->signatures = problem->library.columns;
+  for (Eigen::Index k = 0; k < problem->signatures.cols(); ++k) {
+    auto column = problem->signatures.col(k);
+    const double mean = column.mean();
+    const double deviation = std::sqrt((column.array() - mean).square().mean());
+    if (deviation > 0.0) column /= deviation;
+  }
+  problem->log_prior = log_priors_of(problem->library);
+  problem->own = own_of(model);
+  return problem;
+}
+
+}  // namespace ballbar
