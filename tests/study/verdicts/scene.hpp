@@ -1,0 +1,36 @@
+// All that a data set is made from, before anything is hidden, and what makes it from that.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "made.hpp"
+
+namespace ballbar::verdicts {
+
+struct Scene {
+  Plan plan;
+  Conventions conventions;
+  Scatter scatter;
+  std::vector<double> time_s;
+  Base base;
+  Eigen::MatrixXd model;                      // whitened derivatives of the base model
+  std::array<std::string, kQuantities> name;  // of the columns
+  bool states_roles = false;
+  std::string target;
+};
+Scene drawn_scene(const Recipe& recipe, Chance& chance);
+
+// A track as the target sees it, whitened, less what the base model makes of it.
+Eigen::VectorXd surviving(const Track& track, const Scene& scene);
+
+// Factor that gives a track that d; nothing where less than a 20th survives or the range would pass 200 sigma.
+std::optional<double> factor_for(const Track& track, const Scene& scene, double d);
+
+// Data and model. `sum`: what is hidden, scaled, of all; `needed`: columns that stay. One of the others may be missing.
+Made assembled(const Scene& scene, const Track& sum, const std::vector<Quantity>& needed, const Recipe& recipe,
+               Chance& chance);
+
+}  // namespace ballbar::verdicts

@@ -1,0 +1,70 @@
+#include "verdict_of.hpp"
+
+#include <array>
+#include <chrono>
+#include <cmath>
+
+#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+
+namespace ballbar::verdicts {
+namespace {
+
+Member member_of(const BoundEffect& bound, double p = 0.0) { return {bound.effect->name, bound.columns, p}; }
+
+std::vector<Member> members_of(const std::vector<BoundEffect>& bounds) {
+  std::vector<Member> members;
+  members.reserve(bounds.size());
+  for (const BoundEffect& bound : bounds) members.push_back(member_of(bound));
+  return members;
+}
+
+Word word_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::named:
+      return Word::named;
+    case Verdict::equivalent:
+      return Word::equivalent;
+    case Verdict::unexplained:
+      return Word::unexplained;
+    case Verdict::untestable:
+      return Word::untestable;
+    case Verdict::nothing:
+      break;
+  }
+  return Word::nothing;
+}
+
+}  // namespace
+
+std::string_view name_of(Word word) {
+  constexpr std::array<std::string_view, 7> kWords{"named",       "probable",   "driver", "equivalent",
+                                                   "unexplained", "untestable", "nothing"};
+  return kWords[static_cast<std::size_t>(word)];
+}
+
+Said verdict_of(const Made& made) {
+  DiagnosisOptions options;
+  options.search.seed = made.seed;
+  options.search.without = made.without;
+  const auto start = std::chrono::steady_clock::now();
+  const Diagnosis found = diagnose(made.model, made.data, 0, options);
+  Said said;
+  said.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  said.word = word_of(found.verdict);
+  said.named = members_of(found.named);
+  said.equivalent.reserve(found.equivalent.size());
+  for (const std::vector<BoundEffect>& group : found.equivalent) said.equivalent.push_back(members_of(group));
+  for (const std::string& reason : found.reasons) said.sentence += (said.sentence.empty() ? "" : " ") + reason;
+  for (const Candidate& candidate : found.candidates) {
+    if (!candidate.in_best_set) continue;
+    for (const FittedParameter& parameter : candidate.parameters) {
+      if (parameter.state != ParameterState::free || !std::isfinite(parameter.sigma)) continue;
+      const double half = 1.959964 * parameter.sigma;
+      said.intervals.push_back({member_of(candidate.bound), parameter.name, parameter.value, parameter.value - half,
+                                parameter.value + half});
+    }
+  }
+  return said;
+}
+
+}  // namespace ballbar::verdicts
