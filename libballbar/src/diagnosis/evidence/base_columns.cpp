@@ -14,6 +14,19 @@ double deviation_of(const Eigen::VectorXd& column) {
   return std::sqrt((column.array() - mean).square().mean());
 }
 
+// The column as it was so much later, straight lines between the rows, constant beyond them.
+std::vector<double> shifted(const std::vector<double>& time_s, const std::vector<double>& values, double by_s) {
+  std::vector<double> result(values.size());
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double at_s = std::clamp(time_s[i] + by_s, time_s.front(), time_s.back());
+    while (k + 2 < values.size() && time_s[k + 1] < at_s) ++k;
+    const double share = (at_s - time_s[k]) / (time_s[k + 1] - time_s[k]);
+    result[i] = values[k] + share * (values[k + 1] - values[k]);
+  }
+  return result;
+}
+
 }  // namespace
 
 double reach_of(const Parameter& parameter, double value) {
@@ -93,7 +106,7 @@ Eigen::MatrixXd BaseModel::times_at(const std::vector<double>& parameters) const
     for (std::size_t k = 0; k < term.columns.size(); ++k) {
       const auto input = std::find_if(logged_.inputs.begin(), logged_.inputs.end(),
                                       [&](const LoggedInput& one) { return one.column == term.columns[k]; });
-      if (input == logged_.inputs.end() || !input->is_stepped) continue;
+      if (input == logged_.inputs.end()) continue;
       const std::vector<double>& values = find_column(logged_.series, input->column)->values;
       const auto moved = [&](const std::vector<double>& with) {
         EffectRows rows = rows_.inputs(t);
@@ -104,6 +117,13 @@ Eigen::MatrixXd BaseModel::times_at(const std::vector<double>& parameters) const
         for (Eigen::Index i = 0; i < result.size(); ++i) result[i] = all[rows_.data_rows()[static_cast<std::size_t>(i)]];
         return result;
       };
+      if (!input->is_stepped) {
+        if (!(input->sample_s > 0.0)) continue;
+        const Eigen::VectorXd both = moved(shifted(logged_.series.time_s, values, input->sample_s)) -
+                                     moved(shifted(logged_.series.time_s, values, -input->sample_s));
+        found.emplace_back(1e300, 0.5 * kClockTime * both);
+        continue;
+      }
       Eigen::VectorXd together = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.rows()));
       for (const Jump& jump : input->jumps) {
         const double width = static_cast<double>(jump.last - jump.first);

@@ -50,9 +50,9 @@ std::vector<Covariance> covariance_grid(std::span<const double> time_s) {
   std::vector<Covariance> grid;
   if (time_s.size() < kFewestForMemory) return {Covariance{}};
   const double step_s = usual_step_s(time_s), span_s = span_of_time_s(time_s);
-  const double shortest_s = 0.5 * step_s, longest_s = std::max(2.0 * step_s, span_s / 6.0);
+  const double shortest_s = 0.5 * step_s, longest_s = std::max(2.0 * step_s, span_s / 3.0);
   for (std::size_t i = 0; i < kMemories; ++i) {
-    for (const double ratio : {-5.0, -1.5, 2.0}) {
+    for (const double ratio : {-5.0, -2.5, -1.0, 0.5, 2.0, 4.0}) {
       grid.push_back(noise_with(step_s, between(shortest_s, longest_s, i, kMemories), ratio));
     }
   }

@@ -145,7 +145,7 @@ double resolution_of(const std::vector<double>& values) {
 }
 
 struct Observation {
-  double time_s = 0.0, value = 0.0, variance = 0.0;
+  double time_s = 0.0, value = 0.0, variance = 1.0;  // in units of the scatter
 };
 
 // Integrated random walk x'' = white noise of this spectral density, seen at the observations.
@@ -163,30 +163,33 @@ struct Smoother {
             {pxx + 2.0 * dt * pxv + dt * dt * pvv + density * dt * dt * dt / 3.0,
              pxv + dt * pvv + density * dt * dt / 2.0, pvv + density * dt}};
   }
-  State updated(const State& s, const Observation& o, double& log_likelihood) const {
+  State updated(const State& s, const Observation& o, double* log_variances, double* squares) const {
     const double variance = s.p[0] + o.variance, v = o.value - s.x[0];
     const double kx = s.p[0] / variance, kv = s.p[1] / variance;
-    log_likelihood -= 0.5 * (std::log(variance) + v * v / variance);
+    if (log_variances != nullptr) {
+      *log_variances += std::log(variance);
+      *squares += v * v / variance;
+    }
     return {{s.x[0] + kx * v, s.x[1] + kv * v},
             {s.p[0] * (1.0 - kx), s.p[1] * (1.0 - kx), s.p[2] - kv * s.p[1]}};
   }
   State start() const {
     const double span = seen.back().time_s - seen.front().time_s;
-    const double slope = 1e3 * (1e-6 + seen.front().variance) / (span * span) + 1e-4;
-    return {{seen.front().value, 0.0}, {1e2 * seen.front().variance, 0.0, slope * slope}};
+    const double slope = 1e6 / (span * span) + density * span;
+    return {{seen.front().value, 0.0}, {1e6, 0.0, slope}};
   }
+  // The scatter at its most likely; the first two observations tell where the curve begins.
   double log_likelihood() const {
-    double sum = 0.0;
+    double log_variances = 0.0, squares = 0.0;
     State s = start();
     for (std::size_t i = 0; i < seen.size(); ++i) {
       if (i > 0) s = predicted(s, seen[i].time_s - seen[i - 1].time_s);
-      s = updated(s, seen[i], sum);
+      s = i < 2 ? updated(s, seen[i], nullptr, nullptr) : updated(s, seen[i], &log_variances, &squares);
     }
-    return sum;
+    return -0.5 * log_variances - 0.5 * static_cast<double>(seen.size() - 2) * std::log(std::max(squares, 1e-300));
   }
-  // The smoothed curve at rising times.
+  // The smoothed curve at rising times: forwards, then Rauch, Tung and Striebel backwards.
   std::vector<double> at(const std::vector<double>& time_s) const {
-    // All times, observed or wanted, forwards, then Rauch, Tung and Striebel backwards.
     struct Step {
       double time_s;
       State before, after;
@@ -195,12 +198,12 @@ struct Smoother {
     std::vector<Step> steps;
     steps.reserve(time_s.size() + seen.size());
     State s = start();
-    double last = std::min(seen.front().time_s, time_s.front()), ignored = 0.0;
+    double last = std::min(seen.front().time_s, time_s.front());
     std::size_t next = 0;
     for (std::size_t i = 0; i <= time_s.size(); ++i) {
       while (next < seen.size() && (i == time_s.size() || seen[next].time_s <= time_s[i])) {
         const State before = predicted(s, seen[next].time_s - last);
-        s = updated(before, seen[next], ignored);
+        s = updated(before, seen[next], nullptr, nullptr);
         last = seen[next].time_s;
         steps.push_back({last, before, s, -1});
         ++next;
@@ -219,11 +222,13 @@ struct Smoother {
         const auto& [qxx, qxv, qvv] = steps[k + 1].before.p;
         const double det = qxx * qvv - qxv * qxv;
         if (dt > 0.0 && det > 0.0) {
-          // C = P F' Q^-1
+          // x = after + P F' Q^-1 (smooth - before), P after this step, Q before the next
           const double ax = pxx + dt * pxv, av = pxv, bx = pxv + dt * pvv, bv = pvv;
           const double rx = smooth[0] - steps[k + 1].before.x[0], rv = smooth[1] - steps[k + 1].before.x[1];
           const double gx = (qvv * rx - qxv * rv) / det, gv = (qxx * rv - qxv * rx) / det;
           smooth = {steps[k].after.x[0] + ax * gx + av * gv, steps[k].after.x[1] + bx * gx + bv * gv};
+        } else {
+          smooth = dt > 0.0 ? steps[k].after.x : smooth;
         }
       }
       if (steps[k].wanted >= 0) values[static_cast<std::size_t>(steps[k].wanted)] = smooth[0];
@@ -232,14 +237,14 @@ struct Smoother {
   }
 };
 
-// The smoothest curve through these, its roughness by maximum likelihood.
+// The curve through these, its roughness by maximum likelihood.
 std::vector<double> smoothed(const std::vector<Observation>& seen, const std::vector<double>& time_s) {
   double best = 0.0, most = -std::numeric_limits<double>::infinity();
   const double span = seen.back().time_s - seen.front().time_s;
-  const double typical = seen[seen.size() / 2].variance;
-  for (double step = std::max(span / static_cast<double>(seen.size()), 1.0) * 0.3; step < span; step *= 2.2) {
+  const double usual = std::max(span / static_cast<double>(seen.size() - 1), 1e-3);
+  for (double step = 0.2 * usual; step < 0.3 * span; step *= 2.0) {
     // A walk that goes by as much as the scatter in this time.
-    const double density = 3.0 * typical / (step * step * step);
+    const double density = 3.0 / (step * step * step);
     const double now = Smoother{seen, density}.log_likelihood();
     if (now > most) {
       most = now;
@@ -249,25 +254,24 @@ std::vector<double> smoothed(const std::vector<Observation>& seen, const std::ve
   return Smoother{seen, best}.at(time_s);
 }
 
+// Runs of a coarse column where it spends several rows each; else its samples.
 std::vector<double> continuous(const std::vector<double>& time_s, const std::vector<double>& values, std::size_t held) {
   const std::vector<Stretch> runs = runs_of(values);
-  const double step = resolution_of(values);
-  const bool coarse = step > 0.0 && 3 * runs.size() < 2 * values.size();
-  if (held <= 1 && !coarse) return values;
   if (runs.size() < kFewestChanges) return values;
   std::vector<Observation> seen;
   seen.reserve(runs.size());
-  const double least = range_within(values) * 1e-4;
-  if (held > 1) {
-    const double sigma = std::max(least, step > 0.0 ? step / std::sqrt(12.0) : least);
-    for (std::size_t i = runs[1].begin % held; i < values.size(); i += held) {
-      seen.push_back({time_s[i], values[i], sigma * sigma});
+  const bool coarse = resolution_of(values) > 0.0 && 3 * runs.size() < values.size() / held;
+  if (coarse) {
+    for (const Stretch& run : runs) {
+      const bool is_short = run.end - run.begin < 3 * held;
+      // A value that is held is that of the beginning.
+      const double late_s = held > 1 ? 0.5 * (time_s[1] - time_s[0]) * static_cast<double>(held - 1) : 0.0;
+      seen.push_back({0.5 * (time_s[run.begin] + time_s[run.end - 1]) - late_s, values[run.begin],
+                      is_short ? 4.0 : 1.0});
     }
   } else {
-    for (const Stretch& run : runs) {
-      const double rows = static_cast<double>(run.end - run.begin);
-      const double sigma = step / std::sqrt(12.0) / (rows > 2.0 ? 2.0 : 1.0);
-      seen.push_back({0.5 * (time_s[run.begin] + time_s[run.end - 1]), values[run.begin], sigma * sigma});
+    for (std::size_t i = held > 1 ? runs[1].begin % held : 0; i < values.size(); i += held) {
+      seen.push_back({time_s[i], values[i], 1.0});
     }
   }
   return smoothed(seen, time_s);

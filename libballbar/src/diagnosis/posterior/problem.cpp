@@ -21,6 +21,33 @@ std::vector<double> log_priors_of(const SignatureLibrary& library) {
   return result;
 }
 
+// Whether a time constant of the shape is 0 where it could be more.
+bool acts_at_once(const Effect& effect, const std::vector<double>& point) {
+  for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
+    const Parameter& parameter = effect.parameters[k];
+    const bool may_lag = parameter.kind == ParameterKind::shape && parameter.unit == "s" && parameter.grid.size() > 1;
+    if (may_lag && parameter.grid.front() == 0.0 && point[k] == 0.0) return true;
+  }
+  return false;
+}
+
+std::vector<double> log_priors_of_shapes(const SignatureLibrary& library) {
+  std::vector<double> result(library.signatures.size());
+  for (const Family& family : library.families) {
+    std::size_t at_once = 0;
+    const auto is_at_once = [&](std::size_t i) {
+      return acts_at_once(*family.bound.effect, library.signatures[i].point);
+    };
+    for (std::size_t i = family.first; i < family.first + family.count; ++i) at_once += is_at_once(i) ? 1 : 0;
+    const std::size_t others = family.count - at_once;
+    for (std::size_t i = family.first; i < family.first + family.count; ++i) {
+      const double share = at_once == 0 || others == 0 ? 1.0 : 0.5;
+      result[i] = std::log(share / static_cast<double>(is_at_once(i) ? at_once : others));
+    }
+  }
+  return result;
+}
+
 std::vector<OwnParameter> own_of(const Model& model) {
   std::vector<OwnParameter> own;
   std::size_t place = 1;
@@ -67,9 +94,7 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
       }
     }
   }
-  if (model.level == Level::series)
   problem->base_model = std::make_unique<BaseModel>(model, problem->logged, problem->y, base.row);
-  else problem->base_model = std::make_unique<BaseModel>(model, problem->logged, problem->y, base.row);
   SignatureOptions signatures = options.signatures;
   signatures.fine = true;
   signatures.every_onset = false;
@@ -82,6 +107,7 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
     if (deviation > 0.0) column /= deviation;
   }
   problem->log_prior = log_priors_of(problem->library);
+  problem->log_prior_of_shape = log_priors_of_shapes(problem->library);
   problem->own = own_of(model);
   return problem;
 }

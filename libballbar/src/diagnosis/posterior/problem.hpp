@@ -52,6 +52,7 @@ struct Problem {
   SignatureLibrary library;
   RowMajorMatrix signatures;       // n by all columns of the library, each of deviation 1
   std::vector<double> log_prior;   // of each family: effects alike, columns of an effect alike
+  std::vector<double> log_prior_of_shape;  // of each signature in its family: alike, but half where it acts at once
   std::vector<OwnParameter> own;
 };
 

@@ -266,26 +266,35 @@ class Search {
 
   std::size_t family_of(std::size_t signature) const { return problem_.library.signatures[signature].family; }
 
-  void singles(std::size_t v) {
+  // only: this family alone; nothing: all.
+  void singles(std::size_t v, const std::vector<std::size_t>* only = nullptr) {
     const Variant& variant = result_.variants[v];
-    const RowMajorMatrix& columns = problem_.signatures;
+    std::vector<std::size_t> chosen, place(problem_.library.signatures.size());
+    for (const std::size_t i : all_) {
+      if (only != nullptr && std::find(only->begin(), only->end(), family_of(i)) == only->end()) continue;
+      place[i] = chosen.size();
+      chosen.push_back(i);
+    }
+    const RowMajorMatrix some = only != nullptr ? columns_of(chosen) : RowMajorMatrix();
+    const RowMajorMatrix& columns = only != nullptr ? some : problem_.signatures;
     std::vector<std::vector<std::pair<Key, Found>>> found(result_.points.size());
     in_parallel(result_.points.size(), [&](std::size_t g) {
       const Point& point = result_.points[g];
-      const Seen seen = seen_at(point, variant, columns, all_, false);
+      const Seen seen = seen_at(point, variant, columns, chosen, false);
       const Key none{variant.own, {}};
       const double alone = log_evidence(seen.base) + log_prior(none) + point.covariance.log_prior;
       found[g].push_back({none, {alone, alone, {}}});
       for (std::size_t f = 0; f < problem_.library.families.size(); ++f) {
+        if (only != nullptr && std::find(only->begin(), only->end(), f) == only->end()) continue;
         const Family& family = problem_.library.families[f];
         const Key key{variant.own, {f}};
-        const double prior = log_prior(key) + point.covariance.log_prior - std::log(static_cast<double>(family.count));
+        const double prior = log_prior(key) + point.covariance.log_prior;
         Found one;
         std::vector<double> shapes;
         for (std::size_t i = family.first; i < family.first + family.count; ++i) {
-          const double value = evidence_of(seen, columns, point, i, i);
+          const double value = evidence_of(seen, columns, point, place[i], i);
           if (value == kNone) continue;
-          shapes.push_back(value + prior);
+          shapes.push_back(value + prior + problem_.log_prior_of_shape[i]);
           if (shapes.back() > one.most) {
             one.most = shapes.back();
             one.signatures = {i};
@@ -360,8 +369,8 @@ class Search {
         if (only != nullptr &&
             std::find(only->begin(), only->end(), std::pair{a->first, b->first}) == only->end()) continue;
         const Key key{variant.own, {a->first, b->first}};
-        const double prior = log_prior(key) + point.covariance.log_prior -
-                             std::log(static_cast<double>(a->second.size() * b->second.size()));
+        const double prior = log_prior(key) + point.covariance.log_prior - chosen_prior(chosen, a->second) -
+                             chosen_prior(chosen, b->second);
         Found one;
         shapes.clear();
         for (const std::size_t i : a->second) {
@@ -370,7 +379,8 @@ class Search {
             if (!survives(seen, seen.first[j])) continue;
             const double value = pair_evidence(seen, chosen, i, j);
             if (value == kNone) continue;
-            shapes.push_back(value + prior);
+            shapes.push_back(value + prior + problem_.log_prior_of_shape[chosen[i]] +
+                             problem_.log_prior_of_shape[chosen[j]]);
             if (shapes.back() > one.most) {
               one.most = shapes.back();
               one.signatures = {chosen[i], chosen[j]};
@@ -383,6 +393,14 @@ class Search {
         if (one.log_weight > there.log_weight) there = std::move(one);
       }
     }
+  }
+
+  // ln of the prior of a family's shapes that are chosen, together.
+  double chosen_prior(const std::vector<std::size_t>& chosen, const std::vector<std::size_t>& places) const {
+    std::vector<double> priors;
+    priors.reserve(places.size());
+    for (const std::size_t k : places) priors.push_back(problem_.log_prior_of_shape[chosen[k]]);
+    return log_sum(priors);
   }
 
   double pair_evidence(const Seen& seen, const std::vector<std::size_t>& chosen, std::size_t i, std::size_t j) const {
@@ -591,7 +609,8 @@ class Search {
     std::size_t tried = 0;
     for (const auto& [weight, key] : order) {
       if (tried == kSetsRelinearised || weight < order.front().first - kFarFromBest) break;
-      if (std::find(relinearised_.begin(), relinearised_.end(), key) != relinearised_.end()) continue;
+      if (key.families.size() > 2 || std::count(relinearised_.begin(), relinearised_.end(), key) == kRelinearised)
+        continue;
       relinearised_.push_back(key);
       ++tried;
       const auto& at = table_.sets.at(key);
@@ -603,12 +622,33 @@ class Search {
       const std::vector<double> parameters = parameters_beside(result_.variants[v], at[g].first.signatures, g);
       if (!is_elsewhere(result_.variants[v], parameters)) continue;
       moved = true;
-      result_.variants.push_back(variant_at(key.own, parameters, nullptr));
+      const Eigen::MatrixXd times = result_.variants[v].times;
+      result_.variants.push_back(variant_at(key.own, parameters, &times));
       const std::size_t next = result_.variants.size() - 1;
-      singles(next);
-      if (key.families.size() > 1 || order.front().second.families.size() > 1) pairs(next);
+      if (tried == 1) {  // whatever else is likely with the model there
+        singles(next);
+        if (key.families.size() > 1) pairs(next);
+      } else if (key.families.size() == 2) {
+        pair_on_all_shapes(next, key);
+      } else {
+        singles(next, &key.families);
+      }
     }
     return moved;
+  }
+
+  void pair_on_all_shapes(std::size_t v, const Key& key) {
+    std::vector<std::size_t> chosen;
+    for (const std::size_t family : key.families) {
+      for (const std::size_t i : shapes_thinned(family, kShapesRefined)) chosen.push_back(i);
+    }
+    std::sort(chosen.begin(), chosen.end());
+    const std::vector<std::size_t> points = best_points(key.own, kPairPoints);
+    std::vector<std::map<Key, Found>> found(points.size());
+    in_parallel(points.size(), [&](std::size_t k) { pairs_among(points[k], v, chosen, nullptr, found[k]); });
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      for (auto& [pair, one] : found[k]) table_.add(pair, points[k], v, std::move(one));
+    }
   }
 
   // The model's parameters with these signatures beside it.

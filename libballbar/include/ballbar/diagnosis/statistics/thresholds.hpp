@@ -29,7 +29,7 @@ inline constexpr std::size_t kMemories = 8;              // of the scatter
 inline constexpr std::size_t kMemoriesBesideSlow = 4;    // of the scatter beside a discrepancy
 inline constexpr std::array<double, 6> kGainSizes{4.0, 8.0, 16.0, 32.0, 64.0, 128.0};  // d, prior of a gain
 inline constexpr std::array<double, 4> kPriorOfSize{0.5, 0.3, 0.15, 0.05};             // of sets of 0, 1, 2, 3 effects
-inline constexpr double kPriorOfOwn = 0.15;              // a value that the model holds is another
+inline constexpr double kPriorOfOwn = 0.1;               // a value that the model holds is another
 inline constexpr double kSurvivingShare = 1e-3;          // of a signature's square beside the model
 inline constexpr double kLikelyPoints = 9.0;             // ln: covariances this far from the likeliest count
 inline constexpr std::size_t kMostPoints = 24;
@@ -43,7 +43,7 @@ inline constexpr std::size_t kShapesRefined = 48;        // of a family
 inline constexpr std::size_t kPairsExtended = 4;
 inline constexpr double kFarFromBest = 12.0;             // ln
 inline constexpr int kRelinearised = 2;                  // rounds
-inline constexpr std::size_t kSetsRelinearised = 3;      // in a round
+inline constexpr std::size_t kSetsRelinearised = 8;      // in a round
 inline constexpr int kStepsBeside = 4;
 
 // Inputs as they were logged.
@@ -53,7 +53,7 @@ inline constexpr double kJump = 0.03;              // of a column's range, from 
 inline constexpr double kLongestRamp_s = 90.0;     // a change that takes longer is none at once
 inline constexpr double kLongestSample_s = 120.0;  // of a logger
 inline constexpr double kJumpTime = 0.35;          // sd of when in its sample an input changed
-inline constexpr double kClockTime = 0.5;          // sd of how late its clock is, in samples
+inline constexpr double kClockTime = 0.6;          // sd of how late its clock is, in samples
 inline constexpr std::size_t kMostTimes = 40;      // columns
 
 // Noise.
