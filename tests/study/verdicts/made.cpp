@@ -26,7 +26,7 @@ double logged_threshold(const Truth& truth, double threshold, const Track& track
 
 Truth truth_of(const Hidden& hidden, const Scene& scene, const Series& data) {
   Truth truth{hidden.effect, {}, hidden.parameters};
-  for (const Quantity input : hidden.inputs) truth.columns.push_back(scene.name[static_cast<std::size_t>(input)]);
+  for (const Quantity input : hidden.inputs) truth.columns.push_back(name_of(scene, input));
   for (ParameterTruth& parameter : truth.parameters) {
     if (parameter.name != "threshold_unit") continue;
     parameter.value = logged_threshold(truth, parameter.value, scene.plan[hidden.inputs.front()], data);
@@ -52,7 +52,7 @@ bool hide(std::string_view effect, const Scene& scene, double d, std::vector<Hid
     if (std::abs(other.dot(direction)) > kLargestCosine) return false;
   }
   const double gain = chance.happens(0.5) ? *factor : -*factor;
-  for (double& value : next.unit) value *= gain;
+  next.unit = scaled(std::move(next.unit), gain);
   next.parameters.front().value = gain;
   hidden.push_back(std::move(next));
   left.push_back(direction);

@@ -56,6 +56,7 @@ struct Recipe {
   double most_late = 0.0;
   double kelvin_step = 0.01;
   std::size_t fakes = 0;  // temperatures of nothing
+  std::size_t row_s = 0;  // 0: drawn
 };
 
 // `stream`: another for every cell.
