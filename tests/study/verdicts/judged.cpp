@@ -134,6 +134,7 @@ Judged judged(const Made& made, const Said& said) {
     return result;
   }
   result.right = !own_wrong && said.word == Word::named && are_truths(made, said.named);
+  result.is_clear = made.apart >= kClear;
   result.any = !result.wrong && !said.named.empty();
   result.probably_right = said.word == Word::probable && are_truths(made, said.probable);
   result.probably_wrong = !all_true(made, said.probable);
@@ -148,7 +149,8 @@ Judged judged(const Made& made, const Said& said) {
 
 std::string line_of(const Made& made, const Said& said, const Judged& judged) {
   const char* word = judged.wrong ? "WRONG" : judged.right ? "right" : judged.probably_right ? "prob." : "     ";
-  std::string line = fmt::format("{:5} {} [{}] {} rows, sigma {:.2f}, model {} | {} [{}]", made.seed, word, made.what,
+  std::string line = fmt::format("{:5} {} [{}{}] {} rows, sigma {:.2f}, model {} | {} [{}]", made.seed, word, made.what,
+                                 made.rival.empty() ? "" : fmt::format(", {:.1f} from {}", made.apart, made.rival),
                                  made.data.time_s.size(), made.sigma_um,
                                  made.model.terms.empty() ? "constant" : label_of(made.model.terms.front()),
                                  name_of(said.word), labels(said.named));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "rivals.hpp"
 #include "scene.hpp"
 
 namespace ballbar::verdicts {
@@ -59,6 +60,27 @@ bool hide(std::string_view effect, const Scene& scene, double d, std::vector<Hid
   return true;
 }
 
+// Of one hidden effect, the others known: the best effect that it is not.
+Apart apart_from_rivals(const std::vector<Hidden>& hidden, std::size_t which, Scene scene) {
+  for (std::size_t k = 0; k < hidden.size(); ++k) {
+    if (k == which) continue;
+    const std::vector<double> values = at_rows(hidden[k].unit, scene.time_s);
+    const Eigen::MatrixXd column = Eigen::Map<const Eigen::VectorXd>(values.data(), scene.model.rows());
+    scene.model.conservativeResize(Eigen::NoChange, scene.model.cols() + 1);
+    scene.model.rightCols(1) = whitened(column, scene.time_s, scene.scatter);
+  }
+  const Hidden& one = hidden[which];
+  const auto sorted = [](std::vector<Quantity> inputs) {
+    std::sort(inputs.begin(), inputs.end());
+    return inputs;
+  };
+  return apart(surviving(one.unit, scene), rivals(scene),
+               [&](const std::string& effect, const std::vector<Quantity>& inputs) {
+                 if (effect != one.effect) return true;
+                 return effect == "gradient_bending" ? sorted(inputs) != sorted(one.inputs) : inputs != one.inputs;
+               });
+}
+
 }  // namespace
 
 Made made(const Recipe& recipe, std::string_view stream, std::uint64_t seed) {
@@ -94,6 +116,14 @@ Made made(const Recipe& recipe, std::string_view stream, std::uint64_t seed) {
       set.what += (set.what.empty() ? "" : " + ") + described(set.truths.back());
     }
     set.d = recipe.d;
+    set.apart = recipe.d;
+    for (std::size_t k = 0; k < hidden.size(); ++k) {
+      const Apart nearest = apart_from_rivals(hidden, k, scene);
+      if (nearest.d < set.apart) {
+        set.apart = nearest.d;
+        set.rival = nearest.effect;
+      }
+    }
     set.seed = seed;
     return set;
   }

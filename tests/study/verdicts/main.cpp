@@ -16,6 +16,7 @@
 //                 said with P >= 0.9
 //   prob.         verdict `probable`, and exactly the truth;   in set: all truths named, probable or in a set
 //   any           something named, and nothing wrong;          open: outside, neither right, wrong nor `nothing`
+//   clear         the data tell each truth from every other effect, the others known: what these leave has d >= 3
 // then how true stated probabilities are, and what intervals hold, of sets whose truth is in the catalogue.
 #include <fmt/format.h>
 

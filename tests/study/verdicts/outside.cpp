@@ -16,7 +16,8 @@ namespace ballbar::verdicts {
 namespace {
 
 constexpr double kLeastApart = 6.0;
-constexpr int kMostTries = 400;
+constexpr int kMostTries = 400;    // scenes
+constexpr int kDrawsOnScene = 10;  // one after the other, the first that suits
 
 struct Outsider {
   std::string what;
@@ -198,32 +199,39 @@ Track bar_of_cells(const Plan& plan, double diffusion_s, double heat_per_s, doub
 
 Made made_outside(Outside kind, std::string_view stream, std::uint64_t seed) {
   Chance chance(stream, seed);
+  const Recipe recipe;
   for (int tries = 0; tries < kMostTries; ++tries) {
-    const Recipe recipe;
     const Scene scene = drawn_scene(recipe, chance);
-    const double d = chance.between(15.0, 40.0);
-    const Outsider outsider = drawn_outsider(kind, scene.plan, static_cast<double>(scene.conventions.row_s), chance);
-    std::optional<Quantity> gone;
-    if (kind == Outside::not_logged) gone = outsider.inputs.front();
-    if (gone && !scene.base.effect.empty() && *gone == scene.base.input) continue;
-    if (!outsider.effect.empty() && outsider.effect == scene.base.effect) continue;
-    const std::optional<double> factor = factor_for(outsider.unit, scene, d);
-    if (!factor) continue;
-    const Eigen::VectorXd left = *factor * surviving(outsider.unit, scene);
-    const Apart nearest = apart(left, rivals(scene), outsider.effect, gone);
-    if (nearest.d < kLeastApart) continue;
-    const double sign = chance.happens(0.5) ? 1.0 : -1.0;
-    const std::vector<Quantity> needed = gone ? std::vector<Quantity>{} : outsider.inputs;
-    Made set = assembled(scene, scaled(outsider.unit, sign * *factor), needed, recipe, chance, gone);
-    set.is_outside = true;
-    for (const Quantity input : needed) set.drivers.push_back(name_of(scene, input));
-    if (!outsider.effect.empty()) set.without = {outsider.effect};
-    set.what = outsider.what;
-    for (const Quantity input : outsider.inputs) set.what += " " + name_of(scene, input);
-    set.what += fmt::format(", d {:.0f}, {:.0f} from {}", d, nearest.d, nearest.effect);
-    set.d = d;
-    set.seed = seed;
-    return set;
+    std::optional<Rivals> bank;
+    for (int draws = 0; draws < kDrawsOnScene; ++draws) {
+      const double d = chance.between(15.0, 40.0);
+      const Outsider outsider = drawn_outsider(kind, scene.plan, static_cast<double>(scene.conventions.row_s), chance);
+      std::optional<Quantity> gone;
+      if (kind == Outside::not_logged) gone = outsider.inputs.front();
+      if (gone && !scene.base.effect.empty() && *gone == scene.base.input) continue;
+      if (!outsider.effect.empty() && outsider.effect == scene.base.effect) continue;
+      const std::optional<double> factor = factor_for(outsider.unit, scene, d);
+      if (!factor) continue;
+      if (!bank) bank = rivals(scene);
+      const auto is_rival = [&](const std::string& effect, const std::vector<Quantity>& inputs) {
+        return effect != outsider.effect && (!gone || std::find(inputs.begin(), inputs.end(), *gone) == inputs.end());
+      };
+      const Apart nearest = apart(*factor * surviving(outsider.unit, scene), *bank, is_rival);
+      if (nearest.d < kLeastApart) continue;
+      const Track signal = scaled(outsider.unit, chance.happens(0.5) ? *factor : -*factor);
+      Made set = assembled(scene, signal, gone ? std::vector<Quantity>{} : outsider.inputs, recipe, chance, gone);
+      set.is_outside = true;
+      set.what = outsider.what;
+      for (const Quantity input : outsider.inputs) {
+        if (!gone) set.drivers.push_back(name_of(scene, input));
+        set.what += " " + name_of(scene, input);
+      }
+      if (!outsider.effect.empty()) set.without = {outsider.effect};
+      set.what += fmt::format(", d {:.0f}, {:.0f} from {}", d, nearest.d, nearest.effect);
+      set.d = d;
+      set.seed = seed;
+      return set;
+    }
   }
   throw std::runtime_error(fmt::format("{} seed {}: expected what no effect makes, found none", stream, seed));
 }

@@ -102,16 +102,13 @@ Rivals rivals(const Scene& scene) {
   return std::move(bank.rivals);
 }
 
-Apart apart(const Eigen::VectorXd& left, const Rivals& rivals, const std::string& without_effect,
-            std::optional<Quantity> not_logged) {
+Apart apart(const Eigen::VectorXd& left, const Rivals& rivals, const IsRival& is_rival) {
   const Eigen::VectorXd along = rivals.left.transpose() * left;
   const double whole = left.squaredNorm();
   Apart result{std::sqrt(whole), {}};
   for (Eigen::Index k = 0; k < along.size(); ++k) {
     const auto at = static_cast<std::size_t>(k);
-    if (rivals.effect[at] == without_effect) continue;
-    const std::vector<Quantity>& inputs = rivals.inputs[at];
-    if (not_logged && std::find(inputs.begin(), inputs.end(), *not_logged) != inputs.end()) continue;
+    if (!is_rival(rivals.effect[at], rivals.inputs[at])) continue;
     const double d = std::sqrt(std::max(0.0, whole - along(k) * along(k)));
     if (d < result.d) result = {d, rivals.effect[at]};
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,13 +18,12 @@ struct Rivals {
 };
 Rivals rivals(const Scene& scene);
 
-// d of what the best rival leaves of a hidden signal whose surviving part is `left`. Rivals that need a column which is
-// not logged and those of that name are none. Nor are those of `also` on the same inputs.
+// d of what the best rival leaves of a hidden signal whose surviving part is `left`, and who that is.
 struct Apart {
   double d = 0.0;
-  std::string effect;  // the best rival
+  std::string effect;
 };
-Apart apart(const Eigen::VectorXd& left, const Rivals& rivals, const std::string& without_effect,
-            std::optional<Quantity> not_logged);
+using IsRival = std::function<bool(const std::string& effect, const std::vector<Quantity>& inputs)>;
+Apart apart(const Eigen::VectorXd& left, const Rivals& rivals, const IsRival& is_rival);
 
 }  // namespace ballbar::verdicts
