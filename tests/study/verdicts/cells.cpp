@@ -4,6 +4,9 @@
 
 #include <utility>
 
+#include "outside.hpp"
+#include "own.hpp"
+
 namespace ballbar::verdicts {
 namespace {
 
@@ -21,7 +24,7 @@ constexpr Condition kConditions[] = {{"exact"},
 
 Cell cell(std::string name, std::string aim, const Recipe& recipe) {
   const auto make = [=](std::uint64_t seed) { return made(recipe, name, seed); };
-  return {name, std::move(aim), make};
+  return {name, std::move(aim), make, std::nullopt};
 }
 
 Recipe under(const Condition& condition, Recipe recipe) {
@@ -29,6 +32,47 @@ Recipe under(const Condition& condition, Recipe recipe) {
   recipe.most_late = condition.most_late;
   recipe.kelvin_step = condition.kelvin_step;
   return recipe;
+}
+
+void add_outside(std::vector<Cell>& cells) {
+  constexpr std::pair<const char*, Outside> kOutside[] = {{"outside-driven", Outside::driven},
+                                                          {"outside-time", Outside::of_time},
+                                                          {"outside-left-out", Outside::left_out},
+                                                          {"outside-bar", Outside::bar},
+                                                          {"outside-not-logged", Outside::not_logged}};
+  for (const auto& [name, kind] : kOutside) {
+    const auto make = [name = std::string(name), kind = kind](std::uint64_t seed) {
+      return made_outside(kind, name, seed);
+    };
+    cells.push_back({name, "right >= 75, wrong <= 5", make, std::nullopt});
+  }
+}
+
+void add_own(std::vector<Cell>& cells) {
+  constexpr std::pair<const char*, Own> kOwn[] = {{"own-exponent", Own::exponent}, {"own-tau", Own::time_constant}};
+  for (const auto& [name, own] : kOwn) {
+    const auto make = [name = std::string(name), own = own](std::uint64_t seed) { return made_own(own, name, seed); };
+    cells.push_back({name, "right >= 90, wrong <= 2", make, std::nullopt});
+  }
+}
+
+// One of three sets has nothing hidden.
+void add_twins(std::vector<Cell>& cells) {
+  constexpr std::pair<const char*, Change> kChanges[] = {{"twin-fewer-rows", Change::fewer_rows},
+                                                         {"twin-renamed", Change::renamed},
+                                                         {"twin-kelvin", Change::kelvin},
+                                                         {"twin-60s-means", Change::means},
+                                                         {"twin-noise-column", Change::noise_column},
+                                                         {"twin-second-target", Change::second_target}};
+  for (const auto& [name, change] : kChanges) {
+    const auto make = [name = std::string(name)](std::uint64_t seed) {
+      Recipe recipe;
+      recipe.kind = seed % 3 == 0 ? Kind::nothing : Kind::effects;
+      recipe.row_s = 15;
+      return made(recipe, name, seed);
+    };
+    cells.push_back({name, "same >= 95", make, change});
+  }
 }
 
 }  // namespace
@@ -72,7 +116,15 @@ std::vector<Cell> cells() {
   two.count = 2;
   two.d = 12.0;
   result.push_back(cell("two-12", "right >= 45, any >= 85, driver >= 60, wrong <= 2", two));
+  add_outside(result);
+  add_own(result);
+  add_twins(result);
   return result;
+}
+
+Twin twin_of(const Made& made, const Cell& cell) {
+  Chance chance(cell.name + " changed", made.seed);
+  return twin_of(made, *cell.change, chance);
 }
 
 }  // namespace ballbar::verdicts

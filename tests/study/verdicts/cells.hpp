@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "judged.hpp"
+#include "twins.hpp"
 
 namespace ballbar::verdicts {
 
@@ -14,7 +16,11 @@ struct Cell {
   std::string name;  // "one-10-held"; its random stream
   std::string aim;   // as printed
   std::function<Made(std::uint64_t seed)> make;
+  std::optional<Change> change = std::nullopt;  // right: the twin's verdict is the same
 };
+
+// The set's twin; the same for the same cell and seed.
+Twin twin_of(const Made& made, const Cell& cell);
 
 std::vector<Cell> cells();
 

@@ -41,6 +41,12 @@ bool is_own(const Made& made, const SaidOwn& own) {
   return made.own && made.own->effect == own.effect && made.own->parameter == own.parameter;
 }
 
+// A term of the model on a column that drives what is hidden outside the catalogue: its form is not right, but near.
+bool reads_a_driver(const Made& made, const SaidOwn& own) {
+  return std::any_of(made.drivers.begin(), made.drivers.end(),
+                     [&](const std::string& column) { return own.effect.find(column) != std::string::npos; });
+}
+
 // Columns that the diagnosis says are at work.
 std::vector<std::string> said_drivers(const Said& said) {
   std::vector<std::string> columns;
@@ -77,7 +83,10 @@ void judge_drivers(const Made& made, const Said& said, Judged& judged) {
       std::any_of(columns.begin(), columns.end(), [&](const std::string& c) { return !has(made.drivers, c); });
   const auto is_said = [&](const std::string& c) { return has(columns, c); };
   judged.driver_right = !made.drivers.empty() && std::all_of(made.drivers.begin(), made.drivers.end(), is_said);
-  if (made.is_outside) judged.driver_right = std::any_of(made.drivers.begin(), made.drivers.end(), is_said);
+  if (!made.is_outside) return;
+  judged.driver_right = std::any_of(made.drivers.begin(), made.drivers.end(), is_said) ||
+                        std::any_of(said.own.begin(), said.own.end(),
+                                    [&](const SaidOwn& own) { return own.p >= kSure && reads_a_driver(made, own); });
 }
 
 std::string labels(const std::vector<Member>& members) {
@@ -99,8 +108,9 @@ Judged judged(const Made& made, const Said& said) {
   Judged result;
   result.took_s = said.took_s;
   result.nothing_said = said.word == Word::nothing || said.word == Word::untestable;
-  const bool own_wrong = std::any_of(said.own.begin(), said.own.end(),
-                                     [&](const SaidOwn& own) { return own.p >= kSure && !is_own(made, own); });
+  const bool own_wrong = std::any_of(said.own.begin(), said.own.end(), [&](const SaidOwn& own) {
+    return own.p >= kSure && !is_own(made, own) && !(made.is_outside && reads_a_driver(made, own));
+  });
   result.wrong = !all_true(made, said.named) || own_wrong;
   judge_drivers(made, said, result);
   if (made.is_outside) {
@@ -124,6 +134,7 @@ Judged judged(const Made& made, const Said& said) {
     return result;
   }
   result.right = !own_wrong && said.word == Word::named && are_truths(made, said.named);
+  result.is_clear = made.apart >= kClear;
   result.any = !result.wrong && !said.named.empty();
   result.probably_right = said.word == Word::probable && are_truths(made, said.probable);
   result.probably_wrong = !all_true(made, said.probable);
@@ -138,7 +149,8 @@ Judged judged(const Made& made, const Said& said) {
 
 std::string line_of(const Made& made, const Said& said, const Judged& judged) {
   const char* word = judged.wrong ? "WRONG" : judged.right ? "right" : judged.probably_right ? "prob." : "     ";
-  std::string line = fmt::format("{:5} {} [{}] {} rows, sigma {:.2f}, model {} | {} [{}]", made.seed, word, made.what,
+  std::string line = fmt::format("{:5} {} [{}{}] {} rows, sigma {:.2f}, model {} | {} [{}]", made.seed, word, made.what,
+                                 made.rival.empty() ? "" : fmt::format(", {:.1f} from {}", made.apart, made.rival),
                                  made.data.time_s.size(), made.sigma_um,
                                  made.model.terms.empty() ? "constant" : label_of(made.model.terms.front()),
                                  name_of(said.word), labels(said.named));

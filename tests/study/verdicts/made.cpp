@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "rivals.hpp"
 #include "scene.hpp"
 
 namespace ballbar::verdicts {
@@ -26,7 +27,7 @@ double logged_threshold(const Truth& truth, double threshold, const Track& track
 
 Truth truth_of(const Hidden& hidden, const Scene& scene, const Series& data) {
   Truth truth{hidden.effect, {}, hidden.parameters};
-  for (const Quantity input : hidden.inputs) truth.columns.push_back(scene.name[static_cast<std::size_t>(input)]);
+  for (const Quantity input : hidden.inputs) truth.columns.push_back(name_of(scene, input));
   for (ParameterTruth& parameter : truth.parameters) {
     if (parameter.name != "threshold_unit") continue;
     parameter.value = logged_threshold(truth, parameter.value, scene.plan[hidden.inputs.front()], data);
@@ -52,11 +53,32 @@ bool hide(std::string_view effect, const Scene& scene, double d, std::vector<Hid
     if (std::abs(other.dot(direction)) > kLargestCosine) return false;
   }
   const double gain = chance.happens(0.5) ? *factor : -*factor;
-  for (double& value : next.unit) value *= gain;
+  next.unit = scaled(std::move(next.unit), gain);
   next.parameters.front().value = gain;
   hidden.push_back(std::move(next));
   left.push_back(direction);
   return true;
+}
+
+// Of one hidden effect, the others known: the best effect that it is not.
+Apart apart_from_rivals(const std::vector<Hidden>& hidden, std::size_t which, Scene scene) {
+  for (std::size_t k = 0; k < hidden.size(); ++k) {
+    if (k == which) continue;
+    const std::vector<double> values = at_rows(hidden[k].unit, scene.time_s);
+    const Eigen::MatrixXd column = Eigen::Map<const Eigen::VectorXd>(values.data(), scene.model.rows());
+    scene.model.conservativeResize(Eigen::NoChange, scene.model.cols() + 1);
+    scene.model.rightCols(1) = whitened(column, scene.time_s, scene.scatter);
+  }
+  const Hidden& one = hidden[which];
+  const auto sorted = [](std::vector<Quantity> inputs) {
+    std::sort(inputs.begin(), inputs.end());
+    return inputs;
+  };
+  return apart(surviving(one.unit, scene), rivals(scene),
+               [&](const std::string& effect, const std::vector<Quantity>& inputs) {
+                 if (effect != one.effect) return true;
+                 return effect == "gradient_bending" ? sorted(inputs) != sorted(one.inputs) : inputs != one.inputs;
+               });
 }
 
 }  // namespace
@@ -94,6 +116,14 @@ Made made(const Recipe& recipe, std::string_view stream, std::uint64_t seed) {
       set.what += (set.what.empty() ? "" : " + ") + described(set.truths.back());
     }
     set.d = recipe.d;
+    set.apart = recipe.d;
+    for (std::size_t k = 0; k < hidden.size(); ++k) {
+      const Apart nearest = apart_from_rivals(hidden, k, scene);
+      if (nearest.d < set.apart) {
+        set.apart = nearest.d;
+        set.rival = nearest.effect;
+      }
+    }
     set.seed = seed;
     return set;
   }

@@ -40,6 +40,9 @@ struct Made {
   std::string what;                  // as printed
   double sigma_um = 0.0;
   double d = 0.0;  // of each
+  // Effects hidden: d of what the best other effect leaves of the one that is hardest to tell, and that other.
+  double apart = 0.0;
+  std::string rival;
   std::uint64_t seed = 0;
 };
 
@@ -56,6 +59,7 @@ struct Recipe {
   double most_late = 0.0;
   double kelvin_step = 0.01;
   std::size_t fakes = 0;  // temperatures of nothing
+  std::size_t row_s = 0;  // 0: drawn
 };
 
 // `stream`: another for every cell.

@@ -44,7 +44,7 @@ Conventions drawn_conventions(const Recipe& recipe, Chance& chance) {
   constexpr std::array<std::size_t, 3> kRows_s{15, 30, 60};
   Conventions conventions;
   conventions.logging = recipe.logging;
-  conventions.row_s = kRows_s[chance.below(kRows_s.size())];
+  conventions.row_s = recipe.row_s > 0 ? recipe.row_s : kRows_s[chance.below(kRows_s.size())];
   conventions.every_s = conventions.row_s * (conventions.row_s == 15 ? 4 : 2 + chance.below(2));
   conventions.most_late = recipe.most_late;
   conventions.kelvin_step = recipe.kelvin_step;
@@ -103,14 +103,14 @@ std::optional<double> factor_for(const Track& track, const Scene& scene, double 
 }
 
 Made assembled(const Scene& scene, const Track& sum, const std::vector<Quantity>& needed, const Recipe& recipe,
-               Chance& chance) {
+               Chance& chance, std::optional<Quantity> not_logged) {
   const auto is_needed = [&](Quantity quantity) {
     return (!scene.base.effect.empty() && scene.base.input == quantity) ||
            std::find(needed.begin(), needed.end(), quantity) != needed.end();
   };
-  std::optional<Quantity> missing;
+  std::optional<Quantity> missing = not_logged;
   const Quantity perhaps = chance.happens(0.5) ? Quantity::bearing : Quantity::coolant;
-  if (chance.happens(0.6) && !is_needed(perhaps)) missing = perhaps;
+  if (!missing && chance.happens(0.6) && !is_needed(perhaps)) missing = perhaps;
   Made made;
   made.data.time_s = scene.time_s;
   for (std::size_t k = 0; k < kQuantities; ++k) {
@@ -138,10 +138,19 @@ Made assembled(const Scene& scene, const Track& sum, const std::vector<Quantity>
   }
   made.model.targets = {scene.target};
   if (!scene.base.effect.empty()) {
-    made.model.terms.push_back(term_of(scene.base.effect, {scene.name[static_cast<std::size_t>(scene.base.input)]}));
+    made.model.terms.push_back(term_of(scene.base.effect, {name_of(scene, scene.base.input)}));
   }
   made.sigma_um = scene.scatter.sigma_um;
   return made;
+}
+
+const std::string& name_of(const Scene& scene, Quantity quantity) {
+  return scene.name[static_cast<std::size_t>(quantity)];
+}
+
+Track scaled(Track track, double factor) {
+  for (double& value : track) value *= factor;
+  return track;
 }
 
 }  // namespace ballbar::verdicts

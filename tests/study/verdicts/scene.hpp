@@ -29,8 +29,15 @@ Eigen::VectorXd surviving(const Track& track, const Scene& scene);
 // Factor that gives a track that d; nothing where less than a 20th survives or the range would pass 200 sigma.
 std::optional<double> factor_for(const Track& track, const Scene& scene, double d);
 
-// Data and model. `sum`: what is hidden, scaled, of all; `needed`: columns that stay. One of the others may be missing.
+// Data and model, and nothing said of what is hidden. `sum`: that, scaled, all together; `needed`: columns that stay,
+// one of the others may be missing; `not_logged`: one that is.
 Made assembled(const Scene& scene, const Track& sum, const std::vector<Quantity>& needed, const Recipe& recipe,
-               Chance& chance);
+               Chance& chance, std::optional<Quantity> not_logged = std::nullopt);
+
+// The name of its column.
+const std::string& name_of(const Scene& scene, Quantity quantity);
+
+// Track times factor.
+Track scaled(Track track, double factor);
 
 }  // namespace ballbar::verdicts
