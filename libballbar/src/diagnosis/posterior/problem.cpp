@@ -4,13 +4,15 @@
 #include <cmath>
 #include <map>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "diagnosis/posterior/any_form.hpp"
 #include "series/subsampled.hpp"
 
 namespace ballbar {
 namespace {
 
 // Effects alike, columns of an effect alike.
-std::vector<double> log_priors_of(const SignatureLibrary& library) {
+std::vector<double> log_priors_of(const SignatureLibrary& library) {  // those of any form are an effect as well
   std::map<const Effect*, double> families;
   for (const Family& family : library.families) families[family.bound.effect] += 1.0;
   std::vector<double> result;
@@ -48,6 +50,23 @@ std::vector<double> log_priors_of_shapes(const SignatureLibrary& library) {
   return result;
 }
 
+// By least squares; of a model that holds everything what it predicts.
+Fit base_fit(const Model& model, const Series& data, std::size_t target) {
+  if (has_free(model)) return fit(model, data, target, {.white = true});
+  Model free = model;
+  free.constant_um.reset();
+  Fit result = fit(free, data, target, {.white = true});
+  const double held = model.constant_um.value_or(0.0), found = result.parameters.front().value;
+  result.parameters.front().value = held;
+  result.parameters.front().state = ParameterState::held;
+  for (std::size_t i = 0; i < result.row.size(); ++i) {
+    result.predicted_um[i] += held - found;
+    result.residual_um[i] -= held - found;
+  }
+  result.jacobian.setZero();
+  return result;
+}
+
 std::vector<OwnParameter> own_of(const Model& model) {
   std::vector<OwnParameter> own;
   std::size_t place = 1;
@@ -65,13 +84,29 @@ std::vector<OwnParameter> own_of(const Model& model) {
 
 }  // namespace
 
+void free_rows_at_jumps(Problem& problem, bool wide) {
+  const Fit& base = problem.base;
+  std::map<std::size_t, std::size_t> place;
+  for (std::size_t i = 0; i < base.row.size(); ++i) place[base.row[i]] = i;
+  for (const LoggedInput& input : problem.logged.inputs) {
+    for (const Jump& jump : input.jumps) {
+      const std::size_t inside = wide ? 0 : 1, width = wide ? jump.last - jump.first : 0;
+      const std::size_t first = jump.first + inside > width ? jump.first + inside - width : 0;
+      for (std::size_t row = first; row < jump.last + (wide ? 1 : 0); ++row) {
+        if (const auto at = place.find(row); at != place.end())
+          problem.relative_variance[at->second] = std::max(problem.relative_variance[at->second], kUnknownRow);
+      }
+    }
+  }
+}
+
 std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std::size_t target,
                                     const ProblemOptions& options) {
   auto problem = std::make_unique<Problem>();
-  problem->model = &model;
+  problem->model = model;
   const std::string& name = model.targets.at(target);
   problem->logged = logged_inputs(subsampled(data, name, options.most_rows), model.targets);
-  problem->base = fit(model, problem->logged.series, target, {.white = true});
+  problem->base = base_fit(model, problem->logged.series, target);
   const Fit& base = problem->base;
   problem->time_s = base.time_s;
   const auto n = static_cast<Eigen::Index>(base.row.size());
@@ -84,21 +119,14 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
       problem->relative_variance[i] = base.sigma_um[i] * base.sigma_um[i] / mean;
     problem->known = {4.0, mean};
   }
-  // Rows at which an input may have changed already or not yet.
-  std::map<std::size_t, std::size_t> place;
-  for (std::size_t i = 0; i < base.row.size(); ++i) place[base.row[i]] = i;
-  for (const LoggedInput& input : problem->logged.inputs) {
-    for (const Jump& jump : input.jumps) {
-      for (std::size_t row = jump.first; row <= jump.last; ++row) {
-        if (const auto at = place.find(row); at != place.end()) problem->relative_variance[at->second] *= 1e6;
-      }
-    }
-  }
-  problem->base_model = std::make_unique<BaseModel>(model, problem->logged, problem->y, base.row);
+  free_rows_at_jumps(*problem, false);
+  problem->base_model = std::make_unique<BaseModel>(problem->model, problem->logged, problem->y, base.row);
   SignatureOptions signatures = options.signatures;
   signatures.fine = true;
   signatures.every_onset = false;
   problem->library = signature_library_of(options.catalogue, model, problem->logged.series, base, signatures);
+  problem->effects = problem->library.families.size();
+  if (model.level == Level::series) add_any_forms(problem->library, problem->logged.series, base.row);
   problem->signatures = problem->library.columns;
   for (Eigen::Index k = 0; k < problem->signatures.cols(); ++k) {
     auto column = problem->signatures.col(k);

@@ -42,7 +42,7 @@ struct Point {
 };
 
 struct Problem {
-  const Model* model = nullptr;
+  Model model;
   LoggedInputs logged;
   Fit base;
   std::vector<double> time_s, relative_variance;
@@ -51,6 +51,7 @@ struct Problem {
   std::unique_ptr<BaseModel> base_model;
   SignatureLibrary library;
   RowMajorMatrix signatures;       // n by all columns of the library, each of deviation 1
+  std::size_t effects = 0;         // families of effects; those behind them are inputs of any form
   std::vector<double> log_prior;   // of each family: effects alike, columns of an effect alike
   std::vector<double> log_prior_of_shape;  // of each signature in its family: alike, but half where it acts at once
   std::vector<OwnParameter> own;
@@ -61,6 +62,9 @@ struct ProblemOptions {
   Catalogue catalogue;
   std::size_t most_rows = 1000;  // values of the target
 };
+
+// Row by row what the logs leave open of jumps: rows strictly inside the time of a jump; wide: those at its ends as well.
+void free_rows_at_jumps(Problem& problem, bool wide);
 
 // Throws Error as fit does.
 std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std::size_t target,

@@ -49,10 +49,11 @@ double prior_of_size(std::size_t size) {
 
 class Search {
  public:
-  Search(const Problem& problem, std::size_t largest) : problem_(problem), largest_(largest) {
+  Search(const Problem& problem, std::size_t largest, std::vector<std::size_t> wanted)
+      : problem_(problem), largest_(largest), wanted_{0, std::move(wanted)} {
+    std::sort(wanted_.families.begin(), wanted_.families.end());
     const auto& signatures = problem.library.signatures;
-    std::map<std::size_t, std::size_t> families_of_effect;
-    for (std::size_t f = 0; f < problem.library.families.size(); ++f) {
+    for (std::size_t f = 0; f < problem.effects; ++f) {
       const Family& family = problem.library.families[f];
       const std::size_t stride = 1 + (family.count - 1) / kThinShapes;
       for (std::size_t i = family.first + stride / 2; i < family.first + family.count; i += stride) thin_.push_back(i);
@@ -74,6 +75,7 @@ class Search {
     // The model about where it is most likely at the likeliest covariance, then about where the best sets have it.
     singles(0);
     pairs(0);
+    weigh_wanted(0);
     add_own();
     for (int round = 0; round < kRelinearised; ++round) {
       if (!relinearise()) break;
@@ -105,16 +107,7 @@ class Search {
     return {problem_.own[own - 1].parameter};
   }
 
-  double log_prior(const Key& key) const {
-    double sum = prior_of_size(key.families.size());
-    for (const std::size_t family : key.families) sum += problem_.log_prior[family];
-    for (std::size_t k = 2; k <= key.families.size(); ++k) sum += std::log(static_cast<double>(k));
-    if (!problem_.own.empty()) {
-      sum += key.own == 0 ? std::log(1.0 - kPriorOfOwn)
-                          : std::log(kPriorOfOwn / static_cast<double>(problem_.own.size()));
-    }
-    return sum;
-  }
+  double log_prior(const Key& key) const { return log_prior_of_set(problem_, key.families, key.own); }
 
   RowMajorMatrix columns_of(const std::vector<std::size_t>& chosen) const {
     RowMajorMatrix columns(problem_.signatures.rows(), width_of(chosen));
@@ -335,7 +328,7 @@ class Search {
   // Families by their single weight, at most so many; those of time alone not before the others.
   std::vector<std::size_t> strongest_families(std::size_t own, std::size_t most) const {
     std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t f = 0; f < problem_.library.families.size(); ++f) {
+    for (std::size_t f = 0; f < problem_.effects; ++f) {
       const double weight = weight_of({own, {f}});
       if (weight > kNone) order.emplace_back(weight, f);
     }
@@ -603,13 +596,20 @@ class Search {
   // About where the best sets have the parameters of the model. False: it is there already.
   bool relinearise() {
     std::vector<std::pair<double, Key>> order;
-    for (const auto& [key, at] : table_.sets) order.emplace_back(weight_of(key), key);
+    for (const auto& [key, at] : table_.sets) {
+      if (key.families.empty() || key.families.back() < problem_.effects) order.emplace_back(weight_of(key), key);
+    }
     std::sort(order.rbegin(), order.rend());
     bool moved = false;
     std::size_t tried = 0;
+    if (!wanted_.families.empty()) {
+      const auto at = std::find_if(order.begin(), order.end(), [&](const auto& one) { return one.second == wanted_; });
+      if (at != order.end()) std::rotate(order.begin() + (at == order.begin() ? 0 : 1), at, at + 1);
+    }
     for (const auto& [weight, key] : order) {
-      if (tried == kSetsRelinearised || weight < order.front().first - kFarFromBest) break;
-      if (key.families.size() > 2 || std::count(relinearised_.begin(), relinearised_.end(), key) == kRelinearised)
+      const bool is_wanted = !wanted_.families.empty() && key == wanted_;
+      if (!is_wanted && (tried == kSetsRelinearised || weight < order.front().first - kFarFromBest)) break;
+      if ((key.families.size() > 2 && !is_wanted) || std::count(relinearised_.begin(), relinearised_.end(), key) == kRelinearised)
         continue;
       relinearised_.push_back(key);
       ++tried;
@@ -628,6 +628,8 @@ class Search {
       if (tried == 1) {  // whatever else is likely with the model there
         singles(next);
         if (key.families.size() > 1) pairs(next);
+      } else if (key.families.size() > 2) {
+        weigh_wanted(next);
       } else if (key.families.size() == 2) {
         pair_on_all_shapes(next, key);
       } else {
@@ -635,6 +637,61 @@ class Search {
       }
     }
     return moved;
+  }
+
+  void weigh_wanted(std::size_t v) {
+    if (wanted_.families.size() < 2) return;
+    if (wanted_.families.size() == 2) {
+      pair_on_all_shapes(v, wanted_);
+      return;
+    }
+    // Of many the best shape of one after the other, beside the others as they are.
+    std::vector<std::size_t> now;
+    for (const std::size_t family : wanted_.families) {
+      const auto& single = table_.sets[{0, {family}}];
+      const Found* best = nullptr;
+      for (const auto& one : single) {
+        if (best == nullptr || one.first.most > best->most) best = &one.first;
+      }
+      if (best == nullptr || best->signatures.empty()) return;
+      now.push_back(best->signatures.front());
+    }
+    const std::vector<std::size_t> points = best_points(0, kPairPoints);
+    std::vector<Found> found(points.size());
+    in_parallel(points.size(), [&](std::size_t k) {
+      const Point& point = result_.points[points[k]];
+      std::vector<std::size_t> set = now;
+      for (int round = 0; round < 2; ++round) {
+        for (std::size_t m = 0; m < set.size(); ++m) {
+          std::vector<std::size_t> chosen = set;
+          chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(m));
+          const std::size_t others = chosen.size();
+          for (const std::size_t i : shapes_thinned(wanted_.families[m], kShapesRefined)) chosen.push_back(i);
+          const RowMajorMatrix columns = columns_of(chosen);
+          const Seen seen = seen_at(point, result_.variants[v], columns, chosen, true);
+          std::vector<double> values;
+          double best = kNone;
+          for (std::size_t i = others; i < chosen.size(); ++i) {
+            std::vector<Eigen::Index> places;
+            for (std::size_t one = 0; one <= others; ++one) {
+              const std::size_t k_of = one == others ? i : one;
+              for (Eigen::Index w = 0; w < problem_.library.signatures[chosen[k_of]].width; ++w)
+                places.push_back(seen.first[k_of] + w);
+            }
+            values.push_back(log_evidence(seen.base, seen.left(places, places), seen.base.along(places)));
+            if (values.back() > best) {
+              best = values.back();
+              set[m] = chosen[i];
+            }
+          }
+          found[k].log_weight = log_sum(values) - std::log(static_cast<double>(values.size())) + log_prior(wanted_) +
+                                point.covariance.log_prior;
+          found[k].most = best + log_prior(wanted_) + point.covariance.log_prior;
+          found[k].signatures = set;
+        }
+      }
+    });
+    for (std::size_t k = 0; k < points.size(); ++k) table_.add(wanted_, points[k], v, std::move(found[k]));
   }
 
   void pair_on_all_shapes(std::size_t v, const Key& key) {
@@ -723,6 +780,10 @@ class Search {
       if (any.empty()) continue;
       set.log_weight = log_sum(any);
       set.log_weight_slow = log_sum(slow);
+      if (!set.families.empty() && set.families.back() >= problem_.effects) {
+        result_.any_form.push_back(std::move(set));
+        continue;
+      }
       all.push_back(set.log_weight);
       result_.sets.push_back(std::move(set));
     }
@@ -736,15 +797,24 @@ class Search {
   std::vector<std::size_t> thin_, all_;
   Posterior result_;
   Table table_;
+  Key wanted_;
   std::vector<Key> relinearised_;
 };
 
 }  // namespace
 
+double log_prior_of_set(const Problem& problem, const std::vector<std::size_t>& families, std::size_t own) {
+  double sum = prior_of_size(families.size());
+  for (const std::size_t family : families) sum += problem.log_prior[family];
+  for (std::size_t k = 2; k <= families.size(); ++k) sum += std::log(static_cast<double>(k));
+  if (problem.own.empty()) return sum;
+  return sum + (own == 0 ? std::log(1.0 - kPriorOfOwn) : std::log(kPriorOfOwn / static_cast<double>(problem.own.size())));
+}
+
 double Posterior::p(const EffectSet& set) const { return std::exp(set.log_weight - log_total); }
 
-const EffectSet& best_of(const Posterior& posterior) { return posterior.sets.front(); }
-
-Posterior posterior_of(const Problem& problem, std::size_t largest_set) { return Search(problem, largest_set).run(); }
+Posterior posterior_of(const Problem& problem, std::size_t largest_set, std::vector<std::size_t> wanted) {
+  return Search(problem, largest_set, std::move(wanted)).run();
+}
 
 }  // namespace ballbar

@@ -24,14 +24,16 @@ struct Posterior {
   std::vector<Point> points;      // the likely covariances
   std::vector<Variant> variants;  // the model about the parameters that sets of effects make most likely
   std::vector<EffectSet> sets;    // the most probable first; the first of no effects is always there
-  double log_total = 0.0;
+  double log_total = 0.0;         // of the sets
+  std::vector<EffectSet> any_form;  // one input of any form, alone: rivals, no part of the total
 
   double p(const EffectSet& set) const;
 };
 
-Posterior posterior_of(const Problem& problem, std::size_t largest_set);
+// Effects alike, columns of an effect alike; sets of more effects less likely.
+double log_prior_of_set(const Problem& problem, const std::vector<std::size_t>& families, std::size_t own);
 
-// Best set first, its probability not below the others; nothing: it has no effect and nothing of its own.
-const EffectSet& best_of(const Posterior& posterior);
+// wanted: a set of families that is weighed whatever its weight; empty: none.
+Posterior posterior_of(const Problem& problem, std::size_t largest_set, std::vector<std::size_t> wanted = {});
 
 }  // namespace ballbar

@@ -142,15 +142,42 @@ struct Shaped {
   std::vector<std::vector<Eigen::VectorXd>> gains;  // of each point
 };
 
+// Shapes that the term holds as it holds them, each point once.
+std::vector<std::vector<double>> as_held(std::vector<std::vector<double>> points, const Term& term) {
+  for (std::vector<double>& point : points) {
+    for (std::size_t k = 0; k < point.size(); ++k) {
+      const bool is_gain = term.effect->parameters[k].kind == ParameterKind::gain;
+      if (!is_gain && term.settings[k].held) point[k] = term.settings[k].start;
+    }
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
 std::vector<Shaped> shaped_of(const Catalogue& catalogue, const Model& model, const Series& data,
                               const SignatureOptions& options) {
   std::vector<Shaped> result;
+  for (const Term& term : options.terms) {
+    BoundInputs bound = inputs_of(*term.effect, term.columns, data);
+    if (!bound.usable && !bound.is_half) continue;
+    Shaped one{{{term.effect.get(), term.columns}, 0, 0}, std::move(bound), {}, {}};
+    one.points = as_held(shapes_of(*term.effect, one.bound.rows, options), term);
+    one.gains.resize(one.points.size());
+    result.push_back(std::move(one));
+  }
+  const auto is_given = [&](const Effect& effect, const std::vector<std::string>& names) {
+    return std::any_of(options.terms.begin(), options.terms.end(), [&](const Term& term) {
+      return term.effect->name == effect.name && term.columns == names;
+    });
+  };
   for (const auto& effect : catalogue) {
     if (effect->level != model.level || effect->rules.is_base) continue;
     if (options.motion && !applies_to(*effect, *options.motion)) continue;
     if (std::find(options.without.begin(), options.without.end(), effect->name) != options.without.end()) continue;
     for (std::vector<std::string>& names : bindings_of(*effect, model, data)) {
       if (has_term(model, *effect, names) && !effect->rules.may_repeat) continue;
+      if (is_given(*effect, names)) continue;
       BoundInputs bound = inputs_of(*effect, names, data);
       if (!bound.usable && !bound.is_half) continue;
       Shaped one{{{effect.get(), std::move(names)}, 0, 0}, std::move(bound), {}, {}};

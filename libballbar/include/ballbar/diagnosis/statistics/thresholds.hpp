@@ -45,6 +45,24 @@ inline constexpr double kFarFromBest = 12.0;             // ln
 inline constexpr int kRelinearised = 2;                  // rounds
 inline constexpr std::size_t kSetsRelinearised = 8;      // in a round
 inline constexpr int kStepsBeside = 4;
+inline constexpr std::array<double, 6> kFormLags_s{0.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0};  // of an input
+inline constexpr std::array<double, 3> kFormLagsOfSquare_s{0.0, 1200.0, 7200.0};
+
+// Verdict.
+inline constexpr double kNamed = 0.9;              // P
+inline constexpr double kProbable = 0.8;           // P
+inline constexpr double kSureDriver = 0.9;         // P
+inline constexpr double kNothing = 0.05;           // P of nothing from which nothing is said
+inline constexpr double kDiscrepancy = 0.5;        // P of a discrepancy from which nothing is named
+inline constexpr double kCredible = 0.95;          // share of the posterior in a credible set
+inline constexpr double kRivalBetter = 1.0;        // ln, by which an input of any form is better than a member
+inline constexpr double kHeldOutEvidence = 3.0;    // ln, of cycles left out, without the best one
+inline constexpr double kLeftOutRidge = 1e-4;      // prior precision of a white column of length 1
+inline constexpr double kFound = 7.0;              // d from which an effect is found
+inline constexpr double kUnknownRow = 1e6;         // variance of a reading that tells nothing, of the others'
+inline constexpr double kOutlier = 2.0;            // times the usual variance: (r^2 + 4) / 5 of a white reading r
+inline constexpr double kOutlierVariance = 3.0;    // of such a reading's white part, more
+inline constexpr double kLateClock = 12.0;         // fall of chi^2 by what rows at jumps show of a clock that is late
 
 // Inputs as they were logged.
 inline constexpr std::size_t kFewestChanges = 8;   // of a column, for its sample to be told
@@ -103,7 +121,7 @@ inline constexpr double kSameCurve = 2.0;           // chi^2 of the difference o
 inline constexpr double kSameShare = 0.01;          // of a curve's chi^2
 
 // Tests that an effect has to pass to be named.
-inline constexpr double kLeastLikelihoodRatio = 25.0;  // 2 ln L: d = 5
+inline constexpr double kLeastLikelihoodRatio = 10.0;  // 2 ln of a ratio of likelihoods: 150 to 1
 inline constexpr double kSameGain = 0.001;             // p_same_gain below which gains differ
 inline constexpr double kOwnDirection = 1e-3;          // pivot of a gain of one cycle, of the largest, that is one
 inline constexpr double kInOneFold = 0.9;              // share of what it shows
@@ -111,7 +129,8 @@ inline constexpr double kHeldOutWorse = 1.05;          // of the RMSE, which a s
 inline constexpr double kLeastReach_um = 1e-3;         // of a shape that is 0
 inline constexpr double kTold = 1e-6;                  // pivot of a column, of the largest, that rows left in tell
 inline constexpr double kMinor = 0.05;                 // of the RMSE
-inline constexpr double kDropTest = 0.001;             // p below which an effect of the model is needed
+inline constexpr double kDropTest = 0.05;              // P that an effect of the model is not needed, below which it is
+inline constexpr double kDropTestOfErrors = 0.001;     // p of chi^2, the same for errors of the axes
 
 // Surrogates.
 inline constexpr std::size_t kSurrogates = 200;
