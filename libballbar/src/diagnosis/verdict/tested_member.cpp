@@ -86,6 +86,13 @@ Candidate tested_member(const Weighed& weighed, const EffectSet& set, const Fitt
   if (!rivals.inputs.empty() && rivals.inputs.front().log_evidence > rivals.member + kRivalBetter) {
     one.doubts.push_back(fmt::format("{} in another form explains more", rivals.inputs.front().column));
   }
+  // One input of any form in the place of the whole set.
+  for (const EffectSet& any : weighed.posterior.any_form) {
+    if (any.log_weight <= set.log_weight + kAnyFormBetter) continue;
+    one.doubts.push_back(fmt::format("{} alone in another form explains as much",
+                                     problem.library.families[any.families.front()].bound.columns.front()));
+    break;
+  }
   return one;
 }
 
