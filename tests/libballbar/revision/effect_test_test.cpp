@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+
 namespace ballbar {
 namespace {
 
@@ -23,9 +25,9 @@ Series six_values() {
 // prior of (S / before)^(-nu/2) / sqrt(1 + d^2), S = before - gain d^2 / (1 + d^2).
 double log_bayes_factor(double before, double gain, double nu) {
   double sum = 0.0;
-  for (const double d : {4.0, 8.0, 16.0, 32.0, 64.0, 128.0}) {
+  for (const double d : kGainSizes) {
     const double left = before - gain * d * d / (1.0 + d * d);
-    sum += std::pow(left / before, -0.5 * nu) / std::sqrt(1.0 + d * d) / 6.0;
+    sum += std::pow(left / before, -0.5 * nu) / std::sqrt(1.0 + d * d) / static_cast<double>(kGainSizes.size());
   }
   return 2.0 * std::log(sum);
 }
@@ -48,7 +50,7 @@ TEST(EffectTest, six_values_by_hand) {
   EXPECT_NEAR(found.added[0].amplitude_um, 10.0, 1e-6);
   EXPECT_NEAR(found.added[0].likelihood_ratio, log_bayes_factor(154.0, 150.0, 5.0), 1e-4);  // 10.86
   EXPECT_NEAR(found.after.likelihood_ratio, found.added[0].likelihood_ratio, 1e-12);
-  EXPECT_EQ(found.added[0].threshold, 10.0);
+  EXPECT_EQ(found.added[0].threshold, kLeastLikelihoodRatio);
 }
 
 // As likely beforehand to be needed as not: P = 1 / (1 + B).

@@ -114,8 +114,8 @@ TEST(BaseColumns, reach_of_shapes) {
 }
 
 // A shift of gain n^2, n in krpm, steps from row i to row i + 1 of which both are read: had it come sooner the first
-// would be the new value, later the second the old one. Between the two rows: half of that; sd 0.35 of when, 0.6
-// together with all others.
+// would be the new value, later the second the old one. Between the two rows: half of that, by
+// the sd of when, and together with all others by that of the clock.
 TEST(BaseColumns, times_of_a_shift_by_hand) {
   auto rows = made();
   rows->model.terms = {term_of("centrifugal_shift", {"n_rpm"})};
@@ -129,17 +129,17 @@ TEST(BaseColumns, times_of_a_shift_by_hand) {
   for (Eigen::Index jump = 0; jump < 5; ++jump) {
     const double step_um = squares[jump + 1] - squares[jump];
     const Eigen::Index first = 29 * (jump + 1) - 1;
-    together[first] += 0.6 * 0.5 * step_um;
-    together[first + 1] += 0.6 * 0.5 * step_um;
+    together[first] += kClockTime * 0.5 * step_um;
+    together[first + 1] += kClockTime * 0.5 * step_um;
   }
   EXPECT_LT((times.col(0) - together).cwiseAbs().maxCoeff(), 1e-9);
   Eigen::VectorXd largest = Eigen::VectorXd::Zero(160);
-  largest[115] = largest[116] = 0.35 * 0.5 * -8.1;
+  largest[115] = largest[116] = kJumpTime * 0.5 * -8.1;
   EXPECT_LT((times.col(1) - largest).cwiseAbs().maxCoeff(), 1e-9);
   for (Eigen::Index k = 2; k < 6; ++k) EXPECT_LE(times.col(k).norm(), times.col(k - 1).norm() + 1e-12);
 }
 
-// A room of 20 degC and 1e-6 K/s^2, late by its clock: gain times slope times 0.6 of a row, but for what it is taken
+// A room of 20 degC and 1e-6 K/s^2, late by its clock: gain times slope times its sd, but for what it is taken
 // from, the first row's.
 TEST(BaseColumns, time_of_a_clock_by_hand) {
   auto rows = made();
@@ -150,7 +150,7 @@ TEST(BaseColumns, time_of_a_clock_by_hand) {
   rows->y = Eigen::VectorXd::Zero(80);
   const Eigen::MatrixXd times = base_of(*rows).times_at({0.0, 2.0});
   ASSERT_EQ(times.cols(), 1);
-  const auto slope_um = [&](Eigen::Index i) { return 0.6 * 30.0 * 2.0 * 2e-6 * 60.0 * static_cast<double>(i); };
+  const auto slope_um = [&](Eigen::Index i) { return kClockTime * 30.0 * 2.0 * 2e-6 * 60.0 * static_cast<double>(i); };
   double worst_um = 0.0;
   for (Eigen::Index i = 2; i < 79; ++i)
     worst_um = std::max(worst_um, std::abs(times(i, 0) - times(2, 0) - slope_um(i) + slope_um(2)));

@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "diagnosis/evidence/dense.hpp"
 
 namespace ballbar {
@@ -125,7 +126,7 @@ TEST(Covariance, two_rows_by_hand) {
   EXPECT_NEAR(column(1, 0), (5.0 - 3.0 * r) / std::sqrt(1.0 - r * r), 1e-12);
 }
 
-TEST(CovarianceGrid, is_half_without_a_discrepancy) {
+TEST(CovarianceGrid, is_a_prior_with_a_discrepancy_and_without) {
   for (const Rows& rows : {even(400), uneven(400), runs()}) {
     double without = 0.0, with = 0.0;
     for (const Covariance& one : covariance_grid(rows.time_s)) {
@@ -135,13 +136,13 @@ TEST(CovarianceGrid, is_half_without_a_discrepancy) {
       EXPECT_TRUE(one.slow == 0.0 || one.slow_time_s > 0.0);
       (one.slow > 0.0 ? with : without) += std::exp(one.log_prior);
     }
-    EXPECT_NEAR(without, 0.5, 1e-12);
-    EXPECT_NEAR(with, 0.5, 1e-12);
+    EXPECT_NEAR(without, 1.0 - kPriorOfDiscrepancy, 1e-12);
+    EXPECT_NEAR(with, kPriorOfDiscrepancy, 1e-12);
   }
 }
 
 TEST(CovarianceGrid, of_few_rows_is_white_alone) {
-  for (const std::size_t n : {0U, 1U, 29U}) {
+  for (const std::size_t n : {std::size_t{0}, std::size_t{1}, kFewestForMemory - 1}) {
     const std::vector<Covariance> grid = covariance_grid(even(n).time_s);
     ASSERT_EQ(grid.size(), 1U);
     EXPECT_EQ(grid.front().white, 1.0);
