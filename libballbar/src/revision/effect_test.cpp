@@ -9,107 +9,96 @@
 #include <utility>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
-#include "ballbar/fit/held_model.hpp"
-#include "diagnosis/signatures/signature_library.hpp"
-#include "diagnosis/statistics/ml_noise_fit.hpp"
-#include "diagnosis/verdict/named_tests.hpp"
+#include "ballbar/error.hpp"
+#include "diagnosis/posterior/weighed.hpp"
+#include "diagnosis/verdict/tested_member.hpp"
 #include "fit/machine_error_fit.hpp"
-#include "numerics/tails.hpp"
 #include "revision/ledger_row.hpp"
 #include "revision/machine_error_test.hpp"
-#include "series/subsampled.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
+constexpr const char* kLowLikelihoodRatio = "it makes the readings hardly more likely";
 
 std::size_t free_parameters(const Term& term) {
   return static_cast<std::size_t>(
       std::count_if(term.settings.begin(), term.settings.end(), [](const Setting& setting) { return !setting.held; }));
 }
 
-// The model without one of its terms, at its most likely: fitted anew, or from where the whole model is and by its
-// noise, whichever is better.
-NoiseFit noise_fit_without(const Model& model, const Series& data, std::size_t target, const NoiseFit& whole,
-                           std::size_t term) {
-  const auto drop = [&](Model rest) {
-    rest.terms.erase(rest.terms.begin() + static_cast<std::ptrdiff_t>(term));
-    return rest;
-  };
-  if (!has_free(drop(model))) {
-    NoiseFit rest = whole;
-    const std::vector<double>& added = whole.fit.contribution_um[term];
-    rest.linearised.residual_um += Eigen::VectorXd::Map(added.data(), static_cast<Eigen::Index>(added.size()));
-    rest.linearised.model.resize(rest.linearised.residual_um.size(), 0);
-    const GlsFit explained_rest =
-        gls_fit(rest.linearised, Eigen::MatrixXd(rest.linearised.residual_um.size(), 0), whole.noise);
-    rest.noise = explained_rest.noise;
-    rest.log_likelihood = explained_rest.log_likelihood;
-    return rest;
+// As the catalogue has it, nothing held or started elsewhere.
+bool is_usual(const Term& term) {
+  const Effect* effect = find_effect(term.effect->name, term.effect->level);
+  if (effect == nullptr) return false;
+  const Term usual = term_of(*effect, term.columns);
+  for (std::size_t k = 0; k < term.settings.size(); ++k) {
+    const Setting &one = term.settings[k], &other = usual.settings[k];
+    if (one.held != other.held || one.start != other.start || one.stated) return false;
   }
-  NoiseFit rest = noise_fit_by(whole.noise, drop(from_where_it_is(model, whole.fit)), data, target);
-  NoiseFit anew = noise_fit(drop(model), data, target);
-  return anew.log_likelihood > rest.log_likelihood ? anew : rest;
+  return true;
 }
 
-// 2 ln L lost. The larger model is at least as likely, wherever the search for its shapes ended.
-double likelihood_ratio_of(const NoiseFit& with, const NoiseFit& without) {
-  return std::max(0.0, 2.0 * (with.log_likelihood - without.log_likelihood));
+std::vector<BoundEffect> bounds_of(const std::vector<Term>& terms) {
+  std::vector<BoundEffect> bounds;
+  bounds.reserve(terms.size());
+  for (const Term& term : terms) bounds.push_back({term.effect.get(), term.columns});
+  return bounds;
 }
 
-// Of the grid of its shapes; nullopt where it has no surrogates.
-std::optional<BestSurrogate> surrogate_of(const WithAndWithout& models) {
-  const Term& term = models.model.terms[models.term];
-  const BoundEffect bound{term.effect.get(), term.columns};
-  if (bound.effect->time_only || bound.effect->inputs.empty()) return std::nullopt;
-  const BoundInputs inputs = inputs_of(*bound.effect, bound.columns, models.data);
-  if (!inputs.usable) return std::nullopt;
-  const bool of_recordings = bound.effect->level == Level::recording;
-  return surrogate_of(models, bound,
-                      of_recordings ? std::vector<std::vector<double>>{} : shapes_of(*bound.effect, inputs.rows, {}),
-                      kSurrogates, kSeed);
-}
-
-// all: fitted to all rows.
-Candidate tested(const Model& model, const Fit& all, const Series& data, std::size_t target, const NoiseFit& whole,
-                 std::size_t place) {
-  const NoiseFit without = noise_fit_without(model, data, target, whole, place);
-  const WithAndWithout models{data, model, place, whole, without};
-  const FoldTests tests = fold_tests(models);
-  Candidate candidate = candidate_of(model, all, place);
-  candidate.likelihood_ratio = likelihood_ratio_of(whole, without);
-  candidate.threshold = kLeastLikelihoodRatio;
-  candidate.p_same_gain = tests.p_same_gain;
-  candidate.rmse_after_um = all.rmse_um;
-  candidate.held_out_before_um = tests.before.rmse_um;
-  candidate.held_out_after_um = tests.after.rmse_um;
-  candidate.gain = gain_of(models);
-  candidate = beside_surrogate(std::move(candidate), surrogate_of(models));
-  const bool of_recordings = model.level == Level::recording;
-  if (candidate.likelihood_ratio < kLeastLikelihoodRatio) candidate.doubts.emplace_back(kLowLikelihoodRatio);
-  if (candidate.p_same_gain < kSameGain) candidate.doubts.push_back(gain_differs(of_recordings));
-  if (!(candidate.held_out_after_um < candidate.held_out_before_um)) {
-    candidate.doubts.push_back(not_predicted_better(of_recordings));
+// The model against the data, these terms among what may be missing. catalogue: whether anything else may be.
+Weighed weighed_with(const Model& model, const std::vector<Term>& terms, const Series& data, std::size_t target,
+                     bool catalogue) {
+  ProblemOptions options;
+  if (catalogue) options.catalogue = built_in_catalogue();
+  for (const Term& term : terms) {
+    if (!catalogue || !is_usual(term)) options.signatures.terms.push_back(term);
   }
-  if (candidate.beats_surrogates && !*candidate.beats_surrogates) candidate.doubts.emplace_back(kSurrogateDoesAsWell);
-  return candidate;
+  return weighed(model, data, target, options, bounds_of(terms));
 }
 
-std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Series& data, std::size_t target,
-                                 const NoiseFit& whole) {
-  std::vector<DropTest> result;
-  for (std::size_t t = 0; t < count; ++t) {
-    const Term& term = model.terms[t];
-    DropTest drop_test;
-    drop_test.term = t;
-    drop_test.label = label_of(term);
-    drop_test.parameters = free_parameters(term);
-    if (drop_test.parameters == 0 || term.effect->rules.is_base) continue;
-    drop_test.likelihood_ratio = likelihood_ratio_of(whole, noise_fit_without(model, data, target, whole, t));
-    drop_test.p = chi2_upper_tail(drop_test.likelihood_ratio, drop_test.parameters);
-    drop_test.needed = drop_test.p < kDropTest;
-    result.push_back(std::move(drop_test));
+// Where in the set of all that is tested; nothing: it was not weighed.
+const EffectSet* set_of(const Weighed& found, const std::vector<BoundEffect>& bounds) {
+  std::vector<std::size_t> families;
+  for (const BoundEffect& bound : bounds) {
+    const std::optional<std::size_t> family = family_of(*found.problem, bound);
+    if (!family) return nullptr;
+    families.push_back(*family);
+  }
+  std::sort(families.begin(), families.end());
+  const auto set = std::find_if(found.posterior.sets.begin(), found.posterior.sets.end(),
+                                [&](const EffectSet& one) { return one.own == 0 && one.families == families; });
+  return set == found.posterior.sets.end() ? nullptr : &*set;
+}
+
+// What cannot be told from the model: it adds nothing of its own.
+Candidate not_weighed(const BoundEffect& bound) {
+  Candidate one;
+  one.bound = bound;
+  one.label = label_of(bound);
+  one.doubts.emplace_back("what it adds cannot be told from the model");
+  return one;
+}
+
+std::vector<Candidate> tested(const Weighed& found, const std::vector<Term>& terms) {
+  const std::vector<BoundEffect> bounds = bounds_of(terms);
+  const EffectSet* set = set_of(found, bounds);
+  std::vector<Candidate> result;
+  if (set == nullptr) {
+    for (const BoundEffect& bound : bounds) result.push_back(not_weighed(bound));
+    return result;
+  }
+  const FittedSet fitted = fitted_set(*found.problem, found.posterior, *set);
+  const SetAt at = set_at(*found.problem, found.posterior, *set);
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const std::size_t family = *family_of(*found.problem, bounds[t]);
+    std::size_t m = 0;
+    while (found.problem->library.signatures[set->signatures[m]].family != family) ++m;
+    Candidate one = tested_member(found, *set, fitted, at, m, kSurrogates, kSeed);
+    if (terms.size() > 1) one.likelihood_ratio = log_bayes_factor_of_member(found, *set, m);
+    one.label = label_of(terms[t]);
+    if (terms.size() > 1 && !(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.emplace(one.doubts.begin(), kLowLikelihoodRatio);
+    result.push_back(std::move(one));
   }
   return result;
 }
@@ -131,8 +120,25 @@ void tell_earlier(const std::vector<DropTest>& earlier, LedgerRow& row) {
 
 std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Series& data, std::size_t target) {
   if (is_of_machine_errors(model, data)) return machine_error_drop_tests(model, count, data);
-  const Series seen = subsampled(data, model.targets.at(target), kMostTested);
-  return drop_tests(model, count, seen, target, noise_fit(model, seen, target));
+  std::vector<DropTest> result;
+  for (std::size_t t = 0; t < count; ++t) {
+    const Term& term = model.terms[t];
+    DropTest drop_test;
+    drop_test.term = t;
+    drop_test.label = label_of(term);
+    drop_test.parameters = free_parameters(term);
+    if (drop_test.parameters == 0 || term.effect->rules.is_base) continue;
+    Model rest = model;
+    rest.terms.erase(rest.terms.begin() + static_cast<std::ptrdiff_t>(t));
+    const Weighed found = weighed_with(rest, {term}, data, target, false);
+    if (const EffectSet* set = set_of(found, bounds_of({term}))) {
+      drop_test.likelihood_ratio = log_bayes_factor_of_member(found, *set, 0);
+    }
+    drop_test.p = 1.0 / (1.0 + std::exp(0.5 * drop_test.likelihood_ratio));
+    drop_test.needed = drop_test.p < kDropTest;
+    result.push_back(std::move(drop_test));
+  }
+  return result;
 }
 
 EffectTest effect_test(const Model& model, const std::vector<Term>& added, const Series& data, std::size_t target) {
@@ -140,27 +146,30 @@ EffectTest effect_test(const Model& model, const std::vector<Term>& added, const
   result.model = model;
   result.model.terms.insert(result.model.terms.end(), added.begin(), added.end());
   if (is_of_machine_errors(result.model, data)) return machine_error_test(model, added, data, target);
-  const Series seen = subsampled(data, model.targets.at(target), kMostTested);
   result.fit_before = fit(model, data, target);
   result.fit_after = fit(result.model, data, target);
-  const NoiseFit base = noise_fit(model, seen, target);
-  const NoiseFit whole = noise_fit(result.model, seen, target);
-  result.before = row_of(result.fit_before, base);
-  result.after = row_of(result.fit_after, whole);
+  result.before = row_of(result.fit_before, model, data, target);
+  result.after = row_of(result.fit_after, result.model, data, target);
+  const Weighed found = weighed_with(model, added, data, target, true);
+  result.added = tested(found, added);
   std::vector<std::string> changes;
-  for (std::size_t t = model.terms.size(); t < result.model.terms.size(); ++t) {
-    result.added.push_back(tested(result.model, result.fit_after, seen, target, whole, t));
-    changes.push_back("+ " + result.added.back().label);
-    const double fall = result.added.back().best_surrogate_fall;
-    if (std::isfinite(fall) && !(result.after.best_surrogate_fall >= fall)) result.after.best_surrogate_fall = fall;
+  for (std::size_t t = 0; t < added.size(); ++t) {
+    Candidate& one = result.added[t];
+    one.rmse_after_um = result.fit_after.rmse_um;
+    changes.push_back("+ " + one.label);
+    if (std::isfinite(one.best_surrogate_fall) && !(result.after.best_surrogate_fall >= one.best_surrogate_fall))
+      result.after.best_surrogate_fall = one.best_surrogate_fall;
   }
-  // Alone it is that of its own test, which looks for the smaller model from both sides.
-  result.after.likelihood_ratio =
-      added.size() == 1 ? result.added.front().likelihood_ratio : likelihood_ratio_of(whole, base);
+  std::vector<std::size_t> families;
+  for (const BoundEffect& bound : bounds_of(added)) {
+    if (const auto family = family_of(*found.problem, bound)) families.push_back(*family);
+  }
+  std::sort(families.begin(), families.end());
+  result.after.likelihood_ratio = std::max(0.0, log_bayes_factor(*found.problem, found.posterior, families));
   result.after.threshold = kLeastLikelihoodRatio * static_cast<double>(added.size());
   result.after.change = fmt::format("{}", fmt::join(changes, ", "));
   result.after.verdict = verdict_of(result.added);
-  result.earlier = drop_tests(result.model, model.terms.size(), seen, target, whole);
+  result.earlier = drop_tests(result.model, model.terms.size(), data, target);
   tell_earlier(result.earlier, result.after);
   return result;
 }
@@ -171,7 +180,6 @@ Pruned pruned(EffectTest effect_test, const Series& data, std::size_t target) {
   std::size_t earlier = now.model.terms.size() - now.added.size();
   std::vector<std::size_t> place(earlier);  // in the model before, of what is left of it
   for (std::size_t t = 0; t < earlier; ++t) place[t] = t;
-  const Series seen = subsampled(data, now.model.targets.at(target), kMostTested);
   while (true) {
     const auto least = std::max_element(now.earlier.begin(), now.earlier.end(),
                                         [](const DropTest& a, const DropTest& b) { return a.p < b.p; });
@@ -186,9 +194,8 @@ Pruned pruned(EffectTest effect_test, const Series& data, std::size_t target) {
   std::sort(result.removed.begin(), result.removed.end());
   if (result.removed.empty()) return result;
   now.fit_after = fit(now.model, data, target, {.beside_all_errors = true});
-  const LedgerRow figures = is_of_machine_errors(now.model, data)
-                                ? machine_error_row(now.model, data, target)
-                                : row_of(now.fit_after, noise_fit(now.model, seen, target));
+  const LedgerRow figures = is_of_machine_errors(now.model, data) ? machine_error_row(now.model, data, target)
+                                                                  : row_of(now.fit_after, now.model, data, target);
   now.after.parameters = figures.parameters;
   now.after.rmse_um = figures.rmse_um;
   now.after.times_floor = figures.times_floor;

@@ -7,12 +7,10 @@
 #include <cmath>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
-#include "diagnosis/statistics/cross_validation.hpp"
-#include "diagnosis/statistics/ml_noise_fit.hpp"
+#include "diagnosis/verdict/member_tests.hpp"
 #include "fit/machine_error_fit.hpp"
 #include "revision/ledger_row.hpp"
 #include "revision/machine_error_test.hpp"
-#include "series/subsampled.hpp"
 
 namespace ballbar {
 namespace {
@@ -57,30 +55,22 @@ std::string done_text(const std::string& change) {
 
 }  // namespace
 
-LedgerRow row_of(const Fit& fit, const NoiseFit& seen) {
+LedgerRow row_of(const Fit& fit, const Model& model, const Series& data, std::size_t target) {
   LedgerRow row;
-  row.level = seen.of_recordings ? Level::recording : Level::series;
+  row.level = model.level;
   row.target = fit.target;
   row.parameters = static_cast<std::size_t>(
       std::count_if(fit.parameters.begin(), fit.parameters.end(),
                     [](const FittedParameter& parameter) { return parameter.state != ParameterState::held; }));
   row.rmse_um = fit.rmse_um;
   if (!fit.floor.source.empty() && fit.floor.rms_um > 0.0) row.times_floor = fit.rmse_um / fit.floor.rms_um;
-  row.held_out_um = cross_validation(seen.linearised, seen.noise, seen.fold, seen.of_recordings).rmse_um;
+  row.held_out_um = held_out_um(weighed(model, data, target, {}));
   return row;
 }
 
 LedgerRow row_of(const Model& model, const Series& data, std::size_t target) {
   if (is_of_machine_errors(model, data)) return machine_error_row(model, data, target);
-  const Series seen = subsampled(data, model.targets.at(target), kMostTested);
-  return row_of(fit(model, data, target), noise_fit(model, seen, target));
-}
-
-double family_wise_error(std::span<const LedgerRow> rows) {
-  const auto additions = std::count_if(rows.begin(), rows.end(), [](const LedgerRow& row) {
-    return row.change.find("+ ") == 0 || row.change.find(", + ") != std::string::npos;
-  });
-  return kErrorOfASearch * static_cast<double>(additions);
+  return row_of(fit(model, data, target), model, data, target);
 }
 
 std::string sentence(const LedgerRow& row, const LedgerRow* before) {

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
-#include "diagnosis/verdict/named_tests.hpp"
 #include "fit/machine_error_fit.hpp"
 #include "machine_errors/error_ranks.hpp"
 
@@ -79,7 +78,7 @@ Candidate candidate_of_error(const Model& model, std::size_t place, const Fit& a
   candidate.amplitude_sigma_um =
       ranked->chi2 > 0.0 ? candidate.amplitude_um / std::sqrt(ranked->chi2) : Candidate::kUnknown;
   if (!ranked->significant) candidate.doubts.emplace_back(kNotClear);
-  if (ranked->predicts_other_run == false) candidate.doubts.push_back(not_predicted_better(true));
+  if (ranked->predicts_other_run == false) candidate.doubts.emplace_back("recordings left out are not predicted better");
   return candidate;
 }
 
@@ -95,7 +94,7 @@ std::vector<DropTest> drop_tests_of(const Model& model, std::size_t count, const
     test.parameters = gains_of(*term.effect).size();
     test.likelihood_ratio = ranked->chi2;
     test.p = ranked->p_value;
-    test.needed = test.p < kDropTest;
+    test.needed = test.p < kDropTestOfErrors;
     tests.push_back(std::move(test));
   }
   return tests;

@@ -22,6 +22,10 @@ Word word_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::named:
       return Word::named;
+    case Verdict::probable:
+      return Word::probable;
+    case Verdict::driver:
+      return Word::driver;
     case Verdict::equivalent:
       return Word::equivalent;
     case Verdict::unexplained:
@@ -52,16 +56,24 @@ Said verdict_of(const Made& made) {
   said.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   said.word = word_of(found.verdict);
   said.named = members_of(found.named);
+  said.probable = members_of(found.probable);
   said.equivalent.reserve(found.equivalent.size());
   for (const std::vector<BoundEffect>& group : found.equivalent) said.equivalent.push_back(members_of(group));
-  for (const std::string& reason : found.reasons) said.sentence += (said.sentence.empty() ? "" : " ") + reason;
+  for (const EffectProbability& one : found.effects) said.effects.push_back(member_of(one.bound, one.p));
+  for (const Driver& one : found.drivers) said.drivers.push_back({one.column, one.p});
+  for (const OwnValue& one : found.own) said.own.push_back({one.effect, one.parameter, one.held, one.fitted, one.p});
+  said.p_nothing = found.p_nothing;
+  said.p_discrepancy = found.p_discrepancy;
+  said.sentence = found.sentence;
+  for (const std::string& reason : found.reasons) said.sentence += " " + reason;
   for (const Candidate& candidate : found.candidates) {
     if (!candidate.in_best_set) continue;
-    for (const FittedParameter& parameter : candidate.parameters) {
-      if (parameter.state != ParameterState::free || !std::isfinite(parameter.sigma)) continue;
-      const double half = 1.959964 * parameter.sigma;
-      said.intervals.push_back({member_of(candidate.bound), parameter.name, parameter.value, parameter.value - half,
-                                parameter.value + half});
+    for (std::size_t k = 0; k < candidate.parameters.size(); ++k) {
+      const FittedParameter& parameter = candidate.parameters[k];
+      const Interval& interval = candidate.intervals[k];
+      if (!std::isfinite(interval.low) || !std::isfinite(interval.high)) continue;
+      said.intervals.push_back(
+          {member_of(candidate.bound), parameter.name, parameter.value, interval.low, interval.high});
     }
   }
   return said;

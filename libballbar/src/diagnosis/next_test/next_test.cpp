@@ -13,7 +13,6 @@
 #include "diagnosis/next_test/discrimination_matrix.hpp"
 #include "diagnosis/next_test/planned_test.hpp"
 #include "diagnosis/next_test/undecided_pairs.hpp"
-#include "diagnosis/statistics/likelihood_ratio.hpp"
 #include "series/subsampled.hpp"
 
 namespace ballbar {
@@ -33,24 +32,6 @@ bool suits(const Model& model, const Series& data, const Diagnosis& diagnosis) {
          base.jacobian.rows() == n && base.jacobian.cols() == static_cast<Eigen::Index>(parameters) &&
          base.time_s.size() == base.row.size() && base.residual_um.size() == base.row.size() &&
          base.jacobian.allFinite();
-}
-
-// Of the fit with the best set: the noise of the base fit holds what is missing in it.
-Noise noise_with_best_set(const DiscriminationMatrix& candidates, const Diagnosis& diagnosis,
-                          const Eigen::MatrixXd& columns, const Places& places) {
-  std::vector<Eigen::Index> added;
-  for (const Candidate& candidate : diagnosis.candidates) {
-    for (std::size_t k = 0; candidate.in_best_set && k < candidates.competitors.size(); ++k) {
-      const Competitor& competitor = candidates.competitors[k];
-      if (competitor.only_once || !(competitor.bound == candidate.bound)) continue;
-      added.insert(added.end(), places.free[k][0].begin(), places.free[k][0].end());
-    }
-  }
-  Eigen::MatrixXd best = columns(Eigen::all, added);
-  for (Eigen::Index k = 0; k < best.cols(); ++k) {
-    if (best.col(k).norm() > 0.0) best.col(k).normalize();
-  }
-  return gls_fit(linearised_fit_of(diagnosis.base), best, diagnosis.base.noise).noise;
 }
 
 // d of both orders: a true and b fitted, b true and a fitted.
@@ -195,7 +176,7 @@ std::vector<NextTest> next_tests(const Model& model, const Series& all, const Di
   const Places without_own = places_of(candidates, 0);
   const std::optional<Eigen::MatrixXd> in_data = columns_in_data(candidates, 0);
   if (!in_data) return result;
-  const Noise noise = noise_with_best_set(candidates, diagnosis, *in_data, without_own);
+  const Noise& noise = diagnosis.noise;
   const Eigen::MatrixXd factor = whitened_factor(*in_data, Whitening(noise, base.time_s, base.sigma_um));
   std::vector<Orders> so_far;
   for (const Pair& pair : question.pairs) so_far.push_back(orders_of(factor, without_own, pair));

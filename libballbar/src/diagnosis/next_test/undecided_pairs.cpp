@@ -24,7 +24,7 @@ std::vector<std::vector<BoundEffect>> open_groups(const Diagnosis& diagnosis) {
     if (!in(diagnosis.named, candidate.bound)) strongest.push_back(&candidate);
   }
   std::stable_sort(strongest.begin(), strongest.end(),
-                   [](const Candidate* a, const Candidate* b) { return a->likelihood_ratio > b->likelihood_ratio; });
+                   [](const Candidate* a, const Candidate* b) { return a->p > b->p; });
   if (strongest.size() > 1) groups.push_back({strongest[0]->bound, strongest[1]->bound});
   return groups;
 }

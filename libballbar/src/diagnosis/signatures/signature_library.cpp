@@ -53,6 +53,24 @@ bool is_same_as_input(const Effect& effect, const EffectRows& inputs, const std:
   return std::abs(a.dot(b)) > *effect.rules.same_as_input * a.norm() * b.norm();
 }
 
+std::size_t times_of(const Effect& effect) {
+  return static_cast<std::size_t>(
+      std::count_if(effect.parameters.begin(), effect.parameters.end(), [](const Parameter& parameter) {
+        return parameter.kind == ParameterKind::shape && parameter.unit == "s" && !parameter.grid.empty();
+      }));
+}
+
+// From its least to its largest value that is not 0 in steps of at most this factor.
+std::vector<double> refined_grid(const std::vector<double>& grid, double factor) {
+  const auto first = std::find_if(grid.begin(), grid.end(), [](double value) { return value > 0.0; });
+  if (grid.end() - first < 2) return grid;
+  const double low = *first, high = grid.back();
+  const auto steps = static_cast<int>(std::ceil(std::log(high / low) / std::log(factor)));
+  std::vector<double> result(grid.begin(), first);
+  for (int i = 0; i <= steps; ++i) result.push_back(low * std::pow(high / low, static_cast<double>(i) / steps));
+  return result;
+}
+
 std::vector<double> onsets(const EffectRows& rows, std::size_t most) {
   std::vector<double> grid;
   const std::size_t n = rows.time_s.size();
@@ -97,6 +115,9 @@ std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRow
     const std::size_t most = effect.level == Level::series ? kMostPeriods : kMostWaves;
     std::vector<double> grid = grid_of(parameter, rows, parameter.lower, parameter.upper, most);
     if (parameter.shape_of == ShapeOf::onset) grid = onsets(rows, options.every_onset ? kMostOnsets : 7);
+    if (options.fine && parameter.unit == "s" && parameter.shape_of == ShapeOf::curve && !parameter.grid_on) {
+      grid = refined_grid(grid, times_of(effect) > 1 ? 1.9 : 1.6);
+    }
     if (parameter.unit == "Hz") std::erase_if(grid, [&](double f) { return f > options.highest_Hz; });
     if (grid.empty()) continue;
     std::vector<std::vector<double>> more;
@@ -121,15 +142,42 @@ struct Shaped {
   std::vector<std::vector<Eigen::VectorXd>> gains;  // of each point
 };
 
+// Shapes that the term holds as it holds them, each point once.
+std::vector<std::vector<double>> as_held(std::vector<std::vector<double>> points, const Term& term) {
+  for (std::vector<double>& point : points) {
+    for (std::size_t k = 0; k < point.size(); ++k) {
+      const bool is_gain = term.effect->parameters[k].kind == ParameterKind::gain;
+      if (!is_gain && term.settings[k].held) point[k] = term.settings[k].start;
+    }
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
 std::vector<Shaped> shaped_of(const Catalogue& catalogue, const Model& model, const Series& data,
                               const SignatureOptions& options) {
   std::vector<Shaped> result;
+  for (const Term& term : options.terms) {
+    BoundInputs bound = inputs_of(*term.effect, term.columns, data);
+    if (!bound.usable && !bound.is_half) continue;
+    Shaped one{{{term.effect.get(), term.columns}, 0, 0}, std::move(bound), {}, {}};
+    one.points = as_held(shapes_of(*term.effect, one.bound.rows, options), term);
+    one.gains.resize(one.points.size());
+    result.push_back(std::move(one));
+  }
+  const auto is_given = [&](const Effect& effect, const std::vector<std::string>& names) {
+    return std::any_of(options.terms.begin(), options.terms.end(), [&](const Term& term) {
+      return term.effect->name == effect.name && term.columns == names;
+    });
+  };
   for (const auto& effect : catalogue) {
     if (effect->level != model.level || effect->rules.is_base) continue;
     if (options.motion && !applies_to(*effect, *options.motion)) continue;
     if (std::find(options.without.begin(), options.without.end(), effect->name) != options.without.end()) continue;
     for (std::vector<std::string>& names : bindings_of(*effect, model, data)) {
       if (has_term(model, *effect, names) && !effect->rules.may_repeat) continue;
+      if (is_given(*effect, names)) continue;
       BoundInputs bound = inputs_of(*effect, names, data);
       if (!bound.usable && !bound.is_half) continue;
       Shaped one{{{effect.get(), std::move(names)}, 0, 0}, std::move(bound), {}, {}};

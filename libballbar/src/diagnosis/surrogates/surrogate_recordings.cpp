@@ -10,7 +10,6 @@
 #include "diagnosis/signatures/signature_library.hpp"
 #include "diagnosis/surrogates/phase_randomised.hpp"
 #include "effects/effect_at.hpp"
-#include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
 #include "numerics/random_streams.hpp"
 
@@ -195,8 +194,8 @@ struct OneSurrogate {
 
 std::optional<BestSurrogate> best_recording_surrogate(const SurrogateSource& traced, const Series& data,
                                                       const std::vector<std::size_t>& rows,
-                                                      const LinearisedFit& linearised, const Noise& noise,
-                                                      std::size_t count, std::uint64_t seed) {
+                                                      const Background& background, std::size_t count,
+                                                      std::uint64_t seed) {
   std::vector<Sweep> sweeps = sweeps_of(data, rows);
   const bool enough =
       std::all_of(sweeps.begin(), sweeps.end(), [](const Sweep& sweep) { return sweep.row.size() >= kFewestOfASweep; });
@@ -204,16 +203,15 @@ std::optional<BestSurrogate> best_recording_surrogate(const SurrogateSource& tra
   group(sweeps, traced.added_um);
   const BoundInputs inputs = inputs_of(*traced.bound.effect, traced.bound.columns, data);
   const Surrogates surrogates(std::move(sweeps), traced, inputs.rows, rows);
-  const Whitening whitening(noise, linearised.time_s, linearised.sigma_um);
-  const Freed white = freed_of(linearised, whitening), plain = freed_of(linearised);
-  const Eigen::MatrixXd added = whitened(whitening, traced.added_um);
+  const Freed &white = background.white, &plain = background.plain;
+  const Eigen::MatrixXd added = background.whiten(traced.added_um);
   const Eigen::VectorXd own = orthonormal_of(freed(added, white.basis), added.colwise().squaredNorm());
   std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 4);
   std::vector<std::vector<std::vector<double>>> phases;
   for (std::size_t number = 0; number < count; ++number) phases.push_back(surrogates.phases(random));
   std::vector<OneSurrogate> found(count);
   in_parallel(count, [&](std::size_t number) {
-    const Eigen::MatrixXd surrogate = surrogates.at(phases[number]), filtered = whitened(whitening, surrogate);
+    const Eigen::MatrixXd surrogate = surrogates.at(phases[number]), filtered = background.whiten(surrogate);
     const Eigen::RowVectorXd square = filtered.colwise().squaredNorm(),
                              plain_square = surrogate.colwise().squaredNorm();
     const Eigen::MatrixXd left = freed(filtered, white.basis), plain_left = freed(surrogate, plain.basis);

@@ -20,7 +20,7 @@ namespace ballbar {
 // (coherence above 0.95, freed of the model), so that to beat them means nothing. rows: of the fit.
 std::optional<BestSurrogate> best_recording_surrogate(const SurrogateSource& traced, const Series& data,
                                                       const std::vector<std::size_t>& rows,
-                                                      const LinearisedFit& linearised, const Noise& noise,
-                                                      std::size_t count, std::uint64_t seed);
+                                                      const Background& background, std::size_t count,
+                                                      std::uint64_t seed);
 
 }  // namespace ballbar

@@ -10,7 +10,6 @@
 #include "diagnosis/signatures/signature_library.hpp"
 #include "diagnosis/surrogates/phase_randomised.hpp"
 #include "effects/effect_at.hpp"
-#include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
 #include "numerics/random_streams.hpp"
 
@@ -71,27 +70,26 @@ double largest_fall(const Freed& model, Eigen::MatrixXd columns) {
   return most;
 }
 
-std::vector<Spectrum> spectra_of(const SurrogateSource& source, const Series& data, const LinearisedFit& linearised) {
+std::vector<Spectrum> spectra_of(const SurrogateSource& source, const Series& data, const std::vector<double>& time_s) {
   const Effect& effect = *source.bound.effect;
   const BoundInputs bound = inputs_of(effect, source.bound.columns, data);
   std::vector<Spectrum> spectra;
   const std::size_t stride = 1 + (source.points.size() - 1) / kSurrogateShapes;
   for (std::size_t i = 0; i < source.points.size(); i += stride) {
     spectra.push_back(spectrum_of(
-        on_grid(effect, bound.rows, source.points[i], linearised.time_s.front(), linearised.time_s.back())));
+        on_grid(effect, bound.rows, source.points[i], time_s.front(), time_s.back())));
   }
   return spectra;
 }
 
 }  // namespace
 
-BestSurrogate best_surrogate(const SurrogateSource& effect, const Series& data, const LinearisedFit& linearised,
-                             const Noise& noise, std::size_t count, std::uint64_t seed) {
+BestSurrogate best_surrogate(const SurrogateSource& effect, const Series& data, const Background& background,
+                             std::size_t count, std::uint64_t seed) {
   constexpr std::size_t kTogether = 8;
-  const std::vector<Spectrum> spectra = spectra_of(effect, data, linearised);
-  const Whitening whitening(noise, linearised.time_s, linearised.sigma_um);
-  const Freed white = freed_of(linearised, whitening), plain = freed_of(linearised);
-  const Places places(linearised.time_s);
+  const std::vector<Spectrum> spectra = spectra_of(effect, data, background.time_s);
+  const Freed &white = background.white, &plain = background.plain;
+  const Places places(background.time_s);
   std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 3);
   std::vector<std::vector<double>> phases;
   for (std::size_t number = 0; number < count; ++number) phases.push_back(random_phases(kSurrogateGrid, random));
@@ -99,7 +97,7 @@ BestSurrogate best_surrogate(const SurrogateSource& effect, const Series& data, 
   std::vector<double> gain(batches, 0.0), fall(batches, 0.0);
   in_parallel(batches, [&](std::size_t batch) {
     const std::size_t first = batch * kTogether, last = std::min(count, first + kTogether);
-    Eigen::MatrixXd surrogates(linearised.residual_um.size(),
+    Eigen::MatrixXd surrogates(static_cast<Eigen::Index>(background.time_s.size()),
                                static_cast<Eigen::Index>((last - first) * spectra.size()));
     Eigen::Index column = 0;
     for (std::size_t number = first; number < last; ++number) {
@@ -107,7 +105,7 @@ BestSurrogate best_surrogate(const SurrogateSource& effect, const Series& data, 
         places.read(phase_randomised(spectrum, phases[number]), surrogates.col(column++).data());
       }
     }
-    gain[batch] = largest_fall(white, whitened(whitening, surrogates));
+    gain[batch] = largest_fall(white, background.whiten(surrogates));
     fall[batch] = largest_fall(plain, std::move(surrogates));
   });
   BestSurrogate best;

@@ -4,11 +4,12 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "ballbar/model/bound_effect.hpp"
 #include "ballbar/series/series.hpp"
-#include "diagnosis/statistics/likelihood_ratio.hpp"
+#include "fit/linearised_fit.hpp"
 
 namespace ballbar {
 
@@ -23,7 +24,14 @@ struct BestSurrogate {
   double gain = 0.0;  // largest fall of chi^2
   double fall = 0.0;  // largest relative fall of the RMSE by least squares
 };
-BestSurrogate best_surrogate(const SurrogateSource& effect, const Series& data, const LinearisedFit& linearised,
-                             const Noise& noise, std::size_t count, std::uint64_t seed);
+// What they are added to.
+struct Background {
+  std::vector<double> time_s;                                          // n
+  std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)> whiten = {};  // n by k
+  Freed white, plain;                                                  // columns that are there, and what they leave
+};
+
+BestSurrogate best_surrogate(const SurrogateSource& effect, const Series& data, const Background& background,
+                             std::size_t count, std::uint64_t seed);
 
 }  // namespace ballbar

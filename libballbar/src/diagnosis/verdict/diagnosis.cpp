@@ -3,15 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
-#include "diagnosis/search/competing_subsets.hpp"
-#include "diagnosis/search/null_model.hpp"
+#include "diagnosis/posterior/weighed.hpp"
+#include "diagnosis/posterior/set_at.hpp"
 #include "diagnosis/signatures/detectability.hpp"
-#include "diagnosis/verdict/candidates.hpp"
-#include "diagnosis/verdict/verdict.hpp"
-#include "series/subsampled.hpp"
+#include "diagnosis/verdict/fitted_set.hpp"
+#include "diagnosis/verdict/sentence.hpp"
+#include "diagnosis/verdict/tested_member.hpp"
+#include "fit/linearised_fit.hpp"
+#include "noise/whitening.hpp"
 
 namespace ballbar {
 namespace {
@@ -28,12 +32,324 @@ std::vector<Detectability> detectability_but(const SearchOptions& options, std::
   return detectability;
 }
 
+// What the posterior says of single effects, columns, values.
+struct Probabilities {
+  std::vector<double> family;           // of effects
+  std::map<std::string, double> column; // that drives an effect
+  std::vector<double> own;
+  double nothing = 0.0, discrepancy = 0.0, time_alone = 0.0;
+};
+
+Probabilities probabilities_of(const Problem& problem, const Posterior& posterior) {
+  Probabilities result;
+  result.family.assign(problem.effects, 0.0);
+  result.own.assign(problem.own.size(), 0.0);
+  for (const EffectSet& set : posterior.sets) {
+    const double p = posterior.p(set), slow = std::exp(set.log_weight_slow - posterior.log_total);
+    result.discrepancy += slow;
+    if (set.own > 0) result.own[set.own - 1] += p;
+    if (set.own == 0 && set.families.empty()) result.nothing += p - slow;
+    std::set<std::string> columns;
+    const double without_slow = p - slow;
+    bool driven = set.own > 0;
+    for (const std::size_t family : set.families) {
+      const BoundEffect& bound = problem.library.families[family].bound;
+      result.family[family] += p;
+      columns.insert(bound.columns.begin(), bound.columns.end());
+      driven = driven || !bound.effect->time_only;
+    }
+    if (!driven && !set.families.empty()) result.time_alone += p;
+    for (const std::string& column : columns) result.column[column] += without_slow;
+  }
+  return result;
+}
+
+// Of drivers, inputs of any form beside sets of effects.
+std::vector<Driver> drivers_of(const Posterior& posterior, const Problem& problem,
+                               const std::map<std::string, double>& by_effects) {
+  std::vector<double> logs{posterior.log_total};
+  for (const EffectSet& one : posterior.any_form) {
+    if (one.own == 0) logs.push_back(one.log_weight);
+  }
+  const double total = log_sum(logs);
+  std::map<std::string, double> p;
+  for (const auto& [column, of_effects] : by_effects) p[column] = of_effects * std::exp(posterior.log_total - total);
+  for (const EffectSet& one : posterior.any_form) {
+    const double fast = one.log_weight_slow > -1e300 ? one.log_weight + std::log1p(-std::min(1.0 - 1e-12, std::exp(one.log_weight_slow - one.log_weight))) : one.log_weight;
+    if (one.own == 0) p[problem.library.families[one.families.front()].bound.columns.front()] += std::exp(fast - total);
+  }
+  std::vector<Driver> drivers;
+  for (const auto& [column, of_all] : p) {
+    if (of_all >= 0.5) drivers.push_back({column, of_all});
+  }
+  std::stable_sort(drivers.begin(), drivers.end(), [](const Driver& a, const Driver& b) { return a.p > b.p; });
+  return drivers;
+}
+
+Noise noise_of(const Covariance& covariance, double variance) {
+  Noise noise;
+  noise.white_um = std::sqrt(variance * covariance.white);
+  noise.correlated_um = std::sqrt(variance * covariance.correlated);
+  noise.correlation_time_s = covariance.time_s;
+  return noise;
+}
+
+bool is_in(const std::vector<std::size_t>& list, std::size_t value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+// Sets that together hold 95 % of the posterior.
+std::vector<const EffectSet*> credible_sets(const Posterior& posterior) {
+  std::vector<const EffectSet*> sets;
+  double sum = 0.0;
+  for (const EffectSet& set : posterior.sets) {
+    sets.push_back(&set);
+    sum += posterior.p(set);
+    if (sum >= kCredible) break;
+  }
+  return sets;
+}
+
+// For each member of the best set what may stand in its place.
+std::vector<std::vector<std::size_t>> groups_of(const Posterior& posterior, const EffectSet& best,
+                                                const std::vector<double>& p) {
+  const std::vector<const EffectSet*> credible = credible_sets(posterior);
+  std::vector<std::vector<std::size_t>> groups;
+  for (const std::size_t member : best.families) {
+    std::vector<std::size_t> group{member};
+    for (const EffectSet* set : credible) {
+      std::size_t shared = 0;
+      std::vector<std::size_t> others;
+      for (const std::size_t family : set->families) {
+        if (family != member && is_in(best.families, family)) {
+          ++shared;
+        } else {
+          others.push_back(family);
+        }
+      }
+      if (shared + 1 < best.families.size()) continue;
+      for (const std::size_t other : others) {
+        if (!is_in(group, other)) group.push_back(other);
+      }
+    }
+    std::stable_sort(group.begin(), group.end(), [&](std::size_t a, std::size_t b) { return p[a] > p[b]; });
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+class Decision {
+ public:
+  Decision(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options)
+      : model_(model), options_(options) {
+    ProblemOptions how;
+    how.catalogue = options.search.catalogue;
+    how.signatures.motion = options.search.motion;
+    how.signatures.without = options.search.without;
+    how.most_rows = options.most_rows;
+    weighed_ = weighed(model, data, target, how, {}, options.search.progress);
+    result_.base = problem().base;
+    result_.target = problem().base.target;
+  }
+
+  Diagnosis run() {
+    std::set<const Effect*> searched;
+    for (std::size_t f = 0; f < problem().effects; ++f) searched.insert(family(f).bound.effect);
+    result_.searched_effects = searched.size();
+    if (problem().effects == 0 || weighed_.largest == 0) return untestable(weighed_.largest == 0);
+    read_posterior();
+    test_members();
+    decide();
+    show_candidates();
+    result_.sentence = sentence_of(result_);
+    return std::move(result_);
+  }
+
+ private:
+  const Problem& problem() const { return *weighed_.problem; }
+  const Posterior& posterior() const { return weighed_.posterior; }
+  const Family& family(std::size_t f) const { return problem().library.families[f]; }
+
+  void tell(std::string_view step) const {
+    if (options_.search.progress) options_.search.progress(step);
+  }
+
+  Diagnosis untestable(bool too_few) {
+    result_.verdict = Verdict::untestable;
+    result_.noise = problem().base.noise;
+    result_.detectability = detectability_by(problem().base.noise);
+    result_.reasons.emplace_back(too_few ? "There are too few values to test anything more."
+                                         : "No effect of the catalogue can be tested on these data.");
+    result_.sentence = sentence_of(result_);
+    return std::move(result_);
+  }
+
+  std::vector<Detectability> detectability_by(const Noise& noise) {
+    const Fit& base = problem().base;
+    const Eigen::VectorXd residual =
+        Eigen::VectorXd::Map(base.residual_um.data(), static_cast<Eigen::Index>(base.residual_um.size()));
+    const Projected seen = projected(problem().library, residual, model_columns(base),
+                                     Whitening(noise, base.time_s, base.sigma_um));
+    result_.smallest_um = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < problem().library.signatures.size(); ++i) {
+      const std::size_t f = problem().library.signatures[i].family;
+      if (f >= problem().effects || family(f).bound.effect->time_only) continue;
+      const double um = detectable_um(problem().library, seen, i, kFound);
+      if (um >= result_.smallest_um) continue;
+      result_.smallest_um = um;
+      result_.smallest = family(f).bound;
+    }
+    return detectability_but(options_.search,
+                             detectability_of(options_.search.catalogue, problem().library, seen, model_,
+                                              problem().logged.series, options_.search.motion));
+  }
+
+  void read_posterior() {
+    p_ = probabilities_of(problem(), posterior());
+    result_.p_nothing = p_.nothing;
+    result_.p_discrepancy = p_.discrepancy;
+    result_.drivers = drivers_of(posterior(), problem(), p_.column);
+    for (std::size_t f = 0; f < problem().effects; ++f) {
+      if (p_.family[f] >= 0.01) result_.effects.push_back({family(f).bound, p_.family[f]});
+    }
+    std::stable_sort(result_.effects.begin(), result_.effects.end(),
+                     [](const EffectProbability& a, const EffectProbability& b) { return a.p > b.p; });
+    best_ = &posterior().sets.front();
+    at_ = set_at(problem(), posterior(), *best_);
+    const Covariance& covariance = posterior().points[best_->point].covariance;
+    result_.noise = noise_of(covariance, at_.variance);
+    for (const EffectSet& set : posterior().sets) {
+      const Covariance& there = posterior().points[set.point].covariance;
+      if (!(there.slow > 0.0)) continue;
+      result_.discrepancy_um = std::sqrt(there.slow * set_at(problem(), posterior(), set).variance);
+      break;
+    }
+    result_.detectability = detectability_by(result_.noise);
+    add_own();
+  }
+
+  void add_own() {
+    for (std::size_t k = 0; k < problem().own.size(); ++k) {
+      if (p_.own[k] < 0.05) continue;
+      const auto set = std::find_if(posterior().sets.begin(), posterior().sets.end(),
+                                    [&](const EffectSet& one) { return one.own == k + 1; });
+      const FittedSet fitted = fitted_set(problem(), posterior(), *set);
+      const std::size_t place = problem().own[k].parameter;
+      const FittedParameter& parameter = fitted.parameters[place];
+      result_.own.push_back({parameter.effect, parameter.name, parameter.unit, problem().own[k].held, parameter.value,
+                             fitted.intervals[place], p_.own[k]});
+    }
+  }
+
+  void test_members() {
+    if (best_->families.empty()) {
+      result_.rmse_after_um = problem().base.rmse_um;
+      return;
+    }
+    tell(fmt::format("testing {} effects", best_->families.size()));
+    const FittedSet fitted = fitted_set(problem(), posterior(), *best_);
+    result_.rmse_after_um = fitted.rmse_um;
+    for (std::size_t m = 0; m < best_->signatures.size(); ++m) {
+      const double p = p_.family[problem().library.signatures[best_->signatures[m]].family];
+      const std::size_t surrogates = p >= kProbable ? options_.surrogates : 0;
+      Candidate one = tested_member(weighed_, *best_, fitted, at_, m, surrogates, options_.search.seed);
+      one.in_best_set = true;
+      one.minor = one.amplitude_um < std::max(kMinor * problem().base.rmse_um, options_.tolerance_um);
+      if (one.bound.effect->time_only)
+        one.doubts.emplace_back("it needs nothing but time, which imitates anything slow");
+      result_.candidates.push_back(std::move(one));
+    }
+  }
+
+  void decide() {
+    Diagnosis& d = result_;
+    const bool sure = p_.discrepancy < kDiscrepancy;
+    bool own_named = false, own_probable = false;
+    for (const OwnValue& own : d.own) {
+      own_named = own_named || (sure && own.p >= kNamed);
+      own_probable = own_probable || (sure && own.p >= kProbable);
+    }
+    const std::vector<std::vector<std::size_t>> groups = groups_of(posterior(), *best_, p_.family);
+    for (std::size_t m = 0; m < d.candidates.size(); ++m) {
+      const Candidate& one = d.candidates[m];
+      if (sure && one.doubts.empty() && one.p >= kNamed) {
+        d.named.push_back(one.bound);
+      } else if (sure && one.doubts.empty() && one.p >= kProbable) {
+        d.probable.push_back(one.bound);
+      } else {
+        std::vector<BoundEffect> group;
+        for (const std::size_t f : groups[m]) group.push_back(family(f).bound);
+        d.equivalent.push_back(std::move(group));
+      }
+      for (const std::string& doubt : one.doubts) d.reasons.push_back(fmt::format("{}: {}.", one.label, doubt));
+    }
+    if (p_.discrepancy >= kDiscrepancy) {
+      d.reasons.push_back(fmt::format("A slow curve without any cause is left, P = {:.2f}.", p_.discrepancy));
+    }
+    const bool driver = !d.drivers.empty() && d.drivers.front().p >= kSureDriver;
+    if (d.p_nothing > kNothing) {
+      d.named.clear();
+      d.probable.clear();
+      d.equivalent.clear();
+      d.verdict = Verdict::nothing;
+    } else if (!d.named.empty() || own_named) {
+      d.verdict = Verdict::named;
+    } else if (!d.probable.empty() || own_probable) {
+      d.verdict = Verdict::probable;
+    } else if (driver) {
+      d.verdict = Verdict::driver;
+    } else if (p_.discrepancy >= kDiscrepancy || p_.time_alone >= 0.5 || best_->families.empty()) {
+      d.verdict = Verdict::unexplained;
+    } else {
+      d.verdict = Verdict::equivalent;
+    }
+  }
+
+  // Behind the best set what else is probable, beside the rest of its own best set.
+  void show_candidates() {
+    for (const EffectProbability& effect : result_.effects) {
+      if (result_.candidates.size() >= kShownInQuestion) break;
+      if (std::any_of(result_.candidates.begin(), result_.candidates.end(),
+                      [&](const Candidate& one) { return one.bound == effect.bound; })) continue;
+      std::size_t f = 0;
+      while (!(family(f).bound == effect.bound)) ++f;
+      const auto set = std::find_if(posterior().sets.begin(), posterior().sets.end(),
+                                    [&](const EffectSet& one) { return is_in(one.families, f); });
+      const FittedSet fitted = fitted_set(problem(), posterior(), *set);
+      std::size_t m = 0;
+      while (problem().library.signatures[set->signatures[m]].family != f) ++m;
+      Candidate one = described_member(weighed_, *set, fitted, m);
+      result_.candidates.push_back(std::move(one));
+    }
+    for (const std::vector<BoundEffect>& group : result_.equivalent) {
+      for (Candidate& candidate : result_.candidates) {
+        if (std::find(group.begin(), group.end(), candidate.bound) == group.end()) continue;
+        for (const BoundEffect& other : group) {
+          if (!(other == candidate.bound)) candidate.inseparable_from.push_back(label_of(other));
+        }
+      }
+    }
+  }
+
+  const Model& model_;
+  const DiagnosisOptions& options_;
+  Weighed weighed_;
+  Probabilities p_;
+  const EffectSet* best_ = nullptr;
+  SetAt at_;
+  Diagnosis result_;
+};
+
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::named:
       return "named";
+    case Verdict::probable:
+      return "probable";
+    case Verdict::driver:
+      return "driver";
     case Verdict::equivalent:
       return "equivalent";
     case Verdict::unexplained:
@@ -47,48 +363,7 @@ std::string_view name_of(Verdict verdict) {
 }
 
 Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options) {
-  const Series rows = subsampled(data, model.targets.at(target), options.most_rows);
-  Diagnosis result;
-  result.base = fit(model, rows, target);
-  result.target = result.base.target;
-  const SubsetFits now(model, rows, target, result.base, options.search);
-  std::set<const Effect*> searched;
-  for (const Family& family : now.signatures().families) searched.insert(family.bound.effect);
-  result.searched_effects = searched.size();
-  const auto detectability_by = [&](const Projected& seen) {
-    return detectability_but(options.search, detectability_of(options.search.catalogue, now.signatures(), seen, model,
-                                                              rows, options.search.motion));
-  };
-  if (now.signatures().families.empty() || now.largest_set() == 0) {
-    result.verdict = Verdict::untestable;
-    result.detectability = detectability_by(now.projected_by(result.base.noise));
-    result.reasons.emplace_back(now.signatures().families.empty()
-                                    ? "No effect of the catalogue can be tested on these data."
-                                    : "There are too few values to test anything more.");
-    return result;
-  }
-  now.tell(fmt::format("searching {} shapes of {} effects", now.signatures().signatures.size(), searched.size()));
-  const NullModel null_model = null_model_of(now, result.base.noise, options.search);
-  result.detectability = detectability_by(null_model.seen);
-  const Detected detection = detected(now, null_model);
-  result.p_anything = detection.p_anything;
-  result.smallest_um = detection.smallest_um;
-  result.smallest = detection.smallest;
-  const std::vector<SubsetFit> refits = competing_subsets(now, null_model);
-  Findings findings = findings_of(now, rows, result.base, null_model, detection.p_anything, refits, options);
-  result.smooth_likelihood_ratio = findings.smooth_likelihood_ratio;
-  if (!refits.empty()) result.rmse_after_um = rmse_after_um(now, refits.front());
-  for (const Candidate& candidate : findings.candidates) {
-    if (candidate.best_surrogate_fall > result.best_surrogate_fall)
-      result.best_surrogate_fall = candidate.best_surrogate_fall;
-  }
-  result.candidates = std::move(findings.candidates);
-  result.verdict = findings.finding.verdict;
-  result.named = std::move(findings.finding.named);
-  result.equivalent = std::move(findings.finding.equivalent);
-  result.associations = std::move(findings.finding.associations);
-  result.reasons = std::move(findings.finding.reasons);
-  return result;
+  return Decision(model, data, target, options).run();
 }
 
 }  // namespace ballbar

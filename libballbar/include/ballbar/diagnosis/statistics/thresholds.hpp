@@ -3,6 +3,7 @@
 // d: root of the fall of chi^2. 2 ln L: twice the logarithm of the likelihood. Shares and chances: 0 to 1.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 namespace ballbar {
@@ -21,6 +22,61 @@ inline constexpr std::size_t kComparedShapes = 12;  // of one family, compared w
 inline constexpr double kNothingLeft = 1e-8;        // share of a column's square that is rounding
 inline constexpr double kNothingLeftOfASurrogate = 1e-6;  // the same of a surrogate, read off a grid
 inline constexpr double kNotInTheseRows = 1e-12;          // share of a column's square in some of the rows that is none
+
+// The posterior over sets of effects.
+inline constexpr std::size_t kFewestForMemory = 30;      // rows; with fewer the scatter is white
+inline constexpr std::size_t kMemories = 12;              // of the scatter
+inline constexpr std::size_t kMemoriesBesideSlow = 4;    // of the scatter beside a discrepancy
+inline constexpr std::array<double, 6> kGainSizes{4.0, 8.0, 16.0, 32.0, 64.0, 128.0};  // d, prior of a gain
+inline constexpr std::array<double, 4> kPriorOfSize{0.5, 0.3, 0.15, 0.05};             // of sets of 0, 1, 2, 3 effects
+inline constexpr double kRichestNoise = 0.5;             // power of what the richest model says of the noise
+inline constexpr double kPriorOfDiscrepancy = 0.25;
+inline constexpr double kPriorOfOwn = 0.1;               // a value that the model holds is another
+inline constexpr double kSurvivingShare = 1e-3;          // of a signature's square beside the model
+inline constexpr double kLikelyPoints = 9.0;             // ln: covariances this far from the likeliest count
+inline constexpr std::size_t kMostPoints = 24;
+inline constexpr std::size_t kThinShapes = 6;            // of a family, where all covariances are looked at
+inline constexpr std::size_t kThinnedFurther = 3;        // where two are looked for together: every third of those
+inline constexpr std::size_t kStrongest = 3;             // effects beside which a second is looked for everywhere
+inline constexpr std::size_t kFamiliesInPairs = 48;
+inline constexpr std::size_t kShapesInPairs = 320;       // of all families together
+inline constexpr std::size_t kPairPoints = 4;            // covariances at which pairs are weighed
+inline constexpr std::size_t kPairsRefined = 10;
+inline constexpr std::size_t kShapesRefined = 48;        // of a family
+inline constexpr std::size_t kPairsExtended = 4;
+inline constexpr double kFarFromBest = 12.0;             // ln
+inline constexpr int kRelinearised = 2;                  // rounds
+inline constexpr std::size_t kSetsRelinearised = 8;      // in a round
+inline constexpr int kStepsBeside = 4;
+inline constexpr std::array<double, 6> kFormLags_s{0.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0};  // of an input
+inline constexpr std::array<double, 3> kFormLagsOfSquare_s{0.0, 1200.0, 7200.0};
+
+// Verdict.
+inline constexpr double kNamed = 0.9;              // P
+inline constexpr double kProbable = 0.8;           // P
+inline constexpr double kSureDriver = 0.9;         // P
+inline constexpr double kNothing = 0.05;           // P of nothing from which nothing is said
+inline constexpr double kDiscrepancy = 0.5;        // P of a discrepancy from which nothing is named
+inline constexpr double kCredible = 0.95;          // share of the posterior in a credible set
+inline constexpr double kRivalBetter = 0.0;        // ln, by which an input of any form is better than a member
+inline constexpr double kAnyFormBetter = -1.0;     // ln, by which it alone is more probable than the whole set
+inline constexpr double kHeldOutEvidence = 3.0;    // ln, of cycles left out, without the best one
+inline constexpr double kLeftOutRidge = 1e-4;      // prior precision of a white column of length 1
+inline constexpr double kFound = 7.0;              // d from which an effect is found
+inline constexpr double kUnknownRow = 1e6;         // variance of a reading that tells nothing, of the others'
+inline constexpr double kOutlier = 2.0;            // times the usual variance: (r^2 + 4) / 5 of a white reading r
+inline constexpr double kOutlierVariance = 3.0;    // of such a reading's white part, more
+inline constexpr double kLateClock = 12.0;         // fall of chi^2 by what rows at jumps show of a clock that is late
+
+// Inputs as they were logged.
+inline constexpr std::size_t kFewestChanges = 8;   // of a column, for its sample to be told
+inline constexpr double kRounding = 1e-6;          // of a column's range
+inline constexpr double kJump = 0.03;              // of a column's range, from row to row
+inline constexpr double kLongestRamp_s = 90.0;     // a change that takes longer is none at once
+inline constexpr double kLongestSample_s = 120.0;  // of a logger
+inline constexpr double kJumpTime = 0.35;          // sd of when in its sample an input changed
+inline constexpr double kClockTime = 0.6;          // sd of how late its clock is, in samples
+inline constexpr std::size_t kMostTimes = 40;      // columns
 
 // Noise.
 inline constexpr std::ptrdiff_t kFewestForNoise = 30;  // rows; with fewer it is white and not estimated for every set
@@ -69,15 +125,16 @@ inline constexpr double kSameCurve = 2.0;           // chi^2 of the difference o
 inline constexpr double kSameShare = 0.01;          // of a curve's chi^2
 
 // Tests that an effect has to pass to be named.
-inline constexpr double kLeastLikelihoodRatio = 25.0;  // 2 ln L: d = 5
-inline constexpr double kSameGain = 0.001;             // p_same_gain below which gains differ
+inline constexpr double kLeastLikelihoodRatio = 10.0;  // 2 ln of a ratio of likelihoods: 150 to 1
+inline constexpr double kSameGain = 0.003;             // p_same_gain below which gains differ
 inline constexpr double kOwnDirection = 1e-3;          // pivot of a gain of one cycle, of the largest, that is one
 inline constexpr double kInOneFold = 0.9;              // share of what it shows
 inline constexpr double kHeldOutWorse = 1.05;          // of the RMSE, which a slow noise makes up by itself
 inline constexpr double kLeastReach_um = 1e-3;         // of a shape that is 0
 inline constexpr double kTold = 1e-6;                  // pivot of a column, of the largest, that rows left in tell
 inline constexpr double kMinor = 0.05;                 // of the RMSE
-inline constexpr double kDropTest = 0.001;             // p below which an effect of the model is needed
+inline constexpr double kDropTest = 0.05;              // P that an effect of the model is not needed, below which it is
+inline constexpr double kDropTestOfErrors = 0.001;     // p of chi^2, the same for errors of the axes
 
 // Surrogates.
 inline constexpr std::size_t kSurrogates = 200;

@@ -1,23 +1,21 @@
 // Which physical effect a model lacks - or that the data cannot tell.
 //
-// A falling error proves fit, not cause: on records with a memory a random smooth signal also lowers it. So an effect
-// is named only where
-//   the search as a whole shows scores as large in less than 1 % of data sets without any effect (2000 draws of the
-//   noise, each from a noise that the data do not exclude),
-//   no competing set of up to three effects that explains the data nearly as well (2 ln L less thresholds within 6 of
-//   the best, 12 where that has three effects) has another in its place,
-//   its 2 ln LR is at least 25 (d >= 5) and not made by a few readings or one cycle alone, the same gain holds in every
-//   cycle, cycles left out are predicted better, no parameter lies on its bound, it beats the best of 200 surrogates of
-//   its own smoothness, it is driven by a logged input,
-//   and what the best set leaves is noise and no smooth curve.
-// 2 ln LR: 2 ln of the likelihood ratio, the noise estimated anew under each hypothesis. Sets of effects are searched
-// together, not one after the other.
+// A falling error proves fit, not cause: on records with a memory a random smooth signal also lowers it. So every set
+// of up to three effects is weighed, and the answer is a posterior: the model alone, each set, each value that the model
+// holds, all with and without a slow discrepancy; gains, shapes and noise are integrated out, inputs are late and
+// rounded as loggers make them (src/diagnosis/README.md). An effect is named where
+//   P >= 0.9, and a discrepancy is improbable,
+//   the same gain holds in every cycle, cycles left out are predicted better and not by one cycle alone, it beats the
+//   best of 200 surrogates of its own smoothness,
+//   no other form of the same or another input, free in its shape, explains the readings better.
+// One that fails is no longer named; the others stay.
+//
+// P holds inside the catalogue (tests/study/verdicts); for physics outside it the tests do.
 //
 // On recordings a cycle is a recording, of one alone a quarter of its sweep; surrogates are curves over the angle, and
 // an effect of one or two waves a turn has none: it is not tested against surrogates.
 //
-// Of more than 1500 values of the target every second, third ... is searched; figures of the effects are of that
-// search. O(n) in rows, linear in signatures; 20 effects take about 1.3 s of processor time at 1500 rows, 4 s at 5000.
+// Of more than 1000 values of the target every second, third ... is weighed; figures of the effects are of those.
 #pragma once
 
 #include <cstddef>
@@ -37,34 +35,65 @@
 
 namespace ballbar {
 
-enum class Verdict { named, equivalent, unexplained, untestable, nothing };
+enum class Verdict {
+  named,        // this effect, or a value that the model holds
+  probable,     // likewise, P >= 0.8
+  driver,       // this input, its form is open
+  equivalent,   // something real, one of these
+  unexplained,  // something real that is not in the catalogue
+  untestable,   // the data could not have shown it
+  nothing,      // no effect
+};
 std::string_view name_of(Verdict verdict);
+
+struct EffectProbability {
+  BoundEffect bound;
+  double p = 0.0;
+};
+
+// That this column drives something that is missing, whatever its form.
+struct Driver {
+  std::string column;
+  double p = 0.0;
+};
+
+// That a value which the model holds is another one.
+struct OwnValue {
+  std::string effect;           // label of the term
+  std::string parameter, unit;  // "exponent", "1"
+  double held = 0.0, fitted = 0.0;
+  Interval interval;  // of fitted
+  double p = 0.0;
+};
 
 struct Diagnosis {
   std::string target;
   Fit base;
   Verdict verdict = Verdict::nothing;
-  std::vector<BoundEffect> named;
-  std::vector<std::vector<BoundEffect>> equivalent;  // each: effects of which one is it
-  std::vector<Candidate> candidates;                 // the best set first, then its competitors; at most 12
-  // Unexplained: what it goes with, each alone beside the model; the lowest held-out RMSE first, at most 4.
-  std::vector<Candidate> associations;
-  double p_anything = 1.0;               // share of data sets without any effect with a best score as rare
-  double smooth_likelihood_ratio = 0.0;  // 2 ln L gained by the most likely smooth curve
-  double best_surrogate_fall = 0.0;      // relative fall of the RMSE by the best of the surrogates
-  double smallest_um = 0.0;              // amplitude that would have been found, of the effect that shows best
-  BoundEffect smallest;                  // that effect
-  double rmse_after_um = 0.0;            // with the best set
+  std::vector<BoundEffect> named, probable;
+  std::vector<std::vector<BoundEffect>> equivalent;  // each: effects of which one is it, the most probable first
+  std::vector<Driver> drivers;                       // from P = 0.5, the most probable first
+  std::vector<OwnValue> own;                         // from P = 0.05
+  std::vector<EffectProbability> effects;            // from P = 0.01
+  double p_nothing = 1.0;                            // no effect, no other value, no discrepancy
+  double p_discrepancy = 0.0;
+  double discrepancy_um = 0.0;        // its standard deviation, where it is most likely
+  Noise noise;                        // beside the best set
+  std::vector<Candidate> candidates;  // the best set first, then by P; at most 12
+  double smallest_um = 0.0;           // amplitude that would have been found, of the effect that shows best
+  BoundEffect smallest;               // that effect
+  double rmse_after_um = 0.0;         // with the best set
   std::size_t searched_effects = 0;
   std::vector<Detectability> detectability;  // what the data could show, as preflight
   std::vector<std::string> reasons;          // why not `named`; whole sentences
+  std::string sentence;                      // the verdict in plain words
 };
 
 struct DiagnosisOptions {
   SearchOptions search;
   double tolerance_um = 0.0;  // smaller effects are called minor
   std::size_t surrogates = kSurrogates;
-  std::size_t most_rows = 1500;  // values of the target searched
+  std::size_t most_rows = 1000;  // values of the target weighed
 };
 
 // Throws Error as fit does.

@@ -1,0 +1,146 @@
+#include "diagnosis/evidence/base_columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "effects/effect_at.hpp"
+
+namespace ballbar {
+namespace {
+
+double deviation_of(const Eigen::VectorXd& column) {
+  const double mean = column.mean();
+  return std::sqrt((column.array() - mean).square().mean());
+}
+
+// The column as it was so much later, straight lines between the rows, constant beyond them.
+std::vector<double> shifted(const std::vector<double>& time_s, const std::vector<double>& values, double by_s) {
+  std::vector<double> result(values.size());
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double at_s = std::clamp(time_s[i] + by_s, time_s.front(), time_s.back());
+    while (k + 2 < values.size() && time_s[k + 1] < at_s) ++k;
+    const double share = (at_s - time_s[k]) / (time_s[k + 1] - time_s[k]);
+    result[i] = values[k] + share * (values[k + 1] - values[k]);
+  }
+  return result;
+}
+
+}  // namespace
+
+double reach_of(const Parameter& parameter, double value) {
+  if (parameter.unit == "1") return 0.5 * std::max(0.5, std::min(1.0, std::abs(value)));
+  const double usual = std::abs(parameter.start);
+  return std::max(std::abs(value), 0.1 * usual);
+}
+
+BaseModel::BaseModel(const Model& model, const LoggedInputs& logged, const Eigen::VectorXd& y,
+                     const std::vector<std::size_t>& rows)
+    : model_(model), logged_(logged), y_(y), rows_(model, logged.series, rows) {
+  settings_.push_back(nullptr);
+  parameters_.push_back(nullptr);
+  term_.push_back(model.terms.size());
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    for (std::size_t k = 0; k < model.terms[t].settings.size(); ++k) {
+      settings_.push_back(&model.terms[t].settings[k]);
+      parameters_.push_back(&model.terms[t].effect->parameters[k]);
+      term_.push_back(t);
+    }
+  }
+}
+
+BaseColumns BaseModel::at(const std::vector<double>& parameters, const std::vector<std::size_t>& free) const {
+  BaseColumns result;
+  result.y = y_;
+  std::vector<Eigen::VectorXd> columns;
+  const auto n = static_cast<Eigen::Index>(rows_.rows());
+  const bool constant_is_free = model_.level == Level::series && !model_.constant_um;
+  if (constant_is_free) {
+    columns.emplace_back(Eigen::VectorXd::Ones(n));
+    result.columns.push_back({BaseColumn::Kind::constant, 0, 1.0});
+  } else if (model_.constant_um) {
+    result.y.array() -= *model_.constant_um;
+  }
+  std::size_t place = 1;
+  for (std::size_t t = 0; t < model_.terms.size(); ++t) {
+    Eigen::MatrixXd slopes;
+    Eigen::VectorXd values = rows_.term(t, parameters.data() + place, &slopes);
+    const std::size_t count = model_.terms[t].settings.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t index = place + k;
+      const Setting& setting = *settings_[index];
+      const Eigen::VectorXd slope = slopes.col(static_cast<Eigen::Index>(k));
+      const bool forced = std::find(free.begin(), free.end(), index) != free.end();
+      const bool is_gain = parameters_[index]->kind == ParameterKind::gain;
+      if (setting.held && !forced) continue;
+      const double deviation = deviation_of(slope);
+      if (!slope.allFinite() || !(deviation > 1e-12)) continue;
+      if (is_gain) {
+        // What remains is linear in it.
+        values -= parameters[index] * slope;
+        columns.push_back(slope / deviation);
+        result.columns.push_back({BaseColumn::Kind::gain, index, 1.0 / deviation});
+      } else {
+        const double reach = reach_of(*parameters_[index], parameters[index]);
+        columns.push_back(slope * reach);
+        result.columns.push_back({BaseColumn::Kind::shape, index, reach});
+      }
+    }
+    result.y -= values;
+    place += count;
+  }
+  result.values.resize(n, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) result.values.col(static_cast<Eigen::Index>(k)) = columns[k];
+  return result;
+}
+
+Eigen::MatrixXd BaseModel::times_at(const std::vector<double>& parameters) const {
+  std::vector<std::pair<double, Eigen::VectorXd>> found;
+  std::size_t place = 1;
+  for (std::size_t t = 0; t < model_.terms.size(); ++t) {
+    const Term& term = model_.terms[t];
+    const std::vector<double> own(parameters.begin() + static_cast<std::ptrdiff_t>(place),
+                                  parameters.begin() + static_cast<std::ptrdiff_t>(place + term.settings.size()));
+    place += term.settings.size();
+    for (std::size_t k = 0; k < term.columns.size(); ++k) {
+      const auto input = std::find_if(logged_.inputs.begin(), logged_.inputs.end(),
+                                      [&](const LoggedInput& one) { return one.column == term.columns[k]; });
+      if (input == logged_.inputs.end()) continue;
+      const std::vector<double>& values = find_column(logged_.series, input->column)->values;
+      const auto moved = [&](const std::vector<double>& with) {
+        EffectRows rows = rows_.inputs(t);
+        rows.inputs[k] = with;
+        std::vector<double> all(rows.time_s.size());
+        rows_.effect(t).evaluate(rows, own.data(), all.data(), nullptr);
+        Eigen::VectorXd result(static_cast<Eigen::Index>(rows_.rows()));
+        for (Eigen::Index i = 0; i < result.size(); ++i) result[i] = all[rows_.data_rows()[static_cast<std::size_t>(i)]];
+        return result;
+      };
+      if (!input->is_stepped) {
+        if (!(input->sample_s > 0.0)) continue;
+        const Eigen::VectorXd both = moved(shifted(logged_.series.time_s, values, input->sample_s)) -
+                                     moved(shifted(logged_.series.time_s, values, -input->sample_s));
+        found.emplace_back(1e300, 0.5 * kClockTime * both);
+        continue;
+      }
+      Eigen::VectorXd together = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.rows()));
+      for (const Jump& jump : input->jumps) {
+        const double width = static_cast<double>(jump.last - jump.first);
+        const Eigen::VectorXd whole =
+            moved(with_jump_moved(values, jump, true)) - moved(with_jump_moved(values, jump, false));
+        const Eigen::VectorXd one = whole * (width / (width + 1.0));  // all of its window
+        together += one;
+        found.emplace_back(kJumpTime * one.norm(), kJumpTime * one);
+      }
+      found.emplace_back(1e300, kClockTime * together);
+    }
+  }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  const std::size_t count = std::min(found.size(), kMostTimes);
+  Eigen::MatrixXd result(static_cast<Eigen::Index>(rows_.rows()), static_cast<Eigen::Index>(count));
+  for (std::size_t k = 0; k < count; ++k) result.col(static_cast<Eigen::Index>(k)) = found[k].second;
+  return result;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,341 @@
+#include "diagnosis/evidence/logged_inputs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "numerics/interpolation.hpp"
+
+namespace ballbar {
+namespace {
+
+bool is_whole(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+double range_within(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *high - *low;
+}
+
+// Rows for which a logger holds a value: all changes are so many rows apart or a multiple of it; 1: none.
+std::size_t held_rows(const std::vector<double>& values) {
+  std::vector<std::size_t> changes;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i] != values[i - 1]) changes.push_back(i);
+  }
+  if (changes.size() < kFewestChanges) return 1;
+  std::size_t common = 0;
+  for (std::size_t k = 1; k < changes.size(); ++k) {
+    std::size_t a = common, b = changes[k] - changes[k - 1];
+    while (b != 0) {
+      const std::size_t rest = a % b;
+      a = b;
+      b = rest;
+    }
+    common = a;
+    if (common == 1) return 1;
+  }
+  return common;
+}
+
+// Rows between the samples of which a column is the straight lines: its slope changes at multiples alone; 1: none.
+std::size_t ramped_rows(const std::vector<double>& values) {
+  const double range = range_within(values);
+  std::vector<std::size_t> bends;
+  for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+    if (std::abs(values[i + 1] - 2.0 * values[i] + values[i - 1]) > kRounding * range) bends.push_back(i);
+  }
+  if (bends.size() < kFewestChanges) return 1;
+  std::size_t common = 0;
+  for (std::size_t k = 1; k < bends.size(); ++k) {
+    std::size_t a = common, b = bends[k] - bends[k - 1];
+    while (b != 0) {
+      const std::size_t rest = a % b;
+      a = b;
+      b = rest;
+    }
+    common = a;
+    if (common == 1) return 1;
+  }
+  return common;
+}
+
+// Every row with the same step to the next.
+bool is_even(const std::vector<double>& time_s) {
+  const double step = median_step_s(time_s);
+  for (std::size_t i = 1; i < time_s.size(); ++i) {
+    if (std::abs(time_s[i] - time_s[i - 1] - step) > 0.01 * step) return false;
+  }
+  return true;
+}
+
+// Changes of more than a share of the range, neighbours together unless that takes longer than a ramp does.
+std::vector<Jump> jumps_of(const std::vector<double>& time_s, const std::vector<double>& values, std::size_t held,
+                           double longest_s) {
+  const double least = kJump * range_within(values);
+  std::vector<Jump> jumps;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (!(std::abs(values[i] - values[i - 1]) > least)) continue;
+    std::size_t end = i;
+    const bool up = values[i] > values[i - 1];
+    while (end + 1 < values.size() && (values[end + 1] > values[end]) == up &&
+           std::abs(values[end + 1] - values[end]) > least && time_s[end + 1] - time_s[i - 1] <= longest_s) {
+      ++end;
+    }
+    Jump jump{i - 1, end, values[i - 1], values[end]};
+    if (end == i && held > 1) jump.first = i >= held ? i - held : 0;
+    if (!jumps.empty() && jump.first < jumps.back().last) jump.first = jumps.back().last;
+    if (jump.first < jump.last) jumps.push_back(jump);
+    i = end;
+  }
+  return jumps;
+}
+
+// Mostly at rest: what its few large changes do not tell is little.
+bool changes_in_jumps(const std::vector<double>& values, const std::vector<Jump>& jumps) {
+  if (jumps.empty()) return false;
+  double all = 0.0, in_jumps = 0.0;
+  std::size_t rows = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) all += std::abs(values[i] - values[i - 1]);
+  for (const Jump& jump : jumps) {
+    in_jumps += std::abs(jump.after - jump.before);
+    rows += jump.last - jump.first;
+  }
+  return in_jumps > 0.5 * all && 2 * rows < values.size();
+}
+
+// Old value up to the middle of the time in which it changed, the new one from there: between two rows half way.
+void draw_step(std::vector<double>& values, const Jump& jump) {
+  for (std::size_t row = jump.first + 1; row < jump.last; ++row) {
+    const std::size_t twice = 2 * row, middle = jump.first + jump.last;
+    values[row] = twice < middle ? jump.before : twice > middle ? jump.after : 0.5 * (jump.before + jump.after);
+  }
+}
+
+// Runs of equal values.
+struct Stretch {
+  std::size_t begin = 0, end = 0;
+};
+
+std::vector<Stretch> runs_of(const std::vector<double>& values) {
+  std::vector<Stretch> runs;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i == 0 || values[i] != values[i - 1]) runs.push_back({i, i});
+    runs.back().end = i + 1;
+  }
+  return runs;
+}
+
+// Smallest step between neighbours, where all steps are multiples of it; 0: none.
+double resolution_of(const std::vector<double>& values) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double step = std::abs(values[i] - values[i - 1]);
+    if (step > 1e-9) least = std::min(least, step);
+  }
+  if (!std::isfinite(least)) return 0.0;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double steps = std::abs(values[i] - values[i - 1]) / least;
+    if (std::abs(steps - std::round(steps)) > 0.01) return 0.0;
+  }
+  return least;
+}
+
+struct Observation {
+  double time_s = 0.0, value = 0.0, variance = 1.0;  // in units of the scatter
+};
+
+// Integrated random walk x'' = white noise of this spectral density, seen at the observations.
+struct Smoother {
+  const std::vector<Observation>& seen;
+  double density;
+
+  struct State {
+    std::array<double, 2> x;
+    std::array<double, 3> p;  // xx, xv, vv
+  };
+  State predicted(const State& s, double dt) const {
+    const auto& [pxx, pxv, pvv] = s.p;
+    return {{s.x[0] + dt * s.x[1], s.x[1]},
+            {pxx + 2.0 * dt * pxv + dt * dt * pvv + density * dt * dt * dt / 3.0,
+             pxv + dt * pvv + density * dt * dt / 2.0, pvv + density * dt}};
+  }
+  State updated(const State& s, const Observation& o, double* log_variances, double* squares) const {
+    const double variance = s.p[0] + o.variance, v = o.value - s.x[0];
+    const double kx = s.p[0] / variance, kv = s.p[1] / variance;
+    if (log_variances != nullptr) {
+      *log_variances += std::log(variance);
+      *squares += v * v / variance;
+    }
+    return {{s.x[0] + kx * v, s.x[1] + kv * v},
+            {s.p[0] * (1.0 - kx), s.p[1] * (1.0 - kx), s.p[2] - kv * s.p[1]}};
+  }
+  State start() const {
+    const double span = seen.back().time_s - seen.front().time_s;
+    const double slope = 1e6 / (span * span) + density * span;
+    return {{seen.front().value, 0.0}, {1e6, 0.0, slope}};
+  }
+  // The scatter at its most likely; the first two observations tell where the curve begins.
+  double log_likelihood() const {
+    double log_variances = 0.0, squares = 0.0;
+    State s = start();
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (i > 0) s = predicted(s, seen[i].time_s - seen[i - 1].time_s);
+      s = i < 2 ? updated(s, seen[i], nullptr, nullptr) : updated(s, seen[i], &log_variances, &squares);
+    }
+    return -0.5 * log_variances - 0.5 * static_cast<double>(seen.size() - 2) * std::log(std::max(squares, 1e-300));
+  }
+  // The smoothed curve at rising times: forwards, then Rauch, Tung and Striebel backwards.
+  std::vector<double> at(const std::vector<double>& time_s) const {
+    struct Step {
+      double time_s;
+      State before, after;
+      std::ptrdiff_t wanted;
+    };
+    std::vector<Step> steps;
+    steps.reserve(time_s.size() + seen.size());
+    State s = start();
+    double last = std::min(seen.front().time_s, time_s.front());
+    std::size_t next = 0;
+    for (std::size_t i = 0; i <= time_s.size(); ++i) {
+      while (next < seen.size() && (i == time_s.size() || seen[next].time_s <= time_s[i])) {
+        const State before = predicted(s, seen[next].time_s - last);
+        s = updated(before, seen[next], nullptr, nullptr);
+        last = seen[next].time_s;
+        steps.push_back({last, before, s, -1});
+        ++next;
+      }
+      if (i == time_s.size()) break;
+      s = predicted(s, time_s[i] - last);
+      last = time_s[i];
+      steps.push_back({last, s, s, static_cast<std::ptrdiff_t>(i)});
+    }
+    std::vector<double> values(time_s.size());
+    std::array<double, 2> smooth = steps.back().after.x;
+    for (std::size_t k = steps.size(); k-- > 0;) {
+      if (k + 1 < steps.size()) {
+        const double dt = steps[k + 1].time_s - steps[k].time_s;
+        const auto& [pxx, pxv, pvv] = steps[k].after.p;
+        const auto& [qxx, qxv, qvv] = steps[k + 1].before.p;
+        const double det = qxx * qvv - qxv * qxv;
+        if (dt > 0.0 && det > 0.0) {
+          // x = after + P F' Q^-1 (smooth - before), P after this step, Q before the next
+          const double ax = pxx + dt * pxv, av = pxv, bx = pxv + dt * pvv, bv = pvv;
+          const double rx = smooth[0] - steps[k + 1].before.x[0], rv = smooth[1] - steps[k + 1].before.x[1];
+          const double gx = (qvv * rx - qxv * rv) / det, gv = (qxx * rv - qxv * rx) / det;
+          smooth = {steps[k].after.x[0] + ax * gx + av * gv, steps[k].after.x[1] + bx * gx + bv * gv};
+        } else {
+          smooth = dt > 0.0 ? steps[k].after.x : smooth;
+        }
+      }
+      if (steps[k].wanted >= 0) values[static_cast<std::size_t>(steps[k].wanted)] = smooth[0];
+    }
+    return values;
+  }
+};
+
+// The curve through these, its roughness by maximum likelihood.
+std::vector<double> smoothed(const std::vector<Observation>& seen, const std::vector<double>& time_s) {
+  double best = 0.0, most = -std::numeric_limits<double>::infinity();
+  const double span = seen.back().time_s - seen.front().time_s;
+  const double usual = std::max(span / static_cast<double>(seen.size() - 1), 1e-3);
+  for (double step = 0.2 * usual; step < 0.3 * span; step *= 2.0) {
+    // A walk that goes by as much as the scatter in this time.
+    const double density = 3.0 / (step * step * step);
+    const double now = Smoother{seen, density}.log_likelihood();
+    if (now > most) {
+      most = now;
+      best = density;
+    }
+  }
+  return Smoother{seen, best}.at(time_s);
+}
+
+// Runs of a coarse column where it spends several rows each; else its samples.
+std::vector<double> continuous(const std::vector<double>& time_s, const std::vector<double>& values, std::size_t held) {
+  const std::vector<Stretch> runs = runs_of(values);
+  if (runs.size() < kFewestChanges) return values;
+  std::vector<Observation> seen;
+  seen.reserve(runs.size());
+  const bool coarse = resolution_of(values) > 0.0 && 3 * runs.size() < values.size() / held;
+  if (coarse) {
+    for (const Stretch& run : runs) {
+      const bool is_short = run.end - run.begin < 3 * held;
+      // A value that is held is that of the beginning.
+      const double late_s = held > 1 ? 0.5 * (time_s[1] - time_s[0]) * static_cast<double>(held - 1) : 0.0;
+      seen.push_back({0.5 * (time_s[run.begin] + time_s[run.end - 1]) - late_s, values[run.begin],
+                      is_short ? 4.0 : 1.0});
+    }
+  } else {
+    for (std::size_t i = held > 1 ? runs[1].begin % held : 0; i < values.size(); i += held) {
+      seen.push_back({time_s[i], values[i], 1.0});
+    }
+  }
+  return smoothed(seen, time_s);
+}
+
+bool is_temperature(const Column& column) {
+  const std::string_view unit = unit_of(column.name);
+  return unit == "degC" || unit == "K";
+}
+
+}  // namespace
+
+std::vector<double> with_jump_moved(const std::vector<double>& values, const Jump& jump, bool earlier) {
+  std::vector<double> moved = values;
+  for (std::size_t row = jump.first + (earlier ? 0 : 1); row < jump.last + (earlier ? 0 : 1); ++row) {
+    moved[row] = earlier ? jump.after : jump.before;
+  }
+  return moved;
+}
+
+LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& targets) {
+  LoggedInputs result;
+  result.series = data;
+  if (data.time_s.size() < kFewestChanges || find_column(data, "angle_rad") != nullptr) return result;
+  const double step_s = median_step_s(data.time_s);
+  const bool even = is_even(data.time_s);
+  // A logger asks all its inputs alike: what the temperatures show holds for the speed, whose programme may itself
+  // change on whole minutes.
+  std::size_t held = 0, ramped = 0;
+  for (const Column& column : data.columns) {
+    if (!is_temperature(column) || !is_whole(column.values) || !even) continue;
+    const std::size_t rows = held_rows(column.values);
+    if (held == 0 || rows < held) held = rows;
+    const std::size_t lines = rows > 1 ? 1 : ramped_rows(column.values);
+    if (ramped == 0 || lines < ramped) ramped = lines;
+  }
+  held = std::max<std::size_t>(1, held);
+  ramped = std::max<std::size_t>(1, ramped);
+  for (Column& column : result.series.columns) {
+    if (std::find(targets.begin(), targets.end(), column.name) != targets.end()) continue;
+    if (!is_whole(column.values) || !(range_within(column.values) > 0.0)) continue;
+    LoggedInput input;
+    input.column = column.name;
+    if (column.role == Role::speed || column.role == Role::load) {
+      const std::size_t own = even ? std::max(held_rows(column.values), ramped) : 1;
+      const std::size_t rows =
+          held > 1 || ramped > 1 ? std::max(held, ramped)
+                                 : (static_cast<double>(own) * step_s <= kLongestSample_s ? own : 1);
+      const double longest_s = std::max(kLongestRamp_s, 1.5 * static_cast<double>(rows) * step_s);
+      input.sample_s = static_cast<double>(rows) * step_s;
+      input.jumps = jumps_of(data.time_s, column.values, ramped > 1 ? 1 : rows, longest_s);
+      input.is_stepped = changes_in_jumps(column.values, input.jumps);
+      if (!input.is_stepped) input.jumps.clear();
+      for (const Jump& jump : input.jumps) draw_step(column.values, jump);
+    } else if (is_temperature(column)) {
+      const std::size_t rows = even ? held_rows(column.values) : 1;
+      input.sample_s = static_cast<double>(rows) * step_s;
+      column.values = continuous(data.time_s, column.values, rows);
+    } else {
+      continue;
+    }
+    result.inputs.push_back(std::move(input));
+  }
+  return result;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,27 @@
+// The most likely parameters of a model, from parameters near them, at one covariance.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "diagnosis/evidence/base_columns.hpp"
+#include "diagnosis/evidence/evidence.hpp"
+
+namespace ballbar {
+
+struct Refined {
+  std::vector<double> parameters;
+  double log_evidence = 0.0;  // of the line about them
+  double variance = 0.0;      // of the scatter, in units of C
+};
+
+// Gauss-Newton, shapes within their bounds. times: columns of Kind::time. free: shapes that are free though held.
+Refined refined(const BaseModel& base, std::vector<double> parameters, const std::vector<std::size_t>& free,
+                const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known, int rounds);
+
+// Line of these columns in a pool where they stand from `first` on: y, the columns, times.
+Line line_of(const BaseColumns& columns, Eigen::Index times, Eigen::Index first);
+RowMajorMatrix pool_of(const BaseColumns& columns, const Eigen::MatrixXd& times);
+
+}  // namespace ballbar

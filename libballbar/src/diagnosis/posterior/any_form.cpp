@@ -1,0 +1,65 @@
+#include "diagnosis/posterior/any_form.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/model/measured_input.hpp"
+#include "effects/low_pass.hpp"
+
+namespace ballbar {
+namespace {
+
+// The input since its first row over its range, and its powers, behind low passes.
+std::vector<Eigen::VectorXd> forms_of(const std::vector<double>& time_s, const std::vector<double>& values,
+                                      const std::vector<std::size_t>& rows) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double range = *high - *low, first = values.front();
+  std::vector<Eigen::VectorXd> forms;
+  std::vector<double> passed(values.size());
+  const auto add = [&](double power, double tau_s) {
+    const auto input = [&](std::size_t i) {
+      const double u = (values[i] - first) / range;
+      return power == 1.0 ? u : std::copysign(std::pow(std::abs(u), power), power == 2.0 ? 1.0 : u);
+    };
+    low_pass<double>(time_s, input, tau_s, passed.data());
+    Eigen::VectorXd column(static_cast<Eigen::Index>(rows.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i) column[static_cast<Eigen::Index>(i)] = passed[rows[i]];
+    forms.push_back(std::move(column));
+  };
+  for (const double tau_s : kFormLags_s) add(1.0, tau_s);
+  for (const double tau_s : kFormLagsOfSquare_s) add(2.0, tau_s);
+  return forms;
+}
+
+}  // namespace
+
+const Effect& any_form() {
+  static const Effect effect{"any form", Level::series, {}, {{"input", {}, "an input whose form is open"}}, {}, {}};
+  return effect;
+}
+
+void add_any_forms(SignatureLibrary& library, const Series& data, const std::vector<std::size_t>& rows) {
+  std::vector<std::string> inputs;
+  for (const Family& family : library.families) {
+    for (const std::string& name : family.bound.columns) {
+      if (std::find(inputs.begin(), inputs.end(), name) == inputs.end()) inputs.push_back(name);
+    }
+  }
+  for (const std::string& name : inputs) {
+    const std::vector<double> values = input_values(data, *find_column(data, name));
+    if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) continue;
+    if (!(*std::max_element(values.begin(), values.end()) > *std::min_element(values.begin(), values.end()))) continue;
+    const std::vector<Eigen::VectorXd> forms = forms_of(data.time_s, values, rows);
+    const Eigen::Index first = library.columns.cols();
+    library.columns.conservativeResize(Eigen::NoChange, first + static_cast<Eigen::Index>(forms.size()));
+    for (std::size_t k = 0; k < forms.size(); ++k) library.columns.col(first + static_cast<Eigen::Index>(k)) = forms[k];
+    library.families.push_back({{&any_form(), {name}}, library.signatures.size(), 1});
+    library.signatures.push_back(
+        {library.families.size() - 1, {}, first, static_cast<Eigen::Index>(forms.size()), 1.0});
+  }
+}
+
+}  // namespace ballbar

@@ -1,0 +1,146 @@
+#include "diagnosis/posterior/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "diagnosis/posterior/any_form.hpp"
+#include "series/subsampled.hpp"
+
+namespace ballbar {
+namespace {
+
+// Effects alike, columns of an effect alike.
+std::vector<double> log_priors_of(const SignatureLibrary& library) {  // those of any form are an effect as well
+  std::map<const Effect*, double> families;
+  for (const Family& family : library.families) families[family.bound.effect] += 1.0;
+  std::vector<double> result;
+  result.reserve(library.families.size());
+  for (const Family& family : library.families) {
+    result.push_back(-std::log(static_cast<double>(families.size())) - std::log(families[family.bound.effect]));
+  }
+  return result;
+}
+
+// Whether a time constant of the shape is 0 where it could be more.
+bool acts_at_once(const Effect& effect, const std::vector<double>& point) {
+  for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
+    const Parameter& parameter = effect.parameters[k];
+    const bool may_lag = parameter.kind == ParameterKind::shape && parameter.unit == "s" && parameter.grid.size() > 1;
+    if (may_lag && parameter.grid.front() == 0.0 && point[k] == 0.0) return true;
+  }
+  return false;
+}
+
+std::vector<double> log_priors_of_shapes(const SignatureLibrary& library) {
+  std::vector<double> result(library.signatures.size());
+  for (const Family& family : library.families) {
+    std::size_t at_once = 0;
+    const auto is_at_once = [&](std::size_t i) {
+      return acts_at_once(*family.bound.effect, library.signatures[i].point);
+    };
+    for (std::size_t i = family.first; i < family.first + family.count; ++i) at_once += is_at_once(i) ? 1 : 0;
+    const std::size_t others = family.count - at_once;
+    for (std::size_t i = family.first; i < family.first + family.count; ++i) {
+      const double share = at_once == 0 || others == 0 ? 1.0 : 0.5;
+      result[i] = std::log(share / static_cast<double>(is_at_once(i) ? at_once : others));
+    }
+  }
+  return result;
+}
+
+// By least squares; of a model that holds everything what it predicts.
+Fit base_fit(const Model& model, const Series& data, std::size_t target) {
+  if (has_free(model)) return fit(model, data, target, {.white = true});
+  Model free = model;
+  free.constant_um.reset();
+  Fit result = fit(free, data, target, {.white = true});
+  const double held = model.constant_um.value_or(0.0), found = result.parameters.front().value;
+  result.parameters.front().value = held;
+  result.parameters.front().state = ParameterState::held;
+  for (std::size_t i = 0; i < result.row.size(); ++i) {
+    result.predicted_um[i] += held - found;
+    result.residual_um[i] -= held - found;
+  }
+  result.jacobian.setZero();
+  return result;
+}
+
+std::vector<OwnParameter> own_of(const Model& model) {
+  std::vector<OwnParameter> own;
+  std::size_t place = 1;
+  for (const Term& term : model.terms) {
+    for (std::size_t k = 0; k < term.settings.size(); ++k, ++place) {
+      const Parameter& parameter = term.effect->parameters[k];
+      if (!term.settings[k].held || parameter.kind == ParameterKind::gain || parameter.shape_of != ShapeOf::curve)
+        continue;
+      if (parameter.grid.empty() && parameter.unit != "s") continue;  // a dimension of the part
+      own.push_back({place, term.settings[k].start});
+    }
+  }
+  return own;
+}
+
+}  // namespace
+
+void free_rows_at_jumps(Problem& problem, bool wide) {
+  const Fit& base = problem.base;
+  std::map<std::size_t, std::size_t> place;
+  for (std::size_t i = 0; i < base.row.size(); ++i) place[base.row[i]] = i;
+  for (const LoggedInput& input : problem.logged.inputs) {
+    for (const Jump& jump : input.jumps) {
+      const std::size_t inside = wide ? 0 : 1, width = wide ? jump.last - jump.first : 0;
+      const std::size_t first = jump.first + inside > width ? jump.first + inside - width : 0;
+      for (std::size_t row = first; row < jump.last + (wide ? 1 : 0); ++row) {
+        if (const auto at = place.find(row); at != place.end())
+          problem.relative_variance[at->second] = std::max(problem.relative_variance[at->second], kUnknownRow);
+      }
+    }
+  }
+}
+
+std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std::size_t target,
+                                    const ProblemOptions& options) {
+  auto problem = std::make_unique<Problem>();
+  problem->model = model;
+  const std::string& name = model.targets.at(target);
+  problem->logged = logged_inputs(subsampled(data, name, options.most_rows), model.targets);
+  problem->base = base_fit(model, problem->logged.series, target);
+  const Fit& base = problem->base;
+  problem->time_s = base.time_s;
+  const auto n = static_cast<Eigen::Index>(base.row.size());
+  problem->y = Eigen::VectorXd::Map(base.measured_um.data(), n);
+  problem->relative_variance.assign(base.row.size(), 1.0);
+  if (!base.sigma_um.empty()) {
+    double mean = 0.0;
+    for (const double sigma : base.sigma_um) mean += sigma * sigma / static_cast<double>(n);
+    for (std::size_t i = 0; i < base.sigma_um.size(); ++i)
+      problem->relative_variance[i] = base.sigma_um[i] * base.sigma_um[i] / mean;
+    problem->known = {4.0, mean};
+  }
+  free_rows_at_jumps(*problem, false);
+  problem->base_model = std::make_unique<BaseModel>(problem->model, problem->logged, problem->y, base.row);
+  SignatureOptions signatures = options.signatures;
+  signatures.fine = true;
+  signatures.every_onset = false;
+  problem->library = signature_library_of(options.catalogue, model, problem->logged.series, base, signatures);
+  problem->effects = problem->library.families.size();
+  if (model.level == Level::series) add_any_forms(problem->library, problem->logged.series, base.row);
+  problem->signatures = problem->library.columns;
+  problem->deviation = Eigen::VectorXd::Ones(problem->signatures.cols());
+  for (Eigen::Index k = 0; k < problem->signatures.cols(); ++k) {
+    auto column = problem->signatures.col(k);
+    const double mean = column.mean();
+    const double deviation = std::sqrt((column.array() - mean).square().mean());
+    if (!(deviation > 0.0)) continue;
+    column /= deviation;
+    problem->deviation[k] = deviation;
+  }
+  problem->log_prior = log_priors_of(problem->library);
+  problem->log_prior_of_shape = log_priors_of_shapes(problem->library);
+  problem->own = own_of(model);
+  return problem;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,74 @@
+// One diagnosis: the readings, the model, what an effect could add, and at which covariances the readings are likely.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ballbar/fit/fit.hpp"
+#include "ballbar/model/model.hpp"
+#include "ballbar/series/series.hpp"
+#include "diagnosis/evidence/base_columns.hpp"
+#include "diagnosis/evidence/covariance.hpp"
+#include "diagnosis/evidence/evidence.hpp"
+#include "diagnosis/evidence/logged_inputs.hpp"
+#include "diagnosis/signatures/signature_library.hpp"
+
+namespace ballbar {
+
+// A parameter that the model holds, set free.
+struct OwnParameter {
+  std::size_t parameter = 0;  // by its place, the constant first
+  double held = 0.0;
+};
+
+// The model about some parameters: what a set of effects is added to.
+struct Variant {
+  std::size_t own = 0;  // 0: the model as it is; else OwnParameter own - 1 is free
+  std::vector<double> parameters;
+  Eigen::MatrixXd times;
+  RowMajorMatrix pool;
+  Line line;
+};
+
+// A covariance at which the readings are likely.
+struct Point {
+  Covariance covariance;
+  CovarianceFilter filter;
+};
+
+struct Problem {
+  Model model;
+  LoggedInputs logged;
+  Fit base;
+  std::vector<double> time_s, relative_variance;
+  Eigen::VectorXd y;
+  KnownScatter known;
+  std::unique_ptr<BaseModel> base_model;
+  SignatureLibrary library;
+  RowMajorMatrix signatures;       // n by all columns of the library, each of deviation 1
+  Eigen::VectorXd deviation;       // of the library's columns before that
+  std::size_t effects = 0;         // families of effects; those behind them are inputs of any form
+  std::vector<double> log_prior;   // of each family: effects alike, columns of an effect alike
+  std::vector<double> log_prior_of_shape;  // of each signature in its family: alike, but half where it acts at once
+  std::vector<OwnParameter> own;
+};
+
+struct ProblemOptions {
+  SignatureOptions signatures;
+  Catalogue catalogue;
+  std::size_t most_rows = 1000;  // values of the target
+};
+
+// Row by row what the logs leave open of jumps: rows strictly inside the time of a jump; wide: those at its ends as well.
+void free_rows_at_jumps(Problem& problem, bool wide);
+
+// Throws Error as fit does.
+std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std::size_t target,
+                                    const ProblemOptions& options);
+
+}  // namespace ballbar

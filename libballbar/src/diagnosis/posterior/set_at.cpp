@@ -1,0 +1,74 @@
+#include "diagnosis/posterior/set_at.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+namespace ballbar {
+namespace {
+
+Eigen::MatrixXd filtered(const CovarianceFilter& filter, const Eigen::MatrixXd& columns) {
+  RowMajorMatrix block = columns;
+  RowMajorMatrix state = RowMajorMatrix::Zero(3, columns.cols());
+  filter.apply(0, block, state);
+  return block;
+}
+
+}  // namespace
+
+Eigen::MatrixXd SetAt::white(const CovarianceFilter& filter, const Eigen::MatrixXd& columns) const {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(white_y.size(), columns.cols());
+  result.topRows(columns.rows()) = filtered(filter, columns);
+  return result;
+}
+
+SetAt set_at(const Problem& problem, const Posterior& posterior, const EffectSet& set) {
+  const Point& point = posterior.points[set.point];
+  const Variant& variant = posterior.variants[set.variant];
+  SetAt result;
+  result.y = variant.pool.col(variant.line.y);
+  result.line = variant.pool(Eigen::all, variant.line.columns);
+  Eigen::Index width = 0;
+  for (const std::size_t i : set.signatures) {
+    const Signature& one = problem.library.signatures[i];
+    result.first.push_back(width);
+    result.width.push_back(one.width);
+    width += one.width;
+  }
+  result.members.resize(result.y.size(), width);
+  for (std::size_t k = 0; k < set.signatures.size(); ++k) {
+    const Signature& one = problem.library.signatures[set.signatures[k]];
+    result.members.middleCols(result.first[k], one.width) = problem.signatures.middleCols(one.first, one.width);
+  }
+  const Eigen::Index n = result.y.size();
+  const auto known = static_cast<Eigen::Index>(
+      std::count(variant.line.is_free.begin(), variant.line.is_free.end(), char{0}));
+  Eigen::MatrixXd all(n, result.line.cols() + width);
+  all << result.line, result.members;
+  const Eigen::MatrixXd white_all = filtered(point.filter, all);
+  const Eigen::VectorXd white_y = filtered(point.filter, result.y);
+  result.degrees = std::max(1.0, static_cast<double>(n - result.line.cols() + known - width));
+  // The scatter and the prior of the known columns by turns.
+  Eigen::MatrixXd x = Eigen::MatrixXd::Zero(n + known, all.cols());
+  x.topRows(n) = white_all;
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(n + known);
+  b.head(n) = white_y;
+  result.variance = 0.0;
+  for (int round = 0; round < 3; ++round) {
+    Eigen::Index row = n;
+    for (std::size_t k = 0; k < variant.line.is_free.size(); ++k) {
+      if (variant.line.is_free[k] != 0) continue;
+      const auto column = static_cast<Eigen::Index>(k);
+      x(row++, column) = round == 0 ? 30.0 * white_all.col(column).norm() : std::sqrt(result.variance);
+    }
+    const Eigen::VectorXd left = b - x * x.completeOrthogonalDecomposition().solve(b);
+    result.variance = (left.squaredNorm() + problem.known.readings * problem.known.variance) /
+                      (result.degrees + problem.known.readings);
+  }
+  result.white_y = b;
+  result.white_line = x.leftCols(result.line.cols());
+  result.white_members = x.rightCols(width);
+  return result;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,116 @@
+#include "diagnosis/posterior/weighed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "diagnosis/posterior/set_at.hpp"
+#include "fit/linearised_fit.hpp"
+#include "noise/whitening.hpp"
+#include "numerics/orthonormal.hpp"
+
+namespace ballbar {
+namespace {
+
+// Whether rows at the ends of jumps show what a clock that is late would.
+bool has_late_clock(const Problem& problem, const Posterior& posterior, const SetAt& at) {
+  const Fit& base = problem.base;
+  std::map<std::size_t, Eigen::Index> place;
+  for (std::size_t i = 0; i < base.row.size(); ++i) place[base.row[i]] = static_cast<Eigen::Index>(i);
+  Eigen::MatrixXd pulses = Eigen::MatrixXd::Zero(at.y.size(), 2 * static_cast<Eigen::Index>(problem.logged.inputs.size()));
+  Eigen::Index column = 0;
+  for (const LoggedInput& input : problem.logged.inputs) {
+    if (input.jumps.empty()) continue;
+    for (const Jump& jump : input.jumps) {
+      for (const std::size_t row : {jump.first, jump.last}) {
+        if (const auto there = place.find(row); there != place.end())
+          pulses(there->second, column + (row == jump.last ? 1 : 0)) = jump.after - jump.before;
+      }
+    }
+    column += 2;
+  }
+  if (column == 0) return false;
+  const CovarianceFilter& filter = posterior.points[posterior.sets.front().point].filter;
+  Eigen::MatrixXd all(at.white_line.rows(), at.white_line.cols() + at.white_members.cols());
+  all << at.white_line, at.white_members;
+  const Eigen::MatrixXd basis = orthonormal(all);
+  const Eigen::VectorXd r = freed(at.white_y, basis);
+  const Eigen::MatrixXd left = freed(at.white(filter, pulses.leftCols(column)), basis);
+  for (Eigen::Index k = 0; k < column; ++k) {
+    const double square = left.col(k).squaredNorm();
+    if (square > 1e-9 && std::pow(left.col(k).dot(r), 2) / square / at.variance > kLateClock) return true;
+  }
+  return false;
+}
+
+// Readings far from the others count less, as of Student's t with four degrees of freedom. False: there are none.
+bool weigh_down_outliers(Problem& problem, const SetAt& at) {
+  Eigen::MatrixXd all(at.white_line.rows(), at.white_line.cols() + at.white_members.cols());
+  all << at.white_line, at.white_members;
+  const Eigen::VectorXd r = freed(at.white_y, orthonormal(all)).head(at.y.size()) / std::sqrt(at.variance);
+  if (!has_heavy_tails(r)) return false;
+  bool any = false;
+  for (Eigen::Index i = 0; i < r.size(); ++i) {
+    const double weight = (r[i] * r[i] + 4.0) / 5.0;
+    if (weight < kOutlier) continue;
+    problem.relative_variance[static_cast<std::size_t>(i)] *= weight * kOutlierVariance;
+    any = true;
+  }
+  return any;
+}
+
+}  // namespace
+
+Weighed weighed(const Model& model, const Series& data, std::size_t target, const ProblemOptions& options,
+                const std::vector<BoundEffect>& wanted, const std::function<void(std::string_view)>& tell) {
+  Weighed result;
+  result.problem = problem_of(model, data, target, options);
+  Problem& problem = *result.problem;
+  const std::size_t values = problem.time_s.size(), parameters = used_parameters(problem.base).size();
+  if (values > parameters) result.largest = std::min(kLargestSet, (values - parameters) / kValuesForAnEffect);
+  std::vector<std::size_t> families;
+  for (const BoundEffect& bound : wanted) {
+    if (const auto family = family_of(problem, bound)) families.push_back(*family);
+  }
+  if (families.size() != wanted.size()) families.clear();
+  if (result.largest == 0) return result;
+  std::set<const Effect*> effects;
+  for (std::size_t f = 0; f < problem.effects; ++f) effects.insert(problem.library.families[f].bound.effect);
+  if (tell) tell(fmt::format("weighing {} shapes of {} effects", problem.library.signatures.size(), effects.size()));
+  result.posterior = posterior_of(problem, result.largest, families);
+  const SetAt at = set_at(problem, result.posterior, result.posterior.sets.front());
+  const bool late = model.level == Level::series && has_late_clock(problem, result.posterior, at);
+  if (late) free_rows_at_jumps(problem, true);
+  const bool outliers = weigh_down_outliers(problem, at);
+  if (!late && !outliers) return result;
+  if (tell) tell(late ? "weighing again without the rows at changes of an input" : "weighing again, outliers less");
+  result.posterior = posterior_of(problem, result.largest, families);
+  return result;
+}
+
+std::optional<std::size_t> family_of(const Problem& problem, const BoundEffect& bound) {
+  for (std::size_t f = 0; f < problem.effects; ++f) {
+    const BoundEffect& one = problem.library.families[f].bound;
+    if (one.effect->name == bound.effect->name && one.columns == bound.columns) return f;
+  }
+  return std::nullopt;
+}
+
+double log_bayes_factor(const Problem& problem, const Posterior& posterior, const std::vector<std::size_t>& families) {
+  double with = -std::numeric_limits<double>::infinity(), without = with;
+  for (const EffectSet& set : posterior.sets) {
+    if (set.own != 0) continue;
+    const double prior = log_prior_of_set(problem, set.families, 0);
+    if (set.families.empty()) without = set.log_weight - prior;
+    if (set.families == families) with = set.log_weight - prior;
+  }
+  return 2.0 * (with - without);
+}
+
+}  // namespace ballbar

@@ -1,0 +1,34 @@
+// A model, data, and the posterior over sets of effects: what every command that judges an effect starts from.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "diagnosis/posterior/search.hpp"
+
+namespace ballbar {
+
+struct Weighed {
+  std::unique_ptr<Problem> problem;
+  Posterior posterior;      // empty where nothing can be weighed
+  std::size_t largest = 0;  // effects of a set, by the number of values
+};
+
+// Where clocks prove late, or readings lie far from the others, once more without what that spoils. wanted: a set that
+// is weighed in any case. Throws Error as fit does.
+Weighed weighed(const Model& model, const Series& data, std::size_t target, const ProblemOptions& options,
+                const std::vector<BoundEffect>& wanted = {},
+                const std::function<void(std::string_view)>& tell = [](std::string_view) {});
+
+// The family of the library; nothing: it has none.
+std::optional<std::size_t> family_of(const Problem& problem, const BoundEffect& bound);
+
+// 2 ln of how much more likely the readings are with this set beside the model than without: gains, shapes and noise
+// integrated out. -infinity: not weighed.
+double log_bayes_factor(const Problem& problem, const Posterior& posterior, const std::vector<std::size_t>& families);
+
+}  // namespace ballbar

@@ -1,0 +1,126 @@
+#include "diagnosis/verdict/fitted_set.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ballbar/numerics/range.hpp"
+#include "diagnosis/evidence/refined.hpp"
+#include "model/model_rows.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double k95 = 1.959964;
+
+Model with_set(const Problem& problem, const EffectSet& set) {
+  Model model = problem.model;
+  if (set.own > 0) {
+    const std::size_t parameter = problem.own[set.own - 1].parameter;
+    const std::size_t t = problem.base_model->term_of(parameter);
+    std::size_t first = 1;
+    for (std::size_t k = 0; k < t; ++k) first += model.terms[k].settings.size();
+    model.terms[t].settings[parameter - first].held = false;
+  }
+  for (const std::size_t i : set.signatures) {
+    const Signature& one = problem.library.signatures[i];
+    const BoundEffect& bound = problem.library.families[one.family].bound;
+    Term term = ballbar::term_of(*bound.effect, bound.columns);
+    for (std::size_t k = 0; k < term.settings.size(); ++k) {
+      if (bound.effect->parameters[k].kind == ParameterKind::gain) continue;
+      term.settings[k].start = one.point[k];
+      term.settings[k].stated = true;
+    }
+    model.terms.push_back(std::move(term));
+  }
+  return model;
+}
+
+}  // namespace
+
+FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const EffectSet& set) {
+  const Variant& variant = posterior.variants[set.variant];
+  const CovarianceFilter& filter = posterior.points[set.point].filter;
+  FittedSet result;
+  result.model = with_set(problem, set);
+  std::vector<double> start = variant.parameters;
+  for (std::size_t t = problem.model.terms.size(); t < result.model.terms.size(); ++t) {
+    for (const Setting& setting : result.model.terms[t].settings) start.push_back(setting.start);
+  }
+  const BaseModel model(result.model, problem.logged, problem.y, problem.base.row);
+  const Refined best = refined(model, start, {}, variant.times, filter, problem.known, 12);
+
+  const BaseColumns columns = model.at(best.parameters);
+  const Gram gram = gram_of(filter, pool_of(columns, variant.times), RowMajorMatrix(variant.times.rows(), 0));
+  const Line line = line_of(columns, variant.times.cols(), 0);
+  const Solved solution = solved(gram, line, problem.known);
+  Eigen::MatrixXd a = gram.pool(line.columns, line.columns);
+  for (Eigen::Index k = 0; k < a.rows(); ++k) {
+    if (!line.is_free[static_cast<std::size_t>(k)]) a(k, k) += solution.variance;
+  }
+  const Eigen::VectorXd scale = a.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  Eigen::MatrixXd unit = scale.asDiagonal() * a * scale.asDiagonal();
+  unit.diagonal().array() += 1e-12;
+  const Eigen::MatrixXd covariance =
+      scale.asDiagonal() * unit.llt().solve(Eigen::MatrixXd::Identity(a.rows(), a.rows())) * scale.asDiagonal();
+
+  result.parameters.push_back({"constant", "constant_um", "um", best.parameters[0]});
+  result.parameters.front().state = ParameterState::held;
+  for (const Term& term : result.model.terms) {
+    for (std::size_t k = 0; k < term.settings.size(); ++k) {
+      const Parameter& parameter = term.effect->parameters[k];
+      FittedParameter one{label_of(term), parameter.name, parameter.unit, best.parameters[result.parameters.size()]};
+      one.kind = parameter.kind;
+      one.shape_of = parameter.shape_of;
+      one.state = ParameterState::held;
+      one.sigma = std::numeric_limits<double>::quiet_NaN();
+      result.parameters.push_back(std::move(one));
+    }
+  }
+  result.intervals.assign(result.parameters.size(), {});
+  for (std::size_t k = 0; k < columns.columns.size(); ++k) {
+    const BaseColumn& column = columns.columns[k];
+    const auto at = static_cast<Eigen::Index>(k);
+    FittedParameter& one = result.parameters[column.parameter];
+    one.state = ParameterState::free;
+    one.sigma = std::sqrt(solution.variance * covariance(at, at)) * column.scale;
+    Interval& interval = result.intervals[column.parameter];
+    const bool in_logarithm = column.kind == BaseColumn::Kind::shape && one.value > 0.0 && one.unit != "1";
+    if (in_logarithm) {
+      const double factor = std::exp(k95 * one.sigma / one.value);
+      interval = {one.value / factor, one.value * factor};
+    } else {
+      interval = {one.value - k95 * one.sigma, one.value + k95 * one.sigma};
+    }
+  }
+  // What each adds, by its columns and their covariance about its largest difference.
+  const ModelRows rows(result.model, problem.logged.series, problem.base.row);
+  Eigen::VectorXd sum = Eigen::VectorXd::Constant(problem.y.size(), best.parameters[0]);
+  std::size_t place = 1;
+  for (std::size_t t = 0; t < result.model.terms.size(); ++t) {
+    const Eigen::VectorXd added = rows.term(t, best.parameters.data() + place, nullptr);
+    sum += added;
+    if (t >= problem.model.terms.size()) {
+      Eigen::Index low = 0, high = 0;
+      added.minCoeff(&low);
+      added.maxCoeff(&high);
+      Eigen::VectorXd slope = Eigen::VectorXd::Zero(a.rows());
+      for (std::size_t k = 0; k < columns.columns.size(); ++k) {
+        const std::size_t parameter = columns.columns[k].parameter;
+        if (columns.columns[k].kind == BaseColumn::Kind::constant || parameter < place ||
+            parameter >= place + result.model.terms[t].settings.size()) continue;
+        const auto at = static_cast<Eigen::Index>(k);
+        slope[at] = columns.values(high, at) - columns.values(low, at);
+      }
+      result.amplitude_um.push_back(added[high] - added[low]);
+      result.amplitude_sigma_um.push_back(
+          std::sqrt(std::max(0.0, solution.variance * slope.dot(covariance * slope))));
+    }
+    place += result.model.terms[t].settings.size();
+  }
+  result.rmse_um = std::sqrt((problem.y - sum).squaredNorm() / static_cast<double>(problem.y.size()));
+  return result;
+}
+
+}  // namespace ballbar

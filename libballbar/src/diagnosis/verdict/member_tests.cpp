@@ -1,0 +1,190 @@
+#include "diagnosis/verdict/member_tests.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "diagnosis/surrogates/surrogate_recordings.hpp"
+#include "numerics/orthonormal.hpp"
+#include "numerics/tails.hpp"
+#include "series/folds.hpp"
+
+namespace ballbar {
+namespace {
+
+// Columns of the line and of the other members, then those of this one; white.
+Eigen::MatrixXd others_of(const SetAt& at, std::size_t member, bool white) {
+  const Eigen::MatrixXd& line = white ? at.white_line : at.line;
+  const Eigen::MatrixXd& members = white ? at.white_members : at.members;
+  Eigen::MatrixXd result(line.rows(), line.cols() + members.cols() - at.width[member]);
+  result.leftCols(line.cols()) = line;
+  Eigen::Index next = line.cols();
+  for (std::size_t k = 0; k < at.first.size(); ++k) {
+    if (k == member) continue;
+    result.middleCols(next, at.width[k]) = members.middleCols(at.first[k], at.width[k]);
+    next += at.width[k];
+  }
+  return result;
+}
+
+double p_same_gain(const SetAt& at, const Eigen::MatrixXd& others, const Eigen::MatrixXd& own,
+                   const std::vector<std::size_t>& fold, std::size_t folds) {
+  Eigen::MatrixXd apart = Eigen::MatrixXd::Zero(own.rows(), own.cols() * static_cast<Eigen::Index>(folds));
+  for (std::size_t i = 0; i < fold.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    apart.block(row, static_cast<Eigen::Index>(fold[i]) * own.cols(), 1, own.cols()) = own.row(row);
+  }
+  Eigen::MatrixXd together(own.rows(), others.cols() + own.cols());
+  together << others, own;
+  const Eigen::MatrixXd basis = orthonormal(together);
+  const Eigen::VectorXd r = freed(at.white_y, basis);
+  const Eigen::MatrixXd left = freed(apart, basis);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(left);
+  qr.setThreshold(kOwnDirection);
+  const Eigen::Index degrees = qr.rank();
+  if (degrees == 0) return 1.0;
+  const Eigen::MatrixXd directions = qr.householderQ() * Eigen::MatrixXd::Identity(left.rows(), degrees);
+  const double chi2 = (directions.transpose() * r).squaredNorm() / at.variance;
+  return chi2_upper_tail(chi2, static_cast<std::size_t>(degrees));
+}
+
+// Readings of each fold predicted from all others: ln of their likelihood, and what was not predicted, um.
+struct LeftOut {
+  std::vector<double> log_likelihood;  // of each fold
+  double rmse_um = 0.0;
+};
+
+LeftOut left_out(const SetAt& at, const Eigen::MatrixXd& white, const Eigen::MatrixXd& plain,
+                 const std::vector<std::size_t>& fold, std::size_t folds) {
+  const Eigen::Index k = white.cols();
+  const Eigen::VectorXd scale = white.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  const Eigen::MatrixXd x = white * scale.asDiagonal();
+  Eigen::MatrixXd gram = x.transpose() * x;
+  gram.diagonal().array() += kLeftOutRidge;
+  const Eigen::VectorXd xy = x.transpose() * at.white_y;
+  const double yy = at.white_y.squaredNorm();
+  const auto evidence = [&](const Eigen::MatrixXd& g, const Eigen::VectorXd& b, double square, Eigen::VectorXd* beta) {
+    const Eigen::LLT<Eigen::MatrixXd> factor(g);
+    const Eigen::VectorXd solution = factor.solve(b);
+    if (beta != nullptr) *beta = solution;
+    const Eigen::MatrixXd lower = factor.matrixL();
+    return -0.5 * (square - b.dot(solution)) / at.variance - lower.diagonal().array().max(1e-300).log().sum();
+  };
+  const double all = evidence(gram, xy, yy, nullptr);
+  LeftOut result;
+  result.log_likelihood.resize(folds);
+  for (std::size_t out = 0; out < folds; ++out) {
+    std::vector<Eigen::Index> rows;
+    for (std::size_t i = 0; i < fold.size(); ++i) {
+      if (fold[i] == out) rows.push_back(static_cast<Eigen::Index>(i));
+    }
+    const Eigen::MatrixXd own = x(rows, Eigen::all);
+    const Eigen::VectorXd own_y = at.white_y(rows);
+    Eigen::VectorXd beta(k);
+    const double rest = evidence(gram - own.transpose() * own, xy - own.transpose() * own_y,
+                                 yy - own_y.squaredNorm(), &beta);
+    result.log_likelihood[out] = all - rest;
+    const Eigen::VectorXd coefficients = scale.asDiagonal() * beta;
+    for (const Eigen::Index row : rows) result.rmse_um += std::pow(at.y[row] - plain.row(row).dot(coefficients), 2);
+  }
+  result.rmse_um = std::sqrt(result.rmse_um / static_cast<double>(fold.size()));
+  return result;
+}
+
+double share_of_one_fold(const Eigen::MatrixXd& others, const Eigen::MatrixXd& own,
+                         const std::vector<std::size_t>& fold, std::size_t folds) {
+  const Eigen::MatrixXd added = freed(own, orthonormal(others));
+  std::vector<double> square(folds, 0.0);
+  for (std::size_t i = 0; i < fold.size(); ++i)
+    square[fold[i]] += added.row(static_cast<Eigen::Index>(i)).squaredNorm();
+  const double all = added.squaredNorm();
+  return all > 0.0 ? *std::max_element(square.begin(), square.end()) / all : 0.0;
+}
+
+std::optional<BestSurrogate> surrogate_of(const Problem& problem, const Posterior& posterior, const EffectSet& set,
+                                          const SetAt& at, std::size_t member, std::size_t count, std::uint64_t seed) {
+  const Signature& signature = problem.library.signatures[set.signatures[member]];
+  const Family& family = problem.library.families[signature.family];
+  if (family.bound.effect->time_only || family.bound.effect->inputs.empty() || count == 0) return std::nullopt;
+  const CovarianceFilter& filter = posterior.points[set.point].filter;
+  Background background;
+  background.time_s = problem.time_s;
+  background.whiten = [&](const Eigen::MatrixXd& columns) { return at.white(filter, columns); };
+  background.white.basis = orthonormal(others_of(at, member, true));
+  background.white.residual = freed(at.white_y, background.white.basis);
+  background.plain.basis = orthonormal(others_of(at, member, false));
+  background.plain.residual = freed(at.y, background.plain.basis);
+  SurrogateSource source{family.bound, {signature.point}, {}};
+  std::optional<BestSurrogate> best;
+  if (family.bound.effect->level == Level::series) {
+    best = best_surrogate(source, problem.logged.series, background, count, seed);
+  } else {
+    source.added_um = at.members.col(at.first[member]);
+    best = best_recording_surrogate(source, problem.logged.series, problem.base.row, background, count, seed);
+  }
+  if (best) best->gain /= at.variance;
+  return best;
+}
+
+}  // namespace
+
+MemberTests member_tests(const Problem& problem, const Posterior& posterior, const EffectSet& set, const SetAt& at,
+                         std::size_t member, const std::vector<std::size_t>& fold, std::size_t surrogates,
+                         std::uint64_t seed) {
+  const std::size_t folds = *std::max_element(fold.begin(), fold.end()) + 1;
+  const Eigen::MatrixXd others = others_of(at, member, true), plain_others = others_of(at, member, false);
+  const Eigen::MatrixXd own = at.white_members.middleCols(at.first[member], at.width[member]);
+  Eigen::MatrixXd with(others.rows(), others.cols() + own.cols()), plain_with(plain_others.rows(), with.cols());
+  with << others, own;
+  plain_with << plain_others, at.members.middleCols(at.first[member], at.width[member]);
+  MemberTests tests;
+  tests.p_same_gain = p_same_gain(at, others, own, fold, folds);
+  const LeftOut before = left_out(at, others, plain_others, fold, folds);
+  const LeftOut after = left_out(at, with, plain_with, fold, folds);
+  tests.held_out_before_um = before.rmse_um;
+  tests.held_out_after_um = after.rmse_um;
+  double best = 0.0;
+  for (std::size_t f = 0; f < folds; ++f) {
+    const double gained = after.log_likelihood[f] - before.log_likelihood[f];
+    tests.held_out_evidence += gained;
+    best = std::max(best, gained);
+  }
+  tests.held_out_evidence -= best;
+  tests.in_one_fold = share_of_one_fold(others, own, fold, folds);
+  const Eigen::MatrixXd basis = orthonormal(others), whole = orthonormal(with);
+  tests.gain = (freed(at.white_y, basis).squaredNorm() - freed(at.white_y, whole).squaredNorm()) / at.variance;
+  tests.surrogate = surrogate_of(problem, posterior, set, at, member, surrogates, seed);
+  return tests;
+}
+
+double held_out_um(const Weighed& weighed) {
+  if (weighed.posterior.sets.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const Problem& problem = *weighed.problem;
+  const auto none = std::find_if(weighed.posterior.sets.begin(), weighed.posterior.sets.end(),
+                                 [](const EffectSet& set) { return set.families.empty() && set.own == 0; });
+  const SetAt at = set_at(problem, weighed.posterior, *none);
+  const std::vector<std::size_t> fold = folds_of(problem.logged.series, problem.base.row);
+  return left_out(at, at.white_line, at.line, fold, *std::max_element(fold.begin(), fold.end()) + 1).rmse_um;
+}
+
+std::vector<std::string> doubts_of(const MemberTests& tests, bool of_recordings) {
+  std::vector<std::string> doubts;
+  if (tests.p_same_gain < kSameGain) {
+    doubts.emplace_back(of_recordings ? "its gain differs from recording to recording"
+                                      : "its gain differs from cycle to cycle");
+  }
+  if (tests.in_one_fold > kInOneFold) {
+    doubts.emplace_back(of_recordings ? "one recording alone shows it" : "one cycle alone shows it");
+  } else if (tests.held_out_evidence < kHeldOutEvidence) {
+    doubts.emplace_back(of_recordings ? "recordings left out are not predicted better"
+                                      : "cycles left out are not predicted better");
+  }
+  if (tests.surrogate && !(tests.gain > tests.surrogate->gain))
+    doubts.emplace_back("a surrogate of the same smoothness does as well");
+  return doubts;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,28 @@
+// A member of a set as a candidate: what it adds, how probable it is, its tests.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "ballbar/diagnosis/verdict/candidate.hpp"
+#include "diagnosis/posterior/set_at.hpp"
+#include "diagnosis/posterior/weighed.hpp"
+#include "diagnosis/verdict/fitted_set.hpp"
+
+namespace ballbar {
+
+// Share of the posterior in sets with this family.
+double probability_of(const Posterior& posterior, std::size_t family);
+
+// `member` of the set: its parameters, intervals and amplitude, its probability, evidence alone beside the model.
+Candidate described_member(const Weighed& weighed, const EffectSet& set, const FittedSet& fitted, std::size_t member);
+
+// The same with its tests. surrogates: how many, 0: none.
+Candidate tested_member(const Weighed& weighed, const EffectSet& set, const FittedSet& fitted, const SetAt& at,
+                        std::size_t member, std::size_t surrogates, std::uint64_t seed);
+
+// 2 ln of how much more likely the readings are with the set than without this member.
+double log_bayes_factor_of_member(const Weighed& weighed, const EffectSet& set, std::size_t member);
+
+}  // namespace ballbar
