@@ -40,15 +40,6 @@ TEST(Ledger, row_of_a_constant_by_hand) {
   EXPECT_TRUE(std::isnan(found.likelihood_ratio));
 }
 
-TEST(Ledger, family_wise_error_is_spent_by_additions) {
-  std::vector<LedgerRow> rows{row(0, "start", 1.0, 1.0, 1.0)};
-  EXPECT_EQ(family_wise_error(rows), 0.0);
-  rows.push_back(row(1, "+ step, + settling", 1.0, 1.0, 1.0));  // one search
-  rows.push_back(row(2, "- step", 1.0, 1.0, 1.0));
-  rows.push_back(row(3, "- settling, + linear_drift", 1.0, 1.0, 1.0));
-  EXPECT_NEAR(family_wise_error(rows), 0.02, 1e-15);
-}
-
 TEST(Ledger, sentence_of_the_start) {
   EXPECT_EQ(sentence(row(0, "start", 12.34, 4.0, 140.4), nullptr),
             "The model started with RMSE 12.3 um (4.00 times the floor), left-out cycles 140 um.");
@@ -71,7 +62,7 @@ TEST(Ledger, sentence_of_an_addition) {
   EXPECT_EQ(
       sentence(after, &before),
       "Revision 2 added lagged_expansion(T16_degC): RMSE 12.3 -> 3.10 um (14.0 -> 1.00 times the floor), left-out "
-      "cycles 14.0 -> 3.90 um; likelihood ratio 431.2, which counts from 25.0, and a surrogate effect would have "
+      "cycles 14.0 -> 3.90 um; 2 ln B 431.2, which counts from 25.0, and a surrogate effect would have "
       "bought up to "
       "27 %; speed_heating(speed_rpm) is still needed.");
 }
