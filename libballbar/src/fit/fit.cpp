@@ -118,11 +118,11 @@ Fit fit(const Model& model, const Series& data, std::size_t target, const FitOpt
   const ModelRows rows(model, data, result.row);
   const Bounds bounds = bounds_of(model, rows);
   const auto free = static_cast<std::size_t>(std::count(bounds.held.begin(), bounds.held.end(), false));
-  const Problem problem{rows, measured, bounds, free};
+  const FitProblem problem{rows, measured, bounds, free};
   Weighting plain{Eigen::VectorXd::Ones(n)};
   for (std::size_t i = 0; i < result.sigma_um.size(); ++i)
     plain.row[static_cast<Eigen::Index>(i)] /= result.sigma_um[i];
-  Solved best{best_of(problem, plain, starts(model, rows, measured, plain.row, options.starts)), plain, {}};
+  SolvedFit best{best_of(problem, plain, starts(model, rows, measured, plain.row, options.starts)), plain, {}};
   if (options.robust) {
     best = reweighted(
         problem, [&](const auto&) { return plain; }, std::move(best));

@@ -17,11 +17,11 @@ constexpr int kNoiseRounds = 2, kRobustNoiseRounds = 4;
 constexpr int kMostSteps = 100;
 constexpr double kWorseByWhitening = 1.5;  // rms: the slow part of the data was given up
 
-Eigen::VectorXd residual_of(const Problem& problem, const Solved& solved) {
+Eigen::VectorXd residual_of(const FitProblem& problem, const SolvedFit& solved) {
   return problem.target_um - problem.rows.sum(solved.minimum.parameters, nullptr);
 }
 
-Eigen::MatrixXd jacobian_of_free(const Problem& problem, const Eigen::VectorXd& p) {
+Eigen::MatrixXd jacobian_of_free(const FitProblem& problem, const Eigen::VectorXd& p) {
   Eigen::MatrixXd all;
   problem.rows.sum(p, &all);
   Eigen::MatrixXd spent(all.rows(), static_cast<Eigen::Index>(problem.free));
@@ -48,7 +48,7 @@ double rms_of(const std::vector<double>& values) {
   return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
-Minimum best_of(const Problem& problem, const Weighting& weighting, const std::vector<Eigen::VectorXd>& starts) {
+Minimum best_of(const FitProblem& problem, const Weighting& weighting, const std::vector<Eigen::VectorXd>& starts) {
   constexpr int kFewSteps = 12;
   const auto minimum_from = [&](const Eigen::VectorXd& start, int most) {
     return minimise(problem.rows, problem.target_um, weighting, problem.bounds, start, most);
@@ -67,7 +67,7 @@ Minimum best_of(const Problem& problem, const Weighting& weighting, const std::v
   return best.converged ? best : minimum_from(best.parameters, kMostSteps);
 }
 
-Solved reweighted(const Problem& problem, const WeightingWithout& weighting_without, Solved solved) {
+SolvedFit reweighted(const FitProblem& problem, const WeightingWithout& weighting_without, SolvedFit solved) {
   constexpr double kSame = 1e-3;
   for (int round = 0; round < kRobustRounds; ++round) {
     Weighting weighting = weighting_without(solved.discounted);
@@ -82,11 +82,11 @@ Solved reweighted(const Problem& problem, const WeightingWithout& weighting_with
   return solved;
 }
 
-Whitened whitened(const Problem& problem, const Fit& data, const Solved& least_squares, bool robust) {
-  const auto left_by = [&](const Solved& solved) {
+Whitened whitened(const FitProblem& problem, const Fit& data, const SolvedFit& least_squares, bool robust) {
+  const auto left_by = [&](const SolvedFit& solved) {
     return without(vector_of(residual_of(problem, solved)), solved.discounted);
   };
-  const auto noise_left_by = [&](const Solved& solved, const Eigen::MatrixXd& spent) {
+  const auto noise_left_by = [&](const SolvedFit& solved, const Eigen::MatrixXd& spent) {
     return noise_of(without(data.time_s, solved.discounted), left_by(solved), without(data.sigma_um, solved.discounted),
                     without(spent, solved.discounted));
   };
@@ -102,7 +102,7 @@ Whitened whitened(const Problem& problem, const Fit& data, const Solved& least_s
       return Weighting{Eigen::VectorXd::Ones(problem.target_um.size()),
                        Whitening(result.noise, data.time_s, data.sigma_um, discounted)};
     };
-    Solved next = result.solved;
+    SolvedFit next = result.solved;
     if (robust) {
       next = reweighted(problem, weighting_without, std::move(next));
     } else {

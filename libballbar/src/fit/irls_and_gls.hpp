@@ -11,38 +11,38 @@
 
 namespace ballbar {
 
-struct Problem {
+struct FitProblem {
   const ModelRows& rows;
   const Eigen::VectorXd& target_um;
   const Bounds& bounds;
   std::size_t free = 0;
 };
 
-struct Solved {
+struct SolvedFit {
   Minimum minimum;
   Weighting weighting;
   std::vector<std::size_t> discounted;
 };
 
 // A few steps from every start, then to the end from the best of them. Throws Error where the model is finite nowhere.
-Minimum best_of(const Problem& problem, const Weighting& weighting, const std::vector<Eigen::VectorXd>& starts);
+Minimum best_of(const FitProblem& problem, const Weighting& weighting, const std::vector<Eigen::VectorXd>& starts);
 
 // How the rows are weighted where those discounted are left out of the noise's filter.
 using WeightingWithout = std::function<Weighting(const std::vector<std::size_t>& discounted)>;
 
 // Weighted again and again by what is left (Tukey), until the weights stay. A row that turns out to be an outlier is
 // left out of the filter in the next round, so that it does not discount the rows after it.
-Solved reweighted(const Problem& problem, const WeightingWithout& weighting_without, Solved solved);
+SolvedFit reweighted(const FitProblem& problem, const WeightingWithout& weighting_without, SolvedFit solved);
 
 struct Whitened {
-  Solved solved;
+  SolvedFit solved;
   Noise noise;
   bool misfit = false;  // then `solved` is as it was
 };
 
 // The fit again with the noise of what it left, some rounds. What is discounted counts in no noise. `data`: times and
 // sigma.
-Whitened whitened(const Problem& problem, const Fit& data, const Solved& least_squares, bool robust);
+Whitened whitened(const FitProblem& problem, const Fit& data, const SolvedFit& least_squares, bool robust);
 
 // White noise with what was stated taken off.
 Noise white_noise(const std::vector<double>& left_um, const std::vector<double>& sigma_um, std::size_t free);

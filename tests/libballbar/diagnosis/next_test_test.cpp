@@ -85,6 +85,7 @@ Diagnosis undecided(const Model& model, const Series& data, const std::vector<Te
   diagnosis.base = fit(model, data);
   diagnosis.verdict = Verdict::equivalent;
   diagnosis.equivalent.emplace_back();
+  double least_um = 0.0;
   for (const Term& competitor : competitors) {
     Model with = model;
     with.terms.push_back(competitor);
@@ -94,6 +95,11 @@ Diagnosis undecided(const Model& model, const Series& data, const std::vector<Te
     const auto count = static_cast<std::ptrdiff_t>(competitor.settings.size());
     candidate.parameters = {fitted.parameters.end() - count, fitted.parameters.end()};
     candidate.rmse_after_um = fitted.rmse_um;
+    candidate.p = 1.0 / fitted.rmse_um;  // no probability, but the order of one
+    if (diagnosis.candidates.empty() || fitted.rmse_um < least_um) {
+      least_um = fitted.rmse_um;
+      diagnosis.noise = fitted.noise;
+    }
     diagnosis.equivalent[0].push_back(candidate.bound);
     diagnosis.candidates.push_back(std::move(candidate));
   }

@@ -107,7 +107,6 @@ Model by_room() {
 DiagnosisOptions quick(const Catalogue& catalogue) {
   DiagnosisOptions options;
   options.search.catalogue = catalogue;
-  options.search.draws = 500;
   options.surrogates = 100;
   return options;
 }

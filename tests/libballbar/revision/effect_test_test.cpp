@@ -6,17 +6,30 @@
 #include <cmath>
 #include <random>
 
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+
 namespace ballbar {
 namespace {
 
-// z = 10 T + e, e orthogonal to 1 and to T. With the effect RSS = 4; without it the part of T about its mean stays too,
-// 6 * 5^2 + 4 = 154. Fewer than 8 values: white noise with variance RSS / n, 2 ln L = -n ln(RSS / n) + constant.
+// z = 10 T + e, e orthogonal to 1 and to T. With the effect a square of 4 is left; without it the part of T about its
+// mean stays too, 6 * 5^2 + 4 = 154. Fewer than 30 values: white noise.
 Series six_values() {
   Series data;
   data.time_s = {0.0, 60.0, 120.0, 180.0, 240.0, 300.0};
   data.columns = {{"T_degC", Role::structure, {0.0, 1.0, 0.0, 1.0, 0.0, 1.0}},
                   {"z_um", Role::measured, {1.0, 11.0, -1.0, 9.0, 0.0, 10.0}}};
   return data;
+}
+
+// 2 ln B of one gain: of `before`, with nu degrees of freedom, it takes `gain` away. B is the mean over the sizes d of its
+// prior of (S / before)^(-nu/2) / sqrt(1 + d^2), S = before - gain d^2 / (1 + d^2).
+double log_bayes_factor(double before, double gain, double nu) {
+  double sum = 0.0;
+  for (const double d : kGainSizes) {
+    const double left = before - gain * d * d / (1.0 + d * d);
+    sum += std::pow(left / before, -0.5 * nu) / std::sqrt(1.0 + d * d) / static_cast<double>(kGainSizes.size());
+  }
+  return 2.0 * std::log(sum);
 }
 
 Model constant() {
@@ -35,22 +48,20 @@ TEST(EffectTest, six_values_by_hand) {
   EXPECT_TRUE(found.earlier.empty());
   ASSERT_EQ(found.added.size(), 1u);
   EXPECT_NEAR(found.added[0].amplitude_um, 10.0, 1e-6);
-  EXPECT_NEAR(found.added[0].likelihood_ratio, 6.0 * std::log(154.0 / 4.0), 1e-4);  // 21.9
+  EXPECT_NEAR(found.added[0].likelihood_ratio, log_bayes_factor(154.0, 150.0, 5.0), 1e-4);  // 10.86
   EXPECT_NEAR(found.after.likelihood_ratio, found.added[0].likelihood_ratio, 1e-12);
-  ASSERT_FALSE(found.added[0].doubts.empty());
-  EXPECT_EQ(found.added[0].doubts[0], "its likelihood ratio is below 25 (d = 5)");
-  EXPECT_EQ(found.after.verdict, "not supported");
+  EXPECT_EQ(found.added[0].threshold, kLeastLikelihoodRatio);
 }
 
-// chi^2 with one degree of freedom: p = erfc(sqrt(likelihood ratio / 2)).
-TEST(EffectTest, needed_by_chi_squared) {
+// As likely beforehand to be needed as not: P = 1 / (1 + B).
+TEST(EffectTest, needed_by_the_bayes_factor) {
   Model model = constant();
   model.terms.push_back(term_of("expansion", {"T_degC"}));
   const std::vector<DropTest> found = drop_tests(model, 1, six_values());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].label, "expansion(T_degC)");
   EXPECT_EQ(found[0].parameters, 1u);
-  EXPECT_NEAR(found[0].p, std::erfc(std::sqrt(3.0 * std::log(154.0 / 4.0))), 1e-9);
+  EXPECT_NEAR(found[0].p, 1.0 / (1.0 + std::exp(0.5 * log_bayes_factor(154.0, 150.0, 5.0))), 1e-6);
   EXPECT_TRUE(found[0].needed);
 }
 
@@ -68,7 +79,7 @@ TEST(EffectTest, nothing_free_without_the_effect) {
   model.terms.push_back(term_of("expansion", {"T_degC"}));
   const std::vector<DropTest> found = drop_tests(model, 1, six_values());
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found[0].likelihood_ratio, 6.0 * std::log(304.0 / 4.0), 1e-4);
+  EXPECT_NEAR(found[0].likelihood_ratio, log_bayes_factor(304.0, 300.0, 6.0), 1e-4);
 }
 
 // 300 rows of 5 steps of the speed; z follows the room, nothing else.

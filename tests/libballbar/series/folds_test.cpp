@@ -1,14 +1,11 @@
-// Folds that are left out one by one, and the error in them.
+// Folds that are left out one by one.
 #include "series/folds.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <numeric>
-
-#include "diagnosis/statistics/cross_validation.hpp"
 
 namespace ballbar {
 namespace {
@@ -50,27 +47,6 @@ TEST(Folds, a_speed_that_never_changes_leaves_five_parts) {
   const auto length = lengths(cycles_of_all(with_speed({{120, 3000.0}})));
   EXPECT_EQ(length.size(), 5U);
   for (const auto& [one, rows] : length) EXPECT_EQ(rows, 24U) << one;
-}
-
-// A column that lives in the cycle left out but for a trace: as a gain what little the others tell of it is believed,
-// as a shape it goes no further than its reach.
-TEST(CrossValidation, a_shape_the_others_hardly_tell_stays_where_it_is) {
-  LinearisedFit linearised;
-  linearised.residual_um = Eigen::VectorXd::Zero(20);
-  linearised.model = Eigen::MatrixXd::Zero(20, 1);
-  std::vector<std::size_t> fold;
-  for (Eigen::Index i = 0; i < 20; ++i) {
-    linearised.time_s.push_back(60.0 * static_cast<double>(i));
-    fold.push_back(i < 10 ? 0 : 1);
-    linearised.model(i, 0) = i < 10 ? 0.01 : 1.0;
-    linearised.residual_um[i] = i < 10 ? 0.5 : 0.0;
-  }
-  const Noise noise{0.5, 0.0, 0.0, 0.0};
-  linearised.reach_um = {std::numeric_limits<double>::infinity()};
-  EXPECT_NEAR(cross_validation(linearised, noise, fold, false).rmse_um, std::sqrt((50.0 * 50.0 + 0.5 * 0.5) / 2.0),
-              1e-6);
-  linearised.reach_um = {0.1};
-  EXPECT_LT(cross_validation(linearised, noise, fold, false).rmse_um, 0.4);
 }
 
 }  // namespace

@@ -52,17 +52,17 @@ std::vector<Covariance> covariance_grid(std::span<const double> time_s) {
   const double step_s = usual_step_s(time_s), span_s = span_of_time_s(time_s);
   const double shortest_s = 0.5 * step_s, longest_s = std::max(2.0 * step_s, span_s / 3.0);
   for (std::size_t i = 0; i < kMemories; ++i) {
-    for (const double ratio : {-5.0, -2.5, -1.0, 0.5, 2.0, 4.0}) {
+    for (const double ratio : {-5.0, -3.0, -1.8, -0.6, 0.6, 1.8, 3.0, 5.0}) {
       grid.push_back(noise_with(step_s, between(shortest_s, longest_s, i, kMemories), ratio));
     }
   }
   const std::size_t noises = grid.size();
-  for (Covariance& one : grid) one.log_prior = std::log(0.5 / static_cast<double>(noises));
+  for (Covariance& one : grid) one.log_prior = std::log((1.0 - kPriorOfDiscrepancy) / static_cast<double>(noises));
   const double slow_longest_s = std::max(2.0 * step_s, span_s / 30.0);
   for (std::size_t i = 0; i < kMemoriesBesideSlow; ++i) {
     for (const double ratio : {-5.0, 1.0}) {
       for (const double length : {1.0 / 40.0, 1.0 / 12.0, 1.0 / 4.0}) {
-        for (const double sigma : {0.7, 2.5, 9.0}) {
+        for (const double sigma : {0.8, 2.5, 8.0}) {
           Covariance one = noise_with(step_s, between(shortest_s, slow_longest_s, i, kMemoriesBesideSlow), ratio);
           one.slow = sigma * sigma;
           one.slow_time_s = length * span_s;
@@ -71,7 +71,7 @@ std::vector<Covariance> covariance_grid(std::span<const double> time_s) {
       }
     }
   }
-  const double slow_prior = std::log(0.5 / static_cast<double>(grid.size() - noises));
+  const double slow_prior = std::log(kPriorOfDiscrepancy / static_cast<double>(grid.size() - noises));
   for (std::size_t i = noises; i < grid.size(); ++i) grid[i].log_prior = slow_prior;
   return grid;
 }

@@ -22,8 +22,8 @@ struct Covariance {
   double log_prior = 0.0;
 };
 
-// Memories from half a step to a sixth of the time, shares from nearly white to nearly all; half of the prior without a
-// discrepancy, half with one of several lengths and sizes. Few rows: white alone.
+// Memories from half a step to a sixth of the time, shares from nearly white to nearly all; without a discrepancy, and
+// with one of several lengths and sizes. Few rows: white alone.
 std::vector<Covariance> covariance_grid(std::span<const double> time_s);
 
 class CovarianceFilter {

@@ -87,7 +87,7 @@ double log_evidence(const Solved& base, double left, double along) {
   return base.constant + log_sum(sum) - std::log(static_cast<double>(kGainSizes.size()));
 }
 
-double log_evidence(const Solved& base, const Eigen::MatrixXd& left, const Eigen::VectorXd& along) {
+double log_evidence(const Solved& base, const Eigen::MatrixXd& left, const Eigen::VectorXd& along, double share) {
   const Eigen::Index k = along.size();
   if (k == 0) return log_evidence(base);
   if (k == 1) return log_evidence(base, left(0, 0), along[0]);
@@ -96,7 +96,7 @@ double log_evidence(const Solved& base, const Eigen::MatrixXd& left, const Eigen
   const Eigen::VectorXd b = scale.asDiagonal() * along;
   std::array<double, kGainSizes.size()> sum;
   for (std::size_t i = 0; i < kGainSizes.size(); ++i) {
-    const double d2 = kGainSizes[i] * kGainSizes[i];
+    const double d2 = share * kGainSizes[i] * kGainSizes[i];
     Eigen::MatrixXd m = unit;
     m.diagonal().array() += 1.0 / d2;
     const Eigen::LLT<Eigen::MatrixXd> factor(m);

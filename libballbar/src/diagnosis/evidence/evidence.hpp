@@ -46,7 +46,8 @@ struct Solved {
 Solved solved(const Gram& gram, const Line& line, const KnownScatter& known);
 
 // Adds to Solved::constant + ...: of some columns, products of what is left of them and with y.
-double log_evidence(const Solved& base, const Eigen::MatrixXd& left, const Eigen::VectorXd& along);
+// share: of d^2 that each column has, 1 for effects, 1 / k for k columns that make one curve together.
+double log_evidence(const Solved& base, const Eigen::MatrixXd& left, const Eigen::VectorXd& along, double share = 1.0);
 double log_evidence(const Solved& base, double left, double along);  // of one column
 double log_evidence(const Solved& base);                             // of none
 

@@ -128,11 +128,14 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   problem->effects = problem->library.families.size();
   if (model.level == Level::series) add_any_forms(problem->library, problem->logged.series, base.row);
   problem->signatures = problem->library.columns;
+  problem->deviation = Eigen::VectorXd::Ones(problem->signatures.cols());
   for (Eigen::Index k = 0; k < problem->signatures.cols(); ++k) {
     auto column = problem->signatures.col(k);
     const double mean = column.mean();
     const double deviation = std::sqrt((column.array() - mean).square().mean());
-    if (deviation > 0.0) column /= deviation;
+    if (!(deviation > 0.0)) continue;
+    column /= deviation;
+    problem->deviation[k] = deviation;
   }
   problem->log_prior = log_priors_of(problem->library);
   problem->log_prior_of_shape = log_priors_of_shapes(problem->library);

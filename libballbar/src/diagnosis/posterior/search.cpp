@@ -70,6 +70,7 @@ class Search {
       points.push_back({one, CovarianceFilter(one, problem_.time_s, problem_.relative_variance)});
     result_.points = std::move(points);
     result_.variants.push_back(variant_at(0, parameters_of_fit(), nullptr));
+    judge_noise();
     screen();
     table_.points = result_.points.size();
     // The model about where it is most likely at the likeliest covariance, then about where the best sets have it.
@@ -126,6 +127,11 @@ class Search {
     return width;
   }
 
+  struct Beside {
+    std::vector<double> parameters;
+    Eigen::VectorXd coefficients;  // of the signatures' columns
+  };
+
   // All columns of some signatures at one point: what is left of them beside the line.
   struct Seen {
     Solved base;
@@ -174,7 +180,40 @@ class Search {
       const auto cross = seen.base.cross.middleCols(first, width);
       left -= cross.transpose() * cross;
     }
-    return log_evidence(seen.base, left, seen.base.along.segment(first, width));
+    return log_evidence(seen.base, left, seen.base.along.segment(first, width), 1.0 / static_cast<double>(width));
+  }
+
+  // The noise is what the richest model leaves: every input in any form. A poor one's noise holds what it lacks.
+  void judge_noise() {
+    std::vector<std::size_t> forms;
+    for (std::size_t f = problem_.effects; f < problem_.library.families.size(); ++f)
+      forms.push_back(problem_.library.families[f].first);
+    if (forms.empty() || result_.points.size() < 2) return;
+    const RowMajorMatrix columns = columns_of(forms);
+    const double share = 1.0 / static_cast<double>(problem_.library.signatures[forms.front()].width);
+    std::vector<double> evidence(result_.points.size());
+    in_parallel(evidence.size(), [&](std::size_t g) {
+      Covariance noise = result_.points[g].covariance;
+      noise.slow = 0.0;
+      const Point point{noise, result_.points[g].covariance.slow > 0.0
+                                   ? CovarianceFilter(noise, problem_.time_s, problem_.relative_variance)
+                                   : result_.points[g].filter};
+      const Seen seen = seen_at(point, result_.variants[0], columns, forms, true);
+      evidence[g] = log_evidence(seen.base, seen.left, seen.base.along, share);
+    });
+    for (const bool slow : {false, true}) {
+      std::vector<double> of_these;
+      for (std::size_t g = 0; g < evidence.size(); ++g) {
+        if ((result_.points[g].covariance.slow > 0.0) == slow) of_these.push_back(kRichestNoise * evidence[g]);
+      }
+      if (of_these.empty()) continue;
+      const double all = log_sum(of_these) - std::log(static_cast<double>(of_these.size()));
+      for (std::size_t g = 0; g < evidence.size(); ++g) {
+        if ((result_.points[g].covariance.slow > 0.0) != slow) continue;
+        double& prior = result_.points[g].covariance.log_prior;
+        prior = std::max(prior + kRichestNoise * evidence[g] - all, prior - 30.0);
+      }
+    }
   }
 
   // Covariances at which neither the model alone nor an effect makes the readings nearly as likely as another go.
@@ -214,6 +253,9 @@ class Search {
         strongest.push_back(chosen[k]);
         if (strongest.size() == kStrongest) break;
       }
+      std::vector<std::size_t> few;
+      for (std::size_t k = 0; k < chosen.size(); k += kThinnedFurther) few.push_back(chosen[k]);
+      const RowMajorMatrix few_columns = columns_of(few);
       in_parallel(result_.points.size(), [&](std::size_t g) {
         const Point& point = result_.points[g];
         for (const std::size_t strong : strongest) {
@@ -227,17 +269,17 @@ class Search {
             with.line.columns.push_back(p + k);
             with.line.is_free.push_back(1);
           }
-          const Seen seen = seen_at(point, with, columns, chosen, false);
+          const Seen seen = seen_at(point, with, few_columns, few, false);
           const double alone = log_evidence(seen.base);
           const Solved& before = seen.base;
           // Flat to N(0, d^2 s^2): about ln |column| - ln d.
           const double price = 0.5 * std::log(std::max(1e-300, before.variance)) + 0.0;
           double best = alone;
-          for (std::size_t k = 0; k < chosen.size(); ++k) {
-            if (family_of(chosen[k]) == one.family || problem_.library.signatures[chosen[k]].width > 1) continue;
+          for (std::size_t k = 0; k < few.size(); ++k) {
+            if (family_of(few[k]) == one.family || problem_.library.signatures[few[k]].width > 1) continue;
             if (!survives(seen, seen.first[k])) continue;
             best = std::max(best, log_evidence(seen.base, seen.base.left[seen.first[k]], seen.base.along[seen.first[k]]) +
-                                      problem_.log_prior[family_of(chosen[k])]);
+                                      problem_.log_prior[family_of(few[k])]);
           }
           most[g] = std::max(most[g], best - price - 3.0 + problem_.log_prior[one.family] + prior_of_size(2) +
                                           point.covariance.log_prior);
@@ -611,32 +653,65 @@ class Search {
       if (!is_wanted && (tried == kSetsRelinearised || weight < order.front().first - kFarFromBest)) break;
       if ((key.families.size() > 2 && !is_wanted) || std::count(relinearised_.begin(), relinearised_.end(), key) == kRelinearised)
         continue;
-      relinearised_.push_back(key);
       ++tried;
-      const auto& at = table_.sets.at(key);
-      std::size_t g = 0;
-      for (std::size_t k = 0; k < at.size(); ++k) {
-        if (at[k].first.most > at[g].first.most) g = k;
-      }
-      const std::size_t v = at[g].second;
-      const std::vector<double> parameters = parameters_beside(result_.variants[v], at[g].first.signatures, g);
-      if (!is_elsewhere(result_.variants[v], parameters)) continue;
-      moved = true;
-      const Eigen::MatrixXd times = result_.variants[v].times;
-      result_.variants.push_back(variant_at(key.own, parameters, &times));
-      const std::size_t next = result_.variants.size() - 1;
-      if (tried == 1) {  // whatever else is likely with the model there
-        singles(next);
-        if (key.families.size() > 1) pairs(next);
-      } else if (key.families.size() > 2) {
-        weigh_wanted(next);
-      } else if (key.families.size() == 2) {
-        pair_on_all_shapes(next, key);
-      } else {
-        singles(next, &key.families);
-      }
+      moved = relinearise_at(key, tried == 1) || moved;
+      // What is held to be another value is held against the model as it is on equal terms.
+      if (key.own != 0) moved = relinearise_at({0, key.families}, false) || moved;
     }
     return moved;
+  }
+
+  // all: whatever else is likely with the model there, too.
+  bool relinearise_at(const Key& key, bool all) {
+    relinearised_.push_back(key);
+    const auto there = table_.sets.find(key);
+    if (there == table_.sets.end()) return false;
+    const auto& at = there->second;
+    std::size_t g = 0;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      if (at[k].first.most > at[g].first.most) g = k;
+    }
+    if (at.empty() || at[g].first.most == kNone) return false;
+    const std::size_t v = at[g].second;
+    const std::vector<std::size_t> signatures = at[g].first.signatures;
+    const Beside beside = parameters_beside(result_.variants[v], signatures, g);
+    if (!is_elsewhere(result_.variants[v], beside.parameters) && (!all || signatures.empty())) return false;
+    const Eigen::MatrixXd times = all ? times_with(beside, signatures) : result_.variants[v].times;
+    result_.variants.push_back(variant_at(key.own, beside.parameters, &times));
+    const std::size_t next = result_.variants.size() - 1;
+    if (all) {
+      singles(next);
+      if (key.families.size() > 1) pairs(next);
+    } else if (key.families.size() == 2) {
+      pair_on_all_shapes(next, key);
+    } else if (key.families.size() < 2) {
+      singles(next, &key.families);
+    }
+    if (key == wanted_) weigh_wanted(next);
+    return true;
+  }
+
+  // What is not known of the times of the inputs of the model and of these effects.
+  Eigen::MatrixXd times_with(const Beside& beside, const std::vector<std::size_t>& signatures) const {
+    Model model = problem_.model;
+    std::vector<double> parameters = beside.parameters;
+    Eigen::Index column = 0;
+    for (const std::size_t i : signatures) {
+      const Signature& one = problem_.library.signatures[i];
+      const BoundEffect& bound = problem_.library.families[one.family].bound;
+      model.terms.push_back(ballbar::term_of(*bound.effect, bound.columns));
+      Eigen::Index gain = 0;
+      for (std::size_t k = 0; k < one.point.size(); ++k) {
+        if (bound.effect->parameters[k].kind != ParameterKind::gain || gain == one.width) {
+          parameters.push_back(one.point[k]);
+          continue;
+        }
+        parameters.push_back(beside.coefficients[column + gain] / problem_.deviation[one.first + gain]);
+        ++gain;
+      }
+      column += one.width;
+    }
+    return BaseModel(model, problem_.logged, problem_.y, problem_.base.row).times_at(parameters);
   }
 
   void weigh_wanted(std::size_t v) {
@@ -709,10 +784,11 @@ class Search {
   }
 
   // The model's parameters with these signatures beside it.
-  std::vector<double> parameters_beside(const Variant& variant, const std::vector<std::size_t>& signatures,
+  Beside parameters_beside(const Variant& variant, const std::vector<std::size_t>& signatures,
                                         std::size_t g) const {
     // Signatures as columns whose gains are free: into what moves with the model.
-    std::vector<double> parameters = variant.parameters;
+    Beside beside{variant.parameters, {}};
+    std::vector<double>& parameters = beside.parameters;
     for (int round = 0; round < kStepsBeside; ++round) {
       const BaseColumns columns = problem_.base_model->at(parameters, free_of(variant.own));
       const Eigen::Index times = variant.times.cols();
@@ -726,6 +802,7 @@ class Search {
       }
       const Gram gram = gram_of(result_.points[g].filter, pool, RowMajorMatrix(pool.rows(), 0));
       const Solved solution = solved(gram, line, problem_.known);
+      beside.coefficients = solution.coefficients.tail(width_of(signatures));
       double largest = 0.0;
       for (std::size_t k = 0; k < columns.columns.size(); ++k) {
         const BaseColumn& column = columns.columns[k];
@@ -744,7 +821,7 @@ class Search {
       }
       if (largest < 0.01) break;
     }
-    return parameters;
+    return beside;
   }
 
   bool is_elsewhere(const Variant& variant, const std::vector<double>& parameters) const {

@@ -50,6 +50,7 @@ Probabilities probabilities_of(const Problem& problem, const Posterior& posterio
     if (set.own > 0) result.own[set.own - 1] += p;
     if (set.own == 0 && set.families.empty()) result.nothing += p - slow;
     std::set<std::string> columns;
+    const double without_slow = p - slow;
     bool driven = set.own > 0;
     for (const std::size_t family : set.families) {
       const BoundEffect& bound = problem.library.families[family].bound;
@@ -58,7 +59,7 @@ Probabilities probabilities_of(const Problem& problem, const Posterior& posterio
       driven = driven || !bound.effect->time_only;
     }
     if (!driven && !set.families.empty()) result.time_alone += p;
-    for (const std::string& column : columns) result.column[column] += p;
+    for (const std::string& column : columns) result.column[column] += without_slow;
   }
   return result;
 }
@@ -74,7 +75,8 @@ std::vector<Driver> drivers_of(const Posterior& posterior, const Problem& proble
   std::map<std::string, double> p;
   for (const auto& [column, of_effects] : by_effects) p[column] = of_effects * std::exp(posterior.log_total - total);
   for (const EffectSet& one : posterior.any_form) {
-    if (one.own == 0) p[problem.library.families[one.families.front()].bound.columns.front()] += std::exp(one.log_weight - total);
+    const double fast = one.log_weight_slow > -1e300 ? one.log_weight + std::log1p(-std::min(1.0 - 1e-12, std::exp(one.log_weight_slow - one.log_weight))) : one.log_weight;
+    if (one.own == 0) p[problem.library.families[one.families.front()].bound.columns.front()] += std::exp(fast - total);
   }
   std::vector<Driver> drivers;
   for (const auto& [column, of_all] : p) {

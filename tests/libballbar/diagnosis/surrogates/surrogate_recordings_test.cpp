@@ -28,14 +28,15 @@ WithSurrogate with_surrogate(const char* effect, const std::vector<made::Sweep>&
   const Eigen::VectorXd added = made::added_um(term, parameters, trace).normalized();
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
-  LinearisedFit linearised;
-  linearised.time_s = trace.time_s;
-  linearised.residual_um = scale * added;
-  for (double& value : linearised.residual_um) value += normal(random);
-  linearised.model = Eigen::MatrixXd(added.size(), 0);
+  Eigen::VectorXd residual_um = scale * added;
+  for (double& value : residual_um) value += normal(random);
+  Background background;
+  background.time_s = trace.time_s;
+  background.whiten = [](const Eigen::MatrixXd& columns) { return columns; };
+  background.white = background.plain = {Eigen::MatrixXd(added.size(), 0), residual_um};
   const SurrogateSource traced{{term.effect.get(), term.columns}, {parameters}, added};
-  return {best_recording_surrogate(traced, trace, made::all_rows(trace), linearised, {1.0, 0.0, 0.0, 0.0}, 200, 1),
-          std::pow(linearised.residual_um.dot(added), 2)};
+  return {best_recording_surrogate(traced, trace, made::all_rows(trace), background, 200, 1),
+          std::pow(residual_um.dot(added), 2)};
 }
 
 TEST(SurrogateRecordings, of_an_effect_that_is_there_do_worse) {

@@ -25,15 +25,18 @@ inline constexpr double kNotInTheseRows = 1e-12;          // share of a column's
 
 // The posterior over sets of effects.
 inline constexpr std::size_t kFewestForMemory = 30;      // rows; with fewer the scatter is white
-inline constexpr std::size_t kMemories = 8;              // of the scatter
+inline constexpr std::size_t kMemories = 12;              // of the scatter
 inline constexpr std::size_t kMemoriesBesideSlow = 4;    // of the scatter beside a discrepancy
 inline constexpr std::array<double, 6> kGainSizes{4.0, 8.0, 16.0, 32.0, 64.0, 128.0};  // d, prior of a gain
 inline constexpr std::array<double, 4> kPriorOfSize{0.5, 0.3, 0.15, 0.05};             // of sets of 0, 1, 2, 3 effects
+inline constexpr double kRichestNoise = 0.5;             // power of what the richest model says of the noise
+inline constexpr double kPriorOfDiscrepancy = 0.25;
 inline constexpr double kPriorOfOwn = 0.1;               // a value that the model holds is another
 inline constexpr double kSurvivingShare = 1e-3;          // of a signature's square beside the model
 inline constexpr double kLikelyPoints = 9.0;             // ln: covariances this far from the likeliest count
 inline constexpr std::size_t kMostPoints = 24;
-inline constexpr std::size_t kThinShapes = 7;            // of a family, where all covariances are looked at
+inline constexpr std::size_t kThinShapes = 6;            // of a family, where all covariances are looked at
+inline constexpr std::size_t kThinnedFurther = 3;        // where two are looked for together: every third of those
 inline constexpr std::size_t kStrongest = 3;             // effects beside which a second is looked for everywhere
 inline constexpr std::size_t kFamiliesInPairs = 48;
 inline constexpr std::size_t kShapesInPairs = 320;       // of all families together
@@ -55,7 +58,8 @@ inline constexpr double kSureDriver = 0.9;         // P
 inline constexpr double kNothing = 0.05;           // P of nothing from which nothing is said
 inline constexpr double kDiscrepancy = 0.5;        // P of a discrepancy from which nothing is named
 inline constexpr double kCredible = 0.95;          // share of the posterior in a credible set
-inline constexpr double kRivalBetter = 1.0;        // ln, by which an input of any form is better than a member
+inline constexpr double kRivalBetter = 0.0;        // ln, by which an input of any form is better than a member
+inline constexpr double kAnyFormBetter = -1.0;     // ln, by which it alone is more probable than the whole set
 inline constexpr double kHeldOutEvidence = 3.0;    // ln, of cycles left out, without the best one
 inline constexpr double kLeftOutRidge = 1e-4;      // prior precision of a white column of length 1
 inline constexpr double kFound = 7.0;              // d from which an effect is found
@@ -122,7 +126,7 @@ inline constexpr double kSameShare = 0.01;          // of a curve's chi^2
 
 // Tests that an effect has to pass to be named.
 inline constexpr double kLeastLikelihoodRatio = 10.0;  // 2 ln of a ratio of likelihoods: 150 to 1
-inline constexpr double kSameGain = 0.001;             // p_same_gain below which gains differ
+inline constexpr double kSameGain = 0.003;             // p_same_gain below which gains differ
 inline constexpr double kOwnDirection = 1e-3;          // pivot of a gain of one cycle, of the largest, that is one
 inline constexpr double kInOneFold = 0.9;              // share of what it shows
 inline constexpr double kHeldOutWorse = 1.05;          // of the RMSE, which a slow noise makes up by itself

@@ -1,0 +1,166 @@
+// The filter against the covariance matrix written out.
+#include "diagnosis/evidence/covariance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "diagnosis/evidence/dense.hpp"
+
+namespace ballbar {
+namespace {
+
+struct Rows {
+  std::vector<double> time_s, relative_variance;
+};
+
+Rows even(std::size_t n, double step_s = 15.0) {
+  Rows rows;
+  for (std::size_t i = 0; i < n; ++i) rows.time_s.push_back(step_s * static_cast<double>(i));
+  return rows;
+}
+
+// Steps of 0.3 to 900 s, some alike.
+Rows uneven(std::size_t n) {
+  Rows rows;
+  double now = 5.0;
+  const double steps_s[] = {15.0, 15.0, 0.3, 61.0, 15.0, 900.0, 7.5, 7.5, 7.5};
+  for (std::size_t i = 0; i < n; ++i) rows.time_s.push_back(now += steps_s[i % 9]);
+  return rows;
+}
+
+// Three runs, each from its own beginning; the second begins at a time of the first.
+Rows runs() {
+  Rows rows = even(20);
+  for (std::size_t i = 0; i < 20; ++i) rows.time_s.push_back(60.0 + 20.0 * static_cast<double>(i));
+  for (std::size_t i = 0; i < 20; ++i) rows.time_s.push_back(15.0 * static_cast<double>(i));
+  return rows;
+}
+
+Rows weighted(Rows rows) {
+  const double variances[] = {1.0, 1.0, 0.2, 1e6, 1.0, 3.0, 1.0};
+  for (std::size_t i = 0; i < rows.time_s.size(); ++i) rows.relative_variance.push_back(variances[i % 7]);
+  return rows;
+}
+
+Eigen::MatrixXd normal_columns(Eigen::Index n, Eigen::Index columns) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  return Eigen::MatrixXd::NullaryExpr(n, columns, [&] { return normal(random); });
+}
+
+// Innovations are columns of a triangular W with W' W = C^-1: their products are those of C^-1, whatever is chosen.
+void expect_dense(const Covariance& covariance, const Rows& rows, const std::string& what) {
+  const CovarianceFilter filter(covariance, rows.time_s, rows.relative_variance);
+  const auto n = static_cast<Eigen::Index>(rows.time_s.size());
+  const Eigen::MatrixXd c = dense::matrix_of(covariance, rows.time_s, rows.relative_variance);
+  const Eigen::MatrixXd columns = normal_columns(n, 3);
+  RowMajorMatrix white = columns, state = RowMajorMatrix::Zero(3, 3);
+  filter.apply(0, white, state);
+  const Eigen::MatrixXd expected = columns.transpose() * c.llt().solve(columns);
+  const Eigen::MatrixXd found = white.transpose() * white;
+  EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff()) << what;
+  EXPECT_NEAR(filter.log_determinant(), dense::log_determinant(c), 1e-9 * static_cast<double>(n)) << what;
+}
+
+Covariance white() { return {}; }
+Covariance memory() { return {0.2, 0.8, 200.0, 0.0, 0.0, 0.0}; }
+Covariance slow_alone() { return {1.0, 0.0, 0.0, 6.25, 400.0, 0.0}; }
+Covariance all() { return {0.3, 0.7, 90.0, 2.0, 1500.0, 0.0}; }
+
+TEST(Covariance, filter_is_the_dense_matrix) {
+  const std::pair<const char*, Covariance> kinds[] = {
+      {"white", white()}, {"memory", memory()}, {"slow", slow_alone()}, {"all", all()}};
+  for (const auto& [name, covariance] : kinds) {
+    const std::string kind = name;
+    expect_dense(covariance, even(60), kind + ", even");
+    expect_dense(covariance, uneven(60), kind + ", uneven");
+    expect_dense(covariance, runs(), kind + ", time goes back");
+    expect_dense(covariance, weighted(even(60)), kind + ", weighted");
+    expect_dense(covariance, weighted(uneven(60)), kind + ", weighted and uneven");
+    expect_dense(covariance, weighted(runs()), kind + ", weighted, time goes back");
+  }
+}
+
+// Where steps repeat the gains settle and are no longer computed; then a gap, a bad reading, another step.
+TEST(Covariance, a_settled_filter_goes_on_rightly) {
+  for (const Covariance& covariance : {memory(), slow_alone(), all()}) {
+    Rows rows = even(250);
+    rows.relative_variance.assign(250, 1.0);
+    rows.relative_variance[150] = 1e6;
+    for (std::size_t i = 200; i < 250; ++i) rows.time_s[i] += 5000.0;
+    for (std::size_t i = 225; i < 250; ++i) rows.time_s[i] += 7.0 * static_cast<double>(i - 225);
+    expect_dense(covariance, rows, "settled");
+  }
+}
+
+// Columns in blocks of rows are columns in one.
+TEST(Covariance, blocks_are_the_whole) {
+  const Rows rows = uneven(60);
+  const CovarianceFilter filter(all(), rows.time_s, {});
+  const Eigen::MatrixXd columns = normal_columns(60, 2);
+  RowMajorMatrix whole = columns, state = RowMajorMatrix::Zero(3, 2);
+  filter.apply(0, whole, state);
+  state.setZero();
+  for (const auto& [first, rows_of] : {std::pair{0, 1}, {1, 31}, {32, 28}}) {
+    RowMajorMatrix block = columns.middleRows(first, rows_of);
+    filter.apply(static_cast<std::size_t>(first), block, state);
+    EXPECT_LT((block - whole.middleRows(first, rows_of)).cwiseAbs().maxCoeff(), 1e-12);
+  }
+}
+
+// A memory that is long beside the steps is nearly a constant that is not known: -1/2 ln |C| of two rows by hand.
+// C = (1, r; r, 1), r = 0.8 exp(-1/4): |C| = 1 - r^2.
+TEST(Covariance, two_rows_by_hand) {
+  const std::vector<double> time_s{0.0, 50.0};
+  const CovarianceFilter filter(memory(), time_s, {});
+  const double r = 0.8 * std::exp(-0.25);
+  EXPECT_NEAR(filter.log_determinant(), std::log(1.0 - r * r), 1e-12);
+  RowMajorMatrix column(2, 1), state = RowMajorMatrix::Zero(3, 1);
+  column << 3.0, 5.0;
+  filter.apply(0, column, state);
+  EXPECT_NEAR(column(0, 0), 3.0, 1e-12);
+  EXPECT_NEAR(column(1, 0), (5.0 - 3.0 * r) / std::sqrt(1.0 - r * r), 1e-12);
+}
+
+TEST(CovarianceGrid, is_a_prior_with_a_discrepancy_and_without) {
+  for (const Rows& rows : {even(400), uneven(400), runs()}) {
+    double without = 0.0, with = 0.0;
+    for (const Covariance& one : covariance_grid(rows.time_s)) {
+      EXPECT_NEAR(one.white + one.correlated, 1.0, 1e-12);
+      EXPECT_GT(one.white, 0.0);
+      EXPECT_GT(one.time_s, 0.0);
+      EXPECT_TRUE(one.slow == 0.0 || one.slow_time_s > 0.0);
+      (one.slow > 0.0 ? with : without) += std::exp(one.log_prior);
+    }
+    EXPECT_NEAR(without, 1.0 - kPriorOfDiscrepancy, 1e-12);
+    EXPECT_NEAR(with, kPriorOfDiscrepancy, 1e-12);
+  }
+}
+
+TEST(CovarianceGrid, of_few_rows_is_white_alone) {
+  for (const std::size_t n : {std::size_t{0}, std::size_t{1}, kFewestForMemory - 1}) {
+    const std::vector<Covariance> grid = covariance_grid(even(n).time_s);
+    ASSERT_EQ(grid.size(), 1U);
+    EXPECT_EQ(grid.front().white, 1.0);
+    EXPECT_EQ(grid.front().log_prior, 0.0);
+  }
+}
+
+// The rows' own units of time: a grid over days is that over seconds, stretched.
+TEST(CovarianceGrid, goes_with_the_steps) {
+  const std::vector<Covariance> seconds = covariance_grid(even(100, 0.001).time_s),
+                                days = covariance_grid(even(100, 86400.0).time_s);
+  ASSERT_EQ(seconds.size(), days.size());
+  for (std::size_t i = 0; i < days.size(); ++i) {
+    EXPECT_NEAR(seconds[i].white, days[i].white, 1e-9);
+    EXPECT_NEAR(seconds[i].time_s * 86400.0 / 0.001, days[i].time_s, 1e-6 * days[i].time_s);
+    EXPECT_NEAR(seconds[i].slow_time_s * 86400.0 / 0.001, days[i].slow_time_s, 1e-6 * days[i].slow_time_s + 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace ballbar
