@@ -78,7 +78,10 @@ void add_terms(const Options& options, const ModelData& data, const std::vector<
 void expect_file_suits(const Options& options, const ModelData& data, const std::string& bytes) {
   if (data.level == Level::recording) return;
   Model file = read_model(bytes, options.effect.model.model);
-  std::erase_if(file.targets, [&](const std::string& target) { return find_column(data.series, target) == nullptr; });
+  const std::vector<std::string>& also = options.effect.model.also_input;
+  std::erase_if(file.targets, [&](const std::string& target) {
+    return find_column(data.series, target) == nullptr || std::find(also.begin(), also.end(), target) != also.end();
+  });
   if (!file.targets.empty()) with_source(options.effect.model.model, [&] { expect_suits(file, data.series); });
 }
 
@@ -177,7 +180,7 @@ std::string add_named(const Options& options, const ModelData& data, Story& stor
 std::string unneeded_text(const EffectTest& tried) {
   const std::vector<std::string>& labels = tried.after.no_longer_needed;
   if (labels.empty()) return "";
-  return fmt::format("{} {} no longer needed (drop test p {} or more): --prune takes {} out.", fmt::join(labels, ", "),
+  return fmt::format("{} {} no longer needed (P that not: {} or more): --prune takes {} out.", fmt::join(labels, ", "),
                      labels.size() == 1 ? "is" : "are", kDropTest, labels.size() == 1 ? "it" : "them");
 }
 

@@ -31,7 +31,8 @@ void show_one_of_several(const Options& options, const Model& model, const Model
                          nlohmann::ordered_json& targets) {
   if (target > 0 && !options.json) fmt::print("\n");
   try {
-    const DiagnosisReport diagnosis_report = diagnosis_report_of(options.model, options.how, model, data, target);
+    const DiagnosisReport diagnosis_report =
+        diagnosis_report_of(options.model, options.how, of_one_target(model, options.model, target), data);
     if (options.json) {
       targets.push_back(json_of(diagnosis_report));
     } else {
@@ -68,7 +69,7 @@ void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
   if (model.targets.size() == 1) {
-    const DiagnosisReport diagnosis_report = diagnosis_report_of(options.model, options.how, model, data, 0);
+    const DiagnosisReport diagnosis_report = diagnosis_report_of(options.model, options.how, model, data);
     options.json ? fmt::print("{}\n", json_of(diagnosis_report).dump(2)) : print_text(diagnosis_report, data.title);
     return;
   }
@@ -85,6 +86,7 @@ void add_diagnose(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("diagnose", "Which physical effect a model lacks");
   add_model_options(*command, options->model, false);
+  add_also_input(*command, options->model);
   command->add_option("--tolerance-um", options->how.tolerance_um, "smaller effects are called minor")
       ->check(CLI::Range(0.0, 1e6));
   command->add_option("--seed", options->how.seed, "of the random draws; the same seed gives the same result");

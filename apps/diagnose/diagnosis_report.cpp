@@ -25,14 +25,14 @@ std::string not_searched_text(const Diagnosis& found) {
 }
 
 DiagnosisReport diagnosis_report_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
-                                    const ModelData& data, std::size_t target) {
+                                    const ModelData& data) {
   const ProgressLine line;
   const auto tell = [&](std::string_view step) {
-    if (how_to.progress) show_progress(fmt::format("{}: {}", model.targets[target], step));
+    if (how_to.progress) show_progress(fmt::format("{}: {}", model.targets.front(), step));
   };
   tell("fitting");
   DiagnosisReport diagnosis_report;
-  diagnosis_report.residual_report = residual_report_of(options, model, data, target);
+  diagnosis_report.residual_report = residual_report_of(options, model, data, 0);
   DiagnosisOptions how;
   how.search.motion = data.motion;
   how.tolerance_um = how_to.tolerance_um;
@@ -40,7 +40,7 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, const DiagnoseO
   how.most_rows = how_to.most_rows;
   how.search.progress = tell;
   diagnosis_report.surrogates = how.surrogates;
-  diagnosis_report.diagnosis = diagnose(model, data.series, target, how);
+  diagnosis_report.diagnosis = diagnose(model, data.series, 0, how);
   tell("predicting what the next tests would tell");
   diagnosis_report.next_tests = next_tests(model, data.series, diagnosis_report.diagnosis);
   diagnosis_report.command = next_command(options, diagnosis_report.diagnosis);

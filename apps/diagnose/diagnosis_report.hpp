@@ -30,8 +30,9 @@ struct DiagnosisReport {
   std::string hint;            // what to do where no command does it, a sentence; or empty
 };
 
+// Of the model's only target.
 DiagnosisReport diagnosis_report_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
-                                    const ModelData& data, std::size_t target);
+                                    const ModelData& data);
 
 // The test that would tell what is left open, whole sentences; empty where nothing is left to tell.
 std::string next_text(const DiagnosisReport& diagnosis_report);

@@ -44,8 +44,14 @@ Table figures(const EffectTest& effect_test) {
   return table;
 }
 
+// Judged beside all errors of the axes, without surrogates.
+bool is_of_axes(const EffectTest& effect_test) {
+  return effect_test.after.level == Level::recording && !std::isfinite(effect_test.after.best_surrogate_fall);
+}
+
 Table added_table(const EffectTest& effect_test) {
-  Table table({"added", "amplitude um", "2 ln LR", "counts from", "fall %", "best surrogate's %"});
+  Table table({"added", "amplitude um", is_of_axes(effect_test) ? "chi^2" : "2 ln B", "counts from", "fall %",
+               "best surrogate's %"});
   const double fall = 1.0 - effect_test.after.rmse_um / effect_test.before.rmse_um;
   for (const Candidate& tried : effect_test.added) {
     table.add({shortened(tried.label, 44),
@@ -61,12 +67,24 @@ Table added_table(const EffectTest& effect_test) {
 std::string p_text(double p) { return p < 1e-6 ? "< 0.000001" : fmt::format("{:.2g}", p); }
 
 Table earlier_table(const EffectTest& effect_test) {
-  Table table({"earlier", "2 ln LR", "parameters", "drop test p", "needed"});
+  const bool of_axes = is_of_axes(effect_test);
+  Table table({"earlier", of_axes ? "chi^2" : "2 ln B", "parameters", of_axes ? "p" : "P not needed", "needed"});
   for (const DropTest& drop_test : effect_test.earlier) {
     table.add({shortened(drop_test.label, 44), fixed(drop_test.likelihood_ratio, 1),
                fmt::format("{}", drop_test.parameters), p_text(drop_test.p), drop_test.needed ? "yes" : "no"});
   }
   return table;
+}
+
+// Of an added effect as its test has it, which is what `diagnose` says of it; else as the fit has it.
+const FittedParameter& tested(const FittedParameter& fitted, const EffectTest& effect_test) {
+  for (const Candidate& added : effect_test.added) {
+    if (added.label != fitted.effect) continue;
+    for (const FittedParameter& parameter : added.parameters) {
+      if (parameter.name == fitted.name) return parameter;
+    }
+  }
+  return fitted;
 }
 
 Table parameter_table(const EffectTest& effect_test) {
@@ -79,18 +97,25 @@ Table parameter_table(const EffectTest& effect_test) {
     const std::vector<FittedParameter>& all = effect_test.fit_before.parameters;
     const auto before = std::find_if(all.begin(), all.end(), same);
     table.add({shortened(after.effect, 44), shortened(after.name, 30), before == all.end() ? "-" : value_text(*before),
-               value_text(after), shortened(after.unit, 12)});
+               value_text(tested(after, effect_test)), shortened(after.unit, 12)});
   }
   return table;
 }
 
-nlohmann::ordered_json parameters_of(const std::string& label, const Fit& fit) {
+nlohmann::ordered_json parameters_of(const Candidate& added, const EffectTest& effect_test) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const FittedParameter& parameter : fit.parameters) {
-    if (parameter.effect != label) continue;
+  for (const FittedParameter& fitted : effect_test.fit_after.parameters) {
+    if (fitted.effect != added.label) continue;
+    const FittedParameter& parameter = tested(fitted, effect_test);
+    Interval interval;
+    for (std::size_t k = 0; k < added.intervals.size() && k < added.parameters.size(); ++k) {
+      if (added.parameters[k].name == fitted.name) interval = added.intervals[k];
+    }
     json.push_back({{"name", parameter.name},
-                    {"value", parameter.value},
+                    {"value", number(parameter.value)},
                     {"sigma", number(parameter.sigma)},
+                    {"low", number(interval.low)},
+                    {"high", number(interval.high)},
                     {"unit", parameter.unit}});
   }
   return json;
@@ -137,20 +162,23 @@ std::string tables(const EffectTest& effect_test) {
   std::string text = figures(effect_test).text(kWidest) + "\n" + added_table(effect_test).text(kWidest);
   if (!effect_test.earlier.empty()) text += "\n" + earlier_table(effect_test).text(kWidest);
   text += "\n" + parameter_table(effect_test).text(kWidest);
-  if (effect_test.after.level == Level::recording && !std::isfinite(effect_test.after.best_surrogate_fall)) {
+  if (is_of_axes(effect_test)) {
     return text + "\n" +
            wrapped(
                "Each error has the value that it has beside all errors of the axes, sigma by the noise that these "
-               "leave together. 2 ln LR: of all its gains together (chi^2); it counts from where noise shows as "
-               "much among all of them in 1 % of tests. Left-out recordings: CCW from CW and the other way round.");
+               "leave together. chi^2: of all its gains together; it counts from where noise shows as much among all "
+               "of them in 1 % of tests; an earlier error is needed where p is below 0.001. Left-out recordings: CCW "
+               "from CW and the other way round.");
   }
   return text + "\n" +
-         wrapped(fmt::format(
-             "2 ln LR: 2 ln of the likelihood ratio, the noise estimated anew on both sides; {:.0f} is d = 5. It holds "
-             "for an effect chosen before looking at these data. best surrogate's %: by which the best of {} "
-             "surrogates, the same smoothness and no cause, lowers the RMSE. drop test p: an earlier effect is needed "
-             "below {}.",
-             kLeastLikelihoodRatio, kSurrogates, kDropTest));
+         wrapped(fmt::format("2 ln B: 2 ln of how much more likely the readings are with it, gains, shapes and noise "
+                             "integrated out; 10 "
+                             "is 150 to 1. It holds for an effect chosen before looking at these data. best "
+                             "surrogate's %: by which the "
+                             "best of {} surrogates, the same smoothness and no cause, lowers the RMSE. P not needed: "
+                             "an earlier effect "
+                             "is needed below {}.",
+                             kSurrogates, kDropTest));
 }
 
 nlohmann::ordered_json json_of(const EffectTest& effect_test) {
@@ -179,7 +207,7 @@ nlohmann::ordered_json json_of(const EffectTest& effect_test) {
                                {"p_same_gain", number(tried.p_same_gain)},
                                {"time_only", term.effect->time_only},
                                {"doubts", tried.doubts},
-                               {"parameters", parameters_of(tried.label, effect_test.fit_after)}});
+                               {"parameters", parameters_of(tried, effect_test)}});
   }
   json["earlier"] = nlohmann::ordered_json::array();
   for (const DropTest& drop_test : effect_test.earlier) {

@@ -12,7 +12,7 @@ namespace ballbar {
 // "The data support X.", or why they do not.
 std::string conclusion(const EffectTest& effect_test);
 
-// Error before and after, added effects with their likelihood ratios and surrogates, earlier effects tested anew, all
+// Error before and after, added effects with 2 ln B and surrogates, earlier effects tested anew, all
 // parameters.
 std::string tables(const EffectTest& effect_test);
 

@@ -91,8 +91,6 @@ std::string shapes_text(const Injection& injection) {
   return texts.empty() ? "" : fmt::format(" with {}", fmt::join(texts, ", "));
 }
 
-bool is_seen(Sight sight) { return sight == Sight::named || sight == Sight::in_set; }
-
 double amplitude_of(const Injected& result, double d) { return d / result.d * result.amplitude_um; }
 
 // Whole sentences.
@@ -110,6 +108,12 @@ std::string answer_text(const Injected& result) {
   switch (now) {
     case Sight::named:
       text = "It would be named.";
+      break;
+    case Sight::probable:
+      text = "It would be called probable.";
+      break;
+    case Sight::driver:
+      text = "What drives it would be named, not the effect itself.";
       break;
     case Sight::in_set:
       text = "It would be in the reported set, not named.";
@@ -195,6 +199,7 @@ Injection injection(const Options& options, const Model& model, const ModelData&
   } catch (const Error& error) {
     throw Error(fmt::format("EFFECT: {}", error.what()));
   }
+  expect_no_target(label_of(bound), bound.columns, model);
   for (const Term& term : model.terms) {
     if (term.effect->name != bound.effect->name || term.columns != bound.columns) continue;
     throw Error(fmt::format("EFFECT: expected an effect that the model lacks, found {}.", label_of(bound)));
@@ -273,6 +278,7 @@ void add_inject(CLI::App& app) {
           ""))
       ->required();
   add_model_options(*command, options->model, false);
+  add_also_input(*command, options->model);
   command
       ->add_option("--set", options->shapes, "a shape of it, NAME=VALUE, such as time_constant_s=1800; may be repeated")
       ->type_name("NAME=VALUE")

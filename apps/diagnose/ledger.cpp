@@ -33,8 +33,11 @@ Table table_of(const std::vector<LedgerRow>& rows) {
       std::any_of(rows.begin(), rows.end(), [&](const LedgerRow& row) { return row.target != rows.front().target; });
   std::vector<std::string> heading{"revision"};
   if (several) heading.emplace_back("target");
-  heading.insert(heading.end(),
-                 {"parameters", "RMSE um", "x floor", "left out um", "2 ln LR", "counts from", "verdict"});
+  const bool of_axes = std::any_of(rows.begin(), rows.end(), [](const LedgerRow& row) {
+    return row.level == Level::recording && row.revision > 0 && !std::isfinite(row.best_surrogate_fall);
+  });
+  heading.insert(heading.end(), {"parameters", "RMSE um", "x floor", "left out um", of_axes ? "chi^2" : "2 ln B",
+                                 "counts from", "verdict"});
   Table table(heading);
   for (const LedgerRow& row : rows) {
     std::vector<std::string> cells{fmt::format("{} {}", row.revision, shortened(row.change, 60))};

@@ -76,6 +76,7 @@ std::string next_command(const ModelOptions& options, const Diagnosis& found) {
   }
   for (const std::string& file : options.data) words.push_back(shell_word(file));
   words.insert(words.end(), {"--model", shell_word(options.model), "--target", shell_word(found.target)});
+  for (const std::string& column : options.also_input) words.insert(words.end(), {"--also-input", shell_word(column)});
   if (options.max_gap_s) words.insert(words.end(), {"--max-gap", fmt::format("{:g}s", *options.max_gap_s)});
   return fmt::format("{}", fmt::join(words, " "));
 }

@@ -139,7 +139,7 @@ void run(const Options& options) {
   const Model model = open_model(options.model, data);
   std::vector<ResidualReport> all;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
-    all.push_back(residual_report_of(options.model, model, data, target));
+    all.push_back(residual_report_of(options.model, of_one_target(model, options.model, target), data, 0));
   }
   if (options.json) {
     nlohmann::ordered_json targets = nlohmann::ordered_json::array();
@@ -159,6 +159,7 @@ void add_check(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("check", "Fit a model, and show where it fails");
   add_model_options(*command, options->model, false);
+  add_also_input(*command, options->model);
   add_fit_options(*command, options->model);
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(

@@ -28,6 +28,7 @@ bool is_effect(const std::string& word) {
 
 void add_effect_options(CLI::App& command, EffectOptions& options, const std::string& words) {
   add_model_options(command, options.model, true);
+  add_also_input(command, options.model);
   command.remove_option(command.get_option("DATA"));
   command.add_option("EFFECT_AND_DATA", options.words, words)->required();
   command.add_flag("--json", options.json, "the result for a program");
@@ -58,6 +59,7 @@ std::vector<Term> terms_of(const std::vector<std::string>& effects, const Model&
   std::vector<Term> terms;
   for (const std::string& effect : effects) {
     terms.push_back(term_from_text(effect, larger, data.series));
+    expect_no_target(label_of(terms.back()), terms.back().columns, larger);
     if (data.motion && !applies_to(*terms.back().effect, *data.motion)) {
       throw Error(fmt::format("expected effects that act where {} drives the circle, found {}.", name_of(*data.motion),
                               terms.back().effect->name));

@@ -13,6 +13,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/model/recording_base_model.hpp"
 #include "ballbar/model/target_columns.hpp"
+#include "ballbar/nearest_name.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -31,7 +32,35 @@ void expect_model_suits(Model model, const ModelOptions& options, const ModelDat
       throw Error(fmt::format("--{}", error.what()));  // --target: expected ...
     }
   }
+  if (!options.also_input.empty() && model.targets.size() > 1) return;  // of_one_target: one may read another
   with_source(options.model, [&] { expect_suits(model, data.series); });
+}
+
+bool is_in(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void expect_also_inputs(const ModelOptions& options, const Model& model, const Series& data) {
+  for (const std::string& column : options.also_input) {
+    if (find_column(data, column) == nullptr) {
+      std::vector<std::string_view> known;
+      for (const Column& one : data.columns) known.emplace_back(one.name);
+      throw Error(fmt::format("--also-input: expected a column of the data, found {}; the nearest is {}.",
+                              in_quotes(column), nearest_name(column, known)));
+    }
+    if (model.targets.size() == 1 && model.targets.front() == column) {
+      throw Error(fmt::format("--also-input: expected a column other than the target, found {}.", in_quotes(column)));
+    }
+  }
+}
+
+// Puts the model's own targets aside where others are chosen.
+void choose_targets(Model& model, const ModelOptions& options) {
+  if (options.target.empty()) return;
+  for (const std::string& target : model.targets) {
+    if (!is_in(options.target, target) && !is_in(options.also_input, target)) model.not_inputs.push_back(target);
+  }
+  model.targets = options.target;
 }
 
 }  // namespace
@@ -58,6 +87,14 @@ void add_model_options(CLI::App& command, ModelOptions& options, bool model_requ
             return max_gap_s > 0.0 && std::isfinite(max_gap_s) ? "" : std::string("expected a finite time above 0");
           },
           ""));
+}
+
+void add_also_input(CLI::App& command, ModelOptions& options) {
+  command
+      .add_option("--also-input", options.also_input,
+                  "another target, which effects may read; without this none does; may be repeated")
+      ->type_name("COLUMN")
+      ->allow_extra_args(false);
 }
 
 void add_fit_options(CLI::App& command, ModelOptions& options) {
@@ -88,11 +125,29 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
     if (data.motion) with_source(options.model, [&] { expect_acts(model, *data.motion); });
     if (model.level == Level::recording) model = with_circles(std::move(model), data.series);
   }
-  if (!options.target.empty()) model.targets = options.target;
+  choose_targets(model, options);
   if (model.targets.empty())
     throw Error(fmt::format("{}: expected a measured column to explain, found none.", data.title));
   expect_model_suits(model, options, data);
+  expect_also_inputs(options, model, data.series);
   return model;
+}
+
+void expect_no_target(const std::string& label, const std::vector<std::string>& columns, const Model& model) {
+  for (const std::string& column : columns) {
+    if (!is_in(model.not_inputs, column)) continue;
+    throw Error(fmt::format("{}: expected an input that is no target, found {}; --also-input {} takes it for one.",
+                            label, in_quotes(column), column));
+  }
+}
+
+Model of_one_target(const Model& model, const ModelOptions& options, std::size_t target) {
+  Model one = model;
+  one.targets = {model.targets[target]};
+  for (const std::string& other : model.targets) {
+    if (other != one.targets.front() && !is_in(options.also_input, other)) one.not_inputs.push_back(other);
+  }
+  return one;
 }
 
 void expect_to_fit(const ModelOptions& options, const Model& model, const ModelData& data) {

@@ -18,14 +18,18 @@ namespace ballbar {
 
 struct ModelOptions {
   std::vector<std::string> data;
-  std::string model;                // file
-  std::vector<std::string> target;  // instead of the model's own
+  std::string model;                    // file
+  std::vector<std::string> target;      // instead of the model's own
+  std::vector<std::string> also_input;  // targets that effects may read
   std::optional<double> max_gap_s;
   bool robust = false;
   bool white = false;
 };
 
 void add_model_options(CLI::App& command, ModelOptions& options, bool model_required);
+
+// --also-input, for the commands that look for effects.
+void add_also_input(CLI::App& command, ModelOptions& options);
 
 // --robust and --white, for the commands that print the fit.
 void add_fit_options(CLI::App& command, ModelOptions& options);
@@ -36,8 +40,16 @@ ModelData open_data(const ModelOptions& options);
 
 // The model of the file, its targets replaced where the command line says so; without a file a constant (or, on
 // recordings, a circle each). Throws Error: a model of drift for recordings or the other way round, one that does not
-// suit the data (expect_suits) with the file's name, a target that is not in um.
+// suit the data (expect_suits) with the file's name, a target that is not in um. Targets that --target leaves out are
+// no inputs (Model::not_inputs) but where --also-input says so.
 Model open_model(const ModelOptions& options, const ModelData& data);
+
+// Throws Error where an effect of that label would read one of Model::not_inputs.
+void expect_no_target(const std::string& label, const std::vector<std::string>& columns, const Model& model);
+
+// The model of one of its targets: the others are no inputs but where --also-input says so. Several targets are looked
+// at one by one, each by its own model.
+Model of_one_target(const Model& model, const ModelOptions& options, std::size_t target);
 
 // Throws Error, with the model's file, where nothing of it is free.
 void expect_to_fit(const ModelOptions& options, const Model& model, const ModelData& data);

@@ -153,11 +153,12 @@ nlohmann::ordered_json json_of(const Preflight& result) {
 void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
-  expect_to_fit(options.model, model, data);
   std::vector<Preflight> results;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
+    const Model one = of_one_target(model, options.model, target);
+    expect_to_fit(options.model, one, data);
     results.push_back(
-        with_source(options.model.data.front(), [&] { return preflight(model, data.series, target, data.motion); }));
+        with_source(options.model.data.front(), [&] { return preflight(one, data.series, 0, data.motion); }));
   }
   if (options.json) {
     nlohmann::ordered_json targets = nlohmann::ordered_json::array();
@@ -177,6 +178,7 @@ void add_preflight(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("preflight", "What these data could show, before looking at any residual");
   add_model_options(*command, options->model, false);
+  add_also_input(*command, options->model);
   command->add_flag("--json", options->json, "the result for a program");
   command->footer("Example:\n  ballbar preflight sample-runs/two-arcs-he2015 --target y_um");
   command->callback([options] { run(*options); });

@@ -154,21 +154,21 @@ void overlay_candidates(Made& made, const DiagnosisReport& found, const ModelDat
   }
 }
 
-void add_target(Made& made, const Options& options, const Model& model, const ModelData& data, std::size_t target) {
+void add_target(Made& made, const Options& options, const Model& model, const ModelData& data) {
   const auto add_checked = [&](const ResidualReport& residual_report) {
     made.json["check"]["targets"].push_back(check_part(residual_report, model, data));
     const auto said = sentences(residual_report.fit, residual_report.where, residual_report.whiteness);
-    if (!said.empty()) made.conclude(fmt::format("{}: {}", model.targets[target], said.front()));
+    if (!said.empty()) made.conclude(fmt::format("{}: {}", model.targets.front(), said.front()));
     overlay_effects(made, residual_report.fit, model, data);
   };
   // What is missing from a model of the errors of the axes, their ranked table says.
   if (options.no_diagnosis || is_of_machine_errors(model, data.series)) {
-    return add_checked(residual_report_of(options.model, model, data, target));
+    return add_checked(residual_report_of(options.model, model, data, 0));
   }
-  const DiagnosisReport found = diagnosis_report_of(options.model, options.how, model, data, target);
+  const DiagnosisReport found = diagnosis_report_of(options.model, options.how, model, data);
   add_checked(found.residual_report);
   made.json["diagnose"]["targets"].push_back(diagnosis_part(found, data));
-  made.conclude(fmt::format("{}: {}", model.targets[target], found.diagnosis.sentence));
+  made.conclude(fmt::format("{}: {}", model.targets.front(), found.diagnosis.sentence));
   overlay_candidates(made, found, data);
 }
 
@@ -178,7 +178,7 @@ void add_model(Made& made, const Options& options) {
   const Model model = open_model(options.model, data);
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     try {
-      add_target(made, options, model, data, target);
+      add_target(made, options, of_one_target(model, options.model, target), data);
     } catch (const Error& error) {  // the rest of the report is worth having
       const std::string& name = model.targets[target];
       made.conclude(fmt::format("{}: not {}: {}", name, options.no_diagnosis ? "fitted" : "diagnosed", error.what()));
@@ -209,6 +209,7 @@ void expect_use(const Options& options, bool of_recordings, bool of_batches) {
     if (!used) throw Error(fmt::format("{}: expected {} with it.", option, with));
   };
   expect(options.model.target.empty() || fits, "--target", "a model of effects or --diagnose");
+  expect(options.model.also_input.empty() || fits, "--also-input", "a model of effects or --diagnose");
   expect(!options.model.robust || fits, "--robust", "a model of effects or --diagnose");
   expect(!options.model.white || fits, "--white", "a model of effects or --diagnose");
   expect(!options.no_diagnosis || fits, "--no-diagnosis", "a model of effects");
@@ -349,6 +350,7 @@ void add_report(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("report", "Everything to look at, in one page");
   add_model_options(*command, options->model, false);
+  add_also_input(*command, options->model);
   add_fit_options(*command, options->model);
   command->add_option("--compare", options->compare, "another drift, or five probes, to compare DATA with")
       ->type_name("DATA");

@@ -35,7 +35,7 @@ BlindOutcome outcome_of_effects(const BlindAnswer& answer, const BlindVerdict& v
 }  // namespace
 
 BlindVerdict verdict_of(const Diagnosis& diagnosis) {
-  BlindVerdict verdict{diagnosis.verdict, diagnosis.named, {}};
+  BlindVerdict verdict{diagnosis.verdict, diagnosis.named, diagnosis.probable};
   for (const std::vector<BoundEffect>& group : diagnosis.equivalent) {
     verdict.reported.insert(verdict.reported.end(), group.begin(), group.end());
   }

@@ -83,7 +83,14 @@ Sight sight_of(const Diagnosis& diagnosis, const BoundEffect& bound) {
     return std::find(bounds.begin(), bounds.end(), bound) != bounds.end();
   };
   if (holds(diagnosis.named)) return Sight::named;
+  if (holds(diagnosis.probable)) return Sight::probable;
   if (std::any_of(diagnosis.equivalent.begin(), diagnosis.equivalent.end(), holds)) return Sight::in_set;
+  const auto drives = [&](const Driver& driver) {
+    return driver.p >= kSureDriver &&
+           std::find(bound.columns.begin(), bound.columns.end(), driver.column) != bound.columns.end();
+  };
+  if (diagnosis.verdict == Verdict::driver && std::any_of(diagnosis.drivers.begin(), diagnosis.drivers.end(), drives))
+    return Sight::driver;
   const auto is_best = [&](const Candidate& candidate) { return candidate.in_best_set && candidate.bound == bound; };
   const bool calls = diagnosis.verdict != Verdict::nothing && diagnosis.verdict != Verdict::untestable;
   if (calls && std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(), is_best)) return Sight::candidate;
@@ -94,8 +101,12 @@ std::string_view name_of(Sight sight) {
   switch (sight) {
     case Sight::named:
       return "named";
+    case Sight::probable:
+      return "probable";
     case Sight::in_set:
       return "in the reported set";
+    case Sight::driver:
+      return "driver";
     case Sight::candidate:
       return "candidate";
     case Sight::unexplained:
@@ -105,6 +116,8 @@ std::string_view name_of(Sight sight) {
   }
   return "not seen";
 }
+
+bool is_seen(Sight sight) { return sight == Sight::named || sight == Sight::probable || sight == Sight::in_set; }
 
 SmallestSeen smallest_seen(const Model& model, const Series& data, const Injection& injection, double d_per_um,
                            SmallestSeen known, const DiagnosisOptions& options,
@@ -124,8 +137,7 @@ SmallestSeen smallest_seen(const Model& model, const Series& data, const Injecti
     }
     progress(known.diagnoses + 1);
     const Diagnosis found = diagnose(model, injected(data, model.targets.front(), injection, try_um), 0, options);
-    const Sight sight = sight_of(found, injection.bound);
-    (sight == Sight::named || sight == Sight::in_set ? known.seen_um : known.not_seen_um) = try_um;
+    (is_seen(sight_of(found, injection.bound)) ? known.seen_um : known.not_seen_um) = try_um;
     ++known.diagnoses;
   }
   return known;

@@ -10,14 +10,17 @@
 namespace ballbar {
 namespace {
 
+bool is_in(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 bool is_axial(const Series& data, const std::string& name) {
   return name == "z_um" || name == "axial_um" || (data.five_probe && data.five_probe->columns[4] == name);
 }
 
 bool is_read(const Model& model, const std::string& name) {
-  return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& term) {
-    return std::find(term.columns.begin(), term.columns.end(), name) != term.columns.end();
-  });
+  return std::any_of(model.terms.begin(), model.terms.end(),
+                     [&](const Term& term) { return is_in(term.columns, name); });
 }
 
 double mean_of(const Column& column) {
@@ -36,7 +39,7 @@ bool suits(const Effect& effect, const Input& input, const Column& column, const
   const std::string_view unit = unit_of(column.name);
   if (std::find(input.units.begin(), input.units.end(), unit) == input.units.end()) return false;
   if (column.name.find("_sigma_") != std::string::npos) return false;
-  if (std::find(model.targets.begin(), model.targets.end(), column.name) != model.targets.end()) return false;
+  if (is_in(model.targets, column.name) || is_in(model.not_inputs, column.name)) return false;
   if (input.of_another_effect && !is_read(model, column.name)) return false;
   if (input.accepts) return input.accepts(column);
   return unit != "um" || is_axial(data, column.name);

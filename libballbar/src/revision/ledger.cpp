@@ -88,7 +88,8 @@ std::string sentence(const LedgerRow& row, const LedgerRow* before) {
                         change_text(from.held_out_um, row.held_out_um, um_text));
   }
   if (std::isfinite(row.likelihood_ratio)) {
-    text += fmt::format("; likelihood ratio {:.1f}", row.likelihood_ratio);
+    const bool of_errors = row.level == Level::recording && !std::isfinite(row.best_surrogate_fall);
+    text += fmt::format("; {} {:.1f}", of_errors ? "chi^2" : "2 ln B", row.likelihood_ratio);
     if (std::isfinite(row.threshold)) text += fmt::format(", which counts from {:.1f}", row.threshold);
   }
   if (std::isfinite(row.best_surrogate_fall)) {

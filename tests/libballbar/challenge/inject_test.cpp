@@ -65,6 +65,15 @@ TEST(Inject, SightIsWhatTheDiagnosisSays) {
   diagnosis.candidates = {{.bound = one, .in_best_set = true}};
   EXPECT_EQ(sight_of(diagnosis, one), Sight::candidate);
   EXPECT_EQ(sight_of(diagnosis, other), Sight::unexplained);
+  diagnosis.verdict = Verdict::driver;
+  diagnosis.drivers = {{other.columns.front(), 0.95}};
+  EXPECT_EQ(sight_of(diagnosis, other), Sight::driver);
+  diagnosis.drivers.front().p = 0.6;
+  EXPECT_EQ(sight_of(diagnosis, other), Sight::not_seen);
+  diagnosis.verdict = Verdict::probable;
+  diagnosis.probable = {other};
+  EXPECT_EQ(sight_of(diagnosis, other), Sight::probable);
+  diagnosis.probable.clear();
   diagnosis.verdict = Verdict::equivalent;
   diagnosis.equivalent = {{one, other}};
   EXPECT_EQ(sight_of(diagnosis, other), Sight::in_set);

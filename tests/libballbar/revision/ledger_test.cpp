@@ -63,7 +63,7 @@ TEST(Ledger, sentence_of_an_addition) {
   EXPECT_EQ(
       sentence(after, &before),
       "Revision 2 added lagged_expansion(T16_degC): RMSE 12.3 -> 3.10 um (14.0 -> 1.00 times the floor), left-out "
-      "cycles 14.0 -> 3.90 um; likelihood ratio 431.2, which counts from 25.0, and a surrogate effect would have "
+      "cycles 14.0 -> 3.90 um; 2 ln B 431.2, which counts from 25.0, and a surrogate effect would have "
       "bought up to "
       "27 %; speed_heating(speed_rpm) is still needed.");
 }

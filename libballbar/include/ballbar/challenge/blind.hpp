@@ -75,7 +75,7 @@ BlindSet blind_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogu
 struct BlindVerdict {
   Verdict verdict = Verdict::nothing;
   std::vector<BoundEffect> named;     // no columns: on any
-  std::vector<BoundEffect> reported;  // of a verdict `equivalent`, or beside the named: any of these
+  std::vector<BoundEffect> reported;  // any of these: probable, equivalent, or beside the named
 };
 BlindVerdict verdict_of(const Diagnosis& diagnosis);
 

@@ -41,14 +41,18 @@ struct Survival {
 };
 Survival survival_of(std::span<const double> signal_um, const Fit& fit, const Noise& noise);
 
-enum class Sight { named, in_set, candidate, unexplained, not_seen };
+enum class Sight { named, probable, in_set, driver, candidate, unexplained, not_seen };
 
-// What a diagnosis makes of an effect that is there: it names it, has it in a set of equivalent ones, has it in its
-// best set without confirming it, says that something unexplained is there, or sees nothing of it.
+// What a diagnosis makes of an effect that is there: it names it, calls it probable, has it in a set of equivalent
+// ones, says that a column which the effect reads drives something, has it in its best set without confirming it, says
+// that something unexplained is there, or sees nothing of it.
 Sight sight_of(const Diagnosis& diagnosis, const BoundEffect& bound);
-std::string_view name_of(Sight sight);  // "named", "in the reported set", "candidate", "unexplained", "not seen"
+// "named", "probable", "in the reported set", "driver", "candidate", "unexplained", "not seen"
+std::string_view name_of(Sight sight);
+bool is_seen(Sight sight);  // by its name: named, probable or in a reported set
 
-// Amplitudes (range of the signal, um) between which the smallest lies that is seen: named or in a reported set.
+// Amplitudes (range of the signal, um) between which the smallest lies that is seen: named, probable or in a reported
+// set.
 struct SmallestSeen {
   double not_seen_um = 0.0;  // the largest that was tried below
   double seen_um = 0.0;      // the smallest that was tried and seen; infinite: none

@@ -39,6 +39,8 @@ struct Model {
   std::vector<Term> terms;
   std::optional<double> constant_um;  // held at this value; nothing: free. None on recordings: the circle has it
   std::vector<ColumnRange> trained;   // a column once; none: not known
+  // Other columns that no search takes for an input: targets that were put aside.
+  std::vector<std::string> not_inputs;
 };
 
 // An effect of the catalogue with its own settings. Throws Error for a name that is not in it, with the nearest name.

@@ -1,6 +1,6 @@
 // The story of a model: one row a revision, what it changed, what it bought, and whether the data demanded it.
 //
-// A falling error alone is no evidence: every row also carries 2 ln L gained, the value from which that counts, and
+// A falling error alone is no evidence: every row also carries 2 ln B, the value from which that counts, and
 // the fall that a surrogate effect would have bought, where these are known.
 #pragma once
 
@@ -26,8 +26,8 @@ struct LedgerRow {
   double rmse_um = 0.0;                   // of the fit to all rows
   double times_floor = kUnknown;          // RMSE over the floor
   double held_out_um = kUnknown;          // RMSE of cycles (recordings) left out, each predicted from the others
-  double likelihood_ratio = kUnknown;     // 2 ln L gained by the change, the noise estimated anew on both sides
-  double threshold = kUnknown;            // from which the likelihood ratio counts
+  double likelihood_ratio = kUnknown;     // 2 ln B of the change (effect_test.hpp)
+  double threshold = kUnknown;            // from which that counts
   double best_surrogate_fall = kUnknown;  // relative fall of the RMSE by the best of 200 surrogates
   std::string verdict = "start";          // "start", "named", "supported", "time only", "not supported"
   std::vector<std::string> still_needed, no_longer_needed;  // labels of earlier effects, tested anew
@@ -39,7 +39,7 @@ struct LedgerRow {
 LedgerRow row_of(const Model& model, const Series& data, std::size_t target = 0);
 
 // "Revision 2 added lagged_expansion(T16_degC): RMSE 12.3 -> 3.1 um (4.0 -> 1.0 times the floor), left-out cycles
-// 14.0 -> 3.9 um; likelihood ratio 431, which counts from 25, and a surrogate effect would have bought up to 27 %;
+// 14.0 -> 3.9 um; 2 ln B 431, which counts from 10, and a surrogate effect would have bought up to 27 %;
 // speed_heating(speed_rpm) is still needed." Without figures from before where `before` is nullptr or of another
 // target or other data; of recordings "left-out recordings".
 std::string sentence(const LedgerRow& row, const LedgerRow* before);
