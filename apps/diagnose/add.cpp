@@ -19,6 +19,7 @@
 #include "ballbar/machine_errors/machine_errors.hpp"
 #include "commands.hpp"
 #include "diagnose/effect_test_text.hpp"
+#include "diagnose/next_command.hpp"
 #include "model/effect_options.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/terminal_table.hpp"
@@ -54,8 +55,8 @@ Story story_of(const Options& options, const ModelData& data) {
   return story;
 }
 
-// named: by which the terms were found; nullptr: they were chosen.
-void add_terms(const Options& options, const ModelData& data, const std::vector<Term>& terms, const Diagnosis* named,
+// named: the terms were found by a diagnosis, not chosen.
+void add_terms(const Options& options, const ModelData& data, const std::vector<Term>& terms, bool named,
                Story& story) {
   const ModelOptions& how = options.effect.model;
   EffectTest tried = with_source(how.data.front(), [&] { return effect_test(story.model, terms, data.series); });
@@ -65,14 +66,7 @@ void add_terms(const Options& options, const ModelData& data, const std::vector<
     tried = std::move(smaller.effect_test);
     for (const std::size_t term : smaller.removed) removed.push_back(term - story.not_in_file);
   }
-  if (named != nullptr) {
-    tried.after.verdict = name_of(Verdict::named);
-    tried.after.threshold = 0.0;
-    for (const Candidate& candidate : named->candidates) {
-      if (std::find(named->named.begin(), named->named.end(), candidate.bound) == named->named.end()) continue;
-      tried.after.threshold += std::max(kLeastLikelihoodRatio, candidate.threshold);  // what a search shows by chance
-    }
-  }
+  if (named) tried.after.verdict = name_of(Verdict::named);
   tried.before.data = tried.after.data = how.data;
   story.bytes = with_revision(story.bytes, how.model, terms, removed, tried.before, tried.after);
   tried.after.revision = read_ledger(story.bytes, how.model).size() - 1;
@@ -100,7 +94,7 @@ std::string either_text(const std::vector<std::vector<BoundEffect>>& groups) {
 }
 
 // Why the search goes no further.
-std::string stop_text(const Diagnosis& diagnosis) {
+std::string stop_text(const Options& options, const Diagnosis& diagnosis) {
   const std::string why = diagnosis.reasons.empty() ? "" : fmt::format(" {}", fmt::join(diagnosis.reasons, " "));
   switch (diagnosis.verdict) {
     case Verdict::nothing:
@@ -108,6 +102,11 @@ std::string stop_text(const Diagnosis& diagnosis) {
                  ? fmt::format("Stopped: no further effect is found; {} would have been from {:.3g} um.{}",
                                label_of(diagnosis.smallest), diagnosis.smallest_um, why)
                  : fmt::format("Stopped: no further effect is found.{}", why);
+    case Verdict::named:
+    case Verdict::probable:
+      return fmt::format("Stopped: {} {}{}", diagnosis.sentence, next_hint(options.effect.model, diagnosis), why);
+    case Verdict::driver:
+      return fmt::format("Stopped: {}{}", diagnosis.sentence, why);
     case Verdict::equivalent:
       return fmt::format("Stopped: something real is left, and the data cannot name it: {}.{}",
                          either_text(diagnosis.equivalent), why);
@@ -141,7 +140,7 @@ std::string add_errors(const Options& options, const ModelData& data, Story& sto
     const bool has = std::any_of(story.model.terms.begin(), story.model.terms.end(),
                                  [&](const Term& term) { return term.effect.get() == one.effect; });
     if (has) continue;
-    add_terms(options, data, {term_of(one.effect->name, {}, Level::recording)}, nullptr, story);
+    add_terms(options, data, {term_of(one.effect->name, {}, Level::recording)}, false, story);
     story.effect_tests.back().after.verdict = name_of(Verdict::named);
   }
   const double left_um = found.residual_rms_um;
@@ -164,12 +163,12 @@ std::string add_named(const Options& options, const ModelData& data, Story& stor
     const Diagnosis diagnosis =
         with_source(options.effect.model.data.front(), [&] { return diagnose(story.model, data.series, 0, how); });
     verdict = diagnosis.verdict;
-    if (verdict != Verdict::named) return stop_text(diagnosis);
+    if (diagnosis.named.empty()) return stop_text(options, diagnosis);
     std::vector<Term> terms;
     for (const BoundEffect& bound : diagnosis.named) {
       terms.push_back(as_diagnosed(bound, diagnosis));
     }
-    add_terms(options, data, terms, &diagnosis, story);
+    add_terms(options, data, terms, true, story);
     if (story.effect_tests.size() < kMostAdditions) continue;
     return fmt::format("Stopped after {} revisions: a model that grows further fits these data alone.", kMostAdditions);
   }
@@ -182,8 +181,7 @@ std::string unneeded_text(const EffectTest& tried) {
                      labels.size() == 1 ? "is" : "are", kDropTest, labels.size() == 1 ? "it" : "them");
 }
 
-void print_text(const Story& story, const std::vector<LedgerRow>& rows, const std::string& stopped,
-                const std::string& title) {
+void print_text(const Story& story, const std::string& stopped, const std::string& title) {
   fmt::print("{}\n\n", title);
   for (const EffectTest& tried : story.effect_tests) {
     fmt::print("{}", wrapped(sentence(tried.after, &tried.before)));
@@ -192,8 +190,6 @@ void print_text(const Story& story, const std::vector<LedgerRow>& rows, const st
     if (!unneeded.empty()) fmt::print("{}", wrapped(unneeded));
   }
   if (!stopped.empty()) fmt::print("{}{}", story.effect_tests.empty() ? "" : "\n", wrapped(stopped));
-  if (rows.empty()) return;
-  fmt::print("\nFamily-wise error spent: {}.\n", family_wise_text(family_wise_error(rows)));
   if (!story.effect_tests.empty()) fmt::print("\n{}", tables(story.effect_tests.back()));
 }
 
@@ -214,10 +210,9 @@ void run(Options options) {
       stopped = add_named(options, data, story, verdict);
     }
   } else {
-    add_terms(options, data, terms_of(options.effect.effects, story.model, data), nullptr, story);
+    add_terms(options, data, terms_of(options.effect.effects, story.model, data), false, story);
   }
   expect_file_suits(options, data, story.bytes);
-  const std::vector<LedgerRow> rows = read_ledger(story.bytes, how.model);
   if (!story.effect_tests.empty()) write_bytes(out, story.bytes);
   if (options.effect.json) {
     nlohmann::ordered_json json;
@@ -228,11 +223,10 @@ void run(Options options) {
       json["revisions"].push_back(json_of(tried));
     }
     if (options.automatic) json["stopped"] = {{"verdict", name_of(verdict)}, {"text", stopped}};
-    json["family_wise_error"] = family_wise_error(rows);
     json["written"] = story.effect_tests.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(out);
     fmt::print("{}\n", json.dump(2));
   } else {
-    print_text(story, rows, stopped, data.title);
+    print_text(story, stopped, data.title);
   }
   if (story.effect_tests.empty()) {
     fmt::print(stderr, "nothing added, nothing written\n");

@@ -1,6 +1,7 @@
 // What a model lacks, for the terminal, a program and the page.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -16,7 +17,7 @@ namespace ballbar {
 struct DiagnoseOptions {
   double tolerance_um = 0.0;
   std::uint64_t seed = 1;
-  std::size_t most_rows = 1500;
+  std::size_t most_rows = DiagnosisOptions{}.most_rows;
   bool progress = true;  // told on a terminal
 };
 
@@ -25,21 +26,23 @@ struct DiagnosisReport {
   Diagnosis diagnosis;
   std::vector<NextTest> next_tests;
   std::size_t surrogates = 0;  // tried of each effect
+  std::string command;         // to paste next; empty: none
+  std::string hint;            // what to do where no command does it, a sentence; or empty
 };
 
 DiagnosisReport diagnosis_report_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
                                     const ModelData& data, std::size_t target);
 
-// The verdict in words, whole sentences.
-std::string verdict_text(const Diagnosis& found);
-
-// "Next test: ..."; empty where nothing is left to tell.
+// The test that would tell what is left open, whole sentences; empty where nothing is left to tell.
 std::string next_text(const DiagnosisReport& diagnosis_report);
 
-// "0.4 %"
-std::string chance_text(double p);
+// What was not searched of the columns that the data offer: "gradient_bending on 16 of 528 choices of columns".
+std::string not_searched_text(const Diagnosis& found);
 
 // The keys of `diagnose --json`.
 nlohmann::ordered_json json_of(const DiagnosisReport& diagnosis_report);
+
+// The same for the terminal, the verdict first.
+void print_text(const DiagnosisReport& diagnosis_report, const std::string& title);
 
 }  // namespace ballbar

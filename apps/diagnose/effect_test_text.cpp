@@ -211,11 +211,4 @@ nlohmann::ordered_json json_of(const LedgerRow& row, const LedgerRow* before) {
           {"sentence", sentence(row, before)}};
 }
 
-std::string family_wise_text(double error) {
-  const auto searches = std::lround(error / kErrorOfASearch);
-  return fmt::format("{} ({} at {}{})", fixed(error, 2),
-                     searches == 1 ? "1 search" : fmt::format("{} searches", searches), kErrorOfASearch,
-                     searches == 1 ? "" : " each");
-}
-
 }  // namespace ballbar

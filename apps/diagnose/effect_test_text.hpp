@@ -19,7 +19,4 @@ std::string tables(const EffectTest& effect_test);
 nlohmann::ordered_json json_of(const EffectTest& effect_test);
 nlohmann::ordered_json json_of(const LedgerRow& row, const LedgerRow* before);
 
-// "0.02 (2 searches at 0.01 each)"
-std::string family_wise_text(double error);
-
 }  // namespace ballbar

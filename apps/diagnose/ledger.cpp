@@ -54,7 +54,6 @@ void run(const Options& options) {
     nlohmann::ordered_json json;
     json["rows"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < rows.size(); ++i) json["rows"].push_back(json_of(rows[i], before(i)));
-    json["family_wise_error"] = family_wise_error(rows);
     fmt::print("{}\n", json.dump(2));
     return;
   }
@@ -67,7 +66,6 @@ void run(const Options& options) {
              std::all_of(rows.begin(), rows.end(), same) ? ", " + shortened(rows.front().target, 40) : "",
              table_of(rows).text(kWidest));
   for (std::size_t i = 0; i < rows.size(); ++i) fmt::print("{}", wrapped(sentence(rows[i], before(i))));
-  fmt::print("\nFamily-wise error spent: {}.\n", family_wise_text(family_wise_error(rows)));
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ void add_target(Made& made, const Options& options, const Model& model, const Mo
   const DiagnosisReport found = diagnosis_report_of(options.model, options.how, model, data, target);
   add_checked(found.residual_report);
   made.json["diagnose"]["targets"].push_back(diagnosis_part(found, data));
-  made.conclude(fmt::format("{}: {}", model.targets[target], verdict_text(found.diagnosis)));
+  made.conclude(fmt::format("{}: {}", model.targets[target], found.diagnosis.sentence));
   overlay_candidates(made, found, data);
 }
 

@@ -160,7 +160,6 @@ Json diagnosis_part(const DiagnosisReport& diagnosis_report, const ModelData& da
   // Noise with a long memory lets the model's parameters stand off the readings; beside what is missing they do not.
   json["refit_um"] = bulk(model_parts_um(fit, {fit.residual_um}).front());
   add_curves(json["candidates"], found.candidates, fit, data.series);
-  add_curves(json["associations"], found.associations, fit, data.series);
   json["coherence"] = coherence_of(found);
   return json;
 }

@@ -68,8 +68,6 @@ Json ledger_part(const std::vector<LedgerRow>& rows) {
     json["rows"].push_back(json_of(rows[i], before));
     json["rows"].back()["sentence"] = sentence(rows[i], before);
   }
-  json["family_wise_error"] = family_wise_error(rows);
-  json["family_wise_text"] = family_wise_text(family_wise_error(rows));
   return json;
 }
 

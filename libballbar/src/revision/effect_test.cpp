@@ -97,7 +97,7 @@ std::vector<Candidate> tested(const Weighed& found, const std::vector<Term>& ter
     Candidate one = tested_member(found, *set, fitted, at, m, kSurrogates, kSeed);
     if (terms.size() > 1) one.likelihood_ratio = log_bayes_factor_of_member(found, *set, m);
     one.label = label_of(terms[t]);
-    if (!(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.emplace(one.doubts.begin(), kLowLikelihoodRatio);
+    if (terms.size() > 1 && !(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.emplace(one.doubts.begin(), kLowLikelihoodRatio);
     result.push_back(std::move(one));
   }
   return result;

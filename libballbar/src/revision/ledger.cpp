@@ -73,13 +73,6 @@ LedgerRow row_of(const Model& model, const Series& data, std::size_t target) {
   return row_of(fit(model, data, target), model, data, target);
 }
 
-double family_wise_error(std::span<const LedgerRow> rows) {
-  const auto additions = std::count_if(rows.begin(), rows.end(), [](const LedgerRow& row) {
-    return row.change.find("+ ") == 0 || row.change.find(", + ") != std::string::npos;
-  });
-  return kErrorOfASearch * static_cast<double>(additions);
-}
-
 std::string sentence(const LedgerRow& row, const LedgerRow* before) {
   const bool same = before != nullptr && before->target == row.target && before->data == row.data;
   const LedgerRow none{.rmse_um = LedgerRow::kUnknown};

@@ -1,6 +1,7 @@
 #include "hidden.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "logging.hpp"
@@ -72,12 +73,13 @@ Hidden drawn_effect(std::string_view effect, const Plan& plan, double row_s, Cha
     return {name,
             {hot, cold},
             {{"gain_um_per_K", 1.0, true}, {"time_constant_s", tau_s}},
-            tau_s > 0.0 ? low_pass(sides, tau_s) : sides};
+            tau_s > 0.0 ? low_pass(sides, tau_s) : sides,
+            tau_s > 0.0 ? 0.0 : std::numbers::sqrt2};
   }
   if (effect == "bearing_rings") {
     const bool first = chance.happens(0.5);
     const Quantity inner = kInside[first ? 0 : 1], outer = kInside[first ? 1 : 0];
-    return {name, {inner, outer}, {{"gain", 1.0, true}}, ring_growth(plan[inner], plan[outer])};
+    return {name, {inner, outer}, {{"gain", 1.0, true}}, ring_growth(plan[inner], plan[outer]), 0.633};
   }
   const Quantity input = one_of(kTemperatures, chance);
   const Track& signal = plan[input];
@@ -88,16 +90,21 @@ Hidden drawn_effect(std::string_view effect, const Plan& plan, double row_s, Cha
   if (effect == "preload_loss") {
     const Track up = rise(signal);
     const double threshold = chance.between(0.2, 0.7) * *std::max_element(up.begin(), up.end());
-    return {name, {input}, {{"gain_um_per_unit", 1.0, true}, {"threshold_unit", threshold}}, beyond(signal, threshold)};
+    return {name,
+            {input},
+            {{"gain_um_per_unit", 1.0, true}, {"threshold_unit", threshold}},
+            beyond(signal, threshold),
+            1.0};
   }
   if (effect == "play_hysteresis") {
     const double half_width = chance.between(0.05, 0.2) * range(signal);
     return {name,
             {input},
             {{"gain_um_per_unit", 1.0, true}, {"half_width_unit", half_width}},
-            held_back(signal, half_width)};
+            held_back(signal, half_width),
+            1.0};
   }
-  return {name, {input}, {{"gain_um_per_K", 1.0, true}}, rise(signal)};  // expansion
+  return {name, {input}, {{"gain_um_per_K", 1.0, true}}, rise(signal), 1.0};  // expansion
 }
 
 Track unit_track(const Base& base, const Plan& plan, double time_constant_s) {

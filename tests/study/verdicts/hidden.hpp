@@ -22,6 +22,7 @@ struct Hidden {
   std::vector<Quantity> inputs;            // in the order of the effect's
   std::vector<ParameterTruth> parameters;  // the gain first; only those that are free
   Track unit;                              // what it adds for a gain of 1
+  double at_once_per_K = 0.0;              // of it, for each K of noise in its sensors; 0 behind a lag
 };
 
 // Names of the effects that are hidden.

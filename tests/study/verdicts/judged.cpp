@@ -134,7 +134,7 @@ Judged judged(const Made& made, const Said& said) {
     return result;
   }
   result.right = !own_wrong && said.word == Word::named && are_truths(made, said.named);
-  result.is_clear = made.apart >= kClear;
+  result.is_clear = made.ideal_p >= kSure;
   result.any = !result.wrong && !said.named.empty();
   result.probably_right = said.word == Word::probable && are_truths(made, said.probable);
   result.probably_wrong = !all_true(made, said.probable);
@@ -149,11 +149,12 @@ Judged judged(const Made& made, const Said& said) {
 
 std::string line_of(const Made& made, const Said& said, const Judged& judged) {
   const char* word = judged.wrong ? "WRONG" : judged.right ? "right" : judged.probably_right ? "prob." : "     ";
-  std::string line = fmt::format("{:5} {} [{}{}] {} rows, sigma {:.2f}, model {} | {} [{}]", made.seed, word, made.what,
-                                 made.rival.empty() ? "" : fmt::format(", {:.1f} from {}", made.apart, made.rival),
-                                 made.data.time_s.size(), made.sigma_um,
-                                 made.model.terms.empty() ? "constant" : label_of(made.model.terms.front()),
-                                 name_of(said.word), labels(said.named));
+  std::string line =
+      fmt::format("{:5} {} [{}{}] {} rows, sigma {:.2f}, model {} | {} [{}]", made.seed, word, made.what,
+                  made.rival.empty() ? "" : fmt::format(", ideal {:.2f}, else {}", made.ideal_p, made.rival),
+                  made.data.time_s.size(), made.sigma_um,
+                  made.model.terms.empty() ? "constant" : label_of(made.model.terms.front()), name_of(said.word),
+                  labels(said.named));
   if (!said.probable.empty()) line += fmt::format(" probable [{}]", labels(said.probable));
   for (const std::vector<Member>& group : said.equivalent) line += fmt::format(" {{{}}}", labels(group));
   for (const SaidDriver& driver : said.drivers) line += fmt::format(" driver {} {:.2f}", driver.column, driver.p);

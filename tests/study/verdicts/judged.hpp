@@ -9,7 +9,6 @@
 
 namespace ballbar::verdicts {
 
-inline constexpr double kClear = 3.0;
 inline constexpr double kSure = 0.9;  // a probability from which a driver or an own value counts as said
 
 struct Stated {
@@ -30,7 +29,7 @@ struct Judged {
   bool any = false;           // a truth is named, and nothing else
   bool nothing_said = false;  // verdict `nothing` or `untestable`
   bool undecided = false;     // outside: no cause named, no driver, not `nothing`
-  bool is_clear = false;      // the data tell the truth from every other effect: what those leave of it has d >= 3
+  bool is_clear = false;      // one who knows the noise could name the truth
   double took_s = 0.0;
   std::vector<Stated> stated;    // in-catalogue sets: of every effect with a probability above 0.05
   std::vector<Covered> covered;  // of rightly named effects

@@ -46,7 +46,7 @@ bool hide(std::string_view effect, const Scene& scene, double d, std::vector<Hid
           std::vector<Eigen::VectorXd>& left, Chance& chance) {
   Hidden next = drawn_effect(effect, scene.plan, static_cast<double>(scene.conventions.row_s), chance);
   if (is_in_base(next, scene.base)) return false;
-  const std::optional<double> factor = factor_for(next.unit, scene, d);
+  const std::optional<double> factor = factor_for(next.unit, scene, d, next.at_once_per_K);
   if (!factor) return false;
   const Eigen::VectorXd direction = surviving(next.unit, scene).normalized();
   for (const Eigen::VectorXd& other : left) {
@@ -60,8 +60,8 @@ bool hide(std::string_view effect, const Scene& scene, double d, std::vector<Hid
   return true;
 }
 
-// Of one hidden effect, the others known: the best effect that it is not.
-Apart apart_from_rivals(const std::vector<Hidden>& hidden, std::size_t which, Scene scene) {
+// Of one hidden effect, the others known.
+Ideal ideal_of(const std::vector<Hidden>& hidden, std::size_t which, Scene scene) {
   for (std::size_t k = 0; k < hidden.size(); ++k) {
     if (k == which) continue;
     const std::vector<double> values = at_rows(hidden[k].unit, scene.time_s);
@@ -74,7 +74,7 @@ Apart apart_from_rivals(const std::vector<Hidden>& hidden, std::size_t which, Sc
     std::sort(inputs.begin(), inputs.end());
     return inputs;
   };
-  return apart(surviving(one.unit, scene), rivals(scene),
+  return ideal(surviving(one.unit, scene), rivals(scene),
                [&](const std::string& effect, const std::vector<Quantity>& inputs) {
                  if (effect != one.effect) return true;
                  return effect == "gradient_bending" ? sorted(inputs) != sorted(one.inputs) : inputs != one.inputs;
@@ -116,13 +116,11 @@ Made made(const Recipe& recipe, std::string_view stream, std::uint64_t seed) {
       set.what += (set.what.empty() ? "" : " + ") + described(set.truths.back());
     }
     set.d = recipe.d;
-    set.apart = recipe.d;
     for (std::size_t k = 0; k < hidden.size(); ++k) {
-      const Apart nearest = apart_from_rivals(hidden, k, scene);
-      if (nearest.d < set.apart) {
-        set.apart = nearest.d;
-        set.rival = nearest.effect;
-      }
+      const Ideal one = ideal_of(hidden, k, scene);
+      if (one.p > set.ideal_p) continue;
+      set.ideal_p = one.p;
+      set.rival = one.rival;
     }
     set.seed = seed;
     return set;

@@ -40,8 +40,9 @@ struct Made {
   std::string what;                  // as printed
   double sigma_um = 0.0;
   double d = 0.0;  // of each
-  // Effects hidden: d of what the best other effect leaves of the one that is hardest to tell, and that other.
-  double apart = 0.0;
+  // Effects hidden: the probability that one who knows the noise and the other effects could state of the one that is
+  // hardest to tell (rivals.hpp), and what it is taken for.
+  double ideal_p = 1.0;
   std::string rival;
   std::uint64_t seed = 0;
 };

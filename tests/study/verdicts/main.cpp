@@ -16,7 +16,8 @@
 //                 said with P >= 0.9
 //   prob.         verdict `probable`, and exactly the truth;   in set: all truths named, probable or in a set
 //   any           something named, and nothing wrong;          open: outside, neither right, wrong nor `nothing`
-//   clear         the data tell each truth from every other effect, the others known: what these leave has d >= 3
+//   clear         one who knows the noise, and of two effects the other, could state a truth with P >= 0.9: about the
+//                 most that can be right;   of: of these so many are right
 // then how true stated probabilities are, and what intervals hold, of sets whose truth is in the catalogue.
 #include <fmt/format.h>
 

@@ -24,6 +24,7 @@ struct Outsider {
   std::vector<Quantity> inputs;
   Track unit;
   std::string effect = {};  // in the catalogue, and left out
+  double at_once_per_K = 0.0;
 };
 
 template <class Form>
@@ -141,7 +142,7 @@ Outsider left_out(const Plan& plan, double row_s, Chance& chance) {
   constexpr std::array kLeftOut{"lagged_expansion", "centrifugal_shift", "cooling_asymmetry", "viscosity_feedback",
                                 "load_heating",     "preload_loss",      "play_hysteresis"};
   Hidden hidden = drawn_effect(kLeftOut[chance.below(kLeftOut.size())], plan, row_s, chance);
-  return {hidden.effect + " left out", hidden.inputs, std::move(hidden.unit), hidden.effect};
+  return {hidden.effect + " left out", hidden.inputs, std::move(hidden.unit), hidden.effect, hidden.at_once_per_K};
 }
 
 Outsider not_logged(const Plan& plan, double row_s, Chance& chance) {
@@ -210,7 +211,7 @@ Made made_outside(Outside kind, std::string_view stream, std::uint64_t seed) {
       if (kind == Outside::not_logged) gone = outsider.inputs.front();
       if (gone && !scene.base.effect.empty() && *gone == scene.base.input) continue;
       if (!outsider.effect.empty() && outsider.effect == scene.base.effect) continue;
-      const std::optional<double> factor = factor_for(outsider.unit, scene, d);
+      const std::optional<double> factor = factor_for(outsider.unit, scene, d, outsider.at_once_per_K);
       if (!factor) continue;
       if (!bank) bank = rivals(scene);
       const auto is_rival = [&](const std::string& effect, const std::vector<Quantity>& inputs) {

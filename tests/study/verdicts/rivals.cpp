@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "physics.hpp"
 
@@ -35,16 +36,16 @@ void add_of_speed(Bank& bank) {
   const Track& speed = plan[Quantity::speed];
   bank.add("centrifugal_shift", {Quantity::speed}, power_of_speed(speed, 2.0));
   const Track heat = power_of_speed(speed, 5.0 / 3.0);
-  for (const double tau_s : lags(10.0, 3e4, 1.6)) {
+  for (const double tau_s : lags(10.0, 3e4, 1.3)) {
     bank.add("speed_heating", {Quantity::speed}, low_pass(heat, tau_s));
     bank.add("load_heating", {Quantity::load}, low_pass(plan[Quantity::load], tau_s));
   }
-  for (const double tau_s : lags(60.0, 2e4, 2.0)) {
-    for (const double ratio : {0.25, 0.5, 2.0, 4.0, 8.0}) {
+  for (const double tau_s : lags(60.0, 2e4, 1.5)) {
+    for (const double ratio : {0.35, 0.6, 1.6, 2.2, 3.2, 4.5, 6.5}) {
       bank.add("cooling_asymmetry", {Quantity::speed}, heat_with_two_lags(speed, 5.0 / 3.0, tau_s, ratio * tau_s));
     }
     for (const Quantity inside : {Quantity::housing, Quantity::bearing}) {
-      for (const double loss : {0.01, 0.03, 0.06, 0.12}) {
+      for (const double loss : {0.01, 0.02, 0.035, 0.06, 0.1}) {
         bank.add("viscosity_feedback", {Quantity::speed, inside},
                  low_pass(thinning_friction(speed, plan[inside], loss), tau_s));
       }
@@ -54,16 +55,16 @@ void add_of_speed(Bank& bank) {
 
 void add_of_temperatures(Bank& bank) {
   const Plan& plan = bank.scene.plan;
-  const std::vector<double> taus_s = lags(60.0, 2e4, 1.7);
+  const std::vector<double> taus_s = lags(60.0, 2e4, 1.25);
   for (std::size_t k = 0; k < kTemperatures.size(); ++k) {
     const Quantity input = kTemperatures[k];
     const Track up = rise(plan[input]);
     bank.add("expansion", {input}, up);
     for (const double tau_s : taus_s) bank.add("lagged_expansion", {input}, low_pass(up, tau_s));
     const double most = *std::max_element(up.begin(), up.end());
-    for (int share = 1; share < 20; ++share) bank.add("preload_loss", {input}, beyond(up, 0.05 * share * most));
-    for (const double share : {0.02, 0.05, 0.08, 0.12, 0.16, 0.2, 0.25, 0.3, 0.4}) {
-      bank.add("play_hysteresis", {input}, held_back(up, share * range(up)));
+    for (int share = 1; share < 40; ++share) bank.add("preload_loss", {input}, beyond(up, 0.025 * share * most));
+    for (int share = 1; share < 20; ++share) {
+      bank.add("play_hysteresis", {input}, held_back(up, 0.02 * share * range(up)));
     }
     for (std::size_t other = 0; other < k; ++other) {
       const Track sides = rise(difference(plan[input], plan[kTemperatures[other]]));
@@ -76,6 +77,18 @@ void add_of_temperatures(Bank& bank) {
   const Track &housing = plan[Quantity::housing], &bearing = plan[Quantity::bearing];
   bank.add("bearing_rings", {Quantity::bearing, Quantity::housing}, ring_growth(bearing, housing));
   bank.add("bearing_rings", {Quantity::housing, Quantity::bearing}, ring_growth(housing, bearing));
+}
+
+std::vector<double> prior_of(const Rivals& rivals) {
+  std::map<std::string, std::map<std::vector<Quantity>, double>> shapes;  // by effect and columns
+  for (std::size_t k = 0; k < rivals.effect.size(); ++k) shapes[rivals.effect[k]][rivals.inputs[k]] += 1.0;
+  std::vector<double> prior;
+  prior.reserve(rivals.effect.size());
+  for (std::size_t k = 0; k < rivals.effect.size(); ++k) {
+    const auto& columns = shapes[rivals.effect[k]];
+    prior.push_back(1.0 / static_cast<double>(columns.size()) / columns.at(rivals.inputs[k]));
+  }
+  return prior;
 }
 
 }  // namespace
@@ -99,6 +112,7 @@ Rivals rivals(const Scene& scene) {
     columns.col(k) *= left > 1e-6 * whole(k) ? 1.0 / left : 0.0;
   }
   bank.rivals.left = std::move(columns);
+  bank.rivals.prior = prior_of(bank.rivals);
   return std::move(bank.rivals);
 }
 
@@ -112,6 +126,32 @@ Apart apart(const Eigen::VectorXd& left, const Rivals& rivals, const IsRival& is
     const double d = std::sqrt(std::max(0.0, whole - along(k) * along(k)));
     if (d < result.d) result = {d, rivals.effect[at]};
   }
+  return result;
+}
+
+Ideal ideal(const Eigen::VectorXd& left, const Rivals& rivals, const IsRival& is_rival) {
+  const Eigen::VectorXd along = rivals.left.transpose() * left;
+  const double most = 0.5 * along.cwiseAbs2().maxCoeff();
+  double truth = 0.0;
+  std::map<std::string, double> others;
+  for (Eigen::Index k = 0; k < along.size(); ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const double weight = rivals.prior[at] * std::exp(0.5 * along(k) * along(k) - most);
+    if (is_rival(rivals.effect[at], rivals.inputs[at])) {
+      others[rivals.effect[at]] += weight;
+    } else {
+      truth += weight;
+    }
+  }
+  double sum = truth, largest = 0.0;
+  Ideal result;
+  for (const auto& [effect, weight] : others) {
+    sum += weight;
+    if (weight <= largest) continue;
+    largest = weight;
+    result.rival = effect;
+  }
+  result.p = truth / sum;
   return result;
 }
 

@@ -15,6 +15,7 @@ struct Rivals {
   std::vector<std::string> effect;            // one a column
   std::vector<std::vector<Quantity>> inputs;  // likewise
   Eigen::MatrixXd left;                       // whitened, less the base model, of length 1
+  std::vector<double> prior;                  // effects alike, columns of an effect alike, shapes alike
 };
 Rivals rivals(const Scene& scene);
 
@@ -25,5 +26,13 @@ struct Apart {
 };
 using IsRival = std::function<bool(const std::string& effect, const std::vector<Quantity>& inputs)>;
 Apart apart(const Eigen::VectorXd& left, const Rivals& rivals, const IsRival& is_rival);
+
+// Probability of the truth for one who knows the noise and all else, where the data are exactly what is hidden, and the
+// best effect that is not it.
+struct Ideal {
+  double p = 0.0;
+  std::string rival;
+};
+Ideal ideal(const Eigen::VectorXd& left, const Rivals& rivals, const IsRival& is_rival);
 
 }  // namespace ballbar::verdicts

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kLeastShare = 0.05;
 constexpr double kLargestRange = 200.0;  // in sigmas
+constexpr double kLeastSeen = 0.8;       // of d, by sensors with noise and steps
 
 constexpr std::array<std::array<const char*, kQuantities + 1>, 4> kNames{{
     {"speed_rpm", "load_W", "T_room_degC", "T_coolant_degC", "T_housing_degC", "T_bearing_degC", "z_um"},
@@ -91,7 +92,7 @@ Eigen::VectorXd surviving(const Track& track, const Scene& scene) {
   return surviving(Eigen::VectorXd(whitened(column, scene.time_s, scene.scatter)), scene.model);
 }
 
-std::optional<double> factor_for(const Track& track, const Scene& scene, double d) {
+std::optional<double> factor_for(const Track& track, const Scene& scene, double d, double at_once_per_K) {
   const std::vector<double> values = at_rows(track, scene.time_s);
   const Eigen::MatrixXd column = Eigen::Map<const Eigen::VectorXd>(values.data(), scene.model.rows());
   const double whole = whitened(column, scene.time_s, scene.scatter).squaredNorm();
@@ -99,6 +100,15 @@ std::optional<double> factor_for(const Track& track, const Scene& scene, double 
   if (!(left > kLeastShare * whole) || !(left > 0.0)) return std::nullopt;
   const double factor = d / std::sqrt(left);
   if (!(factor * range(values) < kLargestRange * scene.scatter.sigma_um)) return std::nullopt;
+  Scatter with_sensors = scene.scatter;
+  const Conventions& conventions = scene.conventions;
+  const double sensor_K = std::hypot(conventions.sensor_noise_K, conventions.kelvin_step / std::sqrt(12.0));
+  const double passed_on = std::hypot(factor * at_once_per_K, scene.base.effect == "expansion" ? scene.base.gain : 0.0);
+  with_sensors.white_um = std::hypot(with_sensors.white_um, passed_on * sensor_K);
+  const Eigen::VectorXd seen =
+      surviving(Eigen::VectorXd(whitened(column, scene.time_s, with_sensors)),
+                whitened(jacobian(scene.base, scene.plan, scene.time_s), scene.time_s, with_sensors));
+  if (factor * seen.norm() < kLeastSeen * d) return std::nullopt;
   return factor;
 }
 

@@ -26,8 +26,9 @@ Scene drawn_scene(const Recipe& recipe, Chance& chance);
 // A track as the target sees it, whitened, less what the base model makes of it.
 Eigen::VectorXd surviving(const Track& track, const Scene& scene);
 
-// Factor that gives a track that d; nothing where less than a 20th survives or the range would pass 200 sigma.
-std::optional<double> factor_for(const Track& track, const Scene& scene, double d);
+// Factor that gives a track that d; nothing where less than a 20th survives, the range would pass 200 sigma, or noise
+// and steps of the sensors, passed on by the model and by this effect, would take more than a fifth of d.
+std::optional<double> factor_for(const Track& track, const Scene& scene, double d, double at_once_per_K = 0.0);
 
 // Data and model, and nothing said of what is hidden. `sum`: that, scaled, all together; `needed`: columns that stay,
 // one of the others may be missing; `not_logged`: one that is.

@@ -32,9 +32,9 @@ Share wilson(std::size_t count, std::size_t of) {
 }
 
 std::string heading() {
-  return fmt::format("{:<22} {:>4} {:>18} {:>18} {:>18} {:>18} {:>18} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6}  {}\n",
+  return fmt::format("{:<22} {:>4} {:>18} {:>18} {:>18} {:>18} {:>18} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6}  {}\n",
                      "cell", "sets", "right", "wrong", "driver right", "driver wrong", "nothing said", "prob.",
-                     "in set", "any", "open", "clear", "s", "to reach");
+                     "in set", "any", "open", "clear", "of", "s", "to reach");
 }
 
 std::string row_of(const Cell& cell, const std::vector<Judged>& sets) {
@@ -43,14 +43,19 @@ std::string row_of(const Cell& cell, const std::vector<Judged>& sets) {
     return sets.empty() ? 0.0 : 100.0 * static_cast<double>(count) / static_cast<double>(sets.size());
   };
   const auto counted = [&](auto member) { return percent_of(sets, [&](const Judged& set) { return set.*member; }); };
+  const auto clear = std::count_if(sets.begin(), sets.end(), [](const Judged& set) { return set.is_clear; });
+  const auto both =
+      std::count_if(sets.begin(), sets.end(), [](const Judged& set) { return set.is_clear && set.right; });
+  const double right_of_clear = clear > 0 ? static_cast<double>(both) / static_cast<double>(clear) : 0.0;
   double took_s = 0.0;
   for (const Judged& set : sets) took_s += set.took_s;
   return fmt::format(
-      "{:<22} {:>4} {:>18} {:>18} {:>18} {:>18} {:>18} {:>6.1f} {:>6.1f} {:>6.1f} {:>6.1f} {:>6.1f} {:>6.2f}  {}\n",
+      "{:<22} {:>4} {:>18} {:>18} {:>18} {:>18} {:>18} {:>6.1f} {:>6.1f} {:>6.1f} {:>6.1f} {:>6.1f} {:>6.1f} {:>6.2f}  "
+      "{}\n",
       cell.name, sets.size(), counted(&Judged::right), counted(&Judged::wrong), counted(&Judged::driver_right),
       counted(&Judged::driver_wrong), counted(&Judged::nothing_said), share(&Judged::probably_right),
       share(&Judged::in_set), share(&Judged::any), share(&Judged::undecided), share(&Judged::is_clear),
-      took_s / std::max<double>(1.0, static_cast<double>(sets.size())), cell.aim);
+      100.0 * right_of_clear, took_s / std::max<double>(1.0, static_cast<double>(sets.size())), cell.aim);
 }
 
 std::string reliability(const std::vector<Judged>& sets) {

@@ -68,7 +68,8 @@ Series means(const Series& data) {
   return result;
 }
 
-// Another reading of the same machine: half of what the target shows, more of a temperature, noise of its own.
+// Another reading of the same machine, named so that effects of an axial drift could read it: half of what the target
+// shows, more of a temperature, noise of its own.
 Column another_target(const Made& made, Chance& chance) {
   const std::vector<double>& target = find_column(made.data, made.model.targets.front())->values;
   std::vector<double> values = drawn({1.5 * made.sigma_um, 1500.0, 0.1 * made.sigma_um}, made.data.time_s, chance);
@@ -81,7 +82,7 @@ Column another_target(const Made& made, Chance& chance) {
     break;
   }
   for (double& value : values) value = rounded(value, 0.01);
-  return {"second_um", Role::measured, std::move(values)};
+  return {"axial_um", Role::measured, std::move(values)};
 }
 
 std::vector<std::string> labels(const std::vector<Member>& members, const std::map<std::string, std::string>& names) {

@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -38,10 +37,6 @@ struct LedgerRow {
 // one, five parts of the time), the noise that of the model itself; series with more than 1500 values of the target by
 // every second, third ... value. The rest is as of a model that starts.
 LedgerRow row_of(const Model& model, const Series& data, std::size_t target = 0);
-
-// Chance that anything at all was added by chance: the sum of the thresholds, 0.01 for every revision that adds an
-// effect. Effects taken out cost nothing; what was taken back is not in the ledger and not in the sum.
-double family_wise_error(std::span<const LedgerRow> rows);
 
 // "Revision 2 added lagged_expansion(T16_degC): RMSE 12.3 -> 3.1 um (4.0 -> 1.0 times the floor), left-out cycles
 // 14.0 -> 3.9 um; likelihood ratio 431, which counts from 25, and a surrogate effect would have bought up to 27 %;

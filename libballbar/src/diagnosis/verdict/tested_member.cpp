@@ -81,6 +81,8 @@ Candidate tested_member(const Weighed& weighed, const EffectSet& set, const Fitt
     one.beats_surrogates = tests.gain > tests.surrogate->gain;
   }
   one.doubts = doubts_of(tests, of_recordings);
+  if (one.likelihood_ratio < kLeastLikelihoodRatio)
+    one.doubts.emplace_back("by itself, beside the model, it makes the readings hardly more likely");
   if (one.bound.effect->time_only || of_recordings || surrogates == 0) return one;
   const Rivals rivals = rivals_of(problem, weighed.posterior, set, member);
   if (!rivals.inputs.empty() && rivals.inputs.front().log_evidence > rivals.member + kRivalBetter) {

@@ -58,8 +58,8 @@ inline constexpr double kSureDriver = 0.9;         // P
 inline constexpr double kNothing = 0.05;           // P of nothing from which nothing is said
 inline constexpr double kDiscrepancy = 0.5;        // P of a discrepancy from which nothing is named
 inline constexpr double kCredible = 0.95;          // share of the posterior in a credible set
-inline constexpr double kRivalBetter = 1.0;        // ln, by which an input of any form is better than a member
-inline constexpr double kAnyFormBetter = 0.0;      // ln, by which it alone is more probable than the whole set
+inline constexpr double kRivalBetter = 0.0;        // ln, by which an input of any form is better than a member
+inline constexpr double kAnyFormBetter = -1.0;     // ln, by which it alone is more probable than the whole set
 inline constexpr double kHeldOutEvidence = 3.0;    // ln, of cycles left out, without the best one
 inline constexpr double kLeftOutRidge = 1e-4;      // prior precision of a white column of length 1
 inline constexpr double kFound = 7.0;              // d from which an effect is found
@@ -126,7 +126,7 @@ inline constexpr double kSameShare = 0.01;          // of a curve's chi^2
 
 // Tests that an effect has to pass to be named.
 inline constexpr double kLeastLikelihoodRatio = 10.0;  // 2 ln of a ratio of likelihoods: 150 to 1
-inline constexpr double kSameGain = 0.001;             // p_same_gain below which gains differ
+inline constexpr double kSameGain = 0.003;             // p_same_gain below which gains differ
 inline constexpr double kOwnDirection = 1e-3;          // pivot of a gain of one cycle, of the largest, that is one
 inline constexpr double kInOneFold = 0.9;              // share of what it shows
 inline constexpr double kHeldOutWorse = 1.05;          // of the RMSE, which a slow noise makes up by itself

@@ -1,0 +1,148 @@
+// A diagnosis for the terminal: what it says, what to type next, then what it rests on.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "diagnose/diagnosis_report.hpp"
+#include "model/untestable_reasons.hpp"
+#include "terminal/terminal_table.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kWidest = 120;
+constexpr std::size_t kInALine = 4;  // labels, drivers
+
+std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {
+  std::vector<std::string> texts;
+  const std::size_t said = bounds.size() > kInALine + 1 ? kInALine : bounds.size();
+  for (std::size_t i = 0; i < said; ++i) texts.push_back(label_of(bounds[i]));
+  if (said < bounds.size()) texts.push_back(fmt::format("one of {} more", bounds.size() - said));
+  return fmt::format("{}", fmt::join(texts, between));
+}
+
+// "1. Certain: ...", "2. Probable: ...", "3. One of these as well: ...": where there is more than one thing to say.
+std::vector<std::string> parts_of(const Diagnosis& found) {
+  std::vector<std::string> parts;
+  if (!found.named.empty()) parts.push_back("Certain: " + labels(found.named, "; "));
+  if (!found.probable.empty()) parts.push_back("Probable: " + labels(found.probable, "; "));
+  for (const std::vector<BoundEffect>& group : found.equivalent) {
+    const bool first = parts.empty();
+    parts.push_back(fmt::format("{}: {}",
+                                group.size() == 1 ? (first ? "In question" : "In question as well")
+                                                  : (first ? "One of these" : "One of these as well"),
+                                labels(group, ", or ")));
+  }
+  return parts;
+}
+
+Table candidate_table(const Diagnosis& found) {
+  Table table({"candidate", "amplitude um", "P", "2 ln B", "RMSE um", "held out um", "not told from"});
+  const int decimals = decimals_of(found.base.rmse_um);
+  const auto number_of = [&](const std::string& label) -> std::size_t {  // 0: not in the table
+    for (std::size_t i = 0; i < found.candidates.size(); ++i) {
+      if (label_of(found.candidates[i].bound) == label) return i + 1;
+    }
+    return 0;
+  };
+  for (std::size_t i = 0; i < found.candidates.size(); ++i) {
+    const Candidate& candidate = found.candidates[i];
+    std::vector<std::string> same;
+    std::size_t more = 0;
+    for (const std::string& label : candidate.inseparable_from) {
+      const std::size_t number = number_of(label);
+      if (number > 0) same.push_back(fmt::format("{}", number));
+      more += number > 0 ? 0 : 1;
+    }
+    if (more > 0) same.push_back(fmt::format("{} more", more));
+    const bool held_out = candidate.held_out_after_um > 0.0;
+    table.add(
+        {fmt::format("{}{} {}", i + 1, candidate.in_best_set ? "*" : ".", shortened(label_of(candidate.bound), 44)),
+         with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, decimals), fmt::format("{:.2f}", candidate.p),
+         fixed(candidate.likelihood_ratio, 0), fmt::format("{:.{}f}", candidate.rmse_after_um, decimals + 1),
+         held_out ? fmt::format("{:.{}f} -> {:.{}f}", candidate.held_out_before_um, decimals,
+                                candidate.held_out_after_um, decimals)
+                  : "-",
+         same.empty() ? "-" : fmt::format("{}", fmt::join(same, ", "))});
+  }
+  return table;
+}
+
+void print_candidates(const Diagnosis& found) {
+  if (found.candidates.empty()) return;
+  fmt::print("\n{}", candidate_table(found).text(kWidest));
+  const bool of_recordings = found.candidates.front().bound.effect->level == Level::recording;
+  const bool best = found.candidates.front().in_best_set;
+  fmt::print("{}", wrapped(fmt::format("{}P: that it is missing. 2 ln B: 2 ln of how much more likely the readings are "
+                                       "with it; 10 is 150 to 1. Held out: {} left out, before and after.",
+                                       best ? "* the most probable set. " : "",
+                                       of_recordings ? "recordings, or quarters of their sweeps," : "cycles")));
+}
+
+std::string posterior_text(const Diagnosis& found) {
+  std::vector<std::string> texts;
+  std::vector<std::string> drivers;
+  for (const Driver& driver : found.drivers) {
+    if (drivers.size() < kInALine) drivers.push_back(fmt::format("{} {:.2f}", driver.column, driver.p));
+  }
+  if (!drivers.empty()) texts.push_back(fmt::format("P that a column drives it: {}", fmt::join(drivers, ", ")));
+  for (const OwnValue& own : found.own) {
+    texts.push_back(fmt::format("P that the {} of {} is not {:.4g}: {:.2f}, it would be {:.3g} ({:.3g} to {:.3g})",
+                                own.parameter, own.effect, own.held, own.p, own.fitted, own.interval.low,
+                                own.interval.high));
+  }
+  texts.push_back(fmt::format("P of nothing: {:.2f}", found.p_nothing));
+  texts.push_back(
+      fmt::format("P of a slow curve without a cause: {:.2f}{}", found.p_discrepancy,
+                  found.discrepancy_um > 0.0 ? fmt::format(", it would be of {:.2g} um", found.discrepancy_um) : ""));
+  return fmt::format("{}.", fmt::join(texts, ". "));
+}
+
+std::string untestable_text(const Diagnosis& found) {
+  std::vector<Detectability> untestable;
+  std::copy_if(found.detectability.begin(), found.detectability.end(), std::back_inserter(untestable),
+               [](const Detectability& detectable) {
+                 return detectable.testability != Testability::testable &&
+                        detectable.testability != Testability::in_the_model &&
+                        detectable.testability != Testability::other_motion;
+               });
+  const auto reasons = by_reason(untestable);
+  std::vector<std::string> texts;
+  texts.reserve(reasons.size());
+  for (const auto& [why, names] : reasons) texts.push_back(fmt::format("{} ({})", fmt::join(names, ", "), why));
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+}  // namespace
+
+void print_text(const DiagnosisReport& diagnosis_report, const std::string& title) {
+  const Diagnosis& found = diagnosis_report.diagnosis;
+  fmt::print("{}\n{}\n\n", title, heading(diagnosis_report.residual_report.fit));
+  fmt::print("{}", wrapped(fmt::format("Verdict: {}. {}", name_of(found.verdict), found.sentence)));
+  if (!diagnosis_report.command.empty()) fmt::print("\n{}\n", diagnosis_report.command);
+  if (!diagnosis_report.hint.empty()) fmt::print("\n{}", wrapped(diagnosis_report.hint));
+  const std::vector<std::string> parts = parts_of(found);
+  const std::string next = next_text(diagnosis_report);
+  if (parts.size() > 1 || !next.empty()) fmt::print("\n");
+  if (parts.size() > 1) {
+    for (std::size_t k = 0; k < parts.size(); ++k) fmt::print("{}", wrapped(fmt::format("{}. {}.", k + 1, parts[k])));
+  }
+  if (!next.empty()) fmt::print("{}", wrapped("To decide: " + next));
+  print_candidates(found);
+  if (!found.reasons.empty() && found.verdict != Verdict::nothing) {
+    fmt::print("\nWhy it is not named, or not all of it:\n");
+    for (const std::string& reason : found.reasons) fmt::print("{}", wrapped("- " + reason));
+  }
+  if (found.verdict != Verdict::untestable) fmt::print("\n{}", wrapped(posterior_text(found)));
+  fmt::print("\n");
+  print_sentences(diagnosis_report.residual_report);
+  const std::string untestable = untestable_text(found);
+  if (!untestable.empty()) fmt::print("\n{}", wrapped("Not testable here: " + untestable + "."));
+  const std::string not_searched = not_searched_text(found);
+  if (!not_searched.empty()) fmt::print("\n{}", wrapped("Not searched: " + not_searched + "."));
+}
+
+}  // namespace ballbar
