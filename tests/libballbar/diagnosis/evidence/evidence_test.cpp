@@ -143,8 +143,8 @@ TEST(Evidence, of_known_columns_is_the_marginal_likelihood_at_their_scatter) {
       EXPECT_NEAR(found.of(set) - none, by_matrix(rows, covariance, set, variance) - none_by_matrix, 0.1)
           << covariance.time_s << " " << set.size();
     }
-    EXPECT_NEAR(none - weighing(rows, covariance, false).of({}),
-                none_by_matrix - by_matrix(rows, covariance, {}, 0.0), 0.1);
+    EXPECT_NEAR(none - weighing(rows, covariance, false).of({}), none_by_matrix - by_matrix(rows, covariance, {}, 0.0),
+                0.1);
   }
 }
 
@@ -198,7 +198,8 @@ TEST(Evidence, of_a_known_scatter) {
 }
 
 // Three readings 0, 0, 3 about a constant, white: S = 6, nu = 2. A column (0, 0, 1) / sqrt(2/3) explains all of it:
-// left with prior size d: S = 6 / (1 + d^2), so that 2 (ln p with - without) = ln((1 + d^2)^2 / (1 + d^2)) = ln(1 + d^2).
+// left with prior size d: S = 6 / (1 + d^2), so that 2 (ln p with - without) = ln((1 + d^2)^2 / (1 + d^2)) = ln(1 +
+// d^2).
 TEST(Evidence, three_readings_by_hand) {
   RowMajorMatrix pool(3, 2), signature(3, 1);
   pool << 0, 1, 0, 1, 3, 1;

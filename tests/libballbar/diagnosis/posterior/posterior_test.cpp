@@ -219,8 +219,8 @@ TEST_P(Invariance, of_names) {
   std::map<std::string, double> there;
   for (const auto& [label, p] : probabilities(model, renamed)) {
     std::string name = label;
-    for (const auto& [from, to] : {std::pair{"n_rpm", "speed_rpm"}, {"A_degC", "T_room_degC"},
-                                   {"Z9_degC", "T_bearing_degC"}}) {
+    for (const auto& [from, to] :
+         {std::pair{"n_rpm", "speed_rpm"}, {"A_degC", "T_room_degC"}, {"Z9_degC", "T_bearing_degC"}}) {
       if (const auto at = name.find(from); at != std::string::npos) name.replace(at, std::string(from).size(), to);
     }
     there[name] = p;
@@ -273,8 +273,8 @@ TEST_P(Invariance, of_the_size_of_the_readings) {
   }
 }
 
-// A probe that reads from elsewhere: 10 mm more. Disabled: kJitter in evidence.cpp takes 1e-10 of the square of y, which
-// with 1e4 um is 0.01 um^2 a reading, a ninth of the scatter here.
+// A probe that reads from elsewhere: 10 mm more. Disabled: kJitter in evidence.cpp takes 1e-10 of the square of y,
+// which with 1e4 um is 0.01 um^2 a reading, a ninth of the scatter here.
 TEST_P(Invariance, DISABLED_of_a_constant) {
   Series further = data();
   for (double& value : further.columns.back().values) value += 1e4;
