@@ -207,8 +207,7 @@ TEST(Degenerate, an_input_without_values) {
   data.columns.push_back({"T_dead_degC", Role::structure, std::vector<double>(kFew, kNaN)});
   data.columns.push_back({"m_rpm", Role::speed, std::vector<double>(kFew, kNaN)});
   const Diagnosis found = answered(data);
-  for (const EffectProbability& one : found.effects)
-    EXPECT_EQ(label_of(one.bound).find("T_dead"), std::string::npos);
+  for (const EffectProbability& one : found.effects) EXPECT_EQ(label_of(one.bound).find("T_dead"), std::string::npos);
 }
 
 TEST(Degenerate, inputs_and_target_with_gaps) {

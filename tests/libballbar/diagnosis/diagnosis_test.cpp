@@ -164,7 +164,8 @@ TEST(Diagnosis, a_temperature_that_stands_still_may_be_half_of_a_difference) {
   EXPECT_TRUE(found.sentence.starts_with("T_bearing_degC (P = 1.00) drives what the model lacks")) << found.sentence;
 }
 
-// A lag of no time and a play that never gives way are expansion too: it is the one with fewer shapes, and the only name.
+// A lag of no time and a play that never gives way are expansion too: it is the one with fewer shapes, and the only
+// name.
 TEST(Diagnosis, what_becomes_the_same_curve_is_not_named) {
   int named = 0;
   for (std::uint64_t seed = 4; seed <= 9; ++seed) {
@@ -183,8 +184,8 @@ TEST(Diagnosis, what_becomes_the_same_curve_is_not_named) {
 }
 
 // Disabled: shapes are tried on a grid. Of a strong effect whose time constant lies between two of its points enough is
-// left for a second one, P = 1.00, which the fit then makes 0.2 um of 20 um: -0.01 +- 0.14 um/K. At 10 um/K of seed 2 it
-// is the exponent that the model holds, P = 1.00, fitted at 1.77 (1.31 to 2.22) and held at 1.67.
+// left for a second one, P = 1.00, which the fit then makes 0.2 um of 20 um: -0.01 +- 0.14 um/K. At 10 um/K of seed 2
+// it is the exponent that the model holds, P = 1.00, fitted at 1.77 (1.31 to 2.22) and held at 1.67.
 TEST(Diagnosis, DISABLED_a_strong_effect_has_no_second) {
   for (const double room_um_per_K : {3.0, 10.0, 30.0}) {
     Series data = drift({0.0, 1});
