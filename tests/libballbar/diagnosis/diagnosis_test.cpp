@@ -209,10 +209,16 @@ TEST(Diagnosis, DISABLED_a_strong_effect_has_no_second) {
     EXPECT_TRUE(own.p < kNamed || own.held < own.interval.low || own.held > own.interval.high) << found.sentence;
 }
 
-// Disabled: with all effects that it finds the fit is worse than without any, 94 um after 78 um.
-TEST(Diagnosis, DISABLED_what_is_found_makes_no_fit_worse) {
-  const Diagnosis found = diagnose(by_speed(), drift({100.0, 1}), 0, quick());
-  EXPECT_LT(found.rmse_after_um, found.base.rmse_um);
+// The room moves what is left so far that the model by itself has a time constant on its bound of 2e5 s. Disabled: from
+// there no step comes back to 2300 s, whatever stands beside it; then an effect more takes what the model made, and at
+// 100 um/K the fit with all of them is worse than without any, 94 um after 78 um.
+TEST(Diagnosis, DISABLED_the_model_is_found_again_beside_a_strong_effect) {
+  for (const double room_um_per_K : {10.0, 30.0, 100.0}) {
+    const Diagnosis found = diagnose(by_speed(), drift({room_um_per_K, 1}), 0, quick());
+    EXPECT_EQ(made::labels_of(found.named), std::vector<std::string>{"lagged_expansion(T_room_degC)"}) << room_um_per_K;
+    EXPECT_TRUE(found.equivalent.empty()) << found.sentence;
+    EXPECT_LT(found.rmse_after_um, found.base.rmse_um);
+  }
 }
 
 // A law that no effect of the catalogue has: no effect is named; the room drives it, if anything is said.
