@@ -233,7 +233,7 @@ class Decision {
       if (p_.own[k] < 0.05) continue;
       const auto set = std::find_if(posterior().sets.begin(), posterior().sets.end(),
                                     [&](const EffectSet& one) { return one.own == k + 1; });
-      const FittedSet fitted = fitted_set(problem(), posterior(), *set);
+      const FittedSet fitted = fitted_set(problem(), posterior(), *set, false);
       const std::size_t place = problem().own[k].parameter;
       const FittedParameter& parameter = fitted.parameters[place];
       result_.own.push_back({parameter.effect, parameter.name, parameter.unit, problem().own[k].held, parameter.value,
@@ -247,7 +247,7 @@ class Decision {
       return;
     }
     tell(fmt::format("testing {} effects", best_->families.size()));
-    const FittedSet fitted = fitted_set(problem(), posterior(), *best_);
+    const FittedSet fitted = fitted_set(problem(), posterior(), *best_, true);
     result_.rmse_after_um = fitted.rmse_um;
     for (std::size_t m = 0; m < best_->signatures.size(); ++m) {
       Candidate one = tested_member(weighed_, *best_, fitted, at_, m, options_.surrogates, options_.search.seed);
@@ -325,7 +325,7 @@ class Decision {
       while (!(family(f).bound == effect.bound)) ++f;
       const auto set = std::find_if(posterior().sets.begin(), posterior().sets.end(),
                                     [&](const EffectSet& one) { return is_in(one.families, f); });
-      const FittedSet fitted = fitted_set(problem(), posterior(), *set);
+      const FittedSet fitted = fitted_set(problem(), posterior(), *set, false);
       std::size_t m = 0;
       while (problem().library.signatures[set->signatures[m]].family != f) ++m;
       Candidate one = described_member(weighed_, *set, fitted, m);
