@@ -1,9 +1,10 @@
-// One diagnosis: BALLBAR_BENCH_DIAGNOSIS_ROWS rows (5000 unless given), none left out, 20 effects searched, 2000 draws.
+// One diagnosis: 1333 rows of 5 inputs, 6669 rows of 16 temperatures and a speed, 5000 rows of 6 inputs; with the rows
+// that a diagnosis weighs (1000), and with all of them.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <random>
+#include <string>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 
@@ -42,20 +43,57 @@ Series made(std::size_t n) {
   return data;
 }
 
-void diagnosis(benchmark::State& state) {
-  const char* const rows = std::getenv("BALLBAR_BENCH_DIAGNOSIS_ROWS");
-  const Series data = made(rows != nullptr ? std::strtoull(rows, nullptr, 10) : 5000);
+// The same rows of 25 s with 16 temperatures in the place of its own: bodies behind heat and room, each in its own
+// time.
+Series of_temperatures(std::size_t n) {
+  Series data = made(n);
+  const std::vector<double> heat = data.columns[2].values, room = data.columns[1].values;
+  data.columns = {data.columns.front(), data.columns.back()};
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> normal;
+  for (double& t : data.time_s) t *= 25.0 / 15.0;
+  for (int k = 0; k < 16; ++k) {
+    Column one{"T" + std::to_string(k + 1) + "_degC", k == 15 ? Role::ambient : Role::structure, {}};
+    const double share = 1.0 - std::exp(-25.0 / (200.0 * std::pow(1.3, k))), warm = 1.0 - k / 15.0;
+    double value = room[0];
+    for (std::size_t i = 0; i < n; ++i) {
+      value += share * (room[i] + warm * (heat[i] - 22.0) - value);
+      one.values.push_back(value + 0.01 * normal(random));
+    }
+    data.columns.insert(data.columns.end() - 1, one);
+  }
+  return data;
+}
+
+void diagnosed(benchmark::State& state, const Series& data, bool all) {
   Model model;
   model.targets = {"x_um"};
   model.terms = {term_of("speed_heating", {"speed_rpm"})};
   DiagnosisOptions options;
-  options.most_rows = data.time_s.size();
-  std::size_t searched = 0;
-  for (auto _ : state) searched = diagnose(model, data, 0, options).searched_effects;
+  if (all) options.most_rows = data.time_s.size();
+  Diagnosis found;
+  for (auto _ : state) found = diagnose(model, data, 0, options);
+  state.SetLabel(std::string(name_of(found.verdict)));
   state.counters["rows"] = static_cast<double>(data.time_s.size());
-  state.counters["effects"] = static_cast<double>(searched);
+  state.counters["inputs"] = static_cast<double>(data.columns.size() - 1);
+  state.counters["effects"] = static_cast<double>(found.searched_effects);
 }
 
-BENCHMARK(diagnosis)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+void diagnosis_1333_rows_5_inputs(benchmark::State& state) {
+  Series data = made(1333);
+  data.columns.erase(data.columns.begin() + 4);  // z_um
+  diagnosed(state, data, false);
+}
+
+void diagnosis_6669_rows_16_temperatures(benchmark::State& state) { diagnosed(state, of_temperatures(6669), false); }
+
+void diagnosis_5000_rows(benchmark::State& state) { diagnosed(state, made(5000), false); }
+
+void diagnosis_5000_rows_all(benchmark::State& state) { diagnosed(state, made(5000), true); }
+
+BENCHMARK(diagnosis_1333_rows_5_inputs)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+BENCHMARK(diagnosis_6669_rows_16_temperatures)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+BENCHMARK(diagnosis_5000_rows)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+BENCHMARK(diagnosis_5000_rows_all)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 
 }  // namespace

@@ -22,7 +22,7 @@ constexpr Condition kConditions[] = {{"exact"},
                                      {"late", Logging::exact, 1.0},
                                      {"0.1K", Logging::exact, 0.0, 0.1}};
 
-Cell cell(std::string name, std::string aim, const Recipe& recipe) {
+Cell cell(const std::string& name, std::string aim, const Recipe& recipe) {
   const auto make = [=](std::uint64_t seed) { return made(recipe, name, seed); };
   return {name, std::move(aim), make, std::nullopt};
 }

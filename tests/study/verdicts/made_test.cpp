@@ -3,10 +3,12 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <set>
 
 #include "cells.hpp"
 #include "outside.hpp"
 #include "physics.hpp"
+#include "rivals.hpp"
 #include "scene.hpp"
 
 namespace ballbar::verdicts {
@@ -70,6 +72,7 @@ TEST(Logging, HeldAndRampedDoWhatTheySay) {
   Track line(10000);
   for (std::size_t i = 0; i < line.size(); ++i) line[i] = static_cast<double>(i);
   std::vector<double> time_s;
+  time_s.reserve(500);
   for (int i = 0; i < 500; ++i) time_s.push_back(15.0 * i);
   Conventions conventions;
   Chance chance("logging", 1);
@@ -198,6 +201,23 @@ TEST(Hidden, EffectsAreThoseOfTheCatalogue) {
   }
 }
 
+// Without data every effect has its prior, and so much that a gain of 30 sigma tells a centrifugal shift from a
+// heating.
+TEST(Rivals, IdealIsThePriorWithoutDataAndSureWithMany) {
+  Chance chance("rivals", 1);
+  const Scene scene = drawn_scene({}, chance);
+  const Rivals bank = rivals(scene);
+  const auto is_rival = [](const std::string& effect, const std::vector<Quantity>&) {
+    return effect != "centrifugal_shift";
+  };
+  const Eigen::VectorXd left = surviving(power_of_speed(scene.plan[Quantity::speed], 2.0), scene).normalized();
+  const std::set<std::string> effects(bank.effect.begin(), bank.effect.end());
+  EXPECT_EQ(effects.size(), kHidden.size() + 1);  // and the heating by speed
+  EXPECT_NEAR(ideal(1e-6 * left, bank, is_rival).p, 1.0 / static_cast<double>(effects.size()), 1e-6);
+  EXPECT_GT(ideal(30.0 * left, bank, is_rival).p, 0.999);
+  EXPECT_NEAR(apart(30.0 * left, bank, [](const auto&, const auto&) { return true; }).d, 0.0, 1e-3);
+}
+
 TEST(Cells, AreMadeTheSameWayAgainAndDifferFromEachOther) {
   for (const Cell& cell : cells()) {
     const Made one = cell.make(11), again = cell.make(11);
@@ -248,54 +268,6 @@ TEST(Twins, RowsAreLeftOutOrAveraged) {
   const std::vector<double>& values = set.data.columns[2].values;
   EXPECT_NEAR(means.columns[2].values[1], (values[4] + values[5] + values[6] + values[7]) / 4.0, 1e-12);
   EXPECT_EQ(twin_of(set, Change::second_target, chance).made.model.targets.size(), 2U);
-}
-
-Said said(Word word, std::vector<Member> named) {
-  Said result;
-  result.word = word;
-  result.named = std::move(named);
-  return result;
-}
-
-TEST(Judged, NamesAreRightOrWrong) {
-  Made set;
-  set.truths = {{"gradient_bending", {"a_degC", "b_degC"}, {{"gain_um_per_K", 2.0, true}}}};
-  set.drivers = {"a_degC", "b_degC"};
-  EXPECT_TRUE(judged(set, said(Word::named, {{"gradient_bending", {"b_degC", "a_degC"}}})).right);
-  EXPECT_TRUE(judged(set, said(Word::named, {{"gradient_bending", {"b_degC", "a_degC"}}})).driver_right);
-  EXPECT_FALSE(judged(set, said(Word::equivalent, {{"gradient_bending", {"b_degC", "a_degC"}}})).right);
-  EXPECT_TRUE(judged(set, said(Word::named, {{"expansion", {"a_degC"}}})).wrong);
-  EXPECT_TRUE(judged(set, said(Word::nothing, {})).nothing_said);
-  Said turned = said(Word::named, {{"gradient_bending", {"b_degC", "a_degC"}}});
-  turned.intervals = {{turned.named.front(), "gain_um_per_K", -2.1, -2.5, -1.9}};
-  ASSERT_EQ(judged(set, turned).covered.size(), 1U);
-  EXPECT_TRUE(judged(set, turned).covered.front().covers);
-}
-
-TEST(Judged, OutsideADriverIsRightOrWrong) {
-  Made set;
-  set.is_outside = true;
-  set.drivers = {"a_degC"};
-  EXPECT_TRUE(judged(set, said(Word::unexplained, {})).right);
-  Said driver = said(Word::driver, {});
-  driver.drivers = {{"a_degC", 0.95}, {"b_degC", 0.5}};
-  EXPECT_TRUE(judged(set, driver).right);
-  driver.drivers.back().p = 0.95;
-  EXPECT_TRUE(judged(set, driver).wrong);
-  EXPECT_TRUE(judged(set, said(Word::named, {{"expansion", {"a_degC"}}})).wrong);
-  EXPECT_TRUE(judged(set, said(Word::equivalent, {})).undecided);
-}
-
-TEST(Judged, OwnValuesAreRightOrWrong) {
-  Made set;
-  set.own = OwnTruth{"speed_heating(n_rpm)", "exponent", 5.0 / 3.0, 1.0};
-  Said own = said(Word::named, {});
-  own.own = {{"speed_heating(n_rpm)", "exponent", 5.0 / 3.0, 1.02, 0.97}};
-  EXPECT_TRUE(judged(set, own).right);
-  own.own.front().p = 0.7;
-  EXPECT_FALSE(judged(set, own).right);
-  own.own.front() = {"speed_heating(n_rpm)", "time_constant_s", 900.0, 300.0, 0.97};
-  EXPECT_TRUE(judged(set, own).wrong);
 }
 
 }  // namespace

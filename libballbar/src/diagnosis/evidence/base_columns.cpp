@@ -117,21 +117,19 @@ Eigen::MatrixXd BaseModel::times_at(const std::vector<double>& parameters) const
         for (Eigen::Index i = 0; i < result.size(); ++i) result[i] = all[rows_.data_rows()[static_cast<std::size_t>(i)]];
         return result;
       };
-      if (!input->is_stepped) {
-        if (!(input->sample_s > 0.0)) continue;
-        const Eigen::VectorXd both = moved(shifted(logged_.series.time_s, values, input->sample_s)) -
-                                     moved(shifted(logged_.series.time_s, values, -input->sample_s));
-        found.emplace_back(1e300, 0.5 * kClockTime * both);
-        continue;
-      }
       Eigen::VectorXd together = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.rows()));
+      if (!input->is_stepped && input->sample_s > 0.0) {
+        together = 0.5 * (moved(shifted(logged_.series.time_s, values, input->sample_s)) -
+                          moved(shifted(logged_.series.time_s, values, -input->sample_s)));
+      }
       for (const Jump& jump : input->jumps) {
         const double width = static_cast<double>(jump.last - jump.first);
         const Eigen::VectorXd whole =
             moved(with_jump_moved(values, jump, true)) - moved(with_jump_moved(values, jump, false));
         const Eigen::VectorXd one = whole * (width / (width + 1.0));  // all of its window
-        together += one;
-        found.emplace_back(kJumpTime * one.norm(), kJumpTime * one);
+        if (input->is_stepped) together += one;
+        const double sd = input->is_stepped ? kJumpTime : kChangeTime;
+        found.emplace_back(sd * one.norm(), sd * one);
       }
       found.emplace_back(1e300, kClockTime * together);
     }

@@ -7,6 +7,7 @@
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "numerics/interpolation.hpp"
+#include "numerics/median.hpp"
 
 namespace ballbar {
 namespace {
@@ -41,26 +42,28 @@ std::size_t held_rows(const std::vector<double>& values) {
   return common;
 }
 
-// Rows between the samples of which a column is the straight lines: its slope changes at multiples alone; 1: none.
+// Rows between the samples of which a column is the straight lines: it bends at one row of so many, or at two
+// neighbours where the samples lie between rows; 1: none.
 std::size_t ramped_rows(const std::vector<double>& values) {
-  const double range = range_within(values);
-  std::vector<std::size_t> bends;
-  for (std::size_t i = 1; i + 1 < values.size(); ++i) {
-    if (std::abs(values[i + 1] - 2.0 * values[i] + values[i - 1]) > kRounding * range) bends.push_back(i);
-  }
-  if (bends.size() < kFewestChanges) return 1;
-  std::size_t common = 0;
-  for (std::size_t k = 1; k < bends.size(); ++k) {
-    std::size_t a = common, b = bends[k] - bends[k - 1];
-    while (b != 0) {
-      const std::size_t rest = a % b;
-      a = b;
-      b = rest;
+  std::size_t best = 1;
+  double most = kBends;
+  for (std::size_t rows = 3; rows <= kLongestHeld && 4 * rows < values.size(); ++rows) {
+    std::vector<double> square(rows, 0.0);
+    double all = 0.0;
+    for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+      const double bend = values[i + 1] - 2.0 * values[i] + values[i - 1];
+      square[i % rows] += bend * bend;
+      all += bend * bend;
     }
-    common = a;
-    if (common == 1) return 1;
+    for (std::size_t k = 0; k < rows; ++k) {
+      const double share = all > 0.0 ? (square[k] + square[(k + 1) % rows]) / all : 0.0;
+      if (share > most) {
+        most = share;
+        best = rows;
+      }
+    }
   }
-  return common;
+  return best;
 }
 
 // Every row with the same step to the next.
@@ -277,6 +280,24 @@ std::vector<double> continuous(const std::vector<double>& time_s, const std::vec
   return smoothed(seen, time_s);
 }
 
+// The largest changes from sample to sample: on which way a value went there, straight or at once, is not known.
+std::vector<Jump> largest_changes(const std::vector<double>& values, std::size_t sample) {
+  std::vector<Jump> changes;
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i + sample < values.size(); i += sample) {
+    changes.push_back({i, i + sample, values[i], values[i + sample]});
+    sizes.push_back(std::abs(values[i + sample] - values[i]));
+  }
+  if (changes.size() < kFewestChanges) return {};
+  const double usual = median(sizes);
+  std::erase_if(changes, [&](const Jump& one) { return !(std::abs(one.after - one.before) > kLargeChange * usual); });
+  std::stable_sort(changes.begin(), changes.end(), [](const Jump& a, const Jump& b) {
+    return std::abs(a.after - a.before) > std::abs(b.after - b.before);
+  });
+  if (changes.size() > kMostChanges) changes.resize(kMostChanges);
+  return changes;
+}
+
 bool is_temperature(const Column& column) {
   const std::string_view unit = unit_of(column.name);
   return unit == "degC" || unit == "K";
@@ -306,7 +327,7 @@ LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& t
     const std::size_t rows = held_rows(column.values);
     if (held == 0 || rows < held) held = rows;
     const std::size_t lines = rows > 1 ? 1 : ramped_rows(column.values);
-    if (ramped == 0 || lines < ramped) ramped = lines;
+    ramped = std::max(ramped, lines);
   }
   held = std::max<std::size_t>(1, held);
   ramped = std::max<std::size_t>(1, ramped);
@@ -316,7 +337,7 @@ LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& t
     LoggedInput input;
     input.column = column.name;
     if (column.role == Role::speed || column.role == Role::load) {
-      const std::size_t own = even ? std::max(held_rows(column.values), ramped) : 1;
+      const std::size_t own = even ? held_rows(column.values) : 1;
       const std::size_t rows =
           held > 1 || ramped > 1 ? std::max(held, ramped)
                                  : (static_cast<double>(own) * step_s <= kLongestSample_s ? own : 1);
@@ -328,8 +349,10 @@ LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& t
       for (const Jump& jump : input.jumps) draw_step(column.values, jump);
     } else if (is_temperature(column)) {
       const std::size_t rows = even ? held_rows(column.values) : 1;
-      input.sample_s = static_cast<double>(rows) * step_s;
+      const std::size_t sample = std::max(rows, even ? ramped_rows(column.values) : 1);
+      input.sample_s = static_cast<double>(sample) * step_s;
       column.values = continuous(data.time_s, column.values, rows);
+      input.jumps = largest_changes(column.values, sample);
     } else {
       continue;
     }

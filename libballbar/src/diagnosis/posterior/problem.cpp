@@ -89,6 +89,7 @@ void free_rows_at_jumps(Problem& problem, bool wide) {
   std::map<std::size_t, std::size_t> place;
   for (std::size_t i = 0; i < base.row.size(); ++i) place[base.row[i]] = i;
   for (const LoggedInput& input : problem.logged.inputs) {
+    if (!input.is_stepped) continue;
     for (const Jump& jump : input.jumps) {
       const std::size_t inside = wide ? 0 : 1, width = wide ? jump.last - jump.first : 0;
       const std::size_t first = jump.first + inside > width ? jump.first + inside - width : 0;

@@ -55,7 +55,8 @@ class Search {
     const auto& signatures = problem.library.signatures;
     for (std::size_t f = 0; f < problem.effects; ++f) {
       const Family& family = problem.library.families[f];
-      const std::size_t stride = 1 + (family.count - 1) / kThinShapes;
+      const std::size_t most = std::clamp<std::size_t>(kThinColumns / problem.effects, 1, kThinShapes);
+      const std::size_t stride = 1 + (family.count - 1) / most;
       for (std::size_t i = family.first + stride / 2; i < family.first + family.count; i += stride) thin_.push_back(i);
     }
     all_.resize(signatures.size());
@@ -502,9 +503,10 @@ class Search {
         if (std::find(families.begin(), families.end(), family) == families.end()) families.push_back(family);
       }
     }
+    const std::size_t shapes_each = std::clamp(kColumnsRefined / families.size(), kThinShapes, kShapesRefined);
     std::vector<std::size_t> chosen;
     for (const std::size_t family : families) {
-      for (const std::size_t i : shapes_thinned(family, kShapesRefined)) chosen.push_back(i);
+      for (const std::size_t i : shapes_thinned(family, shapes_each)) chosen.push_back(i);
     }
     std::sort(chosen.begin(), chosen.end());
     // Where the best pair is likely: its two columns at every point.
@@ -834,6 +836,49 @@ class Search {
     return false;
   }
 
+  // A time that is no longer than what a logger leaves open.
+  bool is_within_a_sample(const Effect& effect, const std::vector<double>& point, const std::string& name) const {
+    const auto input = std::find_if(problem_.logged.inputs.begin(), problem_.logged.inputs.end(),
+                                    [&](const LoggedInput& one) { return one.column == name; });
+    if (input == problem_.logged.inputs.end()) return false;
+    for (std::size_t k = 0; k < point.size(); ++k) {
+      const bool is_time = effect.parameters[k].kind == ParameterKind::shape && effect.parameters[k].unit == "s";
+      if (is_time && std::abs(point[k]) <= 2.0 * input->sample_s) return true;
+    }
+    return false;
+  }
+
+  // An effect on a signal of another one, which has that one's gain, with a gain far from it: something else.
+  bool is_inconsistent(const EffectSet& set) const {
+    Eigen::Index column = 0;
+    for (const std::size_t i : set.signatures) {
+      const Signature& one = problem_.library.signatures[i];
+      const BoundEffect& bound = problem_.library.families[one.family].bound;
+      const auto of_another = std::find_if(bound.effect->inputs.begin(), bound.effect->inputs.end(),
+                                           [](const Input& input) { return input.of_another_effect; });
+      if (of_another != bound.effect->inputs.end()) {
+        const std::string& name =
+            bound.columns[static_cast<std::size_t>(of_another - bound.effect->inputs.begin())];
+        const Beside beside = parameters_beside(result_.variants[set.variant], set.signatures, set.point);
+        const double gain = beside.coefficients[column] / problem_.deviation[one.first];
+        bool agrees = false;
+        std::size_t first = 1;
+        for (const Term& term : problem_.model.terms) {
+          const bool reads = std::find(term.columns.begin(), term.columns.end(), name) != term.columns.end();
+          for (std::size_t k = 0; k < term.settings.size() && reads; ++k) {
+            if (term.effect->parameters[k].kind != ParameterKind::gain) continue;
+            const double ratio = gain / beside.parameters[first + k];
+            agrees = agrees || (ratio > 0.5 && ratio < 2.0);
+          }
+          first += term.settings.size();
+        }
+        if (!agrees || is_within_a_sample(*bound.effect, one.point, name)) return true;
+      }
+      column += one.width;
+    }
+    return false;
+  }
+
   void sum_up() {
     std::vector<double> all;
     for (const auto& [key, at] : table_.sets) {
@@ -854,7 +899,7 @@ class Search {
           set.variant = variant;
         }
       }
-      if (any.empty()) continue;
+      if (any.empty() || is_inconsistent(set)) continue;
       set.log_weight = log_sum(any);
       set.log_weight_slow = log_sum(slow);
       if (!set.families.empty() && set.families.back() >= problem_.effects) {

@@ -26,7 +26,7 @@ bool has_late_clock(const Problem& problem, const Posterior& posterior, const Se
   Eigen::MatrixXd pulses = Eigen::MatrixXd::Zero(at.y.size(), 2 * static_cast<Eigen::Index>(problem.logged.inputs.size()));
   Eigen::Index column = 0;
   for (const LoggedInput& input : problem.logged.inputs) {
-    if (input.jumps.empty()) continue;
+    if (!input.is_stepped) continue;
     for (const Jump& jump : input.jumps) {
       for (const std::size_t row : {jump.first, jump.last}) {
         if (const auto there = place.find(row); there != place.end())

@@ -250,9 +250,7 @@ class Decision {
     const FittedSet fitted = fitted_set(problem(), posterior(), *best_);
     result_.rmse_after_um = fitted.rmse_um;
     for (std::size_t m = 0; m < best_->signatures.size(); ++m) {
-      const double p = p_.family[problem().library.signatures[best_->signatures[m]].family];
-      const std::size_t surrogates = p >= kProbable ? options_.surrogates : 0;
-      Candidate one = tested_member(weighed_, *best_, fitted, at_, m, surrogates, options_.search.seed);
+      Candidate one = tested_member(weighed_, *best_, fitted, at_, m, options_.surrogates, options_.search.seed);
       one.in_best_set = true;
       one.minor = one.amplitude_um < std::max(kMinor * problem().base.rmse_um, options_.tolerance_um);
       if (one.bound.effect->time_only)
@@ -286,7 +284,9 @@ class Decision {
     if (p_.discrepancy >= kDiscrepancy) {
       d.reasons.push_back(fmt::format("A slow curve without any cause is left, P = {:.2f}.", p_.discrepancy));
     }
-    const bool driver = !d.drivers.empty() && d.drivers.front().p >= kSureDriver;
+    const bool driver = std::any_of(d.drivers.begin(), d.drivers.end(), [&](const Driver& one) {
+      return one.p >= kSureDriver && is_shown(one.column);
+    });
     if (d.p_nothing > kNothing) {
       d.named.clear();
       d.probable.clear();
@@ -303,6 +303,16 @@ class Decision {
     } else {
       d.verdict = Verdict::equivalent;
     }
+  }
+
+  // Whether some effect of the best set that reads it predicts cycles left out, and better than a curve without cause.
+  bool is_shown(const std::string& column) const {
+    return std::any_of(result_.candidates.begin(), result_.candidates.end(), [&](const Candidate& one) {
+      const std::vector<std::string>& columns = one.bound.columns;
+      return std::find(columns.begin(), columns.end(), column) != columns.end() &&
+             one.held_out_evidence >= kHeldOutEvidence && one.beats_surrogates.value_or(true) &&
+             one.likelihood_ratio >= kLeastLikelihoodRatio;
+    });
   }
 
   // Behind the best set what else is probable, beside the rest of its own best set.

@@ -124,7 +124,7 @@ TEST(BaseColumns, times_of_a_shift_by_hand) {
   rows->y = Eigen::VectorXd::Zero(160);
   const Eigen::MatrixXd times = base_of(*rows).times_at({0.0, 0.1, 2.0});
   const double squares[] = {0.0, 3.6, 0.4, 8.1, 0.0, 1.6};  // 0.1 n^2, um
-  ASSERT_EQ(times.cols(), 6);  // the clock, then five changes by their size
+  ASSERT_EQ(times.cols(), 6);                               // the clock, then five changes by their size
   Eigen::VectorXd together = Eigen::VectorXd::Zero(160);
   for (Eigen::Index jump = 0; jump < 5; ++jump) {
     const double step_um = squares[jump + 1] - squares[jump];
@@ -175,8 +175,8 @@ TEST(Refined, finds_a_held_exponent_again) {
   auto rows = made();
   rows->model.terms.pop_back();
   rows->truth = {4.0, 0.7, 900.0, 1.0, 3.0, 400.0};
-  rows->y = ModelRows(rows->model, rows->logged.series, rows->rows)
-                .sum(Eigen::VectorXd::Map(rows->truth.data(), 6), nullptr);
+  rows->y =
+      ModelRows(rows->model, rows->logged.series, rows->rows).sum(Eigen::VectorXd::Map(rows->truth.data(), 6), nullptr);
   const BaseModel base = base_of(*rows);
   std::vector<double> time_s;
   for (const std::size_t row : rows->rows) time_s.push_back(rows->data.time_s[row]);

@@ -83,8 +83,7 @@ inline double log_over_scale(double square, double nu) {
   const double peak = 0.5 * std::log(square / nu);
   std::vector<double> values;
   constexpr double kStep = 1e-3;
-  for (double t = peak - 2.0; t < peak + 2.0; t += kStep)
-    values.push_back(-nu * t - 0.5 * square * std::exp(-2.0 * t));
+  for (double t = peak - 2.0; t < peak + 2.0; t += kStep) values.push_back(-nu * t - 0.5 * square * std::exp(-2.0 * t));
   return log_mean(values) + std::log(kStep * static_cast<double>(values.size()));
 }
 

@@ -125,7 +125,8 @@ TEST(LoggedInputs, a_held_temperature_is_drawn_through_its_samples) {
 TEST(LoggedInputs, a_ramped_speed_is_a_step) {
   Series data = rows_of(400, 15.0);
   const std::vector<double> exact = read(data, rpm_at);
-  data.columns = {{"n_rpm", Role::speed, ramped(exact, 4)}, {"T_degC", Role::structure, ramped(read(data, degC_at), 4)}};
+  data.columns = {{"n_rpm", Role::speed, ramped(exact, 4)},
+                  {"T_degC", Role::structure, ramped(read(data, degC_at), 4)}};
   const LoggedInputs found = logged_inputs(data, {});
   const LoggedInput& speed = input(found, "n_rpm");
   EXPECT_TRUE(speed.is_stepped);

@@ -42,6 +42,8 @@ inline constexpr std::size_t kFamiliesInPairs = 48;
 inline constexpr std::size_t kShapesInPairs = 320;       // of all families together
 inline constexpr std::size_t kPairPoints = 4;            // covariances at which pairs are weighed
 inline constexpr std::size_t kPairsRefined = 10;
+inline constexpr std::size_t kThinColumns = 700;         // there, of all families together
+inline constexpr std::size_t kColumnsRefined = 360;      // of the pairs refined
 inline constexpr std::size_t kShapesRefined = 48;        // of a family
 inline constexpr std::size_t kPairsExtended = 4;
 inline constexpr double kFarFromBest = 12.0;             // ln
@@ -70,11 +72,15 @@ inline constexpr double kLateClock = 12.0;         // fall of chi^2 by what rows
 
 // Inputs as they were logged.
 inline constexpr std::size_t kFewestChanges = 8;   // of a column, for its sample to be told
-inline constexpr double kRounding = 1e-6;          // of a column's range
+inline constexpr double kBends = 0.9;              // share of the square of a column's bends, at the samples it joins
+inline constexpr std::size_t kLongestHeld = 12;    // rows
 inline constexpr double kJump = 0.03;              // of a column's range, from row to row
 inline constexpr double kLongestRamp_s = 90.0;     // a change that takes longer is none at once
 inline constexpr double kLongestSample_s = 120.0;  // of a logger
 inline constexpr double kJumpTime = 0.35;          // sd of when in its sample an input changed
+inline constexpr double kLargeChange = 3.0;        // times the usual change of a temperature from sample to sample
+inline constexpr std::size_t kMostChanges = 20;
+inline constexpr double kChangeTime = 0.25;        // sd of where between straight and at once it went
 inline constexpr double kClockTime = 0.6;          // sd of how late its clock is, in samples
 inline constexpr std::size_t kMostTimes = 40;      // columns
 

@@ -1,0 +1,134 @@
+// The same effect on the same data has the same numbers, whoever asks.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/revision/effect_test.hpp"
+#include "diagnosis/made_drift.hpp"
+
+namespace ballbar {
+namespace {
+
+void expect_same(const Candidate& a, const Candidate& b) {
+  EXPECT_EQ(a.label, b.label);
+  EXPECT_EQ(a.bound.columns, b.bound.columns);
+  const auto near = [](double x, double y) {
+    return x == y || (std::isnan(x) && std::isnan(y)) || std::abs(x - y) <= 1e-9 * std::abs(x);
+  };
+  EXPECT_PRED2(near, a.p, b.p);
+  EXPECT_PRED2(near, a.likelihood_ratio, b.likelihood_ratio);
+  EXPECT_PRED2(near, a.amplitude_um, b.amplitude_um);
+  EXPECT_PRED2(near, a.amplitude_sigma_um, b.amplitude_sigma_um);
+  EXPECT_PRED2(near, a.held_out_before_um, b.held_out_before_um);
+  EXPECT_PRED2(near, a.held_out_after_um, b.held_out_after_um);
+  EXPECT_PRED2(near, a.held_out_evidence, b.held_out_evidence);
+  EXPECT_PRED2(near, a.p_same_gain, b.p_same_gain);
+  EXPECT_PRED2(near, a.gain, b.gain);
+  EXPECT_PRED2(near, a.best_surrogate_gain, b.best_surrogate_gain);
+  ASSERT_EQ(a.parameters.size(), b.parameters.size());
+  for (std::size_t k = 0; k < a.parameters.size(); ++k) {
+    EXPECT_PRED2(near, a.parameters[k].value, b.parameters[k].value);
+    EXPECT_PRED2(near, a.parameters[k].sigma, b.parameters[k].sigma);
+    EXPECT_PRED2(near, a.intervals[k].low, b.intervals[k].low);
+    EXPECT_PRED2(near, a.intervals[k].high, b.intervals[k].high);
+  }
+}
+
+TEST(OneTruth, an_effect_that_is_named_has_the_numbers_of_its_test) {
+  for (const double room_um_per_K : {0.5, 1.0, 3.0}) {
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+      const Series data = made::drift({room_um_per_K, seed, 300});
+      const Diagnosis found = diagnose(made::by_speed(), data);
+      if (found.named.size() != 1 || !found.equivalent.empty() || !found.own.empty()) continue;
+      const Term term = term_of(found.named[0].effect->name, found.named[0].columns);
+      const EffectTest tested = effect_test(made::by_speed(), {term}, data);
+      ASSERT_EQ(tested.added.size(), 1U);
+      expect_same(found.candidates.front(), tested.added.front());
+      EXPECT_EQ(tested.after.likelihood_ratio, tested.added.front().likelihood_ratio);
+      EXPECT_TRUE(tested.added.front().doubts.empty());
+      EXPECT_EQ(tested.after.verdict, "supported");
+    }
+  }
+}
+
+// Left out of a model that has it: the same ratio, but for what else may be missing.
+TEST(OneTruth, an_effect_left_out_has_the_ratio_of_one_put_in) {
+  const Series data = made::drift({3.0, 1, 300});
+  Model model = made::by_speed();
+  const Term term = term_of("lagged_expansion", {"T_room_degC"});
+  const EffectTest tested = effect_test(model, {term}, data);
+  model.terms.push_back(term);
+  const std::vector<DropTest> dropped = drop_tests(model, 2, data);
+  ASSERT_FALSE(dropped.empty());
+  EXPECT_EQ(dropped.back().term, 1U);
+  EXPECT_TRUE(dropped.back().needed);
+  EXPECT_NEAR(dropped.back().likelihood_ratio, tested.added[0].likelihood_ratio,
+              0.2 * tested.added[0].likelihood_ratio);
+}
+
+Series two_hidden() {
+  Series data = made::drift({3.0, 1, 300});
+  for (std::size_t i = 0; i < data.time_s.size(); ++i) {
+    const double krpm = data.columns[0].values[i] / 1000.0;
+    data.columns.back().values[i] += 0.05 * krpm * krpm;
+  }
+  return data;
+}
+
+// Each of two beside the other. Disabled: `diagnose` says of a member of two how likely it is by itself beside the
+// model, `effect_test` how likely beside the other member; its words in candidate.hpp are those of the second.
+TEST(OneTruth, DISABLED_two_effects_have_the_numbers_of_their_test) {
+  const Series data = two_hidden();
+  const Diagnosis found = diagnose(made::by_speed(), data);
+  ASSERT_EQ(made::labels_of(found.named),
+            (std::vector<std::string>{"centrifugal_shift(speed_rpm)", "lagged_expansion(T_room_degC)"}))
+      << found.sentence;
+  std::vector<Term> terms;
+  for (const BoundEffect& bound : found.named) terms.push_back(term_of(bound.effect->name, bound.columns));
+  const EffectTest tested = effect_test(made::by_speed(), terms, data);
+  for (std::size_t k = 0; k < 2; ++k) expect_same(found.candidates[k], tested.added[k]);
+}
+
+TEST(OneTruth, two_effects_have_the_parameters_of_their_test) {
+  const Series data = two_hidden();
+  const Diagnosis found = diagnose(made::by_speed(), data);
+  ASSERT_EQ(made::labels_of(found.named),
+            (std::vector<std::string>{"centrifugal_shift(speed_rpm)", "lagged_expansion(T_room_degC)"}))
+      << found.sentence;
+  std::vector<Term> terms;
+  for (const BoundEffect& bound : found.named) terms.push_back(term_of(bound.effect->name, bound.columns));
+  const EffectTest tested = effect_test(made::by_speed(), terms, data);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Candidate &a = found.candidates[k], &b = tested.added[k];
+    EXPECT_EQ(a.label, b.label);
+    for (std::size_t j = 0; j < a.parameters.size(); ++j) {
+      EXPECT_NEAR(a.parameters[j].value, b.parameters[j].value, 1e-9 * std::abs(a.parameters[j].value)) << a.label;
+    }
+    EXPECT_NEAR(a.amplitude_um, b.amplitude_um, 1e-9 * a.amplitude_um);
+    EXPECT_TRUE(b.doubts.empty()) << a.label;
+  }
+}
+
+// A shape that the user holds stays there: in what is said of it as in the fit. Disabled: the effect is fitted with its
+// catalogue's settings: a lag held at 600 s comes out at 1293 s, and its gain and amplitude are of that lag.
+TEST(OneTruth, DISABLED_what_is_held_stays_held) {
+  Term term = term_of("lagged_expansion", {"T_room_degC"});
+  term.settings[1] = {true, 600.0, term.settings[1].lower, term.settings[1].upper, true};
+  const EffectTest tested = effect_test(made::by_speed(), {term}, made::drift({3.0, 1, 300}));
+  const Candidate& found = tested.added.front();
+  EXPECT_EQ(found.parameters[1].value, 600.0);
+  EXPECT_EQ(found.parameters[1].state, ParameterState::held);
+  EXPECT_NEAR(found.parameters[0].value, tested.fit_after.parameters[4].value, 0.05 * found.parameters[0].value);
+}
+
+// Nor is a gain that is held free. Disabled, as above: 2 ln B is that of a free one.
+TEST(OneTruth, DISABLED_a_gain_that_is_held_stays_held) {
+  Term term = term_of("lagged_expansion", {"T_room_degC"});
+  term.settings[0] = {true, 1.0, term.settings[0].lower, term.settings[0].upper, true};
+  const EffectTest tested = effect_test(made::by_speed(), {term}, made::drift({3.0, 1, 300}));
+  EXPECT_EQ(tested.added.front().parameters[0].value, 1.0);
+}
+
+}  // namespace
+}  // namespace ballbar

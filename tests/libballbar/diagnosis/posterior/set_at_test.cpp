@@ -1,0 +1,171 @@
+// A set as columns where it is most likely; inputs of any form, and a member against them.
+#include "diagnosis/posterior/set_at.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/QR>
+#include <cmath>
+#include <limits>
+
+#include "diagnosis/evidence/dense.hpp"
+#include "diagnosis/made_drift.hpp"
+#include "diagnosis/posterior/any_form.hpp"
+#include "diagnosis/posterior/rivals.hpp"
+#include "diagnosis/posterior/weighed.hpp"
+#include "effects/low_pass.hpp"
+
+namespace ballbar {
+namespace {
+
+const Weighed& warm_room() {
+  static const Weighed found = [] {
+    ProblemOptions options;
+    options.catalogue = built_in_catalogue();
+    return weighed(made::by_speed(), made::drift({3.0, 1, 150}), 0, options);
+  }();
+  return found;
+}
+
+// The scatter and what is left, by the whole matrix: known columns as a part of it, with the scatter that is found.
+TEST(SetAt, is_the_set_by_the_whole_matrix) {
+  const Weighed& found = warm_room();
+  const Problem& problem = *found.problem;
+  ASSERT_GE(found.posterior.sets.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const EffectSet& set = found.posterior.sets[k];
+    const SetAt at = set_at(problem, found.posterior, set);
+    const Covariance& covariance = found.posterior.points[set.point].covariance;
+    const Line& line = found.posterior.variants[set.variant].line;
+    std::vector<Eigen::Index> flat, known;
+    for (Eigen::Index j = 0; j < at.line.cols(); ++j)
+      (line.is_free[static_cast<std::size_t>(j)] != 0 ? flat : known).push_back(j);
+    Eigen::MatrixXd x(at.y.size(), static_cast<Eigen::Index>(flat.size()) + at.members.cols());
+    x << at.line(Eigen::all, flat), at.members;
+    const Eigen::MatrixXd e = at.line(Eigen::all, known);
+    Eigen::MatrixXd c = dense::matrix_of(covariance, problem.time_s, problem.relative_variance);
+    c += e * e.transpose() / at.variance;
+    const double square = dense::flat(at.y, x, c).square;
+    EXPECT_NEAR(at.degrees, static_cast<double>(at.y.size() - x.cols()), 0.0);
+    // 2 %: the scatter and the prior by turns, three times.
+    EXPECT_NEAR(square / at.degrees, at.variance, 0.02 * at.variance) << k;
+    Eigen::MatrixXd white(at.white_y.size(), at.white_line.cols() + at.white_members.cols());
+    white << at.white_line, at.white_members;
+    const Eigen::VectorXd left = at.white_y - white * white.completeOrthogonalDecomposition().solve(at.white_y);
+    EXPECT_NEAR(left.squaredNorm(), square, 0.02 * square) << k;
+    Eigen::Index width = 0;
+    for (std::size_t m = 0; m < set.signatures.size(); ++m) {
+      EXPECT_EQ(at.first[m], width);
+      width += at.width[m];
+    }
+    EXPECT_EQ(width, at.members.cols());
+  }
+}
+
+TEST(SetAt, whitens_other_columns_as_its_own) {
+  const Weighed& found = warm_room();
+  const EffectSet& set = found.posterior.sets.front();
+  const SetAt at = set_at(*found.problem, found.posterior, set);
+  const Eigen::MatrixXd white = at.white(found.posterior.points[set.point].filter, at.members);
+  EXPECT_LT((white - at.white_members).cwiseAbs().maxCoeff(), 1e-12 * white.cwiseAbs().maxCoeff());
+}
+
+// Share of the square of a curve, about its mean, that no sum of the columns makes.
+double left_share(const Eigen::VectorXd& curve, const Eigen::MatrixXd& columns) {
+  Eigen::MatrixXd all(curve.size(), columns.cols() + 1);
+  all << Eigen::VectorXd::Ones(curve.size()), columns;
+  const Eigen::VectorXd about = curve.array() - curve.mean();
+  return (about - all * all.completeOrthogonalDecomposition().solve(about)).squaredNorm() / about.squaredNorm();
+}
+
+// What any effect of one input adds is nearly a sum of its forms: lags between those of the columns, powers, a kink.
+TEST(AnyForm, makes_nearly_what_any_effect_of_its_input_does) {
+  const Problem& problem = *warm_room().problem;
+  std::map<std::string, Eigen::MatrixXd> forms;
+  for (std::size_t f = problem.effects; f < problem.library.families.size(); ++f) {
+    const Family& family = problem.library.families[f];
+    EXPECT_EQ(family.bound.effect, &any_form());
+    const Signature& signature = problem.library.signatures[family.first];
+    forms[family.bound.columns.front()] = problem.signatures.middleCols(signature.first, signature.width);
+  }
+  ASSERT_EQ(forms.size(), 3U);  // speed, room, bearing
+  const std::map<std::string, double> most{
+      {"expansion", 1e-9}, {"lagged_expansion", 0.02}, {"centrifugal_shift", 0.05}, {"cooling_asymmetry", 0.1}};
+  for (std::size_t f = 0; f < problem.effects; ++f) {
+    const Family& family = problem.library.families[f];
+    const auto limit = most.find(family.bound.effect->name);
+    if (limit == most.end() || family.bound.columns.size() != 1) continue;
+    for (std::size_t i = family.first; i < family.first + family.count; ++i) {
+      const Eigen::VectorXd curve = problem.signatures.col(problem.library.signatures[i].first);
+      EXPECT_LE(left_share(curve, forms.at(family.bound.columns.front())), limit->second)
+          << label_of(family.bound) << " " << i - family.first;
+    }
+  }
+}
+
+// Inputs that never change, and those with gaps that are no line, have no forms.
+TEST(AnyForm, of_inputs_that_say_nothing_are_none) {
+  SignatureLibrary library;
+  Series data = made::drift({0.0, 1, 50});
+  std::fill(data.columns[1].values.begin(), data.columns[1].values.end(), 22.0);
+  std::fill(data.columns[2].values.begin(), data.columns[2].values.end(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<std::size_t> rows(50);
+  for (std::size_t i = 0; i < 50; ++i) rows[i] = i;
+  library.columns.resize(50, 0);
+  for (const char* name : {"T_room_degC", "T_bearing_degC"})
+    library.families.push_back({{find_effect("expansion", Level::series), {name}}, 0, 0});
+  add_any_forms(library, data, rows);
+  EXPECT_EQ(library.families.size(), 2U);
+  EXPECT_EQ(library.columns.cols(), 0);
+}
+
+const EffectSet* set_with(const Weighed& found, const std::string& label) {
+  for (const EffectSet& set : found.posterior.sets) {
+    if (set.own == 0 && set.families.size() == 1 &&
+        label_of(found.problem->library.families[set.families.front()].bound) == label)
+      return &set;
+  }
+  return nullptr;
+}
+
+// The room behind 1500 s: nothing makes it better than that, not the room in any form; and no form of the bearing does.
+TEST(Rivals, the_right_form_of_the_right_input_has_none) {
+  const Weighed& found = warm_room();
+  const EffectSet* set = set_with(found, "lagged_expansion(T_room_degC)");
+  ASSERT_NE(set, nullptr);
+  const Rivals rivals = rivals_of(*found.problem, found.posterior, *set, 0);
+  ASSERT_EQ(rivals.inputs.size(), 3U);
+  EXPECT_EQ(rivals.inputs.front().column, "T_room_degC");
+  EXPECT_LT(rivals.inputs.front().log_evidence, rivals.member);
+  for (std::size_t k = 1; k < 3; ++k) {
+    EXPECT_LE(rivals.inputs[k].log_evidence, rivals.inputs[k - 1].log_evidence);
+    EXPECT_LT(rivals.inputs[k].log_evidence, rivals.member - 5.0) << rivals.inputs[k].column;
+  }
+}
+
+// A bearing in the room's place.
+TEST(Rivals, the_wrong_input_has_one) {
+  const Weighed& found = warm_room();
+  const EffectSet* set = set_with(found, "expansion(T_bearing_degC)");
+  ASSERT_NE(set, nullptr);
+  const Rivals rivals = rivals_of(*found.problem, found.posterior, *set, 0);
+  EXPECT_EQ(rivals.inputs.front().column, "T_room_degC");
+  EXPECT_GT(rivals.inputs.front().log_evidence, rivals.member + 5.0);
+}
+
+// The member's family has shapes that the model makes itself, and so have the forms: all are numbers all the same.
+TEST(Rivals, are_numbers_where_the_model_has_the_same_column) {
+  Model model = made::by_speed();
+  model.terms.push_back(term_of("expansion", {"T_room_degC"}));
+  ProblemOptions options;
+  options.catalogue = built_in_catalogue();
+  const Weighed found = weighed(model, made::drift({3.0, 1, 150}), 0, options);
+  for (const EffectSet& set : found.posterior.sets) {
+    if (set.families.size() != 1 || found.posterior.p(set) < 1e-12) continue;
+    const Rivals rivals = rivals_of(*found.problem, found.posterior, set, 0);
+    EXPECT_TRUE(std::isfinite(rivals.member)) << label_of(found.problem->library.families[set.families[0]].bound);
+    for (const Rival& rival : rivals.inputs) EXPECT_TRUE(std::isfinite(rival.log_evidence)) << rival.column;
+  }
+}
+
+}  // namespace
+}  // namespace ballbar

@@ -1,0 +1,117 @@
+// What readings do not tell is not weighed: rows at jumps, clocks that are late, readings far from the others.
+#include "diagnosis/posterior/weighed.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "diagnosis/made_drift.hpp"
+
+namespace ballbar {
+namespace {
+
+ProblemOptions usual() {
+  ProblemOptions options;
+  options.catalogue = built_in_catalogue();
+  return options;
+}
+
+std::size_t unknown_rows(const Problem& problem) {
+  return static_cast<std::size_t>(std::count_if(problem.relative_variance.begin(), problem.relative_variance.end(),
+                                                [](double one) { return one >= kUnknownRow; }));
+}
+
+// Exact rows: every change of the speed is between two of them, and all tell.
+TEST(Problem, of_exact_rows_knows_all) {
+  const auto problem = problem_of(made::by_speed(), made::drift({1.0, 1, 200}), 0, usual());
+  EXPECT_EQ(unknown_rows(*problem), 0U);
+  for (const double one : problem->relative_variance) EXPECT_EQ(one, 1.0);
+}
+
+// Changes every 5400 s in rows of 100 s: the rows at both ends, and the one before for what its logger may be late.
+TEST(Problem, frees_the_rows_at_the_ends_of_jumps) {
+  const auto problem = problem_of(made::by_speed(), made::drift({1.0, 1, 200}), 0, usual());
+  free_rows_at_jumps(*problem, true);
+  std::size_t jumps = 0;
+  for (const LoggedInput& input : problem->logged.inputs) {
+    for (const Jump& jump : input.jumps) {
+      ++jumps;
+      for (std::size_t row = jump.first - (jump.last - jump.first); row <= jump.last; ++row)
+        EXPECT_GE(problem->relative_variance[row], kUnknownRow) << row;
+    }
+  }
+  EXPECT_EQ(jumps, 3U);
+  EXPECT_EQ(unknown_rows(*problem), 9U);
+}
+
+// Stated sigmas are relative: their mean square is 1, and what is known of the scatter is that mean.
+TEST(Problem, takes_stated_sigmas) {
+  Series data = made::drift({1.0, 1, 200});
+  Column sigma{"z_sigma_um", Role::measured, {}};
+  for (std::size_t i = 0; i < 200; ++i) sigma.values.push_back(i % 2 == 0 ? 0.1 : 0.3);
+  data.columns.push_back(sigma);
+  const auto problem = problem_of(made::by_speed(), data, 0, usual());
+  EXPECT_NEAR(problem->known.variance, 0.05, 1e-12);
+  EXPECT_NEAR(problem->relative_variance[0], 0.2, 1e-12);
+  EXPECT_NEAR(problem->relative_variance[1], 1.8, 1e-12);
+}
+
+// A few readings 20 times the noise off: those count less, no others.
+TEST(Weighed, readings_far_from_the_others_count_less) {
+  Series data = made::drift({1.0, 1, 300});
+  const std::size_t far[] = {50, 101, 180, 251};
+  for (const std::size_t row : far) made::values_of(data, "z_um")[row] += row % 2 == 0 ? 6.0 : -6.0;
+  const Weighed found = weighed(made::by_speed(), data, 0, usual());
+  for (const std::size_t row : far) EXPECT_GT(found.problem->relative_variance[row], 10.0) << row;
+  std::size_t others = 0;
+  for (const double one : found.problem->relative_variance) others += one > 1.0 ? 1 : 0;
+  EXPECT_LE(others, 12U);
+  const Diagnosis without = diagnose(made::by_speed(), made::drift({1.0, 1, 300}), 0, made::quick());
+  const Diagnosis with = diagnose(made::by_speed(), data, 0, made::quick());
+  EXPECT_EQ(made::labels_of(with.named), made::labels_of(without.named));
+}
+
+TEST(Weighed, normal_readings_all_count_alike) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Weighed found = weighed(made::by_speed(), made::drift({0.0, seed, 300}), 0, usual());
+    for (const double one : found.problem->relative_variance) EXPECT_EQ(one, 1.0) << seed;
+  }
+}
+
+// What is asked for is there, however improbable.
+TEST(Weighed, has_what_is_wanted) {
+  const BoundEffect drift{find_effect("linear_drift", Level::series), {}};
+  const BoundEffect bearing{find_effect("expansion", Level::series), {"T_bearing_degC"}};
+  const BoundEffect room{find_effect("lagged_expansion", Level::series), {"T_room_degC"}};
+  const Series data = made::drift({3.0, 1, 200});
+  for (const std::vector<BoundEffect>& wanted :
+       {std::vector<BoundEffect>{bearing}, {drift, bearing}, {bearing, drift, room}}) {
+    const Weighed found = weighed(made::by_speed(), data, 0, usual(), wanted);
+    std::vector<std::size_t> families;
+    for (const BoundEffect& one : wanted) families.push_back(family_of(*found.problem, one).value());
+    std::sort(families.begin(), families.end());
+    EXPECT_TRUE(std::isfinite(log_bayes_factor(*found.problem, found.posterior, families))) << wanted.size();
+  }
+}
+
+// 2 ln B of a set over none: its weight less its prior, over that of none less its own.
+TEST(Weighed, bayes_factor_has_no_prior_in_it) {
+  const Weighed found = weighed(made::by_speed(), made::drift({1.0, 1, 200}), 0, usual());
+  const auto weight = [&](const std::vector<std::size_t>& families) {
+    for (const EffectSet& set : found.posterior.sets) {
+      if (set.own == 0 && set.families == families)
+        return set.log_weight - log_prior_of_set(*found.problem, families, 0);
+    }
+    return std::nan("");
+  };
+  for (std::size_t f = 0; f < found.problem->effects; ++f) {
+    const double expected = 2.0 * (weight({f}) - weight({}));
+    if (std::isnan(expected)) continue;
+    EXPECT_NEAR(log_bayes_factor(*found.problem, found.posterior, {f}), expected, 1e-9) << f;
+  }
+}
+
+}  // namespace
+}  // namespace ballbar
