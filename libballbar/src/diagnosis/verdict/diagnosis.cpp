@@ -318,7 +318,7 @@ class Decision {
   // Behind the best set what else is probable, beside the rest of its own best set.
   void show_candidates() {
     for (const EffectProbability& effect : result_.effects) {
-      if (result_.candidates.size() >= kShownInQuestion) break;
+      if (result_.candidates.size() >= kMostShown) break;
       if (std::any_of(result_.candidates.begin(), result_.candidates.end(),
                       [&](const Candidate& one) { return one.bound == effect.bound; })) continue;
       std::size_t f = 0;

@@ -1,4 +1,4 @@
-// What is searched for, and by how many draws.
+// What is searched for.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "ballbar/circle/recording.hpp"
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "ballbar/effects/effect.hpp"
 
 namespace ballbar {
@@ -19,7 +18,6 @@ struct SearchOptions {
   Catalogue catalogue = built_in_catalogue();  // searched; a diagnosis refers to its effects
   std::optional<Motion> motion;                // of recordings
   std::vector<std::string> without;            // names of effects that are not searched
-  std::size_t draws = kDraws;                  // of the noise: data sets without any effect
   std::uint64_t seed = 1;
   // Told of every step before it begins, by the thread that asked: "testing 200 surrogates of expansion(T_room_degC)".
   std::function<void(std::string_view step)> progress;
