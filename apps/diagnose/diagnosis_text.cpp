@@ -62,7 +62,8 @@ std::string not_told_from(const Candidate& candidate, const std::vector<Candidat
     if (others.contains(label_of(all[i].bound))) rows.push_back(i + 1);
   }
   const std::size_t more = others.size() - rows.size();
-  std::string text = ranges(std::move(rows));
+  const bool are_all = rows.size() > 2 && rows.size() + 1 == all.size();
+  std::string text = are_all ? "all others" : ranges(std::move(rows));
   if (more > 0) text += fmt::format("{}{} more", text.empty() ? "" : " and ", more);
   return text.empty() ? "-" : text;
 }
