@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 #include "diagnose/diagnosis_report.hpp"
 #include "model/untestable_reasons.hpp"
@@ -39,26 +40,40 @@ std::vector<std::string> parts_of(const Diagnosis& found) {
   return parts;
 }
 
+// "2, 4-7": rising numbers, three or more in a row as a range.
+std::string ranges(std::vector<std::size_t> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < numbers.size();) {
+    std::size_t last = i;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+    if (last < i + 2) last = i;
+    texts.push_back(last == i ? fmt::format("{}", numbers[i]) : fmt::format("{}-{}", numbers[i], numbers[last]));
+    i = last + 1;
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+// Numbers of the rows of the table, and how many more there are.
+std::string not_told_from(const Candidate& candidate, const std::vector<Candidate>& all) {
+  const std::set<std::string> others(candidate.inseparable_from.begin(), candidate.inseparable_from.end());
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (others.contains(label_of(all[i].bound))) rows.push_back(i + 1);
+  }
+  const std::size_t more = others.size() - rows.size();
+  const bool are_all = rows.size() > 2 && rows.size() + 1 == all.size();
+  std::string text = are_all ? "all others" : ranges(std::move(rows));
+  if (more > 0) text += fmt::format("{}{} more", text.empty() ? "" : " and ", more);
+  return text.empty() ? "-" : text;
+}
+
 Table candidate_table(const Diagnosis& found) {
   Table table({"candidate", "amplitude um", "P", "2 ln B", "RMSE um", "held out um", "not told from"});
   const int decimals = decimals_of(found.base.rmse_um);
-  const auto number_of = [&](const std::string& label) -> std::size_t {  // 0: not in the table
-    for (std::size_t i = 0; i < found.candidates.size(); ++i) {
-      if (label_of(found.candidates[i].bound) == label) return i + 1;
-    }
-    return 0;
-  };
   for (std::size_t i = 0; i < found.candidates.size(); ++i) {
     const Candidate& candidate = found.candidates[i];
-    std::vector<std::string> same;
-    std::size_t more = 0;
-    for (const std::string& label : candidate.inseparable_from) {
-      const std::size_t number = number_of(label);
-      if (number > 0) same.push_back(fmt::format("{}", number));
-      more += number > 0 ? 0 : 1;
-    }
-    if (more > 0) same.push_back(fmt::format("{} more", more));
-    const bool held_out = candidate.held_out_after_um > 0.0;
+    const bool held_out = candidate.in_best_set;  // of the others nothing is
     table.add(
         {fmt::format("{}{} {}", i + 1, candidate.in_best_set ? "*" : ".", shortened(label_of(candidate.bound), 44)),
          with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, decimals), fmt::format("{:.2f}", candidate.p),
@@ -66,7 +81,7 @@ Table candidate_table(const Diagnosis& found) {
          held_out ? fmt::format("{:.{}f} -> {:.{}f}", candidate.held_out_before_um, decimals,
                                 candidate.held_out_after_um, decimals)
                   : "-",
-         same.empty() ? "-" : fmt::format("{}", fmt::join(same, ", "))});
+         not_told_from(candidate, found.candidates)});
   }
   return table;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {
@@ -24,16 +25,12 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-// As `add` and `try` want it, in quotes; empty where a name holds what would part it, or a control character.
+// As `add` and `try` want it, in quotes; empty where the name of a column holds the comma that parts them.
 std::string word_of(const BoundEffect& bound) {
   std::vector<std::string> columns;
   for (std::size_t k = 0; k < bound.columns.size(); ++k) {
-    const std::string& column = bound.columns[k];
-    const bool is_safe = std::none_of(column.begin(), column.end(), [](char c) {
-      return c == ',' || std::iscntrl(static_cast<unsigned char>(c)) != 0;
-    });
-    if (!is_safe) return "";
-    columns.push_back(fmt::format("{}={}", bound.effect->inputs[k].role, column));
+    if (bound.columns[k].find(',') != std::string::npos) return "";
+    columns.push_back(fmt::format("{}={}", bound.effect->inputs[k].role, bound.columns[k]));
   }
   const bool binds_itself = columns.empty() || bound.effect->level == Level::recording;
   return quoted(binds_itself ? bound.effect->name : fmt::format("{}:{}", bound.effect->name, fmt::join(columns, ",")));
@@ -74,11 +71,12 @@ std::string next_command(const ModelOptions& options, const Diagnosis& found) {
     words.push_back(word_of(bound));
     if (words.back().empty()) return "";
   }
-  for (const std::string& file : options.data) words.push_back(shell_word(file));
+  for (const std::string& file : options.data) words.push_back(shell_word(file.starts_with('-') ? "./" + file : file));
   words.insert(words.end(), {"--model", shell_word(options.model), "--target", shell_word(found.target)});
   for (const std::string& column : options.also_input) words.insert(words.end(), {"--also-input", shell_word(column)});
   if (options.max_gap_s) words.insert(words.end(), {"--max-gap", fmt::format("{:g}s", *options.max_gap_s)});
-  return fmt::format("{}", fmt::join(words, " "));
+  const std::string command = fmt::format("{}", fmt::join(words, " "));
+  return shortened(command, command.size()) == command ? command : "";  // a name that a terminal would obey
 }
 
 std::string next_hint(const ModelOptions& options, const Diagnosis& found) {

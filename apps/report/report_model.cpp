@@ -86,6 +86,7 @@ void add_curves(Json& candidates, const std::vector<Candidate>& found, const Fit
   for (std::size_t i = 0; i < found.size(); ++i) {
     for (std::size_t row = 0; row < curves[i].size(); ++row) curves[i][row] -= made[i][row];
     candidates[i]["label"] = label_of(found[i].bound);
+    candidates[i]["best_surrogate_fall"] = number(found[i].best_surrogate_fall);
     candidates[i]["curve_um"] = bulk(curves[i]);
   }
 }
@@ -156,6 +157,10 @@ Json diagnosis_part(const DiagnosisReport& diagnosis_report, const ModelData& da
   }
   json["rmse_after_um"] = number(found.rmse_after_um);
   json["next_test_text"] = next_text(diagnosis_report);
+  json["hint"] = diagnosis_report.hint;
+  for (std::size_t i = 0; i < found.effects.size(); ++i) {
+    json["effects"][i]["label"] = label_of(found.effects[i].bound);
+  }
   const Fit& fit = diagnosis_report.residual_report.fit;
   // Noise with a long memory lets the model's parameters stand off the readings; beside what is missing they do not.
   json["refit_um"] = bulk(model_parts_um(fit, {fit.residual_um}).front());

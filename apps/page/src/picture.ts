@@ -100,6 +100,8 @@ export interface Section {
   id: string;
   heading: string;
   sentences: readonly string[];
+  command?: string; // to copy, below the first sentence
+  above?: readonly TextTable[]; // tables above the pictures
   tables: readonly TextTable[];
   pictures: readonly Picture[];
   lists?: readonly List[];

@@ -190,32 +190,38 @@ export interface Bound {
 }
 export interface Candidate extends Bound {
   label: string; // for the page: "lagged_expansion(T_room_degC)"
+  p: Num; // that it is missing
   amplitude_um: Num;
   amplitude_sigma_um: Num;
   rmse_after_um: Num;
   held_out_before_um: Num;
   held_out_after_um: Num;
-  likelihood_ratio: Num;
-  likelihood_ratio_needed?: Num;
-  p_search: Num;
+  likelihood_ratio: Num; // 2 ln B
   beats_surrogates: boolean | null;
+  best_surrogate_fall: Num; // for the page: share of the RMSE beside the rest of its set
   in_best_set: boolean;
   minor: boolean;
   inseparable_from: string[];
-  also_drawn_by: string[];
   parameters: Parameter[];
   curve_um: Num[]; // for the page: what it adds that the model cannot make itself, at the rows of the checked series
 }
 export interface Diagnosed {
   target: string;
   not_diagnosed?: string; // why; then nothing else is there
-  verdict: "named" | "equivalent" | "unexplained" | "untestable" | "nothing";
-  verdict_text: string;
+  verdict: "named" | "probable" | "driver" | "equivalent" | "unexplained" | "untestable" | "nothing";
+  sentence: string;
+  command: string; // to paste next; empty: none
+  hint: string; // for the page: what no command does; empty: nothing
   named: Bound[];
+  probable: Bound[];
   equivalent: Bound[][];
+  drivers: { column: string; p: Num }[];
+  own: { effect: string; parameter: string; unit: string; held: Num; fitted: Num; low: Num; high: Num; p: Num }[];
+  effects: (Bound & { label: string; p: Num })[]; // label: for the page
+  p_nothing: Num;
+  p_discrepancy: Num;
+  discrepancy_um: Num;
   candidates: Candidate[];
-  associations: Candidate[];
-  best_surrogate_fall: Num;
   rmse_um: Num;
   rmse_after_um: Num; // with the best set
   floor_um: Num;
@@ -241,15 +247,13 @@ export interface LedgerRow {
   times_floor: Num;
   held_out_um: Num;
   likelihood_ratio?: Num;
-  threshold?: Num; // from which the likelihood ratio counts
+  threshold?: Num; // from which that counts
   best_surrogate_fall?: Num;
   verdict: string;
   sentence: string;
 }
 export interface LedgerPart {
   rows: LedgerRow[];
-  family_wise_error: number;
-  family_wise_text: string;
 }
 
 // A regression over batches (`ballbar train`), and what it predicts for the job.

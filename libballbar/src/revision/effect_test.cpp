@@ -88,7 +88,7 @@ std::vector<Candidate> tested(const Weighed& found, const std::vector<Term>& ter
     for (const BoundEffect& bound : bounds) result.push_back(not_weighed(bound));
     return result;
   }
-  const FittedSet fitted = fitted_set(*found.problem, found.posterior, *set);
+  const FittedSet fitted = fitted_set(*found.problem, found.posterior, *set, true);
   const SetAt at = set_at(*found.problem, found.posterior, *set);
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const std::size_t family = *family_of(*found.problem, bounds[t]);

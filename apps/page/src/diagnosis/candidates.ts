@@ -5,7 +5,7 @@ import { best_curves, chosen_curves, residual_curve, type Curve, type Shown } fr
 import { hover_text } from "../drawing/hover";
 import type { Numbers, Picture, State } from "../picture";
 import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
-import { kBest, ranked_candidates, ranked_associations, set_name } from "./ranking";
+import { kBest, ranked_candidates, set_name } from "./ranking";
 import { chosen_strands, recording_choice } from "../recordings/recording_names";
 import type { Checked, Diagnosed, Num, Report } from "../report";
 import { points_of, strands_of, type Strand } from "../drawing/strands";
@@ -23,7 +23,7 @@ export const candidates_picture = (
   const over_angle = checked.level === "recording";
   const strands = strands_of(checked);
   const { refit_um } = found;
-  const ranked = [...ranked_candidates(found), ...ranked_associations(found)];
+  const ranked = ranked_candidates(found);
   const all = ranked.map((one): Shown => ({ ...one, values_um: one.candidate.curve_um }));
   const best = all.filter((one) => one.starred);
   const named = set_name(found) ?? kBest;

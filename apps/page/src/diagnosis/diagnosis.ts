@@ -1,12 +1,13 @@
 // Which effect the model lacks, or that the data cannot tell: a section for each target.
-import { association_table, candidate_table } from "./candidate_tables";
+import { candidate_table } from "./candidate_table";
 import { candidates_picture } from "./candidates";
 import { coherence_picture } from "./coherence";
 import { no_evidence, no_evidence_of_several, not_known } from "./falls";
 import { ledger_steps } from "./ledger_steps";
 import type { Picture, Section } from "../picture";
+import { posterior_table } from "./posterior_table";
 import { best_set, kBest, set_name } from "./ranking";
-import type { Checked, Diagnosed, Num, Report } from "../report";
+import type { Candidate, Checked, Diagnosed, Num, Report } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import type { Step } from "./step";
@@ -17,7 +18,8 @@ const sentences_of = (found: Diagnosed): string[] => {
     found.reasons.length > 0 && found.verdict !== "nothing"
       ? ["Why it is not named, or not all of it:", ...found.reasons.map((reason) => `– ${reason}`)]
       : [];
-  return [found.verdict_text, ...reasons, found.next_test_text].filter((sentence) => sentence !== "");
+  const next = found.next_test_text === "" ? "" : `To decide: ${found.next_test_text}`;
+  return [`Verdict: ${found.verdict}. ${found.sentence}`, found.hint, next, ...reasons].filter((one) => one !== "");
 };
 
 // Effects with one reason together, as on the terminal.
@@ -27,15 +29,8 @@ const by_reason = (untestable: Diagnosed["untestable"]): string[] => {
   return [...effects_of].map(([why, effects]) => `${effects.join(", ")}: ${why}`);
 };
 
-const lists_of = (found: Diagnosed): NonNullable<Section["lists"]> => {
-  const same_curve = found.candidates
-    .filter((candidate) => candidate.also_drawn_by.length > 0)
-    .map(
-      ({ also_drawn_by, label }) =>
-        `${also_drawn_by.join(" and ")} would draw the same curve as ${label}: with what it adds to it at nothing.`,
-    );
-  return [
-    { title: "The same curve by other effects", items: same_curve },
+const lists_of = (found: Diagnosed): NonNullable<Section["lists"]> =>
+  [
     { title: "Not testable here", items: by_reason(found.untestable) },
     {
       title: "Not searched",
@@ -45,7 +40,6 @@ const lists_of = (found: Diagnosed): NonNullable<Section["lists"]> => {
       ),
     },
   ].filter(({ items }) => items.length > 0);
-};
 
 const all_equal = (values: readonly Num[]): boolean => values.every((value) => value === values[0]);
 
@@ -56,6 +50,10 @@ const history_of = (report: Report, found: Diagnosed): { steps: Step[]; last_um:
   if (last_um === null || found.rmse_um === null) return { steps: [], last_um: null };
   return Math.abs(last_um - found.rmse_um) <= 0.01 * found.rmse_um ? { steps, last_um: null } : { steps: [], last_um };
 };
+
+// Of those that were tried; 0: nothing is known to fall.
+const best_surrogate_fall = (best: readonly Candidate[]): Num =>
+  Math.max(0, ...best.map((candidate) => candidate.best_surrogate_fall ?? 0)) || null;
 
 // From the model as it is, with its history where a ledger leads to it, to the set that is drawn.
 const fall_steps = (found: Diagnosed, history: readonly Step[]): Step[] => {
@@ -80,7 +78,7 @@ const fall_steps = (found: Diagnosed, history: readonly Step[]): Step[] => {
       from_um: found.rmse_um,
       floor_um: found.floor_um,
       // A surrogate stands in the place of one effect, beside the others: of several, its fall does not begin here.
-      surrogate_fall: best.length === 1 && found.best_surrogate_fall ? found.best_surrogate_fall : null,
+      surrogate_fall: best.length === 1 ? best_surrogate_fall(best) : null,
       held_out_um: all_equal(left_out) ? (left_out[0] ?? null) : null,
       proposed: true,
     },
@@ -94,7 +92,7 @@ const fall_picture = (report: Report, found: Diagnosed, name: string): Picture[]
   if (steps.length < 2) return [];
   const effects = best_set(found).length;
   const named = set_name(found) ?? kBest;
-  const first = effects > 1 ? no_evidence_of_several(effects, found.best_surrogate_fall) : no_evidence;
+  const first = effects > 1 ? no_evidence_of_several(effects, best_surrogate_fall(best_set(found))) : no_evidence;
   const hollow =
     effects === 0
       ? " No effect was found, and none is proposed."
@@ -132,10 +130,9 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
   return {
     ...section,
     sentences: sentences_of(found),
-    tables: [
-      ...(found.candidates.length > 0 ? [candidate_table(found, left_out, chooses)] : []),
-      ...(found.associations.length > 0 ? [association_table(found, chooses)] : []),
-    ],
+    command: found.command,
+    above: found.verdict === "untestable" ? [] : [posterior_table(found)],
+    tables: found.candidates.length > 0 ? [candidate_table(found, left_out, chooses)] : [],
     pictures: [
       ...(checked ? [candidates_picture(report, checked, found, over_residual)] : []),
       ...fall_picture(report, found, `fall${number}`),

@@ -10,10 +10,12 @@ import { waterfall } from "./waterfall";
 const table_of = (ledger: LedgerPart): TextTable => {
   const several = targets_of(ledger).length > 1;
   return {
-    title: "Revisions. 2 ln LR: 2 ln of the likelihood ratio; the fall of the best surrogate is in the RMSE.",
+    title:
+      "Revisions. 2 ln B: 2 ln of how much more likely the readings are with the change, of errors of axes chi²; the fall " +
+      "of the best surrogate is in the RMSE.",
     heading: [
       "revision", "change", ...(several ? ["target"] : []), "parameters", "RMSE, µm", "× floor", "left out, µm",
-      "2 ln LR", "counts from", "best surrogate's fall, %", "verdict",
+      "2 ln B", "counts from", "best surrogate's fall, %", "verdict",
     ],
     rows: ledger.rows.map((row) => [
       String(row.revision),
@@ -39,10 +41,7 @@ export const ledger_section = (report: Report): Section[] => {
     {
       id: "ledger",
       heading: "What each revision bought",
-      sentences: [
-        ...ledger.rows.map((row) => row.sentence),
-        `Family-wise error spent: ${ledger.family_wise_text}.`,
-      ],
+      sentences: ledger.rows.map((row) => row.sentence),
       tables: [table_of(ledger)],
       pictures: targets.map((target, k) => {
         const steps = ledger_steps(ledger, target);

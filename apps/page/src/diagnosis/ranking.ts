@@ -1,5 +1,5 @@
-// The candidates of a diagnosis in the order of the terminal's table: the best set first, then by likelihood ratio;
-// after them what an unexplained misfit goes with. A candidate's place in this order is how picture and tables name it.
+// The candidates of a diagnosis in the order of the terminal's table: the best set first, then by P. A candidate's place
+// in this order is how picture and table name it.
 import type { Candidate, Diagnosed } from "../report";
 import { plain } from "../drawing/text";
 
@@ -17,6 +17,7 @@ export const set_name = ({ verdict }: Diagnosed): string | null => {
     case "nothing":
       return null;
     case "named":
+    case "probable":
     case "equivalent":
       return kBest;
     default:
@@ -28,13 +29,10 @@ export const kBest = "the best set";
 export const best_set = (found: Diagnosed): Candidate[] =>
   set_name(found) === null ? [] : found.candidates.filter((candidate) => candidate.in_best_set);
 
-const by_rank = (a: Candidate, b: Candidate): number =>
-  a.in_best_set !== b.in_best_set ? (a.in_best_set ? -1 : 1) : (b.likelihood_ratio ?? 0) - (a.likelihood_ratio ?? 0);
-
 export const ranked_candidates = (found: Diagnosed): Ranked[] => {
   const drawn = best_set(found);
   const together = found.candidates.filter((candidate) => candidate.in_best_set).length;
-  return [...found.candidates].sort(by_rank).map((candidate, k) => {
+  return found.candidates.map((candidate, k) => {
     const starred = drawn.includes(candidate);
     return {
       candidate,
@@ -45,12 +43,3 @@ export const ranked_candidates = (found: Diagnosed): Ranked[] => {
     };
   });
 };
-
-export const ranked_associations = (found: Diagnosed): Ranked[] =>
-  found.associations.map((candidate, k) => ({
-    candidate,
-    starred: false,
-    alone: true,
-    key: String(found.candidates.length + k),
-    name: `goes with ${plain(candidate.label, 44)}`,
-  }));

@@ -13,9 +13,15 @@ const kUnfolded = 3; // sections of a kind, as models of a target each; more are
 const text_table = (table: TextTable, shared: Shared): HTMLElement =>
   table_of(table.choose ? { ...table, row: choosing_rows(table.choose, shared) } : table);
 
+const sentences_of = ({ sentences, command }: Section): HTMLElement[] => {
+  const [first, ...rest] = sentences.map((sentence) => text_in("p", sentence));
+  const typed = command ? [element("pre", { class: "command", tabindex: "0" }, command)] : [];
+  return [...(first ? [first] : []), ...typed, ...rest];
+};
+
 // What follows the sentences.
 const body_of = (section: Section, shared: Shared): HTMLElement[] => {
-  const made: HTMLElement[] = [];
+  const made: HTMLElement[] = (section.above ?? []).map((table) => text_table(table, shared));
   const of_none = ({ choose }: TextTable): boolean => !section.pictures.some(({ name }) => name === choose?.picture);
   for (const picture of section.pictures) {
     const figure = figure_of(picture, shared);
@@ -38,7 +44,7 @@ export const section_of = (section: Section, shared: Shared): HTMLElement => {
   const wide: Record<string, string> = section.beside ? { class: "wide" } : {};
   const made = element("section", { id: section.id, "aria-labelledby": `${section.id}-heading`, ...wide });
   made.append(element("h2", { id: `${section.id}-heading` }, section.heading));
-  made.append(...section.sentences.map((sentence) => text_in("p", sentence)));
+  made.append(...sentences_of(section));
   const body = body_of(section, shared);
   const kind = section.id.split("-")[0] ?? "";
   if (shared.nth(kind) > kUnfolded && body.length > 0) made.append(folded(section.id, body));

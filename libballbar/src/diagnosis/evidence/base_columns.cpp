@@ -50,7 +50,8 @@ BaseModel::BaseModel(const Model& model, const LoggedInputs& logged, const Eigen
   }
 }
 
-BaseColumns BaseModel::at(const std::vector<double>& parameters, const std::vector<std::size_t>& free) const {
+BaseColumns BaseModel::at(const std::vector<double>& parameters, const std::vector<std::size_t>& free,
+                          std::size_t fixed) const {
   BaseColumns result;
   result.y = y_;
   std::vector<Eigen::VectorXd> columns;
@@ -73,7 +74,7 @@ BaseColumns BaseModel::at(const std::vector<double>& parameters, const std::vect
       const Eigen::VectorXd slope = slopes.col(static_cast<Eigen::Index>(k));
       const bool forced = std::find(free.begin(), free.end(), index) != free.end();
       const bool is_gain = parameters_[index]->kind == ParameterKind::gain;
-      if (setting.held && !forced) continue;
+      if ((setting.held && !forced) || index == fixed) continue;
       const double deviation = deviation_of(slope);
       if (!slope.allFinite() || !(deviation > 1e-12)) continue;
       if (is_gain) {

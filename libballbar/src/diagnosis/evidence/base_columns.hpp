@@ -41,8 +41,10 @@ class BaseModel {
   const Model& model() const { return model_; }
   std::size_t parameters() const { return static_cast<std::size_t>(rows_.parameters()); }
 
-  // About these parameters. free: shapes, by their place, that are free though the model holds them.
-  BaseColumns at(const std::vector<double>& parameters, const std::vector<std::size_t>& free = {}) const;
+  // About these parameters. free: shapes, by their place, that are free though the model holds them; fixed: one that is
+  // held though the model does not, 0: none.
+  BaseColumns at(const std::vector<double>& parameters, const std::vector<std::size_t>& free = {},
+                 std::size_t fixed = 0) const;
 
   // Columns of Kind::time about these parameters: what moving the changes of its inputs by what a log leaves open adds.
   Eigen::MatrixXd times_at(const std::vector<double>& parameters) const;

@@ -17,9 +17,9 @@ struct At {
 };
 
 At at(const BaseModel& base, const std::vector<double>& parameters, const std::vector<std::size_t>& free,
-      const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known) {
+      const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known, std::size_t fixed) {
   At result;
-  result.columns = base.at(parameters, free);
+  result.columns = base.at(parameters, free, fixed);
   const Gram gram = gram_of(filter, pool_of(result.columns, times), RowMajorMatrix(times.rows(), 0));
   result.solution = solved(gram, line_of(result.columns, times.cols(), 0), known);
   result.log_evidence = log_evidence(result.solution);
@@ -71,14 +71,15 @@ RowMajorMatrix pool_of(const BaseColumns& columns, const Eigen::MatrixXd& times)
 }
 
 Refined refined(const BaseModel& base, std::vector<double> parameters, const std::vector<std::size_t>& free,
-                const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known, int rounds) {
-  At now = at(base, parameters, free, times, filter, known);
+                const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known, int rounds,
+                std::size_t fixed) {
+  At now = at(base, parameters, free, times, filter, known, fixed);
   for (int round = 0; round < rounds; ++round) {
     double share = 1.0;
     bool better = false;
     for (int half = 0; half < 3 && !better; ++half, share *= 0.4) {
       const std::vector<double> next = moved(base, now, parameters, share);
-      At there = at(base, next, free, times, filter, known);
+      At there = at(base, next, free, times, filter, known, fixed);
       if (!(there.solution.square < now.solution.square) && half < 2) continue;
       if (!(there.solution.square <= now.solution.square * (1.0 + 1e-9))) break;
       better = now.solution.square - there.solution.square > 1e-3 * now.solution.variance;
@@ -94,7 +95,7 @@ Refined refined(const BaseModel& base, std::vector<double> parameters, const std
     if (column.is_free())
       parameters[column.parameter] = now.solution.coefficients[static_cast<Eigen::Index>(k)] * column.scale;
   }
-  return {std::move(parameters), now.log_evidence, now.solution.variance};
+  return {std::move(parameters), now.log_evidence, now.solution.variance, now.solution.square};
 }
 
 }  // namespace ballbar

@@ -14,11 +14,14 @@ struct Refined {
   std::vector<double> parameters;
   double log_evidence = 0.0;  // of the line about them
   double variance = 0.0;      // of the scatter, in units of C
+  double square = 0.0;        // what is left of the white readings
 };
 
-// Gauss-Newton, shapes within their bounds. times: columns of Kind::time. free: shapes that are free though held.
+// Gauss-Newton, shapes within their bounds. times: columns of Kind::time. free: shapes that are free though held; fixed: as
+// BaseModel::at.
 Refined refined(const BaseModel& base, std::vector<double> parameters, const std::vector<std::size_t>& free,
-                const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known, int rounds);
+                const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known, int rounds,
+                std::size_t fixed = 0);
 
 // Line of these columns in a pool where they stand from `first` on: y, the columns, times.
 Line line_of(const BaseColumns& columns, Eigen::Index times, Eigen::Index first);

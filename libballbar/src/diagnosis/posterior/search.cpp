@@ -64,7 +64,7 @@ class Search {
   }
 
   Posterior run() {
-    const std::vector<Covariance> grid = covariance_grid(problem_.time_s);
+    const std::vector<Covariance> grid = covariance_grid(problem_.time_s, problem_.model.level == Level::series);
     std::vector<Point> points;
     points.reserve(grid.size());
     for (const Covariance& one : grid)
@@ -90,6 +90,7 @@ class Search {
   std::vector<double> parameters_of_fit() const {
     std::vector<double> parameters;
     for (const FittedParameter& one : problem_.base.parameters) parameters.push_back(one.value);
+    parameters.front() -= problem_.centre_um;
     return parameters;
   }
 
@@ -193,7 +194,17 @@ class Search {
     const RowMajorMatrix columns = columns_of(forms);
     const double share = 1.0 / static_cast<double>(problem_.library.signatures[forms.front()].width);
     std::vector<double> evidence(result_.points.size());
+    std::vector<std::size_t> first(evidence.size());  // with the same noise, whatever is slow
+    for (std::size_t g = 0; g < first.size(); ++g) {
+      first[g] = g;
+      const Covariance& one = result_.points[g].covariance;
+      for (std::size_t k = 0; k < g && first[g] == g; ++k) {
+        const Covariance& other = result_.points[k].covariance;
+        if (other.white == one.white && other.time_s == one.time_s) first[g] = k;
+      }
+    }
     in_parallel(evidence.size(), [&](std::size_t g) {
+      if (first[g] != g) return;
       Covariance noise = result_.points[g].covariance;
       noise.slow = 0.0;
       const Point point{noise, result_.points[g].covariance.slow > 0.0
@@ -202,6 +213,7 @@ class Search {
       const Seen seen = seen_at(point, result_.variants[0], columns, forms, true);
       evidence[g] = log_evidence(seen.base, seen.left, seen.base.along, share);
     });
+    for (std::size_t g = 0; g < evidence.size(); ++g) evidence[g] = evidence[first[g]];
     for (const bool slow : {false, true}) {
       std::vector<double> of_these;
       for (std::size_t g = 0; g < evidence.size(); ++g) {

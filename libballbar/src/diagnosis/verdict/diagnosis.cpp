@@ -208,7 +208,7 @@ class Decision {
     p_ = probabilities_of(problem(), posterior());
     result_.p_nothing = p_.nothing;
     result_.p_discrepancy = p_.discrepancy;
-    result_.drivers = drivers_of(posterior(), problem(), p_.column);
+    if (model_.level == Level::series) result_.drivers = drivers_of(posterior(), problem(), p_.column);
     for (std::size_t f = 0; f < problem().effects; ++f) {
       if (p_.family[f] >= 0.01) result_.effects.push_back({family(f).bound, p_.family[f]});
     }
@@ -233,7 +233,7 @@ class Decision {
       if (p_.own[k] < 0.05) continue;
       const auto set = std::find_if(posterior().sets.begin(), posterior().sets.end(),
                                     [&](const EffectSet& one) { return one.own == k + 1; });
-      const FittedSet fitted = fitted_set(problem(), posterior(), *set);
+      const FittedSet fitted = fitted_set(problem(), posterior(), *set, false);
       const std::size_t place = problem().own[k].parameter;
       const FittedParameter& parameter = fitted.parameters[place];
       result_.own.push_back({parameter.effect, parameter.name, parameter.unit, problem().own[k].held, parameter.value,
@@ -243,11 +243,12 @@ class Decision {
 
   void test_members() {
     if (best_->families.empty()) {
-      result_.rmse_after_um = problem().base.rmse_um;
+      result_.rmse_after_um =
+          best_->own > 0 ? fitted_set(problem(), posterior(), *best_, false).rmse_um : problem().base.rmse_um;
       return;
     }
     tell(fmt::format("testing {} effects", best_->families.size()));
-    const FittedSet fitted = fitted_set(problem(), posterior(), *best_);
+    const FittedSet fitted = fitted_set(problem(), posterior(), *best_, true);
     result_.rmse_after_um = fitted.rmse_um;
     for (std::size_t m = 0; m < best_->signatures.size(); ++m) {
       Candidate one = tested_member(weighed_, *best_, fitted, at_, m, options_.surrogates, options_.search.seed);
@@ -284,7 +285,7 @@ class Decision {
     if (p_.discrepancy >= kDiscrepancy) {
       d.reasons.push_back(fmt::format("A slow curve without any cause is left, P = {:.2f}.", p_.discrepancy));
     }
-    const bool driver = std::any_of(d.drivers.begin(), d.drivers.end(), [&](const Driver& one) {
+    const bool driver = model_.level == Level::series && std::any_of(d.drivers.begin(), d.drivers.end(), [&](const Driver& one) {
       return one.p >= kSureDriver && is_shown(one.column);
     });
     if (d.p_nothing > kNothing) {
@@ -325,7 +326,7 @@ class Decision {
       while (!(family(f).bound == effect.bound)) ++f;
       const auto set = std::find_if(posterior().sets.begin(), posterior().sets.end(),
                                     [&](const EffectSet& one) { return is_in(one.families, f); });
-      const FittedSet fitted = fitted_set(problem(), posterior(), *set);
+      const FittedSet fitted = fitted_set(problem(), posterior(), *set, false);
       std::size_t m = 0;
       while (problem().library.signatures[set->signatures[m]].family != f) ++m;
       Candidate one = described_member(weighed_, *set, fitted, m);

@@ -13,6 +13,8 @@ namespace ballbar {
 namespace {
 
 constexpr double k95 = 1.959964;
+constexpr double kFall = 0.5 * k95 * k95;  // of the logarithm of the likelihood, at the ends of an interval
+constexpr int kMostTries = 6;              // for an end
 
 Model with_set(const Problem& problem, const EffectSet& set) {
   Model model = problem.model;
@@ -27,6 +29,9 @@ Model with_set(const Problem& problem, const EffectSet& set) {
     const Signature& one = problem.library.signatures[i];
     const BoundEffect& bound = problem.library.families[one.family].bound;
     Term term = ballbar::term_of(*bound.effect, bound.columns);
+    for (const Term& given : problem.terms) {
+      if (given.effect->name == bound.effect->name && given.columns == bound.columns) term = given;
+    }
     for (std::size_t k = 0; k < term.settings.size(); ++k) {
       if (bound.effect->parameters[k].kind == ParameterKind::gain) continue;
       term.settings[k].start = one.point[k];
@@ -37,9 +42,46 @@ Model with_set(const Problem& problem, const EffectSet& set) {
   return model;
 }
 
+// Where the likelihood, all other parameters at their most likely, has fallen so far: an end of a 95 % interval. towards:
+// a first guess of it.
+double profile_end(const BaseModel& model, const Refined& best, std::size_t parameter, double towards,
+                   const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known,
+                   double degrees) {
+  const double value = best.parameters[parameter];
+  const Setting& setting = model.setting(parameter);
+  const bool in_logarithm = value > 0.0 && towards > 0.0;
+  const double step = in_logarithm ? std::log(towards / value) : towards - value;
+  const auto at = [&](double factor) {
+    const double there = in_logarithm ? value * std::exp(factor * step) : value + factor * step;
+    return std::clamp(there, setting.lower, setting.upper);
+  };
+  // The fall is about quadratic in the distance: its root about linear.
+  double factor = 1.0, low = 0.0, low_root = 0.0;
+  std::vector<double> start = best.parameters;
+  for (int tries = 0; tries < kMostTries; ++tries) {
+    start[parameter] = at(factor);
+    const Refined now = refined(model, start, {}, times, filter, known, 4, parameter);
+    const double fall = 0.5 * (degrees + known.readings) *
+                        std::log((now.square + known.readings * known.variance) /
+                                 (best.square + known.readings * known.variance));
+    const double root = std::sqrt(std::max(0.0, fall) / kFall);
+    if (std::abs(root - 1.0) < 0.04) break;
+    const double slope = (root - low_root) / (factor - low);
+    if (root < 1.0) {
+      low = factor;
+      low_root = root;
+    }
+    const double next = slope > 1e-3 ? (root < 1.0 ? factor : low) + (1.0 - (root < 1.0 ? root : low_root)) / slope : 3.0 * factor;
+    if (at(next) == at(factor)) break;
+    factor = std::clamp(next, 0.3 * factor, 3.0 * factor);
+    if (root < 1.0) start = now.parameters;
+  }
+  return at(factor);
+}
+
 }  // namespace
 
-FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const EffectSet& set) {
+FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const EffectSet& set, bool with_profiles) {
   const Variant& variant = posterior.variants[set.variant];
   const CovarianceFilter& filter = posterior.points[set.point].filter;
   FittedSet result;
@@ -65,7 +107,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
   const Eigen::MatrixXd covariance =
       scale.asDiagonal() * unit.llt().solve(Eigen::MatrixXd::Identity(a.rows(), a.rows())) * scale.asDiagonal();
 
-  result.parameters.push_back({"constant", "constant_um", "um", best.parameters[0]});
+  result.parameters.push_back({"constant", "constant_um", "um", best.parameters[0] + problem.centre_um});
   result.parameters.front().state = ParameterState::held;
   for (const Term& term : result.model.terms) {
     for (std::size_t k = 0; k < term.settings.size(); ++k) {
@@ -78,7 +120,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
       result.parameters.push_back(std::move(one));
     }
   }
-  result.intervals.assign(result.parameters.size(), {});
+  result.intervals.assign(result.parameters.size(), {});  // of the constant as the others
   for (std::size_t k = 0; k < columns.columns.size(); ++k) {
     const BaseColumn& column = columns.columns[k];
     const auto at = static_cast<Eigen::Index>(k);
@@ -93,6 +135,16 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
     } else {
       interval = {one.value - k95 * one.sigma, one.value + k95 * one.sigma};
     }
+  }
+  // The ends of what the added effects are free in, by the profile of the likelihood.
+  std::size_t first_added = 1;
+  for (const Term& term : problem.model.terms) first_added += term.settings.size();
+  for (std::size_t k = first_added; k < result.parameters.size() && with_profiles; ++k) {
+    if (result.parameters[k].state != ParameterState::free || !std::isfinite(result.parameters[k].sigma)) continue;
+    Interval& interval = result.intervals[k];
+    interval.low = profile_end(model, best, k, interval.low, variant.times, filter, problem.known, solution.degrees);
+    interval.high = profile_end(model, best, k, interval.high, variant.times, filter, problem.known,
+                                solution.degrees);
   }
   // What each adds, by its columns and their covariance about its largest difference.
   const ModelRows rows(result.model, problem.logged.series, problem.base.row);

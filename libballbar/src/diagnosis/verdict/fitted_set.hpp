@@ -18,6 +18,7 @@ struct FittedSet {
 };
 
 // At the covariance and about the parameters where the set is most likely. Throws Error as fit does.
-FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const EffectSet& set);
+// with_profiles: intervals of the added effects by the profile of the likelihood, else by its curvature.
+FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const EffectSet& set, bool with_profiles);
 
 }  // namespace ballbar

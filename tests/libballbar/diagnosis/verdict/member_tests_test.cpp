@@ -135,7 +135,7 @@ TEST(FittedSet, is_a_regression_where_the_scatter_is_white) {
     return one.own == 0 && one.families == std::vector<std::size_t>{*family};
   });
   ASSERT_NE(set, found.posterior.sets.end());
-  const FittedSet fitted = fitted_set(*found.problem, found.posterior, *set);
+  const FittedSet fitted = fitted_set(*found.problem, found.posterior, *set, false);
   const Eigen::VectorXd y = Eigen::VectorXd::Map(target.values.data(), 24);
   const Eigen::VectorXd hours = Eigen::VectorXd::Map(data.time_s.data(), 24) / 3600.0;
   const Eigen::VectorXd x = hours.array() - hours.mean();

@@ -1,7 +1,7 @@
-// The tables of a diagnosis, with the figures that `ballbar diagnose` prints. A row that is hovered or focused chooses
-// its curve in the picture of the candidates, where there is one.
+// The table of candidates, with the figures that `ballbar diagnose` prints. A row that is hovered or focused chooses its
+// curve in the picture of the candidates, where there is one.
 import type { TextTable } from "../picture";
-import { ranked_candidates, ranked_associations, set_name, type Ranked } from "./ranking";
+import { ranked_candidates, set_name, type Ranked } from "./ranking";
 import type { Candidate, Diagnosed, Num } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
@@ -13,9 +13,6 @@ const decimals_of = (rmse_um: Num): number =>
 
 const change = (before: Num, after: Num, decimals: number): string =>
   `${shown(before, decimals)} → ${shown(after, decimals)}`;
-
-const chance_text = (p: Num): string =>
-  p === null ? "–" : p < 0.0005 ? "< 0.1 %" : `${(100 * p).toFixed(1)} %`;
 
 // Surrogates are tried against the effects of the best set, where they can be.
 const surrogates_text = ({ beats_surrogates, in_best_set }: Candidate): string =>
@@ -46,12 +43,11 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
   const surrogates = named === null ? "" : "surrogates are tried against those with *; ";
   return {
     title:
-      `Candidates.${star} RMSE with it; held out: ${left_out} left out, before and after. 2 ln LR: 2 ln of the ` +
-      `likelihood ratio; needed: what 1 % of searches find by chance; ${surrogates}not told from: rows, and effects ` +
-      "without one.",
+      `Candidates.${star} P: that it is missing. 2 ln B: 2 ln of how much more likely the readings are with it; 10 is ` +
+      `150 to 1. RMSE with it; held out: ${left_out} left out, before and after; ${surrogates}not told from: rows, and ` +
+      "effects without one.",
     heading: [
-      "no.", "candidate", "amplitude, µm", "RMSE, µm", "held out, µm", "2 ln LR", "needed", "by chance",
-      "beats surrogates", "not told from",
+      "no.", "candidate", "amplitude, µm", "P", "2 ln B", "RMSE, µm", "held out, µm", "beats surrogates", "not told from",
     ],
     rows: ranked.map((one, k) => {
       const c = one.candidate;
@@ -59,31 +55,16 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
         `${k + 1}${one.starred ? "*" : ""}`,
         plain(c.label, 60),
         with_sigma(c.amplitude_um, c.amplitude_sigma_um, decimals),
-        shown(c.rmse_after_um, decimals + 1),
-        change(c.held_out_before_um, c.held_out_after_um, decimals),
+        shown(c.p, 2),
         shown(c.likelihood_ratio, 0),
-        shown(c.likelihood_ratio_needed, 0),
-        chance_text(c.p_search),
+        shown(c.rmse_after_um, decimals + 1),
+        // Of the others nothing is left out.
+        c.in_best_set ? change(c.held_out_before_um, c.held_out_after_um, decimals) : "–",
         surrogates_text(c),
         not_told_from(one, ranked),
       ];
     }),
-    ...choosing(picture, ranked),
-  };
-};
-
-export const association_table = (found: Diagnosed, picture: string | null): TextTable => {
-  const ranked = ranked_associations(found);
-  const decimals = decimals_of(found.rmse_um);
-  return {
-    title: "It goes with. Each alone beside the model; that it goes with something is no proof of a cause.",
-    heading: ["effect", "amplitude, µm", "RMSE, µm", "held out, µm"],
-    rows: ranked.map(({ candidate: c }) => [
-      plain(c.label, 60),
-      with_sigma(c.amplitude_um, c.amplitude_sigma_um, decimals),
-      change(found.rmse_um, c.rmse_after_um, decimals),
-      change(c.held_out_before_um, c.held_out_after_um, decimals),
-    ]),
+    bars: { column: 3, shares: ranked.map((one) => one.candidate.p) },
     ...choosing(picture, ranked),
   };
 };

@@ -1,0 +1,105 @@
+#include "diagnose/next_command.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ballbar {
+namespace {
+
+BoundEffect bound(std::string_view name, std::vector<std::string> columns) {
+  return {find_effect(name, Level::series), std::move(columns)};
+}
+
+ModelOptions options() {
+  ModelOptions options;
+  options.data = {"run 1.csv"};
+  options.model = "model.toml";
+  return options;
+}
+
+Diagnosis found(Verdict verdict) {
+  Diagnosis diagnosis;
+  diagnosis.target = "y_um";
+  diagnosis.verdict = verdict;
+  return diagnosis;
+}
+
+TEST(NextCommand, all_that_is_named_is_added_at_once) {
+  Diagnosis named = found(Verdict::named);
+  named.named = {bound("expansion", {"T_room_degC"}), bound("gradient_bending", {"T a_degC", "T'b_degC"})};
+  named.probable = {bound("linear_drift", {})};
+  EXPECT_EQ(next_command(options(), named),
+            "ballbar add 'expansion:temperature=T_room_degC' 'gradient_bending:hot=T a_degC,cold=T'\\''b_degC' "
+            "'run 1.csv' --model model.toml --target y_um");
+}
+
+TEST(NextCommand, what_is_probable_is_added_and_what_is_in_question_tried) {
+  Diagnosis diagnosis = found(Verdict::probable);
+  diagnosis.probable = {bound("linear_drift", {})};
+  EXPECT_EQ(next_command(options(), diagnosis),
+            "ballbar add 'linear_drift' 'run 1.csv' --model model.toml --target y_um");
+  for (const Verdict verdict : {Verdict::equivalent, Verdict::driver, Verdict::unexplained}) {
+    diagnosis = found(verdict);
+    EXPECT_EQ(next_command(options(), diagnosis), "");
+    diagnosis.candidates.push_back({});
+    diagnosis.candidates.front().bound = bound("linear_drift", {});
+    EXPECT_EQ(next_command(options(), diagnosis),
+              "ballbar try 'linear_drift' 'run 1.csv' --model model.toml --target y_um");
+    diagnosis.equivalent = {{bound("expansion", {"T_room_degC"}), bound("linear_drift", {})}};
+    EXPECT_EQ(next_command(options(), diagnosis),
+              "ballbar try 'expansion:temperature=T_room_degC' 'run 1.csv' --model model.toml --target y_um");
+  }
+}
+
+TEST(NextCommand, what_the_user_typed_comes_again) {
+  Diagnosis diagnosis = found(Verdict::named);
+  diagnosis.named = {bound("linear_drift", {})};
+  ModelOptions typed = options();
+  typed.data = {"-a.csv"};
+  typed.also_input = {"z_um"};
+  typed.max_gap_s = 90.0;
+  EXPECT_EQ(next_command(typed, diagnosis),
+            "ballbar add 'linear_drift' ./-a.csv --model model.toml --target y_um --also-input z_um --max-gap 90s");
+}
+
+TEST(NextCommand, there_is_none_where_nothing_is_to_be_added) {
+  Diagnosis diagnosis = found(Verdict::nothing);
+  diagnosis.candidates.push_back({});
+  diagnosis.candidates.front().bound = bound("linear_drift", {});
+  EXPECT_EQ(next_command(options(), diagnosis), "");
+  EXPECT_EQ(next_hint(options(), diagnosis), "");
+  diagnosis.verdict = Verdict::untestable;
+  EXPECT_EQ(next_command(options(), diagnosis), "");
+  diagnosis.verdict = Verdict::named;
+  diagnosis.named = {bound("expansion", {"T,room_degC"})};  // would be two columns
+  EXPECT_EQ(next_command(options(), diagnosis), "");
+  diagnosis.named = {bound("expansion", {"T\x1b[2J_degC"})};
+  EXPECT_EQ(next_command(options(), diagnosis), "");
+}
+
+TEST(NextCommand, a_held_value_is_freed_by_hand) {
+  Diagnosis diagnosis = found(Verdict::named);
+  diagnosis.own.push_back({"speed_heating(speed_rpm)", "exponent", "1", 5.0 / 3.0, 1.02, {0.9, 1.1}, 0.95});
+  diagnosis.own.push_back({"speed_heating(speed_rpm)", "time_constant_s", "s", 100.0, 300.0, {200.0, 400.0}, 0.4});
+  EXPECT_EQ(next_command(options(), diagnosis), "");
+  EXPECT_EQ(next_hint(options(), diagnosis),
+            "In model.toml, free the exponent of speed_heating(speed_rpm): exponent = { start = 1.02 }.");
+}
+
+TEST(NextCommand, without_a_model_file_one_is_asked_for) {
+  Diagnosis diagnosis = found(Verdict::named);
+  diagnosis.named = {bound("expansion", {"T_room_degC"})};
+  ModelOptions none = options();
+  none.model.clear();
+  EXPECT_EQ(next_command(none, diagnosis), "");
+  EXPECT_EQ(next_hint(none, diagnosis), "To go on, write a model file, target = \"y_um\", and give it with --model.");
+}
+
+TEST(NextCommand, words_are_quoted_where_a_shell_would_part_them) {
+  EXPECT_EQ(shell_word("a_b-c./=:,+@%9"), "a_b-c./=:,+@%9");
+  EXPECT_EQ(shell_word(""), "''");
+  EXPECT_EQ(shell_word("a b"), "'a b'");
+  EXPECT_EQ(shell_word("$(x)'"), "'$(x)'\\'''");
+}
+
+}  // namespace
+}  // namespace ballbar
