@@ -199,7 +199,7 @@ TEST(Diagnosis, names_a_value_that_the_model_holds) {
 }
 
 // Disabled: `rmse_after_um` stays that of the model as it is where the best set is a value of its own.
-TEST(Diagnosis, DISABLED_a_value_that_the_model_holds_lowers_the_rmse) {
+TEST(Diagnosis, a_value_that_the_model_holds_lowers_the_rmse) {
   made::Drift how{0.0, 1};
   how.exponent = 1.0;
   how.noise_um = 0.1;
