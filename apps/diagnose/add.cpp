@@ -96,9 +96,17 @@ std::string either_text(const std::vector<std::vector<BoundEffect>>& groups) {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
+// The model's file is then that which is written.
+ModelOptions written_to(const Options& options) {
+  ModelOptions written = options.effect.model;
+  if (!options.out.empty()) written.model = options.out;
+  return written;
+}
+
 // Why the search goes no further.
 std::string stop_text(const Options& options, const Diagnosis& diagnosis) {
   const std::string why = diagnosis.reasons.empty() ? "" : fmt::format(" {}", fmt::join(diagnosis.reasons, " "));
+  const std::string hint = next_hint(written_to(options), diagnosis);
   switch (diagnosis.verdict) {
     case Verdict::nothing:
       return std::isfinite(diagnosis.smallest_um)
@@ -107,9 +115,9 @@ std::string stop_text(const Options& options, const Diagnosis& diagnosis) {
                  : fmt::format("Stopped: no further effect is found.{}", why);
     case Verdict::named:
     case Verdict::probable:
-      return fmt::format("Stopped: {} {}{}", diagnosis.sentence, next_hint(options.effect.model, diagnosis), why);
+      return fmt::format("Stopped. {}{}{}{}", diagnosis.sentence, hint.empty() ? "" : " ", hint, why);
     case Verdict::driver:
-      return fmt::format("Stopped: {}{}", diagnosis.sentence, why);
+      return fmt::format("Stopped. {}{}", diagnosis.sentence, why);
     case Verdict::equivalent:
       return fmt::format("Stopped: something real is left, and the data cannot name it: {}.{}",
                          either_text(diagnosis.equivalent), why);
