@@ -46,7 +46,7 @@ double between(double low, double high, std::size_t i, std::size_t count) {
 
 }  // namespace
 
-std::vector<Covariance> covariance_grid(std::span<const double> time_s) {
+std::vector<Covariance> covariance_grid(std::span<const double> time_s, bool with_slow) {
   std::vector<Covariance> grid;
   if (time_s.size() < kFewestForMemory) return {Covariance{}};
   const double step_s = usual_step_s(time_s), span_s = span_of_time_s(time_s);
@@ -57,7 +57,10 @@ std::vector<Covariance> covariance_grid(std::span<const double> time_s) {
     }
   }
   const std::size_t noises = grid.size();
-  for (Covariance& one : grid) one.log_prior = std::log((1.0 - kPriorOfDiscrepancy) / static_cast<double>(noises));
+  for (Covariance& one : grid) {
+    one.log_prior = std::log((with_slow ? 1.0 - kPriorOfDiscrepancy : 1.0) / static_cast<double>(noises));
+  }
+  if (!with_slow) return grid;
   const double slow_longest_s = std::max(2.0 * step_s, span_s / 30.0);
   for (std::size_t i = 0; i < kMemoriesBesideSlow; ++i) {
     for (const double ratio : {-5.0, 1.0}) {

@@ -24,7 +24,8 @@ struct Covariance {
 
 // Memories from half a step to a sixth of the time, shares from nearly white to nearly all; without a discrepancy, and
 // with one of several lengths and sizes. Few rows: white alone.
-std::vector<Covariance> covariance_grid(std::span<const double> time_s);
+// with_slow: whether there may be a discrepancy.
+std::vector<Covariance> covariance_grid(std::span<const double> time_s, bool with_slow = true);
 
 class CovarianceFilter {
  public:

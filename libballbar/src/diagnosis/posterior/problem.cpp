@@ -112,6 +112,10 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   problem->time_s = base.time_s;
   const auto n = static_cast<Eigen::Index>(base.row.size());
   problem->y = Eigen::VectorXd::Map(base.measured_um.data(), n);
+  if (model.level == Level::series && !model.constant_um) {
+    problem->centre_um = problem->y.mean();
+    problem->y.array() -= problem->centre_um;
+  }
   problem->relative_variance.assign(base.row.size(), 1.0);
   if (!base.sigma_um.empty()) {
     double mean = 0.0;
@@ -141,6 +145,7 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   problem->log_prior = log_priors_of(problem->library);
   problem->log_prior_of_shape = log_priors_of_shapes(problem->library);
   problem->own = own_of(model);
+  problem->terms = options.signatures.terms;
   return problem;
 }
 

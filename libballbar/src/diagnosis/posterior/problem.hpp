@@ -46,7 +46,8 @@ struct Problem {
   LoggedInputs logged;
   Fit base;
   std::vector<double> time_s, relative_variance;
-  Eigen::VectorXd y;
+  Eigen::VectorXd y;       // less `centre_um`, where a constant of the model is free
+  double centre_um = 0.0;
   KnownScatter known;
   std::unique_ptr<BaseModel> base_model;
   SignatureLibrary library;
@@ -56,6 +57,7 @@ struct Problem {
   std::vector<double> log_prior;   // of each family: effects alike, columns of an effect alike
   std::vector<double> log_prior_of_shape;  // of each signature in its family: alike, but half where it acts at once
   std::vector<OwnParameter> own;
+  std::vector<Term> terms;  // given in the place of the catalogue's: what they hold is held
 };
 
 struct ProblemOptions {

@@ -64,7 +64,7 @@ class Search {
   }
 
   Posterior run() {
-    const std::vector<Covariance> grid = covariance_grid(problem_.time_s);
+    const std::vector<Covariance> grid = covariance_grid(problem_.time_s, problem_.model.level == Level::series);
     std::vector<Point> points;
     points.reserve(grid.size());
     for (const Covariance& one : grid)
@@ -90,6 +90,7 @@ class Search {
   std::vector<double> parameters_of_fit() const {
     std::vector<double> parameters;
     for (const FittedParameter& one : problem_.base.parameters) parameters.push_back(one.value);
+    parameters.front() -= problem_.centre_um;
     return parameters;
   }
 

@@ -208,7 +208,7 @@ class Decision {
     p_ = probabilities_of(problem(), posterior());
     result_.p_nothing = p_.nothing;
     result_.p_discrepancy = p_.discrepancy;
-    result_.drivers = drivers_of(posterior(), problem(), p_.column);
+    if (model_.level == Level::series) result_.drivers = drivers_of(posterior(), problem(), p_.column);
     for (std::size_t f = 0; f < problem().effects; ++f) {
       if (p_.family[f] >= 0.01) result_.effects.push_back({family(f).bound, p_.family[f]});
     }
@@ -243,7 +243,8 @@ class Decision {
 
   void test_members() {
     if (best_->families.empty()) {
-      result_.rmse_after_um = problem().base.rmse_um;
+      result_.rmse_after_um =
+          best_->own > 0 ? fitted_set(problem(), posterior(), *best_, false).rmse_um : problem().base.rmse_um;
       return;
     }
     tell(fmt::format("testing {} effects", best_->families.size()));
@@ -284,7 +285,7 @@ class Decision {
     if (p_.discrepancy >= kDiscrepancy) {
       d.reasons.push_back(fmt::format("A slow curve without any cause is left, P = {:.2f}.", p_.discrepancy));
     }
-    const bool driver = std::any_of(d.drivers.begin(), d.drivers.end(), [&](const Driver& one) {
+    const bool driver = model_.level == Level::series && std::any_of(d.drivers.begin(), d.drivers.end(), [&](const Driver& one) {
       return one.p >= kSureDriver && is_shown(one.column);
     });
     if (d.p_nothing > kNothing) {

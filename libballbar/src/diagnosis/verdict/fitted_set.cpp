@@ -29,6 +29,9 @@ Model with_set(const Problem& problem, const EffectSet& set) {
     const Signature& one = problem.library.signatures[i];
     const BoundEffect& bound = problem.library.families[one.family].bound;
     Term term = ballbar::term_of(*bound.effect, bound.columns);
+    for (const Term& given : problem.terms) {
+      if (given.effect->name == bound.effect->name && given.columns == bound.columns) term = given;
+    }
     for (std::size_t k = 0; k < term.settings.size(); ++k) {
       if (bound.effect->parameters[k].kind == ParameterKind::gain) continue;
       term.settings[k].start = one.point[k];
@@ -104,7 +107,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
   const Eigen::MatrixXd covariance =
       scale.asDiagonal() * unit.llt().solve(Eigen::MatrixXd::Identity(a.rows(), a.rows())) * scale.asDiagonal();
 
-  result.parameters.push_back({"constant", "constant_um", "um", best.parameters[0]});
+  result.parameters.push_back({"constant", "constant_um", "um", best.parameters[0] + problem.centre_um});
   result.parameters.front().state = ParameterState::held;
   for (const Term& term : result.model.terms) {
     for (std::size_t k = 0; k < term.settings.size(); ++k) {
@@ -117,7 +120,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
       result.parameters.push_back(std::move(one));
     }
   }
-  result.intervals.assign(result.parameters.size(), {});
+  result.intervals.assign(result.parameters.size(), {});  // of the constant as the others
   for (std::size_t k = 0; k < columns.columns.size(); ++k) {
     const BaseColumn& column = columns.columns[k];
     const auto at = static_cast<Eigen::Index>(k);

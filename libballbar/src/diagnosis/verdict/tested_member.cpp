@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "diagnosis/posterior/rivals.hpp"
@@ -33,7 +33,7 @@ double log_bayes_factor_of_member(const Weighed& weighed, const EffectSet& set, 
   std::erase(rest, family_of_member(problem, set, member));
   const double with = log_bayes_factor(problem, weighed.posterior, set.families);
   const double without = rest.empty() ? 0.0 : log_bayes_factor(problem, weighed.posterior, rest);
-  return with - without;
+  return std::isfinite(without) ? with - without : with;
 }
 
 Candidate described_member(const Weighed& weighed, const EffectSet& set, const FittedSet& fitted, std::size_t member) {
@@ -55,7 +55,7 @@ Candidate described_member(const Weighed& weighed, const EffectSet& set, const F
   one.amplitude_um = fitted.amplitude_um[member];
   one.amplitude_sigma_um = fitted.amplitude_sigma_um[member];
   one.rmse_after_um = fitted.rmse_um;
-  one.likelihood_ratio = log_bayes_factor(problem, weighed.posterior, {family});
+  one.likelihood_ratio = log_bayes_factor_of_member(weighed, set, member);
   return one;
 }
 
@@ -81,7 +81,7 @@ Candidate tested_member(const Weighed& weighed, const EffectSet& set, const Fitt
     one.beats_surrogates = tests.gain > tests.surrogate->gain;
   }
   one.doubts = doubts_of(tests, of_recordings);
-  if (one.likelihood_ratio < kLeastLikelihoodRatio)
+  if (log_bayes_factor(problem, weighed.posterior, {signature.family}) < kLeastLikelihoodRatio)
     one.doubts.emplace_back("by itself, beside the model, it makes the readings hardly more likely");
   if (one.bound.effect->time_only || of_recordings || surrogates == 0) return one;
   const Rivals rivals = rivals_of(problem, weighed.posterior, set, member);

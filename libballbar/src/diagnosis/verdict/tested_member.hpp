@@ -15,7 +15,8 @@ namespace ballbar {
 // Share of the posterior in sets with this family.
 double probability_of(const Posterior& posterior, std::size_t family);
 
-// `member` of the set: its parameters, intervals and amplitude, its probability, evidence alone beside the model.
+// `member` of the set: its parameters, intervals and amplitude, its probability, its likelihood ratio
+// beside the others.
 Candidate described_member(const Weighed& weighed, const EffectSet& set, const FittedSet& fitted, std::size_t member);
 
 // The same with its tests. surrogates: how many, 0: none.
