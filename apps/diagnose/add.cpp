@@ -18,6 +18,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
 #include "commands.hpp"
+#include "diagnose/diagnosis_report.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/next_command.hpp"
 #include "model/effect_options.hpp"
@@ -88,10 +89,7 @@ void expect_file_suits(const Options& options, const ModelData& data, const std:
 std::string either_text(const std::vector<std::vector<BoundEffect>>& groups) {
   std::vector<std::string> texts;
   for (const std::vector<BoundEffect>& group : groups) {
-    std::vector<std::string> labels;
-    labels.reserve(group.size());
-    for (const BoundEffect& bound : group) labels.push_back(label_of(bound));
-    texts.push_back(fmt::format("{}", fmt::join(labels, " or ")));
+    texts.push_back(labels(group, " or "));
   }
   return fmt::format("{}", fmt::join(texts, "; "));
 }
@@ -188,8 +186,9 @@ std::string add_named(const Options& options, const ModelData& data, Story& stor
 std::string unneeded_text(const EffectTest& tried) {
   const std::vector<std::string>& labels = tried.after.no_longer_needed;
   if (labels.empty()) return "";
-  return fmt::format("{} {} no longer needed (P that not: {} or more): --prune takes {} out.", fmt::join(labels, ", "),
-                     labels.size() == 1 ? "is" : "are", kDropTest, labels.size() == 1 ? "it" : "them");
+  return fmt::format("{} {} no longer needed (P not needed is {} or more): --prune takes {} out.",
+                     fmt::join(labels, ", "), labels.size() == 1 ? "is" : "are", kDropTest,
+                     labels.size() == 1 ? "it" : "them");
 }
 
 void print_text(const Story& story, const std::string& stopped, const std::string& title) {
