@@ -18,6 +18,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
 #include "commands.hpp"
+#include "diagnose/diagnosis_report.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/next_command.hpp"
 #include "model/effect_options.hpp"
@@ -88,17 +89,22 @@ void expect_file_suits(const Options& options, const ModelData& data, const std:
 std::string either_text(const std::vector<std::vector<BoundEffect>>& groups) {
   std::vector<std::string> texts;
   for (const std::vector<BoundEffect>& group : groups) {
-    std::vector<std::string> labels;
-    labels.reserve(group.size());
-    for (const BoundEffect& bound : group) labels.push_back(label_of(bound));
-    texts.push_back(fmt::format("{}", fmt::join(labels, " or ")));
+    texts.push_back(labels(group, " or "));
   }
   return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+// The model's file is then that which is written.
+ModelOptions written_to(const Options& options) {
+  ModelOptions written = options.effect.model;
+  if (!options.out.empty()) written.model = options.out;
+  return written;
 }
 
 // Why the search goes no further.
 std::string stop_text(const Options& options, const Diagnosis& diagnosis) {
   const std::string why = diagnosis.reasons.empty() ? "" : fmt::format(" {}", fmt::join(diagnosis.reasons, " "));
+  const std::string hint = next_hint(written_to(options), diagnosis);
   switch (diagnosis.verdict) {
     case Verdict::nothing:
       return std::isfinite(diagnosis.smallest_um)
@@ -107,9 +113,9 @@ std::string stop_text(const Options& options, const Diagnosis& diagnosis) {
                  : fmt::format("Stopped: no further effect is found.{}", why);
     case Verdict::named:
     case Verdict::probable:
-      return fmt::format("Stopped: {} {}{}", diagnosis.sentence, next_hint(options.effect.model, diagnosis), why);
+      return fmt::format("Stopped. {}{}{}{}", diagnosis.sentence, hint.empty() ? "" : " ", hint, why);
     case Verdict::driver:
-      return fmt::format("Stopped: {}{}", diagnosis.sentence, why);
+      return fmt::format("Stopped. {}{}", diagnosis.sentence, why);
     case Verdict::equivalent:
       return fmt::format("Stopped: something real is left, and the data cannot name it: {}.{}",
                          either_text(diagnosis.equivalent), why);
@@ -180,8 +186,9 @@ std::string add_named(const Options& options, const ModelData& data, Story& stor
 std::string unneeded_text(const EffectTest& tried) {
   const std::vector<std::string>& labels = tried.after.no_longer_needed;
   if (labels.empty()) return "";
-  return fmt::format("{} {} no longer needed (P that not: {} or more): --prune takes {} out.", fmt::join(labels, ", "),
-                     labels.size() == 1 ? "is" : "are", kDropTest, labels.size() == 1 ? "it" : "them");
+  return fmt::format("{} {} no longer needed (P not needed is {} or more): --prune takes {} out.",
+                     fmt::join(labels, ", "), labels.size() == 1 ? "is" : "are", kDropTest,
+                     labels.size() == 1 ? "it" : "them");
 }
 
 void print_text(const Story& story, const std::string& stopped, const std::string& title) {

@@ -7,11 +7,24 @@
 #include "terminal/progress.hpp"
 
 namespace ballbar {
+namespace {
+
+constexpr std::size_t kLabels = 4;
+
+}  // namespace
 
 std::string next_text(const DiagnosisReport& diagnosis_report) {
   const Diagnosis& found = diagnosis_report.diagnosis;
   if (found.verdict == Verdict::named && found.equivalent.empty()) return "";  // nothing is left to tell
   return diagnosis_report.next_tests.empty() ? "" : diagnosis_report.next_tests.front().text;
+}
+
+std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {
+  std::vector<std::string> texts;
+  const std::size_t said = bounds.size() > kLabels + 1 ? kLabels : bounds.size();
+  for (std::size_t i = 0; i < said; ++i) texts.push_back(label_of(bounds[i]));
+  if (said < bounds.size()) texts.push_back(fmt::format("one of {} more", bounds.size() - said));
+  return fmt::format("{}", fmt::join(texts, between));
 }
 
 std::string not_searched_text(const Diagnosis& found) {

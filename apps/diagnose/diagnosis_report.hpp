@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ballbar/diagnosis/next_test/next_test.hpp"
@@ -36,6 +37,9 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, const DiagnoseO
 
 // The test that would tell what is left open, whole sentences; empty where nothing is left to tell.
 std::string next_text(const DiagnosisReport& diagnosis_report);
+
+// The first few, and how many more there are: "A or B or one of 3 more".
+std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between);
 
 // What was not searched of the columns that the data offer: "gradient_bending on 16 of 528 choices of columns".
 std::string not_searched_text(const Diagnosis& found);

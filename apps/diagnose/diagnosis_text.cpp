@@ -15,15 +15,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kWidest = 120;
-constexpr std::size_t kInALine = 4;  // labels, drivers
-
-std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {
-  std::vector<std::string> texts;
-  const std::size_t said = bounds.size() > kInALine + 1 ? kInALine : bounds.size();
-  for (std::size_t i = 0; i < said; ++i) texts.push_back(label_of(bounds[i]));
-  if (said < bounds.size()) texts.push_back(fmt::format("one of {} more", bounds.size() - said));
-  return fmt::format("{}", fmt::join(texts, between));
-}
+constexpr std::size_t kDrivers = 4;
 
 // "1. Certain: ...", "2. Probable: ...", "3. One of these as well: ...": where there is more than one thing to say.
 std::vector<std::string> parts_of(const Diagnosis& found) {
@@ -101,7 +93,7 @@ std::string posterior_text(const Diagnosis& found) {
   std::vector<std::string> texts;
   std::vector<std::string> drivers;
   for (const Driver& driver : found.drivers) {
-    if (drivers.size() < kInALine) drivers.push_back(fmt::format("{} {:.2f}", driver.column, driver.p));
+    if (drivers.size() < kDrivers) drivers.push_back(fmt::format("{} {:.2f}", driver.column, driver.p));
   }
   if (!drivers.empty()) texts.push_back(fmt::format("P that a column drives it: {}", fmt::join(drivers, ", ")));
   for (const OwnValue& own : found.own) {
@@ -148,7 +140,7 @@ void print_text(const DiagnosisReport& diagnosis_report, const std::string& titl
   if (!next.empty()) fmt::print("{}", wrapped("To decide: " + next));
   print_candidates(found);
   if (!found.reasons.empty() && found.verdict != Verdict::nothing) {
-    fmt::print("\nWhy it is not named, or not all of it:\n");
+    fmt::print("\nWhy{}:\n", found.verdict == Verdict::untestable ? "" : " it is not named, or not all of it");
     for (const std::string& reason : found.reasons) fmt::print("{}", wrapped("- " + reason));
   }
   if (found.verdict != Verdict::untestable) fmt::print("\n{}", wrapped(posterior_text(found)));

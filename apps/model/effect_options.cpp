@@ -24,6 +24,22 @@ bool is_effect(const std::string& word) {
   });
 }
 
+// Where nothing suits but a target, that is said.
+Term term_of_text(const std::string& effect, const Model& model, const Series& data) {
+  try {
+    return term_from_text(effect, model, data);
+  } catch (const Error&) {
+    if (model.not_inputs.empty()) throw;
+    Model wider = model;
+    wider.not_inputs.clear();
+    try {
+      return term_from_text(effect, wider, data);
+    } catch (const Error&) {  // nothing suits at all
+    }
+    throw;
+  }
+}
+
 }  // namespace
 
 void add_effect_options(CLI::App& command, EffectOptions& options, const std::string& words) {
@@ -58,7 +74,7 @@ std::vector<Term> terms_of(const std::vector<std::string>& effects, const Model&
   Model larger = model;
   std::vector<Term> terms;
   for (const std::string& effect : effects) {
-    terms.push_back(term_from_text(effect, larger, data.series));
+    terms.push_back(term_of_text(effect, larger, data.series));
     expect_no_target(label_of(terms.back()), terms.back().columns, larger);
     if (data.motion && !applies_to(*terms.back().effect, *data.motion)) {
       throw Error(fmt::format("expected effects that act where {} drives the circle, found {}.", name_of(*data.motion),

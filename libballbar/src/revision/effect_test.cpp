@@ -13,6 +13,7 @@
 #include "diagnosis/posterior/weighed.hpp"
 #include "diagnosis/verdict/tested_member.hpp"
 #include "fit/machine_error_fit.hpp"
+#include "model/bindings.hpp"
 #include "revision/ledger_row.hpp"
 #include "revision/machine_error_test.hpp"
 
@@ -27,8 +28,8 @@ std::size_t free_parameters(const Term& term) {
       std::count_if(term.settings.begin(), term.settings.end(), [](const Setting& setting) { return !setting.held; }));
 }
 
-// As the catalogue has it, nothing held or started elsewhere.
-bool is_usual(const Term& term) {
+// As a search would try it: as the catalogue has it, nothing held or started elsewhere, on columns that it looks at.
+bool is_usual(const Term& term, const Model& model, const Series& data) {
   const Effect* effect = find_effect(term.effect->name, term.effect->level);
   if (effect == nullptr) return false;
   const Term usual = term_of(*effect, term.columns);
@@ -36,7 +37,8 @@ bool is_usual(const Term& term) {
     const Setting &one = term.settings[k], &other = usual.settings[k];
     if (one.held != other.held || one.start != other.start || one.stated) return false;
   }
-  return true;
+  const std::vector<std::vector<std::string>> bindings = bindings_of(*effect, model, data);
+  return std::find(bindings.begin(), bindings.end(), term.columns) != bindings.end();
 }
 
 std::vector<BoundEffect> bounds_of(const std::vector<Term>& terms) {
@@ -52,7 +54,7 @@ Weighed weighed_with(const Model& model, const std::vector<Term>& terms, const S
   ProblemOptions options;
   if (catalogue) options.catalogue = built_in_catalogue();
   for (const Term& term : terms) {
-    if (!catalogue || !is_usual(term)) options.signatures.terms.push_back(term);
+    if (!catalogue || !is_usual(term, model, data)) options.signatures.terms.push_back(term);
   }
   return weighed(model, data, target, options, bounds_of(terms));
 }
@@ -97,7 +99,8 @@ std::vector<Candidate> tested(const Weighed& found, const std::vector<Term>& ter
     Candidate one = tested_member(found, *set, fitted, at, m, kSurrogates, kSeed);
     if (terms.size() > 1) one.likelihood_ratio = log_bayes_factor_of_member(found, *set, m);
     one.label = label_of(terms[t]);
-    if (terms.size() > 1 && !(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.emplace(one.doubts.begin(), kLowLikelihoodRatio);
+    if (terms.size() > 1 && !(one.likelihood_ratio >= kLeastLikelihoodRatio))
+      one.doubts.emplace(one.doubts.begin(), kLowLikelihoodRatio);
     result.push_back(std::move(one));
   }
   return result;

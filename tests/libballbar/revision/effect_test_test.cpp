@@ -21,8 +21,8 @@ Series six_values() {
   return data;
 }
 
-// 2 ln B of one gain: of `before`, with nu degrees of freedom, it takes `gain` away. B is the mean over the sizes d of its
-// prior of (S / before)^(-nu/2) / sqrt(1 + d^2), S = before - gain d^2 / (1 + d^2).
+// 2 ln B of one gain: of `before`, with nu degrees of freedom, it takes `gain` away. B is the mean over the sizes d of
+// its prior of (S / before)^(-nu/2) / sqrt(1 + d^2), S = before - gain d^2 / (1 + d^2).
 double log_bayes_factor(double before, double gain, double nu) {
   double sum = 0.0;
   for (const double d : kGainSizes) {
@@ -51,6 +51,17 @@ TEST(EffectTest, six_values_by_hand) {
   EXPECT_NEAR(found.added[0].likelihood_ratio, log_bayes_factor(154.0, 150.0, 5.0), 1e-4);  // 10.86
   EXPECT_NEAR(found.after.likelihood_ratio, found.added[0].likelihood_ratio, 1e-12);
   EXPECT_EQ(found.added[0].threshold, kLeastLikelihoodRatio);
+}
+
+// A search gives this effect columns of a bar alone; a user may say another.
+TEST(EffectTest, columns_that_no_search_tries_are_weighed_all_the_same) {
+  Series data = six_values();
+  for (double& value : data.columns[0].values) value += 20.0;
+  for (double& value : data.columns[1].values) value *= 0.1;  // the gain stays within its bounds
+  const EffectTest found = effect_test(constant(), {term_of("bar_temperature", {"T_degC"})}, data);
+  ASSERT_EQ(found.added.size(), 1u);
+  EXPECT_NEAR(found.added[0].amplitude_um, 1.0, 1e-6);
+  EXPECT_NEAR(found.added[0].likelihood_ratio, log_bayes_factor(154.0, 150.0, 5.0), 1e-4);
 }
 
 // As likely beforehand to be needed as not: P = 1 / (1 + B).
