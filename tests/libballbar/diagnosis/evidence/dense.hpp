@@ -61,6 +61,7 @@ inline Flat flat(const Eigen::VectorXd& y, const Eigen::MatrixXd& x, const Eigen
 
 // Products, over C, of what is left of these columns beside flat ones.
 inline Eigen::MatrixXd left_of(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& x, const Eigen::MatrixXd& c) {
+  if (columns.cols() == 0) return Eigen::MatrixXd(0, 0);
   const Eigen::LLT<Eigen::MatrixXd> factor(c);
   const Eigen::MatrixXd cg = factor.solve(columns);
   Eigen::MatrixXd left = columns.transpose() * cg;

@@ -273,12 +273,21 @@ TEST_P(Invariance, of_the_size_of_the_readings) {
   }
 }
 
-// A probe that reads from elsewhere: 10 mm more. Disabled: kJitter in evidence.cpp takes 1e-10 of the square of y,
-// which with 1e4 um is 0.01 um^2 a reading, a ninth of the scatter here.
+// A probe that reads from elsewhere, 10 mm or a metre more; what is told of cycles left out, too.
 TEST_P(Invariance, of_a_constant) {
-  Series further = data();
-  for (double& value : further.columns.back().values) value += 1e4;
-  expect_same(probabilities(made::by_speed(), data()), probabilities(made::by_speed(), further), 0.01);
+  const Diagnosis here = diagnose(made::by_speed(), data(), 0, made::quick());
+  for (const double more_um : {1e4, 1e6}) {
+    Series further = data();
+    for (double& value : further.columns.back().values) value += more_um;
+    expect_same(probabilities(made::by_speed(), data()), probabilities(made::by_speed(), further), 0.01);
+    const Diagnosis there = diagnose(made::by_speed(), further, 0, made::quick());
+    EXPECT_EQ(there.verdict, here.verdict);
+    ASSERT_EQ(there.candidates.empty(), here.candidates.empty());
+    if (here.candidates.empty()) continue;
+    const Candidate &a = here.candidates.front(), &b = there.candidates.front();
+    EXPECT_NEAR(b.held_out_after_um, a.held_out_after_um, 1e-3 * a.held_out_after_um);
+    EXPECT_NEAR(b.held_out_before_um, a.held_out_before_um, 1e-3 * a.held_out_before_um);
+  }
 }
 
 }  // namespace

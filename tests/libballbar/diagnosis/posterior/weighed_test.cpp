@@ -30,6 +30,18 @@ TEST(Problem, of_exact_rows_knows_all) {
   for (const double one : problem->relative_variance) EXPECT_EQ(one, 1.0);
 }
 
+// About their mean, but where the model holds the constant that they are taken from.
+TEST(Problem, takes_readings_about_their_mean) {
+  Series data = made::drift({1.0, 1, 200});
+  for (double& value : made::values_of(data, "z_um")) value += 1e6;
+  const auto problem = problem_of(made::by_speed(), data, 0, usual());
+  EXPECT_NEAR(problem->y.mean(), 0.0, 1e-6);
+  EXPECT_NEAR(problem->centre_um, 1e6, 100.0);
+  Model held = made::by_speed();
+  held.constant_um = 1e6;
+  EXPECT_EQ(problem_of(held, data, 0, usual())->centre_um, 0.0);
+}
+
 // Changes every 5400 s in rows of 100 s: the rows at both ends, and the one before for what its logger may be late.
 TEST(Problem, frees_the_rows_at_the_ends_of_jumps) {
   const auto problem = problem_of(made::by_speed(), made::drift({1.0, 1, 200}), 0, usual());

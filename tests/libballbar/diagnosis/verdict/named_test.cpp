@@ -213,7 +213,6 @@ TEST(Diagnosis, names_a_value_that_the_model_holds) {
   EXPECT_TRUE(found.sentence.starts_with("The exponent of speed_heating(speed_rpm) is ")) << found.sentence;
 }
 
-// Disabled: `rmse_after_um` stays that of the model as it is where the best set is a value of its own.
 TEST(Diagnosis, a_value_that_the_model_holds_lowers_the_rmse) {
   made::Drift how{0.0, 1};
   how.exponent = 1.0;
