@@ -78,7 +78,7 @@ Series two_hidden() {
 
 // Each of two beside the other. Disabled: `diagnose` says of a member of two how likely it is by itself beside the
 // model, `effect_test` how likely beside the other member; its words in candidate.hpp are those of the second.
-TEST(OneTruth, DISABLED_two_effects_have_the_numbers_of_their_test) {
+TEST(OneTruth, two_effects_have_the_numbers_of_their_test) {
   const Series data = two_hidden();
   const Diagnosis found = diagnose(made::by_speed(), data);
   ASSERT_EQ(made::labels_of(found.named),
@@ -123,7 +123,7 @@ TEST(OneTruth, DISABLED_what_is_held_stays_held) {
 }
 
 // Nor is a gain that is held free. Disabled, as above: 2 ln B is that of a free one.
-TEST(OneTruth, DISABLED_a_gain_that_is_held_stays_held) {
+TEST(OneTruth, a_gain_that_is_held_stays_held) {
   Term term = term_of("lagged_expansion", {"T_room_degC"});
   term.settings[0] = {true, 1.0, term.settings[0].lower, term.settings[0].upper, true};
   const EffectTest tested = effect_test(made::by_speed(), {term}, made::drift({3.0, 1, 300}));

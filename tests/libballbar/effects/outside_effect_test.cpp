@@ -157,7 +157,7 @@ TEST(outside_effect, is_found_where_its_catalogue_is_searched) {
 
 // Disabled: its grid is halved from point to point, the truth lies between two of them, and what is left makes a
 // load_heating(pump_W) with P = 0.99, which the fit then makes 0.06 um of 5.8 um.
-TEST(outside_effect, DISABLED_is_named_alone) {
+TEST(outside_effect, is_named_alone) {
   const Diagnosis found = diagnose(by_room(), made(0.02), 0, quick(with_hose_creep()));
   EXPECT_EQ(found.verdict, Verdict::named) << found.sentence;
   ASSERT_EQ(found.named.size(), 1U);

@@ -6,6 +6,7 @@
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "diagnosis/posterior/any_form.hpp"
+#include "effects/effect_at.hpp"
 #include "series/subsampled.hpp"
 
 namespace ballbar {
@@ -99,6 +100,38 @@ void free_rows_at_jumps(Problem& problem, bool wide) {
       }
     }
   }
+}
+
+std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, const std::vector<double>& point) {
+  SignatureLibrary& library = problem.library;
+  Family& of = library.families[family];
+  for (const std::size_t i : of.more) {
+    if (library.signatures[i].point == point) return std::nullopt;
+  }
+  const Effect& effect = *of.bound.effect;
+  const BoundInputs inputs = inputs_of(effect, of.bound.columns, problem.logged.series);
+  const Eigen::MatrixXd gains = effect_at(effect, inputs.rows, point, problem.base.row).gains(effect);
+  const Signature& usual = library.signatures[of.first];
+  if (!gains.allFinite() || gains.cols() != usual.width) return std::nullopt;
+  Signature added{family, point, library.columns.cols(), usual.width, gains.col(0).maxCoeff() - gains.col(0).minCoeff()};
+  Eigen::MatrixXd unit = gains;
+  Eigen::VectorXd deviation(gains.cols());
+  for (Eigen::Index k = 0; k < gains.cols(); ++k) {
+    const double mean = gains.col(k).mean();
+    deviation[k] = std::sqrt((gains.col(k).array() - mean).square().mean());
+    if (!(deviation[k] > 1e-12)) return std::nullopt;
+    unit.col(k) /= deviation[k];
+  }
+  library.columns.conservativeResize(Eigen::NoChange, added.first + added.width);
+  library.columns.rightCols(added.width) = gains;
+  problem.signatures.conservativeResize(Eigen::NoChange, added.first + added.width);
+  problem.signatures.rightCols(added.width) = unit;
+  problem.deviation.conservativeResize(added.first + added.width);
+  problem.deviation.tail(added.width) = deviation;
+  problem.log_prior_of_shape.push_back(problem.log_prior_of_shape[of.first + of.count - 1]);
+  of.more.push_back(library.signatures.size());
+  library.signatures.push_back(std::move(added));
+  return library.signatures.size() - 1;
 }
 
 std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std::size_t target,

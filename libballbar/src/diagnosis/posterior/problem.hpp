@@ -6,6 +6,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,10 @@ struct ProblemOptions {
 
 // Row by row what the logs leave open of jumps: rows strictly inside the time of a jump; wide: those at its ends as well.
 void free_rows_at_jumps(Problem& problem, bool wide);
+
+// The family at another shape, a point for all parameters, put into the library; nothing: it adds nothing there, or what
+// is there already.
+std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, const std::vector<double>& point);
 
 // Throws Error as fit does.
 std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std::size_t target,

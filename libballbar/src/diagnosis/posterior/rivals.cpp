@@ -31,14 +31,20 @@ Rivals rivals_of(const Problem& problem, const Posterior& posterior, const Effec
   in_parallel(points, [&](std::size_t g) {
     const Point& point = posterior.points[g];
     for (std::size_t k = 0; k < compared.size(); ++k) {
-      const Family& family = families[compared[k]];
-      const Signature &front = signatures[family.first], &back = signatures[family.first + family.count - 1];
-      const RowMajorMatrix columns = problem.signatures.middleCols(front.first, back.first + back.width - front.first);
+      const std::vector<std::size_t> chosen = shapes_of(families[compared[k]]);
+      Eigen::Index all = 0;
+      for (const std::size_t i : chosen) all += signatures[i].width;
+      RowMajorMatrix columns(problem.signatures.rows(), all);
+      Eigen::Index next = 0;
+      for (const std::size_t i : chosen) {
+        columns.middleCols(next, signatures[i].width) = problem.signatures.middleCols(signatures[i].first, signatures[i].width);
+        next += signatures[i].width;
+      }
       const Solved base = solved(gram_of(point.filter, with.pool, columns), with.line, problem.known);
       std::vector<double> shapes;
-      for (std::size_t i = family.first; i < family.first + family.count; ++i) {
+      Eigen::Index first = 0;
+      for (const std::size_t i : chosen) {
         const Signature& one = signatures[i];
-        const Eigen::Index first = one.first - front.first;
         std::vector<Eigen::Index> places(static_cast<std::size_t>(one.width));
         std::iota(places.begin(), places.end(), first);
         Eigen::MatrixXd left = products_of(point.filter, columns, places);
@@ -46,6 +52,7 @@ Rivals rivals_of(const Problem& problem, const Posterior& posterior, const Effec
         left -= cross.transpose() * cross;
         shapes.push_back(log_evidence(base, left, base.along.segment(first, one.width), 1.0 / static_cast<double>(one.width)) +
                          problem.log_prior_of_shape[i]);
+        first += one.width;
       }
       evidence[k][g] = log_sum(shapes) + point.covariance.log_prior;
     }

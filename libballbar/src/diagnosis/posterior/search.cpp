@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
@@ -49,7 +50,7 @@ double prior_of_size(std::size_t size) {
 
 class Search {
  public:
-  Search(const Problem& problem, std::size_t largest, std::vector<std::size_t> wanted)
+  Search(Problem& problem, std::size_t largest, std::vector<std::size_t> wanted)
       : problem_(problem), largest_(largest), wanted_{0, std::move(wanted)} {
     std::sort(wanted_.families.begin(), wanted_.families.end());
     const auto& signatures = problem.library.signatures;
@@ -339,7 +340,7 @@ class Search {
         const double prior = log_prior(key) + point.covariance.log_prior;
         Found one;
         std::vector<double> shapes;
-        for (std::size_t i = family.first; i < family.first + family.count; ++i) {
+        for (const std::size_t i : shapes_of(family)) {
           const double value = evidence_of(seen, columns, point, place[i], i);
           if (value == kNone) continue;
           shapes.push_back(value + prior + problem_.log_prior_of_shape[i]);
@@ -398,6 +399,7 @@ class Search {
     const std::size_t stride = 1 + (one.count - 1) / most;
     std::vector<std::size_t> result;
     for (std::size_t i = one.first + (stride - 1) / 2; i < one.first + one.count; i += stride) result.push_back(i);
+    result.insert(result.end(), one.more.begin(), one.more.end());
     return result;
   }
 
@@ -687,9 +689,13 @@ class Search {
     }
     if (at.empty() || at[g].first.most == kNone) return false;
     const std::size_t v = at[g].second;
-    const std::vector<std::size_t> signatures = at[g].first.signatures;
-    const Beside beside = parameters_beside(result_.variants[v], signatures, g);
-    if (!is_elsewhere(result_.variants[v], beside.parameters) && (!all || signatures.empty())) return false;
+    std::vector<std::size_t> signatures = at[g].first.signatures;
+    Beside beside = parameters_beside(result_.variants[v], signatures, g);
+    bool has_new = false;
+    if (!signatures.empty() && at[g].first.most - likeliest_without() > kStrong) {
+      has_new = sharpen(result_.variants[v], g, beside, signatures);
+    }
+    if (!has_new && !is_elsewhere(result_.variants[v], beside.parameters) && (!all || signatures.empty())) return false;
     const Eigen::MatrixXd times = all ? times_with(beside, signatures) : result_.variants[v].times;
     result_.variants.push_back(variant_at(key.own, beside.parameters, &times));
     const std::size_t next = result_.variants.size() - 1;
@@ -705,8 +711,54 @@ class Search {
     return true;
   }
 
+  double likeliest_without() const {
+    double most = kNone;
+    const auto none = table_.sets.find(Key{});
+    if (none == table_.sets.end()) return most;
+    for (const auto& one : none->second) most = std::max(most, one.first.most);
+    return most;
+  }
+
+  // What a strong effect leaves where the truth lies between two points of the grid another effect would fill in: the
+  // shapes of the set at their likeliest become points. Whether any is new.
+  bool sharpen(const Variant& variant, std::size_t g, Beside& beside, std::vector<std::size_t>& signatures) {
+    const auto [model, start] = with_effects(beside, signatures);
+    const BaseModel with(model, problem_.logged, problem_.y, problem_.base.row);
+    const Refined best = refined(with, start, free_of(variant.own), variant.times, result_.points[g].filter,
+                                 problem_.known, kStepsBeside);
+    const std::size_t own = beside.parameters.size();
+    std::copy_n(best.parameters.begin(), own, beside.parameters.begin());
+    bool any = false;
+    std::size_t place = own;
+    for (std::size_t& i : signatures) {
+      const Signature old = problem_.library.signatures[i];
+      std::vector<double> point = old.point;
+      bool moved = false;
+      for (std::size_t k = 0; k < point.size(); ++k, ++place) {
+        const Parameter& parameter = problem_.library.families[old.family].bound.effect->parameters[k];
+        if (parameter.kind == ParameterKind::gain) continue;
+        moved = moved || std::abs(best.parameters[place] - point[k]) > kSameShape * std::abs(point[k]);
+        point[k] = best.parameters[place];
+      }
+      if (!moved) continue;
+      if (const std::optional<std::size_t> added = add_signature(problem_, old.family, point)) {
+        all_.push_back(*added);
+        i = *added;
+        any = true;
+      }
+    }
+    return any;
+  }
+
   // What is not known of the times of the inputs of the model and of these effects.
   Eigen::MatrixXd times_with(const Beside& beside, const std::vector<std::size_t>& signatures) const {
+    const auto [model, parameters] = with_effects(beside, signatures);
+    return BaseModel(model, problem_.logged, problem_.y, problem_.base.row).times_at(parameters);
+  }
+
+  // The model with these effects as terms, and its parameters.
+  std::pair<Model, std::vector<double>> with_effects(const Beside& beside,
+                                                     const std::vector<std::size_t>& signatures) const {
     Model model = problem_.model;
     std::vector<double> parameters = beside.parameters;
     Eigen::Index column = 0;
@@ -716,16 +768,19 @@ class Search {
       model.terms.push_back(ballbar::term_of(*bound.effect, bound.columns));
       Eigen::Index gain = 0;
       for (std::size_t k = 0; k < one.point.size(); ++k) {
+        Setting& setting = model.terms.back().settings[k];
         if (bound.effect->parameters[k].kind != ParameterKind::gain || gain == one.width) {
-          parameters.push_back(one.point[k]);
+          parameters.push_back(std::clamp(one.point[k], setting.lower, setting.upper));
           continue;
         }
-        parameters.push_back(beside.coefficients[column + gain] / problem_.deviation[one.first + gain]);
+        // A new signature of the set has no coefficient yet: any will do, it is linear.
+        const bool known = column + gain < beside.coefficients.size();
+        parameters.push_back(known ? beside.coefficients[column + gain] / problem_.deviation[one.first + gain] : 0.0);
         ++gain;
       }
       column += one.width;
     }
-    return BaseModel(model, problem_.logged, problem_.y, problem_.base.row).times_at(parameters);
+    return {std::move(model), std::move(parameters)};
   }
 
   void weigh_wanted(std::size_t v) {
@@ -926,7 +981,7 @@ class Search {
     result_.log_total = log_sum(all);
   }
 
-  const Problem& problem_;
+  Problem& problem_;
   std::size_t largest_;
   std::vector<std::size_t> thin_, all_;
   Posterior result_;
@@ -947,7 +1002,7 @@ double log_prior_of_set(const Problem& problem, const std::vector<std::size_t>& 
 
 double Posterior::p(const EffectSet& set) const { return std::exp(set.log_weight - log_total); }
 
-Posterior posterior_of(const Problem& problem, std::size_t largest_set, std::vector<std::size_t> wanted) {
+Posterior posterior_of(Problem& problem, std::size_t largest_set, std::vector<std::size_t> wanted) {
   return Search(problem, largest_set, std::move(wanted)).run();
 }
 

@@ -34,6 +34,7 @@ struct Posterior {
 double log_prior_of_set(const Problem& problem, const std::vector<std::size_t>& families, std::size_t own);
 
 // wanted: a set of families that is weighed whatever its weight; empty: none.
-Posterior posterior_of(const Problem& problem, std::size_t largest_set, std::vector<std::size_t> wanted = {});
+// Shapes of strong effects between the points of the grid are added to the library.
+Posterior posterior_of(Problem& problem, std::size_t largest_set, std::vector<std::size_t> wanted = {});
 
 }  // namespace ballbar

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
@@ -82,6 +83,13 @@ std::vector<double> onsets(const EffectRows& rows, std::size_t most) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> shapes_of(const Family& family) {
+  std::vector<std::size_t> shapes(family.count);
+  std::iota(shapes.begin(), shapes.end(), family.first);
+  shapes.insert(shapes.end(), family.more.begin(), family.more.end());
+  return shapes;
+}
 
 BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& names, const Series& data) {
   BoundInputs bound;

@@ -23,8 +23,12 @@ namespace ballbar {
 
 struct Family {
   BoundEffect bound;
-  std::size_t first = 0, count = 0;  // of SignatureLibrary::signatures
+  std::size_t first = 0, count = 0;  // of SignatureLibrary::signatures: its grid
+  std::vector<std::size_t> more = {};  // shapes between the points of the grid
 };
+
+// Of SignatureLibrary::signatures, all of a family.
+std::vector<std::size_t> shapes_of(const Family& family);
 
 struct Signature {
   std::size_t family = 0;

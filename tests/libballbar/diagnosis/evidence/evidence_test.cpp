@@ -54,6 +54,7 @@ struct Weighing {
   CovarianceFilter filter;
 
   double of(const std::vector<Eigen::Index>& chosen) const {
+    if (chosen.empty()) return log_evidence(solution);
     Eigen::MatrixXd left = products_of(filter, signatures, chosen);
     const Eigen::MatrixXd cross = solution.cross(Eigen::all, chosen);
     left -= cross.transpose() * cross;

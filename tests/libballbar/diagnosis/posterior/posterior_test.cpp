@@ -275,7 +275,7 @@ TEST_P(Invariance, of_the_size_of_the_readings) {
 
 // A probe that reads from elsewhere: 10 mm more. Disabled: kJitter in evidence.cpp takes 1e-10 of the square of y,
 // which with 1e4 um is 0.01 um^2 a reading, a ninth of the scatter here.
-TEST_P(Invariance, DISABLED_of_a_constant) {
+TEST_P(Invariance, of_a_constant) {
   Series further = data();
   for (double& value : further.columns.back().values) value += 1e4;
   expect_same(probabilities(made::by_speed(), data()), probabilities(made::by_speed(), further), 0.01);

@@ -98,6 +98,21 @@ TEST(Diagnosis, what_becomes_the_same_curve_is_not_named) {
   EXPECT_GE(named, 2);
 }
 
+// What may stand in the place of an effect of the room reads the room. Disabled: groups hold what stands beside it as
+// well, "expansion(T_room_degC) (P = 0.67), or ... or linear_drift (P = 0.01)" of the set of these two.
+TEST(Diagnosis, DISABLED_what_stands_beside_an_effect_is_not_in_its_place) {
+  for (std::uint64_t seed = 4; seed <= 9; ++seed) {
+    Series data = drift({0.0, seed});
+    for (std::size_t i = 0; i < kRows; ++i)
+      values_of(data, "z_um")[i] += 0.6 * (values_of(data, "T_room_degC")[i] - 22.0);
+    const Diagnosis found = diagnose(by_speed(), data, 0, quick());
+    for (const std::vector<BoundEffect>& group : found.equivalent) {
+      for (const BoundEffect& bound : group)
+        EXPECT_NE(label_of(bound).find("T_room_degC"), std::string::npos) << seed << " " << label_of(bound);
+    }
+  }
+}
+
 // Disabled: shapes are tried on a grid. Of a strong effect whose time constant lies between two of its points enough is
 // left for a second one, P = 1.00, which the fit then makes 0.2 um of 20 um: -0.01 +- 0.14 um/K. At 10 um/K of seed 2
 // it is the exponent that the model holds, P = 1.00, fitted at 1.77 (1.31 to 2.22) and held at 1.67.
@@ -199,7 +214,7 @@ TEST(Diagnosis, names_a_value_that_the_model_holds) {
 }
 
 // Disabled: `rmse_after_um` stays that of the model as it is where the best set is a value of its own.
-TEST(Diagnosis, DISABLED_a_value_that_the_model_holds_lowers_the_rmse) {
+TEST(Diagnosis, a_value_that_the_model_holds_lowers_the_rmse) {
   made::Drift how{0.0, 1};
   how.exponent = 1.0;
   how.noise_um = 0.1;

@@ -69,6 +69,8 @@ inline constexpr std::size_t kPairsExtended = 4;     // to triples
 inline constexpr double kFarFromBest = 12.0;         // ln: sets this far are not refined
 inline constexpr int kRelinearised = 2;              // rounds
 inline constexpr std::size_t kSetsRelinearised = 8;  // in a round
+inline constexpr double kStrong = 60.0;              // ln, gained by a set whose shapes become points of the grid
+inline constexpr double kSameShape = 0.01;           // relative
 inline constexpr int kStepsBeside = 4;               // of Gauss and Newton
 
 // Readings that are weighed again.
