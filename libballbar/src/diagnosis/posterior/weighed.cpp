@@ -18,6 +18,8 @@
 namespace ballbar {
 namespace {
 
+constexpr double kStill_um = 1e-9;  // rms of readings that do not move
+
 // Whether rows at the ends of jumps show what a clock that is late would.
 bool has_late_clock(const Problem& problem, const Posterior& posterior, const SetAt& at) {
   const Fit& base = problem.base;
@@ -79,7 +81,8 @@ Weighed weighed(const Model& model, const Series& data, std::size_t target, cons
     if (const auto family = family_of(problem, bound)) families.push_back(*family);
   }
   if (families.size() != wanted.size()) families.clear();
-  if (result.largest == 0) return result;
+  result.is_still = !(problem.y.squaredNorm() > kStill_um * kStill_um * static_cast<double>(problem.y.size()));
+  if (result.largest == 0 || result.is_still) return result;
   std::set<const Effect*> effects;
   for (std::size_t f = 0; f < problem.effects; ++f) effects.insert(problem.library.families[f].bound.effect);
   if (tell) tell(fmt::format("weighing {} shapes of {} effects", problem.library.signatures.size(), effects.size()));

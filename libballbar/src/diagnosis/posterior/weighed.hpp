@@ -16,6 +16,7 @@ struct Weighed {
   std::unique_ptr<Problem> problem;
   Posterior posterior;      // empty where nothing can be weighed
   std::size_t largest = 0;  // effects of a set, by the number of values
+  bool is_still = false;    // the readings do not move: there is nothing to weigh
 };
 
 // Where clocks prove late, or readings lie far from the others, once more without what that spoils. wanted: a set that

@@ -156,6 +156,7 @@ class Decision {
     std::set<const Effect*> searched;
     for (std::size_t f = 0; f < problem().effects; ++f) searched.insert(family(f).bound.effect);
     result_.searched_effects = searched.size();
+    if (weighed_.is_still) return still();
     if (problem().effects == 0 || weighed_.largest == 0) return untestable(weighed_.largest == 0);
     read_posterior();
     test_members();
@@ -172,6 +173,14 @@ class Decision {
 
   void tell(std::string_view step) const {
     if (options_.search.progress) options_.search.progress(step);
+  }
+
+  Diagnosis still() {
+    result_.detectability = detectability_by(problem().base.noise);
+    result_.smallest_um = std::numeric_limits<double>::infinity();
+    result_.rmse_after_um = problem().base.rmse_um;
+    result_.sentence = "The readings do not move: there is nothing to explain.";
+    return std::move(result_);
   }
 
   Diagnosis untestable(bool too_few) {
