@@ -76,13 +76,10 @@ Table earlier_table(const EffectTest& effect_test) {
   return table;
 }
 
-// Of an added effect as its test has it, which is what `diagnose` says of it; else as the fit has it.
+// As the test of the added effects has it, which is what `diagnose` says of them; else as the fit has it.
 const FittedParameter& tested(const FittedParameter& fitted, const EffectTest& effect_test) {
-  for (const Candidate& added : effect_test.added) {
-    if (added.label != fitted.effect) continue;
-    for (const FittedParameter& parameter : added.parameters) {
-      if (parameter.name == fitted.name) return parameter;
-    }
+  for (const FittedParameter& parameter : effect_test.parameters) {
+    if (parameter.effect == fitted.effect && parameter.name == fitted.name) return parameter;
   }
   return fitted;
 }
@@ -102,21 +99,21 @@ Table parameter_table(const EffectTest& effect_test) {
   return table;
 }
 
-nlohmann::ordered_json parameters_of(const Candidate& added, const EffectTest& effect_test) {
+nlohmann::ordered_json parameters_of(const Candidate& added, const Fit& fit) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const FittedParameter& fitted : effect_test.fit_after.parameters) {
-    if (fitted.effect != added.label) continue;
-    const FittedParameter& parameter = tested(fitted, effect_test);
-    Interval interval;
-    for (std::size_t k = 0; k < added.intervals.size() && k < added.parameters.size(); ++k) {
-      if (added.parameters[k].name == fitted.name) interval = added.intervals[k];
-    }
+  const auto add = [&](const FittedParameter& parameter, const Interval& interval) {
     json.push_back({{"name", parameter.name},
                     {"value", number(parameter.value)},
                     {"sigma", number(parameter.sigma)},
                     {"low", number(interval.low)},
                     {"high", number(interval.high)},
                     {"unit", parameter.unit}});
+  };
+  for (std::size_t k = 0; k < added.parameters.size(); ++k)
+    add(added.parameters[k], k < added.intervals.size() ? added.intervals[k] : Interval{});
+  if (!added.parameters.empty()) return json;
+  for (const FittedParameter& parameter : fit.parameters) {  // it could not be tested
+    if (parameter.effect == added.label) add(parameter, {});
   }
   return json;
 }
@@ -207,7 +204,7 @@ nlohmann::ordered_json json_of(const EffectTest& effect_test) {
                                {"p_same_gain", number(tried.p_same_gain)},
                                {"time_only", term.effect->time_only},
                                {"doubts", tried.doubts},
-                               {"parameters", parameters_of(tried, effect_test)}});
+                               {"parameters", parameters_of(tried, effect_test.fit_after)}});
   }
   json["earlier"] = nlohmann::ordered_json::array();
   for (const DropTest& drop_test : effect_test.earlier) {

@@ -82,7 +82,15 @@ Candidate not_weighed(const BoundEffect& bound) {
   return one;
 }
 
-std::vector<Candidate> tested(const Weighed& found, const std::vector<Term>& terms) {
+// The label of an effect of time alone holds the shape that was tried.
+void relabel(std::vector<FittedParameter>& parameters, const std::string& from, const std::string& to) {
+  for (FittedParameter& parameter : parameters) {
+    if (parameter.effect == from) parameter.effect = to;
+  }
+}
+
+std::vector<Candidate> tested(const Weighed& found, const std::vector<Term>& terms,
+                              std::vector<FittedParameter>& parameters) {
   const std::vector<BoundEffect> bounds = bounds_of(terms);
   const EffectSet* set = set_of(found, bounds);
   std::vector<Candidate> result;
@@ -91,6 +99,7 @@ std::vector<Candidate> tested(const Weighed& found, const std::vector<Term>& ter
     return result;
   }
   const FittedSet fitted = fitted_set(*found.problem, found.posterior, *set, true);
+  parameters = fitted.parameters;
   const SetAt at = set_at(*found.problem, found.posterior, *set);
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const std::size_t family = *family_of(*found.problem, bounds[t]);
@@ -99,6 +108,8 @@ std::vector<Candidate> tested(const Weighed& found, const std::vector<Term>& ter
     Candidate one = tested_member(found, *set, fitted, at, m, kSurrogates, kSeed);
     if (terms.size() > 1) one.likelihood_ratio = log_bayes_factor_of_member(found, *set, m);
     one.label = label_of(terms[t]);
+    relabel(one.parameters, one.parameters.front().effect, one.label);
+    relabel(parameters, label_of(fitted.model.terms[found.problem->model.terms.size() + m]), one.label);
     if (terms.size() > 1 && !(one.likelihood_ratio >= kLeastLikelihoodRatio))
       one.doubts.emplace(one.doubts.begin(), kLowLikelihoodRatio);
     result.push_back(std::move(one));
@@ -154,7 +165,7 @@ EffectTest effect_test(const Model& model, const std::vector<Term>& added, const
   result.before = row_of(result.fit_before, model, data, target);
   result.after = row_of(result.fit_after, result.model, data, target);
   const Weighed found = weighed_with(model, added, data, target, true);
-  result.added = tested(found, added);
+  result.added = tested(found, added, result.parameters);
   std::vector<std::string> changes;
   for (std::size_t t = 0; t < added.size(); ++t) {
     Candidate& one = result.added[t];
@@ -196,6 +207,7 @@ Pruned pruned(EffectTest effect_test, const Series& data, std::size_t target) {
   }
   std::sort(result.removed.begin(), result.removed.end());
   if (result.removed.empty()) return result;
+  now.parameters.clear();
   now.fit_after = fit(now.model, data, target, {.beside_all_errors = true});
   const LedgerRow figures = is_of_machine_errors(now.model, data) ? machine_error_row(now.model, data, target)
                                                                   : row_of(now.fit_after, now.model, data, target);

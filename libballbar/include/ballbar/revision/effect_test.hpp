@@ -41,6 +41,9 @@ struct EffectTest {
   Fit fit_before, fit_after;
   LedgerRow before, after;       // after: with change, likelihood ratio, verdict, what is still needed
   std::vector<Candidate> added;  // each beside the rest of the model
+  // Of the model with the effects, by the likelihood that `added` is judged by; none where nothing could be judged, or
+  // once the model is pruned.
+  std::vector<FittedParameter> parameters;
   std::vector<DropTest> earlier;
 };
 
