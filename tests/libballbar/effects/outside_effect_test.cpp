@@ -155,8 +155,7 @@ TEST(outside_effect, is_found_where_its_catalogue_is_searched) {
   EXPECT_EQ(without.searched_effects + 1, found.searched_effects);
 }
 
-// Disabled: its grid is halved from point to point, the truth lies between two of them, and what is left makes a
-// load_heating(pump_W) with P = 0.99, which the fit then makes 0.06 um of 5.8 um.
+// Its grid is halved from point to point, and the truth lies between two of them.
 TEST(outside_effect, is_named_alone) {
   const Diagnosis found = diagnose(by_room(), made(0.02), 0, quick(with_hose_creep()));
   EXPECT_EQ(found.verdict, Verdict::named) << found.sentence;
