@@ -14,7 +14,8 @@ namespace ballbar {
 inline constexpr std::size_t kMostBindings = 512;  // choices of columns of one effect that are searched
 
 // All choices of different columns for the inputs of an effect, each as Effect::inputs; on recordings the trace's own
-// columns. What an input takes is said there (Input). Targets, Model::not_inputs and sigmas are no inputs. At most kMostBindings.
+// columns. What an input takes is said there (Input). Targets, Model::not_inputs and sigmas are no inputs. At most
+// kMostBindings.
 std::vector<std::vector<std::string>> bindings_of(const Effect& effect, const Model& model, const Series& data);
 
 // All of them.

@@ -78,7 +78,8 @@ Candidate candidate_of_error(const Model& model, std::size_t place, const Fit& a
   candidate.amplitude_sigma_um =
       ranked->chi2 > 0.0 ? candidate.amplitude_um / std::sqrt(ranked->chi2) : Candidate::kUnknown;
   if (!ranked->significant) candidate.doubts.emplace_back(kNotClear);
-  if (ranked->predicts_other_run == false) candidate.doubts.emplace_back("recordings left out are not predicted better");
+  if (ranked->predicts_other_run == false)
+    candidate.doubts.emplace_back("recordings left out are not predicted better");
   return candidate;
 }
 

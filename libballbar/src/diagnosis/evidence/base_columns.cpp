@@ -115,7 +115,8 @@ Eigen::MatrixXd BaseModel::times_at(const std::vector<double>& parameters) const
         std::vector<double> all(rows.time_s.size());
         rows_.effect(t).evaluate(rows, own.data(), all.data(), nullptr);
         Eigen::VectorXd result(static_cast<Eigen::Index>(rows_.rows()));
-        for (Eigen::Index i = 0; i < result.size(); ++i) result[i] = all[rows_.data_rows()[static_cast<std::size_t>(i)]];
+        for (Eigen::Index i = 0; i < result.size(); ++i)
+          result[i] = all[rows_.data_rows()[static_cast<std::size_t>(i)]];
         return result;
       };
       Eigen::VectorXd together = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.rows()));

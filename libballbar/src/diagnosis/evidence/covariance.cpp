@@ -79,7 +79,8 @@ std::vector<Covariance> covariance_grid(std::span<const double> time_s, bool wit
   return grid;
 }
 
-// x = (s, m, m'): the memory, an Ornstein-Uhlenbeck process; the discrepancy, Matern 3/2, with its slope. H = (1, 1, 0).
+// x = (s, m, m'): the memory, an Ornstein-Uhlenbeck process; the discrepancy, Matern 3/2, with its slope. H = (1, 1,
+// 0).
 CovarianceFilter::CovarianceFilter(const Covariance& covariance, std::span<const double> time_s,
                                    std::span<const double> relative_variance)
     : has_slow_(covariance.slow > 0.0), has_memory_(covariance.correlated > 0.0) {
@@ -123,7 +124,7 @@ CovarianceFilter::CovarianceFilter(const Covariance& covariance, std::span<const
     before = now;
     last_step = step;
     last_variance = variance;
-    rows_[i] = {transition(0, 0), transition(1, 1), transition(1, 2), transition(2, 1), transition(2, 2),
+    rows_[i] = {transition(0, 0), transition(1, 1), transition(1, 2), transition(2, 1),  transition(2, 2),
                 gain[0],          gain[1],          gain[2],          1.0 / std::sqrt(s)};
     log_determinant_ += std::log(s);
   }

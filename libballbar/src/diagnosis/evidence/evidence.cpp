@@ -67,7 +67,8 @@ Solved solved(const Gram& gram, const Line& line, const KnownScatter& known) {
   const Eigen::Index c = gram.cross.cols();
   if (c == 0) return result;
   Eigen::MatrixXd cross(p, c);
-  for (Eigen::Index k = 0; k < p; ++k) cross.row(k) = scale[k] * gram.cross.row(line.columns[static_cast<std::size_t>(k)]);
+  for (Eigen::Index k = 0; k < p; ++k)
+    cross.row(k) = scale[k] * gram.cross.row(line.columns[static_cast<std::size_t>(k)]);
   factor.matrixL().solveInPlace(cross);
   result.along = gram.cross.row(line.y).transpose() - cross.transpose() * white;
   result.left = gram.squares - cross.colwise().squaredNorm().transpose();

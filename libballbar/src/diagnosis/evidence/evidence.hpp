@@ -32,10 +32,10 @@ struct KnownScatter {
 };
 
 struct Solved {
-  double constant = 0.0;         // of ln p, without the scatter
-  double degrees = 0.0;          // nu
-  double square = 0.0;           // S with no effect
-  double variance = 0.0;         // s^2 by it
+  double constant = 0.0;  // of ln p, without the scatter
+  double degrees = 0.0;   // nu
+  double square = 0.0;    // S with no effect
+  double variance = 0.0;  // s^2 by it
   KnownScatter known;
   Eigen::MatrixXd cross;         // p by C: what the line makes of each signature
   Eigen::VectorXd along, left;   // C: y's part along what is left of a signature, and the square of that

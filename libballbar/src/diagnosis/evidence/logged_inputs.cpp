@@ -173,8 +173,7 @@ struct Smoother {
       *log_variances += std::log(variance);
       *squares += v * v / variance;
     }
-    return {{s.x[0] + kx * v, s.x[1] + kv * v},
-            {s.p[0] * (1.0 - kx), s.p[1] * (1.0 - kx), s.p[2] - kv * s.p[1]}};
+    return {{s.x[0] + kx * v, s.x[1] + kv * v}, {s.p[0] * (1.0 - kx), s.p[1] * (1.0 - kx), s.p[2] - kv * s.p[1]}};
   }
   State start() const {
     const double span = seen.back().time_s - seen.front().time_s;
@@ -269,8 +268,8 @@ std::vector<double> continuous(const std::vector<double>& time_s, const std::vec
       const bool is_short = run.end - run.begin < 3 * held;
       // A value that is held is that of the beginning.
       const double late_s = held > 1 ? 0.5 * (time_s[1] - time_s[0]) * static_cast<double>(held - 1) : 0.0;
-      seen.push_back({0.5 * (time_s[run.begin] + time_s[run.end - 1]) - late_s, values[run.begin],
-                      is_short ? 4.0 : 1.0});
+      seen.push_back(
+          {0.5 * (time_s[run.begin] + time_s[run.end - 1]) - late_s, values[run.begin], is_short ? 4.0 : 1.0});
     }
   } else {
     for (std::size_t i = held > 1 ? runs[1].begin % held : 0; i < values.size(); i += held) {
@@ -338,9 +337,9 @@ LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& t
     input.column = column.name;
     if (column.role == Role::speed || column.role == Role::load) {
       const std::size_t own = even ? held_rows(column.values) : 1;
-      const std::size_t rows =
-          held > 1 || ramped > 1 ? std::max(held, ramped)
-                                 : (static_cast<double>(own) * step_s <= kLongestSample_s ? own : 1);
+      const std::size_t rows = held > 1 || ramped > 1
+                                   ? std::max(held, ramped)
+                                   : (static_cast<double>(own) * step_s <= kLongestSample_s ? own : 1);
       const double longest_s = std::max(kLongestRamp_s, 1.5 * static_cast<double>(rows) * step_s);
       input.sample_s = static_cast<double>(rows) * step_s;
       input.jumps = jumps_of(data.time_s, column.values, ramped > 1 ? 1 : rows, longest_s);

@@ -25,7 +25,7 @@ struct Jump {
 struct LoggedInput {
   std::string column;
   bool is_stepped = false;
-  double sample_s = 0.0;  // of its logger
+  double sample_s = 0.0;    // of its logger
   std::vector<Jump> jumps;  // of a continuous one its largest changes, on an unknown way
 };
 

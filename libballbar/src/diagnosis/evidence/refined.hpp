@@ -17,8 +17,8 @@ struct Refined {
   double square = 0.0;        // what is left of the white readings
 };
 
-// Gauss-Newton, shapes within their bounds. times: columns of Kind::time. free: shapes that are free though held; fixed: as
-// BaseModel::at.
+// Gauss-Newton, shapes within their bounds. times: columns of Kind::time. free: shapes that are free though held;
+// fixed: as BaseModel::at.
 Refined refined(const BaseModel& base, std::vector<double> parameters, const std::vector<std::size_t>& free,
                 const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known, int rounds,
                 std::size_t fixed = 0);

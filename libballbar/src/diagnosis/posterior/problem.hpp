@@ -47,15 +47,15 @@ struct Problem {
   LoggedInputs logged;
   Fit base;
   std::vector<double> time_s, relative_variance;
-  Eigen::VectorXd y;       // less `centre_um`, where a constant of the model is free
+  Eigen::VectorXd y;  // less `centre_um`, where a constant of the model is free
   double centre_um = 0.0;
   KnownScatter known;
   std::unique_ptr<BaseModel> base_model;
   SignatureLibrary library;
-  RowMajorMatrix signatures;       // n by all columns of the library, each of deviation 1
-  Eigen::VectorXd deviation;       // of the library's columns before that
-  std::size_t effects = 0;         // families of effects; those behind them are inputs of any form
-  std::vector<double> log_prior;   // of each family: effects alike, columns of an effect alike
+  RowMajorMatrix signatures;               // n by all columns of the library, each of deviation 1
+  Eigen::VectorXd deviation;               // of the library's columns before that
+  std::size_t effects = 0;                 // families of effects; those behind them are inputs of any form
+  std::vector<double> log_prior;           // of each family: effects alike, columns of an effect alike
   std::vector<double> log_prior_of_shape;  // of each signature in its family: alike, but half where it acts at once
   std::vector<OwnParameter> own;
   std::vector<Term> terms;  // given in the place of the catalogue's: what they hold is held
@@ -67,11 +67,12 @@ struct ProblemOptions {
   std::size_t most_rows = 1000;  // values of the target
 };
 
-// Row by row what the logs leave open of jumps: rows strictly inside the time of a jump; wide: those at its ends as well.
+// Row by row what the logs leave open of jumps: rows strictly inside the time of a jump; wide: those at its ends as
+// well.
 void free_rows_at_jumps(Problem& problem, bool wide);
 
-// The family at another shape, a point for all parameters, put into the library; nothing: it adds nothing there, or what
-// is there already.
+// The family at another shape, a point for all parameters, put into the library; nothing: it adds nothing there, or
+// what is there already.
 std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, const std::vector<double>& point);
 
 // Throws Error as fit does.

@@ -37,7 +37,8 @@ Rivals rivals_of(const Problem& problem, const Posterior& posterior, const Effec
       RowMajorMatrix columns(problem.signatures.rows(), all);
       Eigen::Index next = 0;
       for (const std::size_t i : chosen) {
-        columns.middleCols(next, signatures[i].width) = problem.signatures.middleCols(signatures[i].first, signatures[i].width);
+        columns.middleCols(next, signatures[i].width) =
+            problem.signatures.middleCols(signatures[i].first, signatures[i].width);
         next += signatures[i].width;
       }
       const Solved base = solved(gram_of(point.filter, with.pool, columns), with.line, problem.known);
@@ -50,8 +51,9 @@ Rivals rivals_of(const Problem& problem, const Posterior& posterior, const Effec
         Eigen::MatrixXd left = products_of(point.filter, columns, places);
         const auto cross = base.cross.middleCols(first, one.width);
         left -= cross.transpose() * cross;
-        shapes.push_back(log_evidence(base, left, base.along.segment(first, one.width), 1.0 / static_cast<double>(one.width)) +
-                         problem.log_prior_of_shape[i]);
+        shapes.push_back(
+            log_evidence(base, left, base.along.segment(first, one.width), 1.0 / static_cast<double>(one.width)) +
+            problem.log_prior_of_shape[i]);
         first += one.width;
       }
       evidence[k][g] = log_sum(shapes) + point.covariance.log_prior;

@@ -44,9 +44,7 @@ struct Table {
   }
 };
 
-double prior_of_size(std::size_t size) {
-  return std::log(kPriorOfSize[std::min(size, kPriorOfSize.size() - 1)]);
-}
+double prior_of_size(std::size_t size) { return std::log(kPriorOfSize[std::min(size, kPriorOfSize.size() - 1)]); }
 
 class Search {
  public:
@@ -138,9 +136,9 @@ class Search {
   // All columns of some signatures at one point: what is left of them beside the line.
   struct Seen {
     Solved base;
-    Eigen::VectorXd whole;             // squares before
-    std::vector<Eigen::Index> first;   // of each chosen signature
-    Eigen::MatrixXd left;              // products; empty unless asked for
+    Eigen::VectorXd whole;            // squares before
+    std::vector<Eigen::Index> first;  // of each chosen signature
+    Eigen::MatrixXd left;             // products; empty unless asked for
   };
 
   Seen seen_at(const Point& point, const Variant& variant, const RowMajorMatrix& columns,
@@ -292,8 +290,9 @@ class Search {
           for (std::size_t k = 0; k < few.size(); ++k) {
             if (family_of(few[k]) == one.family || problem_.library.signatures[few[k]].width > 1) continue;
             if (!survives(seen, seen.first[k])) continue;
-            best = std::max(best, log_evidence(seen.base, seen.base.left[seen.first[k]], seen.base.along[seen.first[k]]) +
-                                      problem_.log_prior[family_of(few[k])]);
+            best =
+                std::max(best, log_evidence(seen.base, seen.base.left[seen.first[k]], seen.base.along[seen.first[k]]) +
+                                   problem_.log_prior[family_of(few[k])]);
           }
           most[g] = std::max(most[g], best - price - 3.0 + problem_.log_prior[one.family] + prior_of_size(2) +
                                           point.covariance.log_prior);
@@ -405,8 +404,7 @@ class Search {
 
   // Every pair of the chosen signatures of two families at one point, into `found`.
   void pairs_among(std::size_t g, std::size_t v, const std::vector<std::size_t>& chosen,
-                   const std::vector<std::pair<std::size_t, std::size_t>>* only,
-                   std::map<Key, Found>& found) const {
+                   const std::vector<std::pair<std::size_t, std::size_t>>* only, std::map<Key, Found>& found) const {
     const Point& point = result_.points[g];
     const Variant& variant = result_.variants[v];
     const RowMajorMatrix columns = columns_of(chosen);
@@ -416,8 +414,8 @@ class Search {
     std::vector<double> shapes;
     for (auto a = of_family.begin(); a != of_family.end(); ++a) {
       for (auto b = std::next(a); b != of_family.end(); ++b) {
-        if (only != nullptr &&
-            std::find(only->begin(), only->end(), std::pair{a->first, b->first}) == only->end()) continue;
+        if (only != nullptr && std::find(only->begin(), only->end(), std::pair{a->first, b->first}) == only->end())
+          continue;
         const Key key{variant.own, {a->first, b->first}};
         const double prior = log_prior(key) + point.covariance.log_prior - chosen_prior(chosen, a->second) -
                              chosen_prior(chosen, b->second);
@@ -480,7 +478,8 @@ class Search {
     if (largest_ < 2 || problem_.library.families.size() < 2) return;
     const std::size_t own = result_.variants[v].own;
     const std::vector<std::size_t> families = strongest_families(own, kFamiliesInPairs);
-    const std::size_t shapes_each = std::clamp<std::size_t>(kShapesInPairs / std::max<std::size_t>(1, families.size()), 3, 14);
+    const std::size_t shapes_each =
+        std::clamp<std::size_t>(kShapesInPairs / std::max<std::size_t>(1, families.size()), 3, 14);
     std::vector<std::size_t> chosen;
     for (const std::size_t family : families) {
       for (const std::size_t i : shapes_thinned(family, shapes_each)) chosen.push_back(i);
@@ -641,8 +640,8 @@ class Search {
         if (value < parameter.lower || value > parameter.upper) continue;
         std::vector<double> start = result_.variants[0].parameters;
         start[own.parameter] = value;
-        Refined now = refined(*problem_.base_model, start, {own.parameter}, result_.variants[0].times, filter,
-                              problem_.known, 6);
+        Refined now =
+            refined(*problem_.base_model, start, {own.parameter}, result_.variants[0].times, filter, problem_.known, 6);
         if (now.log_evidence > best.log_evidence) best = std::move(now);
       }
       if (best.log_evidence == kNone) continue;
@@ -667,7 +666,8 @@ class Search {
     for (const auto& [weight, key] : order) {
       const bool is_wanted = !wanted_.families.empty() && key == wanted_;
       if (!is_wanted && (tried == kSetsRelinearised || weight < order.front().first - kFarFromBest)) break;
-      if ((key.families.size() > 2 && !is_wanted) || std::count(relinearised_.begin(), relinearised_.end(), key) == kRelinearised)
+      if ((key.families.size() > 2 && !is_wanted) ||
+          std::count(relinearised_.begin(), relinearised_.end(), key) == kRelinearised)
         continue;
       ++tried;
       moved = relinearise_at(key, tried == 1) || moved;
@@ -853,8 +853,7 @@ class Search {
   }
 
   // The model's parameters with these signatures beside it.
-  Beside parameters_beside(const Variant& variant, const std::vector<std::size_t>& signatures,
-                                        std::size_t g) const {
+  Beside parameters_beside(const Variant& variant, const std::vector<std::size_t>& signatures, std::size_t g) const {
     // Signatures as columns whose gains are free: into what moves with the model.
     Beside beside{variant.parameters, {}};
     std::vector<double>& parameters = beside.parameters;
@@ -924,8 +923,7 @@ class Search {
       const auto of_another = std::find_if(bound.effect->inputs.begin(), bound.effect->inputs.end(),
                                            [](const Input& input) { return input.of_another_effect; });
       if (of_another != bound.effect->inputs.end()) {
-        const std::string& name =
-            bound.columns[static_cast<std::size_t>(of_another - bound.effect->inputs.begin())];
+        const std::string& name = bound.columns[static_cast<std::size_t>(of_another - bound.effect->inputs.begin())];
         const Beside beside = parameters_beside(result_.variants[set.variant], set.signatures, set.point);
         const double gain = beside.coefficients[column] / problem_.deviation[one.first];
         bool agrees = false;
@@ -997,7 +995,8 @@ double log_prior_of_set(const Problem& problem, const std::vector<std::size_t>& 
   for (const std::size_t family : families) sum += problem.log_prior[family];
   for (std::size_t k = 2; k <= families.size(); ++k) sum += std::log(static_cast<double>(k));
   if (problem.own.empty()) return sum;
-  return sum + (own == 0 ? std::log(1.0 - kPriorOfOwn) : std::log(kPriorOfOwn / static_cast<double>(problem.own.size())));
+  return sum +
+         (own == 0 ? std::log(1.0 - kPriorOfOwn) : std::log(kPriorOfOwn / static_cast<double>(problem.own.size())));
 }
 
 double Posterior::p(const EffectSet& set) const { return std::exp(set.log_weight - log_total); }

@@ -21,10 +21,10 @@ struct EffectSet {
 };
 
 struct Posterior {
-  std::vector<Point> points;      // the likely covariances
-  std::vector<Variant> variants;  // the model about the parameters that sets of effects make most likely
-  std::vector<EffectSet> sets;    // the most probable first; the first of no effects is always there
-  double log_total = 0.0;         // of the sets
+  std::vector<Point> points;        // the likely covariances
+  std::vector<Variant> variants;    // the model about the parameters that sets of effects make most likely
+  std::vector<EffectSet> sets;      // the most probable first; the first of no effects is always there
+  double log_total = 0.0;           // of the sets
   std::vector<EffectSet> any_form;  // one input of any form, alone: rivals, no part of the total
 
   double p(const EffectSet& set) const;

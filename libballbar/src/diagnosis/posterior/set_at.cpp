@@ -41,8 +41,8 @@ SetAt set_at(const Problem& problem, const Posterior& posterior, const EffectSet
     result.members.middleCols(result.first[k], one.width) = problem.signatures.middleCols(one.first, one.width);
   }
   const Eigen::Index n = result.y.size();
-  const auto known = static_cast<Eigen::Index>(
-      std::count(variant.line.is_free.begin(), variant.line.is_free.end(), char{0}));
+  const auto known =
+      static_cast<Eigen::Index>(std::count(variant.line.is_free.begin(), variant.line.is_free.end(), char{0}));
   Eigen::MatrixXd all(n, result.line.cols() + width);
   all << result.line, result.members;
   const Eigen::MatrixXd white_all = filtered(point.filter, all);

@@ -11,13 +11,13 @@ namespace ballbar {
 
 // White columns have rows more, one a column of prior N(0, 1): that it is nothing.
 struct SetAt {
-  Eigen::VectorXd y;        // n
-  Eigen::MatrixXd line;     // n by p
-  Eigen::MatrixXd members;  // n by all gains of the set
+  Eigen::VectorXd y;                       // n
+  Eigen::MatrixXd line;                    // n by p
+  Eigen::MatrixXd members;                 // n by all gains of the set
   std::vector<Eigen::Index> first, width;  // of each member
   Eigen::VectorXd white_y;                 // n + r
   Eigen::MatrixXd white_line, white_members;
-  double variance = 0.0;    // of the scatter with the set, in units of the covariance
+  double variance = 0.0;  // of the scatter with the set, in units of the covariance
   double degrees = 0.0;
 
   Eigen::MatrixXd white(const CovarianceFilter& filter, const Eigen::MatrixXd& columns) const;  // rows of 0 more

@@ -25,7 +25,8 @@ bool has_late_clock(const Problem& problem, const Posterior& posterior, const Se
   const Fit& base = problem.base;
   std::map<std::size_t, Eigen::Index> place;
   for (std::size_t i = 0; i < base.row.size(); ++i) place[base.row[i]] = static_cast<Eigen::Index>(i);
-  Eigen::MatrixXd pulses = Eigen::MatrixXd::Zero(at.y.size(), 2 * static_cast<Eigen::Index>(problem.logged.inputs.size()));
+  Eigen::MatrixXd pulses =
+      Eigen::MatrixXd::Zero(at.y.size(), 2 * static_cast<Eigen::Index>(problem.logged.inputs.size()));
   Eigen::Index column = 0;
   for (const LoggedInput& input : problem.logged.inputs) {
     if (!input.is_stepped) continue;

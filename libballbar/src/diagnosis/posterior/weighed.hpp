@@ -21,9 +21,10 @@ struct Weighed {
 
 // Where clocks prove late, or readings lie far from the others, once more without what that spoils. wanted: a set that
 // is weighed in any case. Throws Error as fit does.
-Weighed weighed(const Model& model, const Series& data, std::size_t target, const ProblemOptions& options,
-                const std::vector<BoundEffect>& wanted = {},
-                const std::function<void(std::string_view)>& tell = [](std::string_view) {});
+Weighed weighed(
+    const Model& model, const Series& data, std::size_t target, const ProblemOptions& options,
+    const std::vector<BoundEffect>& wanted = {},
+    const std::function<void(std::string_view)>& tell = [](std::string_view) {});
 
 // The family of the library; nothing: it has none.
 std::optional<std::size_t> family_of(const Problem& problem, const BoundEffect& bound);

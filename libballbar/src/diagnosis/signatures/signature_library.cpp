@@ -175,9 +175,8 @@ std::vector<Shaped> shaped_of(const Catalogue& catalogue, const Model& model, co
     result.push_back(std::move(one));
   }
   const auto is_given = [&](const Effect& effect, const std::vector<std::string>& names) {
-    return std::any_of(options.terms.begin(), options.terms.end(), [&](const Term& term) {
-      return term.effect->name == effect.name && term.columns == names;
-    });
+    return std::any_of(options.terms.begin(), options.terms.end(),
+                       [&](const Term& term) { return term.effect->name == effect.name && term.columns == names; });
   };
   for (const auto& effect : catalogue) {
     if (effect->level != model.level || effect->rules.is_base) continue;

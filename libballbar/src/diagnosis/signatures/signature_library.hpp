@@ -23,7 +23,7 @@ namespace ballbar {
 
 struct Family {
   BoundEffect bound;
-  std::size_t first = 0, count = 0;  // of SignatureLibrary::signatures: its grid
+  std::size_t first = 0, count = 0;    // of SignatureLibrary::signatures: its grid
   std::vector<std::size_t> more = {};  // shapes between the points of the grid
 };
 

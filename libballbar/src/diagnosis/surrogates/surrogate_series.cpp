@@ -76,8 +76,7 @@ std::vector<Spectrum> spectra_of(const SurrogateSource& source, const Series& da
   std::vector<Spectrum> spectra;
   const std::size_t stride = 1 + (source.points.size() - 1) / kSurrogateShapes;
   for (std::size_t i = 0; i < source.points.size(); i += stride) {
-    spectra.push_back(spectrum_of(
-        on_grid(effect, bound.rows, source.points[i], time_s.front(), time_s.back())));
+    spectra.push_back(spectrum_of(on_grid(effect, bound.rows, source.points[i], time_s.front(), time_s.back())));
   }
   return spectra;
 }

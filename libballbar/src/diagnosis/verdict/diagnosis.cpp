@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "diagnosis/posterior/weighed.hpp"
 #include "diagnosis/posterior/set_at.hpp"
+#include "diagnosis/posterior/weighed.hpp"
 #include "diagnosis/signatures/detectability.hpp"
 #include "diagnosis/verdict/fitted_set.hpp"
 #include "diagnosis/verdict/sentence.hpp"
@@ -34,8 +34,8 @@ std::vector<Detectability> detectability_but(const SearchOptions& options, std::
 
 // What the posterior says of single effects, columns, values.
 struct Probabilities {
-  std::vector<double> family;           // of effects
-  std::map<std::string, double> column; // that drives an effect
+  std::vector<double> family;            // of effects
+  std::map<std::string, double> column;  // that drives an effect
   std::vector<double> own;
   double nothing = 0.0, discrepancy = 0.0, time_alone = 0.0;
 };
@@ -75,7 +75,10 @@ std::vector<Driver> drivers_of(const Posterior& posterior, const Problem& proble
   std::map<std::string, double> p;
   for (const auto& [column, of_effects] : by_effects) p[column] = of_effects * std::exp(posterior.log_total - total);
   for (const EffectSet& one : posterior.any_form) {
-    const double fast = one.log_weight_slow > -1e300 ? one.log_weight + std::log1p(-std::min(1.0 - 1e-12, std::exp(one.log_weight_slow - one.log_weight))) : one.log_weight;
+    const double fast =
+        one.log_weight_slow > -1e300
+            ? one.log_weight + std::log1p(-std::min(1.0 - 1e-12, std::exp(one.log_weight_slow - one.log_weight)))
+            : one.log_weight;
     if (one.own == 0) p[problem.library.families[one.families.front()].bound.columns.front()] += std::exp(fast - total);
   }
   std::vector<Driver> drivers;
@@ -197,8 +200,8 @@ class Decision {
     const Fit& base = problem().base;
     const Eigen::VectorXd residual =
         Eigen::VectorXd::Map(base.residual_um.data(), static_cast<Eigen::Index>(base.residual_um.size()));
-    const Projected seen = projected(problem().library, residual, model_columns(base),
-                                     Whitening(noise, base.time_s, base.sigma_um));
+    const Projected seen =
+        projected(problem().library, residual, model_columns(base), Whitening(noise, base.time_s, base.sigma_um));
     result_.smallest_um = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < problem().library.signatures.size(); ++i) {
       const std::size_t f = problem().library.signatures[i].family;
@@ -294,9 +297,9 @@ class Decision {
     if (p_.discrepancy >= kDiscrepancy) {
       d.reasons.push_back(fmt::format("A slow curve without any cause is left, P = {:.2f}.", p_.discrepancy));
     }
-    const bool driver = model_.level == Level::series && std::any_of(d.drivers.begin(), d.drivers.end(), [&](const Driver& one) {
-      return one.p >= kSureDriver && is_shown(one.column);
-    });
+    const bool driver = model_.level == Level::series &&
+                        std::any_of(d.drivers.begin(), d.drivers.end(),
+                                    [&](const Driver& one) { return one.p >= kSureDriver && is_shown(one.column); });
     if (d.p_nothing > kNothing) {
       d.named.clear();
       d.probable.clear();
@@ -330,7 +333,8 @@ class Decision {
     for (const EffectProbability& effect : result_.effects) {
       if (result_.candidates.size() >= kMostShown) break;
       if (std::any_of(result_.candidates.begin(), result_.candidates.end(),
-                      [&](const Candidate& one) { return one.bound == effect.bound; })) continue;
+                      [&](const Candidate& one) { return one.bound == effect.bound; }))
+        continue;
       std::size_t f = 0;
       while (!(family(f).bound == effect.bound)) ++f;
       const auto set = std::find_if(posterior().sets.begin(), posterior().sets.end(),

@@ -42,8 +42,8 @@ Model with_set(const Problem& problem, const EffectSet& set) {
   return model;
 }
 
-// Where the likelihood, all other parameters at their most likely, has fallen so far: an end of a 95 % interval. towards:
-// a first guess of it.
+// Where the likelihood, all other parameters at their most likely, has fallen so far: an end of a 95 % interval.
+// towards: a first guess of it.
 double profile_end(const BaseModel& model, const Refined& best, std::size_t parameter, double towards,
                    const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known,
                    double degrees) {
@@ -61,9 +61,9 @@ double profile_end(const BaseModel& model, const Refined& best, std::size_t para
   for (int tries = 0; tries < kMostTries; ++tries) {
     start[parameter] = at(factor);
     const Refined now = refined(model, start, {}, times, filter, known, 4, parameter);
-    const double fall = 0.5 * (degrees + known.readings) *
-                        std::log((now.square + known.readings * known.variance) /
-                                 (best.square + known.readings * known.variance));
+    const double fall =
+        0.5 * (degrees + known.readings) *
+        std::log((now.square + known.readings * known.variance) / (best.square + known.readings * known.variance));
     const double root = std::sqrt(std::max(0.0, fall) / kFall);
     if (std::abs(root - 1.0) < 0.04) break;
     const double slope = (root - low_root) / (factor - low);
@@ -71,7 +71,8 @@ double profile_end(const BaseModel& model, const Refined& best, std::size_t para
       low = factor;
       low_root = root;
     }
-    const double next = slope > 1e-3 ? (root < 1.0 ? factor : low) + (1.0 - (root < 1.0 ? root : low_root)) / slope : 3.0 * factor;
+    const double next =
+        slope > 1e-3 ? (root < 1.0 ? factor : low) + (1.0 - (root < 1.0 ? root : low_root)) / slope : 3.0 * factor;
     if (at(next) == at(factor)) break;
     factor = std::clamp(next, 0.3 * factor, 3.0 * factor);
     if (root < 1.0) start = now.parameters;
@@ -143,8 +144,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
     if (result.parameters[k].state != ParameterState::free || !std::isfinite(result.parameters[k].sigma)) continue;
     Interval& interval = result.intervals[k];
     interval.low = profile_end(model, best, k, interval.low, variant.times, filter, problem.known, solution.degrees);
-    interval.high = profile_end(model, best, k, interval.high, variant.times, filter, problem.known,
-                                solution.degrees);
+    interval.high = profile_end(model, best, k, interval.high, variant.times, filter, problem.known, solution.degrees);
   }
   // What each adds, by its columns and their covariance about its largest difference.
   const ModelRows rows(result.model, problem.logged.series, problem.base.row);
@@ -161,13 +161,13 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
       for (std::size_t k = 0; k < columns.columns.size(); ++k) {
         const std::size_t parameter = columns.columns[k].parameter;
         if (columns.columns[k].kind == BaseColumn::Kind::constant || parameter < place ||
-            parameter >= place + result.model.terms[t].settings.size()) continue;
+            parameter >= place + result.model.terms[t].settings.size())
+          continue;
         const auto at = static_cast<Eigen::Index>(k);
         slope[at] = columns.values(high, at) - columns.values(low, at);
       }
       result.amplitude_um.push_back(added[high] - added[low]);
-      result.amplitude_sigma_um.push_back(
-          std::sqrt(std::max(0.0, solution.variance * slope.dot(covariance * slope))));
+      result.amplitude_sigma_um.push_back(std::sqrt(std::max(0.0, solution.variance * slope.dot(covariance * slope))));
     }
     place += result.model.terms[t].settings.size();
   }

@@ -10,9 +10,9 @@
 namespace ballbar {
 
 struct FittedSet {
-  Model model;                              // with the effects behind its terms
-  std::vector<FittedParameter> parameters;  // as Fit::parameters
-  std::vector<Interval> intervals;          // 95 %
+  Model model;                                           // with the effects behind its terms
+  std::vector<FittedParameter> parameters;               // as Fit::parameters
+  std::vector<Interval> intervals;                       // 95 %
   std::vector<double> amplitude_um, amplitude_sigma_um;  // of each effect
   double rmse_um = 0.0;
 };

@@ -84,8 +84,8 @@ LeftOut left_out(const SetAt& at, const Eigen::MatrixXd& white, const Eigen::Mat
     const Eigen::MatrixXd own = x(rows, Eigen::all);
     const Eigen::VectorXd own_y = at.white_y(rows);
     Eigen::VectorXd beta(k);
-    const double rest = evidence(gram - own.transpose() * own, xy - own.transpose() * own_y,
-                                 yy - own_y.squaredNorm(), &beta);
+    const double rest =
+        evidence(gram - own.transpose() * own, xy - own.transpose() * own_y, yy - own_y.squaredNorm(), &beta);
     result.log_likelihood[out] = all - rest;
     const Eigen::VectorXd coefficients = scale.asDiagonal() * beta;
     for (const Eigen::Index row : rows) result.rmse_um += std::pow(at.y[row] - plain.row(row).dot(coefficients), 2);

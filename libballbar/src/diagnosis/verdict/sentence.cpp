@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t kInASentence = 4;
 
 const Candidate* candidate_of(const Diagnosis& d, const BoundEffect& bound) {
-  const auto at = std::find_if(d.candidates.begin(), d.candidates.end(),
-                               [&](const Candidate& one) { return one.bound == bound; });
+  const auto at =
+      std::find_if(d.candidates.begin(), d.candidates.end(), [&](const Candidate& one) { return one.bound == bound; });
   return at == d.candidates.end() ? nullptr : &*at;
 }
 
@@ -27,7 +27,8 @@ double p_of(const Diagnosis& d, const BoundEffect& bound) {
 // "expansion(T_room_degC), 3.2 um (P = 0.98)"
 std::string effect_text(const Diagnosis& d, const BoundEffect& bound) {
   const Candidate* one = candidate_of(d, bound);
-  const std::string size = one != nullptr && one->amplitude_um > 0.0 ? fmt::format(", {:.2g} um", one->amplitude_um) : "";
+  const std::string size =
+      one != nullptr && one->amplitude_um > 0.0 ? fmt::format(", {:.2g} um", one->amplitude_um) : "";
   return fmt::format("{}{} (P = {:.2f}){}", label_of(bound), size, p_of(d, bound),
                      one != nullptr && one->minor ? ", which is minor" : "");
 }
@@ -67,7 +68,8 @@ std::string drivers_text(const Diagnosis& d) {
 
 std::string open_text(const Diagnosis& d) {
   std::string text;
-  for (const std::vector<BoundEffect>& group : d.equivalent) text += fmt::format("{}{}", text.empty() ? "" : "; and ", group_text(d, group));
+  for (const std::vector<BoundEffect>& group : d.equivalent)
+    text += fmt::format("{}{}", text.empty() ? "" : "; and ", group_text(d, group));
   return text;
 }
 
@@ -96,9 +98,10 @@ std::string sentence_of(const Diagnosis& d) {
       return fmt::format("Something is missing, and the data cannot tell which of these it is: {}.", open_text(d));
     case Verdict::unexplained:
       return d.discrepancy_um > 0.0 && d.p_discrepancy >= kDiscrepancy
-                 ? fmt::format("Something is left that no effect of the catalogue explains: a slow curve of {:.2g} um "
-                               "(standard deviation).",
-                               d.discrepancy_um)
+                 ? fmt::format(
+                       "Something is left that no effect of the catalogue explains: a slow curve of {:.2g} um "
+                       "(standard deviation).",
+                       d.discrepancy_um)
                  : "Something is left that goes with time alone: no logged input drives it.";
     case Verdict::untestable:
       return "These data could not have shown a missing effect.";

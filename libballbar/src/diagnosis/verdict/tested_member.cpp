@@ -68,8 +68,7 @@ Candidate tested_member(const Weighed& weighed, const EffectSet& set, const Fitt
   const std::vector<std::size_t> fold =
       folds_that_tell(problem.logged.series, problem.base.row, folds_of(problem.logged.series, problem.base.row),
                       problem.library.columns.middleCols(signature.first, signature.width));
-  const MemberTests tests =
-      member_tests(problem, weighed.posterior, set, at, member, fold, surrogates, seed);
+  const MemberTests tests = member_tests(problem, weighed.posterior, set, at, member, fold, surrogates, seed);
   one.p_same_gain = tests.p_same_gain;
   one.held_out_before_um = tests.held_out_before_um;
   one.held_out_after_um = tests.held_out_after_um;

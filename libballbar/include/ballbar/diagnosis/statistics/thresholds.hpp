@@ -44,7 +44,7 @@ inline constexpr std::size_t kLargestSet = 3;                                   
 inline constexpr std::size_t kValuesForAnEffect = 4;                                   // rows beyond the model's
 inline constexpr std::array<double, 4> kPriorOfSize{0.5, 0.3, 0.15, 0.05};             // sets of 0, 1, 2, 3 effects
 inline constexpr std::array<double, 6> kGainSizes{4.0, 8.0, 16.0, 32.0, 64.0, 128.0};  // d of a gain, alike
-inline constexpr double kPriorOfOwn = 0.1;          // that a value which the model holds is another
+inline constexpr double kPriorOfOwn = 0.1;  // that a value which the model holds is another
 inline constexpr double kPriorOfDiscrepancy = 0.25;
 inline constexpr std::size_t kFewestForMemory = 30;    // rows; with fewer the scatter is white
 inline constexpr std::size_t kMemories = 12;           // of the scatter
@@ -88,23 +88,23 @@ inline constexpr double kInOneFold = 0.9;              // share of what it shows
 inline constexpr double kRivalBetter = 0.0;            // ln, by which an input of any form is better than a member
 inline constexpr double kAnyFormBetter = -1.0;         // ln, by which it alone is more probable than the whole set
 inline constexpr std::size_t kSurrogates = 200;
-inline constexpr std::size_t kSurrogateShapes = 8;        // of an effect
-inline constexpr std::size_t kSurrogateGrid = 1024;       // values over the time
-inline constexpr std::size_t kTraceGrid = 512;            // values over the angle
-inline constexpr std::size_t kFewestOfASweep = 16;        // readings
-inline constexpr double kSameOnRecordings = 0.01;         // share of the square by which curves on recordings may differ
-inline constexpr double kSurrogateIsItself = 0.95;        // coherence
-inline constexpr double kMostAreItself = 0.01;            // share of the surrogates
+inline constexpr std::size_t kSurrogateShapes = 8;   // of an effect
+inline constexpr std::size_t kSurrogateGrid = 1024;  // values over the time
+inline constexpr std::size_t kTraceGrid = 512;       // values over the angle
+inline constexpr std::size_t kFewestOfASweep = 16;   // readings
+inline constexpr double kSameOnRecordings = 0.01;    // share of the square by which curves on recordings may differ
+inline constexpr double kSurrogateIsItself = 0.95;   // coherence
+inline constexpr double kMostAreItself = 0.01;       // share of the surrogates
 inline constexpr double kNothingLeftOfASurrogate = 1e-6;  // share of its square, read off a grid, that is rounding
 
 // Verdict.
-inline constexpr double kNothing = 0.05;      // P of nothing from which nothing is said
-inline constexpr double kNamed = 0.9;         // P
-inline constexpr double kProbable = 0.8;      // P
-inline constexpr double kSureDriver = 0.9;    // P
-inline constexpr double kDiscrepancy = 0.5;   // P of a discrepancy from which nothing is named
-inline constexpr double kCredible = 0.95;     // share of the posterior in a credible set
-inline constexpr double kMinor = 0.05;        // of the RMSE
+inline constexpr double kNothing = 0.05;       // P of nothing from which nothing is said
+inline constexpr double kNamed = 0.9;          // P
+inline constexpr double kProbable = 0.8;       // P
+inline constexpr double kSureDriver = 0.9;     // P
+inline constexpr double kDiscrepancy = 0.5;    // P of a discrepancy from which nothing is named
+inline constexpr double kCredible = 0.95;      // share of the posterior in a credible set
+inline constexpr double kMinor = 0.05;         // of the RMSE
 inline constexpr std::size_t kMostShown = 12;  // candidates
 
 // Effects of a model.

@@ -22,7 +22,7 @@ struct Interval {
 struct Candidate {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   BoundEffect bound;
-  std::string label;     // of the effect, or of the term that it is in a model
+  std::string label;  // of the effect, or of the term that it is in a model
   double p = 0.0;     // that it is missing, by the posterior over all sets of effects
   // 2 ln of how much more likely the readings are with it than without, gains, shapes and noise integrated out; from
   // `threshold` on it counts by itself.

@@ -1,8 +1,8 @@
 // Which physical effect a model lacks - or that the data cannot tell.
 //
 // A falling error proves fit, not cause: on records with a memory a random smooth signal also lowers it. So every set
-// of up to three effects is weighed, and the answer is a posterior: the model alone, each set, each value that the model
-// holds, all with and without a slow discrepancy; gains, shapes and noise are integrated out, inputs are late and
+// of up to three effects is weighed, and the answer is a posterior: the model alone, each set, each value that the
+// model holds, all with and without a slow discrepancy; gains, shapes and noise are integrated out, inputs are late and
 // rounded as loggers make them (src/diagnosis/README.md). An effect is named where
 //   P >= 0.9, and a discrepancy is improbable,
 //   the same gain holds in every cycle, cycles left out are predicted better and not by one cycle alone, it beats the
