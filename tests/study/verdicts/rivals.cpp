@@ -35,11 +35,12 @@ void add_of_speed(Bank& bank) {
   const Plan& plan = bank.scene.plan;
   const Track& speed = plan[Quantity::speed];
   bank.add("centrifugal_shift", {Quantity::speed}, power_of_speed(speed, 2.0));
-  const Track heat = power_of_speed(speed, 5.0 / 3.0);
-  for (const double tau_s : lags(10.0, 3e4, 1.3)) {
-    bank.add("speed_heating", {Quantity::speed}, low_pass(heat, tau_s));
-    bank.add("load_heating", {Quantity::load}, low_pass(plan[Quantity::load], tau_s));
+  for (const double exponent : {1.0, 5.0 / 3.0, 2.0}) {
+    const Track heat = power_of_speed(speed, exponent);
+    for (const double tau_s : lags(10.0, 3e4, 1.3)) bank.add("speed_heating", {Quantity::speed}, low_pass(heat, tau_s));
   }
+  for (const double tau_s : lags(10.0, 3e4, 1.3))
+    bank.add("load_heating", {Quantity::load}, low_pass(plan[Quantity::load], tau_s));
   for (const double tau_s : lags(60.0, 2e4, 1.5)) {
     for (const double ratio : {0.35, 0.6, 1.6, 2.2, 3.2, 4.5, 6.5}) {
       bank.add("cooling_asymmetry", {Quantity::speed}, heat_with_two_lags(speed, 5.0 / 3.0, tau_s, ratio * tau_s));

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
 
@@ -106,6 +107,34 @@ double log_evidence(const Solved& base, const Eigen::MatrixXd& left, const Eigen
     const double half_log =
         lower.diagonal().array().max(1e-12).log().sum() + 0.5 * static_cast<double>(k) * std::log(d2);
     sum[i] = base.log_likelihood(base.square - white.squaredNorm()) - half_log;
+  }
+  return base.constant + log_sum(sum) - std::log(static_cast<double>(kGainSizes.size()));
+}
+
+double log_evidence_of_forms(const Solved& base, const Eigen::MatrixXd& left, const Eigen::VectorXd& along) {
+  const Eigen::Index k = along.size();
+  const double all = log_evidence(base, left, along, 1.0 / static_cast<double>(k));
+  std::vector<double> pairs;
+  for (Eigen::Index a = 0; a < k; ++a) {
+    for (Eigen::Index b = a + 1; b < k; ++b) {
+      const double pair = log_evidence_of_two(base, left(a, a), left(b, b), left(a, b), along[a], along[b]);
+      if (std::isfinite(pair)) pairs.push_back(pair);
+    }
+  }
+  if (pairs.empty()) return all;
+  const double two = log_sum(pairs) - std::log(static_cast<double>(pairs.size()));
+  return log_sum(std::array{all, two}) - std::log(2.0);
+}
+
+double log_evidence_of_two(const Solved& base, double aa, double bb, double ab, double along_a, double along_b) {
+  const double r = ab / std::sqrt(aa * bb);
+  if (!(r * r <= 1.0 - kSurvivingShare)) return -std::numeric_limits<double>::infinity();
+  const double x = along_a / std::sqrt(aa), y = along_b / std::sqrt(bb);
+  std::array<double, kGainSizes.size()> sum;
+  for (std::size_t k = 0; k < kGainSizes.size(); ++k) {
+    const double d2 = kGainSizes[k] * kGainSizes[k], m = 1.0 + 1.0 / d2, det = m * m - r * r;
+    const double gain = (m * x * x - 2.0 * r * x * y + m * y * y) / det;
+    sum[k] = base.log_likelihood(base.square - gain) - 0.5 * std::log(det * d2 * d2);
   }
   return base.constant + log_sum(sum) - std::log(static_cast<double>(kGainSizes.size()));
 }

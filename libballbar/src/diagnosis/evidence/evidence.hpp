@@ -51,4 +51,10 @@ double log_evidence(const Solved& base, const Eigen::MatrixXd& left, const Eigen
 double log_evidence(const Solved& base, double left, double along);  // of one column
 double log_evidence(const Solved& base);                             // of none
 
+// Of two columns of one gain each: products of what is left of them, with y. -infinity: they are nearly one.
+double log_evidence_of_two(const Solved& base, double aa, double bb, double ab, double along_a, double along_b);
+
+// Of the forms of one input: all of them together, each with its share, or any two alone, both alike.
+double log_evidence_of_forms(const Solved& base, const Eigen::MatrixXd& left, const Eigen::VectorXd& along);
+
 }  // namespace ballbar

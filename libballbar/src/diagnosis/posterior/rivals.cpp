@@ -51,9 +51,11 @@ Rivals rivals_of(const Problem& problem, const Posterior& posterior, const Effec
         Eigen::MatrixXd left = products_of(point.filter, columns, places);
         const auto cross = base.cross.middleCols(first, one.width);
         left -= cross.transpose() * cross;
-        shapes.push_back(
-            log_evidence(base, left, base.along.segment(first, one.width), 1.0 / static_cast<double>(one.width)) +
-            problem.log_prior_of_shape[i]);
+        const Eigen::VectorXd along = base.along.segment(first, one.width);
+        shapes.push_back((one.family < problem.effects
+                              ? log_evidence(base, left, along, 1.0 / static_cast<double>(one.width))
+                              : log_evidence_of_forms(base, left, along)) +
+                         problem.log_prior_of_shape[i]);
         first += one.width;
       }
       evidence[k][g] = log_sum(shapes) + point.covariance.log_prior;

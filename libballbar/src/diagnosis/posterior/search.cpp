@@ -181,7 +181,10 @@ class Search {
       const auto cross = seen.base.cross.middleCols(first, width);
       left -= cross.transpose() * cross;
     }
-    return log_evidence(seen.base, left, seen.base.along.segment(first, width), 1.0 / static_cast<double>(width));
+    const Eigen::VectorXd along = seen.base.along.segment(first, width);
+    return problem_.library.signatures[signature].family < problem_.effects
+               ? log_evidence(seen.base, left, along, 1.0 / static_cast<double>(width))
+               : log_evidence_of_forms(seen.base, left, along);
   }
 
   // The noise is what the richest model leaves: every input in any form. A poor one's noise holds what it lacks.
@@ -455,17 +458,8 @@ class Search {
     const Signature &a = problem_.library.signatures[chosen[i]], &b = problem_.library.signatures[chosen[j]];
     const Eigen::Index fa = seen.first[i], fb = seen.first[j];
     if (a.width == 1 && b.width == 1) {
-      const double aa = seen.left(fa, fa), bb = seen.left(fb, fb);
-      const double r = seen.left(fa, fb) / std::sqrt(aa * bb);
-      if (r * r > 1.0 - kSurvivingShare) return kNone;
-      const double x = seen.base.along[fa] / std::sqrt(aa), y = seen.base.along[fb] / std::sqrt(bb);
-      std::array<double, kGainSizes.size()> sum;
-      for (std::size_t k = 0; k < kGainSizes.size(); ++k) {
-        const double d2 = kGainSizes[k] * kGainSizes[k], m = 1.0 + 1.0 / d2, det = m * m - r * r;
-        const double gain = (m * x * x - 2.0 * r * x * y + m * y * y) / det;
-        sum[k] = seen.base.log_likelihood(seen.base.square - gain) - 0.5 * std::log(det * d2 * d2);
-      }
-      return seen.base.constant + log_sum(sum) - std::log(static_cast<double>(kGainSizes.size()));
+      return log_evidence_of_two(seen.base, seen.left(fa, fa), seen.left(fb, fb), seen.left(fa, fb),
+                                 seen.base.along[fa], seen.base.along[fb]);
     }
     std::vector<Eigen::Index> places;
     for (Eigen::Index k = 0; k < a.width; ++k) places.push_back(fa + k);
