@@ -27,7 +27,8 @@ inline constexpr double kUnknownRow = 1e6;         // variance of a reading that
 inline constexpr std::size_t kMostOnsets = 400;
 inline constexpr std::size_t kMostPeriods = 200;
 inline constexpr std::size_t kMostWaves = 400;  // of one shape on recordings
-inline constexpr std::array<double, 8> kFormLags_s{0.0, 120.0, 300.0, 800.0, 2000.0, 5000.0, 12000.0, 30000.0};  // of any form
+inline constexpr std::array<double, 8> kFormLags_s{0.0,    120.0,  300.0,   800.0,
+                                                   2000.0, 5000.0, 12000.0, 30000.0};  // of any form
 inline constexpr std::array<double, 4> kFormLagsOfSquare_s{0.0, 600.0, 2500.0, 8000.0};
 
 // Detectability: what a signature could show, before any residual is looked at.
