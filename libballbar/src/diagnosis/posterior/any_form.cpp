@@ -31,6 +31,10 @@ std::vector<Eigen::VectorXd> forms_of(const std::vector<double>& time_s, const s
   };
   for (const double tau_s : kFormLags_s) add(1.0, tau_s);
   for (const double tau_s : kFormLagsOfSquare_s) add(2.0, tau_s);
+  for (const double tau_s : kFormLagsSquared_s) {
+    add(1.0, tau_s);
+    forms.back() = forms.back().cwiseProduct(forms.back().cwiseAbs());
+  }
   return forms;
 }
 

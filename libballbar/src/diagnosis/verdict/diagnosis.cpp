@@ -268,6 +268,8 @@ class Decision {
       one.minor = one.amplitude_um < std::max(kMinor * problem().base.rmse_um, options_.tolerance_um);
       if (one.bound.effect->time_only)
         one.doubts.emplace_back("it needs nothing but time, which imitates anything slow");
+      if (one.amplitude_um > kCancelled * fitted.together_um)
+        one.doubts.emplace_back("another effect of the set nearly cancels it");
       result_.candidates.push_back(std::move(one));
     }
   }

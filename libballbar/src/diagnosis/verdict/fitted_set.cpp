@@ -149,11 +149,13 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
   // What each adds, by its columns and their covariance about its largest difference.
   const ModelRows rows(result.model, problem.logged.series, problem.base.row);
   Eigen::VectorXd sum = Eigen::VectorXd::Constant(problem.y.size(), best.parameters[0]);
+  Eigen::VectorXd together = Eigen::VectorXd::Zero(problem.y.size());
   std::size_t place = 1;
   for (std::size_t t = 0; t < result.model.terms.size(); ++t) {
     const Eigen::VectorXd added = rows.term(t, best.parameters.data() + place, nullptr);
     sum += added;
     if (t >= problem.model.terms.size()) {
+      together += added;
       Eigen::Index low = 0, high = 0;
       added.minCoeff(&low);
       added.maxCoeff(&high);
@@ -171,6 +173,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
     }
     place += result.model.terms[t].settings.size();
   }
+  result.together_um = together.maxCoeff() - together.minCoeff();
   result.rmse_um = std::sqrt((problem.y - sum).squaredNorm() / static_cast<double>(problem.y.size()));
   return result;
 }

@@ -14,6 +14,7 @@ struct FittedSet {
   std::vector<FittedParameter> parameters;               // as Fit::parameters
   std::vector<Interval> intervals;                       // 95 %
   std::vector<double> amplitude_um, amplitude_sigma_um;  // of each effect
+  double together_um = 0.0;                              // as amplitude_um, of the sum of the effects
   double rmse_um = 0.0;
 };
 

@@ -29,7 +29,8 @@ inline constexpr std::size_t kMostPeriods = 200;
 inline constexpr std::size_t kMostWaves = 400;  // of one shape on recordings
 inline constexpr std::array<double, 8> kFormLags_s{0.0,    120.0,  300.0,   800.0,
                                                    2000.0, 5000.0, 12000.0, 30000.0};  // of any form
-inline constexpr std::array<double, 4> kFormLagsOfSquare_s{0.0, 600.0, 2500.0, 8000.0};
+inline constexpr std::array<double, 5> kFormLagsOfSquare_s{0.0, 200.0, 700.0, 2500.0, 8000.0};
+inline constexpr std::array<double, 3> kFormLagsSquared_s{300.0, 2000.0, 10000.0};
 
 // Detectability: what a signature could show, before any residual is looked at.
 inline constexpr double kDetectable = 5.0;          // d
@@ -86,8 +87,9 @@ inline constexpr double kOwnDirection = 1e-3;          // pivot of a gain of one
 inline constexpr double kHeldOutEvidence = 3.0;        // ln, of cycles left out, without the best one
 inline constexpr double kLeftOutRidge = 1e-4;          // prior precision of a white column of length 1
 inline constexpr double kInOneFold = 0.9;              // share of what it shows
-inline constexpr double kRivalBetter = 0.0;            // ln, by which an input of any form is better than a member
-inline constexpr double kAnyFormBetter = -1.0;         // ln, by which it alone is more probable than the whole set
+inline constexpr double kRivalBetter = -1.0;           // ln, by which an input of any form is better than a member
+inline constexpr double kAnyFormBetter = -2.0;         // ln, by which it alone is more probable than the whole set
+inline constexpr double kCancelled = 1.5;              // amplitude of a member, of that of all together
 inline constexpr std::size_t kSurrogates = 200;
 inline constexpr std::size_t kSurrogateShapes = 8;   // of an effect
 inline constexpr std::size_t kSurrogateGrid = 1024;  // values over the time
