@@ -9,6 +9,7 @@
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "diagnosis/evidence/dense.hpp"
 #include "diagnosis/made_drift.hpp"
+#include "diagnosis/posterior/set_prior.hpp"
 #include "diagnosis/posterior/weighed.hpp"
 
 namespace ballbar {

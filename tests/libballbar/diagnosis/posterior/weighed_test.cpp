@@ -8,6 +8,7 @@
 
 #include "ballbar/diagnosis/statistics/thresholds.hpp"
 #include "diagnosis/made_drift.hpp"
+#include "diagnosis/posterior/set_prior.hpp"
 
 namespace ballbar {
 namespace {
