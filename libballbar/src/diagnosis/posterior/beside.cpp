@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/evidence/refined.hpp"
 
 namespace ballbar {

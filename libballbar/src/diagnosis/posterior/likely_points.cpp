@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/posterior/seen.hpp"
 #include "diagnosis/posterior/set_prior.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/evidence/refined.hpp"
 #include "diagnosis/posterior/beside.hpp"
 #include "diagnosis/posterior/likely_points.hpp"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/posterior/pairs.hpp"
 #include "diagnosis/posterior/seen.hpp"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <set>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/posterior/search.hpp"
 #include "diagnosis/posterior/set_at.hpp"
 #include "diagnosis/posterior/set_prior.hpp"
