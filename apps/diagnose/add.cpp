@@ -9,7 +9,7 @@
 #include <cmath>
 #include <memory>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"

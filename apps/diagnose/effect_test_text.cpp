@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/fit/residual.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"

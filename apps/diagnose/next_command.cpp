@@ -7,7 +7,7 @@
 #include <cctype>
 #include <vector>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/numerics/range.hpp"
 #include "diagnosis/signatures/signature_library.hpp"

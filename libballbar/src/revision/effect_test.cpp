@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/error.hpp"
 #include "diagnosis/posterior/weighed.hpp"
 #include "diagnosis/verdict/tested_member.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/verdict/member_tests.hpp"
 #include "fit/machine_error_fit.hpp"
 #include "revision/ledger_row.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "fit/machine_error_fit.hpp"
 #include "machine_errors/error_ranks.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 
 namespace ballbar {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "effects/effect_at.hpp"
 
 namespace ballbar {

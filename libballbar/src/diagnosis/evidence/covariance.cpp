@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 
 namespace ballbar {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 
 namespace ballbar {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "numerics/interpolation.hpp"
 #include "numerics/median.hpp"
 

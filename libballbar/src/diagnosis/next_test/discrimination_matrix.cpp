@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "effects/effect_at.hpp"
 #include "fit/linearised_fit.hpp"

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/next_test/discrimination.hpp"
 #include "diagnosis/next_test/discrimination_matrix.hpp"
 #include "diagnosis/next_test/planned_test.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/model/measured_input.hpp"
 #include "diagnosis/next_test/planned_test.hpp"
 #include "diagnosis/next_test/test_plans.hpp"

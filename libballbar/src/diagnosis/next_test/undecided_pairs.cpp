@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 
 namespace ballbar {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/model/measured_input.hpp"
 #include "effects/low_pass.hpp"
 

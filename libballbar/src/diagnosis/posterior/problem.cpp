@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/posterior/any_form.hpp"
 #include "effects/effect_at.hpp"
 #include "series/subsampled.hpp"

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <deque>
-#include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,19 +21,12 @@
 
 namespace ballbar {
 
+inline constexpr double kLogZero = -std::numeric_limits<double>::infinity();  // of a weight: none
+
 // A parameter that the model holds, set free.
 struct OwnParameter {
   std::size_t parameter = 0;  // by its place, the constant first
   double held = 0.0;
-};
-
-// The model about some parameters: what a set of effects is added to.
-struct Variant {
-  std::size_t own = 0;  // 0: the model as it is; else OwnParameter own - 1 is free
-  std::vector<double> parameters;
-  Eigen::MatrixXd times;
-  RowMajorMatrix pool;
-  Line line;
 };
 
 // A covariance at which the readings are likely.

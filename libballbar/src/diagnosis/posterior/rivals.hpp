@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/posterior/search.hpp"
+#include "diagnosis/posterior/posterior.hpp"
 
 namespace ballbar {
 

@@ -1,37 +1,13 @@
-// The posterior over sets of effects: every effect alone, pairs, triples, with and without a discrepancy.
+// The search for sets of effects that make the readings likely: every effect alone, pairs, triples, beside the model
+// about its fit and about where the best sets have its parameters.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
-#include "diagnosis/posterior/problem.hpp"
+#include "diagnosis/posterior/posterior.hpp"
 
 namespace ballbar {
-
-// Effects of the library, beside the model as it is or with one of its own held parameters free.
-struct EffectSet {
-  std::vector<std::size_t> families;  // rising
-  std::size_t own = 0;                // as Variant::own
-  double log_weight = 0.0;            // ln of prior times evidence
-  double log_weight_slow = 0.0;       // the part of it with a discrepancy
-  // Where it is largest:
-  std::vector<std::size_t> signatures;
-  std::size_t point = 0, variant = 0;
-  double most = 0.0;
-};
-
-struct Posterior {
-  std::vector<Point> points;        // the likely covariances
-  std::vector<Variant> variants;    // the model about the parameters that sets of effects make most likely
-  std::vector<EffectSet> sets;      // the most probable first; the first of no effects is always there
-  double log_total = 0.0;           // of the sets
-  std::vector<EffectSet> any_form;  // one input of any form, alone: rivals, no part of the total
-
-  double p(const EffectSet& set) const;
-};
-
-// Effects alike, columns of an effect alike; sets of more effects less likely.
-double log_prior_of_set(const Problem& problem, const std::vector<std::size_t>& families, std::size_t own);
 
 // wanted: a set of families that is weighed whatever its weight; empty: none.
 // Shapes of strong effects between the points of the grid are added to the library.

@@ -3,6 +3,9 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "diagnosis/posterior/seen.hpp"
 
 namespace ballbar {
 namespace {
@@ -28,18 +31,11 @@ SetAt set_at(const Problem& problem, const Posterior& posterior, const EffectSet
   SetAt result;
   result.y = variant.pool.col(variant.line.y);
   result.line = variant.pool(Eigen::all, variant.line.columns);
-  Eigen::Index width = 0;
-  for (const std::size_t i : set.signatures) {
-    const Signature& one = problem.library.signatures[i];
-    result.first.push_back(width);
-    result.width.push_back(one.width);
-    width += one.width;
-  }
-  result.members.resize(result.y.size(), width);
-  for (std::size_t k = 0; k < set.signatures.size(); ++k) {
-    const Signature& one = problem.library.signatures[set.signatures[k]];
-    result.members.middleCols(result.first[k], one.width) = problem.signatures.middleCols(one.first, one.width);
-  }
+  Chosen chosen = chosen_of(problem, set.signatures);
+  result.first = std::move(chosen.first);
+  result.width = std::move(chosen.width);
+  result.members = chosen.columns;
+  const Eigen::Index width = result.members.cols();
   const Eigen::Index n = result.y.size();
   const auto known =
       static_cast<Eigen::Index>(std::count(variant.line.is_free.begin(), variant.line.is_free.end(), char{0}));

@@ -9,8 +9,10 @@
 #include <optional>
 #include <set>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
+#include "diagnosis/posterior/search.hpp"
 #include "diagnosis/posterior/set_at.hpp"
+#include "diagnosis/posterior/set_prior.hpp"
 #include "fit/linearised_fit.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "diagnosis/posterior/search.hpp"
+#include "diagnosis/posterior/posterior.hpp"
 
 namespace ballbar {
 

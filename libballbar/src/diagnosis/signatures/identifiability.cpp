@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/signatures/detectability.hpp"
 #include "diagnosis/signatures/signature_library.hpp"

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/model/measured_input.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "effects/effect_at.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "ballbar/units.hpp"
 #include "diagnosis/signatures/signature_library.hpp"

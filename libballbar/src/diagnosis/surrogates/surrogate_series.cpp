@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "diagnosis/surrogates/phase_randomised.hpp"

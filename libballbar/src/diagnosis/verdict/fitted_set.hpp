@@ -5,7 +5,7 @@
 
 #include "ballbar/diagnosis/verdict/candidate.hpp"
 #include "ballbar/model/model.hpp"
-#include "diagnosis/posterior/search.hpp"
+#include "diagnosis/posterior/posterior.hpp"
 
 namespace ballbar {
 

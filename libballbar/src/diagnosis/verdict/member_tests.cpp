@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/surrogates/surrogate_recordings.hpp"
 #include "numerics/orthonormal.hpp"
 #include "numerics/tails.hpp"

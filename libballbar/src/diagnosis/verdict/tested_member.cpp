@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/posterior/rivals.hpp"
 #include "diagnosis/verdict/member_tests.hpp"
 #include "series/folds.hpp"

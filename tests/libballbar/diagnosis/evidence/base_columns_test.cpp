@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/evidence/refined.hpp"
 
 namespace ballbar {

@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/evidence/dense.hpp"
 
 namespace ballbar {

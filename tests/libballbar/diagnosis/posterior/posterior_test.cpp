@@ -6,9 +6,10 @@
 #include <map>
 #include <random>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/evidence/dense.hpp"
 #include "diagnosis/made_drift.hpp"
+#include "diagnosis/posterior/set_prior.hpp"
 #include "diagnosis/posterior/weighed.hpp"
 
 namespace ballbar {

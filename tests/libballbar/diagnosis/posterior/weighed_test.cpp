@@ -6,8 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/made_drift.hpp"
+#include "diagnosis/posterior/set_prior.hpp"
 
 namespace ballbar {
 namespace {

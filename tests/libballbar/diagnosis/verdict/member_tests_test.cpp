@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/by_hand.hpp"
 #include "diagnosis/made_drift.hpp"
 #include "diagnosis/verdict/fitted_set.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/diagnosis/statistics/thresholds.hpp"
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/model/bound_effect.hpp"
 

@@ -1,0 +1,124 @@
+#include "diagnosis/posterior/beside.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "ballbar/diagnosis/thresholds.hpp"
+#include "diagnosis/evidence/refined.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kLongestStep = 0.7;    // of a shape at a time, in its scale
+constexpr double kShortestStep = 0.01;  // with less all shapes are there
+constexpr double kSameModel = 0.02;     // of a shape's reach
+
+// A step of Gauss and Newton: a length or a time by a factor, within the bounds of its setting.
+double stepped(const BaseModel& model, const BaseColumn& column, double value, double step) {
+  const Setting& setting = model.setting(column.parameter);
+  const bool is_positive = value > 0.0 && model.parameter(column.parameter).unit != "1";
+  return std::clamp(is_positive ? value * std::exp(step * column.scale / value) : value + step * column.scale,
+                    std::min(setting.lower, value), std::max(setting.upper, value));
+}
+
+// The model with the set's effects as terms, and its parameters.
+std::pair<Model, std::vector<double>> with_effects(const Problem& problem, const Beside& beside) {
+  Model model = problem.model;
+  std::vector<double> parameters = beside.parameters;
+  Eigen::Index column = 0;
+  for (const std::size_t i : beside.signatures) {
+    const Signature& one = problem.library.signatures[i];
+    const BoundEffect& bound = problem.library.families[one.family].bound;
+    model.terms.push_back(term_of(*bound.effect, bound.columns));
+    Eigen::Index gain = 0;
+    for (std::size_t k = 0; k < one.point.size(); ++k) {
+      const Setting& setting = model.terms.back().settings[k];
+      if (bound.effect->parameters[k].kind != ParameterKind::gain || gain == one.width) {
+        parameters.push_back(std::clamp(one.point[k], setting.lower, setting.upper));
+        continue;
+      }
+      // A sharpened signature may have more gains than there are coefficients: any will do, it is linear.
+      const bool known = column + gain < beside.coefficients.size();
+      parameters.push_back(known ? beside.coefficients[column + gain] / problem.deviation[one.first + gain] : 0.0);
+      ++gain;
+    }
+    column += one.width;
+  }
+  return {std::move(model), std::move(parameters)};
+}
+
+}  // namespace
+
+Beside parameters_beside(const Problem& problem, const Variant& variant, const std::vector<std::size_t>& signatures,
+                         const Point& point) {
+  const BaseModel& model = *problem.base_model;
+  const std::vector<std::size_t> free = free_of(problem, variant.own);
+  Beside beside{signatures, variant.parameters, {}};
+  for (int round = 0; round < kStepsBeside; ++round) {
+    const BaseColumns columns = model.at(beside.parameters, free);
+    const Eigen::Index times = variant.times.cols();
+    // The set's columns, their gains free, into what moves with the model.
+    const Variant with = with_signatures(
+        problem, {variant.own, {}, {}, pool_of(columns, variant.times), line_of(columns, times, 0)}, signatures);
+    const Gram gram = gram_of(point.filter, with.pool, RowMajorMatrix(with.pool.rows(), 0));
+    const Solved solution = solved(gram, with.line, problem.known);
+    beside.coefficients = solution.coefficients.tail(solution.coefficients.size() - columns.values.cols() - times);
+    double largest = 0.0;
+    for (std::size_t k = 0; k < columns.columns.size(); ++k) {
+      const BaseColumn& column = columns.columns[k];
+      const double coefficient = solution.coefficients[static_cast<Eigen::Index>(k)];
+      double& value = beside.parameters[column.parameter];
+      if (column.is_free()) {
+        value = coefficient * column.scale;
+        continue;
+      }
+      const double step = std::clamp(coefficient, -kLongestStep, kLongestStep);
+      largest = std::max(largest, std::abs(step));
+      value = stepped(model, column, value, step);
+    }
+    if (largest < kShortestStep) break;
+  }
+  return beside;
+}
+
+Beside sharpened(Problem& problem, const Variant& variant, Beside beside, const Point& point) {
+  const auto [model, start] = with_effects(problem, beside);
+  const BaseModel with(model, problem.logged, problem.y, problem.base.row);
+  const Refined best =
+      refined(with, start, free_of(problem, variant.own), variant.times, point.filter, problem.known, kStepsBeside);
+  std::size_t place = beside.parameters.size();
+  std::copy_n(best.parameters.begin(), place, beside.parameters.begin());
+  for (std::size_t& i : beside.signatures) {
+    const std::size_t family = problem.library.signatures[i].family;
+    const std::vector<Parameter>& parameters = problem.library.families[family].bound.effect->parameters;
+    std::vector<double> shape = problem.library.signatures[i].point;
+    bool moved = false;
+    for (std::size_t k = 0; k < shape.size(); ++k, ++place) {
+      if (parameters[k].kind == ParameterKind::gain) continue;
+      moved = moved || std::abs(best.parameters[place] - shape[k]) > kSameShape * std::abs(shape[k]);
+      shape[k] = best.parameters[place];
+    }
+    if (!moved) continue;
+    if (const std::optional<std::size_t> added = add_signature(problem, family, shape)) i = *added;
+  }
+  return beside;
+}
+
+Eigen::MatrixXd times_beside(const Problem& problem, const Beside& beside) {
+  const auto [model, parameters] = with_effects(problem, beside);
+  return BaseModel(model, problem.logged, problem.y, problem.base.row).times_at(parameters);
+}
+
+bool is_elsewhere(const Problem& problem, const Variant& variant, const std::vector<double>& parameters) {
+  for (std::size_t k = 1; k < parameters.size(); ++k) {
+    const Parameter& parameter = problem.base_model->parameter(k);
+    if (parameter.kind == ParameterKind::gain) continue;
+    if (std::abs(parameters[k] - variant.parameters[k]) > kSameModel * reach_of(parameter, variant.parameters[k]))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace ballbar

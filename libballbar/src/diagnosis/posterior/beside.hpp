@@ -1,0 +1,33 @@
+// The model's parameters where a set of effects beside it makes the readings likeliest.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "diagnosis/posterior/problem.hpp"
+#include "diagnosis/posterior/variant.hpp"
+
+namespace ballbar {
+
+struct Beside {
+  std::vector<std::size_t> signatures;  // the set
+  std::vector<double> parameters;       // of the model, in their own units
+  Eigen::VectorXd coefficients;         // of the columns of Problem::signatures
+};
+
+// Gauss-Newton from where the variant has them.
+Beside parameters_beside(const Problem& problem, const Variant& variant, const std::vector<std::size_t>& signatures,
+                         const Point& point);
+
+// What a strong effect leaves where the truth lies between two points of the grid another effect would fill in: the
+// shapes of the set at their likeliest become signatures of the library, and of the set in the place of the old ones.
+Beside sharpened(Problem& problem, const Variant& variant, Beside beside, const Point& point);
+
+// What is not known of the times of the inputs of the model and of the set: columns of Kind::time.
+Eigen::MatrixXd times_beside(const Problem& problem, const Beside& beside);
+
+// Whether a shape of the model is no longer where the variant has it.
+bool is_elsewhere(const Problem& problem, const Variant& variant, const std::vector<double>& parameters);
+
+}  // namespace ballbar

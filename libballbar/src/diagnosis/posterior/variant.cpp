@@ -1,0 +1,41 @@
+#include "diagnosis/posterior/variant.hpp"
+
+#include <utility>
+
+#include "diagnosis/evidence/refined.hpp"
+
+namespace ballbar {
+
+Variant variant_at(const Problem& problem, std::size_t own, std::vector<double> parameters) {
+  Eigen::MatrixXd times = problem.base_model->times_at(parameters);
+  return variant_at(problem, own, std::move(parameters), std::move(times));
+}
+
+Variant variant_at(const Problem& problem, std::size_t own, std::vector<double> parameters, Eigen::MatrixXd times) {
+  const BaseColumns columns = problem.base_model->at(parameters, free_of(problem, own));
+  RowMajorMatrix pool = pool_of(columns, times);
+  Line line = line_of(columns, times.cols(), 0);
+  return {own, std::move(parameters), std::move(times), std::move(pool), std::move(line)};
+}
+
+std::vector<std::size_t> free_of(const Problem& problem, std::size_t own) {
+  if (own == 0) return {};
+  return {problem.own[own - 1].parameter};
+}
+
+Variant with_signatures(const Problem& problem, Variant variant, const std::vector<std::size_t>& signatures) {
+  Eigen::Index next = variant.pool.cols(), width = 0;
+  for (const std::size_t i : signatures) width += problem.library.signatures[i].width;
+  variant.pool.conservativeResize(Eigen::NoChange, next + width);
+  for (const std::size_t i : signatures) {
+    const Signature& one = problem.library.signatures[i];
+    variant.pool.middleCols(next, one.width) = problem.signatures.middleCols(one.first, one.width);
+    for (Eigen::Index k = 0; k < one.width; ++k) {
+      variant.line.columns.push_back(next++);
+      variant.line.is_free.push_back(1);
+    }
+  }
+  return variant;
+}
+
+}  // namespace ballbar
