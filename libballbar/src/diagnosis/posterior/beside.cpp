@@ -1,19 +1,24 @@
 #include "diagnosis/posterior/beside.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/evidence/refined.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kLongestStep = 0.7;    // of a shape at a time, in its scale
-constexpr double kShortestStep = 0.01;  // with less all shapes are there
-constexpr double kSameModel = 0.02;     // of a shape's reach
+constexpr double kLongestStep = 0.7;                            // of a shape at a time, in its scale
+constexpr double kShortestStep = 0.01;                          // with less all shapes are there
+constexpr double kSameModel = 0.02;                             // of a shape's reach
+constexpr std::array kTimes_s{300.0, 1500.0, 7000.0, 30000.0};  // of a model, to start from
+constexpr std::size_t kEveryCovariance = 19;                    // of the grid
+constexpr int kStepsToSettle = 12;                              // of Gauss and Newton
 
 // A step of Gauss and Newton: a length or a time by a factor, within the bounds of its setting.
 double stepped(const BaseModel& model, const BaseColumn& column, double value, double step) {
@@ -47,6 +52,26 @@ std::pair<Model, std::vector<double>> with_effects(const Problem& problem, const
     column += one.width;
   }
   return {std::move(model), std::move(parameters)};
+}
+
+// The set and the model where a fit of both has them: its shapes become signatures.
+Beside taken_over(Problem& problem, Beside beside, const std::vector<double>& fitted) {
+  std::size_t place = beside.parameters.size();
+  std::copy_n(fitted.begin(), place, beside.parameters.begin());
+  for (std::size_t& i : beside.signatures) {
+    const std::size_t family = problem.library.signatures[i].family;
+    const std::vector<Parameter>& parameters = problem.library.families[family].bound.effect->parameters;
+    std::vector<double> shape = problem.library.signatures[i].point;
+    bool moved = false;
+    for (std::size_t k = 0; k < shape.size(); ++k, ++place) {
+      if (parameters[k].kind == ParameterKind::gain) continue;
+      moved = moved || std::abs(fitted[place] - shape[k]) > kSameShape * std::abs(shape[k]);
+      shape[k] = fitted[place];
+    }
+    if (!moved) continue;
+    if (const std::optional<std::size_t> added = add_signature(problem, family, shape)) i = *added;
+  }
+  return beside;
 }
 
 }  // namespace
@@ -88,22 +113,36 @@ Beside sharpened(Problem& problem, const Variant& variant, Beside beside, const 
   const BaseModel with(model, problem.logged, problem.y, problem.base.row);
   const Refined best =
       refined(with, start, free_of(problem, variant.own), variant.times, point.filter, problem.known, kStepsBeside);
-  std::size_t place = beside.parameters.size();
-  std::copy_n(best.parameters.begin(), place, beside.parameters.begin());
-  for (std::size_t& i : beside.signatures) {
-    const std::size_t family = problem.library.signatures[i].family;
-    const std::vector<Parameter>& parameters = problem.library.families[family].bound.effect->parameters;
-    std::vector<double> shape = problem.library.signatures[i].point;
-    bool moved = false;
-    for (std::size_t k = 0; k < shape.size(); ++k, ++place) {
-      if (parameters[k].kind == ParameterKind::gain) continue;
-      moved = moved || std::abs(best.parameters[place] - shape[k]) > kSameShape * std::abs(shape[k]);
-      shape[k] = best.parameters[place];
+  return taken_over(problem, std::move(beside), best.parameters);
+}
+
+Beside settled_beside(Problem& problem, const Variant& variant, std::size_t signature) {
+  Beside beside{{signature}, variant.parameters, {}};
+  const auto [model, start] = with_effects(problem, beside);
+  const BaseModel with(model, problem.logged, problem.y, problem.base.row);
+  std::vector<std::vector<double>> starts{start};
+  for (const double time_s : kTimes_s) {
+    std::vector<double> other = start;
+    for (std::size_t k = 1; k < variant.parameters.size(); ++k) {
+      const bool is_time = with.parameter(k).kind == ParameterKind::shape && with.parameter(k).unit == "s";
+      if (is_time && !with.setting(k).held) other[k] = std::clamp(time_s, with.setting(k).lower, with.setting(k).upper);
     }
-    if (!moved) continue;
-    if (const std::optional<std::size_t> added = add_signature(problem, family, shape)) i = *added;
+    if (other != start) starts.push_back(std::move(other));
   }
-  return beside;
+  std::vector<Covariance> grid = covariance_grid(problem.time_s, false);
+  std::vector<Refined> best(grid.size() / kEveryCovariance + 1);
+  in_parallel(best.size(), [&](std::size_t k) {
+    const Covariance& one = grid[std::min(k * kEveryCovariance, grid.size() - 1)];
+    const CovarianceFilter filter(one, problem.time_s, problem.relative_variance);
+    best[k].log_evidence = kLogZero;
+    for (const std::vector<double>& from : starts) {
+      Refined now = refined(with, from, {}, variant.times, filter, problem.known, kStepsToSettle);
+      if (now.log_evidence > best[k].log_evidence) best[k] = std::move(now);
+    }
+  });
+  const auto most = std::max_element(
+      best.begin(), best.end(), [](const Refined& a, const Refined& b) { return a.log_evidence < b.log_evidence; });
+  return taken_over(problem, std::move(beside), most->parameters);
 }
 
 Eigen::MatrixXd times_beside(const Problem& problem, const Beside& beside) {
@@ -111,11 +150,11 @@ Eigen::MatrixXd times_beside(const Problem& problem, const Beside& beside) {
   return BaseModel(model, problem.logged, problem.y, problem.base.row).times_at(parameters);
 }
 
-bool is_elsewhere(const Problem& problem, const Variant& variant, const std::vector<double>& parameters) {
+bool is_elsewhere(const Problem& problem, const Variant& variant, const std::vector<double>& parameters, double reach) {
   for (std::size_t k = 1; k < parameters.size(); ++k) {
     const Parameter& parameter = problem.base_model->parameter(k);
     if (parameter.kind == ParameterKind::gain) continue;
-    if (std::abs(parameters[k] - variant.parameters[k]) > kSameModel * reach_of(parameter, variant.parameters[k]))
+    if (std::abs(parameters[k] - variant.parameters[k]) > reach * reach_of(parameter, variant.parameters[k]))
       return true;
   }
   return false;

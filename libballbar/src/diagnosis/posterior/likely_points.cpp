@@ -88,6 +88,7 @@ std::vector<std::size_t> thin_signatures(const Problem& problem) {
     const std::size_t most = std::clamp<std::size_t>(kThinColumns / problem.effects, 1, kThinShapes);
     const std::size_t stride = 1 + (family.count - 1) / most;
     for (std::size_t i = family.first + stride / 2; i < family.first + family.count; i += stride) thin.push_back(i);
+    thin.insert(thin.end(), family.more.begin(), family.more.end());
   }
   return thin;
 }

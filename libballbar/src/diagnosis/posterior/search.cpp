@@ -60,16 +60,16 @@ std::vector<double> starts_of(const OwnParameter& own, const Parameter& paramete
 void add_own(Search& search) {
   const Problem& problem = search.problem;
   SetTable& table = search.table;
+  const Variant settled = table.variants.back();
   for (std::size_t k = 0; k < problem.own.size(); ++k) {
     const std::size_t place = problem.own[k].parameter;
     const CovarianceFilter& filter = table.points[best_points(table, 0, 1).front()].filter;
     Refined best;
     best.log_evidence = kLogZero;
     for (const double value : starts_of(problem.own[k], problem.base_model->parameter(place))) {
-      std::vector<double> start = table.variants.front().parameters;
+      std::vector<double> start = settled.parameters;
       start[place] = value;
-      Refined now = refined(*problem.base_model, start, {place}, table.variants.front().times, filter, problem.known,
-                            kStepsOfOwn);
+      Refined now = refined(*problem.base_model, start, {place}, settled.times, filter, problem.known, kStepsOfOwn);
       if (now.log_evidence > best.log_evidence) best = std::move(now);
     }
     if (best.log_evidence == kLogZero) continue;
@@ -100,16 +100,17 @@ bool relinearise_at(Search& search, const SetKey& key, bool all) {
   const Point& point = table.points[*g];
   const Variant& variant = table.variants[found.variant];
   Beside beside = parameters_beside(problem, variant, found.signatures, point);
-  if (!found.signatures.empty() && found.most - most_without(table) > kStrong)
-    beside = sharpened(problem, variant, std::move(beside), point);
-  const bool is_new = beside.signatures != found.signatures || is_elsewhere(problem, variant, beside.parameters);
+  const bool is_strong = !found.signatures.empty() && found.most - most_without(table) > kStrong;
+  if (is_strong) beside = sharpened(problem, variant, std::move(beside), point);
+  const bool is_new =
+      beside.signatures != found.signatures || is_elsewhere(problem, variant, beside.parameters, kSameModel);
   if (!is_new && (!all || found.signatures.empty())) return false;
   Eigen::MatrixXd times = all ? times_beside(problem, beside) : variant.times;
   table.variants.push_back(variant_at(problem, key.own, std::move(beside.parameters), std::move(times)));
   const std::size_t next = table.variants.size() - 1;
   if (all) {
     weigh_singles(problem, table, next);
-    if (key.families.size() > 1) weigh_pairs_and_triples(search, next);
+    if (key.families.size() > 1 || is_strong) weigh_pairs_and_triples(search, next);
   } else if (key.families.size() == 2) {
     weigh_pair(problem, table, next, key);
   } else if (key.families.size() < 2) {
@@ -132,6 +133,28 @@ std::vector<std::pair<double, SetKey>> in_turn(const Search& search) {
       std::find_if(order.begin(), order.end(), [&](const auto& one) { return one.second == search.wanted; });
   if (at != order.end()) std::rotate(order.begin() + (at == order.begin() ? 0 : 1), at, at + 1);
   return order;
+}
+
+// The model beside its strongest effect, where that is strong and moves it: a line drawn from where the effect is
+// missing tells nothing of sets with it.
+void settle(Search& search) {
+  Problem& problem = search.problem;
+  SetTable& table = search.table;
+  const std::vector<std::size_t> strongest = strongest_families(problem, table, 0, 1);
+  if (strongest.empty()) return;
+  const std::vector<FoundSet>& alone = table.sets.at({0, strongest});
+  const std::optional<std::size_t> g = likeliest_point(alone);
+  if (!g || alone[*g].most - most_without(table) < kMovesTheModel) return;
+  const std::size_t signature = alone[*g].signatures.front();
+  Beside beside = settled_beside(problem, table.variants.front(), signature);
+  if (!is_elsewhere(problem, table.variants.front(), beside.parameters, kFarModel)) return;
+  Eigen::MatrixXd times = times_beside(problem, beside);
+  table.variants.push_back(variant_at(problem, 0, std::move(beside.parameters), std::move(times)));
+  table.points = likely_points(problem, table.variants.back(), search.largest);
+  table.sets.clear();
+  weigh_singles(problem, table, 0);
+  std::erase_if(table.sets, [&](const auto& one) { return one.first.families == strongest; });
+  weigh_singles(problem, table, 1);
 }
 
 // About where the best sets have the parameters of the model. False: it is there already.
@@ -162,8 +185,10 @@ Posterior posterior_of(Problem& problem, std::size_t largest_set, std::vector<st
   table.points = likely_points(problem, table.variants.front(), largest_set);
   // The model about where it is most likely at the likeliest covariance, then about where the best sets have it.
   weigh_singles(problem, table, 0);
-  weigh_pairs_and_triples(search, 0);
-  weigh_wanted(problem, table, 0, search.wanted);
+  settle(search);
+  const std::size_t settled = table.variants.size() - 1;
+  weigh_pairs_and_triples(search, settled);
+  weigh_wanted(problem, table, settled, search.wanted);
   add_own(search);
   for (int round = 0; round < kRelinearised; ++round) {
     if (!relinearise(search)) break;

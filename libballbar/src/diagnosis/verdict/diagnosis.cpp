@@ -121,10 +121,11 @@ std::vector<std::vector<std::size_t>> groups_of(const Posterior& posterior, cons
   for (const std::size_t member : best.families) {
     std::vector<std::size_t> group{member};
     for (const EffectSet* set : credible) {
+      if (is_in(set->families, member)) continue;  // what it has more stands beside it
       std::size_t shared = 0;
       std::vector<std::size_t> others;
       for (const std::size_t family : set->families) {
-        if (family != member && is_in(best.families, family)) {
+        if (is_in(best.families, family)) {
           ++shared;
         } else {
           others.push_back(family);
