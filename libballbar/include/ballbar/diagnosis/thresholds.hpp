@@ -72,11 +72,13 @@ inline constexpr double kFarFromBest = 12.0;         // ln: sets this far are no
 inline constexpr int kRelinearised = 2;              // rounds
 inline constexpr std::size_t kSetsRelinearised = 8;  // in a round
 inline constexpr double kMovesTheModel = 15.0;  // ln, gained by an effect beside which the model is looked for anew
-inline constexpr double kFarModel = 0.3;        // of a shape's reach, that it moves it
-inline constexpr double kSameModel = 0.02;      // the same, that it is there already
-inline constexpr double kStrong = 60.0;         // ln, gained by a set whose shapes become points of the grid
-inline constexpr double kSameShape = 0.01;      // relative
-inline constexpr int kStepsBeside = 4;          // of Gauss and Newton
+inline constexpr std::array<double, 3> kTimesOfModels_s{300.0, 1500.0, 7000.0};  // from which one is looked for
+inline constexpr double kFarModel = 0.3;                                         // of a shape's reach, that it moves it
+inline constexpr std::size_t kPointsOfNothing = 4;  // covariances kept where nothing more is likely
+inline constexpr double kSameModel = 0.02;          // the same, that it is there already
+inline constexpr double kStrong = 60.0;             // ln, gained by a set whose shapes become points of the grid
+inline constexpr double kSameShape = 0.01;          // relative
+inline constexpr int kStepsBeside = 4;              // of Gauss and Newton
 
 // Readings that are weighed again.
 inline constexpr double kLateClock = 12.0;       // fall of chi^2 by what rows at jumps show of a clock that is late

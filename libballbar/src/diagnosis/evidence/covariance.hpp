@@ -20,6 +20,7 @@ struct Covariance {
   double white = 1.0, correlated = 0.0, time_s = 0.0;
   double slow = 0.0, slow_time_s = 0.0;  // discrepancy; slow = 0: off
   double log_prior = 0.0;
+  bool operator==(const Covariance&) const = default;
 };
 
 // Memories from half a step to a sixth of the time, shares from nearly white to nearly all; without a discrepancy, and

@@ -13,12 +13,11 @@
 namespace ballbar {
 namespace {
 
-constexpr double kLongestStep = 0.7;                            // of a shape at a time, in its scale
-constexpr double kShortestStep = 0.01;                          // with less all shapes are there
-constexpr double kSameModel = 0.02;                             // of a shape's reach
-constexpr std::array kTimes_s{300.0, 1500.0, 7000.0, 30000.0};  // of a model, to start from
-constexpr std::size_t kEveryCovariance = 19;                    // of the grid
-constexpr int kStepsToSettle = 12;                              // of Gauss and Newton
+constexpr double kLongestStep = 0.7;          // of a shape at a time, in its scale
+constexpr double kShortestStep = 0.01;        // with less all shapes are there
+constexpr double kSameModel = 0.02;           // of a shape's reach
+constexpr std::size_t kEveryCovariance = 19;  // of the grid
+constexpr int kStepsToSettle = 12;            // of Gauss and Newton
 
 // A step of Gauss and Newton: a length or a time by a factor, within the bounds of its setting.
 double stepped(const BaseModel& model, const BaseColumn& column, double value, double step) {
@@ -36,7 +35,7 @@ std::pair<Model, std::vector<double>> with_effects(const Problem& problem, const
   for (const std::size_t i : beside.signatures) {
     const Signature& one = problem.library.signatures[i];
     const BoundEffect& bound = problem.library.families[one.family].bound;
-    model.terms.push_back(term_of(*bound.effect, bound.columns));
+    model.terms.push_back(term_of(problem, bound));
     Eigen::Index gain = 0;
     for (std::size_t k = 0; k < one.point.size(); ++k) {
       const Setting& setting = model.terms.back().settings[k];
@@ -72,6 +71,11 @@ Beside taken_over(Problem& problem, Beside beside, const std::vector<double>& fi
     if (const std::optional<std::size_t> added = add_signature(problem, family, shape)) i = *added;
   }
   return beside;
+}
+
+bool is_free_time(const Problem& problem, std::size_t k) {
+  const Parameter& parameter = problem.base_model->parameter(k);
+  return parameter.kind == ParameterKind::shape && parameter.unit == "s" && !problem.base_model->setting(k).held;
 }
 
 }  // namespace
@@ -116,17 +120,29 @@ Beside sharpened(Problem& problem, const Variant& variant, Beside beside, const 
   return taken_over(problem, std::move(beside), best.parameters);
 }
 
+std::vector<double> with_times(const Problem& problem, std::vector<double> parameters, double time_s) {
+  for (std::size_t k = 1; k < problem.base_model->parameters(); ++k) {
+    const Setting& setting = problem.base_model->setting(k);
+    if (is_free_time(problem, k)) parameters[k] = std::clamp(time_s, setting.lower, setting.upper);
+  }
+  return parameters;
+}
+
+bool is_on_bound(const Problem& problem, const Variant& variant) {
+  for (std::size_t k = 1; k < variant.parameters.size(); ++k) {
+    const Setting& setting = problem.base_model->setting(k);
+    if (is_free_time(problem, k) && !(variant.parameters[k] < setting.upper * (1.0 - kSameShape))) return true;
+  }
+  return false;
+}
+
 Beside settled_beside(Problem& problem, const Variant& variant, std::size_t signature) {
   Beside beside{{signature}, variant.parameters, {}};
   const auto [model, start] = with_effects(problem, beside);
   const BaseModel with(model, problem.logged, problem.y, problem.base.row);
   std::vector<std::vector<double>> starts{start};
-  for (const double time_s : kTimes_s) {
-    std::vector<double> other = start;
-    for (std::size_t k = 1; k < variant.parameters.size(); ++k) {
-      const bool is_time = with.parameter(k).kind == ParameterKind::shape && with.parameter(k).unit == "s";
-      if (is_time && !with.setting(k).held) other[k] = std::clamp(time_s, with.setting(k).lower, with.setting(k).upper);
-    }
+  for (const double time_s : kTimesOfModels_s) {
+    std::vector<double> other = with_times(problem, start, time_s);
     if (other != start) starts.push_back(std::move(other));
   }
   std::vector<Covariance> grid = covariance_grid(problem.time_s, false);

@@ -135,6 +135,13 @@ std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, c
   return library.signatures.size() - 1;
 }
 
+Term term_of(const Problem& problem, const BoundEffect& bound) {
+  for (const Term& given : problem.terms) {
+    if (given.effect->name == bound.effect->name && given.columns == bound.columns) return given;
+  }
+  return term_of(*bound.effect, bound.columns);
+}
+
 std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std::size_t target,
                                     const ProblemOptions& options) {
   auto problem = std::make_unique<Problem>();

@@ -68,6 +68,9 @@ void free_rows_at_jumps(Problem& problem, bool wide);
 // what is there already.
 std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, const std::vector<double>& point);
 
+// The term of an effect as it is given, else as the catalogue has it.
+Term term_of(const Problem& problem, const BoundEffect& bound);
+
 // Throws Error as fit does.
 std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std::size_t target,
                                     const ProblemOptions& options);

@@ -140,21 +140,38 @@ std::vector<std::pair<double, SetKey>> in_turn(const Search& search) {
 void settle(Search& search) {
   Problem& problem = search.problem;
   SetTable& table = search.table;
-  const std::vector<std::size_t> strongest = strongest_families(problem, table, 0, 1);
+  const bool is_lost = is_on_bound(problem, table.variants.front());
+  for (const double time_s : kTimesOfModels_s) {
+    if (!is_lost) break;
+    table.variants.push_back(variant_at(problem, 0, with_times(problem, table.variants.front().parameters, time_s)));
+    weigh_singles(problem, table, table.variants.size() - 1);
+  }
+  const std::size_t before = table.variants.size();
+  const std::vector<std::size_t> strongest =
+      search.wanted.families.size() == 1 ? search.wanted.families : strongest_families(problem, table, 0, 1);
   if (strongest.empty()) return;
-  const std::vector<FoundSet>& alone = table.sets.at({0, strongest});
+  const auto there = table.sets.find({0, strongest});
+  if (there == table.sets.end()) return;
+  const std::vector<FoundSet>& alone = there->second;
   const std::optional<std::size_t> g = likeliest_point(alone);
-  if (!g || alone[*g].most - most_without(table) < kMovesTheModel) return;
+  if (!g || (!is_lost && alone[*g].most - most_without(table) < kMovesTheModel)) return;
   const std::size_t signature = alone[*g].signatures.front();
   Beside beside = settled_beside(problem, table.variants.front(), signature);
   if (!is_elsewhere(problem, table.variants.front(), beside.parameters, kFarModel)) return;
   Eigen::MatrixXd times = times_beside(problem, beside);
   table.variants.push_back(variant_at(problem, 0, std::move(beside.parameters), std::move(times)));
-  table.points = likely_points(problem, table.variants.back(), search.largest);
+  // Where nothing more is likely stays likely.
+  std::vector<Point> points = likely_points(problem, table.variants.back(), search.largest);
+  for (const std::size_t k : likeliest_points(table.sets.at({}), kPointsOfNothing)) {
+    if (std::none_of(points.begin(), points.end(),
+                     [&](const Point& one) { return one.covariance == table.points[k].covariance; }))
+      points.push_back(table.points[k]);
+  }
+  table.points = std::move(points);
   table.sets.clear();
-  weigh_singles(problem, table, 0);
+  for (std::size_t v = 0; v < before; ++v) weigh_singles(problem, table, v);
   std::erase_if(table.sets, [&](const auto& one) { return one.first.families == strongest; });
-  weigh_singles(problem, table, 1);
+  weigh_singles(problem, table, before);
 }
 
 // About where the best sets have the parameters of the model. False: it is there already.

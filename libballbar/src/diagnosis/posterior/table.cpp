@@ -47,6 +47,13 @@ std::optional<std::size_t> likeliest_point(const std::vector<FoundSet>& at) {
   return best;
 }
 
+std::vector<std::size_t> likeliest_points(const std::vector<FoundSet>& at, std::size_t most) {
+  std::vector<std::pair<double, std::size_t>> order;
+  order.reserve(at.size());
+  for (std::size_t g = 0; g < at.size(); ++g) order.emplace_back(at[g].most, g);
+  return of_largest(std::move(order), most);
+}
+
 std::vector<std::size_t> best_points(const SetTable& table, std::size_t own, std::size_t most) {
   std::vector<std::pair<double, std::size_t>> order;
   order.reserve(table.points.size());

@@ -36,6 +36,7 @@ struct SetTable {
 
 double log_weight_of(const std::vector<FoundSet>& at);                        // all points together
 std::optional<std::size_t> likeliest_point(const std::vector<FoundSet>& at);  // by `most`; nothing: none
+std::vector<std::size_t> likeliest_points(const std::vector<FoundSet>& at, std::size_t most);
 std::vector<std::size_t> best_points(const SetTable& table, std::size_t own,
                                      std::size_t most);  // by the best set there
 

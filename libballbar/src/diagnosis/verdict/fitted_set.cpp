@@ -28,10 +28,7 @@ Model with_set(const Problem& problem, const EffectSet& set) {
   for (const std::size_t i : set.signatures) {
     const Signature& one = problem.library.signatures[i];
     const BoundEffect& bound = problem.library.families[one.family].bound;
-    Term term = ballbar::term_of(*bound.effect, bound.columns);
-    for (const Term& given : problem.terms) {
-      if (given.effect->name == bound.effect->name && given.columns == bound.columns) term = given;
-    }
+    Term term = term_of(problem, bound);
     for (std::size_t k = 0; k < term.settings.size(); ++k) {
       if (bound.effect->parameters[k].kind == ParameterKind::gain) continue;
       term.settings[k].start = one.point[k];
