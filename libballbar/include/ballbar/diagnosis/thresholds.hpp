@@ -46,7 +46,7 @@ inline constexpr std::size_t kLargestSet = 3;                                   
 inline constexpr std::size_t kValuesForAnEffect = 4;                                   // rows beyond the model's
 inline constexpr std::array<double, 4> kPriorOfSize{0.5, 0.3, 0.15, 0.05};             // sets of 0, 1, 2, 3 effects
 inline constexpr std::array<double, 6> kGainSizes{4.0, 8.0, 16.0, 32.0, 64.0, 128.0};  // d of a gain, alike
-inline constexpr double kPriorOfOwn = 0.1;  // that a value which the model holds is another
+inline constexpr double kPriorOfOwn = 0.2;  // that a value which the model holds is another
 inline constexpr double kPriorOfDiscrepancy = 0.25;
 inline constexpr std::size_t kFewestForMemory = 30;    // rows; with fewer the scatter is white
 inline constexpr std::size_t kMemories = 12;           // of the scatter

@@ -41,7 +41,7 @@ std::vector<std::size_t> first_of_same_noise(const std::vector<Point>& points) {
 std::vector<double> log_evidence_of_richest(const Problem& problem, const Variant& variant,
                                             const std::vector<Point>& points, const std::vector<std::size_t>& forms) {
   const Chosen chosen = chosen_of(problem, forms);
-  const double share = 1.0 / static_cast<double>(chosen.width.front());
+  const double share = 1.0 / static_cast<double>(chosen.columns.cols());
   const std::vector<std::size_t> first = first_of_same_noise(points);
   std::vector<double> evidence(points.size());
   in_parallel(points.size(), [&](std::size_t g) {
