@@ -198,6 +198,19 @@ Track bar_of_cells(const Plan& plan, double diffusion_s, double heat_per_s, doub
   return mean;
 }
 
+std::vector<Quantity> causes_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::bearing:
+      return {Quantity::speed, Quantity::load, Quantity::housing, Quantity::coolant, Quantity::room};
+    case Quantity::housing:
+      return {Quantity::speed, Quantity::load, Quantity::bearing, Quantity::coolant, Quantity::room};
+    case Quantity::coolant:
+      return {Quantity::speed, Quantity::load, Quantity::room};
+    default:
+      return {};
+  }
+}
+
 Made made_outside(Outside kind, std::string_view stream, std::uint64_t seed) {
   Chance chance(stream, seed);
   const Recipe recipe;
@@ -223,8 +236,11 @@ Made made_outside(Outside kind, std::string_view stream, std::uint64_t seed) {
       Made set = assembled(scene, signal, gone ? std::vector<Quantity>{} : outsider.inputs, recipe, chance, gone);
       set.is_outside = true;
       set.what = outsider.what;
+      for (const Quantity input : gone ? causes_of(*gone) : outsider.inputs) {
+        const std::string name = name_of(scene, input);
+        if (find_column(set.data, name) != nullptr) set.drivers.push_back(name);
+      }
       for (const Quantity input : outsider.inputs) {
-        if (!gone) set.drivers.push_back(name_of(scene, input));
         set.what += " " + name_of(scene, input);
       }
       if (!outsider.effect.empty()) set.without = {outsider.effect};
