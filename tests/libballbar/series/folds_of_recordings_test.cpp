@@ -39,7 +39,7 @@ TEST(Folds, cycles_end_with_changes_of_speed) {
   std::vector<std::size_t> rows(40);
   for (std::size_t i = 0; i < 40; ++i) rows[i] = i;
   const std::vector<std::size_t> fold = folds_of(data, rows);
-  for (const std::size_t change : {10, 20, 30}) {
+  for (const std::size_t change : {10U, 20U, 30U}) {
     EXPECT_NE(fold[change], fold[change - 1]) << change;
     EXPECT_EQ(fold[change], fold[change + 1]) << change;
   }
