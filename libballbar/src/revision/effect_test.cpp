@@ -106,7 +106,6 @@ std::vector<Candidate> tested(const Weighed& found, const std::vector<Term>& ter
     std::size_t m = 0;
     while (found.problem->library.signatures[set->signatures[m]].family != family) ++m;
     Candidate one = tested_member(found, *set, fitted, at, m, kSurrogates, kSeed);
-    if (terms.size() > 1) one.likelihood_ratio = log_bayes_factor_of_member(found, *set, m);
     one.label = label_of(terms[t]);
     relabel(one.parameters, one.parameters.front().effect, one.label);
     relabel(parameters, label_of(fitted.model.terms[found.problem->model.terms.size() + m]), one.label);

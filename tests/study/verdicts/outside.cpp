@@ -170,6 +170,20 @@ Outsider drawn_outsider(Outside kind, const Plan& plan, double row_s, Chance& ch
   return not_logged(plan, row_s, chance);
 }
 
+// What drives a quantity of a plan: where its own column is missing these say rightly what is at work.
+std::vector<Quantity> causes_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::bearing:
+      return {Quantity::speed, Quantity::load, Quantity::housing, Quantity::coolant, Quantity::room};
+    case Quantity::housing:
+      return {Quantity::speed, Quantity::load, Quantity::bearing, Quantity::coolant, Quantity::room};
+    case Quantity::coolant:
+      return {Quantity::speed, Quantity::load, Quantity::room};
+    default:
+      return {};
+  }
+}
+
 }  // namespace
 
 Track bar_of_cells(const Plan& plan, double diffusion_s, double heat_per_s, double cooling_per_s) {
@@ -196,19 +210,6 @@ Track bar_of_cells(const Plan& plan, double diffusion_s, double heat_per_s, doub
     cell = next;
   }
   return mean;
-}
-
-std::vector<Quantity> causes_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::bearing:
-      return {Quantity::speed, Quantity::load, Quantity::housing, Quantity::coolant, Quantity::room};
-    case Quantity::housing:
-      return {Quantity::speed, Quantity::load, Quantity::bearing, Quantity::coolant, Quantity::room};
-    case Quantity::coolant:
-      return {Quantity::speed, Quantity::load, Quantity::room};
-    default:
-      return {};
-  }
 }
 
 Made made_outside(Outside kind, std::string_view stream, std::uint64_t seed) {

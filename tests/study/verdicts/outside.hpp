@@ -2,10 +2,8 @@
 #pragma once
 
 #include <string_view>
-#include <vector>
 
 #include "made.hpp"
-#include "plan.hpp"
 
 namespace ballbar::verdicts {
 
@@ -16,9 +14,6 @@ enum class Outside {
   bar,         // a bar of 20 cells, heated by friction at one end and cooled at the other
   not_logged,  // an effect of a temperature that is not in the data
 };
-
-// What drives a quantity of a plan: where its own column is missing these say rightly what is at work.
-std::vector<Quantity> causes_of(Quantity quantity);
 
 // d is drawn from 15 to 40. No effect of the catalogue, alone beside the base model, comes nearer than d = 6.
 Made made_outside(Outside kind, std::string_view stream, std::uint64_t seed);

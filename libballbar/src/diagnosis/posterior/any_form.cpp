@@ -12,27 +12,27 @@
 namespace ballbar {
 namespace {
 
-// The input since its first row over its range, and its powers, behind low passes.
+// The input since its first row over its range, and its square, behind low passes; the square of what is behind one.
 std::vector<Eigen::VectorXd> forms_of(const std::vector<double>& time_s, const std::vector<double>& values,
                                       const std::vector<std::size_t>& rows) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double range = *high - *low, first = values.front();
   std::vector<Eigen::VectorXd> forms;
   std::vector<double> passed(values.size());
-  const auto add = [&](double power, double tau_s) {
+  const auto add = [&](bool is_squared, double tau_s) {
     const auto input = [&](std::size_t i) {
       const double u = (values[i] - first) / range;
-      return power == 1.0 ? u : std::copysign(std::pow(std::abs(u), power), power == 2.0 ? 1.0 : u);
+      return is_squared ? u * u : u;
     };
     low_pass<double>(time_s, input, tau_s, passed.data());
     Eigen::VectorXd column(static_cast<Eigen::Index>(rows.size()));
     for (std::size_t i = 0; i < rows.size(); ++i) column[static_cast<Eigen::Index>(i)] = passed[rows[i]];
     forms.push_back(std::move(column));
   };
-  for (const double tau_s : kFormLags_s) add(1.0, tau_s);
-  for (const double tau_s : kFormLagsOfSquare_s) add(2.0, tau_s);
+  for (const double tau_s : kFormLags_s) add(false, tau_s);
+  for (const double tau_s : kFormLagsOfSquare_s) add(true, tau_s);
   for (const double tau_s : kFormLagsSquared_s) {
-    add(1.0, tau_s);
+    add(false, tau_s);
     forms.back() = forms.back().cwiseProduct(forms.back().cwiseAbs());
   }
   return forms;

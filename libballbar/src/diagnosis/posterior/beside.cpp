@@ -1,7 +1,6 @@
 #include "diagnosis/posterior/beside.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -15,7 +14,6 @@ namespace {
 
 constexpr double kLongestStep = 0.7;          // of a shape at a time, in its scale
 constexpr double kShortestStep = 0.01;        // with less all shapes are there
-constexpr double kSameModel = 0.02;           // of a shape's reach
 constexpr std::size_t kEveryCovariance = 19;  // of the grid
 constexpr int kStepsToSettle = 12;            // of Gauss and Newton
 

@@ -141,10 +141,11 @@ void settle(Search& search) {
   Problem& problem = search.problem;
   SetTable& table = search.table;
   const bool is_lost = is_on_bound(problem, table.variants.front());
-  for (const double time_s : kTimesOfModels_s) {
-    if (!is_lost) break;
-    table.variants.push_back(variant_at(problem, 0, with_times(problem, table.variants.front().parameters, time_s)));
-    weigh_singles(problem, table, table.variants.size() - 1);
+  if (is_lost) {
+    for (const double time_s : kTimesOfModels_s) {
+      table.variants.push_back(variant_at(problem, 0, with_times(problem, table.variants.front().parameters, time_s)));
+      weigh_singles(problem, table, table.variants.size() - 1);
+    }
   }
   const std::size_t before = table.variants.size();
   const std::vector<std::size_t> strongest =
