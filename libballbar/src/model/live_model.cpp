@@ -42,6 +42,7 @@ LiveModel::LiveModel(const Model& model) : constant_um_(model.constant_um.value_
   }
   state_.inputs.resize(kRowsKept * columns_.size());
   before_ = state_;
+  contributions_um_.resize(terms_.size());
 }
 
 double LiveModel::next(double time_s, std::span<const double> values) {
@@ -63,12 +64,14 @@ double LiveModel::next(double time_s, std::span<const double> values) {
 
 double LiveModel::value_at(std::size_t row) {
   double sum_um = constant_um_;
-  for (LiveTerm& term : terms_) {
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    LiveTerm& term = terms_[t];
     term.rows.time_s = {state_.time_s.data(), state_.rows};
     for (std::size_t k = 0; k < term.column.size(); ++k) {
       term.rows.inputs[k] = {state_.inputs.data() + term.column[k] * kRowsKept, state_.rows};
     }
-    sum_um += term.evaluate.row(term.rows, row, term.parameters.data(), state_.kept.data() + term.kept);
+    contributions_um_[t] = term.evaluate.row(term.rows, row, term.parameters.data(), state_.kept.data() + term.kept);
+    sum_um += contributions_um_[t];
   }
   return sum_um;
 }

@@ -159,6 +159,23 @@ struct Damping {
   Where where = Where::arcs;
 };
 
+// Which dictionary of a regression that predicts without naming a cause an effect belongs to (effect_regression.hpp).
+enum class PredictorKind {
+  source,       // of heat: speed, load
+  temperature,  // what follows one temperature
+  feedback,     // sources whose heat is more, or passes otherwise, in some states
+  difference,   // of two temperatures
+  start,        // a temperature as a run begins: no effect of the catalogue, and only where there are several runs
+};
+
+// How an effect takes part in such a regression: a unit of its first gain at these shapes.
+struct PredictorRule {
+  PredictorKind kind = PredictorKind::source;
+  std::vector<std::vector<double>> grid;  // values of each of its shapes; every combination
+  std::string difference_of = {};  // effect of one input: on the first of this one's inputs less on the second, at the
+                                   // same shapes, it is this effect
+};
+
 // What searches, tests and challenges are told of an effect.
 struct EffectRules {
   bool is_base = false;  // in every model of its level: not searched, not tested by leaving it out
@@ -176,6 +193,7 @@ struct EffectRules {
   std::vector<Damping> damping = {};
   AxisRelation relation = AxisRelation::none;
   std::vector<ExplainedCause> explains = {};
+  std::optional<PredictorRule> predictor = std::nullopt;
 };
 
 struct Effect {

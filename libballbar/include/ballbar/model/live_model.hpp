@@ -38,6 +38,9 @@ class LiveModel {
   // A row that gives no finite value is forgotten.
   double next(double time_s, std::span<const double> values);
 
+  // What each term added to the last row, in their order.
+  std::span<const double> contributions_um() const { return contributions_um_; }
+
   const State& state() const { return state_; }
 
   // The next row is the first.
@@ -61,6 +64,7 @@ class LiveModel {
   std::vector<std::string> columns_;
   std::vector<LiveTerm> terms_;
   State state_, before_;
+  std::vector<double> contributions_um_;
 };
 
 }  // namespace ballbar

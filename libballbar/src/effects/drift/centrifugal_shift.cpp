@@ -33,7 +33,9 @@ extern const Effect kCentrifugalShift{
     by_row<2>(CentrifugalShift{}),
     false,
     {},
-    {.hidden_in_challenges = true, .explains = {{SpindleCause::centrifugal}}},
+    {.hidden_in_challenges = true,
+     .explains = {{SpindleCause::centrifugal}},
+     .predictor = {{PredictorKind::source, {{2.0}}}}},
 };
 
 }  // namespace ballbar::catalogue

@@ -55,7 +55,10 @@ extern const Effect kCoolingAsymmetry{
     by_row<4, kLowPassKept + 1>(CoolingAsymmetry{}),
     false,
     {},
-    {.becomes = "speed_heating", .hidden_in_challenges = true, .explains = {{SpindleCause::rings}}},
+    {.becomes = "speed_heating",
+     .hidden_in_challenges = true,
+     .explains = {{SpindleCause::rings}},
+     .predictor = {{PredictorKind::feedback, {{600.0, 1800.0, 5400.0}, {180.0, 1800.0, 16000.0}, {1.0, 5.0 / 3.0}}}}},
 };
 
 }  // namespace ballbar::catalogue

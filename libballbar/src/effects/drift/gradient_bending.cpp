@@ -49,7 +49,8 @@ extern const Effect kGradientBending{
     {},
     {.first_input_warmest = true,
      .hidden_in_challenges = true,
-     .explains = {{SpindleCause::structure, true}, {SpindleCause::bending}}},
+     .explains = {{SpindleCause::structure, true}, {SpindleCause::bending}},
+     .predictor = {{PredictorKind::difference, {{0.0, 1800.0, 7200.0, 16000.0}}, "lagged_expansion"}}},
 };
 
 }  // namespace ballbar::catalogue

@@ -44,7 +44,10 @@ extern const Effect kLaggedExpansion{
     by_row<2, kLowPassKept>(LaggedExpansion{}),
     false,
     {},
-    {.becomes = "expansion", .hidden_in_challenges = true, .explains = expansion_causes()},
+    {.becomes = "expansion",
+     .hidden_in_challenges = true,
+     .explains = expansion_causes(),
+     .predictor = {{PredictorKind::temperature, {{0.0, 180.0, 600.0, 1800.0, 3600.0, 7200.0, 16000.0, 50000.0}}}}},
 };
 
 }  // namespace ballbar::catalogue

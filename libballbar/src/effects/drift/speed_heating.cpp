@@ -41,6 +41,10 @@ extern const Effect kSpeedHeating{
       "how slowly the warmed body follows"},
      {"exponent", "1", ParameterKind::shape, 5.0 / 3.0, 0.5, 3.0, {1.0, 5.0 / 3.0, 2.0}, "of the speed", true}},
     by_row<3, kLowPassKept>(SpeedHeating{}),
+    false,
+    {},
+    {.predictor = {{PredictorKind::source,
+                    {{60.0, 180.0, 400.0, 900.0, 1800.0, 3600.0, 7200.0, 16000.0, 50000.0}, {1.0, 5.0 / 3.0, 2.0}}}}},
 };
 
 }  // namespace ballbar::catalogue

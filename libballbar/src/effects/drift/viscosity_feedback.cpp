@@ -64,7 +64,10 @@ extern const Effect kViscosityFeedback{
     by_row<3, kLowPassKept>(ViscosityFeedback{}),
     false,
     {},
-    {.becomes = "speed_heating", .hidden_in_challenges = true, .explains = {{SpindleCause::rings}}},
+    {.becomes = "speed_heating",
+     .hidden_in_challenges = true,
+     .explains = {{SpindleCause::rings}},
+     .predictor = {{PredictorKind::feedback, {{600.0, 1800.0, 5400.0}, {0.03}}}}},
 };
 
 }  // namespace ballbar::catalogue

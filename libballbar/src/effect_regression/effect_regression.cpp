@@ -1,0 +1,142 @@
+#include "ballbar/effect_regression/effect_regression.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "ballbar/error.hpp"
+#include "ballbar/fit/held_model.hpp"
+#include "effect_regression/forecasts.hpp"
+#include "effect_regression/ridge.hpp"
+#include "numerics/median.hpp"
+
+namespace ballbar {
+namespace {
+
+// As the bits of RidgeSetting::kinds.
+constexpr std::string_view kKinds[kPredictorKinds] = {"sources of heat", "temperatures", "their feedback",
+                                                      "differences of temperatures", "temperatures at the start"};
+
+Term term_of(const Predictor& predictor, double gain) {
+  Term term{predictor.effect, predictor.columns, {}};
+  for (std::size_t k = 0; k < predictor.parameters.size(); ++k) {
+    const Parameter& parameter = predictor.effect->parameters[k];
+    const double value =
+        parameter.kind == ParameterKind::gain ? gain * predictor.parameters[k] : predictor.parameters[k];
+    term.settings.push_back({true, value, std::min(value, parameter.lower), std::max(value, parameter.upper), true});
+  }
+  return term;
+}
+
+void add_terms(const Predictors& predictors, const RidgeProblem& problem, const RidgeFit& fit,
+               EffectRegression& regression) {
+  const auto m = static_cast<Eigen::Index>(fit.used.size());
+  regression.mean_um.resize(m);
+  regression.sd_um.resize(m);
+  double constant_um = fit.gains_um[0];
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const std::size_t of = fit.used[static_cast<std::size_t>(k)];
+    const auto at = static_cast<Eigen::Index>(of);
+    regression.mean_um[k] = problem.mean[at];
+    regression.sd_um[k] = problem.sd[at];
+    const double gain = fit.gains_um[k + 1] / problem.sd[at];
+    constant_um -= gain * problem.mean[at];
+    regression.model.terms.push_back(term_of(predictors.each[of], gain));
+  }
+  regression.model.constant_um = constant_um;
+  regression.end_discrepancy_um = fit.gains_um[m + 1];
+  regression.factor_um = fit.factor_um;
+}
+
+void add_ranges(std::span<const Series> runs, EffectRegression& regression) {
+  for (const Series& run : runs) {
+    for (const ColumnRange& range : ranges_of(regression.model, run)) {
+      std::vector<ColumnRange>& trained = regression.model.trained;
+      const auto known = std::find_if(trained.begin(), trained.end(),
+                                      [&](const ColumnRange& one) { return one.column == range.column; });
+      if (known == trained.end()) {
+        trained.push_back(range);
+        regression.roles.push_back(find_column(run, range.column)->role);
+      } else {
+        known->low = std::min(known->low, range.low);
+        known->high = std::max(known->high, range.high);
+      }
+    }
+  }
+}
+
+// The state of the model after the last row, what it made of the rows, and its RMSE.
+void add_end(std::span<const Series> runs, const Design& design, EffectRegression& regression) {
+  LiveModel live(regression.model);
+  std::vector<double> values(live.columns().size());
+  double sum = 0.0;
+  std::size_t next = 0;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    live.begin_anew();
+    std::vector<const Column*> columns;
+    for (const std::string& name : live.columns()) columns.push_back(find_column(runs[r], name));
+    for (std::size_t i = 0; i < runs[r].time_s.size(); ++i) {
+      for (std::size_t c = 0; c < columns.size(); ++c) values[c] = columns[c]->values[i];
+      const double predicted_um = live.next(runs[r].time_s[i], values);
+      if (next < design.row.size() && design.run[next] == r && design.row[next] == i) {
+        const double error = design.target_um[static_cast<Eigen::Index>(next)] - predicted_um;
+        sum += error * error;
+        ++next;
+      }
+    }
+  }
+  regression.rmse_um = std::sqrt(sum / static_cast<double>(next));
+  regression.end = live.state();
+  std::vector<double> steps;
+  const std::vector<double>& time_s = runs.back().time_s;
+  for (std::size_t i = 1; i < time_s.size(); ++i) steps.push_back(time_s[i] - time_s[i - 1]);
+  regression.end_step_s = steps.empty() ? 0.0 : median(steps);
+}
+
+}  // namespace
+
+EffectRegression effect_regression(std::span<const Series> runs, const std::string& target,
+                                   const EffectRegressionOptions& options, const Catalogue& catalogue) {
+  if (runs.empty()) throw Error("expected a record to train on, found none.");
+  const auto say = [&](const std::string& what) {
+    if (options.progress) options.progress(what);
+  };
+  say("evaluating the effects");
+  const Design design = design_of(runs, target, catalogue);
+  std::vector<std::size_t> rows(design.row.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  const RidgeProblem problem = ridge_problem(design, rows);
+  say("choosing the dictionary");
+  const RidgeSetting setting = chosen_setting(problem);
+  const RidgeFit fit = ridge_fit(problem, setting);
+  EffectRegression regression;
+  regression.model.targets = {target};
+  add_terms(design.predictors, problem, fit, regression);
+  for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
+    if ((setting.kinds >> kind & 1U) != 0) regression.dictionary.emplace_back(kKinds[kind]);
+  }
+  regression.prior_variance = setting.variance;
+  regression.length_s = setting.length_s;
+  regression.sigma_um = fit.sigma_um;
+  regression.rows = rows.size();
+  regression.runs = runs.size();
+  regression.left_out = design.predictors.left_out;
+  regression.end_s = problem.end_s;
+  add_ranges(runs, regression);
+  add_end(runs, design, regression);
+  if (!options.forecasts) return regression;
+  if (const auto tested = tested_forecasts(design, runs.front(), problem, setting, options.progress)) {
+    regression.forecasts = tested->forecasts;
+    regression.interval_scale = tested->interval_scale;
+  }
+  return regression;
+}
+
+std::string dictionary_text(const EffectRegression& regression) {
+  return fmt::format("{}", fmt::join(regression.dictionary, ", "));
+}
+
+}  // namespace ballbar

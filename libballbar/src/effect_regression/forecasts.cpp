@@ -1,0 +1,140 @@
+#include "effect_regression/forecasts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "ballbar/series/speed_steps.hpp"
+#include "effect_regression/interval.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kFewestRows = 60, kOrigins = 3;
+constexpr std::size_t kChoiceRows = 415;  // a forecast chooses its setting on fewer rows
+
+struct Errors {
+  std::vector<double> error_um, held_um, sigmas;
+
+  void add(double error, double held, double sigma_um) {
+    error_um.push_back(error);
+    held_um.push_back(held);
+    sigmas.push_back(std::abs(error) / sigma_um);
+  }
+};
+
+double rms(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+TestedForecasts tested(std::size_t count, Errors errors) {
+  TestedForecasts result;
+  Forecasts& of = result.forecasts;
+  const auto n = static_cast<double>(errors.error_um.size());
+  of.count = count;
+  of.rmse_um = rms(errors.error_um);
+  of.held_um = rms(errors.held_um);
+  of.error_um = std::accumulate(errors.error_um.begin(), errors.error_um.end(), 0.0,
+                                [](double sum, double error) { return sum + std::abs(error); }) /
+                n;
+  const auto within =
+      std::count_if(errors.sigmas.begin(), errors.sigmas.end(), [](double z) { return z <= kNormal95; });
+  of.within_share = static_cast<double>(within) / n;
+  const auto at = errors.sigmas.begin() + static_cast<std::ptrdiff_t>(0.95 * (n - 1.0));
+  std::nth_element(errors.sigmas.begin(), at, errors.sigmas.end());
+  result.interval_scale = std::max(1.0, *at / kNormal95);
+  return result;
+}
+
+// Predicts these rows from those, the setting chosen from those alone.
+void forecast(const Design& design, const std::vector<std::size_t>& from, const std::vector<std::size_t>& rows,
+              bool goes_on, Errors& errors) {
+  const RidgeSetting setting = chosen_setting(ridge_problem(design, from, kChoiceRows));
+  const RidgeProblem problem = ridge_problem(design, from);
+  const RidgeFit fit = ridge_fit(problem, setting);
+  const double held = goes_on ? design.target_um[static_cast<Eigen::Index>(from.back())] : 0.0;
+  for (const std::size_t row : thinned(rows, kRidgeRows)) {
+    const auto i = static_cast<Eigen::Index>(row);
+    const double since_s = goes_on ? design.time_s[row] - problem.end_s : std::numeric_limits<double>::infinity();
+    const RidgePrediction at = ridge_prediction(problem, fit, design.values.row(i).transpose(), since_s);
+    errors.add(design.target_um[i] - at.mean_um, design.target_um[i] - held, at.sigma_um);
+  }
+}
+
+std::vector<std::size_t> rows_between(std::size_t first, std::size_t end) {
+  std::vector<std::size_t> rows(end - first);
+  std::iota(rows.begin(), rows.end(), first);
+  return rows;
+}
+
+TestedForecasts of_one_run(const Design& design, const std::vector<ForecastRows>& ahead,
+                           const std::function<void(const std::string&)>& progress) {
+  Errors errors;
+  for (std::size_t i = 0; i < ahead.size(); ++i) {
+    if (progress) progress(fmt::format("forecast {} of {}", i + 1, ahead.size()));
+    forecast(design, rows_between(0, ahead[i].first), rows_between(ahead[i].first, ahead[i].end), true, errors);
+  }
+  return tested(ahead.size(), std::move(errors));
+}
+
+TestedForecasts of_runs(const Design& design, const RidgeProblem& problem, const RidgeSetting& setting,
+                        const std::function<void(const std::string&)>& progress) {
+  Errors errors;
+  if (design.runs >= kFewestRunsToLeaveOut) {
+    if (progress) progress(fmt::format("leaving out each of {} runs", design.runs));
+    const LeftOutRuns left = left_out_runs(problem, setting);
+    for (Eigen::Index i = 0; i < left.error_um.size(); ++i) {
+      errors.add(left.error_um[i], problem.target_um[i], left.sigma_um[i]);
+    }
+    TestedForecasts result = tested(design.runs, std::move(errors));
+    result.forecasts.rmse_um = rms(left.rmse_um);  // as of batches: each run counts alike
+    return result;
+  }
+  for (std::size_t run = 0; run < design.runs; ++run) {
+    if (progress) progress(fmt::format("leaving out run {} of {}", run + 1, design.runs));
+    std::vector<std::size_t> from, rows;
+    for (std::size_t i = 0; i < design.run.size(); ++i) (design.run[i] == run ? rows : from).push_back(i);
+    forecast(design, from, rows, false, errors);
+  }
+  return tested(design.runs, std::move(errors));
+}
+
+}  // namespace
+
+std::vector<ForecastRows> forecast_rows(const Design& design, const Series& run) {
+  const std::size_t n = design.row.size();
+  if (n < kFewestRows) return {};
+  std::vector<std::size_t> changes;
+  const auto speed = std::find_if(run.columns.begin(), run.columns.end(),
+                                  [](const Column& column) { return column.role == Role::speed; });
+  if (speed != run.columns.end()) {
+    for (const SpeedStep& step : speed_steps(run.time_s, *speed)) {
+      const auto at = std::lower_bound(design.row.begin(), design.row.end(), step.begin);
+      const auto row = static_cast<std::size_t>(at - design.row.begin());
+      if (2 * row >= n && row < n && (changes.empty() || changes.back() != row)) changes.push_back(row);
+    }
+  }
+  std::vector<ForecastRows> result;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    if (10 * changes[i] <= 9 * n) result.push_back({changes[i], i + 2 < changes.size() ? changes[i + 2] : n});
+  }
+  if (result.size() > kOrigins) result.erase(result.begin(), result.end() - kOrigins);
+  if (result.size() == kOrigins) return result;
+  return {{n * 55 / 100, n}, {n * 70 / 100, n}, {n * 85 / 100, n}};
+}
+
+std::optional<TestedForecasts> tested_forecasts(const Design& design, const Series& first_run,
+                                                const RidgeProblem& problem, const RidgeSetting& setting,
+                                                const std::function<void(const std::string&)>& progress) {
+  if (design.runs > 1) return of_runs(design, problem, setting, progress);
+  const std::vector<ForecastRows> ahead = forecast_rows(design, first_run);
+  if (ahead.empty()) return std::nullopt;
+  return of_one_run(design, ahead, progress);
+}
+
+}  // namespace ballbar

@@ -1,0 +1,148 @@
+#include "effect_regression/predictors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "ballbar/error.hpp"
+#include "ballbar/model/model.hpp"
+#include "effects/evaluate.hpp"
+#include "model/bindings.hpp"
+
+namespace ballbar {
+namespace {
+
+struct Start {
+  template <class T>
+  T operator()(const EffectRows& rows, std::size_t, const T* p, T*) const {
+    return T(rows.inputs[0][0]) * p[0];
+  }
+};
+
+const std::shared_ptr<const Effect>& start_effect() {
+  static const auto effect = std::make_shared<const Effect>(
+      Effect{"start",
+             Level::series,
+             {.summary = "How warm the machine is as a run begins.", .formula = "gain T0"},
+             {{"temperature", {"degC", "K"}, "temperature in the first row"}},
+             {{"gain_um_per_K", "um/K", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "error for each kelvin then"}},
+             by_row<1>(Start{}),
+             false,
+             {},
+             {.predictor = {{PredictorKind::start, {}}}}});
+  return effect;
+}
+
+// Columns that in some run have a gap, and those that stand still in all.
+std::vector<std::string> unusable(std::span<const Series> runs) {
+  std::vector<std::string> names;
+  for (const Column& first : runs.front().columns) {
+    if (first.role == Role::measured) continue;
+    bool whole = true, moves = false;
+    double value = first.values.front();
+    for (const Series& run : runs) {
+      const Column* column = find_column(run, first.name);
+      if (column == nullptr) {
+        throw Error(fmt::format("expected {} in every run, found one without.", first.name));
+      }
+      for (const double next : column->values) {
+        whole = whole && std::isfinite(next);
+        moves = moves || next != value;
+      }
+    }
+    if (!whole || !moves) names.push_back(first.name);
+  }
+  return names;
+}
+
+// Every combination of the grid's values at its shapes; the first gain 1, others 0.
+std::vector<std::vector<double>> points_of(const Effect& effect) {
+  std::vector<double> point;
+  bool first = true;
+  for (const Parameter& parameter : effect.parameters) {
+    const bool is_gain = parameter.kind == ParameterKind::gain;
+    point.push_back(is_gain && first ? 1.0 : is_gain ? 0.0 : parameter.start);
+    first = first && !is_gain;
+  }
+  std::vector<std::vector<double>> points{point};
+  std::size_t shape = 0;
+  for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
+    if (effect.parameters[k].kind == ParameterKind::gain) continue;
+    std::vector<std::vector<double>> more;
+    for (const std::vector<double>& at : points) {
+      for (const double value : effect.rules.predictor->grid[shape]) {
+        more.push_back(at);
+        more.back()[k] = value;
+      }
+    }
+    points = std::move(more);
+    ++shape;
+  }
+  return points;
+}
+
+class Collected {
+ public:
+  explicit Collected(Predictors& into) : into_(into) {}
+
+  std::size_t index_of(const std::shared_ptr<const Effect>& effect, const std::vector<std::string>& columns,
+                       const std::vector<double>& parameters) {
+    const auto [place, is_new] = known_.try_emplace({effect->name, columns, parameters}, into_.each.size());
+    if (is_new) into_.each.push_back({effect, columns, parameters});
+    return place->second;
+  }
+
+  void add(const std::shared_ptr<const Effect>& effect, const Catalogue& catalogue,
+           const std::vector<std::vector<std::string>>& bindings) {
+    const PredictorRule& rule = *effect->rules.predictor;
+    PredictorFamily family{rule.kind, {}};
+    const std::shared_ptr<const Effect> other =
+        rule.difference_of.empty() ? nullptr : predictor_effect(rule.difference_of, catalogue);
+    for (const std::vector<double>& point : points_of(*effect)) {
+      for (const std::vector<std::string>& binding : bindings) {
+        if (other == nullptr) {
+          family.members.push_back({index_of(effect, binding, point)});
+        } else {
+          const std::size_t plus = index_of(other, {binding[0]}, point);
+          family.members.push_back({plus, index_of(other, {binding[1]}, point)});
+        }
+      }
+    }
+    if (!family.members.empty()) into_.families.push_back(std::move(family));
+  }
+
+ private:
+  Predictors& into_;
+  std::map<std::tuple<std::string, std::vector<std::string>, std::vector<double>>, std::size_t> known_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Effect> predictor_effect(const std::string& name, const Catalogue& catalogue) {
+  if (name == start_effect()->name) return start_effect();
+  const auto found = std::find_if(catalogue.begin(), catalogue.end(), [&](const auto& effect) {
+    return effect->level == Level::series && effect->name == name && effect->rules.predictor;
+  });
+  return found == catalogue.end() ? nullptr : *found;
+}
+
+Predictors predictors_of(std::span<const Series> runs, const std::string& target, const Catalogue& catalogue) {
+  Model model;
+  model.targets = {target};
+  model.not_inputs = unusable(runs);
+  Predictors predictors;
+  predictors.left_out = model.not_inputs;
+  Collected collected(predictors);
+  const Series& first = runs.front();
+  for (const std::shared_ptr<const Effect>& effect : catalogue) {
+    if (effect->level != Level::series || !effect->rules.predictor) continue;
+    collected.add(effect, catalogue, bindings_of(*effect, model, first));
+  }
+  if (runs.size() > 1) collected.add(start_effect(), catalogue, bindings_of(*start_effect(), model, first));
+  if (!predictors.each.empty()) return predictors;
+  throw Error("expected a column of a temperature, a speed or a load that moves, found none.");
+}
+
+}  // namespace ballbar

@@ -1,0 +1,309 @@
+#include "effect_regression/ridge.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "ballbar/numerics/parallel.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kRemembered = 0.98;  // of s^2
+constexpr double kLengths_s[] = {0.0, 1800.0, 7200.0, 30'000.0};
+constexpr int kLeastVariance = -4, kMostVariance = 10;  // v = 10^(k/2)
+
+unsigned bit(PredictorKind kind) { return 1U << static_cast<unsigned>(kind); }
+
+// What a dictionary adds to another makes no sense without it.
+bool makes_sense(unsigned kinds) {
+  const auto has = [&](PredictorKind kind) { return (kinds & bit(kind)) != 0; };
+  if (has(PredictorKind::feedback) && !has(PredictorKind::source)) return false;
+  if (has(PredictorKind::difference) && !has(PredictorKind::temperature)) return false;
+  return !has(PredictorKind::start) || has(PredictorKind::temperature);
+}
+
+std::vector<unsigned> dictionaries_of(const RidgeProblem& problem) {
+  unsigned there = 0;
+  for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
+    if (problem.prior[kind].size() > 0) there |= 1U << kind;
+  }
+  std::vector<unsigned> dictionaries;
+  for (unsigned kinds = 1; kinds < (1U << kPredictorKinds); ++kinds) {
+    if ((kinds & ~there) == 0 && makes_sense(kinds)) dictionaries.push_back(kinds);
+  }
+  return dictionaries;
+}
+
+Eigen::MatrixXd discrepancy_of(const RidgeProblem& problem, double length_s) {
+  const Eigen::Index n = problem.columns.rows();
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(n, n);
+  if (!(length_s > 0.0)) return covariance;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    for (Eigen::Index i = j + 1; i < n; ++i) {
+      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+      if (problem.run[a] == problem.run[b]) {
+        covariance(i, j) = covariance(j, i) = remembered(std::abs(problem.time_s[a] - problem.time_s[b]), length_s);
+      }
+    }
+  }
+  return covariance;
+}
+
+Eigen::MatrixXd sum_of(const std::vector<Eigen::MatrixXd>& of_kinds, unsigned kinds) {
+  Eigen::MatrixXd sum;
+  for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
+    if ((kinds >> kind & 1U) == 0) continue;
+    if (sum.size() == 0) {
+      sum = of_kinds[kind];
+    } else {
+      sum += of_kinds[kind];
+    }
+  }
+  return sum;
+}
+
+// K solved for what is asked of it.
+struct Solved {
+  Eigen::LLT<Eigen::MatrixXd> root;
+  Eigen::VectorXd of_ones, of_target;  // K^-1 1, K^-1 (y - b)
+  double q = 0.0, intercept_um = 0.0, variance_um2 = 0.0, log_likelihood = 0.0;
+};
+
+Solved solved(const RidgeProblem& problem, const Eigen::MatrixXd& kernel, const Eigen::MatrixXd& discrepancy,
+              double variance) {
+  const Eigen::Index n = problem.columns.rows();
+  Solved result;
+  result.root.compute(variance * kernel + discrepancy);
+  Eigen::MatrixXd sides(n, 2);
+  sides.col(0).setOnes();
+  sides.col(1) = problem.target_um;
+  result.root.solveInPlace(sides);
+  result.q = sides.col(0).sum();
+  result.intercept_um = sides.col(1).sum() / result.q;
+  result.of_ones = sides.col(0);
+  result.of_target = sides.col(1) - result.intercept_um * sides.col(0);
+  const double degrees = static_cast<double>(n - 1);
+  const double sum = (problem.target_um.array() - result.intercept_um).matrix().dot(result.of_target);
+  result.variance_um2 = std::max(sum / degrees, std::numeric_limits<double>::min());
+  const double half_log_det = result.root.matrixLLT().diagonal().array().log().sum();
+  result.log_likelihood = -0.5 * degrees * std::log(result.variance_um2) - half_log_det - 0.5 * std::log(result.q);
+  return result;
+}
+
+std::size_t runs_in(const RidgeProblem& problem) {
+  return problem.run.empty() ? 0 : problem.run.back() - problem.run.front() + 1;
+}
+
+LeftOutRuns left_out(const RidgeProblem& problem, const Solved& of, bool with_sigma) {
+  const Eigen::Index n = problem.columns.rows();
+  Eigen::MatrixXd q = of.root.solve(Eigen::MatrixXd::Identity(n, n));
+  q.noalias() -= of.of_ones * of.of_ones.transpose() / of.q;
+  LeftOutRuns result{Eigen::VectorXd(n), Eigen::VectorXd(with_sigma ? n : 0), {}};
+  for (Eigen::Index first = 0; first < n;) {
+    Eigen::Index end = first;
+    while (end < n && problem.run[static_cast<std::size_t>(end)] == problem.run[static_cast<std::size_t>(first)]) ++end;
+    const Eigen::Index size = end - first;
+    const auto of_run = q.block(first, first, size, size).ldlt();
+    result.error_um.segment(first, size) = of_run.solve(of.of_target.segment(first, size));
+    result.rmse_um.push_back(std::sqrt(result.error_um.segment(first, size).squaredNorm() / static_cast<double>(size)));
+    if (with_sigma) {
+      result.sigma_um.segment(first, size) =
+          (of_run.solve(Eigen::MatrixXd::Identity(size, size)).diagonal() * of.variance_um2).cwiseAbs().cwiseSqrt();
+    }
+    first = end;
+  }
+  return result;
+}
+
+// The larger, the better.
+double score_of(const RidgeProblem& problem, const Solved& of) {
+  if (of.root.info() != Eigen::Success || !std::isfinite(of.log_likelihood)) {
+    return -std::numeric_limits<double>::infinity();
+  }
+  if (runs_in(problem) < kFewestRunsToLeaveOut) return of.log_likelihood;
+  double sum = 0.0;
+  for (const double rmse : left_out(problem, of, false).rmse_um) sum += rmse * rmse;
+  return std::isfinite(sum) ? -sum : -std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+double remembered(double since_s, double length_s) {
+  return length_s > 0.0 ? kRemembered * std::exp(-since_s / length_s) : 0.0;
+}
+
+RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>& rows, std::size_t most) {
+  const std::vector<std::size_t> kept = thinned(rows, most);
+  const auto n = static_cast<Eigen::Index>(kept.size());
+  const Eigen::Index p = design.values.cols();
+  RidgeProblem problem;
+  problem.columns.resize(n, p);
+  problem.target_um.resize(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::size_t row = kept[static_cast<std::size_t>(i)];
+    problem.columns.row(i) = design.values.row(static_cast<Eigen::Index>(row));
+    problem.target_um[i] = design.target_um[static_cast<Eigen::Index>(row)];
+    problem.time_s.push_back(design.time_s[row]);
+    problem.run.push_back(design.run[row]);
+  }
+  problem.end_s = design.time_s[rows.back()];
+  problem.mean = problem.columns.colwise().mean();
+  const Eigen::VectorXd largest = problem.columns.cwiseAbs().colwise().maxCoeff();
+  problem.columns.rowwise() -= problem.mean.transpose();
+  const auto sd_of = [&](const auto& column) { return std::sqrt(column.squaredNorm() / static_cast<double>(n)); };
+  problem.sd.resize(p);
+  for (Eigen::Index k = 0; k < p; ++k) {
+    const double sd = sd_of(problem.columns.col(k));
+    problem.sd[k] = sd > 1e-6 * std::max(1e-3, largest[k]) ? sd : 0.0;
+    if (problem.sd[k] > 0.0) {
+      problem.columns.col(k) /= sd;
+    } else {
+      problem.columns.col(k).setZero();
+    }
+  }
+  problem.prior.resize(kPredictorKinds);
+  for (const PredictorFamily& family : design.predictors.families) {
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(p, p);
+    std::size_t members = 0;
+    for (const PredictorSum& member : family.members) {
+      const auto a = static_cast<Eigen::Index>(member.plus);
+      if (!member.minus) {
+        if (!(problem.sd[a] > 0.0)) continue;
+        sum(a, a) += 1.0;
+      } else {
+        const auto b = static_cast<Eigen::Index>(*member.minus);
+        if (!(problem.sd[a] > 0.0) || !(problem.sd[b] > 0.0)) continue;
+        const double sd = sd_of(problem.sd[a] * problem.columns.col(a) - problem.sd[b] * problem.columns.col(b));
+        if (!(sd > 1e-3 * std::max(problem.sd[a], problem.sd[b]))) continue;
+        const double plus = problem.sd[a] / sd, minus = problem.sd[b] / sd;
+        sum(a, a) += plus * plus;
+        sum(b, b) += minus * minus;
+        sum(a, b) -= plus * minus;
+        sum(b, a) -= plus * minus;
+      }
+      ++members;
+    }
+    if (members == 0) continue;
+    Eigen::MatrixXd& prior = problem.prior[static_cast<std::size_t>(family.kind)];
+    if (prior.size() == 0) prior = Eigen::MatrixXd::Zero(p, p);
+    prior += sum / static_cast<double>(members);
+  }
+  problem.kernel.resize(kPredictorKinds);
+  in_parallel(kPredictorKinds, [&](std::size_t kind) {
+    if (problem.prior[kind].size() == 0) return;
+    problem.kernel[kind].noalias() = (problem.columns * problem.prior[kind]) * problem.columns.transpose();
+  });
+  return problem;
+}
+
+RidgeSetting chosen_setting(const RidgeProblem& problem) {
+  struct Tried {
+    RidgeSetting setting;
+    double score = -std::numeric_limits<double>::infinity();
+  };
+  std::vector<Eigen::MatrixXd> discrepancies;
+  for (const double length_s : kLengths_s) discrepancies.push_back(discrepancy_of(problem, length_s));
+  const std::vector<unsigned> dictionaries = dictionaries_of(problem);
+  std::vector<Tried> tried(dictionaries.size() * std::size(kLengths_s));
+  in_parallel(tried.size(), [&](std::size_t i) {
+    const unsigned kinds = dictionaries[i / std::size(kLengths_s)];
+    const std::size_t length = i % std::size(kLengths_s);
+    const Eigen::MatrixXd kernel = sum_of(problem.kernel, kinds);
+    std::map<int, double> known;
+    const auto score = [&](int k) {
+      const auto [place, is_new] = known.try_emplace(k, 0.0);
+      if (is_new) {
+        place->second = score_of(problem, solved(problem, kernel, discrepancies[length], std::pow(10.0, 0.5 * k)));
+      }
+      return place->second;
+    };
+    const auto uphill_from = [&](int best) {
+      for (const int step : {2, 1}) {  // in whole, then in half powers of 10
+        for (const int sign : {1, -1}) {
+          for (int k = best + sign * step; k >= kLeastVariance && k <= kMostVariance && score(k) > score(best);
+               k = best + sign * step) {
+            best = k;
+          }
+        }
+      }
+      return best;
+    };
+    int best = uphill_from(0);
+    if (runs_in(problem) >= kFewestRunsToLeaveOut) {
+      const int other = uphill_from(6);
+      if (score(other) > score(best)) best = other;
+    }
+    tried[i] = {{kinds, std::pow(10.0, 0.5 * best), kLengths_s[length]}, score(best)};
+  });
+  return std::max_element(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) { return a.score < b.score; })
+      ->setting;
+}
+
+RidgeFit ridge_fit(const RidgeProblem& problem, const RidgeSetting& setting) {
+  const Eigen::Index n = problem.columns.rows();
+  const Solved of = solved(problem, sum_of(problem.kernel, setting.kinds), discrepancy_of(problem, setting.length_s),
+                           setting.variance);
+  RidgeFit fit;
+  fit.setting = setting;
+  fit.sigma_um = std::sqrt(of.variance_um2);
+  fit.log_likelihood = of.log_likelihood;
+  const Eigen::MatrixXd of_all = setting.variance * sum_of(problem.prior, setting.kinds);
+  for (Eigen::Index k = 0; k < of_all.rows(); ++k) {
+    if (of_all(k, k) > 0.0) fit.used.push_back(static_cast<std::size_t>(k));
+  }
+  const auto m = static_cast<Eigen::Index>(fit.used.size());
+  const Eigen::MatrixXd prior = of_all(fit.used, fit.used);
+  Eigen::MatrixXd with_target(m + 1, n);  // covariance with y, over s^2
+  with_target.topRows(m).noalias() = prior * problem.columns(Eigen::all, fit.used).transpose();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    with_target(m, i) = problem.run[row] == problem.run.back()
+                            ? remembered(problem.end_s - problem.time_s[row], setting.length_s)
+                            : 0.0;
+  }
+  fit.gains_um.resize(m + 2);
+  fit.gains_um[0] = of.intercept_um;
+  fit.gains_um.tail(m + 1).noalias() = with_target * of.of_target;
+  Eigen::MatrixXd half = with_target.transpose();
+  of.root.matrixL().solveInPlace(half);
+  Eigen::VectorXd along(m + 2);
+  along << -1.0, with_target * of.of_ones;
+  Eigen::MatrixXd covariance = along * along.transpose() / of.q;
+  covariance.bottomRightCorner(m + 1, m + 1).noalias() -= half.transpose() * half;
+  covariance.block(1, 1, m, m) += prior;
+  covariance(m + 1, m + 1) += remembered(0.0, setting.length_s);
+  covariance *= of.variance_um2;
+  // Rounding must not make the variance negative of what is known exactly.
+  covariance.diagonal().array() += 1e-12 * covariance.diagonal().cwiseAbs().maxCoeff();
+  fit.factor_um = covariance.llt().matrixL();
+  return fit;
+}
+
+LeftOutRuns left_out_runs(const RidgeProblem& problem, const RidgeSetting& setting) {
+  return left_out(problem,
+                  solved(problem, sum_of(problem.kernel, setting.kinds), discrepancy_of(problem, setting.length_s),
+                         setting.variance),
+                  true);
+}
+
+RidgePrediction ridge_prediction(const RidgeProblem& problem, const RidgeFit& fit,
+                                 const Eigen::Ref<const Eigen::VectorXd>& x, double since_s) {
+  const auto m = static_cast<Eigen::Index>(fit.used.size());
+  Eigen::VectorXd scaled(m + 2);
+  scaled[0] = 1.0;
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const auto of = static_cast<Eigen::Index>(fit.used[static_cast<std::size_t>(k)]);
+    scaled[k + 1] = (x[of] - problem.mean[of]) / problem.sd[of];
+  }
+  const double length_s = fit.setting.length_s;
+  scaled[m + 1] = length_s > 0.0 && std::isfinite(since_s) ? std::exp(-since_s / length_s) : 0.0;
+  const double fresh = 1.0 - remembered(0.0, length_s) * scaled[m + 1] * scaled[m + 1];
+  const double known_um2 = (fit.factor_um.triangularView<Eigen::Lower>().transpose() * scaled).squaredNorm();
+  return {fit.gains_um.dot(scaled), std::sqrt(known_um2 + fresh * fit.sigma_um * fit.sigma_um)};
+}
+
+}  // namespace ballbar
