@@ -12,13 +12,19 @@ namespace {
 
 constexpr double kMostStepsApart = 10;  // between the end of training and what goes on from it
 
-// Whether the series begins with the row that the last training run began with.
+// Whether the series has the first and the last row of the last training run: machines that start cold begin alike.
 bool holds_training(const EffectRegression& regression, const Series& series,
                     const std::vector<const Column*>& columns) {
   const LiveModel::State& end = regression.end;
-  if (end.rows == 0 || series.time_s.empty() || series.time_s.front() != end.time_s[0]) return false;
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    if (columns[c]->values.front() != end.inputs[c * end.time_s.size()]) return false;
+  if (end.rows == 0) return false;
+  for (const std::size_t kept : {std::size_t{0}, end.rows - 1}) {
+    const auto at = std::lower_bound(series.time_s.begin(), series.time_s.end(), end.time_s[kept]);
+    if (at == series.time_s.end() || *at != end.time_s[kept]) return false;
+    if (kept == 0 && at != series.time_s.begin()) return false;
+    const auto row = static_cast<std::size_t>(at - series.time_s.begin());
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      if (columns[c]->values[row] != end.inputs[c * end.time_s.size() + kept]) return false;
+    }
   }
   return true;
 }
