@@ -22,12 +22,13 @@ EffectRegression trained(std::span<const Series> runs, bool forecasts = true) {
 
 EffectRegression trained(const Series& series, bool forecasts = true) { return trained({&series, 1}, forecasts); }
 
-// The noise alone would be 1; gains and shapes between those of the grids are allowed 0.3. Four duty cycles, of which
-// 90 to 99 % of the readings are within the interval of 95 %.
+// The noise alone would be 1; gains and shapes between those of the grids are allowed 0.3 of it in the median of five
+// duty cycles, of whose readings 90 to 99 % are within the interval of 95 %.
 TEST(effect_regression, a_linear_system_is_predicted_nearly_to_its_noise) {
-  const EffectRegression regression = trained(made::run({.rows = 1000}, "linear_system"));
+  const EffectRegression regression = trained(made::run({.rows = 2000}, "linear_system"));
   std::size_t within = 0, count = 0;
-  for (const char* const seed : {"first", "second", "third", "fourth"}) {
+  std::vector<double> rmse_um;
+  for (const char* const seed : {"first", "second", "third", "fourth", "fifth"}) {
     const Series other = made::run({}, seed);
     const EffectPrediction prediction = predict(regression, other);
     const std::vector<double>& z_um = find_column(other, "z_um")->values;
@@ -38,14 +39,15 @@ TEST(effect_regression, a_linear_system_is_predicted_nearly_to_its_noise) {
       if (std::abs(error) <= prediction.half_width_um[i]) ++within;
     }
     count += z_um.size();
-    const double rmse_um = std::sqrt(sum / static_cast<double>(z_um.size()));
-    EXPECT_LT(rmse_um, 1.3 * 0.3) << seed;
-    EXPECT_GT(rmse_um, 0.9 * 0.3) << seed;
+    rmse_um.push_back(std::sqrt(sum / static_cast<double>(z_um.size())));
   }
+  std::sort(rmse_um.begin(), rmse_um.end());
+  EXPECT_LT(rmse_um[2], 1.3 * 0.3);
+  EXPECT_GT(rmse_um[2], 0.9 * 0.3);
   const double share = static_cast<double>(within) / static_cast<double>(count);
   EXPECT_GE(share, 0.90);
   EXPECT_LE(share, 0.99);
-  EXPECT_EQ(regression.rows, 1000U);
+  EXPECT_EQ(regression.rows, 2000U);
   EXPECT_NEAR(regression.rmse_um, 0.3, 0.03);
   ASSERT_TRUE(regression.forecasts);
   EXPECT_EQ(regression.forecasts->count, 3U);

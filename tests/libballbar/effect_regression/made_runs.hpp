@@ -54,7 +54,7 @@ class Lag {
   double towards_, value_ = 0.0;
 };
 
-// At rest and cold at first, then speeds of 0 to 8000 rpm, each held for a quarter of an hour to an hour. Front and
+// At rest and cold at first, then speeds of 0 to 8000 rpm, each held for a quarter or half of an hour. Front and
 // base warm with the speed, the base beside a room that swings;
 //   z = 1.5 LP_900s[front] - 2 LP_3000s[base] + 0.8 LP_2500s[n^1.5] + noise
 // with time constants and an exponent that no effect's grid has.
@@ -62,7 +62,7 @@ inline Series run(const Plan& plan, std::string_view seed) {
   std::seed_seq words(seed.begin(), seed.end());
   std::mt19937_64 random(words);
   std::normal_distribution<double> normal;
-  std::uniform_int_distribution<int> krpm(0, 8), quarters(1, 4);
+  std::uniform_int_distribution<int> krpm(0, 8), quarters(1, 2);
   Lag front(700.0, plan.interval_s), base(5000.0, plan.interval_s), of_front(900.0, plan.interval_s),
       of_base(3000.0, plan.interval_s), of_speed(2500.0, plan.interval_s);
   Series series;
@@ -78,7 +78,7 @@ inline Series run(const Plan& plan, std::string_view seed) {
     }
     const double since_s = plan.interval_s * static_cast<double>(i);
     const double front_K = front.next(1.2 * n);
-    const double base_K = base.next(0.8 * n) + std::sin(since_s / 4000.0 + phase) - std::sin(phase);
+    const double base_K = base.next(0.8 * n) + std::sin(since_s / 1500.0 + phase) - std::sin(phase);
     series.time_s.push_back(plan.start_s + since_s);
     speed.values.push_back(1000.0 * n);
     front_degC.values.push_back(20.0 + front_K);

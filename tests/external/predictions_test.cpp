@@ -1,0 +1,68 @@
+// Predictions of an effect regression on measured records: how large their errors are.
+#include <cmath>
+
+#include "ballbar/effect_regression/effect_regression.hpp"
+#include "ballbar/formats/models/runs_csv.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "external_data.hpp"
+
+namespace ballbar {
+namespace {
+
+Series rows_of(const Series& series, std::size_t first, std::size_t end) {
+  const auto cut = [&](const std::vector<double>& all) {
+    return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(first),
+                               all.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  Series result = series;
+  result.time_s = cut(series.time_s);
+  for (Column& column : result.columns) column.values = cut(column.values);
+  return result;
+}
+
+// The last eighth of 28 h, at a speed above all of training: 3.7 h ahead.
+TEST(Predictions, end_of_the_spindles_record) {
+  REQUIRE_EXTERNAL_DATA(folder);
+  const std::filesystem::path file = folder / "spindle-46h" / "measured.csv";
+  const Series series = read_series(read_bytes(file, kLargestTable), "measured.csv");
+  constexpr std::size_t kTrained = 5791, kRows = 6669;  // of 11 116: the first 60 %
+  const Series before = rows_of(series, 0, kTrained), after = rows_of(series, kTrained, kRows);
+  EffectRegressionOptions options;
+  options.forecasts = false;
+  const EffectRegression regression = effect_regression({&before, 1}, "ch1_um", options);
+  const EffectPrediction prediction = predict(regression, after);
+  EXPECT_TRUE(prediction.goes_on);
+  const std::vector<double>& measured_um = find_column(after, "ch1_um")->values;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < measured_um.size(); ++i) sum += std::abs(measured_um[i] - prediction.predicted_um[i]);
+  const double error_um = sum / static_cast<double>(measured_um.size());
+  EXPECT_LT(error_um, 1.0);
+  EXPECT_GT(error_um, 0.2);
+}
+
+// 29 batches without the sensor that broke, each left out in turn. A regression on temperatures alone (principal
+// components) leaves 5.89 um of z and 14.76 um of x.
+TEST(Predictions, batches_of_a_lathe_left_out) {
+  REQUIRE_EXTERNAL_DATA(folder);
+  std::vector<Series> runs;
+  for (const ListedRun& run : open_runs(folder / "lathe-chamber" / "runs.csv").runs) {
+    runs.push_back(read_series(read_bytes(run.file, kLargestTable), run.name));
+    std::erase_if(runs.back().columns, [](const Column& column) { return column.name == "PT10_degC"; });
+  }
+  ASSERT_EQ(runs.size(), 29U);
+  const auto rmse_um = [&](const char* target) {
+    const EffectRegression regression = effect_regression(runs, target);
+    EXPECT_EQ(regression.forecasts->count, 29U);
+    EXPECT_GT(regression.forecasts->held_um, 2.0 * regression.forecasts->rmse_um);
+    return regression.forecasts->rmse_um;
+  };
+  const double z_um = rmse_um("z_um"), x_um = rmse_um("x_um");
+  EXPECT_LE(z_um, 4.03);
+  EXPECT_GT(z_um, 3.0);
+  EXPECT_LE(x_um, 12.5);
+  EXPECT_GT(x_um, 9.0);
+}
+
+}  // namespace
+}  // namespace ballbar
