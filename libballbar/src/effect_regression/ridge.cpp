@@ -38,21 +38,6 @@ std::vector<unsigned> dictionaries_of(const RidgeProblem& problem) {
   return dictionaries;
 }
 
-Eigen::MatrixXd discrepancy_of(const RidgeProblem& problem, double length_s) {
-  const Eigen::Index n = problem.columns.rows();
-  Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(n, n);
-  if (!(length_s > 0.0)) return covariance;
-  for (Eigen::Index j = 0; j < n; ++j) {
-    for (Eigen::Index i = j + 1; i < n; ++i) {
-      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-      if (problem.run[a] == problem.run[b]) {
-        covariance(i, j) = covariance(j, i) = remembered(std::abs(problem.time_s[a] - problem.time_s[b]), length_s);
-      }
-    }
-  }
-  return covariance;
-}
-
 Eigen::MatrixXd sum_of(const std::vector<Eigen::MatrixXd>& of_kinds, unsigned kinds) {
   Eigen::MatrixXd sum;
   for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
@@ -136,6 +121,22 @@ double remembered(double since_s, double length_s) {
   return length_s > 0.0 ? kRemembered * std::exp(-since_s / length_s) : 0.0;
 }
 
+Eigen::MatrixXd discrepancy_of(const std::vector<double>& time_s, const std::vector<std::size_t>& run,
+                               double length_s) {
+  const auto n = static_cast<Eigen::Index>(time_s.size());
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(n, n);
+  if (!(length_s > 0.0)) return covariance;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    for (Eigen::Index i = j + 1; i < n; ++i) {
+      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+      if (run[a] == run[b]) {
+        covariance(i, j) = covariance(j, i) = remembered(std::abs(time_s[a] - time_s[b]), length_s);
+      }
+    }
+  }
+  return covariance;
+}
+
 RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>& rows, std::size_t most) {
   const std::vector<std::size_t> kept = thinned(rows, most);
   const auto n = static_cast<Eigen::Index>(kept.size());
@@ -206,7 +207,8 @@ RidgeSetting chosen_setting(const RidgeProblem& problem) {
     double score = -std::numeric_limits<double>::infinity();
   };
   std::vector<Eigen::MatrixXd> discrepancies;
-  for (const double length_s : kLengths_s) discrepancies.push_back(discrepancy_of(problem, length_s));
+  for (const double length_s : kLengths_s)
+    discrepancies.push_back(discrepancy_of(problem.time_s, problem.run, length_s));
   const std::vector<unsigned> dictionaries = dictionaries_of(problem);
   std::vector<Tried> tried(dictionaries.size() * std::size(kLengths_s));
   in_parallel(tried.size(), [&](std::size_t i) {
@@ -245,8 +247,8 @@ RidgeSetting chosen_setting(const RidgeProblem& problem) {
 
 RidgeFit ridge_fit(const RidgeProblem& problem, const RidgeSetting& setting) {
   const Eigen::Index n = problem.columns.rows();
-  const Solved of = solved(problem, sum_of(problem.kernel, setting.kinds), discrepancy_of(problem, setting.length_s),
-                           setting.variance);
+  const Solved of = solved(problem, sum_of(problem.kernel, setting.kinds),
+                           discrepancy_of(problem.time_s, problem.run, setting.length_s), setting.variance);
   RidgeFit fit;
   fit.setting = setting;
   fit.sigma_um = std::sqrt(of.variance_um2);
@@ -285,8 +287,8 @@ RidgeFit ridge_fit(const RidgeProblem& problem, const RidgeSetting& setting) {
 
 LeftOutRuns left_out_runs(const RidgeProblem& problem, const RidgeSetting& setting) {
   return left_out(problem,
-                  solved(problem, sum_of(problem.kernel, setting.kinds), discrepancy_of(problem, setting.length_s),
-                         setting.variance),
+                  solved(problem, sum_of(problem.kernel, setting.kinds),
+                         discrepancy_of(problem.time_s, problem.run, setting.length_s), setting.variance),
                   true);
 }
 

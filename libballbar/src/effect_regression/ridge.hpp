@@ -52,6 +52,9 @@ RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>&
 // v is found uphill from 1, and from 1000 where runs are left out.
 RidgeSetting chosen_setting(const RidgeProblem& problem);
 
+// N, n by n.
+Eigen::MatrixXd discrepancy_of(const std::vector<double>& time_s, const std::vector<std::size_t>& run, double length_s);
+
 // The share of the discrepancy's variance that is remembered after so long.
 double remembered(double since_s, double length_s);
 

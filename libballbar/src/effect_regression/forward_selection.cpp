@@ -1,0 +1,217 @@
+#include "effect_regression/forward_selection.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "ballbar/numerics/parallel.hpp"
+#include "effect_regression/ridge.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::array<SelectionState, 16> kStates{{{600.0, 0.3},
+                                                  {600.0, 1.0},
+                                                  {600.0, 3.0},
+                                                  {600.0, 10.0},
+                                                  {1800.0, 0.3},
+                                                  {1800.0, 1.0},
+                                                  {1800.0, 3.0},
+                                                  {1800.0, 10.0},
+                                                  {7200.0, 0.3},
+                                                  {7200.0, 1.0},
+                                                  {7200.0, 3.0},
+                                                  {7200.0, 10.0},
+                                                  {30'000.0, 0.3},
+                                                  {30'000.0, 1.0},
+                                                  {30'000.0, 3.0},
+                                                  {30'000.0, 10.0}}};
+
+// Whitened by one discrepancy.
+struct Whitened {
+  Eigen::MatrixXd fixed, columns, surrogates;  // not freed of F
+  Eigen::MatrixXd free_columns, free_surrogates;
+  Eigen::VectorXd target, free_target;
+  Eigen::VectorXd towards_end;  // covariance of the discrepancy in the last row with all rows, whitened
+};
+
+Whitened whitened(const SelectionProblem& problem, double length_s) {
+  const Eigen::LLT<Eigen::MatrixXd> root(discrepancy_of(problem.time_s, problem.run, length_s));
+  Whitened of;
+  of.fixed = root.matrixL().solve(problem.fixed);
+  of.columns = root.matrixL().solve(problem.columns);
+  of.target = root.matrixL().solve(problem.target_um);
+  Eigen::VectorXd end(problem.target_um.size());
+  for (Eigen::Index i = 0; i < end.size(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    const bool same = problem.run[row] == problem.run.back();
+    end[i] = same ? remembered(problem.time_s.back() - problem.time_s[row], length_s) : 0.0;
+  }
+  of.towards_end = root.matrixL().solve(end);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> basis(of.fixed);
+  const Eigen::MatrixXd q = basis.householderQ() * Eigen::MatrixXd::Identity(of.fixed.rows(), basis.rank());
+  const auto freed = [&](const auto& of_what) { return (of_what - q * (q.transpose() * of_what)).eval(); };
+  of.free_columns = freed(of.columns);
+  of.free_target = freed(of.target);
+  if (problem.surrogates.size() > 0) {
+    of.surrogates = root.matrixL().solve(problem.surrogates);
+    of.free_surrogates = freed(of.surrogates);
+  }
+  return of;
+}
+
+// q, d of some columns.
+struct Scores {
+  Eigen::VectorXd q, d;
+
+  Scores(const Eigen::MatrixXd& columns, const Eigen::VectorXd& target)
+      : q(columns.transpose() * target), d(columns.colwise().squaredNorm().transpose()) {}
+
+  Eigen::VectorXd rises(double variance, double sum, double degrees) const {
+    const Eigen::ArrayXd share = 1.0 + variance * d.array();
+    const Eigen::ArrayXd left = (1.0 - variance * q.array().square() / (share * sum)).max(1e-300);
+    return -0.5 * degrees * left.log() - 0.5 * share.log();
+  }
+
+  void update(const Eigen::VectorXd& along, double factor, double q_of_joined) {
+    q -= factor * q_of_joined * along;
+    d = (d.array() - factor * along.array().square()).max(0.0);
+  }
+};
+
+// A state as predictors join.
+class Carried {
+ public:
+  Carried(const Whitened& of, double variance)
+      : of_(of),
+        variance_(variance),
+        columns_(of.free_columns, of.free_target),
+        surrogates_(of.free_surrogates, of.free_target),
+        sum_(of.free_target.squaredNorm()),
+        degrees_(static_cast<double>(of.fixed.rows() - of.fixed.cols())) {}
+
+  Eigen::VectorXd rises() const { return columns_.rises(variance_, sum_, degrees_); }
+  Eigen::VectorXd surrogate_rises() const { return surrogates_.rises(variance_, sum_, degrees_); }
+
+  void join(Eigen::Index c) {
+    Eigen::VectorXd w = of_.free_columns.col(c);
+    for (const auto& [other, factor] : joined_) w -= factor * other.dot(of_.free_columns.col(c)) * other;
+    const Eigen::VectorXd along = of_.free_columns.transpose() * w;
+    const double factor = variance_ / (1.0 + variance_ * along[c]), q = columns_.q[c];
+    sum_ = std::max(sum_ - factor * q * q, std::numeric_limits<double>::min());
+    columns_.update(along, factor, q);
+    if (of_.free_surrogates.size() > 0) surrogates_.update(of_.free_surrogates.transpose() * w, factor, q);
+    joined_.emplace_back(std::move(w), factor);
+  }
+
+  // Gains of F and of these columns, not scaled back.
+  Eigen::VectorXd gains(const std::vector<Eigen::Index>& order, std::optional<Eigen::Index> surrogate) const {
+    const Eigen::MatrixXd all = together(order, surrogate);
+    Eigen::MatrixXd normal = all.transpose() * all;
+    normal.diagonal().tail(all.cols() - of_.fixed.cols()).array() += 1.0 / variance_;
+    return normal.ldlt().solve(all.transpose() * of_.target);
+  }
+
+  double end_um(const std::vector<Eigen::Index>& order, const Eigen::VectorXd& gains) const {
+    return of_.towards_end.dot(of_.target - together(order, std::nullopt) * gains);
+  }
+
+  double sigma_um() const { return std::sqrt(sum_ / degrees_); }
+
+ private:
+  Eigen::MatrixXd together(const std::vector<Eigen::Index>& order, std::optional<Eigen::Index> surrogate) const {
+    Eigen::MatrixXd all(of_.fixed.rows(),
+                        of_.fixed.cols() + static_cast<Eigen::Index>(order.size() + (surrogate ? 1U : 0U)));
+    all.leftCols(of_.fixed.cols()) = of_.fixed;
+    for (std::size_t k = 0; k < order.size(); ++k)
+      all.col(of_.fixed.cols() + static_cast<Eigen::Index>(k)) = of_.columns.col(order[k]);
+    if (surrogate) all.rightCols(1) = of_.surrogates.col(*surrogate);
+    return all;
+  }
+
+  const Whitened& of_;
+  double variance_;
+  Scores columns_, surrogates_;
+  double sum_, degrees_;
+  std::vector<std::pair<Eigen::VectorXd, double>> joined_;
+};
+
+// 1 / (1 + mean exp), without overflow.
+double p_none(const Eigen::VectorXd& rises, std::size_t candidates) {
+  const double most = std::max(0.0, rises.maxCoeff());
+  const double sum = (rises.array() - most).exp().sum() / static_cast<double>(candidates);
+  return 1.0 / (1.0 + sum * std::exp(most));
+}
+
+}  // namespace
+
+std::span<const SelectionState> all_selection_states() { return kStates; }
+
+Selection forward_selection(const SelectionProblem& problem, std::span<const SelectionState> states, std::size_t most) {
+  std::vector<double> lengths_s;
+  for (const SelectionState& state : states) {
+    if (std::find(lengths_s.begin(), lengths_s.end(), state.length_s) == lengths_s.end())
+      lengths_s.push_back(state.length_s);
+  }
+  std::vector<Whitened> whitened_by(lengths_s.size());
+  in_parallel(lengths_s.size(), [&](std::size_t i) { whitened_by[i] = whitened(problem, lengths_s[i]); });
+  std::vector<Carried> carried;
+  carried.reserve(states.size());
+  for (const SelectionState& state : states) {
+    const auto at = std::find(lengths_s.begin(), lengths_s.end(), state.length_s) - lengths_s.begin();
+    carried.emplace_back(whitened_by[static_cast<std::size_t>(at)], state.variance);
+  }
+  const double share = 1.0 / static_cast<double>(states.size());
+  const Eigen::Index p = problem.columns.cols();
+  const auto mean_of = [&](auto rises) {
+    Eigen::VectorXd mean = Eigen::VectorXd::Zero(p);
+    for (const Carried& one : carried) mean += share * rises(one);
+    return mean;
+  };
+  Selection selection;
+  std::vector<Eigen::Index> order;
+  const auto fit = [&](std::optional<Eigen::Index> surrogate) {
+    SelectedFit result;
+    const Eigen::Index count = problem.fixed.cols() + static_cast<Eigen::Index>(order.size());
+    result.gains = Eigen::VectorXd::Zero(count);
+    if (surrogate) result.surrogate_gains = Eigen::VectorXd::Zero(count);
+    const std::vector<Eigen::Index> before(order.begin(), order.end() - (surrogate ? 1 : 0));
+    for (const Carried& one : carried) {
+      const Eigen::VectorXd gains = one.gains(order, std::nullopt);
+      result.gains += share * gains;
+      result.end_um += share * one.end_um(order, gains);
+      result.sigma_um += share * one.sigma_um();
+      if (surrogate) result.surrogate_gains += share * one.gains(before, surrogate);
+    }
+    return result;
+  };
+  selection.fits.push_back(fit(std::nullopt));
+  while (order.size() < most && static_cast<Eigen::Index>(order.size()) < p) {
+    Eigen::VectorXd rises = mean_of([](const Carried& one) { return one.rises(); });
+    for (const Eigen::Index c : order) rises[c] = -std::numeric_limits<double>::infinity();
+    Selected next;
+    Eigen::Index best = 0;
+    next.log_bayes = rises.maxCoeff(&best);
+    next.column = static_cast<std::size_t>(best);
+    next.p_none = p_none(rises, static_cast<std::size_t>(p) - order.size());
+    next.surrogate_log_bayes = std::numeric_limits<double>::quiet_NaN();
+    std::optional<Eigen::Index> surrogate;
+    if (problem.surrogates.size() > 0) {
+      Eigen::Index place = 0;
+      next.surrogate_log_bayes = mean_of([](const Carried& one) { return one.surrogate_rises(); }).maxCoeff(&place);
+      next.surrogate = static_cast<std::size_t>(place);
+      surrogate = place;
+    }
+    for (Carried& one : carried) one.join(best);
+    order.push_back(best);
+    selection.joined.push_back(next);
+    selection.fits.push_back(fit(surrogate));
+  }
+  return selection;
+}
+
+}  // namespace ballbar
