@@ -1,0 +1,272 @@
+#include "ballbar/effect_regression/growth.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "ballbar/effect_regression/effect_regression.hpp"
+#include "diagnosis/surrogates/phase_randomised.hpp"
+#include "effect_regression/forecasts.hpp"
+#include "effect_regression/forward_selection.hpp"
+#include "effect_regression/ridge.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotNeeded = 0.5;  // P(none)
+
+// Every k-th row of the design.
+struct Thin {
+  std::vector<std::size_t> rows;  // of the design
+  Eigen::MatrixXd columns, surrogates;
+  Eigen::VectorXd target_um;
+  std::vector<double> time_s;
+};
+
+Thin thin_of(const Design& design) {
+  std::vector<std::size_t> all(design.row.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  Thin thin;
+  thin.rows = thinned(all, kRidgeRows);
+  thin.columns = design.values(thin.rows, Eigen::all);
+  thin.target_um = design.target_um(thin.rows);
+  for (const std::size_t row : thin.rows) thin.time_s.push_back(design.time_s[row]);
+  thin.surrogates.resize(thin.columns.rows(), thin.columns.cols());
+  std::mt19937_64 random(1);
+  const std::vector<double> phases = random_phases(thin.rows.size(), random);
+  for (Eigen::Index k = 0; k < thin.columns.cols(); ++k) {
+    const std::vector<double> values(thin.columns.col(k).begin(), thin.columns.col(k).end());
+    const std::vector<double> turned = phase_randomised(spectrum_of(values), phases);
+    thin.surrogates.col(k) = Eigen::Map<const Eigen::VectorXd>(turned.data(), static_cast<Eigen::Index>(turned.size()));
+  }
+  return thin;
+}
+
+Series first_rows(const Series& data, std::size_t count) {
+  Series head = data;
+  head.time_s.resize(count);
+  for (Column& column : head.columns) column.values.resize(count);
+  return head;
+}
+
+bool has_free_gain(const Term& term) {
+  for (std::size_t k = 0; k < term.settings.size(); ++k) {
+    if (term.effect->parameters[k].kind == ParameterKind::gain && !term.settings[k].held) return true;
+  }
+  return false;
+}
+
+// Of the base model, fitted to the first rows of the data: what is held, and a column for each gain that is not.
+struct BaseColumns {
+  Eigen::VectorXd held_um;  // thinned rows
+  Eigen::MatrixXd free;
+};
+
+BaseColumns base_columns(const Model& base, const Series& data, std::size_t target, std::size_t rows,
+                         const Design& design, const Thin& thin) {
+  const Fit fitted = fit(base, first_rows(data, rows), target);
+  const Prediction prediction = predict(base, fitted.parameters, data);
+  const auto at_thin = [&](const std::vector<double>& values) {
+    Eigen::VectorXd column(static_cast<Eigen::Index>(thin.rows.size()));
+    for (std::size_t i = 0; i < thin.rows.size(); ++i)
+      column[static_cast<Eigen::Index>(i)] = values[design.row[thin.rows[i]]];
+    return column;
+  };
+  BaseColumns columns;
+  const auto n = static_cast<Eigen::Index>(thin.rows.size());
+  columns.held_um = Eigen::VectorXd::Constant(n, base.constant_um.value_or(0.0));
+  std::vector<Eigen::VectorXd> free;
+  if (!base.constant_um) free.push_back(Eigen::VectorXd::Ones(n));
+  for (std::size_t t = 0; t < base.terms.size(); ++t) {
+    const Eigen::VectorXd adds_um = at_thin(prediction.contribution_um[t]);
+    if (!has_free_gain(base.terms[t])) {
+      columns.held_um += adds_um;
+    } else if (adds_um.cwiseAbs().maxCoeff() > 0.0) {
+      free.push_back(adds_um);
+    }
+  }
+  columns.free.resize(n, static_cast<Eigen::Index>(free.size()));
+  for (std::size_t k = 0; k < free.size(); ++k) columns.free.col(static_cast<Eigen::Index>(k)) = free[k];
+  return columns;
+}
+
+// Predictors chosen on the first n thinned rows, and what that says of all of them.
+struct Grown {
+  std::vector<Eigen::Index> of;  // columns of the design that the selection's are
+  Eigen::VectorXd mean, sd;      // of these
+  Selection selection;
+  std::vector<Eigen::VectorXd> predicted_um;            // thinned rows, with 0, 1 ... effects
+  std::vector<Eigen::VectorXd> surrogate_predicted_um;  // with a surrogate in the place of the last
+};
+
+Grown grown_on(const Thin& thin, const BaseColumns& base, Eigen::Index n, std::size_t most) {
+  Grown grown;
+  const Eigen::MatrixXd head = thin.columns.topRows(n);
+  std::vector<double> means, sds;
+  for (Eigen::Index k = 0; k < head.cols(); ++k) {
+    const double mean = head.col(k).mean();
+    const double sd = std::sqrt((head.col(k).array() - mean).square().mean());
+    if (!(sd > 1e-6 * std::max(1e-3, head.col(k).cwiseAbs().maxCoeff()))) continue;
+    grown.of.push_back(k);
+    means.push_back(mean);
+    sds.push_back(sd);
+  }
+  const auto p = static_cast<Eigen::Index>(grown.of.size());
+  grown.mean = Eigen::Map<const Eigen::VectorXd>(means.data(), p);
+  grown.sd = Eigen::Map<const Eigen::VectorXd>(sds.data(), p);
+  const auto scaled = [&](const Eigen::MatrixXd& columns) {
+    Eigen::MatrixXd result = columns(Eigen::all, grown.of);
+    result.rowwise() -= grown.mean.transpose();
+    result.array().rowwise() /= grown.sd.transpose().array();
+    return result;
+  };
+  const Eigen::MatrixXd columns = scaled(thin.columns), surrogates = scaled(thin.surrogates);
+  SelectionProblem problem;
+  problem.fixed = base.free.topRows(n);
+  problem.columns = columns.topRows(n);
+  problem.surrogates = surrogates.topRows(n);
+  problem.target_um = (thin.target_um - base.held_um).head(n);
+  problem.time_s.assign(thin.time_s.begin(), thin.time_s.begin() + n);
+  problem.run.assign(static_cast<std::size_t>(n), 0);
+  grown.selection = forward_selection(problem, all_selection_states(), most);
+  const Eigen::Index fixed = base.free.cols();
+  std::vector<Eigen::Index> order;
+  for (std::size_t k = 0; k < grown.selection.fits.size(); ++k) {
+    const SelectedFit& fit = grown.selection.fits[k];
+    const auto with = [&](const Eigen::VectorXd& gains, Eigen::Index surrogate) {
+      Eigen::VectorXd sum = base.held_um + base.free * gains.head(fixed);
+      for (std::size_t j = 0; j < order.size(); ++j) {
+        const double gain = gains[fixed + static_cast<Eigen::Index>(j)];
+        const bool is_surrogate = surrogate >= 0 && j + 1 == order.size();
+        sum += gain * (is_surrogate ? surrogates.col(surrogate) : columns.col(order[j]));
+      }
+      return sum;
+    };
+    if (k > 0) order.push_back(static_cast<Eigen::Index>(grown.selection.joined[k - 1].column));
+    grown.predicted_um.push_back(with(fit.gains, -1));
+    grown.surrogate_predicted_um.push_back(
+        k > 0 ? with(fit.surrogate_gains, static_cast<Eigen::Index>(grown.selection.joined[k - 1].surrogate))
+              : Eigen::VectorXd());
+  }
+  return grown;
+}
+
+// As a model file can hold it: at the edge of its shapes it is the effect that it becomes there.
+Term file_term(const Predictor& predictor, double gain, const Catalogue& catalogue) {
+  std::vector<double> parameters = predictor.parameters;
+  bool is_inside = true;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const Parameter& parameter = predictor.effect->parameters[k];
+    if (parameter.kind == ParameterKind::gain) parameters[k] *= gain;
+    if (parameter.kind == ParameterKind::shape) is_inside = is_inside && parameters[k] >= parameter.lower;
+  }
+  if (is_inside || predictor.effect->rules.becomes.empty()) {
+    return held_term(predictor.effect, predictor.columns, parameters);
+  }
+  const auto becomes = std::find_if(catalogue.begin(), catalogue.end(), [&](const auto& effect) {
+    return effect->level == Level::series && effect->name == predictor.effect->rules.becomes;
+  });
+  std::vector<double> of_that;
+  for (const Parameter& parameter : (*becomes)->parameters)
+    of_that.push_back(parameter.kind == ParameterKind::gain ? gain : parameter.start);
+  return held_term(*becomes, predictor.columns, of_that);
+}
+
+double rms(const Eigen::VectorXd& errors) {
+  return std::sqrt(errors.squaredNorm() / static_cast<double>(errors.size()));
+}
+
+// Sums over the forecasts' rows.
+struct ForecastSums {
+  double square = 0.0, absolute = 0.0, surrogate_square = 0.0;
+};
+
+// The last row whose forecasts are better than a surrogate's and than those of the base model; 0: none.
+std::size_t last_that_pays(const std::vector<GrowthErrors>& errors, std::size_t tried) {
+  for (std::size_t k = tried; k > 0; --k) {
+    if (errors[k].forecast_um < errors[k].surrogate_forecast_um && errors[k].forecast_um < errors[0].forecast_um) {
+      return k;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+Growth growth(const Model& base, const Series& data, std::size_t target, const GrowthOptions& options,
+              const Catalogue& catalogue) {
+  const auto say = [&](const std::string& what) {
+    if (options.progress) options.progress(what);
+  };
+  const Design design = design_of({&data, 1}, base.targets[target], catalogue);
+  const Thin thin = thin_of(design);
+  const auto n = static_cast<Eigen::Index>(thin.rows.size());
+  say("growing the model");
+  const BaseColumns whole = base_columns(base, data, target, data.time_s.size(), design, thin);
+  const Grown grown = grown_on(thin, whole, n, options.most);
+  const std::vector<ForecastRows> ahead = forecast_rows(design, data);
+  std::vector<ForecastSums> sums(grown.selection.fits.size());
+  double rows = 0.0;
+  for (std::size_t i = 0; i < ahead.size(); ++i) {
+    say(fmt::format("growing it again for forecast {} of {}", i + 1, ahead.size()));
+    const auto at = [&](std::size_t row) {
+      return std::lower_bound(thin.rows.begin(), thin.rows.end(), row) - thin.rows.begin();
+    };
+    const Eigen::Index first = at(ahead[i].first), count = at(ahead[i].end) - first;
+    const BaseColumns early = base_columns(base, data, target, design.row[ahead[i].first], design, thin);
+    const Grown again = grown_on(thin, early, first, options.most);
+    const auto errors = [&](const Eigen::VectorXd& predicted) {
+      return (thin.target_um - predicted).segment(first, count).eval();
+    };
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      const std::size_t of = std::min(k, again.predicted_um.size() - 1);
+      const Eigen::VectorXd error = errors(again.predicted_um[of]);
+      sums[k].square += error.squaredNorm();
+      sums[k].absolute += error.cwiseAbs().sum();
+      if (of > 0) sums[k].surrogate_square += errors(again.surrogate_predicted_um[of]).squaredNorm();
+    }
+    rows += static_cast<double>(count);
+  }
+  Growth result;
+  result.forecasts = ahead.size();
+  for (std::size_t k = 0; k < grown.predicted_um.size(); ++k) {
+    GrowthErrors errors;
+    errors.rmse_um = rms(thin.target_um - grown.predicted_um[k]);
+    errors.surrogate_um = k > 0 ? rms(thin.target_um - grown.surrogate_predicted_um[k]) : kNone;
+    errors.forecast_um = rows > 0.0 ? std::sqrt(sums[k].square / rows) : kNone;
+    errors.forecast_mean_um = rows > 0.0 ? sums[k].absolute / rows : kNone;
+    errors.surrogate_forecast_um = rows > 0.0 && k > 0 ? std::sqrt(sums[k].surrogate_square / rows) : kNone;
+    errors.sigma_um = grown.selection.fits[k].sigma_um;
+    result.errors.push_back(errors);
+  }
+  while (result.tried < grown.selection.joined.size() && grown.selection.joined[result.tried].p_none <= kNotNeeded) {
+    ++result.tried;
+  }
+  std::size_t kept = result.tried;
+  result.stop = result.tried < options.most ? GrowthStop::none_needed : GrowthStop::most;
+  if (!ahead.empty()) {
+    kept = last_that_pays(result.errors, result.tried);
+    if (kept < result.tried) result.stop = GrowthStop::as_good_as_surrogate;
+  }
+  const Eigen::Index fixed = whole.free.cols();
+  for (std::size_t k = 1; k <= kept; ++k) {
+    const Selected& joined = grown.selection.joined[k - 1];
+    GrownEffect effect{{}, joined.log_bayes, joined.surrogate_log_bayes, joined.p_none, {}};
+    for (std::size_t j = 0; j < k; ++j) {
+      const std::size_t column = grown.selection.joined[j].column;
+      const auto at = static_cast<Eigen::Index>(column);
+      const double gain = grown.selection.fits[k].gains[fixed + static_cast<Eigen::Index>(j)] / grown.sd[at];
+      const Predictor& predictor = design.predictors.each[static_cast<std::size_t>(grown.of[column])];
+      effect.terms.push_back(file_term(predictor, gain, catalogue));
+    }
+    effect.label = label_of(effect.terms.back());
+    result.effects.push_back(std::move(effect));
+  }
+  return result;
+}
+
+}  // namespace ballbar
