@@ -10,6 +10,7 @@
 
 #include "ballbar/error.hpp"
 #include "text/json_source.hpp"
+#include "text/json_text.hpp"
 
 namespace ballbar {
 namespace {
@@ -17,47 +18,24 @@ namespace {
 constexpr std::string_view kFormat = "ballbar-batch-model 1";
 constexpr std::size_t kMostRows = 1'000'000'000;  // of a batch; their sum stays a size_t
 
-// A file name need not be UTF-8.
-std::string json_of(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-std::string json_of(double number) {
-  if (std::isfinite(number)) return nlohmann::json(number).dump();
-  throw Error(fmt::format("A model file holds finite numbers only: expected one, found {}.", number));
-}
-
-std::string json_of(const auto& numbers) {
-  std::vector<std::string> texts;
-  for (Eigen::Index i = 0; i < numbers.size(); ++i) texts.push_back(json_of(static_cast<double>(numbers[i])));
-  return fmt::format("[{}]", fmt::join(texts, ", "));
-}
-
-std::string json_of(const std::vector<std::string>& texts) {
-  std::vector<std::string> quoted;
-  quoted.reserve(texts.size());
-  for (const std::string& text : texts) quoted.push_back(json_of(text));
-  return fmt::format("[{}]", fmt::join(quoted, ", "));
-}
-
 std::string json_of(const TrainedRange& range) {
   std::vector<std::string> loadings;
-  for (Eigen::Index j = 0; j < range.loadings.cols(); ++j) loadings.push_back(json_of(range.loadings.col(j)));
-  std::string out = fmt::format("    \"mean_degC\": {},\n", json_of(range.mean_degC));
+  for (Eigen::Index j = 0; j < range.loadings.cols(); ++j) loadings.push_back(json_text(range.loadings.col(j)));
+  std::string out = fmt::format("    \"mean_degC\": {},\n", json_text(range.mean_degC));
   out += fmt::format("    \"loadings\": [{}],\n", fmt::join(loadings, ",\n      "));
-  out += fmt::format("    \"variance_K2\": {},\n", json_of(range.variance_K2));
-  out += fmt::format("    \"score_low_K\": {},\n", json_of(range.score_low_K));
-  out += fmt::format("    \"score_high_K\": {},\n", json_of(range.score_high_K));
-  out += fmt::format("    \"low_degC\": {},\n", json_of(range.low_degC));
-  out += fmt::format("    \"high_degC\": {},\n", json_of(range.high_degC));
-  out += fmt::format("    \"largest_T2\": {},\n", json_of(range.largest_T2));
-  return out + fmt::format("    \"largest_Q_K2\": {}\n", json_of(range.largest_Q_K2));
+  out += fmt::format("    \"variance_K2\": {},\n", json_text(range.variance_K2));
+  out += fmt::format("    \"score_low_K\": {},\n", json_text(range.score_low_K));
+  out += fmt::format("    \"score_high_K\": {},\n", json_text(range.score_high_K));
+  out += fmt::format("    \"low_degC\": {},\n", json_text(range.low_degC));
+  out += fmt::format("    \"high_degC\": {},\n", json_text(range.high_degC));
+  out += fmt::format("    \"largest_T2\": {},\n", json_text(range.largest_T2));
+  return out + fmt::format("    \"largest_Q_K2\": {}\n", json_text(range.largest_Q_K2));
 }
 
 std::string json_of(const TrainedBatch& batch) {
   return fmt::format("    {{\"name\": {}, \"rows\": {}, \"weight\": {}, \"rmse_um\": {}, \"held_out_um\": {}}}",
-                     json_of(batch.name), batch.rows, json_of(batch.weight), json_of(batch.rmse_um),
-                     std::isnan(batch.held_out_um) ? "null" : json_of(batch.held_out_um));
+                     json_text(batch.name), batch.rows, json_text(batch.weight), json_text(batch.rmse_um),
+                     std::isnan(batch.held_out_um) ? "null" : json_text(batch.held_out_um));
 }
 
 std::string target_at(const JsonValue& value) {
@@ -176,20 +154,20 @@ std::string write_batch_model(const BatchModel& model) {
   std::vector<std::string> batches;
   for (const TrainedBatch& batch : model.batches) batches.push_back(json_of(batch));
   std::string out = fmt::format("{{\n  \"format\": \"{}\",\n", kFormat);
-  out += fmt::format("  \"target\": {},\n", json_of(model.columns.target));
-  out += fmt::format("  \"room\": {},\n", json_of(model.columns.room));
-  out += fmt::format("  \"speed\": {},\n", model.columns.speed ? json_of(*model.columns.speed) : "null");
-  out += fmt::format("  \"sensors\": {},\n", json_of(model.columns.sensors));
+  out += fmt::format("  \"target\": {},\n", json_text(model.columns.target));
+  out += fmt::format("  \"room\": {},\n", json_text(model.columns.room));
+  out += fmt::format("  \"speed\": {},\n", model.columns.speed ? json_text(*model.columns.speed) : "null");
+  out += fmt::format("  \"sensors\": {},\n", json_text(model.columns.sensors));
   out += fmt::format("  \"inputs\": \"{}\",\n", name_of(model.columns.kind));
   out += fmt::format("  \"method\": \"{}\",\n", name_of(model.settings.method));
   out += fmt::format("  \"components\": {},\n", model.settings.components);
-  out += fmt::format("  \"penalty_K2\": {},\n", json_of(model.settings.penalty_K2));
-  out += fmt::format("  \"intercept_um\": {},\n", json_of(model.regression.intercept_um));
-  out += fmt::format("  \"slope_um_per_K\": {},\n", json_of(model.regression.slope_um_per_K));
+  out += fmt::format("  \"penalty_K2\": {},\n", json_text(model.settings.penalty_K2));
+  out += fmt::format("  \"intercept_um\": {},\n", json_text(model.regression.intercept_um));
+  out += fmt::format("  \"slope_um_per_K\": {},\n", json_text(model.regression.slope_um_per_K));
   out += fmt::format("  \"trained_range\": {{\n{}  }},\n", json_of(model.range));
-  out += fmt::format("  \"rmse_um\": {},\n", json_of(model.rmse_um));
-  out += fmt::format("  \"held_out_rmse_um\": {},\n", json_of(model.held_out_rmse_um));
-  out += fmt::format("  \"half_width_um\": {},\n", json_of(model.half_width_um));
+  out += fmt::format("  \"rmse_um\": {},\n", json_text(model.rmse_um));
+  out += fmt::format("  \"held_out_rmse_um\": {},\n", json_text(model.held_out_rmse_um));
+  out += fmt::format("  \"half_width_um\": {},\n", json_text(model.half_width_um));
   return out + fmt::format("  \"batches\": [\n{}\n  ]\n}}\n", fmt::join(batches, ",\n"));
 }
 

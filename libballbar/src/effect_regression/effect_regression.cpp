@@ -21,14 +21,11 @@ constexpr std::string_view kKinds[kPredictorKinds] = {"sources of heat", "temper
                                                       "differences of temperatures", "temperatures at the start"};
 
 Term term_of(const Predictor& predictor, double gain) {
-  Term term{predictor.effect, predictor.columns, {}};
-  for (std::size_t k = 0; k < predictor.parameters.size(); ++k) {
-    const Parameter& parameter = predictor.effect->parameters[k];
-    const double value =
-        parameter.kind == ParameterKind::gain ? gain * predictor.parameters[k] : predictor.parameters[k];
-    term.settings.push_back({true, value, std::min(value, parameter.lower), std::max(value, parameter.upper), true});
+  std::vector<double> parameters = predictor.parameters;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    if (predictor.effect->parameters[k].kind == ParameterKind::gain) parameters[k] *= gain;
   }
-  return term;
+  return held_term(predictor.effect, predictor.columns, parameters);
 }
 
 void add_terms(const Predictors& predictors, const RidgeProblem& problem, const RidgeFit& fit,
@@ -133,6 +130,18 @@ EffectRegression effect_regression(std::span<const Series> runs, const std::stri
     regression.interval_scale = tested->interval_scale;
   }
   return regression;
+}
+
+Term held_term(std::shared_ptr<const Effect> effect, std::vector<std::string> columns,
+               const std::vector<double>& parameters) {
+  Term term{std::move(effect), std::move(columns), {}};
+  term.settings.reserve(parameters.size());
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const Parameter& parameter = term.effect->parameters[k];
+    const double value = parameters[k];
+    term.settings.push_back({true, value, std::min(value, parameter.lower), std::max(value, parameter.upper), true});
+  }
+  return term;
 }
 
 std::string dictionary_text(const EffectRegression& regression) {

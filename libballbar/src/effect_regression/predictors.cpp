@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "ballbar/effect_regression/effect_regression.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/model/model.hpp"
 #include "effects/evaluate.hpp"
@@ -33,6 +34,15 @@ const std::shared_ptr<const Effect>& start_effect() {
              {},
              {.predictor = {{PredictorKind::start, {}}}}});
   return effect;
+}
+
+bool takes_part(const Effect& effect) { return effect.level == Level::series && effect.rules.predictor; }
+
+// nullptr: none of that name takes part.
+std::shared_ptr<const Effect> predictor_effect(const std::string& name, const Catalogue& catalogue) {
+  const auto found = std::find_if(catalogue.begin(), catalogue.end(),
+                                  [&](const auto& effect) { return effect->name == name && takes_part(*effect); });
+  return found == catalogue.end() ? nullptr : *found;
 }
 
 // Columns that in some run have a gap, and those that stand still in all.
@@ -120,12 +130,13 @@ class Collected {
 
 }  // namespace
 
-std::shared_ptr<const Effect> predictor_effect(const std::string& name, const Catalogue& catalogue) {
-  if (name == start_effect()->name) return start_effect();
-  const auto found = std::find_if(catalogue.begin(), catalogue.end(), [&](const auto& effect) {
-    return effect->level == Level::series && effect->name == name && effect->rules.predictor;
-  });
-  return found == catalogue.end() ? nullptr : *found;
+Catalogue predictor_effects(const Catalogue& catalogue) {
+  Catalogue effects;
+  for (const std::shared_ptr<const Effect>& effect : catalogue) {
+    if (takes_part(*effect)) effects.push_back(effect);
+  }
+  effects.push_back(start_effect());
+  return effects;
 }
 
 Predictors predictors_of(std::span<const Series> runs, const std::string& target, const Catalogue& catalogue) {
@@ -137,7 +148,7 @@ Predictors predictors_of(std::span<const Series> runs, const std::string& target
   Collected collected(predictors);
   const Series& first = runs.front();
   for (const std::shared_ptr<const Effect>& effect : catalogue) {
-    if (effect->level != Level::series || !effect->rules.predictor) continue;
+    if (!takes_part(*effect)) continue;
     collected.add(effect, catalogue, bindings_of(*effect, model, first));
   }
   if (runs.size() > 1) collected.add(start_effect(), catalogue, bindings_of(*start_effect(), model, first));

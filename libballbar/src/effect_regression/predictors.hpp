@@ -40,7 +40,4 @@ struct Predictors {
 // start of each as well. Throws Error where a run lacks a column of the first, and where there is no predictor at all.
 Predictors predictors_of(std::span<const Series> runs, const std::string& target, const Catalogue& catalogue);
 
-// Of the catalogue, or that of the start; nullptr: none of that name takes part.
-std::shared_ptr<const Effect> predictor_effect(const std::string& name, const Catalogue& catalogue);
-
 }  // namespace ballbar

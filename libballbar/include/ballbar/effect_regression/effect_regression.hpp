@@ -21,6 +21,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -75,6 +76,13 @@ struct EffectRegressionOptions {
 EffectRegression effect_regression(std::span<const Series> runs, const std::string& target,
                                    const EffectRegressionOptions& options = {},
                                    const Catalogue& catalogue = built_in_catalogue());
+
+// The effects that may be its terms: of the catalogue, and that of a run's start, which no catalogue has.
+Catalogue predictor_effects(const Catalogue& catalogue = built_in_catalogue());
+
+// As the terms of its model are: every parameter held at its value, of which there is one each.
+Term held_term(std::shared_ptr<const Effect> effect, std::vector<std::string> columns,
+               const std::vector<double>& parameters);
 
 // "speeds and temperatures"
 std::string dictionary_text(const EffectRegression& regression);
