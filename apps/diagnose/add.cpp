@@ -20,9 +20,11 @@
 #include "commands.hpp"
 #include "diagnose/diagnosis_report.hpp"
 #include "diagnose/effect_test_text.hpp"
+#include "diagnose/grown.hpp"
 #include "diagnose/next_command.hpp"
 #include "model/effect_options.hpp"
 #include "terminal/output_guard.hpp"
+#include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -34,6 +36,7 @@ struct Options {
   EffectOptions effect;
   std::string out;
   bool automatic = false;
+  bool named_only = false;
   bool prune = false;
 };
 
@@ -43,6 +46,8 @@ struct Story {
   Model model;                  // opened: with the circles of recordings, with the target chosen
   std::size_t not_in_file = 0;  // terms at the front of the model that the file does not name
   std::vector<EffectTest> effect_tests;
+  std::vector<Driver> drivers;      // that the last diagnosis knows
+  std::optional<GrownModel> grown;  // after them
 };
 
 Story story_of(const Options& options, const ModelData& data) {
@@ -172,6 +177,7 @@ std::string add_named(const Options& options, const ModelData& data, Story& stor
     const Diagnosis diagnosis =
         with_source(options.effect.model.data.front(), [&] { return diagnose(story.model, data.series, 0, how); });
     verdict = diagnosis.verdict;
+    story.drivers = diagnosis.drivers;
     if (diagnosis.named.empty()) return stop_text(options, diagnosis);
     std::vector<Term> terms;
     for (const BoundEffect& bound : diagnosis.named) {
@@ -181,6 +187,31 @@ std::string add_named(const Options& options, const ModelData& data, Story& stor
     if (story.effect_tests.size() < kMostAdditions) continue;
     return fmt::format("Stopped after {} revisions: a model that grows further fits these data alone.", kMostAdditions);
   }
+}
+
+// Whether something is left that no cause is known of.
+bool is_left(Verdict verdict) {
+  return verdict == Verdict::probable || verdict == Verdict::driver || verdict == Verdict::equivalent ||
+         verdict == Verdict::unexplained;
+}
+
+void add_grown(const Options& options, const ModelData& data, Story& story) {
+  const ProgressLine progress;
+  story.grown =
+      grown_model(story.bytes, options.effect.model.model, story.model, data, options.effect.model.data, story.drivers);
+  story.bytes = story.grown->bytes;
+}
+
+std::vector<std::string> causes_of(const Story& story) {
+  std::vector<std::string> causes;
+  for (const EffectTest& tried : story.effect_tests) {
+    for (const Candidate& added : tried.added) causes.push_back(added.label);
+  }
+  return causes;
+}
+
+std::size_t revisions_of(const Story& story) {
+  return story.effect_tests.size() + (story.grown ? story.grown->rows.size() : 0);
 }
 
 std::string unneeded_text(const EffectTest& tried) {
@@ -200,6 +231,11 @@ void print_text(const Story& story, const std::string& stopped, const std::strin
     if (!unneeded.empty()) fmt::print("{}", wrapped(unneeded));
   }
   if (!stopped.empty()) fmt::print("{}{}", story.effect_tests.empty() ? "" : "\n", wrapped(stopped));
+  if (story.grown) {
+    fmt::print("\nGrown to predict. {}\n{}", wrapped(conclusion(*story.grown, causes_of(story), story.drivers)),
+               tables(*story.grown));
+    return;
+  }
   if (!story.effect_tests.empty()) fmt::print("\n{}", tables(story.effect_tests.back()));
 }
 
@@ -218,12 +254,14 @@ void run(Options options) {
       verdict = Verdict::nothing;
     } else {
       stopped = add_named(options, data, story, verdict);
+      if (!options.named_only && data.level == Level::series && is_left(verdict)) add_grown(options, data, story);
     }
   } else {
     add_terms(options, data, terms_of(options.effect.effects, story.model, data), false, story);
   }
   expect_file_suits(options, data, story.bytes);
-  if (!story.effect_tests.empty()) write_bytes(out, story.bytes);
+  const bool changed = revisions_of(story) > 0;
+  if (changed) write_bytes(out, story.bytes);
   if (options.effect.json) {
     nlohmann::ordered_json json;
     json["rows"] = nlohmann::ordered_json::array();
@@ -232,20 +270,29 @@ void run(Options options) {
       json["rows"].push_back(json_of(tried.after, &tried.before));
       json["revisions"].push_back(json_of(tried));
     }
+    if (story.grown) {
+      const LedgerRow* before = story.effect_tests.empty() ? &story.grown->before : &story.effect_tests.back().after;
+      for (const LedgerRow& row : story.grown->rows) {
+        json["rows"].push_back(json_of(row, before));
+        before = &row;
+      }
+      json["growth"] = json_of(*story.grown);
+      json["sentence"] = conclusion(*story.grown, causes_of(story), story.drivers);
+    }
     if (options.automatic) json["stopped"] = {{"verdict", name_of(verdict)}, {"text", stopped}};
-    json["written"] = story.effect_tests.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(out);
+    json["written"] = changed ? nlohmann::ordered_json(out) : nlohmann::ordered_json(nullptr);
     fmt::print("{}\n", json.dump(2));
   } else {
     print_text(story, stopped, data.title);
   }
-  if (story.effect_tests.empty()) {
+  if (!changed) {
     fmt::print(stderr, "nothing added, nothing written\n");
     return;
   }
   const std::vector<std::string> targets = read_model(story.bytes, how.model).targets;
   if (targets.size() > 1) {
     fmt::print(stderr, "the effects of {} hold for all its targets, {}; the row is of {}\n", out,
-               fmt::join(targets, ", "), story.effect_tests.back().after.target);
+               fmt::join(targets, ", "), story.model.targets.front());
   }
   fmt::print(stderr, "wrote {}\n", out);
 }
@@ -260,7 +307,9 @@ void add_add(CLI::App& app) {
       "effects (none with --auto), NAME or NAME:ROLE=COLUMN,..., then series .csv, session, or recordings");
   command->add_option("--out", options->out, "write the new revision there instead of into the model's file")
       ->type_name("FILE");
-  command->add_flag("--auto", options->automatic, "add what diagnose names, until it names nothing more");
+  command->add_flag("--auto", options->automatic,
+                    "add what diagnose names; of a series then what predicts, as long as it predicts new cycles");
+  command->add_flag("--named-only", options->named_only, "with --auto: what diagnose names, and no more");
   command->add_flag("--prune", options->prune, "take earlier effects out that are no longer needed");
   command->footer(
       "Example:\n"

@@ -231,6 +231,9 @@ nlohmann::ordered_json json_of(const LedgerRow& row, const LedgerRow* before) {
           {"likelihood_ratio", number(row.likelihood_ratio)},
           {"threshold", number(row.threshold)},
           {"best_surrogate_fall", number(row.best_surrogate_fall)},
+          {"forecast_um", number(row.forecast_um)},
+          {"surrogate_forecast_um", number(row.surrogate_forecast_um)},
+          {"discrepancy_um", number(row.discrepancy_um)},
           {"still_needed", row.still_needed},
           {"no_longer_needed", row.no_longer_needed},
           {"sentence", sentence(row, before)}};

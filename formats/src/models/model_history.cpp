@@ -31,7 +31,11 @@ constexpr Key kKeys[] = {
     {"best_surrogate_fall", "1", "share by which the best of 200 surrogates lowers the RMSE"},
     {"evidence", "1", "what `likelihood_ratio` was called before"},
     {"best_fake_fall", "1", "what `best_surrogate_fall` was called before"},
-    {"verdict", "text", "\"start\", \"named\", \"supported\", \"time only\" or \"not supported\""},
+    {"forecast_um", "um", "root mean square error of rows forecast from earlier ones alone"},
+    {"surrogate_forecast_um", "um", "the same with a surrogate in the place of the effect"},
+    {"discrepancy_um", "um", "standard deviation of the slow curve that is left"},
+    {"verdict", "text",
+     "\"start\", \"named\", \"supported\", \"time only\", \"not supported\", \"driver known\" or \"empirical\""},
     {"still_needed", "texts", "earlier effects that are needed beside the new one"},
     {"no_longer_needed", "texts", "earlier effects that are not"},
     {"effects_before", "text", "the effects as they stood before, to the letter: `undo` puts them back"},
@@ -110,6 +114,9 @@ LedgerRow row_at(const TomlTable& table, std::size_t place) {
   row.likelihood_ratio = renamed(table, "likelihood_ratio", "evidence");
   row.threshold = number(table, "threshold").value_or(LedgerRow::kUnknown);
   row.best_surrogate_fall = renamed(table, "best_surrogate_fall", "best_fake_fall");
+  row.forecast_um = measure(table, "forecast_um", number(table, "forecast_um"));
+  row.surrogate_forecast_um = measure(table, "surrogate_forecast_um", number(table, "surrogate_forecast_um"));
+  row.discrepancy_um = measure(table, "discrepancy_um", number(table, "discrepancy_um"));
   row.verdict = required(string, table, "verdict");
   row.still_needed = strings(table, "still_needed").value_or(std::vector<std::string>{});
   row.no_longer_needed = strings(table, "no_longer_needed").value_or(std::vector<std::string>{});
@@ -159,6 +166,9 @@ std::string row_text(const LedgerRow& row, const std::string* effects_before) {
   known("likelihood_ratio", row.likelihood_ratio);
   known("threshold", row.threshold);
   known("best_surrogate_fall", row.best_surrogate_fall);
+  known("forecast_um", row.forecast_um);
+  known("surrogate_forecast_um", row.surrogate_forecast_um);
+  known("discrepancy_um", row.discrepancy_um);
   out += fmt::format("verdict = {}\n", toml_quoted(row.verdict));
   if (effects_before == nullptr) return out;
   out += fmt::format("still_needed = {}\nno_longer_needed = {}\neffects_before = {}\n", list_text(row.still_needed),

@@ -96,6 +96,12 @@ std::string sentence(const LedgerRow& row, const LedgerRow* before) {
     text += fmt::format("{} a surrogate effect would have bought up to {:.0f} %",
                         std::isfinite(row.likelihood_ratio) ? ", and" : ";", 100.0 * row.best_surrogate_fall);
   }
+  if (std::isfinite(row.forecast_um) && row.revision > 0) {
+    text += fmt::format("; forecasts {} um", change_text(from.forecast_um, row.forecast_um, um_text));
+    if (std::isfinite(row.surrogate_forecast_um)) {
+      text += fmt::format(", {} um with a surrogate in its place", um_text(row.surrogate_forecast_um));
+    }
+  }
   text += needed_text(row.still_needed, "still needed");
   text += needed_text(row.no_longer_needed, "no longer needed");
   return text + '.';

@@ -17,19 +17,24 @@ namespace ballbar {
 // NaN: not known.
 struct LedgerRow {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  std::size_t revision = 0;               // 0: the model as it started
-  std::string change = "start";           // "+ lagged_expansion(T_air_degC), - speed_heating(speed_rpm)"
-  Level level = Level::series;            // of the model
-  std::string target;                     // which the figures are of
-  std::vector<std::string> data;          // files, as they were named
-  std::size_t parameters = 0;             // free ones
-  double rmse_um = 0.0;                   // of the fit to all rows
-  double times_floor = kUnknown;          // RMSE over the floor
-  double held_out_um = kUnknown;          // RMSE of cycles (recordings) left out, each predicted from the others
-  double likelihood_ratio = kUnknown;     // 2 ln B of the change (effect_test.hpp)
-  double threshold = kUnknown;            // from which that counts
-  double best_surrogate_fall = kUnknown;  // relative fall of the RMSE by the best of 200 surrogates
-  std::string verdict = "start";          // "start", "named", "supported", "time only", "not supported"
+  std::size_t revision = 0;                 // 0: the model as it started
+  std::string change = "start";             // "+ lagged_expansion(T_air_degC), - speed_heating(speed_rpm)"
+  Level level = Level::series;              // of the model
+  std::string target;                       // which the figures are of
+  std::vector<std::string> data;            // files, as they were named
+  std::size_t parameters = 0;               // free ones
+  double rmse_um = 0.0;                     // of the fit to all rows
+  double times_floor = kUnknown;            // RMSE over the floor
+  double held_out_um = kUnknown;            // RMSE of cycles (recordings) left out, each predicted from the others
+  double likelihood_ratio = kUnknown;       // 2 ln B of the change (effect_test.hpp)
+  double threshold = kUnknown;              // from which that counts
+  double best_surrogate_fall = kUnknown;    // relative fall of the RMSE by the best of 200 surrogates
+  double forecast_um = kUnknown;            // RMSE of rows forecast from earlier ones alone (growth.hpp)
+  double surrogate_forecast_um = kUnknown;  // the same with a surrogate in the place of the effect
+  double discrepancy_um = kUnknown;         // standard deviation of the slow curve that is left, of grown models
+  // "start", "named", "supported", "time only", "not supported"; of grown models "driver known": what drives it is, its
+  // form is not; "empirical": it predicts, no cause is claimed
+  std::string verdict = "start";
   std::vector<std::string> still_needed, no_longer_needed;  // labels of earlier effects, tested anew
 };
 
