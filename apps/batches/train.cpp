@@ -17,6 +17,7 @@
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "batches/batches.hpp"
+#include "batches/train_effects.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "terminal/json_number.hpp"
@@ -35,6 +36,8 @@ struct Options {
   std::optional<std::size_t> components;
   std::optional<double> share, penalty_K2;
   std::string model;  // of effects, to compare with
+  bool effects = false;
+  std::optional<double> max_gap_s;
   std::string out;
   bool json = false;
 };
@@ -165,7 +168,47 @@ std::optional<std::size_t> method_of(const Options& options) {
   return std::nullopt;
 }
 
+// A regression on the effects, of a list of runs beside those on temperatures.
+void run_effects(const Options& options) {
+  const BatchOptions& batches = options.batches;
+  if (method_of(options) || !options.model.empty()) {
+    throw Error("--effects: expected neither --method, --components, --share, --penalty nor --model with it.");
+  }
+  TrainEffectsOptions how{batches.list,      batches.target, batches.without, batches.without_sensor,
+                          options.max_gap_s, options.out,    options.json};
+  if (!is_run_list(batches.list)) {
+    if (batches.room || batches.inputs != 0 || !batches.without.empty() || batches.keep_broken) {
+      throw Error(
+          fmt::format("{}: expected a list of runs for --room, --inputs, --without and --keep-broken.", batches.list));
+    }
+    expect_no_input({options.out}, {batches.list});
+    train_effects(how, {}, {}, {});
+    return;
+  }
+  if (options.max_gap_s) throw Error("--max-gap: expected a session or a series with it, found a list of runs.");
+  const OpenedBatches opened = open_batches(batches);
+  expect_no_input({options.out}, opened.files);
+  std::vector<OtherMethod> others;
+  for (const RegressionMethod method :
+       {RegressionMethod::pcr, RegressionMethod::ridge, RegressionMethod::pls, RegressionMethod::ols}) {
+    const Contender one = with_source(
+        batches.list, [&] { return contender(opened, choose_by_held_out(opened.batches, method).settings); });
+    others.push_back({label_of(one.settings), one.held_out_um, one.worst_um, one.worst, one.rmse_um});
+  }
+  const Series first = read_batch(opened.files.front());
+  for (const Column& column : first.columns) {
+    const std::vector<std::string>& kept = opened.columns.sensors;
+    if (is_sensor(column) && std::find(kept.begin(), kept.end(), column.name) == kept.end()) {
+      how.without_sensor.push_back(column.name);
+    }
+  }
+  train_effects(how, {opened.files.begin(), opened.files.begin() + static_cast<std::ptrdiff_t>(opened.batches.size())},
+                others, opened.remarks);
+}
+
 void run(const Options& given) {
+  if (given.effects) return run_effects(given);
+  if (given.max_gap_s) throw Error("--max-gap: expected --effects with it.");
   expect_fitting(given);
   Options options = given;
   options.method = method_of(given);
@@ -232,11 +275,16 @@ void add_train(CLI::App& app) {
       ->type_name("K2");
   command->add_option("--model", options->model, "a model of effects, .toml, in the same contest; it is not written")
       ->type_name("FILE");
+  command->add_flag(
+      "--effects", options->effects,
+      "a regression on the catalogue's effects instead, which runs live; RUNS may be one series or session");
+  add_max_gap(*command, options->max_gap_s);
   command->add_option("--out", options->out, "write the model, .json")->required()->type_name("FILE");
   command->add_flag("--json", options->json, "the comparison for a program");
   command->footer(
       "Example:\n"
-      "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --out model.json");
+      "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --out model.json\n"
+      "  ballbar train sample-runs/spindle-46h/measured.csv --effects --target ch1_um --out ch1.json");
   command->callback([options] { run(*options); });
 }
 

@@ -230,12 +230,13 @@ void print_text(const Story& story, const std::string& stopped, const std::strin
     const std::string unneeded = unneeded_text(tried);
     if (!unneeded.empty()) fmt::print("{}", wrapped(unneeded));
   }
-  if (!stopped.empty()) fmt::print("{}{}", story.effect_tests.empty() ? "" : "\n", wrapped(stopped));
   if (story.grown) {
-    fmt::print("\nGrown to predict. {}\n{}", wrapped(conclusion(*story.grown, causes_of(story), story.drivers)),
-               tables(*story.grown));
+    fmt::print("{}{}\n{}\n{}", story.effect_tests.empty() ? "" : "\n",
+               wrapped(conclusion(*story.grown, causes_of(story), story.drivers)), tables(*story.grown),
+               wrapped(stopped));
     return;
   }
+  if (!stopped.empty()) fmt::print("{}{}", story.effect_tests.empty() ? "" : "\n", wrapped(stopped));
   if (!story.effect_tests.empty()) fmt::print("\n{}", tables(story.effect_tests.back()));
 }
 

@@ -65,6 +65,19 @@ void choose_targets(Model& model, const ModelOptions& options) {
 
 }  // namespace
 
+void add_max_gap(CLI::App& command, std::optional<double>& max_gap_s) {
+  command.add_option("--max-gap", max_gap_s, "longest gap of a signal to interpolate over; default 10min")
+      ->type_name("TIME")
+      ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
+                                        CLI::AsNumberWithUnit::CASE_SENSITIVE))
+      ->check(CLI::Validator(
+          [](const std::string& seconds) {
+            const double gap_s = std::strtod(seconds.c_str(), nullptr);  // 0 where it is too small for a double
+            return gap_s > 0.0 && std::isfinite(gap_s) ? "" : std::string("expected a finite time above 0");
+          },
+          ""));
+}
+
 void add_model_options(CLI::App& command, ModelOptions& options, bool model_required) {
   command.add_option("DATA", options.data, "series .csv, session, or recordings (.b5r, logs)")->required();
   CLI::Option* model =
@@ -77,16 +90,7 @@ void add_model_options(CLI::App& command, ModelOptions& options, bool model_requ
   command.add_option("--target", options.target, "column to explain instead of the model's own; may be repeated")
       ->type_name("COLUMN")
       ->allow_extra_args(false);
-  command.add_option("--max-gap", options.max_gap_s, "longest gap of a signal to interpolate over; default 10min")
-      ->type_name("TIME")
-      ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
-                                        CLI::AsNumberWithUnit::CASE_SENSITIVE))
-      ->check(CLI::Validator(
-          [](const std::string& seconds) {
-            const double max_gap_s = std::strtod(seconds.c_str(), nullptr);  // 0 where it is too small for a double
-            return max_gap_s > 0.0 && std::isfinite(max_gap_s) ? "" : std::string("expected a finite time above 0");
-          },
-          ""));
+  add_max_gap(command, options.max_gap_s);
 }
 
 void add_also_input(CLI::App& command, ModelOptions& options) {

@@ -28,6 +28,9 @@ struct ModelOptions {
 
 void add_model_options(CLI::App& command, ModelOptions& options, bool model_required);
 
+// --max-gap
+void add_max_gap(CLI::App& command, std::optional<double>& max_gap_s);
+
 // --also-input, for the commands that look for effects.
 void add_also_input(CLI::App& command, ModelOptions& options);
 

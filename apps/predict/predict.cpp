@@ -15,6 +15,7 @@
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "predict/predict_batch.hpp"
+#include "predict/predict_effects.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/terminal_table.hpp"
@@ -104,7 +105,27 @@ void run_batch_model(const Options& options) {
   predict_batch({options.model.data.front(), options.model.model, options.out, options.anyway, options.json});
 }
 
+// It has its own parameters too, and its own start and end.
+void run_effects(const Options& options) {
+  if (options.model.data.size() != 1) {
+    throw Error(
+        fmt::format("expected one file of DATA for {}, found {}.", options.model.model, options.model.data.size()));
+  }
+  if (!options.on.empty() || !options.model.target.empty() || options.model.robust || options.model.white ||
+      options.anyway) {
+    throw Error(
+        fmt::format("{}: expected neither --on, --target, --robust, --white nor --anyway: a regression has its "
+                    "target, predicts DATA itself and is fitted to nothing here.",
+                    options.model.model));
+  }
+  expect_csv(options.out);
+  expect_no_input(options.out, {options.model.data.front(), options.model.model});
+  predict_effects(
+      {options.model.data.front(), options.model.model, "", options.out, options.model.max_gap_s, options.json});
+}
+
 void run(const Options& options) {
+  if (is_effect_regression(options.model.model)) return run_effects(options);
   if (is_batch_model(options.model.model)) return run_batch_model(options);
   if (options.anyway) throw Error("--anyway: expected a model of train with it, a model of effects was given.");
   const ModelData data = open_data(options.model);

@@ -24,6 +24,8 @@ namespace {
 
 constexpr std::size_t kWarned = 6;
 
+}  // namespace
+
 Series read_data(const std::string& data) {
   if (data != "-") return read_batch(data);
   std::string bytes;
@@ -34,6 +36,8 @@ Series read_data(const std::string& data) {
   }
   return read_series(bytes, "standard input");
 }
+
+namespace {
 
 Series series_of(const BatchModel& model, const BatchPrediction& prediction, const Series& data) {
   const std::string stem = stem_of(model.columns.target);

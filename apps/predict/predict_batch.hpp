@@ -37,4 +37,7 @@ BatchJob batch_job(const std::string& data, const std::string& model_file, bool 
 // Prints and writes as `predict`. Throws Error where a sensor looks broken.
 void predict_batch(const BatchPredictOptions& options);
 
+// A series from a file or, of "-", from the standard input.
+Series read_data(const std::string& data);
+
 }  // namespace ballbar

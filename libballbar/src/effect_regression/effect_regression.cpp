@@ -9,6 +9,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/fit/held_model.hpp"
+#include "effect_regression/driver_report.hpp"
 #include "effect_regression/forecasts.hpp"
 #include "effect_regression/ridge.hpp"
 #include "numerics/median.hpp"
@@ -95,8 +96,8 @@ void add_end(std::span<const Series> runs, const Design& design, EffectRegressio
 
 }  // namespace
 
-EffectRegression effect_regression(std::span<const Series> runs, const std::string& target,
-                                   const EffectRegressionOptions& options, const Catalogue& catalogue) {
+TrainedRegression trained_regression(std::span<const Series> runs, const std::string& target,
+                                     const EffectRegressionOptions& options, const Catalogue& catalogue) {
   if (runs.empty()) throw Error("expected a record to train on, found none.");
   const auto say = [&](const std::string& what) {
     if (options.progress) options.progress(what);
@@ -107,7 +108,8 @@ EffectRegression effect_regression(std::span<const Series> runs, const std::stri
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   const RidgeProblem problem = ridge_problem(design, rows);
   say("choosing the dictionary");
-  const RidgeSetting setting = chosen_setting(problem);
+  const bool leaves_runs_out = runs.size() >= kFewestRunsToLeaveOut;
+  const RidgeSetting setting = chosen_setting(leaves_runs_out ? ridge_problem(design, rows, kChoiceRows) : problem);
   const RidgeFit fit = ridge_fit(problem, setting);
   EffectRegression regression;
   regression.model.targets = {target};
@@ -124,12 +126,27 @@ EffectRegression effect_regression(std::span<const Series> runs, const std::stri
   regression.end_s = problem.end_s;
   add_ranges(runs, regression);
   add_end(runs, design, regression);
-  if (!options.forecasts) return regression;
-  if (const auto tested = tested_forecasts(design, runs.front(), problem, setting, options.progress)) {
-    regression.forecasts = tested->forecasts;
-    regression.interval_scale = tested->interval_scale;
+  TrainedRegression trained;
+  if (options.report) {
+    say("leaving columns and cycles out");
+    trained.drivers = driver_report(design, runs.front(), problem, fit);
   }
-  return regression;
+  if (options.forecasts) {
+    if (const auto tested = tested_forecasts(design, runs.front(), problem, setting, options.progress)) {
+      regression.forecasts = tested->forecasts;
+      regression.interval_scale = tested->interval_scale;
+      trained.left_out_um = tested->left_out_um;
+    }
+  }
+  trained.regression = std::move(regression);
+  return trained;
+}
+
+EffectRegression effect_regression(std::span<const Series> runs, const std::string& target,
+                                   const EffectRegressionOptions& options, const Catalogue& catalogue) {
+  EffectRegressionOptions without = options;
+  without.report = false;
+  return trained_regression(runs, target, without, catalogue).regression;
 }
 
 Term held_term(std::shared_ptr<const Effect> effect, std::vector<std::string> columns,

@@ -14,7 +14,6 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kFewestRows = 60, kOrigins = 3;
-constexpr std::size_t kChoiceRows = 415;  // a forecast chooses its setting on fewer rows
 
 struct Errors {
   std::vector<double> error_um, held_um, sigmas;
@@ -92,6 +91,7 @@ TestedForecasts of_runs(const Design& design, const RidgeProblem& problem, const
       errors.add(left.error_um[i], problem.target_um[i], left.sigma_um[i]);
     }
     TestedForecasts result = tested(design.runs, std::move(errors));
+    result.left_out_um = left.rmse_um;
     result.forecasts.rmse_um = rms(left.rmse_um);  // as of batches: each run counts alike
     return result;
   }

@@ -24,6 +24,7 @@ std::vector<ForecastRows> forecast_rows(const Design& design, const Series& run)
 struct TestedForecasts {
   Forecasts forecasts;
   double interval_scale = 1.0;
+  std::vector<double> left_out_um;  // RMSE of each run, of five or more
 };
 
 // Of one run forecasts from these origins; of several each run left out, of five or more with the setting given.

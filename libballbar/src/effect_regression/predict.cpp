@@ -5,6 +5,7 @@
 
 #include "ballbar/batches/batch.hpp"
 #include "ballbar/effect_regression/effect_regression.hpp"
+#include "effect_regression/driver_report.hpp"
 #include "effect_regression/interval.hpp"
 
 namespace ballbar {
@@ -62,12 +63,9 @@ void add_shares(EffectPrediction& prediction) {
   if (rows.empty()) return;
   const Eigen::MatrixXd known = prediction.drivers_um(rows, Eigen::all);
   const Eigen::VectorXd sum = known.rowwise().sum();
-  const Eigen::VectorXd centred = sum.array() - sum.mean();
-  const double range = sum.maxCoeff() - sum.minCoeff(), norm = centred.squaredNorm();
-  for (std::size_t d = 0; d < prediction.drivers.size(); ++d) {
-    const double along = known.col(static_cast<Eigen::Index>(d)).dot(centred);
-    prediction.drivers[d].share_um = norm > 0.0 ? range * along / norm : 0.0;
-  }
+  const Eigen::VectorXd share = shares_of(known, sum);
+  for (std::size_t d = 0; d < prediction.drivers.size(); ++d)
+    prediction.drivers[d].share_um = share[static_cast<Eigen::Index>(d)];
   std::vector<std::size_t> order(prediction.drivers.size());
   for (std::size_t d = 0; d < order.size(); ++d) order[d] = d;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {

@@ -292,6 +292,32 @@ LeftOutRuns left_out_runs(const RidgeProblem& problem, const RidgeSetting& setti
                   true);
 }
 
+Eigen::VectorXd gains_from(const RidgeProblem& problem, const RidgeSetting& setting,
+                           const std::vector<std::size_t>& rows) {
+  RidgeProblem part;
+  part.columns = problem.columns(rows, Eigen::all);
+  part.target_um = problem.target_um(rows);
+  for (const std::size_t row : rows) {
+    part.time_s.push_back(problem.time_s[row]);
+    part.run.push_back(problem.run[row]);
+  }
+  const Eigen::MatrixXd kernel = sum_of(problem.kernel, setting.kinds)(rows, rows);
+  const Solved of = solved(part, kernel, discrepancy_of(part.time_s, part.run, setting.length_s), setting.variance);
+  return setting.variance * (sum_of(problem.prior, setting.kinds) * (part.columns.transpose() * of.of_target));
+}
+
+double log_likelihood_without(const RidgeProblem& problem, const RidgeSetting& setting,
+                              const std::vector<std::size_t>& predictors) {
+  Eigen::MatrixXd prior = sum_of(problem.prior, setting.kinds);
+  for (const std::size_t k : predictors) {
+    prior.row(static_cast<Eigen::Index>(k)).setZero();
+    prior.col(static_cast<Eigen::Index>(k)).setZero();
+  }
+  const Eigen::MatrixXd kernel = (problem.columns * prior) * problem.columns.transpose();
+  return solved(problem, kernel, discrepancy_of(problem.time_s, problem.run, setting.length_s), setting.variance)
+      .log_likelihood;
+}
+
 RidgePrediction ridge_prediction(const RidgeProblem& problem, const RidgeFit& fit,
                                  const Eigen::Ref<const Eigen::VectorXd>& x, double since_s) {
   const auto m = static_cast<Eigen::Index>(fit.used.size());

@@ -27,6 +27,7 @@
 namespace ballbar {
 
 inline constexpr std::size_t kRidgeRows = 830;
+inline constexpr std::size_t kChoiceRows = 415;  // where the setting is chosen again and again
 inline constexpr std::size_t kPredictorKinds = 5;
 
 struct RidgeSetting {
@@ -73,6 +74,14 @@ struct RidgeFit {
 RidgeFit ridge_fit(const RidgeProblem& problem, const RidgeSetting& setting);
 
 inline constexpr std::size_t kFewestRunsToLeaveOut = 5;
+
+// E w of all predictors from these rows of the problem alone.
+Eigen::VectorXd gains_from(const RidgeProblem& problem, const RidgeSetting& setting,
+                           const std::vector<std::size_t>& rows);
+
+// ln L without these predictors.
+double log_likelihood_without(const RidgeProblem& problem, const RidgeSetting& setting,
+                              const std::vector<std::size_t>& predictors);
 
 // What is left of every row when its run is left out, and the sigma that is expected of it.
 struct LeftOutRuns {

@@ -42,6 +42,43 @@ struct Forecasts {
   double within_share = 0.0;  // within the interval of 95 %, before interval_scale
 };
 
+// How much of what is predicted goes with a column: shares of the range of the prediction, which add up to it; the
+// share of x is range cov(x, y) / var(y). A term with several columns counts for its first.
+struct DriverShare {
+  std::string column;
+  Role role = Role::structure;
+  double share_um = 0.0;
+};
+
+struct DriverStability {
+  DriverShare share;
+  double low_um = 0.0, high_um = 0.0;
+  bool stable = false, flips = false;  // flips: its sign, where it makes more than a twentieth of the range
+};
+
+struct CancellingColumns {
+  std::string first, second;
+  double first_um = 0.0, second_um = 0.0, sum_um = 0.0;  // ranges
+};
+
+// What may be said of the columns, and what not.
+//
+//   low, high        of a share over refits, each without one cycle of speed or one run
+//   stable           the same sign in all of them, and the largest at most three times the smallest
+//   not needed       ln L (ridge.hpp) falls by less than 1 without the column
+//   interchangeable  columns that are not needed and go together, |correlation| at least 0.98: any of them will do
+//   cancelling       two columns whose contributions go against each other, correlation below -0.9, each more than
+//   twice
+//                    as far as their sum: neither may be read by itself
+struct DriverReport {
+  double range_um = 0.0;  // of what is predicted on the training rows
+  std::size_t refits = 0;
+  std::vector<DriverStability> drivers;  // the largest share first
+  std::vector<std::string> not_needed;
+  std::vector<std::vector<std::string>> interchangeable;
+  std::vector<CancellingColumns> cancelling;  // at most 5, the largest first
+};
+
 struct EffectRegression {
   Model model;  // one target, constant and all parameters held; `trained` of every column
   // Of each term for a gain of 1, over the training rows.
@@ -68,11 +105,22 @@ struct EffectRegression {
 
 struct EffectRegressionOptions {
   std::function<void(const std::string& what)> progress = {};  // told before each longer part
-  bool forecasts = true;
+  bool forecasts = true, report = true;
+};
+
+struct TrainedRegression {
+  EffectRegression regression;
+  DriverReport drivers;
+  std::vector<double> left_out_um;  // RMSE of each run where it is left out, of five or more
 };
 
 // From records that each begin with a machine as it then is. Throws Error: no such target, fewer than 40 values, a
 // column of the first that another lacks, no column to train on.
+TrainedRegression trained_regression(std::span<const Series> runs, const std::string& target,
+                                     const EffectRegressionOptions& options = {},
+                                     const Catalogue& catalogue = built_in_catalogue());
+
+// The same without the report.
 EffectRegression effect_regression(std::span<const Series> runs, const std::string& target,
                                    const EffectRegressionOptions& options = {},
                                    const Catalogue& catalogue = built_in_catalogue());
@@ -125,14 +173,6 @@ class LivePrediction {
   Eigen::VectorXd scaled_, known_;
   double discrepancy_um_ = 0.0;
   bool goes_on_ = false;
-};
-
-// How much of what is predicted goes with a column: shares of the range of the prediction, which add up to it; the
-// share of x is range cov(x, y) / var(y). A term with several columns counts for its first.
-struct DriverShare {
-  std::string column;
-  Role role = Role::structure;
-  double share_um = 0.0;
 };
 
 struct OutsideRange {

@@ -1,0 +1,236 @@
+#include "batches/train_effects.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/effect_regression/effect_regression.hpp"
+#include "ballbar/formats/models/effect_regression_json.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "model/model_options.hpp"
+#include "terminal/json_number.hpp"
+#include "terminal/output_guard.hpp"
+#include "terminal/progress.hpp"
+#include "terminal/terminal_table.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kWidest = 120;  // of a table
+constexpr std::size_t kShownDrivers = 8;
+constexpr double kNoBetter = 0.95;  // of the error of the last value held
+constexpr std::size_t kHead = 1 << 16;
+
+// The conclusion: what may be expected of rows that the training did not have.
+std::string expectation(const EffectRegression& regression) {
+  const std::string& target = regression.model.targets.front();
+  if (!regression.forecasts) {
+    return fmt::format("{}: too few rows to test forecasts; what it predicts elsewhere is not known.", target);
+  }
+  const Forecasts& of = *regression.forecasts;
+  const bool several = regression.runs > 1;
+  const std::string tested =
+      several ? fmt::format("runs left out, each of {}", of.count) : fmt::format("forecasts from {} origins", of.count);
+  if (!(of.rmse_um < kNoBetter * of.held_um)) {
+    return fmt::format(
+        "{} is not predicted: in {} the error is {:.2f} um RMSE, and {:.2f} um where {}. What moves it is in none of "
+        "these columns.",
+        target, tested, of.rmse_um, of.held_um, several ? "0 um is taken" : "the last value is held");
+  }
+  return fmt::format(
+      "{} is predicted to {:.2f} um on rows that the training did not have (mean of |error| in {}; RMSE {:.2f} um, {} "
+      "{:.2f} um). The interval of 95 % held {:.0f} % of them{}.",
+      target, of.error_um, tested, of.rmse_um, several ? "without any model" : "with the last value held", of.held_um,
+      100.0 * of.within_share,
+      regression.interval_scale > 1.005
+          ? fmt::format(" and is {:.2f} times as wide in the model's file, so that it holds 95 %",
+                        regression.interval_scale)
+          : "");
+}
+
+std::string memory_text(const EffectRegression& regression) {
+  return regression.length_s > 0.0
+             ? fmt::format("What no column drives is a curve of {:.2f} um (standard deviation) with a memory of {}.",
+                           regression.sigma_um, duration_text(regression.length_s))
+             : fmt::format("What is left scatters by {:.2f} um, without a memory.", regression.sigma_um);
+}
+
+Table driver_table(const DriverReport& report) {
+  Table table({"column", "role", "share um", "cycles left out", "what may be said"});
+  double others = 0.0;
+  std::size_t shown = 0, more = 0;
+  for (const DriverStability& one : report.drivers) {
+    if (shown++ >= kShownDrivers) {
+      others += one.share.share_um;
+      ++more;
+      continue;
+    }
+    table.add({shortened(one.share.column, 40), std::string(name_of(one.share.role)), fixed(one.share.share_um, 2),
+               fmt::format("{:.2f} to {:.2f}", one.low_um, one.high_um),
+               one.stable  ? "stable"
+               : one.flips ? "its sign flips"
+                           : "not stable"});
+  }
+  if (more > 0) table.add({fmt::format("{} more", more), "", fixed(others, 2), "", ""});
+  return table;
+}
+
+std::vector<std::string> remarks_of(const DriverReport& report) {
+  std::vector<std::string> remarks;
+  for (const std::vector<std::string>& names : report.interchangeable) {
+    remarks.push_back(fmt::format("Interchangeable, any of them will do: {}.", fmt::join(names, ", ")));
+  }
+  if (!report.not_needed.empty()) {
+    remarks.push_back(fmt::format("Without any one of these nothing changes: {}.", fmt::join(report.not_needed, ", ")));
+  }
+  for (const CancellingColumns& pair : report.cancelling) {
+    remarks.push_back(
+        fmt::format("{} ({:.1f} um) and {} ({:.1f} um) nearly cancel, to {:.1f} um: neither is a cause by itself.",
+                    pair.first, pair.first_um, pair.second, pair.second_um, pair.sum_um));
+  }
+  return remarks;
+}
+
+Table contest(const TrainedRegression& trained, const std::vector<OtherMethod>& others,
+              const std::vector<std::filesystem::path>& files) {
+  const EffectRegression& regression = trained.regression;
+  Table table({"method", "left out um", "worst um", "worst batch", "trained um"});
+  for (const OtherMethod& other : others) {
+    table.add(
+        {other.label, fixed(other.left_out_um, 2), fixed(other.worst_um, 2), other.worst, fixed(other.trained_um, 2)});
+  }
+  const auto worst = std::max_element(trained.left_out_um.begin(), trained.left_out_um.end());
+  const bool known = worst != trained.left_out_um.end();
+  table.add({"effects *", fixed(regression.forecasts->rmse_um, 2), known ? fixed(*worst, 2) : "-",
+             known ? files[static_cast<std::size_t>(worst - trained.left_out_um.begin())].stem().string() : "-",
+             fixed(regression.rmse_um, 2)});
+  return table;
+}
+
+nlohmann::ordered_json json_of(const TrainedRegression& trained, const std::vector<OtherMethod>& others,
+                               const std::vector<std::string>& remarks) {
+  const EffectRegression& of = trained.regression;
+  nlohmann::ordered_json json{{"target", of.model.targets.front()},
+                              {"rows", of.rows},
+                              {"runs", of.runs},
+                              {"dictionary", of.dictionary},
+                              {"terms", of.model.terms.size()},
+                              {"prior_variance", number(of.prior_variance)},
+                              {"length_s", number(of.length_s)},
+                              {"sigma_um", number(of.sigma_um)},
+                              {"interval_scale", number(of.interval_scale)},
+                              {"rmse_um", number(of.rmse_um)}};
+  json["forecasts"] = nullptr;
+  if (of.forecasts) {
+    json["forecasts"] = {{"count", of.forecasts->count},
+                         {"error_um", number(of.forecasts->error_um)},
+                         {"rmse_um", number(of.forecasts->rmse_um)},
+                         {"held_um", number(of.forecasts->held_um)},
+                         {"within_share", number(of.forecasts->within_share)},
+                         {"predicted", of.forecasts->rmse_um < kNoBetter * of.forecasts->held_um}};
+  }
+  json["drivers"] = nlohmann::ordered_json::array();
+  for (const DriverStability& one : trained.drivers.drivers) {
+    json["drivers"].push_back({{"column", one.share.column},
+                               {"role", name_of(one.share.role)},
+                               {"share_um", number(one.share.share_um)},
+                               {"low_um", number(one.low_um)},
+                               {"high_um", number(one.high_um)},
+                               {"stable", one.stable},
+                               {"flips", one.flips}});
+  }
+  json["range_um"] = number(trained.drivers.range_um);
+  json["not_needed"] = trained.drivers.not_needed;
+  json["interchangeable"] = trained.drivers.interchangeable;
+  json["cancelling"] = nlohmann::ordered_json::array();
+  for (const CancellingColumns& pair : trained.drivers.cancelling) {
+    json["cancelling"].push_back({{"columns", {pair.first, pair.second}},
+                                  {"range_um", {number(pair.first_um), number(pair.second_um)}},
+                                  {"sum_um", number(pair.sum_um)}});
+  }
+  json["methods"] = nlohmann::ordered_json::array();
+  for (const OtherMethod& other : others)
+    json["methods"].push_back({{"label", other.label}, {"held_out_um", number(other.left_out_um)}});
+  json["remarks"] = remarks;
+  json["sentence"] = expectation(of);
+  return json;
+}
+
+std::vector<Series> runs_of(const TrainEffectsOptions& options, const std::vector<std::filesystem::path>& files) {
+  std::vector<Series> runs;
+  if (files.empty()) {
+    ModelOptions how;
+    how.data = {options.data};
+    how.max_gap_s = options.max_gap_s;
+    ModelData data = open_data(how);
+    if (data.level == Level::recording) {
+      throw Error(fmt::format("{}: expected a series or a session of drift, found recordings.", options.data));
+    }
+    runs.push_back(std::move(data.series));
+  }
+  for (const std::filesystem::path& file : files) runs.push_back(read_batch(file));
+  for (Series& run : runs) {
+    std::erase_if(run.columns, [&](const Column& column) {
+      return std::find(options.without_sensor.begin(), options.without_sensor.end(), column.name) !=
+             options.without_sensor.end();
+    });
+  }
+  return runs;
+}
+
+}  // namespace
+
+bool is_run_list(const std::string& path) {
+  if (std::filesystem::is_directory(path)) return false;
+  const std::string head = read_head(path, kHead);
+  std::size_t at = 0;
+  while (at < head.size() && (head[at] == '#' || head[at] == '\n' || head[at] == '\r')) {
+    at = head[at] == '#' ? head.find('\n', at) : at + 1;
+    if (at == std::string::npos) return false;
+  }
+  const std::string_view rest = std::string_view(head).substr(at);
+  const std::string_view first = rest.substr(0, rest.find_first_of(",\r\n"));
+  return first == "run" || first == "file";
+}
+
+void train_effects(const TrainEffectsOptions& options, const std::vector<std::filesystem::path>& files,
+                   const std::vector<OtherMethod>& others, const std::vector<std::string>& remarks) {
+  const std::vector<Series> runs = runs_of(options, files);
+  EffectRegressionOptions how;
+  how.progress = [](const std::string& what) { show_progress(what); };
+  const TrainedRegression trained = [&] {
+    const ProgressLine progress;
+    return with_source(options.data, [&] { return trained_regression(runs, options.target, how); });
+  }();
+  const EffectRegression& of = trained.regression;
+  write_bytes(options.out, write_effect_regression(of));
+  std::vector<std::string> said = remarks_of(trained.drivers);
+  if (!of.left_out.empty()) {
+    said.push_back(fmt::format("Not used, for they stand still or have gaps: {}.", fmt::join(of.left_out, ", ")));
+  }
+  said.insert(said.end(), remarks.begin(), remarks.end());
+  if (options.json) {
+    fmt::print("{}\n", json_of(trained, others, said).dump(2));
+  } else {
+    fmt::print("{}\n{} from {} columns by {}; {} rows{}\n\n", options.data, options.target, of.model.trained.size(),
+               dictionary_text(of), of.rows, of.runs > 1 ? fmt::format(" of {} runs", of.runs) : "");
+    fmt::print("{}{}\n", wrapped(expectation(of)), wrapped(memory_text(of)));
+    if (!others.empty() && of.forecasts) {
+      fmt::print("{}{}\n", contest(trained, others, files).text(kWidest),
+                 wrapped("* is written. left out: RMSE where each batch in turn is predicted by all the others; the "
+                         "settings are chosen by it, so that it is a little too good."));
+    }
+    fmt::print("{}{}", driver_table(trained.drivers).text(kWidest),
+               wrapped(fmt::format("share: of {:.2f} um, the range of what is predicted. cycles left out: least and "
+                                   "largest in {} refits, each without a part of the record.",
+                                   trained.drivers.range_um, trained.drivers.refits)));
+    if (!said.empty()) fmt::print("\n");
+    for (const std::string& remark : said) fmt::print("{}", wrapped(remark));
+  }
+  fmt::print(stderr, "wrote {}\n", options.out);
+}
+
+}  // namespace ballbar

@@ -1,0 +1,190 @@
+#include "predict/predict_effects.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/effect_regression/effect_regression.hpp"
+#include "ballbar/formats/models/effect_regression_json.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/formats/text/reader.hpp"
+#include "model/model_options.hpp"
+#include "predict/predict_batch.hpp"
+#include "terminal/json_number.hpp"
+#include "terminal/terminal_table.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kShown = 6;  // drivers, warnings
+
+Series data_of(const EffectPredictOptions& options) {
+  if (options.data == "-") return read_data(options.data);
+  ModelOptions how;
+  how.data = {options.data};
+  how.max_gap_s = options.max_gap_s;
+  ModelData data = open_data(how);
+  if (data.level == Level::recording) {
+    throw Error(fmt::format("{}: expected a series or a session of drift, found recordings.", options.data));
+  }
+  return std::move(data.series);
+}
+
+Series series_of(const EffectRegression& model, const EffectPrediction& prediction, const Series& data) {
+  const std::string& target = model.model.targets.front();
+  const std::string stem = stem_of(target);
+  Series series;
+  series.time_s = data.time_s;
+  series.columns.push_back({stem + "_model_um", Role::measured, prediction.predicted_um});
+  series.columns.push_back({stem + "_half_width_um", Role::measured, prediction.half_width_um});
+  if (const Column* measured = find_column(data, target)) {
+    Column residual{stem + "_residual_um", Role::measured, measured->values};
+    for (std::size_t i = 0; i < residual.values.size(); ++i) residual.values[i] -= prediction.predicted_um[i];
+    series.columns.push_back(*measured);
+    series.columns.push_back(std::move(residual));
+  }
+  for (std::size_t d = 0; d < prediction.drivers.size(); ++d) {
+    const auto adds = prediction.drivers_um.col(static_cast<Eigen::Index>(d));
+    series.columns.push_back({fmt::format("{}_by_{}_um", stem, stem_of(prediction.drivers[d].column)),
+                              Role::measured,
+                              {adds.begin(), adds.end()}});
+  }
+  return series;
+}
+
+std::string start_text(const EffectRegression& model, const EffectPrediction& prediction) {
+  if (prediction.holds) {
+    return fmt::format("It begins as the training did; what follows {} is new.", duration_text(model.end_s));
+  }
+  if (prediction.goes_on) return "It goes on where training ended: filters and the slow curve are kept.";
+  return "A run of its own: its first row is the zero of temperatures and filters.";
+}
+
+struct Measured {
+  double mean_um = 0.0, rmse_um = 0.0, within = 0.0;
+  std::size_t rows = 0;
+};
+
+// Rows after the training alone, where the data hold it.
+std::optional<Measured> error_of(const EffectRegression& model, const EffectPrediction& prediction,
+                                 const Series& data) {
+  const Column* measured = find_column(data, model.model.targets.front());
+  if (measured == nullptr) return std::nullopt;
+  Measured of;
+  for (std::size_t i = 0; i < data.time_s.size(); ++i) {
+    const double error = measured->values[i] - prediction.predicted_um[i];
+    if (!std::isfinite(error) || (prediction.holds && data.time_s[i] <= model.end_s)) continue;
+    of.mean_um += std::abs(error);
+    of.rmse_um += error * error;
+    of.within += std::abs(error) <= prediction.half_width_um[i] ? 1.0 : 0.0;
+    ++of.rows;
+  }
+  if (of.rows == 0) return std::nullopt;
+  const auto n = static_cast<double>(of.rows);
+  return Measured{of.mean_um / n, std::sqrt(of.rmse_um / n), of.within / n, of.rows};
+}
+
+// "of 18.20 um: speed_rpm 11.10, T4_degC 5.20, 3 more 1.90; not attributable 1.20"
+std::string drivers_text(const EffectRegression& model, const EffectPrediction& prediction) {
+  double range = 0.0, more = 0.0;
+  std::vector<std::string> parts;
+  for (const DriverShare& driver : prediction.drivers) {
+    range += driver.share_um;
+    if (parts.size() < kShown) {
+      const bool has_role = driver.role == Role::ambient || driver.role == Role::coolant;
+      parts.push_back(fmt::format("{}{} {:.2f}", driver.column,
+                                  has_role ? fmt::format(" ({})", name_of(driver.role)) : "", driver.share_um));
+    } else {
+      more += driver.share_um;
+    }
+  }
+  if (prediction.drivers.size() > kShown) {
+    parts.push_back(fmt::format("{} more {:.2f}", prediction.drivers.size() - kShown, more));
+  }
+  return fmt::format("Of {:.2f} um, the range of what is predicted: {}; not attributable {:.2f} (standard deviation).",
+                     range, fmt::join(parts, ", "), model.sigma_um);
+}
+
+// The farthest first, by the spans that were trained.
+std::vector<std::string> warnings_of(const EffectPrediction& prediction) {
+  std::vector<OutsideRange> outside = prediction.outside;
+  if (outside.empty()) return {};
+  const auto beyond = [](const OutsideRange& one) {
+    return std::max(one.low - one.value, one.value - one.high) / std::max(one.high - one.low, 1e-12);
+  };
+  std::stable_sort(outside.begin(), outside.end(),
+                   [&](const OutsideRange& a, const OutsideRange& b) { return beyond(a) > beyond(b); });
+  std::vector<std::string> parts;
+  for (const OutsideRange& one : outside) {
+    if (parts.size() == kShown) break;
+    parts.push_back(fmt::format("{} as far as {:g} ({:g} to {:g})", one.column, one.value, one.low, one.high));
+  }
+  if (outside.size() > kShown) parts.push_back(fmt::format("{} more", outside.size() - kShown));
+  const double first_s = std::min_element(outside.begin(), outside.end(), [](const auto& a, const auto& b) {
+                           return a.time_s < b.time_s;
+                         })->time_s;
+  return {fmt::format("From {:.0f} s on columns leave what was trained, and the model extrapolates: {}.", first_s,
+                      fmt::join(parts, ", "))};
+}
+
+}  // namespace
+
+bool is_effect_regression(const std::string& model) { return is_effect_regression_json(read_head(model, kHeadBytes)); }
+
+void predict_effects(const EffectPredictOptions& options) {
+  const EffectRegression model = read_effect_regression(read_bytes(options.model, kLargestText), options.model);
+  const Series data = data_of(options);
+  const std::string source = options.data == "-" ? "standard input" : options.data;
+  const EffectPrediction prediction = with_source(source, [&] { return predict(model, data); });
+  const Series series = series_of(model, prediction, data);
+  for (const std::string& path : options.out) write_bytes(path, write_series(series));
+  const std::optional<Measured> error = error_of(model, prediction, data);
+  const std::vector<std::string> warnings = warnings_of(prediction);
+  if (options.json) {
+    nlohmann::ordered_json json;
+    json["time_s"] = series.time_s;
+    for (const Column& column : series.columns) {
+      for (const double value : column.values) json[column.name].push_back(number(value));
+    }
+    json["goes_on"] = prediction.goes_on;
+    json["holds_training"] = prediction.holds;
+    json["drivers"] = nlohmann::ordered_json::array();
+    for (const DriverShare& one : prediction.drivers) {
+      json["drivers"].push_back(
+          {{"column", one.column}, {"role", name_of(one.role)}, {"share_um", number(one.share_um)}});
+    }
+    json["error"] = nullptr;
+    if (error) {
+      json["error"] = {{"rows", error->rows},
+                       {"mean_um", number(error->mean_um)},
+                       {"rmse_um", number(error->rmse_um)},
+                       {"within_share", number(error->within)}};
+    }
+    json["warnings"] = warnings;
+    fmt::print("{}\n", json.dump());
+  } else {
+    const std::string& target = model.model.targets.front();
+    fmt::print("{}\n{}: {} by effects ({}), trained on {} rows\n{}\n\n", source, options.model, target,
+               dictionary_text(model), model.rows, start_text(model, prediction));
+    const auto [low, high] = std::minmax_element(prediction.predicted_um.begin(), prediction.predicted_um.end());
+    fmt::print("{} rows over {}: {} from {:.2f} to {:.2f} um, at the end {:.2f} um ±{:.2f} um (95 %)\n",
+               data.time_s.size(), duration_text(data.time_s.back() - data.time_s.front()), target, *low, *high,
+               prediction.predicted_um.back(), prediction.half_width_um.back());
+    if (error) {
+      fmt::print(
+          "measured less predicted{}: mean of |error| {:.2f} um, RMSE {:.2f} um, {:.0f} % within the 95 % interval\n",
+          prediction.holds ? fmt::format(", {} new rows", error->rows) : "", error->mean_um, error->rmse_um,
+          100.0 * error->within);
+    }
+    fmt::print("{}", wrapped(drivers_text(model, prediction)));
+    if (!warnings.empty()) fmt::print("\n");
+    for (const std::string& warning : warnings) fmt::print("{}", wrapped(warning));
+  }
+  for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
+}
+
+}  // namespace ballbar
