@@ -108,9 +108,10 @@ std::vector<CompensatedAxis> axes_of(const CompensationOptions& options) {
     how.data = options.fit;
     data = open_data(how);
   }
-  const auto add = [&](const std::string& target, Model model) {
+  const auto add = [&](Model model) {  // of one target
     const std::size_t number = axes.size();
-    axes.push_back({number < options.axes.size() ? options.axes[number] : stem_of(target), std::move(model)});
+    const std::string name = number < options.axes.size() ? options.axes[number] : stem_of(model.targets.front());
+    axes.push_back({name, std::move(model)});
   };
   for (const std::string& file : options.models) {
     const std::string bytes = read_bytes(file, kLargestText);
@@ -122,7 +123,7 @@ std::vector<CompensatedAxis> axes_of(const CompensationOptions& options) {
                         "held; train it again on the data of --fit.",
                         file));
       }
-      add(model.targets.front(), std::move(model));
+      add(std::move(model));
       continue;
     }
     if (is_batch_model(file)) {
@@ -140,7 +141,7 @@ std::vector<CompensatedAxis> axes_of(const CompensationOptions& options) {
       } else {
         expect_held(model, file);
       }
-      add(target, std::move(model));
+      add(std::move(model));
     }
   }
   if (!options.axes.empty() && options.axes.size() != axes.size()) {
