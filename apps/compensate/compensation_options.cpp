@@ -53,12 +53,14 @@ void add_limit(CLI::App& command, const std::string& name, double& limit, const 
   command.add_option(name, limit, what)->capture_default_str()->type_name("NUMBER")->group("Limits");
 }
 
-// Nothing where no state can be: write_bytes says so.
+// Nothing where no state can be: writing it says so.
 std::optional<FileLock> only_program(const std::filesystem::path& state) {
+  namespace fs = std::filesystem;
   std::error_code error;
-  const std::filesystem::file_type type = std::filesystem::status(state, error).type();
-  if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::not_found) return {};
-  std::filesystem::path lock = type == std::filesystem::file_type::regular ? std::filesystem::canonical(state) : state;
+  const bool is_there = fs::is_regular_file(state, error);
+  const fs::path folder = state.has_parent_path() ? state.parent_path() : ".";
+  if (!is_there && (fs::exists(state, error) || !fs::is_directory(folder, error))) return {};
+  fs::path lock = is_there ? fs::canonical(state) : state;
   lock += ".lock";
   std::optional<FileLock> held = FileLock::of(lock);
   if (held) return held;
