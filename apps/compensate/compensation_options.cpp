@@ -9,6 +9,7 @@
 
 #include "ballbar/fit/held_model.hpp"
 #include "ballbar/formats/models/compensation_state.hpp"
+#include "ballbar/formats/models/effect_regression_json.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
@@ -41,14 +42,39 @@ Model fitted(Model model, const std::string& file, const CompensationOptions& op
   return model;
 }
 
+// A state is written every second, a model's text may be long. FNV-1a, 64 bits: to tell models apart, no seal.
+std::string digest_of(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return fmt::format("{:016x}, {} bytes", hash, text.size());
+}
+
 void add_limit(CLI::App& command, const std::string& name, double& limit, const std::string& what) {
   command.add_option(name, limit, what)->capture_default_str()->type_name("NUMBER")->group("Limits");
+}
+
+// Nothing where no state can be: writing it says so.
+std::optional<FileLock> only_program(const std::filesystem::path& state) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const bool is_there = fs::is_regular_file(state, error);
+  const fs::path folder = state.has_parent_path() ? state.parent_path() : ".";
+  if (!is_there && (fs::exists(state, error) || !fs::is_directory(folder, error))) return {};
+  fs::path lock = is_there ? fs::canonical(state) : state;
+  lock += ".lock";
+  std::optional<FileLock> held = FileLock::of(lock);
+  if (held) return held;
+  throw Error(
+      fmt::format("{}: expected to be the only program that keeps this state, found another that holds it; end that "
+                  "one, or give this one a file of its own.",
+                  state.string()));
 }
 
 }  // namespace
 
 void add_compensation_options(CLI::App& command, CompensationOptions& options) {
-  command.add_option("--model", options.models, "model.toml of one axis or more; may be repeated")
+  command
+      .add_option("--model", options.models, "model.toml of one axis or more, or model.json of one; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->required();
@@ -84,14 +110,31 @@ std::vector<CompensatedAxis> axes_of(const CompensationOptions& options) {
     how.data = options.fit;
     data = open_data(how);
   }
+  const auto add = [&](Model model) {  // of one target
+    const std::size_t number = axes.size();
+    const std::string name = number < options.axes.size() ? options.axes[number] : stem_of(model.targets.front());
+    axes.push_back({name, std::move(model)});
+  };
   for (const std::string& file : options.models) {
+    const std::string bytes = read_bytes(file, kLargestText);
+    if (is_effect_regression_json(bytes)) {
+      Model model = read_effect_regression(bytes, file).model;
+      if (data) {
+        throw Error(
+            fmt::format("{}: expected a model that can be fitted, found a regression on effects, whose values are all "
+                        "held; train it again on the data of --fit.",
+                        file));
+      }
+      add(std::move(model));
+      continue;
+    }
     if (is_batch_model(file)) {
       throw Error(
           fmt::format("{}: expected a model of effects, whose memory runs live, found a regression over "
                       "batches.",
                       file));
     }
-    const Model whole = read_model(read_bytes(file, kLargestText), file);
+    const Model whole = read_model(bytes, file);
     for (const std::string& target : whole.targets) {
       Model model = whole;
       model.targets = {target};
@@ -100,8 +143,7 @@ std::vector<CompensatedAxis> axes_of(const CompensationOptions& options) {
       } else {
         expect_held(model, file);
       }
-      const std::size_t number = axes.size();
-      axes.push_back({number < options.axes.size() ? options.axes[number] : stem_of(target), std::move(model)});
+      add(std::move(model));
     }
   }
   if (!options.axes.empty() && options.axes.size() != axes.size()) {
@@ -122,8 +164,14 @@ std::vector<CompensatedAxis> axes_of(const CompensationOptions& options) {
 
 KeptState::KeptState(const std::string& file, const std::vector<CompensatedAxis>& axes, CompensatedAxes& machine)
     : file_(file), counts_(axes.size(), 0) {
-  for (const CompensatedAxis& axis : axes) models_.push_back(write_model(axis.model));
-  if (file_.empty() || !std::filesystem::exists(file_)) return;
+  if (file_.empty()) return;
+  lock_ = only_program(file_);
+  std::vector<std::string> texts;  // which older versions stored
+  for (const CompensatedAxis& axis : axes) {
+    texts.push_back(write_model(axis.model));
+    models_.push_back(digest_of(texts.back()));
+  }
+  if (!std::filesystem::exists(file_)) return;
   const StoredCompensation whole = read_compensation(read_bytes(file_, kLargestText), file_);
   const std::vector<StoredAxis>& stored = whole.axes;
   for (std::size_t a = 0; a < std::max(axes.size(), stored.size()); ++a) {
@@ -132,7 +180,7 @@ KeptState::KeptState(const std::string& file, const std::vector<CompensatedAxis>
     if (expected != found) {
       throw Error(fmt::format("{}: expected the state of {}, found {}.", file_, expected, in_quotes(found)));
     }
-    if (stored[a].model != models_[a]) {
+    if (stored[a].model != models_[a] && stored[a].model != texts[a]) {
       throw Error(
           fmt::format("{}: expected the state of {} with this model, found one with another. Without the file "
                       "the offset begins at 0 again.",
@@ -166,7 +214,7 @@ void KeptState::keep(const CompensatedAxes& machine, const std::optional<Signals
   }
   written_s_ = now_s;
   try {
-    write_bytes(file_, write_compensation(stored));
+    write_bytes_durably(file_, write_compensation(stored));
     written_ = true;
     failed_ = false;
   } catch (const Error& error) {

@@ -8,6 +8,7 @@
 
 #include "ballbar/compensation/compensated_axes.hpp"
 #include "ballbar/formats/models/compensation_state.hpp"
+#include "ballbar/formats/text/file_lock.hpp"
 #include "model/model_options.hpp"
 
 namespace CLI {
@@ -28,14 +29,15 @@ struct CompensationOptions {
 void add_compensation_options(CLI::App& command, CompensationOptions& options);
 
 // One axis a target of the models, in order; with --fit fitted to DATA, its values held and its columns' ranges stated.
-// Throws Error, with the file: a parameter that is free without --fit, as many axes as targets not given.
+// Throws Error, with the file: a parameter that is free without --fit, a regression on effects with it, as many axes as
+// targets not given.
 std::vector<CompensatedAxis> axes_of(const CompensationOptions& options);
 
-// The state's file, read at the start and written as the counts change.
+// The state's file, read at the start and written as the counts change, by no other program meanwhile.
 class KeptState {
  public:
   // Takes the axes to where the file says they stood; nothing where there is no file. Throws Error where it is that of
-  // other axes or models.
+  // other axes or models, and where another program keeps it.
   KeptState(const std::string& file, const std::vector<CompensatedAxis>& axes, CompensatedAxes& machine);
 
   bool resumed() const { return resumed_; }
@@ -49,7 +51,8 @@ class KeptState {
 
  private:
   std::string file_;
-  std::vector<std::string> models_;
+  std::optional<FileLock> lock_;
+  std::vector<std::string> models_;  // a digest each
   std::vector<std::int64_t> counts_;
   std::optional<SignalsPlace> signals_;
   double written_s_ = 0.0;

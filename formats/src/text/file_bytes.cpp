@@ -1,6 +1,8 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -60,6 +62,55 @@ void expect_whole(const std::ifstream& file, const fs::path& path) {
   throw Error(fmt::format("{}: expected a readable file, found an error while reading.", path.string()));
 }
 
+void write_new(const fs::path& temporary, std::string_view bytes, const fs::path& path) {
+  std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (!file)
+    throw Error(
+        fmt::format("{}: expected room to write {} bytes, found: {}.", path.string(), bytes.size(), reason(errno)));
+}
+
+// A file or a folder, for the sake of `path`.
+void flush_to_disk(const fs::path& written, const fs::path& path) {
+  const int file = ::open(written.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool flushed = file >= 0 && (::fsync(file) == 0 || errno == EINVAL);  // EINVAL: nothing there that could be
+  const int error = errno;
+  if (file >= 0) ::close(file);
+  if (!flushed) throw Error(fmt::format("{}: expected a disk that keeps it, found: {}.", path.string(), reason(error)));
+}
+
+// Which file was replaced: of a link its target.
+fs::path replace(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+  std::error_code error;
+  const fs::file_type type = fs::status(path, error).type();
+  if (path.filename().empty() || type == fs::file_type::directory) {
+    throw Error(fmt::format("{}: expected the name of a file to write, found a directory.", path.string()));
+  }
+  // Renaming onto a device would replace the device.
+  if (type != fs::file_type::regular && type != fs::file_type::not_found) {
+    throw Error(fmt::format("{}: expected a regular file or a new name, found neither.", path.string()));
+  }
+  // A link stays a link; its target is replaced.
+  const fs::path target = type == fs::file_type::regular ? fs::canonical(path, error) : path;
+  if (error && type == fs::file_type::regular) {
+    throw Error(fmt::format("{}: expected a file that can be replaced, found: {}.", path.string(), error.message()));
+  }
+  const fs::path temporary = temporary_beside(target);
+  try {
+    write(temporary);
+    fs::rename(temporary, target);
+    return target;
+  } catch (const fs::filesystem_error& failed) {
+    fs::remove(temporary, error);
+    throw Error(
+        fmt::format("{}: expected a file that can be replaced, found: {}.", path.string(), failed.code().message()));
+  } catch (...) {
+    fs::remove(temporary, error);
+    throw;
+  }
+}
+
 }  // namespace
 
 std::string read_head(const fs::path& path, std::size_t most) {
@@ -96,43 +147,17 @@ std::string read_bytes(const fs::path& path, std::size_t limit) {
 }
 
 void write_bytes(const fs::path& path, std::string_view bytes) {
-  write_through(path, [&](const fs::path& temporary) {
-    std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file)
-      throw Error(
-          fmt::format("{}: expected room to write {} bytes, found: {}.", path.string(), bytes.size(), reason(errno)));
-  });
+  write_through(path, [&](const fs::path& temporary) { write_new(temporary, bytes, path); });
 }
 
-void write_through(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  std::error_code error;
-  const fs::file_type type = fs::status(path, error).type();
-  if (path.filename().empty() || type == fs::file_type::directory) {
-    throw Error(fmt::format("{}: expected the name of a file to write, found a directory.", path.string()));
-  }
-  // Renaming onto a device would replace the device.
-  if (type != fs::file_type::regular && type != fs::file_type::not_found) {
-    throw Error(fmt::format("{}: expected a regular file or a new name, found neither.", path.string()));
-  }
-  // A link stays a link; its target is replaced.
-  const fs::path target = type == fs::file_type::regular ? fs::canonical(path, error) : path;
-  if (error && type == fs::file_type::regular) {
-    throw Error(fmt::format("{}: expected a file that can be replaced, found: {}.", path.string(), error.message()));
-  }
-  const fs::path temporary = temporary_beside(target);
-  try {
-    write(temporary);
-    fs::rename(temporary, target);
-  } catch (const fs::filesystem_error& failed) {
-    fs::remove(temporary, error);
-    throw Error(
-        fmt::format("{}: expected a file that can be replaced, found: {}.", path.string(), failed.code().message()));
-  } catch (...) {
-    fs::remove(temporary, error);
-    throw;
-  }
+void write_bytes_durably(const fs::path& path, std::string_view bytes) {
+  const fs::path target = replace(path, [&](const fs::path& temporary) {
+    write_new(temporary, bytes, path);
+    flush_to_disk(temporary, path);
+  });
+  flush_to_disk(target.has_parent_path() ? target.parent_path() : ".", path);  // the name
 }
+
+void write_through(const fs::path& path, const std::function<void(const fs::path&)>& write) { replace(path, write); }
 
 }  // namespace ballbar

@@ -2,11 +2,28 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <iterator>
 
 #include "scratch_folder.hpp"
+
+namespace {
+std::string g_flushed;  // a letter a call: f, a file; d, a folder
+int g_refuse = 0;       // what the disk says
+}  // namespace
+
+// In place of the system's.
+extern "C" int fsync(int file) {
+  struct stat status {};
+  fstat(file, &status);
+  g_flushed += S_ISDIR(status.st_mode) ? 'd' : 'f';
+  if (g_refuse == 0) return static_cast<int>(syscall(SYS_fsync, file));
+  errno = g_refuse;
+  return -1;
+}
 
 namespace ballbar {
 namespace {
@@ -88,6 +105,33 @@ TEST(bytes, writing_is_refused_with_a_whole_sentence) {
   EXPECT_EQ(writing(folder.path() / "none/x"),
             "DIR/none/x: expected a folder to write to, found: No such file or directory.");
   EXPECT_EQ(writing("/dev/null"), "/dev/null: expected a regular file or a new name, found neither.");
+}
+
+TEST(bytes, a_state_is_on_the_disk_and_so_is_its_name) {
+  const ScratchFolder folder;
+  const fs::path file = folder.write("file", "before");
+  fs::create_symlink("file", folder.path() / "link");
+  g_flushed.clear();
+  write_bytes(file, "plain");
+  EXPECT_EQ(g_flushed, "");
+  write_bytes_durably(folder.path() / "link", "after");
+  EXPECT_EQ(g_flushed, "fd");
+  EXPECT_EQ(read_bytes(file, 10), "after");
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "link"));
+  g_refuse = EINVAL;  // a file system that has no disk
+  write_bytes_durably(file, "more");
+  EXPECT_EQ(read_bytes(file, 10), "more");
+  g_refuse = EIO;
+  EXPECT_EQ(complaint(folder, [&] { write_bytes_durably(file, "lost"); }),
+            "DIR/file: expected a disk that keeps it, found: Input/output error.");
+  g_refuse = 0;
+  EXPECT_EQ(read_bytes(file, 10), "more");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 2);
+  const fs::path before = fs::current_path();
+  fs::current_path(folder.path());
+  write_bytes_durably("bare", "x");  // the folder has no name
+  fs::current_path(before);
+  EXPECT_EQ(read_bytes(folder.path() / "bare", 10), "x");
 }
 
 TEST(bytes, a_link_stays_a_link) {

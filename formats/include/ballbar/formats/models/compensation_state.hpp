@@ -26,7 +26,7 @@ struct SignalsPlace {
 
 struct StoredAxis {
   std::string name;
-  std::string model;  // its text, which must be the same to go on
+  std::string model;  // a digest, which must be the same to go on; of older versions its text
   Compensator::State state;
   LiveModel::State live;
 };
