@@ -36,7 +36,7 @@ struct Options {
   std::optional<std::size_t> components;
   std::optional<double> share, penalty_K2;
   std::string model;  // of effects, to compare with
-  bool effects = false;
+  bool effects = false, few = false;
   std::optional<double> max_gap_s;
   std::string out;
   bool json = false;
@@ -176,6 +176,7 @@ void run_effects(const Options& options) {
   }
   TrainEffectsOptions how{batches.list,      batches.target, batches.without, batches.without_sensor,
                           options.max_gap_s, options.out,    options.json};
+  how.few = options.few;
   if (!is_run_list(batches.list)) {
     if (batches.room || batches.inputs != 0 || !batches.without.empty() || batches.keep_broken) {
       throw Error(
@@ -208,6 +209,7 @@ void run_effects(const Options& options) {
 
 void run(const Options& given) {
   if (given.effects) return run_effects(given);
+  if (given.few) throw Error("--few: expected --effects with it.");
   if (given.max_gap_s) throw Error("--max-gap: expected --effects with it.");
   expect_fitting(given);
   Options options = given;
@@ -278,6 +280,7 @@ void add_train(CLI::App& app) {
   command->add_flag(
       "--effects", options->effects,
       "a regression on the catalogue's effects instead, which runs live; RUNS may be one series or session");
+  command->add_flag("--few", options->few, "with --effects: some ten effects, nine selections averaged");
   add_max_gap(*command, options->max_gap_s);
   command->add_option("--out", options->out, "write the model, .json")->required()->type_name("FILE");
   command->add_flag("--json", options->json, "the comparison for a program");

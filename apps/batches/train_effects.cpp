@@ -200,6 +200,7 @@ void train_effects(const TrainEffectsOptions& options, const std::vector<std::fi
                    const std::vector<OtherMethod>& others, const std::vector<std::string>& remarks) {
   const std::vector<Series> runs = runs_of(options, files);
   EffectRegressionOptions how;
+  how.few = options.few;
   how.progress = [](const std::string& what) { show_progress(what); };
   const TrainedRegression trained = [&] {
     const ProgressLine progress;

@@ -22,6 +22,7 @@ struct TrainEffectsOptions {
   std::string target;
   std::vector<std::string> without, without_sensor;
   std::optional<double> max_gap_s;
+  bool few = false;
   std::string out;
   bool json = false;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -126,7 +127,7 @@ Eigen::VectorXd shares_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd&
 }
 
 DriverReport driver_report(const Design& design, const Series& first_run, const RidgeProblem& problem,
-                           const RidgeFit& fit) {
+                           const RidgeFit& fit, bool refit) {
   const std::vector<DriverColumn> columns = driver_columns(design, fit);
   Eigen::VectorXd gains = Eigen::VectorXd::Zero(problem.columns.cols());
   for (std::size_t k = 0; k < fit.used.size(); ++k)
@@ -138,7 +139,7 @@ DriverReport driver_report(const Design& design, const Series& first_run, const 
   const std::size_t folds = *std::max_element(fold.begin(), fold.end()) + 1;
   DriverReport report;
   report.range_um = range_in(sum);
-  report.refits = folds > 1 ? std::min(folds, kMostRefits) : 0;
+  report.refits = refit && folds > 1 ? std::min(folds, kMostRefits) : 0;
   std::vector<Eigen::VectorXd> refitted(report.refits);
   in_parallel(report.refits, [&](std::size_t i) {
     std::vector<std::size_t> rows;
@@ -148,8 +149,8 @@ DriverReport driver_report(const Design& design, const Series& first_run, const 
     const Eigen::MatrixXd again = added_um(problem, fit, columns, gains_from(problem, fit.setting, rows));
     refitted[i] = shares_of(again, sum);
   });
-  std::vector<double> falls(columns.size());
-  in_parallel(columns.size(), [&](std::size_t c) {
+  std::vector<double> falls(columns.size(), std::numeric_limits<double>::infinity());
+  in_parallel(refit ? columns.size() : 0, [&](std::size_t c) {
     falls[c] = fit.log_likelihood - log_likelihood_without(problem, fit.setting, columns[c].predictors);
   });
   std::vector<bool> not_needed;

@@ -10,6 +10,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/fit/held_model.hpp"
 #include "effect_regression/driver_report.hpp"
+#include "effect_regression/few_effects.hpp"
 #include "effect_regression/forecasts.hpp"
 #include "effect_regression/ridge.hpp"
 #include "numerics/median.hpp"
@@ -107,16 +108,22 @@ TrainedRegression trained_regression(std::span<const Series> runs, const std::st
   std::vector<std::size_t> rows(design.row.size());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   const RidgeProblem problem = ridge_problem(design, rows);
-  say("choosing the dictionary");
+  say(options.few ? "choosing effects" : "choosing the dictionary");
   const bool leaves_runs_out = runs.size() >= kFewestRunsToLeaveOut;
-  const RidgeSetting setting = chosen_setting(leaves_runs_out ? ridge_problem(design, rows, kChoiceRows) : problem);
-  const RidgeFit fit = ridge_fit(problem, setting);
+  RidgeFit fit;
+  if (options.few) {
+    fit = few_effects(problem);
+  } else {
+    fit = ridge_fit(problem, chosen_setting(leaves_runs_out ? ridge_problem(design, rows, kChoiceRows) : problem));
+  }
+  const RidgeSetting& setting = fit.setting;
   EffectRegression regression;
   regression.model.targets = {target};
   add_terms(design.predictors, problem, fit, regression);
   for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
     if ((setting.kinds >> kind & 1U) != 0) regression.dictionary.emplace_back(kKinds[kind]);
   }
+  if (options.few) regression.dictionary = {fmt::format("{} effects, the mean of nine selections", fit.used.size())};
   regression.prior_variance = setting.variance;
   regression.length_s = setting.length_s;
   regression.sigma_um = fit.sigma_um;
@@ -129,10 +136,10 @@ TrainedRegression trained_regression(std::span<const Series> runs, const std::st
   TrainedRegression trained;
   if (options.report) {
     say("leaving columns and cycles out");
-    trained.drivers = driver_report(design, runs.front(), problem, fit);
+    trained.drivers = driver_report(design, runs.front(), problem, fit, !options.few);
   }
   if (options.forecasts) {
-    if (const auto tested = tested_forecasts(design, runs.front(), problem, setting, options.progress)) {
+    if (const auto tested = tested_forecasts(design, runs.front(), problem, setting, options.few, options.progress)) {
       regression.forecasts = tested->forecasts;
       regression.interval_scale = tested->interval_scale;
       trained.left_out_um = tested->left_out_um;

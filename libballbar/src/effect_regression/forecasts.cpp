@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "ballbar/series/speed_steps.hpp"
+#include "effect_regression/few_effects.hpp"
 #include "effect_regression/interval.hpp"
 
 namespace ballbar {
@@ -52,10 +53,10 @@ TestedForecasts tested(std::size_t count, Errors errors) {
 
 // Predicts these rows from those, the setting chosen from those alone.
 void forecast(const Design& design, const std::vector<std::size_t>& from, const std::vector<std::size_t>& rows,
-              bool goes_on, Errors& errors) {
-  const RidgeSetting setting = chosen_setting(ridge_problem(design, from, kChoiceRows));
+              bool goes_on, bool few, Errors& errors) {
   const RidgeProblem problem = ridge_problem(design, from);
-  const RidgeFit fit = ridge_fit(problem, setting);
+  const RidgeFit fit = few ? few_effects(problem)
+                           : ridge_fit(problem, chosen_setting(ridge_problem(design, from, kChoiceRows)));
   const double held = goes_on ? design.target_um[static_cast<Eigen::Index>(from.back())] : 0.0;
   for (const std::size_t row : thinned(rows, kRidgeRows)) {
     const auto i = static_cast<Eigen::Index>(row);
@@ -71,20 +72,20 @@ std::vector<std::size_t> rows_between(std::size_t first, std::size_t end) {
   return rows;
 }
 
-TestedForecasts of_one_run(const Design& design, const std::vector<ForecastRows>& ahead,
+TestedForecasts of_one_run(const Design& design, const std::vector<ForecastRows>& ahead, bool few,
                            const std::function<void(const std::string&)>& progress) {
   Errors errors;
   for (std::size_t i = 0; i < ahead.size(); ++i) {
     if (progress) progress(fmt::format("forecast {} of {}", i + 1, ahead.size()));
-    forecast(design, rows_between(0, ahead[i].first), rows_between(ahead[i].first, ahead[i].end), true, errors);
+    forecast(design, rows_between(0, ahead[i].first), rows_between(ahead[i].first, ahead[i].end), true, few, errors);
   }
   return tested(ahead.size(), std::move(errors));
 }
 
-TestedForecasts of_runs(const Design& design, const RidgeProblem& problem, const RidgeSetting& setting,
+TestedForecasts of_runs(const Design& design, const RidgeProblem& problem, const RidgeSetting& setting, bool few,
                         const std::function<void(const std::string&)>& progress) {
   Errors errors;
-  if (design.runs >= kFewestRunsToLeaveOut) {
+  if (!few && design.runs >= kFewestRunsToLeaveOut) {
     if (progress) progress(fmt::format("leaving out each of {} runs", design.runs));
     const LeftOutRuns left = left_out_runs(problem, setting);
     for (Eigen::Index i = 0; i < left.error_um.size(); ++i) {
@@ -99,7 +100,7 @@ TestedForecasts of_runs(const Design& design, const RidgeProblem& problem, const
     if (progress) progress(fmt::format("leaving out run {} of {}", run + 1, design.runs));
     std::vector<std::size_t> from, rows;
     for (std::size_t i = 0; i < design.run.size(); ++i) (design.run[i] == run ? rows : from).push_back(i);
-    forecast(design, from, rows, false, errors);
+    forecast(design, from, rows, false, few, errors);
   }
   return tested(design.runs, std::move(errors));
 }
@@ -129,12 +130,12 @@ std::vector<ForecastRows> forecast_rows(const Design& design, const Series& run)
 }
 
 std::optional<TestedForecasts> tested_forecasts(const Design& design, const Series& first_run,
-                                                const RidgeProblem& problem, const RidgeSetting& setting,
+                                                const RidgeProblem& problem, const RidgeSetting& setting, bool few,
                                                 const std::function<void(const std::string&)>& progress) {
-  if (design.runs > 1) return of_runs(design, problem, setting, progress);
+  if (design.runs > 1) return of_runs(design, problem, setting, few, progress);
   const std::vector<ForecastRows> ahead = forecast_rows(design, first_run);
   if (ahead.empty()) return std::nullopt;
-  return of_one_run(design, ahead, progress);
+  return of_one_run(design, ahead, few, progress);
 }
 
 }  // namespace ballbar

@@ -120,6 +120,19 @@ class Carried {
     return of_.towards_end.dot(of_.target - together(order, std::nullopt) * gains);
   }
 
+  // Of the gains, then of what the discrepancy is in the last row: its change with them, and what is not known of it.
+  Eigen::MatrixXd covariance_um2(const std::vector<Eigen::Index>& order, double remembered_share) const {
+    const Eigen::MatrixXd all = together(order, std::nullopt);
+    const Eigen::Index p = all.cols();
+    Eigen::MatrixXd normal = all.transpose() * all;
+    normal.diagonal().tail(p - of_.fixed.cols()).array() += 1.0 / variance_;
+    Eigen::MatrixXd change = Eigen::MatrixXd::Identity(p + 1, p);
+    change.row(p) = -of_.towards_end.transpose() * all;
+    Eigen::MatrixXd covariance = change * normal.ldlt().solve(change.transpose());
+    covariance(p, p) += std::max(0.0, remembered_share - of_.towards_end.squaredNorm());
+    return covariance * (sum_ / degrees_);
+  }
+
   double sigma_um() const { return std::sqrt(sum_ / degrees_); }
 
  private:
@@ -187,6 +200,7 @@ Selection forward_selection(const SelectionProblem& problem, std::span<const Sel
       result.sigma_um += share * one.sigma_um();
       if (surrogate) result.surrogate_gains += share * one.gains(before, surrogate);
     }
+    result.covariance_um2 = carried.front().covariance_um2(order, remembered(0.0, states.front().length_s));
     return result;
   };
   selection.fits.push_back(fit(std::nullopt));

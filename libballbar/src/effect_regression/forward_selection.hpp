@@ -49,6 +49,7 @@ struct SelectedFit {
   Eigen::VectorXd gains;            // of F, then in the order of joining
   Eigen::VectorXd surrogate_gains;  // with the surrogate in the place of the last; none after 0
   double end_um = 0.0;              // what the discrepancy is in the last row
+  Eigen::MatrixXd covariance_um2;   // of the gains, and of that; of the first state
   double sigma_um = 0.0;            // s
 };
 

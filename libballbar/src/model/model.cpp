@@ -127,10 +127,15 @@ void expect_settings(const Term& term) {
   }
 }
 
+bool is_held(const Term& term) {
+  return std::all_of(term.settings.begin(), term.settings.end(), [](const Setting& setting) { return setting.held; });
+}
+
 bool same_term(const Term& left, const Term& right) {
   if (left.effect->name != right.effect->name || left.columns != right.columns || label_of(left) != label_of(right)) {
     return false;
   }
+  if (is_held(left) != is_held(right)) return false;  // what is held is taken off, and cannot be mistaken for the other
   // Of one recording each: the same effect on another.
   for (std::size_t k = 0; k < left.settings.size(); ++k) {
     const bool held = left.settings[k].held && right.settings[k].held;

@@ -105,6 +105,7 @@ struct EffectRegression {
 
 struct EffectRegressionOptions {
   std::function<void(const std::string& what)> progress = {};  // told before each longer part
+  bool few = false;  // a few effects, of nine selections the mean, in place of the whole dictionary
   bool forecasts = true, report = true;
 };
 
