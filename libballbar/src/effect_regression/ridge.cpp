@@ -169,29 +169,33 @@ RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>&
   problem.prior.resize(kPredictorKinds);
   for (const PredictorFamily& family : design.predictors.families) {
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(p, p);
-    std::size_t members = 0;
+    double weights = 0.0;
+    // Exponents of a source have units of their own: no standard deviation of one beside that of another.
+    const bool by_sd = family.kind == PredictorKind::temperature || family.kind == PredictorKind::difference;
     for (const PredictorSum& member : family.members) {
       const auto a = static_cast<Eigen::Index>(member.plus);
       if (!member.minus) {
         if (!(problem.sd[a] > 0.0)) continue;
-        sum(a, a) += 1.0;
+        const double weight = by_sd ? problem.sd[a] : 1.0;
+        sum(a, a) += weight;
+        weights += weight;
       } else {
         const auto b = static_cast<Eigen::Index>(*member.minus);
         if (!(problem.sd[a] > 0.0) || !(problem.sd[b] > 0.0)) continue;
         const double sd = sd_of(problem.sd[a] * problem.columns.col(a) - problem.sd[b] * problem.columns.col(b));
         if (!(sd > 1e-3 * std::max(problem.sd[a], problem.sd[b]))) continue;
-        const double plus = problem.sd[a] / sd, minus = problem.sd[b] / sd;
-        sum(a, a) += plus * plus;
-        sum(b, b) += minus * minus;
-        sum(a, b) -= plus * minus;
-        sum(b, a) -= plus * minus;
+        const double plus = problem.sd[a] / sd, minus = problem.sd[b] / sd, weight = by_sd ? sd : 1.0;
+        sum(a, a) += weight * plus * plus;
+        sum(b, b) += weight * minus * minus;
+        sum(a, b) -= weight * plus * minus;
+        sum(b, a) -= weight * plus * minus;
+        weights += weight;
       }
-      ++members;
     }
-    if (members == 0) continue;
+    if (!(weights > 0.0)) continue;
     Eigen::MatrixXd& prior = problem.prior[static_cast<std::size_t>(family.kind)];
     if (prior.size() == 0) prior = Eigen::MatrixXd::Zero(p, p);
-    prior += sum / static_cast<double>(members);
+    prior += sum / weights;
   }
   problem.kernel.resize(kPredictorKinds);
   in_parallel(kPredictorKinds, [&](std::size_t kind) {

@@ -2,10 +2,12 @@
 //
 //   y = b + X~ w + e,   w ~ N(0, s^2 v P),   e ~ N(0, s^2 N),   b free
 //   N = 0.98 exp(-|dt| / l) + 0.02 I         within a run; 0 between runs; l = 0: N = I
-//   P = sum over families of (1/m) sum_k w_k w_k'
+//   P = sum over families of sum_k c_k w_k w_k' / sum_k c_k
 //
-// X~ are the predictors less their means over their standard deviations; w_k is one of the m members of a family,
-// scaled by its own standard deviation, so that every family has the same prior variance. So
+// X~ are the predictors less their means over their standard deviations; w_k is one of the members of a family, scaled
+// by its own standard deviation, so that every family has the same prior variance. c_k is 1; of temperatures and their
+// differences that standard deviation, half-way to equal gains in um/K: a temperature that hardly moved in training,
+// and may in another run, has no large gain to explain what others do as well. So
 //
 //   K = v X~ P X~' + N,   b = 1'K^-1 y / q,   q = 1'K^-1 1,   E w = v P X~' K^-1 (y - b)
 //

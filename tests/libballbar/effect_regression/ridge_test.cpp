@@ -42,7 +42,8 @@ Eigen::MatrixXd remembered_part(const Design& design, double length_s) {
   return part;
 }
 
-// v sum over families of (1/m) sum over members of z z', z their standardised values; and N.
+// v sum over families of the mean over members of z z', z their standardised values, weighted by the standard
+// deviation where they are of temperatures; and N.
 Eigen::MatrixXd covariance(const Design& design, const RidgeSetting& setting) {
   const auto n = static_cast<Eigen::Index>(design.row.size());
   Eigen::MatrixXd sum = Eigen::MatrixXd::Identity(n, n);
@@ -50,7 +51,7 @@ Eigen::MatrixXd covariance(const Design& design, const RidgeSetting& setting) {
   for (const PredictorFamily& family : design.predictors.families) {
     if ((setting.kinds >> static_cast<unsigned>(family.kind) & 1U) == 0) continue;
     Eigen::MatrixXd of_family = Eigen::MatrixXd::Zero(n, n);
-    double members = 0.0;
+    double weights = 0.0;
     for (const PredictorSum& member : family.members) {
       Eigen::VectorXd z = design.values.col(static_cast<Eigen::Index>(member.plus));
       if (member.minus) z -= design.values.col(static_cast<Eigen::Index>(*member.minus));
@@ -58,10 +59,11 @@ Eigen::MatrixXd covariance(const Design& design, const RidgeSetting& setting) {
       const double sd = std::sqrt(z.squaredNorm() / static_cast<double>(n));
       if (!(sd > 1e-6)) continue;
       z /= sd;
-      of_family += z * z.transpose();
-      members += 1.0;
+      const double weight = family.kind == PredictorKind::source ? 1.0 : sd;
+      of_family += weight * z * z.transpose();
+      weights += weight;
     }
-    if (members > 0.0) sum += setting.variance / members * of_family;
+    if (weights > 0.0) sum += setting.variance / weights * of_family;
   }
   return sum;
 }

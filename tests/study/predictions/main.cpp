@@ -10,7 +10,7 @@
 //                growth is at once
 //   within       share of unseen readings within the interval of 95 %
 // and for targets that are random walks beside the same columns whether forecasts say that to hold the last value is as
-// good. Fails (exit 1) where a figure leaves the range stated in its row.
+// good: their RMSE over that of holding. Fails (exit 1) where a figure leaves the range stated in its row.
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
@@ -94,8 +94,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   const auto start = std::chrono::steady_clock::now();
-  std::vector<double> of_causes, of_sensors, shares;
-  double within = 0.0, readings = 0.0, held = 0.0;
+  std::vector<double> of_causes, of_sensors, shares, of_held, of_walk_held;
+  double within = 0.0, readings = 0.0;
   fmt::print("          range  regression  causes  sensors  within  memory scale  forecasts  dictionary\n");
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     const predictions::Made made = predictions::made(seed);
@@ -110,6 +110,7 @@ int main(int argc, char** argv) {
                  sensors_um = least_squares_um(made, sensors);
     of_causes.push_back(rmse_um / causes_um);
     of_sensors.push_back(rmse_um / sensors_um);
+    of_held.push_back(regression.forecasts->rmse_um / regression.forecasts->held_um);
     shares.push_back(static_cast<double>(inside) / static_cast<double>(n));
     within += static_cast<double>(inside);
     readings += static_cast<double>(n);
@@ -121,16 +122,28 @@ int main(int argc, char** argv) {
     std::fflush(stdout);
     const Series walk = predictions::random_walk(made, seed);
     const Forecasts of_walk = *effect_regression({&walk, 1}, made.target).forecasts;
-    if (of_walk.rmse_um >= 0.95 * of_walk.held_um) held += 1.0;
+    of_walk_held.push_back(of_walk.rmse_um / of_walk.held_um);
   }
   fmt::print("\n{:20}     min     10%     25%  median     75%     90%     max\n", "");
   print_quantiles("over causes", of_causes);
   print_quantiles("over sensors", of_sensors);
   print_quantiles("share within", shares);
+  print_quantiles("over held", of_held);
+  print_quantiles("over held, walks", of_walk_held);
   fmt::print("\n{:46} {:>8}   asked\n", "", "found");
   bool succeeds = is_asked("median of regression over sensors", quantile(of_sensors, 0.5), 0.0, 1.3);
   succeeds = is_asked("unseen readings within 95 %", within / readings, 0.90, 0.98) && succeeds;
-  succeeds = is_asked("random walks that are as well held", held / static_cast<double>(count), 0.9, 1.0) && succeeds;
+  const auto held = [&](double share) {
+    const auto others = std::count_if(of_walk_held.begin(), of_walk_held.end(), [&](double of) { return of >= share; });
+    return static_cast<double>(others) / static_cast<double>(count);
+  };
+  // Three origins of one record: below 0.95 by chance in a third of cases, below 2/3 in a tenth. Less two standard
+  // deviations of a share of so few.
+  const auto least = [&](double share) {
+    return share - 2.0 * std::sqrt(share * (1.0 - share) / static_cast<double>(count));
+  };
+  succeeds = is_asked("random walks: over held from 2/3 on", held(2.0 / 3.0), least(0.9), 1.0) && succeeds;
+  succeeds = is_asked("random walks: over held from 0.95 on", held(0.95), least(2.0 / 3.0), 1.0) && succeeds;
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   fmt::print("{:.0f} s\n", taken.count());
   return succeeds ? 0 : 1;
