@@ -110,7 +110,7 @@ std::string conclusion(const GrownModel& grown, const std::vector<std::string>& 
 }
 
 std::string tables(const GrownModel& grown) {
-  Table table({"revision", "RMSE um", "with surrogate", "forecasts um", "with surrogate", "2 ln B", "what it is"});
+  Table table({"revision", "RMSE um", "surrogates", "forecasts um", "surrogates", "2 ln B", "what it is"});
   const auto add = [&](const std::string& name, const GrowthErrors& errors, const LedgerRow* row) {
     table.add({shortened(name, 44), known(errors.rmse_um), known(errors.surrogate_um), known(errors.forecast_um),
                known(errors.surrogate_forecast_um), row == nullptr ? "-" : fixed(row->likelihood_ratio, 1),
@@ -122,11 +122,11 @@ std::string tables(const GrownModel& grown) {
   }
   return fmt::format(
       "{}{}", table.text(kWidest),
-      wrapped(fmt::format("forecasts: RMSE of rows predicted from earlier ones alone, from {} origins, all of the "
-                          "growth done again each time. with surrogate: the same with a column as smooth, random "
-                          "phases and no cause, in the place of the effect. 2 ln B is large because nothing else was "
-                          "there to say it: it is no evidence of a cause.",
-                          grown.growth.forecasts)));
+      wrapped(fmt::format(
+          "forecasts: RMSE of rows predicted from earlier ones alone, from {} origins, all of the "
+          "growth done again each time. surrogates: as many columns as smooth, with random phases and no cause, chosen "
+          "and fitted alike. 2 ln B is large because nothing else was there to say it: it is no evidence of a cause.",
+          grown.growth.forecasts)));
 }
 
 nlohmann::ordered_json json_of(const GrownModel& grown) {

@@ -32,7 +32,7 @@ constexpr Key kKeys[] = {
     {"evidence", "1", "what `likelihood_ratio` was called before"},
     {"best_fake_fall", "1", "what `best_surrogate_fall` was called before"},
     {"forecast_um", "um", "root mean square error of rows forecast from earlier ones alone"},
-    {"surrogate_forecast_um", "um", "the same with a surrogate in the place of the effect"},
+    {"surrogate_forecast_um", "um", "the same with as many surrogates in place of the effects"},
     {"discrepancy_um", "um", "standard deviation of the slow curve that is left"},
     {"verdict", "text",
      "\"start\", \"named\", \"supported\", \"time only\", \"not supported\", \"driver known\" or \"empirical\""},

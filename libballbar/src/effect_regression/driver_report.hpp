@@ -6,7 +6,8 @@
 
 namespace ballbar {
 
-// refit: whether shares without cycles and what is not needed are looked at. first_run: whose cycles of speed are left out where it is the only one.
+// refit: whether shares without cycles and what is not needed are looked at. first_run: whose cycles of speed are left
+// out where it is the only one.
 DriverReport driver_report(const Design& design, const Series& first_run, const RidgeProblem& problem,
                            const RidgeFit& fit, bool refit);
 

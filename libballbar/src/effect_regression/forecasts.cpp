@@ -55,8 +55,8 @@ TestedForecasts tested(std::size_t count, Errors errors) {
 void forecast(const Design& design, const std::vector<std::size_t>& from, const std::vector<std::size_t>& rows,
               bool goes_on, bool few, Errors& errors) {
   const RidgeProblem problem = ridge_problem(design, from);
-  const RidgeFit fit = few ? few_effects(problem)
-                           : ridge_fit(problem, chosen_setting(ridge_problem(design, from, kChoiceRows)));
+  const RidgeFit fit =
+      few ? few_effects(problem) : ridge_fit(problem, chosen_setting(ridge_problem(design, from, kChoiceRows)));
   const double held = goes_on ? design.target_um[static_cast<Eigen::Index>(from.back())] : 0.0;
   for (const std::size_t row : thinned(rows, kRidgeRows)) {
     const auto i = static_cast<Eigen::Index>(row);

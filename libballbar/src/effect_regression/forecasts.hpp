@@ -27,7 +27,8 @@ struct TestedForecasts {
   std::vector<double> left_out_um;  // RMSE of each run, of five or more
 };
 
-// Of one run forecasts from these origins; of several each run left out, of five or more with the setting given. few: of few_effects.
+// Of one run forecasts from these origins; of several each run left out, of five or more with the setting given. few:
+// of few_effects.
 std::optional<TestedForecasts> tested_forecasts(const Design& design, const Series& first_run,
                                                 const RidgeProblem& problem, const RidgeSetting& setting, bool few,
                                                 const std::function<void(const std::string&)>& progress);

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "ballbar/numerics/parallel.hpp"
@@ -33,8 +32,8 @@ constexpr std::array<SelectionState, 16> kStates{{{600.0, 0.3},
 
 // Whitened by one discrepancy.
 struct Whitened {
-  Eigen::MatrixXd fixed, columns, surrogates;  // not freed of F
-  Eigen::MatrixXd free_columns, free_surrogates;
+  Eigen::MatrixXd fixed, columns;  // not freed of F
+  Eigen::MatrixXd free_columns;
   Eigen::VectorXd target, free_target;
   Eigen::VectorXd towards_end;  // covariance of the discrepancy in the last row with all rows, whitened
 };
@@ -57,10 +56,6 @@ Whitened whitened(const SelectionProblem& problem, double length_s) {
   const auto freed = [&](const auto& of_what) { return (of_what - q * (q.transpose() * of_what)).eval(); };
   of.free_columns = freed(of.columns);
   of.free_target = freed(of.target);
-  if (problem.surrogates.size() > 0) {
-    of.surrogates = root.matrixL().solve(problem.surrogates);
-    of.free_surrogates = freed(of.surrogates);
-  }
   return of;
 }
 
@@ -90,12 +85,10 @@ class Carried {
       : of_(of),
         variance_(variance),
         columns_(of.free_columns, of.free_target),
-        surrogates_(of.free_surrogates, of.free_target),
         sum_(of.free_target.squaredNorm()),
         degrees_(static_cast<double>(of.fixed.rows() - of.fixed.cols())) {}
 
   Eigen::VectorXd rises() const { return columns_.rises(variance_, sum_, degrees_); }
-  Eigen::VectorXd surrogate_rises() const { return surrogates_.rises(variance_, sum_, degrees_); }
 
   void join(Eigen::Index c) {
     Eigen::VectorXd w = of_.free_columns.col(c);
@@ -104,25 +97,24 @@ class Carried {
     const double factor = variance_ / (1.0 + variance_ * along[c]), q = columns_.q[c];
     sum_ = std::max(sum_ - factor * q * q, std::numeric_limits<double>::min());
     columns_.update(along, factor, q);
-    if (of_.free_surrogates.size() > 0) surrogates_.update(of_.free_surrogates.transpose() * w, factor, q);
     joined_.emplace_back(std::move(w), factor);
   }
 
   // Gains of F and of these columns, not scaled back.
-  Eigen::VectorXd gains(const std::vector<Eigen::Index>& order, std::optional<Eigen::Index> surrogate) const {
-    const Eigen::MatrixXd all = together(order, surrogate);
+  Eigen::VectorXd gains(const std::vector<Eigen::Index>& order) const {
+    const Eigen::MatrixXd all = together(order);
     Eigen::MatrixXd normal = all.transpose() * all;
     normal.diagonal().tail(all.cols() - of_.fixed.cols()).array() += 1.0 / variance_;
     return normal.ldlt().solve(all.transpose() * of_.target);
   }
 
   double end_um(const std::vector<Eigen::Index>& order, const Eigen::VectorXd& gains) const {
-    return of_.towards_end.dot(of_.target - together(order, std::nullopt) * gains);
+    return of_.towards_end.dot(of_.target - together(order) * gains);
   }
 
   // Of the gains, then of what the discrepancy is in the last row: its change with them, and what is not known of it.
   Eigen::MatrixXd covariance_um2(const std::vector<Eigen::Index>& order, double remembered_share) const {
-    const Eigen::MatrixXd all = together(order, std::nullopt);
+    const Eigen::MatrixXd all = together(order);
     const Eigen::Index p = all.cols();
     Eigen::MatrixXd normal = all.transpose() * all;
     normal.diagonal().tail(p - of_.fixed.cols()).array() += 1.0 / variance_;
@@ -136,19 +128,17 @@ class Carried {
   double sigma_um() const { return std::sqrt(sum_ / degrees_); }
 
  private:
-  Eigen::MatrixXd together(const std::vector<Eigen::Index>& order, std::optional<Eigen::Index> surrogate) const {
-    Eigen::MatrixXd all(of_.fixed.rows(),
-                        of_.fixed.cols() + static_cast<Eigen::Index>(order.size() + (surrogate ? 1U : 0U)));
+  Eigen::MatrixXd together(const std::vector<Eigen::Index>& order) const {
+    Eigen::MatrixXd all(of_.fixed.rows(), of_.fixed.cols() + static_cast<Eigen::Index>(order.size()));
     all.leftCols(of_.fixed.cols()) = of_.fixed;
     for (std::size_t k = 0; k < order.size(); ++k)
       all.col(of_.fixed.cols() + static_cast<Eigen::Index>(k)) = of_.columns.col(order[k]);
-    if (surrogate) all.rightCols(1) = of_.surrogates.col(*surrogate);
     return all;
   }
 
   const Whitened& of_;
   double variance_;
-  Scores columns_, surrogates_;
+  Scores columns_;
   double sum_, degrees_;
   std::vector<std::pair<Eigen::VectorXd, double>> joined_;
 };
@@ -187,23 +177,20 @@ Selection forward_selection(const SelectionProblem& problem, std::span<const Sel
   };
   Selection selection;
   std::vector<Eigen::Index> order;
-  const auto fit = [&](std::optional<Eigen::Index> surrogate) {
+  const auto fit = [&] {
     SelectedFit result;
     const Eigen::Index count = problem.fixed.cols() + static_cast<Eigen::Index>(order.size());
     result.gains = Eigen::VectorXd::Zero(count);
-    if (surrogate) result.surrogate_gains = Eigen::VectorXd::Zero(count);
-    const std::vector<Eigen::Index> before(order.begin(), order.end() - (surrogate ? 1 : 0));
     for (const Carried& one : carried) {
-      const Eigen::VectorXd gains = one.gains(order, std::nullopt);
+      const Eigen::VectorXd gains = one.gains(order);
       result.gains += share * gains;
       result.end_um += share * one.end_um(order, gains);
       result.sigma_um += share * one.sigma_um();
-      if (surrogate) result.surrogate_gains += share * one.gains(before, surrogate);
     }
     result.covariance_um2 = carried.front().covariance_um2(order, remembered(0.0, states.front().length_s));
     return result;
   };
-  selection.fits.push_back(fit(std::nullopt));
+  selection.fits.push_back(fit());
   while (order.size() < most && static_cast<Eigen::Index>(order.size()) < p) {
     Eigen::VectorXd rises = mean_of([](const Carried& one) { return one.rises(); });
     for (const Eigen::Index c : order) rises[c] = -std::numeric_limits<double>::infinity();
@@ -212,18 +199,10 @@ Selection forward_selection(const SelectionProblem& problem, std::span<const Sel
     next.log_bayes = rises.maxCoeff(&best);
     next.column = static_cast<std::size_t>(best);
     next.p_none = p_none(rises, static_cast<std::size_t>(p) - order.size());
-    next.surrogate_log_bayes = std::numeric_limits<double>::quiet_NaN();
-    std::optional<Eigen::Index> surrogate;
-    if (problem.surrogates.size() > 0) {
-      Eigen::Index place = 0;
-      next.surrogate_log_bayes = mean_of([](const Carried& one) { return one.surrogate_rises(); }).maxCoeff(&place);
-      next.surrogate = static_cast<std::size_t>(place);
-      surrogate = place;
-    }
     for (Carried& one : carried) one.join(best);
     order.push_back(best);
     selection.joined.push_back(next);
-    selection.fits.push_back(fit(surrogate));
+    selection.fits.push_back(fit());
   }
   return selection;
 }

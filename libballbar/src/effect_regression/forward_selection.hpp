@@ -11,8 +11,6 @@
 // predictor of the largest mean over the states joins; gains are means over the states too. Whether any more is needed:
 //
 //   P(none) = 1 / (1 + mean over the predictors of exp of that rise)
-//
-// Beside it a surrogate of every predictor, as smooth and without a cause, is tried in the place of each that joins.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,29 +26,25 @@ struct SelectionState {
 };
 
 struct SelectionProblem {
-  Eigen::MatrixXd fixed;       // F, n by f
-  Eigen::MatrixXd columns;     // n by p, scaled
-  Eigen::MatrixXd surrogates;  // n by p, scaled; or none
-  Eigen::VectorXd target_um;   // n
+  Eigen::MatrixXd fixed;      // F, n by f
+  Eigen::MatrixXd columns;    // n by p, scaled
+  Eigen::VectorXd target_um;  // n
   std::vector<double> time_s;
   std::vector<std::size_t> run;
 };
 
 struct Selected {
   std::size_t column = 0;
-  double log_bayes = 0.0;            // the rise of ln L
-  double p_none = 0.0;               // before it joined
-  std::size_t surrogate = 0;         // the best one in its place
-  double surrogate_log_bayes = 0.0;  // NaN: none were given
+  double log_bayes = 0.0;  // the rise of ln L
+  double p_none = 0.0;     // before it joined
 };
 
 // After so many predictors have joined, means over the states.
 struct SelectedFit {
-  Eigen::VectorXd gains;            // of F, then in the order of joining
-  Eigen::VectorXd surrogate_gains;  // with the surrogate in the place of the last; none after 0
-  double end_um = 0.0;              // what the discrepancy is in the last row
-  Eigen::MatrixXd covariance_um2;   // of the gains, and of that; of the first state
-  double sigma_um = 0.0;            // s
+  Eigen::VectorXd gains;           // of F, then in the order of joining
+  double end_um = 0.0;             // what the discrepancy is in the last row
+  Eigen::MatrixXd covariance_um2;  // of the gains, and of that; of the first state
+  double sigma_um = 0.0;           // s
 };
 
 struct Selection {

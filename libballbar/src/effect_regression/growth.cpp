@@ -99,13 +99,12 @@ struct Grown {
   std::vector<Eigen::Index> of;  // columns of the design that the selection's are
   Eigen::VectorXd mean, sd;      // of these
   Selection selection;
-  std::vector<Eigen::VectorXd> predicted_um;            // thinned rows, with 0, 1 ... effects
-  std::vector<Eigen::VectorXd> surrogate_predicted_um;  // with a surrogate in the place of the last
+  std::vector<Eigen::VectorXd> predicted_um;  // thinned rows, with 0, 1 ... effects
 };
 
-Grown grown_on(const Thin& thin, const BaseColumns& base, Eigen::Index n, std::size_t most) {
+Grown grown_on(const Thin& thin, const Eigen::MatrixXd& of, const BaseColumns& base, Eigen::Index n, std::size_t most) {
   Grown grown;
-  const Eigen::MatrixXd head = thin.columns.topRows(n);
+  const Eigen::MatrixXd head = of.topRows(n);
   std::vector<double> means, sds;
   for (Eigen::Index k = 0; k < head.cols(); ++k) {
     const double mean = head.col(k).mean();
@@ -118,39 +117,25 @@ Grown grown_on(const Thin& thin, const BaseColumns& base, Eigen::Index n, std::s
   const auto p = static_cast<Eigen::Index>(grown.of.size());
   grown.mean = Eigen::Map<const Eigen::VectorXd>(means.data(), p);
   grown.sd = Eigen::Map<const Eigen::VectorXd>(sds.data(), p);
-  const auto scaled = [&](const Eigen::MatrixXd& columns) {
-    Eigen::MatrixXd result = columns(Eigen::all, grown.of);
-    result.rowwise() -= grown.mean.transpose();
-    result.array().rowwise() /= grown.sd.transpose().array();
-    return result;
-  };
-  const Eigen::MatrixXd columns = scaled(thin.columns), surrogates = scaled(thin.surrogates);
+  Eigen::MatrixXd columns = of(Eigen::all, grown.of);
+  columns.rowwise() -= grown.mean.transpose();
+  columns.array().rowwise() /= grown.sd.transpose().array();
   SelectionProblem problem;
   problem.fixed = base.free.topRows(n);
   problem.columns = columns.topRows(n);
-  problem.surrogates = surrogates.topRows(n);
   problem.target_um = (thin.target_um - base.held_um).head(n);
   problem.time_s.assign(thin.time_s.begin(), thin.time_s.begin() + n);
   problem.run.assign(static_cast<std::size_t>(n), 0);
   grown.selection = forward_selection(problem, all_selection_states(), most);
   const Eigen::Index fixed = base.free.cols();
-  std::vector<Eigen::Index> order;
   for (std::size_t k = 0; k < grown.selection.fits.size(); ++k) {
-    const SelectedFit& fit = grown.selection.fits[k];
-    const auto with = [&](const Eigen::VectorXd& gains, Eigen::Index surrogate) {
-      Eigen::VectorXd sum = base.held_um + base.free * gains.head(fixed);
-      for (std::size_t j = 0; j < order.size(); ++j) {
-        const double gain = gains[fixed + static_cast<Eigen::Index>(j)];
-        const bool is_surrogate = surrogate >= 0 && j + 1 == order.size();
-        sum += gain * (is_surrogate ? surrogates.col(surrogate) : columns.col(order[j]));
-      }
-      return sum;
-    };
-    if (k > 0) order.push_back(static_cast<Eigen::Index>(grown.selection.joined[k - 1].column));
-    grown.predicted_um.push_back(with(fit.gains, -1));
-    grown.surrogate_predicted_um.push_back(
-        k > 0 ? with(fit.surrogate_gains, static_cast<Eigen::Index>(grown.selection.joined[k - 1].surrogate))
-              : Eigen::VectorXd());
+    const Eigen::VectorXd& gains = grown.selection.fits[k].gains;
+    Eigen::VectorXd sum = base.held_um + base.free * gains.head(fixed);
+    for (std::size_t j = 0; j < k; ++j) {
+      sum += gains[fixed + static_cast<Eigen::Index>(j)] *
+             columns.col(static_cast<Eigen::Index>(grown.selection.joined[j].column));
+    }
+    grown.predicted_um.push_back(std::move(sum));
   }
   return grown;
 }
@@ -185,7 +170,7 @@ struct ForecastSums {
   double square = 0.0, absolute = 0.0, surrogate_square = 0.0;
 };
 
-// The last row whose forecasts are better than a surrogate's and than those of the base model; 0: none.
+// The last row whose forecasts are better than those of as many surrogates and of the base model; 0: none.
 std::size_t last_that_pays(const std::vector<GrowthErrors>& errors, std::size_t tried) {
   for (std::size_t k = tried; k > 0; --k) {
     if (errors[k].forecast_um < errors[k].surrogate_forecast_um && errors[k].forecast_um < errors[0].forecast_um) {
@@ -207,7 +192,8 @@ Growth growth(const Model& base, const Series& data, std::size_t target, const G
   const auto n = static_cast<Eigen::Index>(thin.rows.size());
   say("growing the model");
   const BaseColumns whole = base_columns(base, data, target, data.time_s.size(), design, thin);
-  const Grown grown = grown_on(thin, whole, n, options.most);
+  const Grown grown = grown_on(thin, thin.columns, whole, n, options.most);
+  const Grown surrogate = grown_on(thin, thin.surrogates, whole, n, options.most);
   const std::vector<ForecastRows> ahead = forecast_rows(design, data);
   std::vector<ForecastSums> sums(grown.selection.fits.size());
   double rows = 0.0;
@@ -218,16 +204,19 @@ Growth growth(const Model& base, const Series& data, std::size_t target, const G
     };
     const Eigen::Index first = at(ahead[i].first), count = at(ahead[i].end) - first;
     const BaseColumns early = base_columns(base, data, target, design.row[ahead[i].first], design, thin);
-    const Grown again = grown_on(thin, early, first, options.most);
+    const Grown again = grown_on(thin, thin.columns, early, first, options.most);
+    const Grown nonsense = grown_on(thin, thin.surrogates, early, first, options.most);
     const auto errors = [&](const Eigen::VectorXd& predicted) {
       return (thin.target_um - predicted).segment(first, count).eval();
     };
     for (std::size_t k = 0; k < sums.size(); ++k) {
-      const std::size_t of = std::min(k, again.predicted_um.size() - 1);
-      const Eigen::VectorXd error = errors(again.predicted_um[of]);
+      const auto with = [&](const Grown& model) {
+        return errors(model.predicted_um[std::min(k, model.predicted_um.size() - 1)]);
+      };
+      const Eigen::VectorXd error = with(again);
       sums[k].square += error.squaredNorm();
       sums[k].absolute += error.cwiseAbs().sum();
-      if (of > 0) sums[k].surrogate_square += errors(again.surrogate_predicted_um[of]).squaredNorm();
+      sums[k].surrogate_square += with(nonsense).squaredNorm();
     }
     rows += static_cast<double>(count);
   }
@@ -236,10 +225,10 @@ Growth growth(const Model& base, const Series& data, std::size_t target, const G
   for (std::size_t k = 0; k < grown.predicted_um.size(); ++k) {
     GrowthErrors errors;
     errors.rmse_um = rms(thin.target_um - grown.predicted_um[k]);
-    errors.surrogate_um = k > 0 ? rms(thin.target_um - grown.surrogate_predicted_um[k]) : kNone;
+    errors.surrogate_um = rms(thin.target_um - surrogate.predicted_um[std::min(k, surrogate.predicted_um.size() - 1)]);
     errors.forecast_um = rows > 0.0 ? std::sqrt(sums[k].square / rows) : kNone;
     errors.forecast_mean_um = rows > 0.0 ? sums[k].absolute / rows : kNone;
-    errors.surrogate_forecast_um = rows > 0.0 && k > 0 ? std::sqrt(sums[k].surrogate_square / rows) : kNone;
+    errors.surrogate_forecast_um = rows > 0.0 ? std::sqrt(sums[k].surrogate_square / rows) : kNone;
     errors.sigma_um = grown.selection.fits[k].sigma_um;
     result.errors.push_back(errors);
   }
@@ -255,7 +244,7 @@ Growth growth(const Model& base, const Series& data, std::size_t target, const G
   const Eigen::Index fixed = whole.free.cols();
   for (std::size_t k = 1; k <= kept; ++k) {
     const Selected& joined = grown.selection.joined[k - 1];
-    GrownEffect effect{{}, joined.log_bayes, joined.surrogate_log_bayes, joined.p_none, {}};
+    GrownEffect effect{{}, joined.log_bayes, joined.p_none, {}};
     for (std::size_t j = 0; j < k; ++j) {
       const std::size_t column = grown.selection.joined[j].column;
       const auto at = static_cast<Eigen::Index>(column);

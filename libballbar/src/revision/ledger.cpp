@@ -99,7 +99,7 @@ std::string sentence(const LedgerRow& row, const LedgerRow* before) {
   if (std::isfinite(row.forecast_um) && row.revision > 0) {
     text += fmt::format("; forecasts {} um", change_text(from.forecast_um, row.forecast_um, um_text));
     if (std::isfinite(row.surrogate_forecast_um)) {
-      text += fmt::format(", {} um with a surrogate in its place", um_text(row.surrogate_forecast_um));
+      text += fmt::format(", {} um with as many surrogates", um_text(row.surrogate_forecast_um));
     }
   }
   text += needed_text(row.still_needed, "still needed");

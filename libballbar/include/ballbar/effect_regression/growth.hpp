@@ -7,10 +7,9 @@
 // gains are fitted jointly, held near 0 by those priors (forward_selection.hpp). It is chosen to predict: which of the
 // columns that move together joins first says little about causes.
 //
-// Growth ends where P(none) is above 0.5, at 12 effects, or earlier: after the last row from which the forecasts are
-// better than with a surrogate, a column as smooth without a cause, in the place of the effect of that row, and better
-// than those of the base model. Forecasts: the whole procedure, base model and all, done again on earlier rows
-// alone (forecast_rows).
+// Growth ends where P(none) is above 0.5, at 12 effects, or earlier: after the last row whose forecasts are better than
+// those of the base model, and than those of as many surrogates, columns as smooth without a cause that are chosen and
+// fitted alike. Forecasts: the whole procedure, base model and all, done again on earlier rows alone (forecast_rows).
 //
 // Accuracy: sample-runs/spindle-46h, forecasts up to 8 h ahead from three origins; see its README.
 #pragma once
@@ -28,20 +27,19 @@ namespace ballbar {
 
 // Errors with so many effects, of what the model says without any discrepancy.
 struct GrowthErrors {
-  double rmse_um = 0.0;           // of the rows it is fitted to
-  double forecast_um = 0.0;       // RMSE of the forecasts; NaN: too few rows for any
-  double forecast_mean_um = 0.0;  // their mean absolute error
-  double surrogate_um = 0.0;      // RMSE of the rows with a surrogate in the place of the last effect; NaN of the first
-  double surrogate_forecast_um = 0.0;  // of the forecasts
+  double rmse_um = 0.0;                // of the rows it is fitted to
+  double forecast_um = 0.0;            // RMSE of the forecasts; NaN: too few rows for any
+  double forecast_mean_um = 0.0;       // their mean absolute error
+  double surrogate_um = 0.0;           // RMSE of the rows with as many surrogates
+  double surrogate_forecast_um = 0.0;  // of their forecasts
   double sigma_um = 0.0;               // of the discrepancy
 };
 
 struct GrownEffect {
   std::string label;
-  double log_bayes = 0.0;            // rise of ln L, nats
-  double surrogate_log_bayes = 0.0;  // of the best surrogate in its place
-  double p_none = 0.0;               // that no effect is needed, before it joined
-  std::vector<Term> terms;           // all so far, this one last, held at gains fitted jointly
+  double log_bayes = 0.0;   // rise of ln L, nats
+  double p_none = 0.0;      // that no effect is needed, before it joined
+  std::vector<Term> terms;  // all so far, this one last, held at gains fitted jointly
 };
 
 enum class GrowthStop { none_needed, as_good_as_surrogate, most };

@@ -30,7 +30,7 @@ struct LedgerRow {
   double threshold = kUnknown;              // from which that counts
   double best_surrogate_fall = kUnknown;    // relative fall of the RMSE by the best of 200 surrogates
   double forecast_um = kUnknown;            // RMSE of rows forecast from earlier ones alone (growth.hpp)
-  double surrogate_forecast_um = kUnknown;  // the same with a surrogate in the place of the effect
+  double surrogate_forecast_um = kUnknown;  // the same with as many surrogates in place of the effects
   double discrepancy_um = kUnknown;         // standard deviation of the slow curve that is left, of grown models
   // "start", "named", "supported", "time only", "not supported"; of grown models "driver known": what drives it is, its
   // form is not; "empirical": it predicts, no cause is claimed
