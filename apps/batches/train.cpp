@@ -175,7 +175,7 @@ void run_effects(const Options& options) {
     throw Error("--effects: expected neither --method, --components, --share, --penalty nor --model with it.");
   }
   TrainEffectsOptions how{batches.list,      batches.target, batches.without, batches.without_sensor,
-                          options.max_gap_s, false, options.out, options.json};
+                          options.max_gap_s, false,          options.out,     options.json};
   how.few = options.few;
   if (!is_run_list(batches.list)) {
     if (batches.room || batches.inputs != 0 || !batches.without.empty() || batches.keep_broken) {

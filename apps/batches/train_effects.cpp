@@ -21,7 +21,8 @@ namespace {
 
 constexpr std::size_t kWidest = 120;  // of a table
 constexpr std::size_t kShownDrivers = 8;
-constexpr double kNoBetter = 0.95;  // of the error of the last value held
+constexpr double kNoBetter = 0.95;           // of the error of the last value held
+constexpr double kHardlyBetter = 2.0 / 3.0;  // random walks reach this by chance
 constexpr std::size_t kHead = 1 << 16;
 
 // The conclusion: what may be expected of rows that the training did not have.
@@ -41,14 +42,19 @@ std::string expectation(const EffectRegression& regression) {
         target, tested, of.rmse_um, of.held_um, several ? "0 um is taken" : "the last value is held");
   }
   return fmt::format(
-      "{} is predicted to {:.2f} um on rows that the training did not have (mean of |error| in {}; RMSE {:.2f} um, {} "
-      "{:.2f} um). The interval of 95 % held {:.0f} % of them{}.",
-      target, of.error_um, tested, of.rmse_um, several ? "without any model" : "with the last value held", of.held_um,
-      100.0 * of.within_share,
-      regression.interval_scale > 1.005
-          ? fmt::format(" and is {:.2f} times as wide in the model's file, so that it holds 95 %",
-                        regression.interval_scale)
-          : "");
+             "{} is predicted to {:.2f} um on rows that the training did not have (mean of |error| in {}; RMSE {:.2f} "
+             "um, {} "
+             "{:.2f} um). The interval of 95 % held {:.0f} % of them{}.",
+             target, of.error_um, tested, of.rmse_um, several ? "without any model" : "with the last value held",
+             of.held_um, 100.0 * of.within_share,
+             regression.interval_scale > 1.005
+                 ? fmt::format(" and is {:.2f} times as wide in the model's file, so that it holds 95 %",
+                               regression.interval_scale)
+                 : "") +
+         (!several && !(of.rmse_um < kHardlyBetter * of.held_um)
+              ? " It is hardly better than the last value held: a random walk that no column drives comes as near by "
+                "chance."
+              : "");
 }
 
 std::string memory_text(const EffectRegression& regression) {

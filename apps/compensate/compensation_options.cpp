@@ -14,6 +14,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "predict/predict_batch.hpp"
+#include "terminal/state_file.hpp"
 #include "terminal/stderr_line.hpp"
 
 namespace ballbar {
@@ -42,32 +43,8 @@ Model fitted(Model model, const std::string& file, const CompensationOptions& op
   return model;
 }
 
-// A state is written every second, a model's text may be long. FNV-1a, 64 bits: to tell models apart, no seal.
-std::string digest_of(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return fmt::format("{:016x}, {} bytes", hash, text.size());
-}
-
 void add_limit(CLI::App& command, const std::string& name, double& limit, const std::string& what) {
   command.add_option(name, limit, what)->capture_default_str()->type_name("NUMBER")->group("Limits");
-}
-
-// Nothing where no state can be: writing it says so.
-std::optional<FileLock> only_program(const std::filesystem::path& state) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const bool is_there = fs::is_regular_file(state, error);
-  const fs::path folder = state.has_parent_path() ? state.parent_path() : ".";
-  if (!is_there && (fs::exists(state, error) || !fs::is_directory(folder, error))) return {};
-  fs::path lock = is_there ? fs::canonical(state) : state;
-  lock += ".lock";
-  std::optional<FileLock> held = FileLock::of(lock);
-  if (held) return held;
-  throw Error(
-      fmt::format("{}: expected to be the only program that keeps this state, found another that holds it; end that "
-                  "one, or give this one a file of its own.",
-                  state.string()));
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ struct Options {
   ModelOptions model;
   std::vector<std::string> on;
   std::vector<std::string> out;
+  std::string state;
   bool anyway = false;
   bool json = false;
 };
@@ -120,12 +121,13 @@ void run_effects(const Options& options) {
   }
   expect_csv(options.out);
   expect_no_input(options.out, {options.model.data.front(), options.model.model});
-  predict_effects(
-      {options.model.data.front(), options.model.model, "", options.out, options.model.max_gap_s, options.json});
+  predict_effects({options.model.data.front(), options.model.model, options.state, options.out, options.model.max_gap_s,
+                   options.json});
 }
 
 void run(const Options& options) {
   if (is_effect_regression(options.model.model)) return run_effects(options);
+  if (!options.state.empty()) throw Error("--state: expected a model of train --effects with it.");
   if (is_batch_model(options.model.model)) return run_batch_model(options);
   if (options.anyway) throw Error("--anyway: expected a model of train with it, a model of effects was given.");
   const ModelData data = open_data(options.model);
@@ -177,6 +179,10 @@ void add_predict(CLI::App& app) {
   command->add_option("--on", options->on, "other data to predict, with the parameters fitted to DATA")
       ->type_name("DATA");
   command->add_option("--out", options->out, "write the series, .csv")->type_name("FILE")->allow_extra_args(false);
+  command
+      ->add_option("--state", options->state,
+                   "model of train --effects: goes on from this file, and keeps in it where the last row stood")
+      ->type_name("FILE");
   command->add_flag("--anyway", options->anyway, "model of `train`: predict though a sensor looks broken");
   command->add_flag("--json", options->json, "the series for a program");
   command->footer(

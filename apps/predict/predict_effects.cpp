@@ -5,16 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "ballbar/effect_regression/effect_regression.hpp"
 #include "ballbar/formats/models/effect_regression_json.hpp"
+#include "ballbar/formats/models/prediction_state.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/reader.hpp"
 #include "model/model_options.hpp"
 #include "predict/predict_batch.hpp"
 #include "terminal/json_number.hpp"
+#include "terminal/state_file.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -56,7 +59,30 @@ Series series_of(const EffectRegression& model, const EffectPrediction& predicti
   return series;
 }
 
-std::string start_text(const EffectRegression& model, const EffectPrediction& prediction) {
+// The rows after the last one that was predicted.
+Series rows_after(Series data, double last_s) {
+  const auto first = std::upper_bound(data.time_s.begin(), data.time_s.end(), last_s);
+  const auto known = first - data.time_s.begin();
+  data.time_s.erase(data.time_s.begin(), first);
+  for (Column& column : data.columns) column.values.erase(column.values.begin(), column.values.begin() + known);
+  return data;
+}
+
+// Where the state's file says that an earlier prediction stood; nothing where there is no file yet.
+std::optional<PredictionState> state_of(const std::string& file, const std::string& digest) {
+  if (file.empty() || !std::filesystem::exists(file)) return std::nullopt;
+  StoredPrediction stored = read_prediction_state(read_bytes(file, kLargestText), file);
+  if (stored.model != digest) {
+    throw Error(
+        fmt::format("{}: expected the state of this model, found one of another. Without the file a new run "
+                    "begins.",
+                    file));
+  }
+  return PredictionState{std::move(stored.live), stored.since_end};
+}
+
+std::string start_text(const EffectRegression& model, const EffectPrediction& prediction, bool from_state) {
+  if (from_state) return "It goes on from where the state stood.";
   if (prediction.holds) {
     return fmt::format("It begins as the training did; what follows {} is new.", duration_text(model.end_s));
   }
@@ -136,10 +162,18 @@ std::vector<std::string> warnings_of(const EffectPrediction& prediction) {
 bool is_effect_regression(const std::string& model) { return is_effect_regression_json(read_head(model, kHeadBytes)); }
 
 void predict_effects(const EffectPredictOptions& options) {
-  const EffectRegression model = read_effect_regression(read_bytes(options.model, kLargestText), options.model);
-  const Series data = data_of(options);
+  const std::string bytes = read_bytes(options.model, kLargestText);
+  const EffectRegression model = read_effect_regression(bytes, options.model);
+  const std::optional<FileLock> lock = options.state.empty() ? std::nullopt : only_program(options.state);
+  const std::optional<PredictionState> from = state_of(options.state, digest_of(bytes));
+  Series data = data_of(options);
   const std::string source = options.data == "-" ? "standard input" : options.data;
-  const EffectPrediction prediction = with_source(source, [&] { return predict(model, data); });
+  if (from && from->live.rows > 0) data = rows_after(std::move(data), from->live.time_s[from->live.rows - 1]);
+  if (data.time_s.empty()) {
+    throw Error(fmt::format("{}: expected rows after those that {} knows, found none.", source, options.state));
+  }
+  const EffectPrediction prediction =
+      with_source(from ? options.state : source, [&] { return predict(model, data, from); });
   const Series series = series_of(model, prediction, data);
   for (const std::string& path : options.out) write_bytes(path, write_series(series));
   const std::optional<Measured> error = error_of(model, prediction, data);
@@ -169,7 +203,7 @@ void predict_effects(const EffectPredictOptions& options) {
   } else {
     const std::string& target = model.model.targets.front();
     fmt::print("{}\n{}: {} by effects ({}), trained on {} rows\n{}\n\n", source, options.model, target,
-               dictionary_text(model), model.rows, start_text(model, prediction));
+               dictionary_text(model), model.rows, start_text(model, prediction, from.has_value()));
     const auto [low, high] = std::minmax_element(prediction.predicted_um.begin(), prediction.predicted_um.end());
     fmt::print("{} rows over {}: {} from {:.2f} to {:.2f} um, at the end {:.2f} um ±{:.2f} um (95 %)\n",
                data.time_s.size(), duration_text(data.time_s.back() - data.time_s.front()), target, *low, *high,
@@ -185,6 +219,9 @@ void predict_effects(const EffectPredictOptions& options) {
     for (const std::string& warning : warnings) fmt::print("{}", wrapped(warning));
   }
   for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
+  if (options.state.empty()) return;
+  write_bytes_durably(options.state,
+                      write_prediction_state({digest_of(bytes), prediction.end.since_end, prediction.end.live}));
 }
 
 }  // namespace ballbar

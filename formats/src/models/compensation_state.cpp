@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "models/live_state_json.hpp"
 #include "text/json_source.hpp"
 
 namespace ballbar {
@@ -12,7 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "ballbar-compensation 1";
-constexpr std::size_t kMostNumbers = 1'000'000;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Json or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -27,14 +27,6 @@ std::uint64_t unsigned_at(const JsonValue& value) {
 bool truth(const JsonValue& value) {
   if (!value.value->is_boolean()) fail(value, "true or false");
   return value.value->get<bool>();
-}
-
-std::vector<double> numbers_of(const JsonValue& value) {
-  const std::size_t count = size_of_array(value);
-  if (count > kMostNumbers) fail(value, "at most a million numbers");
-  std::vector<double> read;
-  for (std::size_t i = 0; i < count; ++i) read.push_back(number(element(value, i)));
-  return read;
 }
 
 Json json_of(const StoredAxis& axis) {
@@ -61,8 +53,7 @@ Json json_of(const StoredAxis& axis) {
                        {"unchanged_since_s", or_null(sensor.unchanged_since_s)}});
   }
   json["sensors"] = std::move(sensors);
-  json["live"] = {
-      {"rows", axis.live.rows}, {"time_s", axis.live.time_s}, {"inputs", axis.live.inputs}, {"kept", axis.live.kept}};
+  json["live"] = json_of(axis.live);
   return json;
 }
 
@@ -91,18 +82,6 @@ Compensator::State state_at(const JsonValue& value) {
                              number_or_none(member(sensor, "unchanged_since_s"))});
   }
   return state;
-}
-
-LiveModel::State live_at(const JsonValue& value) {
-  expect_keys(value, {"rows", "time_s", "inputs", "kept"});
-  LiveModel::State live;
-  live.rows = whole(member(value, "rows"), 0, live.time_s.size());
-  const std::vector<double> time_s = numbers_of(member(value, "time_s"));
-  if (time_s.size() != live.time_s.size()) fail(member(value, "time_s"), "3 numbers");
-  std::copy(time_s.begin(), time_s.end(), live.time_s.begin());
-  live.inputs = numbers_of(member(value, "inputs"));
-  live.kept = numbers_of(member(value, "kept"));
-  return live;
 }
 
 }  // namespace
@@ -137,7 +116,7 @@ StoredCompensation read_compensation(std::string_view bytes, std::string_view na
     const JsonValue model = member(value, "model");
     if (!model.value->is_string()) fail(model, "a text");
     stored.axes.push_back({text(member(value, "name")), model.value->get<std::string>(), state_at(value),
-                           live_at(member(value, "live"))});
+                           live_state_at(member(value, "live"))});
   }
   return stored;
 }

@@ -79,15 +79,21 @@ void add_shares(EffectPrediction& prediction) {
 
 }  // namespace
 
-EffectPrediction predict(const EffectRegression& regression, const Series& series) {
+EffectPrediction predict(const EffectRegression& regression, const Series& series,
+                         const std::optional<PredictionState>& from) {
   LivePrediction live(regression);
   std::vector<const Column*> columns;
   for (const std::string& name : live.columns()) columns.push_back(&column_of(series, name));
   EffectPrediction prediction;
-  prediction.holds = holds_training(regression, series, columns);
-  prediction.goes_on = !prediction.holds && goes_on(regression, series);
-  if (prediction.goes_on) live.go_on();
-  if (prediction.holds) live.begin_training_again();
+  prediction.holds = !from && holds_training(regression, series, columns);
+  prediction.goes_on = from || (!prediction.holds && goes_on(regression, series));
+  if (from) {
+    live.resume(from->live, from->since_end);
+  } else if (prediction.goes_on) {
+    live.go_on();
+  } else if (prediction.holds) {
+    live.begin_training_again();
+  }
   std::vector<Eigen::Index> driver_of;  // of every term
   for (const Term& term : regression.model.terms) {
     const std::string& name = term.columns.front();
@@ -115,6 +121,7 @@ EffectPrediction predict(const EffectRegression& regression, const Series& serie
     for (std::size_t t = 0; t < each.size(); ++t)
       prediction.drivers_um(static_cast<Eigen::Index>(i), driver_of[t]) += each[t];
   }
+  prediction.end = {live.state(), live.goes_on()};
   for (const ColumnRange& range : regression.model.trained) {
     add_outside(range, *find_column(series, range.column), series, prediction.outside);
   }

@@ -9,32 +9,11 @@
 #include "ballbar/effect_regression/effect_regression.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/model/model.hpp"
-#include "effects/evaluate.hpp"
+#include "effects/temperature_at_start.hpp"
 #include "model/bindings.hpp"
 
 namespace ballbar {
 namespace {
-
-struct Start {
-  template <class T>
-  T operator()(const EffectRows& rows, std::size_t, const T* p, T*) const {
-    return T(rows.inputs[0][0]) * p[0];
-  }
-};
-
-const std::shared_ptr<const Effect>& start_effect() {
-  static const auto effect = std::make_shared<const Effect>(
-      Effect{"start",
-             Level::series,
-             {.summary = "How warm the machine is as a run begins.", .formula = "gain T0"},
-             {{"temperature", {"degC", "K"}, "temperature in the first row"}},
-             {{"gain_um_per_K", "um/K", ParameterKind::gain, 0.0, -1000.0, 1000.0, {}, "error for each kelvin then"}},
-             by_row<1>(Start{}),
-             false,
-             {},
-             {.predictor = {{PredictorKind::start, {}}}}});
-  return effect;
-}
 
 bool takes_part(const Effect& effect) { return effect.level == Level::series && effect.rules.predictor; }
 
@@ -135,7 +114,7 @@ Catalogue predictor_effects(const Catalogue& catalogue) {
   for (const std::shared_ptr<const Effect>& effect : catalogue) {
     if (takes_part(*effect)) effects.push_back(effect);
   }
-  effects.push_back(start_effect());
+  effects.push_back(temperature_at_start());
   return effects;
 }
 
@@ -151,7 +130,7 @@ Predictors predictors_of(std::span<const Series> runs, const std::string& target
     if (!takes_part(*effect)) continue;
     collected.add(effect, catalogue, bindings_of(*effect, model, first));
   }
-  if (runs.size() > 1) collected.add(start_effect(), catalogue, bindings_of(*start_effect(), model, first));
+  if (runs.size() > 1) collected.add(temperature_at_start(), catalogue, bindings_of(*temperature_at_start(), model, first));
   if (!predictors.each.empty()) return predictors;
   throw Error("expected a column of a temperature, a speed or a load that moves, found none.");
 }

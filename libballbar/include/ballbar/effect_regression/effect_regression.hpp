@@ -183,16 +183,26 @@ struct OutsideRange {
   std::size_t rows = 0;
 };
 
+// Where a prediction stands, so that later rows go on from there.
+struct PredictionState {
+  LiveModel::State live;
+  bool since_end = false;  // it went on from the end of training
+};
+
 struct EffectPrediction {
   std::vector<double> predicted_um, half_width_um;  // n; NaN where a column has no value
   Eigen::MatrixXd drivers_um;                       // n by drivers, what each adds
   std::vector<DriverShare> drivers;                 // the largest first
   std::vector<OutsideRange> outside;
-  bool goes_on = false;  // the series goes on from the end of training
+  bool goes_on = false;  // the series goes on from the end of training, or from an earlier prediction
+  PredictionState end;   // after the last row
   bool holds = false;    // it holds the training rows: it goes on in itself
 };
 
-// Throws Error where a column is missing (with the nearest).
-EffectPrediction predict(const EffectRegression& regression, const Series& series);
+// from: where an earlier prediction stood, all rows after it; without it the series begins a run, or goes on from the
+// training where its times say so. Throws Error where a column is missing (with the nearest), or where `from` is of
+// another model.
+EffectPrediction predict(const EffectRegression& regression, const Series& series,
+                         const std::optional<PredictionState>& from = std::nullopt);
 
 }  // namespace ballbar

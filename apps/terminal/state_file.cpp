@@ -1,0 +1,34 @@
+#include "terminal/state_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+
+#include "ballbar/error.hpp"
+
+namespace ballbar {
+
+// FNV-1a, 64 bits.
+std::string digest_of(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return fmt::format("{:016x}, {} bytes", hash, text.size());
+}
+
+std::optional<FileLock> only_program(const std::filesystem::path& state) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const bool is_there = fs::is_regular_file(state, error);
+  const fs::path folder = state.has_parent_path() ? state.parent_path() : ".";
+  if (!is_there && (fs::exists(state, error) || !fs::is_directory(folder, error))) return {};
+  fs::path lock = is_there ? fs::canonical(state) : state;
+  lock += ".lock";
+  std::optional<FileLock> held = FileLock::of(lock);
+  if (held) return held;
+  throw Error(
+      fmt::format("{}: expected to be the only program that keeps this state, found another that holds it; end that "
+                  "one, or give this one a file of its own.",
+                  state.string()));
+}
+
+}  // namespace ballbar
