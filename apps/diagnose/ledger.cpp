@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
@@ -28,6 +29,13 @@ struct Options {
 
 std::string known(double value, int decimals) { return std::isfinite(value) ? fixed(value, decimals) : "-"; }
 
+// A figure of a row that only some ledgers have.
+struct Figure {
+  std::string_view name;
+  double LedgerRow::*value;
+  int decimals = 3;
+};
+
 Table table_of(const std::vector<LedgerRow>& rows) {
   const bool several =
       std::any_of(rows.begin(), rows.end(), [&](const LedgerRow& row) { return row.target != rows.front().target; });
@@ -36,15 +44,26 @@ Table table_of(const std::vector<LedgerRow>& rows) {
   const bool of_axes = std::any_of(rows.begin(), rows.end(), [](const LedgerRow& row) {
     return row.level == Level::recording && row.revision > 0 && !std::isfinite(row.best_surrogate_fall);
   });
-  heading.insert(heading.end(), {"parameters", "RMSE um", "x floor", "left out um", of_axes ? "chi^2" : "2 ln B",
-                                 "counts from", "verdict"});
+  // A figure that no row has would only take room from the names of the revisions.
+  std::vector<Figure> figures{{"forecasts um", &LedgerRow::forecast_um},
+                              {"with surrogate", &LedgerRow::surrogate_forecast_um},
+                              {of_axes ? "chi^2" : "2 ln B", &LedgerRow::likelihood_ratio, 1},
+                              {"counts from", &LedgerRow::threshold, 1}};
+  std::erase_if(figures, [&](const Figure& figure) {
+    return std::none_of(rows.begin(), rows.end(),
+                        [&](const LedgerRow& row) { return std::isfinite(row.*figure.value); });
+  });
+  heading.insert(heading.end(), {"parameters", "RMSE um", "x floor", "left out um"});
+  for (const Figure& figure : figures) heading.emplace_back(figure.name);
+  heading.emplace_back("verdict");
   Table table(heading);
   for (const LedgerRow& row : rows) {
     std::vector<std::string> cells{fmt::format("{} {}", row.revision, shortened(row.change, 60))};
     if (several) cells.push_back(shortened(row.target, 16));
     cells.insert(cells.end(), {fmt::format("{}", row.parameters), fixed(row.rmse_um, 3), known(row.times_floor, 2),
-                               known(row.held_out_um, 3), known(row.likelihood_ratio, 1), known(row.threshold, 1),
-                               shortened(row.verdict, 20)});
+                               known(row.held_out_um, 3)});
+    for (const Figure& figure : figures) cells.push_back(known(row.*figure.value, figure.decimals));
+    cells.push_back(shortened(row.verdict, 20));
     table.add(std::move(cells));
   }
   return table;

@@ -249,7 +249,10 @@ export interface LedgerRow {
   likelihood_ratio?: Num;
   threshold?: Num; // from which that counts
   best_surrogate_fall?: Num;
-  verdict: string;
+  forecast_um?: Num; // RMSE of rows forecast from earlier ones alone
+  surrogate_forecast_um?: Num; // the same with a surrogate in the place of the effect
+  discrepancy_um?: Num; // standard deviation of the slow curve that is left
+  verdict: string; // "named", "driver known", "empirical" ...
   sentence: string;
 }
 export interface LedgerPart {

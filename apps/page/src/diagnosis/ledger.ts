@@ -1,23 +1,38 @@
 // The story of a model: one row a revision, what it changed, what it bought, and whether the data demanded it.
 import { no_evidence, not_known } from "./falls";
+import { forecast_curves, has_forecasts } from "./forecast_curves";
 import { ledger_steps, targets_of } from "./ledger_steps";
-import type { Section, TextTable } from "../picture";
-import type { LedgerPart, Report } from "../report";
+import type { Picture, Section, TextTable } from "../picture";
+import type { LedgerPart, LedgerRow, Report } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { waterfall } from "./waterfall";
 
-const table_of = (ledger: LedgerPart): TextTable => {
-  const several = targets_of(ledger).length > 1;
+type Figure = "forecast_um" | "surrogate_forecast_um" | "discrepancy_um";
+// Of grown models.
+const figures: [Figure, string][] = [
+  ["forecast_um", "forecasts, µm"],
+  ["surrogate_forecast_um", "with surrogate, µm"],
+  ["discrepancy_um", "discrepancy, µm"],
+];
+
+const table_of = ({ rows }: LedgerPart, several: boolean): TextTable => {
+  const told = figures.filter(([key]) => rows.some((row) => typeof row[key] === "number"));
+  const forecasts =
+    told.length > 0
+      ? " Forecasts: RMSE of rows forecast from earlier ones alone, and with a surrogate in the place of the effect; " +
+        "discrepancy: standard deviation of the slow curve that is left. Driver known: what drives it is known, its form " +
+        "is empirical; empirical: it predicts, no cause is claimed."
+      : "";
   return {
     title:
       "Revisions. 2 ln B: 2 ln of how much more likely the readings are with the change, of errors of axes chi²; the fall " +
-      "of the best surrogate is in the RMSE.",
+      `of the best surrogate is in the RMSE.${forecasts}`,
     heading: [
       "revision", "change", ...(several ? ["target"] : []), "parameters", "RMSE, µm", "× floor", "left out, µm",
-      "2 ln B", "counts from", "best surrogate's fall, %", "verdict",
+      "2 ln B", "counts from", "best surrogate's fall, %", ...told.map(([, name]) => name), "verdict",
     ],
-    rows: ledger.rows.map((row) => [
+    rows: rows.map((row) => [
       String(row.revision),
       row.change,
       ...(several ? [row.target] : []),
@@ -28,34 +43,50 @@ const table_of = (ledger: LedgerPart): TextTable => {
       shown(row.likelihood_ratio, 1),
       shown(row.threshold, 1),
       shown(typeof row.best_surrogate_fall === "number" ? 100 * row.best_surrogate_fall : null, 0),
+      ...told.map(([key]) => shown(row[key], 3)),
       row.verdict,
     ]),
   };
+};
+
+const has_surrogate_falls = (rows: readonly LedgerRow[]): boolean =>
+  rows.some((row) => typeof row.best_surrogate_fall === "number");
+
+const falls = (ledger: LedgerPart, target: string, name: string): Picture => {
+  const steps = ledger_steps(ledger, target);
+  const rows = ledger.rows.filter((row) => row.target === target);
+  const untold = rows.some((row, i) => typeof row.best_surrogate_fall === "number" && steps[i]?.surrogate_fall === null);
+  const several = untold ? " Where several effects were added at once, the line of the surrogate is not known." : "";
+  return waterfall({
+    name,
+    title: `Error of ${plain(target, 60)} from revision to revision`,
+    about: `${no_evidence}${several}${not_known(steps, !untold)}`,
+    steps,
+  });
+};
+
+// The falls, and the forecasts of a grown model, whose surrogates stand beside these and not beside the falls.
+const pictures_of = (ledger: LedgerPart, target: string, number: string): Picture[] => {
+  const rows = ledger.rows.filter((row) => row.target === target);
+  const forecasts = has_forecasts(rows);
+  return [
+    ...(forecasts && !has_surrogate_falls(rows) ? [] : [falls(ledger, target, `ledger${number}`)]),
+    ...(forecasts ? [forecast_curves(ledger, target, `ledger-forecasts${number}`)] : []),
+  ];
 };
 
 export const ledger_section = (report: Report): Section[] => {
   const { ledger } = report;
   if (!ledger || ledger.rows.length === 0) return [];
   const targets = targets_of(ledger);
+  const several = targets.length > 1;
   return [
     {
       id: "ledger",
       heading: "What each revision bought",
       sentences: ledger.rows.map((row) => row.sentence),
-      tables: [table_of(ledger)],
-      pictures: targets.map((target, k) => {
-        const steps = ledger_steps(ledger, target);
-        const rows = ledger.rows.filter((row) => row.target === target);
-        const untold = rows.some((row, i) => typeof row.best_surrogate_fall === "number" && steps[i]?.surrogate_fall === null);
-        const several = untold ? " Where several effects were added at once, the line of the surrogate is not known." : "";
-        const number = targets.length > 1 ? `-${k + 1}` : "";
-        return waterfall({
-          name: `ledger${number}`,
-          title: `Error of ${plain(target, 60)} from revision to revision`,
-          about: `${no_evidence}${several}${not_known(steps, !untold)}`,
-          steps,
-        });
-      }),
+      tables: [table_of(ledger, several)],
+      pictures: targets.flatMap((target, k) => pictures_of(ledger, target, several ? `-${k + 1}` : "")),
     },
   ];
 };

@@ -5,7 +5,7 @@ import type { Step } from "./step";
 const known = (value: Num | undefined): Num => value ?? null;
 
 // The figures of two rows can be compared where both are of one target and of the same data.
-const before = (rows: readonly LedgerRow[], at: number): LedgerRow | undefined => {
+export const revision_before = (rows: readonly LedgerRow[], at: number): LedgerRow | undefined => {
   const row = rows[at];
   const other = rows[at - 1];
   return row && other && other.target === row.target && String(other.data) === String(row.data) ? other : undefined;
@@ -26,7 +26,7 @@ export const ledger_steps = (ledger: LedgerPart, target: string): Step[] =>
             label: `${row.revision} ${row.change}`,
             short: String(row.revision),
             rmse_um: row.rmse_um,
-            from_um: before(ledger.rows, at)?.rmse_um ?? null,
+            from_um: revision_before(ledger.rows, at)?.rmse_um ?? null,
             floor_um: row.rmse_um !== null && row.times_floor ? row.rmse_um / row.times_floor : null,
             surrogate_fall: added(row) > 1 ? null : known(row.best_surrogate_fall),
             held_out_um: row.held_out_um,

@@ -1,0 +1,95 @@
+// Of a ledger that knows forecasts, over its revisions: the error on the rows that were fitted, of rows forecast from
+// earlier ones alone, and of these with a surrogate in the place of the revision's effect.
+import { curve, type Dash, type Point } from "../drawing/curve";
+import { hover_text } from "../drawing/hover";
+import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
+import { plain } from "../drawing/text";
+import { axis, base, curve_colour, legend, tooltip } from "../drawing/theme";
+import { x_axis } from "../drawing/two_grids";
+import { revision_before } from "./ledger_steps";
+import type { Picture, State, Toggle } from "../picture";
+import type { LedgerPart, LedgerRow, Num } from "../report";
+
+export const honest = "A falling error is honest where forecasts fall too, and below those with a surrogate.";
+
+interface Figure extends Toggle {
+  key: "rmse_um" | "forecast_um" | "surrogate_forecast_um";
+  dash: Dash;
+  symbol: string;
+}
+const figure = (key: Figure["key"], label: string, k: number, mark: "line" | "dashed" | "dotted", symbol: string): Figure => ({
+  key,
+  label,
+  colour: (dark) => curve_colour(k, dark),
+  mark,
+  dash: mark === "line" ? "solid" : mark,
+  symbol,
+  on: true,
+});
+// Colour and dashes of a surrogate as in the waterfall.
+const figures = [
+  figure("rmse_um", "rows fitted", 0, "line", "circle"),
+  figure("forecast_um", "forecasts", 2, "dotted", "diamond"),
+  figure("surrogate_forecast_um", "forecasts with a surrogate", 1, "dashed", "triangle"),
+];
+
+const known = (row: LedgerRow, key: Figure["key"] | "discrepancy_um"): Num => row[key] ?? null;
+
+export const has_forecasts = (rows: readonly LedgerRow[]): boolean => rows.some((row) => known(row, "forecast_um") !== null);
+
+export const forecast_curves = (ledger: LedgerPart, target: string, name: string): Picture => {
+  const rows = ledger.rows.filter((row) => row.target === target);
+  const revisions = rows.map(({ revision }) => revision);
+  // A gap where the data change: the errors before and after cannot be compared.
+  const points = (key: Figure["key"]): Point[] =>
+    ledger.rows.flatMap((row, at): Point[] => {
+      if (row.target !== target) return [];
+      const point: Point = [row.revision, known(row, key)];
+      return revision_before(ledger.rows, at) ? [point] : [[row.revision - 0.5, null], point];
+    });
+  const head = (revision: number): string => {
+    const row = rows.find((one) => one.revision === revision);
+    return row ? `${row.revision} ${plain(row.change, 60)}, ${plain(row.verdict, 30)}` : "";
+  };
+  const draw = (state: State): Record<string, unknown> => {
+    const { look, window, hidden } = state;
+    const drawn = figures
+      .filter(({ key }) => !hidden.has(key))
+      .map(({ key, label, colour, dash, symbol }) =>
+        curve(label, colour(look.dark), dash, 2, points(key), { showSymbol: true, symbol, symbolSize: 9, z: 4 }),
+      );
+    return {
+      ...base(look),
+      grid: { left: kLeft_px, right: kRight_px, top: top_px(look, figures.map(({ label }) => label)), bottom: kBottom_px },
+      legend: legend(state, figures),
+      tooltip: { ...tooltip(look), trigger: "axis", formatter: hover_text({ drawn, x: 0, y: 1, head, unit: "µm" }) },
+      xAxis: {
+        ...x_axis(look, "revision", window, { min: Math.min(...revisions) - 0.5, max: Math.max(...revisions) + 0.5 }),
+        minInterval: 1,
+      },
+      yAxis: { ...axis(look, "RMSE, µm", "y"), min: 0 },
+      series: drawn,
+    };
+  };
+  return {
+    name,
+    title: `Errors and forecasts of ${plain(target, 60)} from revision to revision`,
+    about: honest,
+    height_px: 340,
+    zoom: "none",
+    choices: [],
+    toggles: () => figures,
+    draw,
+    numbers: () => ({
+      columns: [
+        { name: "revision", values: revisions },
+        { name: "what", values: rows.map(({ change }) => change) },
+        { name: "verdict", values: rows.map(({ verdict }) => verdict) },
+        ...[...figures.map(({ key }) => key), "discrepancy_um" as const].map((key) => ({
+          name: key,
+          values: rows.map((row) => known(row, key)),
+        })),
+      ],
+    }),
+  };
+};
