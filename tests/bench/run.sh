@@ -23,7 +23,7 @@ mkdir -p "$results"
 "$programs/bench_files" "$results" "$size_MB" "$readings" "$rows"
 export BALLBAR_BENCH_LOG_MB="$size_MB" BALLBAR_BENCH_READINGS="$readings" BALLBAR_BENCH_ROWS="$rows"
 export BALLBAR_BENCH_BATCHES="$batches" BALLBAR_BENCH_TESTS="$tests"
-for name in b5r batches compensation history log circle machine_errors session five_probe spindle; do
+for name in b5r batches compensation history log circle machine_errors session five_probe prediction spindle; do
   "$programs/bench_$name" --benchmark_min_time="$min_time" --benchmark_repetitions="$repetitions" \
     --benchmark_out="$results/$name.json" --benchmark_out_format=json
 done
@@ -32,7 +32,7 @@ echo
 /usr/bin/python3 tests/bench/peer.py "$results" "$repetitions" \
   "$results/b5r.json" "$results/log.json" "$results/circle.json" \
   "$results/machine_errors.json" "$results/session.json" \
-  "$results/five_probe.json" "$results/spindle.json" "$results/batches.json"
+  "$results/five_probe.json" "$results/spindle.json" "$results/batches.json" "$results/prediction.json"
 echo
 echo "One row of sensors through a pipe, written and its offset waited for:"
 for effects in 1 4; do
