@@ -27,6 +27,13 @@ const series = (columns, rows = 240) => {
   return `time_s,${columns.join(",")}\n${lines.join("\n")}\n`;
 };
 
+// Of a ledger with forecasts.
+const history_row = (revision, target) =>
+  `[[history]]\nrevision = ${revision}\nchange = ${JSON.stringify(revision > 0 ? `+ ${image}${rich}${turned}${formula}${long}` : "start")}\n` +
+  `target = ${JSON.stringify(target)}\ndata = [${JSON.stringify(image)}]\nparameters = 2\nrmse_um = ${3 - revision}.0\nforecast_um = ${4 - revision}.0\n` +
+  `surrogate_forecast_um = 3.5\nverdict = ${JSON.stringify(`${script}${rich}${turned}${long}`)}\n` +
+  (revision > 0 ? 'still_needed = []\nno_longer_needed = []\neffects_before = """\n"""\n' : "");
+
 const of_series = () => {
   const path = join(folder, `${image}${rich}.csv`);
   const [target, warm] = [`${script.replaceAll("/", "")}_um`, `${image}_degC`];
@@ -35,7 +42,8 @@ const of_series = () => {
   writeFileSync(
     model,
     `format = "ballbar-model 1"\ntarget = ${JSON.stringify(target)}\n[[effect]]\nname = "expansion"\ntemperature = ${JSON.stringify(warm)}\n` +
-      `[[effect]]\nname = "expression"\nformula = "k * t"\nk = { start = 0.0, unit = ${JSON.stringify(image)} }\n`,
+      `[[effect]]\nname = "expression"\nformula = "k * t"\nk = { start = 0.0, unit = ${JSON.stringify(image)} }\n` +
+      [0, 1].map((revision) => history_row(revision, target)).join(""),
   );
   return report("hostile-series", path, "--model", model);
 };

@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { launched, opened, figure, saved, seen } from "./browser.mjs";
 import { axes, drawing, lines, marks, polar } from "./drawing.mjs";
-import { folder, json_of, of_run, report, run as ballbar, two_arcs } from "./reports.mjs";
+import { folder, grown, grown_model, json_of, of_run, report, run as ballbar, two_arcs } from "./reports.mjs";
 import { session } from "./session.mjs";
 
 const run = of_run("two-arcs-he2015");
@@ -302,6 +302,35 @@ test("model: what is left has the RMSE of `check --json`", async () => {
   const scale = axes(drawn);
   const points = marks(drawn, scale, await colour("model-y_um-fit", "measured"));
   lie_at(points, min(drift.points), of(drift.points, "y_um"), scale, "measured");
+});
+
+test("ledger of a grown model: curves, table and CSV are those of `ledger --json`", async () => {
+  const { page: one, wrong: of_grown, close } = await opened(browser, await grown());
+  const { rows } = json_of("ledger", "--model", grown_model);
+  assert.ok(rows.length > 3 && rows[0].forecast_um > 0, "it has not grown");
+  const drawn = await svg("ledger-forecasts", one);
+  const scale = axes(drawn);
+  const found = await csv("ledger-forecasts", one);
+  for (const key of ["rmse_um", "forecast_um", "surrogate_forecast_um"]) {
+    close_to(found[key], of(rows, key), key);
+    const known = rows.filter((row) => row[key] !== null);
+    const [line] = lines(drawn, scale, await colour("ledger-forecasts", key, one));
+    lie_at(line, of(known, "revision"), of(known, key), scale, key);
+  }
+  close_to(found.discrepancy_um, of(rows, "discrepancy_um"), "discrepancy");
+  const heading = await one.locator("#ledger th").allTextContents();
+  const cells = await one.locator("#ledger tbody tr").evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
+  const column = (name) => cells.map((row) => row[heading.indexOf(name)]);
+  const written = (key) => rows.map((row) => (row[key] === null ? "–" : row[key].toFixed(3)));
+  assert.deepEqual(column("forecasts, µm"), written("forecast_um"));
+  assert.deepEqual(column("with surrogate, µm"), written("surrogate_forecast_um"));
+  assert.deepEqual(column("discrepancy, µm"), written("discrepancy_um"));
+  assert.deepEqual(column("verdict"), of(rows, "verdict"));
+  assert.ok(column("verdict").includes("driver known") && column("verdict").includes("empirical"));
+  const said = await figure(one, "ledger-forecasts").textContent();
+  assert.ok(said.includes("A falling error is honest where forecasts fall too, and below those with a surrogate."), said);
+  assert.deepEqual(of_grown, []);
+  await close();
 });
 
 test("console and network are quiet", () => assert.deepEqual(wrong, []));

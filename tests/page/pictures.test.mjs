@@ -8,7 +8,7 @@ import { after, before, test } from "node:test";
 import { launched, opened, seen } from "./browser.mjs";
 import { long_series } from "./long_series.mjs";
 import { with_errors } from "./machine_errors.mjs";
-import { batch, folder, hidden_effect, history, of_run, report, two_arcs } from "./reports.mjs";
+import { batch, folder, grown, hidden_effect, history, of_run, report, two_arcs } from "./reports.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -30,6 +30,7 @@ const cases = [
   ],
   ["five-probe", (name) => report(name, of_run("two-arcs-he2015", "five-probe.csv")), ["five-probe", "five-probe-tilt", "measured"]],
   ["hidden-effect", hidden_effect, ["measured", "speed", "temperatures", ...model("y_um"), ...diagnosis, "ledger"]],
+  ["grown", grown, ["five-probe", "measured", "speed", "temperatures", ...model("ch1_um"), "ledger-forecasts"]],
   ["batch", batch, ["measured", "speed", "temperatures", "batch", "batch-range", "batch-weights"]],
   ["history", history, ["history-1", "history-2", "history-3"]],
   ["million-rows", (name) => report(name, long_series(join(folder, "million.csv"), 1e6)), ["measured", "temperatures"]],

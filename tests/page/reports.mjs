@@ -39,6 +39,15 @@ export const hidden_effect = async () => {
   return report("hidden-effect", data, "--model", model);
 };
 
+// A ledger that `add --auto` grew; its model is in `grown_model`.
+export const grown_model = join(folder, "grown.toml");
+export const grown = async () => {
+  const data = of_run("spindle-46h", "measured.csv");
+  const target = ["--target", "ch1_um"];
+  await execute(program, ["add", "--auto", data, "--model", of_run("spindle-46h", "speed.toml"), ...target, "--out", grown_model]);
+  return report("grown", data, "--model", grown_model, ...target, "--no-diagnosis");
+};
+
 export const history = async () => {
   const out = join(folder, "history.html");
   await execute(program, ["history", of_run("machine-history"), "--tolerance", "backlash_a_pos=5", "--page", out]);

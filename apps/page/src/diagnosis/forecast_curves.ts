@@ -28,8 +28,8 @@ const figure = (key: Figure["key"], label: string, k: number, mark: "line" | "da
 });
 // Colour and dashes of a surrogate as in the waterfall.
 const figures = [
-  figure("rmse_um", "rows fitted", 0, "line", "circle"),
-  figure("forecast_um", "forecasts", 2, "dotted", "diamond"),
+  figure("rmse_um", "rows fitted", 0, "dotted", "circle"),
+  figure("forecast_um", "forecasts", 2, "line", "diamond"),
   figure("surrogate_forecast_um", "forecasts with a surrogate", 1, "dashed", "triangle"),
 ];
 
