@@ -47,7 +47,7 @@ TEST(predictors, an_effect_that_is_a_difference_is_one) {
   std::size_t found = 0;
   for (const std::shared_ptr<const Effect>& effect : built_in_catalogue()) {
     if (!effect->rules.predictor || effect->rules.predictor->difference_of.empty()) continue;
-    const auto other = predictor_effect(effect->rules.predictor->difference_of, built_in_catalogue());
+    const Effect* other = find_effect(effect->rules.predictor->difference_of, Level::series);
     ASSERT_NE(other, nullptr) << effect->name;
     ASSERT_EQ(effect->inputs.size(), 2U) << effect->name;
     ASSERT_EQ(other->inputs.size(), 1U) << effect->name;
