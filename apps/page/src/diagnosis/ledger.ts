@@ -3,34 +3,59 @@ import { no_evidence, not_known } from "./falls";
 import { forecast_curves, has_forecasts } from "./forecast_curves";
 import { ledger_steps, targets_of } from "./ledger_steps";
 import type { Picture, Section, TextTable } from "../picture";
-import type { LedgerPart, LedgerRow, Report } from "../report";
+import type { LedgerPart, LedgerRow, Num, Report } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { waterfall } from "./waterfall";
 
-type Figure = "forecast_um" | "surrogate_forecast_um" | "discrepancy_um";
-// Of grown models.
-const figures: [Figure, string][] = [
-  ["forecast_um", "forecasts, µm"],
-  ["surrogate_forecast_um", "with surrogate, µm"],
-  ["discrepancy_um", "discrepancy, µm"],
+// Figures that only some ledgers have, and what the title says of them: none that no row has, for they only take room.
+interface Figure {
+  key: "likelihood_ratio" | "threshold" | "best_surrogate_fall" | "forecast_um" | "surrogate_forecast_um" | "discrepancy_um";
+  name: string;
+  decimals: number;
+  percent?: boolean; // of a share
+  about?: string;
+}
+const figures: Figure[] = [
+  {
+    key: "likelihood_ratio",
+    name: "2 ln B",
+    decimals: 1,
+    about: " 2 ln B: 2 ln of how much more likely the readings are with the change, of errors of axes chi².",
+  },
+  { key: "threshold", name: "counts from", decimals: 1 },
+  {
+    key: "best_surrogate_fall",
+    name: "best surrogate's fall, %",
+    decimals: 0,
+    percent: true,
+    about: " The fall of the best surrogate is in the RMSE.",
+  },
+  { key: "forecast_um", name: "forecasts, µm", decimals: 3, about: " Forecasts: RMSE of rows forecast from earlier ones alone." },
+  {
+    key: "surrogate_forecast_um",
+    name: "with surrogate, µm",
+    decimals: 3,
+    about: " With surrogate: the same with one in the place of the effect.",
+  },
+  {
+    key: "discrepancy_um",
+    name: "slow curve, µm",
+    decimals: 3,
+    about:
+      " Slow curve: standard deviation of the discrepancy that is left. Driver known: what drives it is known, its form is " +
+      "empirical; empirical: it predicts, no cause is claimed.",
+  },
 ];
 
 const table_of = ({ rows }: LedgerPart, several: boolean): TextTable => {
-  const told = figures.filter(([key]) => rows.some((row) => typeof row[key] === "number"));
-  const forecasts =
-    told.length > 0
-      ? " Forecasts: RMSE of rows forecast from earlier ones alone, and with a surrogate in the place of the effect; " +
-        "discrepancy: standard deviation of the slow curve that is left. Driver known: what drives it is known, its form " +
-        "is empirical; empirical: it predicts, no cause is claimed."
-      : "";
+  const told = figures.filter(({ key }) => rows.some((row) => typeof row[key] === "number"));
+  const figure = (value: Num | undefined, percent = false): Num => (typeof value === "number" ? (percent ? 100 : 1) * value : null);
   return {
-    title:
-      "Revisions. 2 ln B: 2 ln of how much more likely the readings are with the change, of errors of axes chi²; the fall " +
-      `of the best surrogate is in the RMSE.${forecasts}`,
+    title: `Revisions.${told.map(({ about }) => about ?? "").join("")}`,
     heading: [
       "revision", "change", ...(several ? ["target"] : []), "parameters", "RMSE, µm", "× floor", "left out, µm",
-      "2 ln B", "counts from", "best surrogate's fall, %", ...told.map(([, name]) => name), "verdict",
+      ...told.map(({ name }) => name), "verdict",
     ],
     rows: rows.map((row) => [
       String(row.revision),
@@ -40,10 +65,7 @@ const table_of = ({ rows }: LedgerPart, several: boolean): TextTable => {
       shown(row.rmse_um, 3),
       shown(row.times_floor, 2),
       shown(row.held_out_um, 3),
-      shown(row.likelihood_ratio, 1),
-      shown(row.threshold, 1),
-      shown(typeof row.best_surrogate_fall === "number" ? 100 * row.best_surrogate_fall : null, 0),
-      ...told.map(([key]) => shown(row[key], 3)),
+      ...told.map(({ key, decimals, percent }) => shown(figure(row[key], percent), decimals)),
       row.verdict,
     ]),
   };
