@@ -167,16 +167,7 @@ nlohmann::ordered_json json_of(const TrainedRegression& trained, const std::vect
 
 std::vector<Series> runs_of(const TrainEffectsOptions& options, const std::vector<std::filesystem::path>& files) {
   std::vector<Series> runs;
-  if (files.empty()) {
-    ModelOptions how;
-    how.data = {options.data};
-    how.max_gap_s = options.max_gap_s;
-    ModelData data = open_data(how);
-    if (data.level == Level::recording) {
-      throw Error(fmt::format("{}: expected a series or a session of drift, found recordings.", options.data));
-    }
-    runs.push_back(std::move(data.series));
-  }
+  if (files.empty()) runs.push_back(open_drift(options.data, options.max_gap_s));
   for (const std::filesystem::path& file : files) runs.push_back(read_batch(file));
   for (Series& run : runs) {
     std::erase_if(run.columns, [&](const Column& column) {

@@ -82,6 +82,9 @@ GrownModel grown_model(const std::string& bytes, const std::string& file, const 
 
 std::string conclusion(const GrownModel& grown, const std::vector<std::string>& causes,
                        const std::vector<Driver>& drivers) {
+  if (grown.growth.stop == GrowthStop::untested) {
+    return "No effect is added: too few rows to test whether any would predict new ones.";
+  }
   if (grown.rows.empty()) {
     return "No effect is added: none predicts new cycles better than the model and than surrogates of the same "
            "smoothness do.";

@@ -25,18 +25,6 @@ namespace {
 
 constexpr std::size_t kShown = 6;  // drivers, warnings
 
-Series data_of(const EffectPredictOptions& options) {
-  if (options.data == "-") return read_data(options.data);
-  ModelOptions how;
-  how.data = {options.data};
-  how.max_gap_s = options.max_gap_s;
-  ModelData data = open_data(how);
-  if (data.level == Level::recording) {
-    throw Error(fmt::format("{}: expected a series or a session of drift, found recordings.", options.data));
-  }
-  return std::move(data.series);
-}
-
 Series series_of(const EffectRegression& model, const EffectPrediction& prediction, const Series& data) {
   const std::string& target = model.model.targets.front();
   const std::string stem = stem_of(target);
@@ -166,7 +154,7 @@ void predict_effects(const EffectPredictOptions& options) {
   const EffectRegression model = read_effect_regression(bytes, options.model);
   const std::optional<FileLock> lock = options.state.empty() ? std::nullopt : only_program(options.state);
   const std::optional<PredictionState> from = state_of(options.state, digest_of(bytes));
-  Series data = data_of(options);
+  Series data = options.data == "-" ? read_data(options.data) : open_drift(options.data, options.max_gap_s);
   const std::string source = options.data == "-" ? "standard input" : options.data;
   if (from && from->live.rows > 0) data = rows_after(std::move(data), from->live.time_s[from->live.rows - 1]);
   if (data.time_s.empty()) {

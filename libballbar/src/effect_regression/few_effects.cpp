@@ -39,7 +39,7 @@ RidgeFit few_effects(const RidgeProblem& problem) {
   }
   std::vector<Variant> variants(states.size());
   in_parallel(states.size(), [&](std::size_t s) {
-    const Selection selection = forward_selection(selected, {&states[s], 1}, kMostEffects);
+    const PredictorSelection selection = forward_selection(selected, {&states[s], 1}, kMostEffects);
     Variant& of = variants[s];
     of.length_s = states[s].length_s;
     while (of.columns.size() < selection.joined.size() && selection.joined[of.columns.size()].p_none <= 0.5) {

@@ -154,7 +154,8 @@ double p_none(const Eigen::VectorXd& rises, std::size_t candidates) {
 
 std::span<const SelectionState> all_selection_states() { return kStates; }
 
-Selection forward_selection(const SelectionProblem& problem, std::span<const SelectionState> states, std::size_t most) {
+PredictorSelection forward_selection(const SelectionProblem& problem, std::span<const SelectionState> states,
+                                     std::size_t most) {
   std::vector<double> lengths_s;
   for (const SelectionState& state : states) {
     if (std::find(lengths_s.begin(), lengths_s.end(), state.length_s) == lengths_s.end())
@@ -175,7 +176,7 @@ Selection forward_selection(const SelectionProblem& problem, std::span<const Sel
     for (const Carried& one : carried) mean += share * rises(one);
     return mean;
   };
-  Selection selection;
+  PredictorSelection selection;
   std::vector<Eigen::Index> order;
   const auto fit = [&] {
     SelectedFit result;

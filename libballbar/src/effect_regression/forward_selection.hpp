@@ -47,13 +47,14 @@ struct SelectedFit {
   double sigma_um = 0.0;           // s
 };
 
-struct Selection {
+struct PredictorSelection {
   std::vector<Selected> joined;
   std::vector<SelectedFit> fits;  // one more than joined
 };
 
 // At most `most`, also such as need not be there: how many are wanted is for the caller.
-Selection forward_selection(const SelectionProblem& problem, std::span<const SelectionState> states, std::size_t most);
+PredictorSelection forward_selection(const SelectionProblem& problem, std::span<const SelectionState> states,
+                                     std::size_t most);
 
 // 600, 1800, 7200 and 30 000 s, v from 0.3 to 10.
 std::span<const SelectionState> all_selection_states();

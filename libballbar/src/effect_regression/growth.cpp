@@ -98,7 +98,7 @@ BaseColumns base_columns(const Model& base, const Series& data, std::size_t targ
 struct Grown {
   std::vector<Eigen::Index> of;  // columns of the design that the selection's are
   Eigen::VectorXd mean, sd;      // of these
-  Selection selection;
+  PredictorSelection selection;
   std::vector<Eigen::VectorXd> predicted_um;  // thinned rows, with 0, 1 ... effects
 };
 
@@ -237,7 +237,10 @@ Growth growth(const Model& base, const Series& data, std::size_t target, const G
   }
   std::size_t kept = result.tried;
   result.stop = result.tried < options.most ? GrowthStop::none_needed : GrowthStop::most;
-  if (!ahead.empty()) {
+  if (ahead.empty()) {
+    kept = 0;
+    result.stop = GrowthStop::untested;
+  } else {
     kept = last_that_pays(result.errors, result.tried);
     if (kept < result.tried) result.stop = GrowthStop::as_good_as_surrogate;
   }

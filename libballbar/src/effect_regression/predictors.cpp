@@ -130,7 +130,8 @@ Predictors predictors_of(std::span<const Series> runs, const std::string& target
     if (!takes_part(*effect)) continue;
     collected.add(effect, catalogue, bindings_of(*effect, model, first));
   }
-  if (runs.size() > 1) collected.add(temperature_at_start(), catalogue, bindings_of(*temperature_at_start(), model, first));
+  if (runs.size() > 1)
+    collected.add(temperature_at_start(), catalogue, bindings_of(*temperature_at_start(), model, first));
   if (!predictors.each.empty()) return predictors;
   throw Error("expected a column of a temperature, a speed or a load that moves, found none.");
 }

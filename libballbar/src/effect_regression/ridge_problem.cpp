@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ballbar/numerics/parallel.hpp"
+#include "effect_regression/ridge.hpp"
+
+namespace ballbar {
+
+RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>& rows, std::size_t most) {
+  const std::vector<std::size_t> kept = thinned(rows, most);
+  const auto n = static_cast<Eigen::Index>(kept.size());
+  const Eigen::Index p = design.values.cols();
+  RidgeProblem problem;
+  problem.columns.resize(n, p);
+  problem.target_um.resize(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::size_t row = kept[static_cast<std::size_t>(i)];
+    problem.columns.row(i) = design.values.row(static_cast<Eigen::Index>(row));
+    problem.target_um[i] = design.target_um[static_cast<Eigen::Index>(row)];
+    problem.time_s.push_back(design.time_s[row]);
+    problem.run.push_back(design.run[row]);
+  }
+  problem.end_s = design.time_s[rows.back()];
+  problem.mean = problem.columns.colwise().mean();
+  const Eigen::VectorXd largest = problem.columns.cwiseAbs().colwise().maxCoeff();
+  problem.columns.rowwise() -= problem.mean.transpose();
+  const auto sd_of = [&](const auto& column) { return std::sqrt(column.squaredNorm() / static_cast<double>(n)); };
+  problem.sd.resize(p);
+  for (Eigen::Index k = 0; k < p; ++k) {
+    const double sd = sd_of(problem.columns.col(k));
+    problem.sd[k] = sd > 1e-6 * std::max(1e-3, largest[k]) ? sd : 0.0;
+    if (problem.sd[k] > 0.0) {
+      problem.columns.col(k) /= sd;
+    } else {
+      problem.columns.col(k).setZero();
+    }
+  }
+  problem.prior.resize(kPredictorKinds);
+  for (const PredictorFamily& family : design.predictors.families) {
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(p, p);
+    double weights = 0.0;
+    // Exponents of a source have units of their own: no standard deviation of one beside that of another.
+    const bool by_sd = family.kind == PredictorKind::temperature || family.kind == PredictorKind::difference;
+    for (const PredictorSum& member : family.members) {
+      const auto a = static_cast<Eigen::Index>(member.plus);
+      if (!member.minus) {
+        if (!(problem.sd[a] > 0.0)) continue;
+        const double weight = by_sd ? problem.sd[a] : 1.0;
+        sum(a, a) += weight;
+        weights += weight;
+      } else {
+        const auto b = static_cast<Eigen::Index>(*member.minus);
+        if (!(problem.sd[a] > 0.0) || !(problem.sd[b] > 0.0)) continue;
+        const double sd = sd_of(problem.sd[a] * problem.columns.col(a) - problem.sd[b] * problem.columns.col(b));
+        if (!(sd > 1e-3 * std::max(problem.sd[a], problem.sd[b]))) continue;
+        const double plus = problem.sd[a] / sd, minus = problem.sd[b] / sd, weight = by_sd ? sd : 1.0;
+        sum(a, a) += weight * plus * plus;
+        sum(b, b) += weight * minus * minus;
+        sum(a, b) -= weight * plus * minus;
+        sum(b, a) -= weight * plus * minus;
+        weights += weight;
+      }
+    }
+    if (!(weights > 0.0)) continue;
+    Eigen::MatrixXd& prior = problem.prior[static_cast<std::size_t>(family.kind)];
+    if (prior.size() == 0) prior = Eigen::MatrixXd::Zero(p, p);
+    prior += sum / weights;
+  }
+  problem.kernel.resize(kPredictorKinds);
+  in_parallel(kPredictorKinds, [&](std::size_t kind) {
+    if (problem.prior[kind].size() == 0) return;
+    problem.kernel[kind].noalias() = (problem.columns * problem.prior[kind]) * problem.columns.transpose();
+  });
+  return problem;
+}
+
+}  // namespace ballbar
