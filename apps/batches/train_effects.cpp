@@ -25,6 +25,11 @@ constexpr double kNoBetter = 0.95;           // of the error of the last value h
 constexpr double kHardlyBetter = 2.0 / 3.0;  // random walks reach this by chance
 constexpr std::size_t kHead = 1 << 16;
 
+bool is_predicted(const EffectRegression& regression) {
+  const Forecasts& of = *regression.forecasts;
+  return !regression.model.terms.empty() && of.rmse_um < (regression.runs > 1 ? kNoBetter : kHardlyBetter) * of.held_um;
+}
+
 // The conclusion: what may be expected of rows that the training did not have.
 std::string expectation(const EffectRegression& regression) {
   const std::string& target = regression.model.targets.front();
@@ -33,28 +38,25 @@ std::string expectation(const EffectRegression& regression) {
   }
   const Forecasts& of = *regression.forecasts;
   const bool several = regression.runs > 1;
-  const std::string tested =
-      several ? fmt::format("runs left out, each of {}", of.count) : fmt::format("forecasts from {} origins", of.count);
-  if (!(of.rmse_um < kNoBetter * of.held_um)) {
+  const std::string tested = several ? fmt::format("runs left out (each of {})", of.count)
+                                     : fmt::format("forecasts from {} origins", of.count);
+  const std::string without = several ? "0 um is taken" : "the last value, or the mean, is held";
+  if (regression.model.terms.empty() || !(of.rmse_um < kNoBetter * of.held_um)) {
     return fmt::format(
         "{} is not predicted: in {} the error is {:.2f} um RMSE, and {:.2f} um where {}. What moves it is in none of "
         "these columns.",
-        target, tested, of.rmse_um, of.held_um, several ? "0 um is taken" : "the last value is held");
+        target, tested, of.rmse_um, of.held_um, without);
   }
   return fmt::format(
-             "{} is predicted to {:.2f} um on rows that the training did not have (mean of |error| in {}; RMSE {:.2f} "
-             "um, {} "
-             "{:.2f} um). The interval of 95 % held {:.0f} % of them{}.",
-             target, of.error_um, tested, of.rmse_um, several ? "without any model" : "with the last value held",
-             of.held_um, 100.0 * of.within_share,
-             regression.interval_scale > 1.005
-                 ? fmt::format(" and is {:.2f} times as wide in the model's file, so that it holds 95 %",
-                               regression.interval_scale)
-                 : "") +
-         (!several && !(of.rmse_um < kHardlyBetter * of.held_um)
-              ? " It is hardly better than the last value held: a random walk that no column drives comes as near by "
-                "chance."
-              : "");
+      "{} is {}predicted to {:.2f} um on rows that the training did not have (mean of |error| in {}; RMSE {:.2f} um, "
+      "and {:.2f} um where {}). The interval of 95 % held {:.0f} % of them{}.{}",
+      target, is_predicted(regression) ? "" : "hardly ", of.error_um, tested, of.rmse_um, of.held_um, without,
+      100.0 * of.within_share,
+      regression.interval_scale > 1.005
+          ? fmt::format(" and is {:.2f} times as wide in the model's file, so that it holds 95 %",
+                        regression.interval_scale)
+          : "",
+      is_predicted(regression) ? "" : " A random walk that no column drives comes as near by chance.");
 }
 
 std::string memory_text(const EffectRegression& regression) {
@@ -65,7 +67,7 @@ std::string memory_text(const EffectRegression& regression) {
 }
 
 Table driver_table(const DriverReport& report) {
-  Table table({"column", "role", "share um", "cycles left out", "what may be said"});
+  Table table({"column", "role", "share um", "parts left out", "what may be said"});
   double others = 0.0;
   std::size_t shown = 0, more = 0;
   for (const DriverStability& one : report.drivers) {
@@ -108,11 +110,11 @@ Table contest(const TrainedRegression& trained, const std::vector<OtherMethod>& 
     table.add(
         {other.label, fixed(other.left_out_um, 2), fixed(other.worst_um, 2), other.worst, fixed(other.trained_um, 2)});
   }
-  const auto worst = std::max_element(trained.left_out_um.begin(), trained.left_out_um.end());
-  const bool known = worst != trained.left_out_um.end();
-  table.add({"effects *", fixed(regression.forecasts->rmse_um, 2), known ? fixed(*worst, 2) : "-",
-             known ? files[static_cast<std::size_t>(worst - trained.left_out_um.begin())].stem().string() : "-",
-             fixed(regression.rmse_um, 2)});
+  const auto worst = std::max_element(trained.left_out.begin(), trained.left_out.end(),
+                                      [](const auto& a, const auto& b) { return a.second < b.second; });
+  const bool known = worst != trained.left_out.end();
+  table.add({"effects *", fixed(regression.forecasts->rmse_um, 2), known ? fixed(worst->second, 2) : "-",
+             known ? files[worst->first].stem().string() : "-", fixed(regression.rmse_um, 2)});
   return table;
 }
 
@@ -136,7 +138,7 @@ nlohmann::ordered_json json_of(const TrainedRegression& trained, const std::vect
                          {"rmse_um", number(of.forecasts->rmse_um)},
                          {"held_um", number(of.forecasts->held_um)},
                          {"within_share", number(of.forecasts->within_share)},
-                         {"predicted", of.forecasts->rmse_um < kNoBetter * of.forecasts->held_um}};
+                         {"predicted", is_predicted(of)}};
   }
   json["drivers"] = nlohmann::ordered_json::array();
   for (const DriverStability& one : trained.drivers.drivers) {
@@ -167,7 +169,16 @@ nlohmann::ordered_json json_of(const TrainedRegression& trained, const std::vect
 
 std::vector<Series> runs_of(const TrainEffectsOptions& options, const std::vector<std::filesystem::path>& files) {
   std::vector<Series> runs;
-  if (files.empty()) runs.push_back(open_drift(options.data, options.max_gap_s));
+  if (files.empty()) {
+    ModelData opened = open_drift(options.data, options.max_gap_s);
+    expect_no_input({options.out}, opened.files);
+    for (const std::string& name : options.without_sensor) {
+      if (find_column(opened.series, name) != nullptr) continue;
+      throw Error(
+          fmt::format("--without-sensor {}: expected a column of {}, found none of that name.", name, options.data));
+    }
+    runs.push_back(std::move(opened.series));
+  }
   for (const std::filesystem::path& file : files) runs.push_back(read_batch(file));
   for (Series& run : runs) {
     std::erase_if(run.columns, [&](const Column& column) {
@@ -204,7 +215,8 @@ void train_effects(const TrainEffectsOptions& options, const std::vector<std::fi
     return with_source(options.data, [&] { return trained_regression(runs, options.target, how); });
   }();
   const EffectRegression& of = trained.regression;
-  write_bytes(options.out, write_effect_regression(of));
+  const bool is_model = !of.model.terms.empty();
+  if (is_model) write_bytes(options.out, write_effect_regression(of));
   std::vector<std::string> said = remarks_of(trained.drivers);
   if (!of.left_out.empty()) {
     said.push_back(fmt::format("Not used, for they stand still or have gaps: {}.", fmt::join(of.left_out, ", ")));
@@ -222,13 +234,13 @@ void train_effects(const TrainEffectsOptions& options, const std::vector<std::fi
                          "settings are chosen by it, so that it is a little too good."));
     }
     fmt::print("{}{}", driver_table(trained.drivers).text(kWidest),
-               wrapped(fmt::format("share: of {:.2f} um, the range of what is predicted. cycles left out: least and "
+               wrapped(fmt::format("share: of {:.2f} um, the range of what is predicted. parts left out: least and "
                                    "largest in {} refits, each without a part of the record.",
                                    trained.drivers.range_um, trained.drivers.refits)));
     if (!said.empty()) fmt::print("\n");
     for (const std::string& remark : said) fmt::print("{}", wrapped(remark));
   }
-  fmt::print(stderr, "wrote {}\n", options.out);
+  fmt::print(stderr, "{}\n", is_model ? "wrote " + options.out : "no effect is likelier than none, nothing written");
 }
 
 }  // namespace ballbar

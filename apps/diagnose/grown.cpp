@@ -47,7 +47,7 @@ std::string_view stop_text(GrowthStop stop) {
   switch (stop) {
     case GrowthStop::none_needed:
       return "It ends where no further effect is probable (P of none above 0.5).";
-    case GrowthStop::as_good_as_surrogate:
+    case GrowthStop::as_good_as_surrogates:
       return "It ends where further effects predict new cycles no better than surrogates do.";
     default:
       return "It ends at 12 effects.";
@@ -113,6 +113,7 @@ std::string conclusion(const GrownModel& grown, const std::vector<std::string>& 
 }
 
 std::string tables(const GrownModel& grown) {
+  if (grown.rows.empty()) return "";
   Table table({"revision", "RMSE um", "surrogates", "forecasts um", "surrogates", "2 ln B", "what it is"});
   const auto add = [&](const std::string& name, const GrowthErrors& errors, const LedgerRow* row) {
     table.add({shortened(name, 44), known(errors.rmse_um), known(errors.surrogate_um), known(errors.forecast_um),

@@ -110,12 +110,12 @@ ModelData open_data(const ModelOptions& options) {
   return open_model_data({options.data.begin(), options.data.end()}, {}, options.max_gap_s.value_or(kUsualGap_s));
 }
 
-Series open_drift(const std::string& data, const std::optional<double>& max_gap_s) {
+ModelData open_drift(const std::string& data, const std::optional<double>& max_gap_s) {
   ModelOptions how;
   how.data = {data};
   how.max_gap_s = max_gap_s;
   ModelData opened = open_data(how);
-  if (opened.level == Level::series) return std::move(opened.series);
+  if (opened.level == Level::series) return opened;
   throw Error(fmt::format("{}: expected a series or a session of drift, found recordings.", data));
 }
 

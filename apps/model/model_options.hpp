@@ -42,7 +42,7 @@ constexpr double kUsualGap_s = 600.0;
 ModelData open_data(const ModelOptions& options);
 
 // A series or a session of drift. Throws Error for recordings.
-Series open_drift(const std::string& data, const std::optional<double>& max_gap_s);
+ModelData open_drift(const std::string& data, const std::optional<double>& max_gap_s);
 
 // The model of the file, its targets replaced where the command line says so; without a file a constant (or, on
 // recordings, a circle each). Throws Error: a model of drift for recordings or the other way round, one that does not

@@ -17,6 +17,7 @@
 #include "model/model_options.hpp"
 #include "predict/predict_batch.hpp"
 #include "terminal/json_number.hpp"
+#include "terminal/output_guard.hpp"
 #include "terminal/state_file.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -40,9 +41,8 @@ Series series_of(const EffectRegression& model, const EffectPrediction& predicti
   }
   for (std::size_t d = 0; d < prediction.drivers.size(); ++d) {
     const auto adds = prediction.drivers_um.col(static_cast<Eigen::Index>(d));
-    series.columns.push_back({fmt::format("{}_by_{}_um", stem, stem_of(prediction.drivers[d].column)),
-                              Role::measured,
-                              {adds.begin(), adds.end()}});
+    series.columns.push_back(
+        {fmt::format("{}_by_{}_um", stem, prediction.drivers[d].column), Role::measured, {adds.begin(), adds.end()}});
   }
   return series;
 }
@@ -54,6 +54,22 @@ Series rows_after(Series data, double last_s) {
   data.time_s.erase(data.time_s.begin(), first);
   for (Column& column : data.columns) column.values.erase(column.values.begin(), column.values.begin() + known);
   return data;
+}
+
+// A state is no input and no output, and its folder is there.
+void expect_state_apart(const EffectPredictOptions& options) {
+  if (options.state.empty()) return;
+  const std::filesystem::path state(options.state);
+  std::vector<std::filesystem::path> others{options.data, options.model};
+  others.insert(others.end(), options.out.begin(), options.out.end());
+  expect_no_input({options.state}, others, "--state");
+  for (const std::filesystem::path& other : others) {
+    if (state.lexically_normal() != other.lexically_normal()) continue;
+    throw Error(
+        fmt::format("--state {}: expected a file of its own, found one that is read or written here.", options.state));
+  }
+  if (state.parent_path().empty() || std::filesystem::is_directory(state.parent_path())) return;
+  throw Error(fmt::format("--state {}: expected a folder that is there, found none.", options.state));
 }
 
 // Where the state's file says that an earlier prediction stood; nothing where there is no file yet.
@@ -69,13 +85,18 @@ std::optional<PredictionState> state_of(const std::string& file, const std::stri
   return PredictionState{std::move(stored.live), stored.since_end};
 }
 
-std::string start_text(const EffectRegression& model, const EffectPrediction& prediction, bool from_state) {
+std::string start_text(const EffectRegression& model, const EffectPrediction& prediction, const Series& data,
+                       bool from_state) {
   if (from_state) return "It goes on from where the state stood.";
   if (prediction.holds) {
-    return fmt::format("It begins as the training did; what follows {} is new.", duration_text(model.end_s));
+    return fmt::format("It begins as the training did; what comes after {} is new.",
+                       duration_text(model.end_s - data.time_s.front()));
   }
   if (prediction.goes_on) return "It goes on where training ended: filters and the slow curve are kept.";
-  return "A run of its own: its first row is the zero of temperatures and filters.";
+  const bool inside = data.time_s.front() > model.end.time_s[0] && data.time_s.front() < model.end_s;
+  return fmt::format(
+      "A run of its own: its first row is the zero of temperatures and filters.{}",
+      inside ? " Its times are within those of the training: give the record from its first row on." : "");
 }
 
 struct Measured {
@@ -100,6 +121,23 @@ std::optional<Measured> error_of(const EffectRegression& model, const EffectPred
   if (of.rows == 0) return std::nullopt;
   const auto n = static_cast<double>(of.rows);
   return Measured{of.mean_um / n, std::sqrt(of.rmse_um / n), of.within / n, of.rows};
+}
+
+// " from 0.07 to 24.45 um, at the end 24.45 um ±5.37 um (95 %)", of the rows that have a prediction.
+std::string range_text(const EffectPrediction& prediction) {
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < prediction.predicted_um.size(); ++i) {
+    if (std::isfinite(prediction.predicted_um[i])) rows.push_back(i);
+  }
+  const auto less = [&](std::size_t a, std::size_t b) {
+    return prediction.predicted_um[a] < prediction.predicted_um[b];
+  };
+  const auto [low, high] = std::minmax_element(rows.begin(), rows.end(), less);
+  const std::size_t without = prediction.predicted_um.size() - rows.size();
+  return fmt::format(" from {:.2f} to {:.2f} um, at the end {:.2f} um ±{:.2f} um (95 %){}\n",
+                     prediction.predicted_um[*low], prediction.predicted_um[*high],
+                     prediction.predicted_um[rows.back()], prediction.half_width_um[rows.back()],
+                     without > 0 ? fmt::format("; {} rows have no value in some column", without) : "");
 }
 
 // "of 18.20 um: speed_rpm 11.10, T4_degC 5.20, 3 more 1.90; not attributable 1.20"
@@ -152,9 +190,14 @@ bool is_effect_regression(const std::string& model) { return is_effect_regressio
 void predict_effects(const EffectPredictOptions& options) {
   const std::string bytes = read_bytes(options.model, kLargestText);
   const EffectRegression model = read_effect_regression(bytes, options.model);
+  expect_state_apart(options);
   const std::optional<FileLock> lock = options.state.empty() ? std::nullopt : only_program(options.state);
   const std::optional<PredictionState> from = state_of(options.state, digest_of(bytes));
-  Series data = options.data == "-" ? read_data(options.data) : open_drift(options.data, options.max_gap_s);
+  const bool piped = options.data == "-";
+  ModelData opened;
+  if (!piped) opened = open_drift(options.data, options.max_gap_s);
+  expect_no_input(options.out, opened.files);
+  Series data = piped ? read_data(options.data) : std::move(opened.series);
   const std::string source = options.data == "-" ? "standard input" : options.data;
   if (from && from->live.rows > 0) data = rows_after(std::move(data), from->live.time_s[from->live.rows - 1]);
   if (data.time_s.empty()) {
@@ -162,6 +205,10 @@ void predict_effects(const EffectPredictOptions& options) {
   }
   const EffectPrediction prediction =
       with_source(from ? options.state : source, [&] { return predict(model, data, from); });
+  if (std::none_of(prediction.predicted_um.begin(), prediction.predicted_um.end(),
+                   [](double value) { return std::isfinite(value); })) {
+    throw Error(fmt::format("{}: expected a row with a value in every column of the model, found none.", source));
+  }
   const Series series = series_of(model, prediction, data);
   for (const std::string& path : options.out) write_bytes(path, write_series(series));
   const std::optional<Measured> error = error_of(model, prediction, data);
@@ -191,11 +238,9 @@ void predict_effects(const EffectPredictOptions& options) {
   } else {
     const std::string& target = model.model.targets.front();
     fmt::print("{}\n{}: {} by effects ({}), trained on {} rows\n{}\n\n", source, options.model, target,
-               dictionary_text(model), model.rows, start_text(model, prediction, from.has_value()));
-    const auto [low, high] = std::minmax_element(prediction.predicted_um.begin(), prediction.predicted_um.end());
-    fmt::print("{} rows over {}: {} from {:.2f} to {:.2f} um, at the end {:.2f} um ±{:.2f} um (95 %)\n",
-               data.time_s.size(), duration_text(data.time_s.back() - data.time_s.front()), target, *low, *high,
-               prediction.predicted_um.back(), prediction.half_width_um.back());
+               dictionary_text(model), model.rows, start_text(model, prediction, data, from.has_value()));
+    fmt::print("{} rows over {}: {}{}", data.time_s.size(), duration_text(data.time_s.back() - data.time_s.front()),
+               target, range_text(prediction));
     if (error) {
       fmt::print(
           "measured less predicted{}: mean of |error| {:.2f} um, RMSE {:.2f} um, {:.0f} % within the 95 % interval\n",

@@ -26,7 +26,7 @@ std::vector<std::size_t> known_rows(const Series& run, const std::string& target
 }  // namespace
 
 std::vector<std::size_t> thinned(const std::vector<std::size_t>& rows, std::size_t most) {
-  const std::size_t step = (rows.size() + most - 1) / most;
+  const std::size_t step = (rows.size() + most - 1) / std::max<std::size_t>(1, most);
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < rows.size(); i += std::max<std::size_t>(1, step)) kept.push_back(rows[i]);
   return kept;

@@ -28,7 +28,7 @@ struct Design {
 // where the target is missing or has fewer than 40 values.
 Design design_of(std::span<const Series> runs, const std::string& target, const Catalogue& catalogue);
 
-// At most `most` of these rows: every k-th.
+// Every k-th of these rows, so that at most `most` (at least one) are left.
 std::vector<std::size_t> thinned(const std::vector<std::size_t>& rows, std::size_t most);
 
 }  // namespace ballbar

@@ -142,7 +142,7 @@ TrainedRegression trained_regression(std::span<const Series> runs, const std::st
     if (const auto tested = tested_forecasts(design, runs.front(), problem, setting, options.few, options.progress)) {
       regression.forecasts = tested->forecasts;
       regression.interval_scale = tested->interval_scale;
-      trained.left_out_um = tested->left_out_um;
+      trained.left_out = tested->left_out;
     }
   }
   trained.regression = std::move(regression);
@@ -169,7 +169,7 @@ Term held_term(std::shared_ptr<const Effect> effect, std::vector<std::string> co
 }
 
 std::string dictionary_text(const EffectRegression& regression) {
-  return fmt::format("{}", fmt::join(regression.dictionary, ", "));
+  return regression.dictionary.empty() ? "no effect" : fmt::format("{}", fmt::join(regression.dictionary, ", "));
 }
 
 }  // namespace ballbar

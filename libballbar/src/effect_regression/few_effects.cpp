@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "ballbar/numerics/parallel.hpp"
@@ -17,7 +16,7 @@ constexpr std::size_t kMostEffects = 12;
 struct Variant {
   std::vector<std::size_t> columns;  // of the problem
   SelectedFit fit;
-  double log_bayes = 0.0, length_s = 0.0;
+  double log_likelihood = 0.0, length_s = 0.0;
 };
 
 }  // namespace
@@ -33,8 +32,9 @@ RidgeFit few_effects(const RidgeProblem& problem) {
   selected.target_um = problem.target_um;
   selected.time_s = problem.time_s;
   selected.run = problem.run;
+  selected.end_s = problem.end_s;
   std::vector<SelectionState> states;
-  for (const double length_s : {1800.0, 7200.0, 30'000.0}) {
+  for (const double length_s : {0.0, 1800.0, 7200.0, 30'000.0}) {
     for (const double variance : {1.0, 3.0, 10.0}) states.push_back({length_s, variance});
   }
   std::vector<Variant> variants(states.size());
@@ -42,12 +42,19 @@ RidgeFit few_effects(const RidgeProblem& problem) {
     const PredictorSelection selection = forward_selection(selected, {&states[s], 1}, kMostEffects);
     Variant& of = variants[s];
     of.length_s = states[s].length_s;
+    of.log_likelihood = selection.log_likelihood;
     while (of.columns.size() < selection.joined.size() && selection.joined[of.columns.size()].p_none <= 0.5) {
-      of.log_bayes += selection.joined[of.columns.size()].log_bayes;
+      of.log_likelihood += selection.joined[of.columns.size()].log_bayes;
       of.columns.push_back(moving[selection.joined[of.columns.size()].column]);
     }
     of.fit = selection.fits[of.columns.size()];
   });
+  const Variant likeliest = *std::max_element(variants.begin(), variants.end(), [](const auto& a, const auto& b) {
+    return a.log_likelihood < b.log_likelihood;
+  });
+  // What has no memory is no matter of those that have one, and the other way round.
+  const bool is_white = likeliest.length_s == 0.0;
+  std::erase_if(variants, [&](const Variant& of) { return (of.length_s == 0.0) != is_white; });
   RidgeFit result;
   for (const Variant& of : variants) {
     for (const std::size_t column : of.columns) {
@@ -58,7 +65,6 @@ RidgeFit few_effects(const RidgeProblem& problem) {
   const double share = 1.0 / static_cast<double>(variants.size());
   Eigen::MatrixXd gains = Eigen::MatrixXd::Zero(m + 2, static_cast<Eigen::Index>(variants.size()));
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(m + 2, m + 2);
-  double best = -std::numeric_limits<double>::infinity();
   for (std::size_t s = 0; s < variants.size(); ++s) {
     const Variant& of = variants[s];
     std::vector<Eigen::Index> place{0};  // of b, its own predictors, the discrepancy
@@ -71,12 +77,9 @@ RidgeFit few_effects(const RidgeProblem& problem) {
       for (std::size_t j = 0; j < place.size(); ++j)
         covariance(place[i], place[j]) += share * of.fit.covariance_um2(at, static_cast<Eigen::Index>(j));
     }
-    result.sigma_um += share * of.fit.sigma_um;
-    if (of.log_bayes > best) {
-      best = of.log_bayes;
-      result.setting.length_s = of.length_s;
-    }
   }
+  result.setting.length_s = likeliest.length_s;
+  result.sigma_um = likeliest.fit.sigma_um;
   result.gains_um = gains.rowwise().mean();
   const Eigen::MatrixXd apart = gains.colwise() - result.gains_um;
   covariance += share * apart * apart.transpose();

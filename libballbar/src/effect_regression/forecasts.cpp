@@ -16,35 +16,42 @@ namespace {
 
 constexpr std::size_t kFewestRows = 60, kOrigins = 3;
 
-struct Errors {
-  std::vector<double> error_um, held_um, sigmas;
+constexpr double kLeastSigma_um = 1e-6;  // of a target that stands still
 
-  void add(double error, double held, double sigma_um) {
+struct Errors {
+  std::vector<double> error_um, held_um, mean_um, sigmas, weight;
+
+  // held, mean: what is left where the last value, or the mean, of the rows before is taken.
+  void add(double error, double held, double mean, double sigma_um, double of_weight) {
     error_um.push_back(error);
     held_um.push_back(held);
-    sigmas.push_back(std::abs(error) / sigma_um);
+    mean_um.push_back(mean);
+    sigmas.push_back(std::abs(error) / std::max(sigma_um, kLeastSigma_um));
+    weight.push_back(of_weight);
+  }
+
+  double mean_of(const auto& of_row) const {
+    double sum = 0.0, weights = 0.0;
+    for (std::size_t i = 0; i < weight.size(); ++i) {
+      sum += weight[i] * of_row(i);
+      weights += weight[i];
+    }
+    return sum / weights;
+  }
+  double rms(const std::vector<double>& values) const {
+    return std::sqrt(mean_of([&](std::size_t i) { return values[i] * values[i]; }));
   }
 };
-
-double rms(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value * value;
-  return std::sqrt(sum / static_cast<double>(values.size()));
-}
 
 TestedForecasts tested(std::size_t count, Errors errors) {
   TestedForecasts result;
   Forecasts& of = result.forecasts;
-  const auto n = static_cast<double>(errors.error_um.size());
   of.count = count;
-  of.rmse_um = rms(errors.error_um);
-  of.held_um = rms(errors.held_um);
-  of.error_um = std::accumulate(errors.error_um.begin(), errors.error_um.end(), 0.0,
-                                [](double sum, double error) { return sum + std::abs(error); }) /
-                n;
-  const auto within =
-      std::count_if(errors.sigmas.begin(), errors.sigmas.end(), [](double z) { return z <= kNormal95; });
-  of.within_share = static_cast<double>(within) / n;
+  of.rmse_um = errors.rms(errors.error_um);
+  of.held_um = std::min(errors.rms(errors.held_um), errors.rms(errors.mean_um));
+  of.error_um = errors.mean_of([&](std::size_t i) { return std::abs(errors.error_um[i]); });
+  of.within_share = errors.mean_of([&](std::size_t i) { return errors.sigmas[i] <= kNormal95 ? 1.0 : 0.0; });
+  const auto n = static_cast<double>(errors.sigmas.size());
   const auto at = errors.sigmas.begin() + static_cast<std::ptrdiff_t>(0.95 * (n - 1.0));
   std::nth_element(errors.sigmas.begin(), at, errors.sigmas.end());
   result.interval_scale = std::max(1.0, *at / kNormal95);
@@ -58,11 +65,15 @@ void forecast(const Design& design, const std::vector<std::size_t>& from, const 
   const RidgeFit fit =
       few ? few_effects(problem) : ridge_fit(problem, chosen_setting(ridge_problem(design, from, kChoiceRows)));
   const double held = goes_on ? design.target_um[static_cast<Eigen::Index>(from.back())] : 0.0;
-  for (const std::size_t row : thinned(rows, kRidgeRows)) {
+  const double mean = goes_on ? design.target_um(from).mean() : 0.0;
+  const std::vector<std::size_t> predicted = thinned(rows, kRidgeRows);
+  const double weight = goes_on ? 1.0 : 1.0 / static_cast<double>(predicted.size());
+  for (const std::size_t row : predicted) {
     const auto i = static_cast<Eigen::Index>(row);
     const double since_s = goes_on ? design.time_s[row] - problem.end_s : std::numeric_limits<double>::infinity();
     const RidgePrediction at = ridge_prediction(problem, fit, design.values.row(i).transpose(), since_s);
-    errors.add(design.target_um[i] - at.mean_um, design.target_um[i] - held, at.sigma_um);
+    errors.add(design.target_um[i] - at.mean_um, design.target_um[i] - held, design.target_um[i] - mean, at.sigma_um,
+               weight);
   }
 }
 
@@ -88,18 +99,22 @@ TestedForecasts of_runs(const Design& design, const RidgeProblem& problem, const
   if (!few && design.runs >= kFewestRunsToLeaveOut) {
     if (progress) progress(fmt::format("leaving out each of {} runs", design.runs));
     const LeftOutRuns left = left_out_runs(problem, setting);
+    std::vector<double> rows(design.runs, 0.0);
+    for (const std::size_t run : problem.run) rows[run] += 1.0;
     for (Eigen::Index i = 0; i < left.error_um.size(); ++i) {
-      errors.add(left.error_um[i], problem.target_um[i], left.sigma_um[i]);
+      const double value = problem.target_um[i];
+      errors.add(left.error_um[i], value, value, left.sigma_um[i],
+                 1.0 / rows[problem.run[static_cast<std::size_t>(i)]]);
     }
-    TestedForecasts result = tested(design.runs, std::move(errors));
-    result.left_out_um = left.rmse_um;
-    result.forecasts.rmse_um = rms(left.rmse_um);  // as of batches: each run counts alike
+    TestedForecasts result = tested(left.run.size(), std::move(errors));
+    for (std::size_t i = 0; i < left.run.size(); ++i) result.left_out.emplace_back(left.run[i], left.rmse_um[i]);
     return result;
   }
   for (std::size_t run = 0; run < design.runs; ++run) {
     if (progress) progress(fmt::format("leaving out run {} of {}", run + 1, design.runs));
     std::vector<std::size_t> from, rows;
     for (std::size_t i = 0; i < design.run.size(); ++i) (design.run[i] == run ? rows : from).push_back(i);
+    if (rows.empty() || from.empty()) continue;
     forecast(design, from, rows, false, few, errors);
   }
   return tested(design.runs, std::move(errors));

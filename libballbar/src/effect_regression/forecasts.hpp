@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ballbar/effect_regression/effect_regression.hpp"
@@ -24,7 +25,7 @@ std::vector<ForecastRows> forecast_rows(const Design& design, const Series& run)
 struct TestedForecasts {
   Forecasts forecasts;
   double interval_scale = 1.0;
-  std::vector<double> left_out_um;  // RMSE of each run, of five or more
+  std::vector<std::pair<std::size_t, double>> left_out;  // a run and its RMSE, of five or more
 };
 
 // Of one run forecasts from these origins; of several each run left out, of five or more with the setting given. few:

@@ -35,12 +35,14 @@ struct Whitened {
   Eigen::MatrixXd fixed, columns;  // not freed of F
   Eigen::MatrixXd free_columns;
   Eigen::VectorXd target, free_target;
+  double half_log_det = 0.0;    // of N
   Eigen::VectorXd towards_end;  // covariance of the discrepancy in the last row with all rows, whitened
 };
 
 Whitened whitened(const SelectionProblem& problem, double length_s) {
   const Eigen::LLT<Eigen::MatrixXd> root(discrepancy_of(problem.time_s, problem.run, length_s));
   Whitened of;
+  of.half_log_det = root.matrixLLT().diagonal().array().log().sum();
   of.fixed = root.matrixL().solve(problem.fixed);
   of.columns = root.matrixL().solve(problem.columns);
   of.target = root.matrixL().solve(problem.target_um);
@@ -48,7 +50,7 @@ Whitened whitened(const SelectionProblem& problem, double length_s) {
   for (Eigen::Index i = 0; i < end.size(); ++i) {
     const auto row = static_cast<std::size_t>(i);
     const bool same = problem.run[row] == problem.run.back();
-    end[i] = same ? remembered(problem.time_s.back() - problem.time_s[row], length_s) : 0.0;
+    end[i] = same ? remembered(problem.end_s - problem.time_s[row], length_s) : 0.0;
   }
   of.towards_end = root.matrixL().solve(end);
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> basis(of.fixed);
@@ -125,6 +127,11 @@ class Carried {
     return covariance * (sum_ / degrees_);
   }
 
+  double log_likelihood() const {
+    const double half_log_q = 0.5 * (of_.fixed.transpose() * of_.fixed).ldlt().vectorD().array().log().sum();
+    return -0.5 * degrees_ * std::log(sum_ / degrees_) - of_.half_log_det - half_log_q;
+  }
+
   double sigma_um() const { return std::sqrt(sum_ / degrees_); }
 
  private:
@@ -191,6 +198,7 @@ PredictorSelection forward_selection(const SelectionProblem& problem, std::span<
     result.covariance_um2 = carried.front().covariance_um2(order, remembered(0.0, states.front().length_s));
     return result;
   };
+  selection.log_likelihood = carried.front().log_likelihood();
   selection.fits.push_back(fit());
   while (order.size() < most && static_cast<Eigen::Index>(order.size()) < p) {
     Eigen::VectorXd rises = mean_of([](const Carried& one) { return one.rises(); });

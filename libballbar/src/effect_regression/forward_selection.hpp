@@ -31,6 +31,7 @@ struct SelectionProblem {
   Eigen::VectorXd target_um;  // n
   std::vector<double> time_s;
   std::vector<std::size_t> run;
+  double end_s = 0.0;  // time of the last row there is, which need not be one of these
 };
 
 struct Selected {
@@ -50,6 +51,7 @@ struct SelectedFit {
 struct PredictorSelection {
   std::vector<Selected> joined;
   std::vector<SelectedFit> fits;  // one more than joined
+  double log_likelihood = 0.0;    // ln L of the first state before any joins
 };
 
 // At most `most`, also such as need not be there: how many are wanted is for the caller.

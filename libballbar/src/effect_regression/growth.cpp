@@ -126,6 +126,7 @@ Grown grown_on(const Thin& thin, const Eigen::MatrixXd& of, const BaseColumns& b
   problem.target_um = (thin.target_um - base.held_um).head(n);
   problem.time_s.assign(thin.time_s.begin(), thin.time_s.begin() + n);
   problem.run.assign(static_cast<std::size_t>(n), 0);
+  problem.end_s = problem.time_s.back();
   grown.selection = forward_selection(problem, all_selection_states(), most);
   const Eigen::Index fixed = base.free.cols();
   for (std::size_t k = 0; k < grown.selection.fits.size(); ++k) {
@@ -170,12 +171,11 @@ struct ForecastSums {
   double square = 0.0, absolute = 0.0, surrogate_square = 0.0;
 };
 
-// The last row whose forecasts are better than those of as many surrogates and of the base model; 0: none.
+// The last row whose forecasts are better than those of as many surrogates and of the base model; 0: none. Not that of
+// the best forecasts: the least of a dozen errors from three origins is mostly luck.
 std::size_t last_that_pays(const std::vector<GrowthErrors>& errors, std::size_t tried) {
   for (std::size_t k = tried; k > 0; --k) {
-    if (errors[k].forecast_um < errors[k].surrogate_forecast_um && errors[k].forecast_um < errors[0].forecast_um) {
-      return k;
-    }
+    if (errors[k].forecast_um < std::min(errors[0].forecast_um, errors[k].surrogate_forecast_um)) return k;
   }
   return 0;
 }
@@ -242,7 +242,7 @@ Growth growth(const Model& base, const Series& data, std::size_t target, const G
     result.stop = GrowthStop::untested;
   } else {
     kept = last_that_pays(result.errors, result.tried);
-    if (kept < result.tried) result.stop = GrowthStop::as_good_as_surrogate;
+    if (kept < result.tried) result.stop = GrowthStop::as_good_as_surrogates;
   }
   const Eigen::Index fixed = whole.free.cols();
   for (std::size_t k = 1; k <= kept; ++k) {

@@ -28,7 +28,7 @@ std::shared_ptr<const Effect> predictor_effect(const std::string& name, const Ca
 std::vector<std::string> unusable(std::span<const Series> runs) {
   std::vector<std::string> names;
   for (const Column& first : runs.front().columns) {
-    if (first.role == Role::measured) continue;
+    if (first.role == Role::measured || first.values.empty()) continue;
     bool whole = true, moves = false;
     double value = first.values.front();
     for (const Series& run : runs) {

@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -32,23 +31,27 @@ std::vector<unsigned> dictionaries_of(const RidgeProblem& problem) {
     if (problem.prior[kind].size() > 0) there |= 1U << kind;
   }
   std::vector<unsigned> dictionaries;
-  for (unsigned kinds = 1; kinds < (1U << kPredictorKinds); ++kinds) {
+  for (unsigned kinds = 0; kinds < (1U << kPredictorKinds); ++kinds) {
     if ((kinds & ~there) == 0 && makes_sense(kinds)) dictionaries.push_back(kinds);
   }
   return dictionaries;
 }
 
-Eigen::MatrixXd sum_of(const std::vector<Eigen::MatrixXd>& of_kinds, unsigned kinds) {
-  Eigen::MatrixXd sum;
+// size: of each, which may be none.
+Eigen::MatrixXd sum_of(const std::vector<Eigen::MatrixXd>& of_kinds, unsigned kinds, Eigen::Index size) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
-    if ((kinds >> kind & 1U) == 0) continue;
-    if (sum.size() == 0) {
-      sum = of_kinds[kind];
-    } else {
-      sum += of_kinds[kind];
-    }
+    if ((kinds >> kind & 1U) != 0) sum += of_kinds[kind];
   }
   return sum;
+}
+
+Eigen::MatrixXd kernel_of(const RidgeProblem& problem, unsigned kinds) {
+  return sum_of(problem.kernel, kinds, problem.columns.rows());
+}
+
+Eigen::MatrixXd prior_of(const RidgeProblem& problem, unsigned kinds) {
+  return sum_of(problem.prior, kinds, problem.columns.cols());
 }
 
 // K solved for what is asked of it.
@@ -80,20 +83,23 @@ Solved solved(const RidgeProblem& problem, const Eigen::MatrixXd& kernel, const 
 }
 
 std::size_t runs_in(const RidgeProblem& problem) {
-  return problem.run.empty() ? 0 : problem.run.back() - problem.run.front() + 1;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < problem.run.size(); ++i) count += i == 0 || problem.run[i] != problem.run[i - 1] ? 1 : 0;
+  return count;
 }
 
 LeftOutRuns left_out(const RidgeProblem& problem, const Solved& of, bool with_sigma) {
   const Eigen::Index n = problem.columns.rows();
   Eigen::MatrixXd q = of.root.solve(Eigen::MatrixXd::Identity(n, n));
   q.noalias() -= of.of_ones * of.of_ones.transpose() / of.q;
-  LeftOutRuns result{Eigen::VectorXd(n), Eigen::VectorXd(with_sigma ? n : 0), {}};
+  LeftOutRuns result{Eigen::VectorXd(n), Eigen::VectorXd(with_sigma ? n : 0), {}, {}};
   for (Eigen::Index first = 0; first < n;) {
     Eigen::Index end = first;
     while (end < n && problem.run[static_cast<std::size_t>(end)] == problem.run[static_cast<std::size_t>(first)]) ++end;
     const Eigen::Index size = end - first;
     const auto of_run = q.block(first, first, size, size).ldlt();
     result.error_um.segment(first, size) = of_run.solve(of.of_target.segment(first, size));
+    result.run.push_back(problem.run[static_cast<std::size_t>(first)]);
     result.rmse_um.push_back(std::sqrt(result.error_um.segment(first, size).squaredNorm() / static_cast<double>(size)));
     if (with_sigma) {
       result.sigma_um.segment(first, size) =
@@ -150,7 +156,7 @@ RidgeSetting chosen_setting(const RidgeProblem& problem) {
   in_parallel(tried.size(), [&](std::size_t i) {
     const unsigned kinds = dictionaries[i / std::size(kLengths_s)];
     const std::size_t length = i % std::size(kLengths_s);
-    const Eigen::MatrixXd kernel = sum_of(problem.kernel, kinds);
+    const Eigen::MatrixXd kernel = kernel_of(problem, kinds);
     std::map<int, double> known;
     const auto score = [&](int k) {
       const auto [place, is_new] = known.try_emplace(k, 0.0);
@@ -183,13 +189,13 @@ RidgeSetting chosen_setting(const RidgeProblem& problem) {
 
 RidgeFit ridge_fit(const RidgeProblem& problem, const RidgeSetting& setting) {
   const Eigen::Index n = problem.columns.rows();
-  const Solved of = solved(problem, sum_of(problem.kernel, setting.kinds),
+  const Solved of = solved(problem, kernel_of(problem, setting.kinds),
                            discrepancy_of(problem.time_s, problem.run, setting.length_s), setting.variance);
   RidgeFit fit;
   fit.setting = setting;
   fit.sigma_um = std::sqrt(of.variance_um2);
   fit.log_likelihood = of.log_likelihood;
-  const Eigen::MatrixXd of_all = setting.variance * sum_of(problem.prior, setting.kinds);
+  const Eigen::MatrixXd of_all = setting.variance * prior_of(problem, setting.kinds);
   for (Eigen::Index k = 0; k < of_all.rows(); ++k) {
     if (of_all(k, k) > 0.0) fit.used.push_back(static_cast<std::size_t>(k));
   }
@@ -223,7 +229,7 @@ RidgeFit ridge_fit(const RidgeProblem& problem, const RidgeSetting& setting) {
 
 LeftOutRuns left_out_runs(const RidgeProblem& problem, const RidgeSetting& setting) {
   return left_out(problem,
-                  solved(problem, sum_of(problem.kernel, setting.kinds),
+                  solved(problem, kernel_of(problem, setting.kinds),
                          discrepancy_of(problem.time_s, problem.run, setting.length_s), setting.variance),
                   true);
 }
@@ -237,14 +243,14 @@ Eigen::VectorXd gains_from(const RidgeProblem& problem, const RidgeSetting& sett
     part.time_s.push_back(problem.time_s[row]);
     part.run.push_back(problem.run[row]);
   }
-  const Eigen::MatrixXd kernel = sum_of(problem.kernel, setting.kinds)(rows, rows);
+  const Eigen::MatrixXd kernel = kernel_of(problem, setting.kinds)(rows, rows);
   const Solved of = solved(part, kernel, discrepancy_of(part.time_s, part.run, setting.length_s), setting.variance);
-  return setting.variance * (sum_of(problem.prior, setting.kinds) * (part.columns.transpose() * of.of_target));
+  return setting.variance * (prior_of(problem, setting.kinds) * (part.columns.transpose() * of.of_target));
 }
 
 double log_likelihood_without(const RidgeProblem& problem, const RidgeSetting& setting,
                               const std::vector<std::size_t>& predictors) {
-  Eigen::MatrixXd prior = sum_of(problem.prior, setting.kinds);
+  Eigen::MatrixXd prior = prior_of(problem, setting.kinds);
   for (const std::size_t k : predictors) {
     prior.row(static_cast<Eigen::Index>(k)).setZero();
     prior.col(static_cast<Eigen::Index>(k)).setZero();

@@ -68,10 +68,7 @@ struct RidgeFit {
   std::vector<std::size_t> used;  // predictors of the dictionary that do not stand still: m
   // Of b at the means, the w of these predictors, and what the discrepancy is in the last row, 0 for l = 0: m + 2.
   Eigen::VectorXd gains_um;
-  Eigen::MatrixXd factor_um;            // L, lower: L L' is their covariance
-  double end_s = 0.0;                   // time of the last row
-  std::vector<double> left_out_um;      // RMSE of each run, left out; of five or more runs
-  std::vector<double> left_out_sigmas;  // what is left of every row, over its own sigma
+  Eigen::MatrixXd factor_um;  // L, lower: L L' is their covariance
 };
 RidgeFit ridge_fit(const RidgeProblem& problem, const RidgeSetting& setting);
 
@@ -88,7 +85,8 @@ double log_likelihood_without(const RidgeProblem& problem, const RidgeSetting& s
 // What is left of every row when its run is left out, and the sigma that is expected of it.
 struct LeftOutRuns {
   Eigen::VectorXd error_um, sigma_um;  // n
-  std::vector<double> rmse_um;         // of each run
+  std::vector<std::size_t> run;        // that have rows in the problem
+  std::vector<double> rmse_um;         // of each of these
 };
 LeftOutRuns left_out_runs(const RidgeProblem& problem, const RidgeSetting& setting);
 

@@ -5,9 +5,25 @@
 #include "effect_regression/ridge.hpp"
 
 namespace ballbar {
+namespace {
+
+// Every k-th row of each run, its first one always; of more runs than half of `most` every k-th row of all.
+std::vector<std::size_t> thinned_by_run(const Design& design, const std::vector<std::size_t>& rows, std::size_t most) {
+  if (2 * design.runs > most) return thinned(rows, most);
+  const std::size_t step = std::max<std::size_t>(1, (rows.size() + most - 1) / most);
+  std::vector<std::size_t> kept;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (design.run[rows[i]] != design.run[rows[first]]) first = i;
+    if ((i - first) % step == 0) kept.push_back(rows[i]);
+  }
+  return kept;
+}
+
+}  // namespace
 
 RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>& rows, std::size_t most) {
-  const std::vector<std::size_t> kept = thinned(rows, most);
+  const std::vector<std::size_t> kept = thinned_by_run(design, rows, most);
   const auto n = static_cast<Eigen::Index>(kept.size());
   const Eigen::Index p = design.values.cols();
   RidgeProblem problem;

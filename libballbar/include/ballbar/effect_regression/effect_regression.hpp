@@ -25,6 +25,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ballbar/model/live_model.hpp"
@@ -38,7 +39,8 @@ struct Forecasts {
   std::size_t count = 0;  // of origins, or of runs left out
   double error_um = 0.0;  // mean absolute
   double rmse_um = 0.0;
-  double held_um = 0.0;       // RMSE where the last value before is held, of runs 0 um; NaN: not known
+  double held_um =
+      0.0;  // RMSE where the last value before is held, or their mean: the better one; of runs where 0 um is taken
   double within_share = 0.0;  // within the interval of 95 %, before interval_scale
 };
 
@@ -112,7 +114,7 @@ struct EffectRegressionOptions {
 struct TrainedRegression {
   EffectRegression regression;
   DriverReport drivers;
-  std::vector<double> left_out_um;  // RMSE of each run where it is left out, of five or more
+  std::vector<std::pair<std::size_t, double>> left_out;  // a run, its RMSE where it is left out; of five or more
 };
 
 // From records that each begin with a machine as it then is. Throws Error: no such target, fewer than 40 values, a

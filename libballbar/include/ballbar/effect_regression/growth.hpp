@@ -9,7 +9,8 @@
 //
 // Growth ends where P(none) is above 0.5, at 12 effects, or earlier: after the last row whose forecasts are better than
 // those of the base model, and than those of as many surrogates, columns as smooth without a cause that are chosen and
-// fitted alike. Forecasts: the whole procedure, base model and all, done again on earlier rows alone (forecast_rows). Without a forecast nothing is kept.
+// fitted alike. Forecasts: the whole procedure, base model and all, done again on earlier rows alone (forecast_rows).
+// Without a forecast nothing is kept.
 //
 // Accuracy: sample-runs/spindle-46h, forecasts up to 8 h ahead from three origins; see its README.
 #pragma once
@@ -42,7 +43,7 @@ struct GrownEffect {
   std::vector<Term> terms;  // all so far, this one last, held at gains fitted jointly
 };
 
-enum class GrowthStop { none_needed, as_good_as_surrogate, most, untested };
+enum class GrowthStop { none_needed, as_good_as_surrogates, most, untested };
 
 struct Growth {
   std::vector<GrownEffect> effects;  // as many as are kept
