@@ -73,6 +73,7 @@ void add_shares(EffectPrediction& prediction) {
   });
   prediction.drivers_um = prediction.drivers_um(Eigen::all, order).eval();
   std::vector<DriverShare> sorted;
+  sorted.reserve(order.size());
   for (const std::size_t d : order) sorted.push_back(prediction.drivers[d]);
   prediction.drivers = std::move(sorted);
 }
