@@ -45,7 +45,11 @@ TEST(Predictions, end_of_the_spindles_record) {
 TEST(Predictions, forecasts_of_the_spindles_five_channels) {
   REQUIRE_EXTERNAL_DATA(folder);
   const std::filesystem::path file = folder / "spindle-46h" / "measured.csv";
-  const Series series = read_series(read_bytes(file, kLargestTable), "measured.csv");
+  Series series = read_series(read_bytes(file, kLargestTable), "measured.csv");
+  for (Column& column : series.columns) {  // as the sample run states them
+    if (column.name == "T16_degC") column.role = Role::ambient;
+    if (column.name == "T4_degC") column.role = Role::coolant;
+  }
   const std::pair<const char*, double> expected_um[] = {
       {"ch1_um", 1.0}, {"ch2_um", 1.2}, {"ch3_um", 2.1}, {"ch4_um", 1.8}, {"ch5_um", 1.8}};
   for (const auto& [target, error_um] : expected_um) {
@@ -77,7 +81,7 @@ TEST(Predictions, batches_of_a_lathe_left_out) {
   const auto rmse_um = [&](const char* target) {
     const EffectRegression regression = effect_regression(runs, target);
     EXPECT_EQ(regression.forecasts->count, 29U);
-    EXPECT_GT(regression.forecasts->held_um, 2.0 * regression.forecasts->rmse_um);
+    EXPECT_GT(regression.forecasts->held_um, 1.5 * regression.forecasts->rmse_um);  // each run counts alike
     return regression.forecasts->rmse_um;
   };
   const double z_um = rmse_um("z_um"), x_um = rmse_um("x_um");

@@ -198,7 +198,8 @@ TEST(model_history, edited_by_hand) {
       {"revision = 1", "revision = \"1\"", "file:28:12: expected an integer for revision, found the text \"1\"."},
       {"revision = 1", "revison = 1",
        "file:28:1: expected one of the keys revision, change, target, data, parameters, rmse_um, times_floor, "
-       "held_out_um, likelihood_ratio, threshold, best_surrogate_fall, evidence, best_fake_fall, verdict, "
+       "held_out_um, likelihood_ratio, threshold, best_surrogate_fall, evidence, best_fake_fall, "
+       "forecast_um, surrogate_forecast_um, discrepancy_um, verdict, "
        "still_needed, no_longer_needed, "
        "effects_before in "
        "[[history]] 2, found \"revison\"; the nearest is revision."},
