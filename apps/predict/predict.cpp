@@ -88,12 +88,15 @@ void expect_csv(const std::vector<std::string>& out) {
   }
 }
 
+void expect_one_file(const Options& options) {
+  if (options.model.data.size() == 1) return;
+  throw Error(
+      fmt::format("expected one file of DATA for {}, found {}.", options.model.model, options.model.data.size()));
+}
+
 // A regression over batches has its own parameters, and is fitted to nothing here.
 void run_batch_model(const Options& options) {
-  if (options.model.data.size() != 1) {
-    throw Error(
-        fmt::format("expected one file of DATA for {}, found {}.", options.model.model, options.model.data.size()));
-  }
+  expect_one_file(options);
   if (!options.on.empty()) throw Error("--on: expected a model of effects with it; a regression predicts DATA itself.");
   if (!options.model.target.empty() || options.model.max_gap_s || options.model.robust || options.model.white) {
     throw Error(
@@ -108,10 +111,7 @@ void run_batch_model(const Options& options) {
 
 // It has its own parameters too, and its own start and end.
 void run_effects(const Options& options) {
-  if (options.model.data.size() != 1) {
-    throw Error(
-        fmt::format("expected one file of DATA for {}, found {}.", options.model.model, options.model.data.size()));
-  }
+  expect_one_file(options);
   if (!options.on.empty() || !options.model.target.empty() || options.model.robust || options.model.white ||
       options.anyway) {
     throw Error(

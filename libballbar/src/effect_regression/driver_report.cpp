@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "ballbar/numerics/parallel.hpp"
+#include "ballbar/numerics/range.hpp"
 #include "ballbar/series/folds.hpp"
 
 namespace ballbar {
@@ -53,7 +54,9 @@ Eigen::MatrixXd added_um(const RidgeProblem& problem, const RidgeFit& fit, const
   return added;
 }
 
-double range_in(const Eigen::VectorXd& values) { return values.maxCoeff() - values.minCoeff(); }
+double range_in(const Eigen::VectorXd& values) {
+  return range_of({values.data(), static_cast<std::size_t>(values.size())});
+}
 
 double correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   const Eigen::VectorXd x = a.array() - a.mean(), y = b.array() - b.mean();

@@ -22,14 +22,6 @@ namespace {
 constexpr std::string_view kKinds[kPredictorKinds] = {"sources of heat", "temperatures", "their feedback",
                                                       "differences of temperatures", "temperatures at the start"};
 
-Term term_of(const Predictor& predictor, double gain) {
-  std::vector<double> parameters = predictor.parameters;
-  for (std::size_t k = 0; k < parameters.size(); ++k) {
-    if (predictor.effect->parameters[k].kind == ParameterKind::gain) parameters[k] *= gain;
-  }
-  return held_term(predictor.effect, predictor.columns, parameters);
-}
-
 void add_terms(const Predictors& predictors, const RidgeProblem& problem, const RidgeFit& fit,
                EffectRegression& regression) {
   const auto m = static_cast<Eigen::Index>(fit.used.size());
@@ -43,7 +35,8 @@ void add_terms(const Predictors& predictors, const RidgeProblem& problem, const 
     regression.sd_um[k] = problem.sd[at];
     const double gain = fit.gains_um[k + 1] / problem.sd[at];
     constant_um -= gain * problem.mean[at];
-    regression.model.terms.push_back(term_of(predictors.each[of], gain));
+    const Predictor& predictor = predictors.each[of];
+    regression.model.terms.push_back(held_term(predictor.effect, predictor.columns, with_gain(predictor, gain)));
   }
   regression.model.constant_um = constant_um;
   regression.end_discrepancy_um = fit.gains_um[m + 1];

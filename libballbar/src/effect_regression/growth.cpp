@@ -143,11 +143,10 @@ Grown grown_on(const Thin& thin, const Eigen::MatrixXd& of, const BaseColumns& b
 
 // As a model file can hold it: at the edge of its shapes it is the effect that it becomes there.
 Term file_term(const Predictor& predictor, double gain, const Catalogue& catalogue) {
-  std::vector<double> parameters = predictor.parameters;
+  const std::vector<double> parameters = with_gain(predictor, gain);
   bool is_inside = true;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const Parameter& parameter = predictor.effect->parameters[k];
-    if (parameter.kind == ParameterKind::gain) parameters[k] *= gain;
     if (parameter.kind == ParameterKind::shape) is_inside = is_inside && parameters[k] >= parameter.lower;
   }
   if (is_inside || predictor.effect->rules.becomes.empty()) {

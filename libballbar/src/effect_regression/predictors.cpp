@@ -109,6 +109,14 @@ class Collected {
 
 }  // namespace
 
+std::vector<double> with_gain(const Predictor& predictor, double gain) {
+  std::vector<double> parameters = predictor.parameters;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    if (predictor.effect->parameters[k].kind == ParameterKind::gain) parameters[k] *= gain;
+  }
+  return parameters;
+}
+
 Catalogue predictor_effects(const Catalogue& catalogue) {
   Catalogue effects;
   for (const std::shared_ptr<const Effect>& effect : catalogue) {

@@ -19,6 +19,9 @@ struct Predictor {
   std::vector<double> parameters;    // the first gain is 1
 };
 
+// Its parameters with this gain.
+std::vector<double> with_gain(const Predictor& predictor, double gain);
+
 // What the regression gives a gain of its own, scaled by its standard deviation: one predictor, or one less another.
 struct PredictorSum {
   std::size_t plus = 0;

@@ -141,7 +141,7 @@ std::string dictionary_text(const EffectRegression& regression);
 // Row by row, as signals arrive.
 class LivePrediction {
  public:
-  explicit LivePrediction(const EffectRegression& regression);
+  explicit LivePrediction(const EffectRegression& regression);  // which must outlive it
 
   struct At {
     double predicted_um = 0.0;
