@@ -9,6 +9,8 @@ class App;
 namespace ballbar::commands {
 
 void add_fit(CLI::App& app);
+void add_import(CLI::App& app);
+void add_merge(CLI::App& app);
 void add_drift(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_history(CLI::App& app);

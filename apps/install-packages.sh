@@ -12,7 +12,7 @@
 set -eu
 
 build='g++ make cmake libeigen3-dev libceres-dev libfmt-dev libpugixml-dev libtomlplusplus-dev nlohmann-json3-dev
-  libcli11-dev libmuparser-dev libboost-dev'
+  libcli11-dev libmuparser-dev libboost-dev libfast-float-dev libzip-dev'
 # Node.js comes with npm from elsewhere too, and then Debian's own two exclude it.
 command -v node >/dev/null && command -v npm >/dev/null && page= || page='nodejs npm'
 images='libopencv-imgproc-dev libspng-dev libjpeg62-turbo-dev'

@@ -50,6 +50,8 @@ int main(int argc, char** argv) {
   ballbar::commands::add_drift(app);
   ballbar::commands::add_compare(app);
   ballbar::commands::add_history(app);
+  ballbar::commands::add_import(app);
+  ballbar::commands::add_merge(app);
   ballbar::commands::add_simulate(app);
   ballbar::commands::add_effects(app);
   ballbar::commands::add_preflight(app);

@@ -9,10 +9,12 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/runs_csv.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "model/model_options.hpp"
 #include "terminal/progress.hpp"
+#include "terminal/stderr_line.hpp"
 
 namespace ballbar {
 namespace {
@@ -111,7 +113,9 @@ void add_method_option(CLI::App& command, std::optional<std::size_t>& method, co
 }
 
 Series read_batch(const std::filesystem::path& path) {
-  return read_series(read_bytes(path, kLargestTable), path.string());
+  OpenedSeries opened = opened_series(path);
+  tell(opened.remarks);
+  return std::move(opened.series);
 }
 
 OpenedBatches open_batches(const BatchOptions& options) {

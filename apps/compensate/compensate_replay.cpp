@@ -16,6 +16,7 @@
 #include "compensate/offset_text.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/output_guard.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -32,6 +33,7 @@ struct Recorded {
 
 Recorded open_recorded(const std::string& path) {
   DriftData source = open_drift_data(path);
+  tell(source.remarks);
   Recorded recorded{{}, {}, path, source.files};
   if (source.series) {
     recorded.signals.push_back(*source.series);

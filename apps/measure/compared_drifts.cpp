@@ -4,6 +4,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
+#include "terminal/stderr_line.hpp"
 
 namespace ballbar {
 namespace {
@@ -29,6 +30,7 @@ ComparedDrifts compared_drifts_of(const ComparedDriftOptions& options) {
   ComparedDrifts drifts;
   const DriftData first = open_drift_data(options.a);
   drifts.files = first.files;
+  tell(first.remarks);
   if (options.b.empty()) {
     if (!first.session || !first.session->five_probe) {
       throw Error(fmt::format("{}: expected a second file to compare with, or a session with [five_probe], found {}.",
@@ -42,6 +44,7 @@ ComparedDrifts compared_drifts_of(const ComparedDriftOptions& options) {
     return drifts;
   }
   const DriftData second = open_drift_data(options.b);
+  tell(second.remarks);
   drifts.files.insert(drifts.files.end(), second.files.begin(), second.files.end());
   const BallPlace ball = first.session ? first.session->ball : second.session ? second.session->ball : BallPlace{};
   const auto drift = [&](const DriftData& data, const std::string& path) {

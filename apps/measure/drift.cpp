@@ -18,6 +18,7 @@
 #include "measure/five_probe_drift.hpp"
 #include "measure/five_probe_options.hpp"
 #include "terminal/output_guard.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -146,6 +147,7 @@ void run_five_probe(const Options& options, DriftData data) {
 
 void run(const Options& options) {
   DriftData data = open_drift_data(options.session);
+  tell(data.remarks);
   expect_no_input(options.out, data.files);
   if (data.series || options.five_probe) return run_five_probe(options, std::move(data));
   if (options.probes.any()) {

@@ -14,6 +14,7 @@
 #include "ballbar/model/recording_base_model.hpp"
 #include "ballbar/model/target_columns.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -66,7 +67,12 @@ void choose_targets(Model& model, const ModelOptions& options) {
 }  // namespace
 
 void add_max_gap(CLI::App& command, std::optional<double>& max_gap_s) {
-  command.add_option("--max-gap", max_gap_s, "longest gap of a signal to interpolate over; default 10min")
+  add_time_option(command, "--max-gap", max_gap_s, "longest gap of a signal to interpolate over; default 10min");
+}
+
+void add_time_option(CLI::App& command, const std::string& name, std::optional<double>& time_s,
+                     const std::string& help) {
+  command.add_option(name, time_s, help)
       ->type_name("TIME")
       ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
                                         CLI::AsNumberWithUnit::CASE_SENSITIVE))
@@ -107,7 +113,10 @@ void add_fit_options(CLI::App& command, ModelOptions& options) {
 }
 
 ModelData open_data(const ModelOptions& options) {
-  return open_model_data({options.data.begin(), options.data.end()}, {}, options.max_gap_s.value_or(kUsualGap_s));
+  ModelData data =
+      open_model_data({options.data.begin(), options.data.end()}, {}, options.max_gap_s.value_or(kUsualGap_s));
+  tell(data.remarks);
+  return data;
 }
 
 ModelData open_drift(const std::string& data, const std::optional<double>& max_gap_s) {

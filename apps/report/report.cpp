@@ -29,6 +29,7 @@
 #include "report/report_parts.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -240,6 +241,7 @@ Made made_of(const Options& options) {
   }
   const DriftData data = open_drift_data(options.model.data.front());
   made.files = data.files;
+  tell(data.remarks);
   if (data.session) {
     add_session(made, *data.session, options);
   } else {

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace ballbar {
 
 void stderr_line(const std::string& text);
+
+// A line each, after "ballbar: ".
+void tell(const std::vector<std::string>& remarks);
 
 }  // namespace ballbar

@@ -24,6 +24,7 @@ constexpr Key kRootKeys[] = {
     {"title", "text", "what the series is; for people"},
     {"method", "text", "how it came about; `drift --out` writes it"},
     {"reference_s", "s", "the row that its changes are from; `drift --out` writes it"},
+    {"started", "text", "wall clock at `time_s` = 0, \"2026-11-22T13:05:10\"; `import` writes it"},
     {"columns", "tables", "what a name does not tell: `[columns.NAME]`, a table a column"},
     {"five_probe", "table", "what is known of five probes"},
 };
@@ -44,6 +45,22 @@ constexpr Key kFiveProbeKeys[] = {
     {kProbes[4], "text", "default Z_um"},
 };
 
+// A line of names that are all as a series has them: the time first, then names that end in their units.
+bool is_header_of_units(std::string_view head) {
+  std::string_view line = after_comments(head);
+  line = line.substr(0, line.find_first_of("\r\n"));
+  if (!line.starts_with("time_s,") && !line.starts_with("time_min,")) return false;
+  if (line.starts_with("time_s,angle_deg")) return false;
+  line.remove_prefix(line.find(',') + 1);
+  for (bool more = true; more;) {
+    const std::size_t comma = line.find(',');
+    if (unit_of(line.substr(0, comma)).empty()) return false;
+    more = comma != std::string_view::npos;
+    line.remove_prefix(more ? comma + 1 : line.size());
+  }
+  return true;
+}
+
 // Comments are TOML only where one of them is a line `# format =`; otherwise they are prose.
 bool has_format_line(std::string_view toml) {
   while (!toml.empty()) {
@@ -62,6 +79,7 @@ bool has_format_line(std::string_view toml) {
 struct SeriesHeader {
   std::map<std::string, Role, std::less<>> roles;  // of the columns that state one
   std::optional<FiveProbe> five_probe;
+  std::optional<std::string> started;
 };
 
 Role role_of(const TomlTable& column) {
@@ -113,6 +131,7 @@ SeriesHeader header_of(const TomlTable& header, const TableHead& head) {
   string(header, "method");
   number(header, "reference_s");
   SeriesHeader result;
+  result.started = string(header, "started");
   if (const auto columns = subtable(header, "columns")) {
     std::vector<std::string_view> known;
     for (const ColumnName& column : head.columns) known.push_back(column.name);
@@ -148,7 +167,8 @@ void expect_units(const SourceText& text, const TableHead& head, const SeriesHea
     if (unit_of(column.name).empty() && !is_event) {
       fail_at(text, column.offset,
               fmt::format(
-                  "expected a name that ends in its unit, one of _um, _mm, _urad, _degC, _rpm, _A, _W, _K, found {}.",
+                  "expected a name that ends in its unit, one of _um, _mm, _urad, _degC, _rpm, _A, _W, _K, _percent, _Nm, "
+                  "_bar, _l_per_min, _mm_per_min, _V, or the role \"event\", found {}.",
                   in_quotes(column.name)));
     }
   }
@@ -183,10 +203,7 @@ constinit const Reader readers::kSeries = {
     .found = "a series of columns over time",
     .is_yours =
         [](std::string_view head) {
-          if (format_name(head) == "ballbar-series") return true;
-          const std::string_view table = after_comments(head);
-          return table.starts_with("time_min,") ||
-                 (table.starts_with("time_s,") && !table.starts_with("time_s,angle_deg"));
+          return format_name(head) == "ballbar-series" || is_header_of_units(head);
         },
     .read = read_series,
 };
@@ -206,6 +223,7 @@ Series read_series(std::string_view bytes, std::string_view name) {
 
   Series series;
   series.five_probe = header.five_probe;
+  series.started = header.started;
   series.time_s = std::move(values.front());
   if (head.columns.front().name == "time_min") {
     for (double& time : series.time_s) time *= 60.0;
@@ -226,6 +244,7 @@ Series read_series(std::string_view bytes, std::string_view name) {
 
 std::string series_header(const Series& series) {
   std::string out = fmt::format("# format = \"{}\"\n", kFormat);
+  if (series.started) out += fmt::format("# started = {}\n", toml_quoted(*series.started));
   for (const Column& column : series.columns) {
     const std::string_view unit = unit_of(column.name);
     if (!unit.empty() && column.role == role_from_unit(unit)) continue;

@@ -18,9 +18,11 @@ namespace {
 void expect_data(const std::filesystem::path& path, const Reader* reader) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return;  // a folder, or nothing: told by open_drift_data
-  if (read_of<ReadSeries>(reader) != nullptr || read_of<ReadSession>(reader) != nullptr) return;
-  throw Error(fmt::format("{}: expected a series .csv, a session.toml or recordings (.b5r, logs), found {}.",
-                          path.string(), found_in(reader)));
+  if (reads_series(reader) || read_of<ReadSession>(reader) != nullptr) return;
+  throw Error(
+      fmt::format("{}: expected a log of columns over time (.csv, .xlsx, .mat), a session.toml or recordings (.b5r, "
+                  "logs), found {}.",
+                  path.string(), found_in(reader)));
 }
 
 std::vector<std::string> measured_names(const Series& series) {
@@ -99,6 +101,7 @@ ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const
   ModelData data;
   data.title = paths.front().string();
   data.files = source.files;
+  data.remarks = source.remarks;
   std::vector<Series> parts;
   if (source.series) {
     parts.push_back(*source.series);
@@ -106,7 +109,9 @@ ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const
     if (!source.session->session.title.empty()) data.title = source.session->session.title;
     parts.push_back(series_of(drift_of(source.session->session, options)));
     for (const std::filesystem::path& path : source.session->signals) {
-      parts.push_back(open_series(path, readers));
+      OpenedSeries opened = opened_series(path, readers);
+      parts.push_back(std::move(opened.series));
+      data.remarks.insert(data.remarks.end(), opened.remarks.begin(), opened.remarks.end());
     }
   }
   try {

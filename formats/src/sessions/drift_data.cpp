@@ -3,17 +3,31 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/logs/log.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 
 namespace ballbar {
 
+OpenedSeries opened_series(const std::filesystem::path& path, std::span<const Reader> readers) {
+  const Reader* const reader = reader_of(read_head(path, kHeadBytes), readers);
+  if (const auto read = read_of<ReadLog>(reader)) {
+    Log log = read(path, {});
+    OpenedSeries opened{std::move(log.series), {fmt::format("{}: {}", path.string(), sentence_of(log))}};
+    for (const std::string& remark : log.remarks)
+      opened.remarks.push_back(fmt::format("{}: {}", path.string(), remark));
+    return opened;
+  }
+  const auto read = read_of<ReadSeries>(reader);
+  // Which tells the faults of what is no series.
+  return {(read != nullptr ? read : read_series)(read_bytes(path, kLargestTable), path.string()), {}};
+}
+
 Series open_series(const std::filesystem::path& path, std::span<const Reader> readers) {
-  const std::string bytes = read_bytes(path, kLargestTable);
-  const auto read = read_of<ReadSeries>(reader_of(bytes, readers));
-  return (read != nullptr ? read : read_series)(bytes, path.string());  // which tells the faults of what is no series
+  return opened_series(path, readers).series;
 }
 
 DriftData open_drift_data(const std::filesystem::path& path, std::span<const Reader> readers) {
@@ -21,8 +35,10 @@ DriftData open_drift_data(const std::filesystem::path& path, std::span<const Rea
   std::error_code error;
   if (std::filesystem::is_regular_file(path, error)) {
     const Reader* const reader = reader_of_file(path, readers);
-    if (read_of<ReadSeries>(reader) != nullptr) {
-      data.series = open_series(path, readers);
+    if (reads_series(reader)) {
+      OpenedSeries opened = opened_series(path, readers);
+      data.series = std::move(opened.series);
+      data.remarks = std::move(opened.remarks);
       data.files = {path};
       return data;
     }

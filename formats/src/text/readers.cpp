@@ -28,9 +28,10 @@ std::span<const Reader> known_readers() {
       readers::kSession,
       readers::kModel,
       readers::kSeries,
-      // Of these it is only known what they are not.
+      // Of these two it is only known what they are not.
       readers::kLogWithoutHeader,
       readers::kOtherXml,
+      readers::kLog,  // any table; the others know their own better
       kBinary,
       kEmpty,
   };

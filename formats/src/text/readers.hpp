@@ -11,6 +11,7 @@ extern const Reader kSession;
 extern const Reader kModel;
 extern const Reader kSeries;
 extern const Reader kLogWithoutHeader;
+extern const Reader kLog;
 extern const Reader kOtherXml;
 
 }  // namespace ballbar::readers

@@ -7,7 +7,8 @@
 namespace ballbar {
 namespace {
 
-constexpr std::array<std::string_view, 8> kUnits = {"um", "mm", "urad", "degC", "rpm", "A", "W", "K"};
+constexpr std::string_view kUnits[] = {"um", "mm",      "urad", "degC", "rpm",       "A",         "W",
+                                       "K",  "percent", "Nm",   "bar",  "l_per_min", "mm_per_min", "V"};
 
 constexpr std::array<std::pair<Role, std::string_view>, 10> kRoles = {{
     {Role::structure, "structure"},
@@ -25,18 +26,18 @@ constexpr std::array<std::pair<Role, std::string_view>, 10> kRoles = {{
 }  // namespace
 
 std::string_view unit_of(std::string_view column_name) {
-  const std::size_t underscore = column_name.rfind('_');
-  if (underscore == std::string_view::npos || underscore == 0) return {};
-  const std::string_view end = column_name.substr(underscore + 1);
-  const auto* unit = std::find(kUnits.begin(), kUnits.end(), end);
-  return unit == kUnits.end() ? std::string_view{} : *unit;
+  const auto* unit = std::find_if(std::begin(kUnits), std::end(kUnits), [&](std::string_view one) {
+    return column_name.size() > one.size() + 1 && column_name.ends_with(one) &&
+           column_name[column_name.size() - one.size() - 1] == '_';
+  });
+  return unit == std::end(kUnits) ? std::string_view{} : *unit;
 }
 
 Role role_from_unit(std::string_view unit) {
   if (unit == "rpm") return Role::speed;
   if (unit == "degC") return Role::structure;
   if (unit == "um" || unit == "mm" || unit == "urad") return Role::measured;
-  if (unit == "A" || unit == "W") return Role::load;
+  if (unit == "A" || unit == "W" || unit == "Nm" || unit == "percent") return Role::load;
   return Role::event;
 }
 

@@ -10,7 +10,8 @@
 namespace ballbar {
 
 // What a column stands for in a model. Where a file does not say, the unit decides: `_rpm` speed,
-// `_degC` structure, `_um`, `_mm` and `_urad` measured, `_A` and `_W` load; anything else is an event.
+// `_degC` structure, `_um`, `_mm` and `_urad` measured, `_A`, `_W`, `_Nm` and `_percent` load; anything else is an
+// event.
 enum class Role { structure, ambient, coolant, bearing, mean_point, housing, speed, load, event, measured };
 
 struct Column {
@@ -35,9 +36,11 @@ struct Series {
   std::vector<double> time_s;  // strictly rising
   std::vector<Column> columns;
   std::optional<FiveProbe> five_probe;  // where the file has a [five_probe] table
+  std::optional<std::string> started;   // wall clock at time_s = 0, "2026-11-22T13:05:10", no zone, where it is known
 };
 
-// Unit at the end of a column's name ("um", "mm", "urad", "degC", "rpm", "A", "W", "K"), empty if there is none.
+// Unit at the end of a column's name ("um", "mm", "urad", "degC", "rpm", "A", "W", "K", "percent", "Nm", "bar",
+// "l_per_min", "mm_per_min", "V"), empty if there is none.
 std::string_view unit_of(std::string_view column_name);
 
 Role role_from_unit(std::string_view unit);

@@ -43,7 +43,7 @@ extern const Effect kClockOffset{
          "only gain times offset is determined.",
      .source = "A shift of the time axis, straight lines between the rows; no paper's equation."},
     {{"signal",
-      {"degC", "K", "um", "rpm", "W", "A"},
+      {"degC", "K", "um", "rpm", "W", "A", "percent", "Nm"},
       "signal whose clock is in doubt",
       {},
       true,

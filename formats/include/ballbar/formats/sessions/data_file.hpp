@@ -19,7 +19,8 @@ struct ModelData {
   std::vector<std::string> targets;          // what a model could explain: the measured columns, sigmas left out
   std::vector<std::filesystem::path> files;  // all that were read
   std::string title;
-  std::optional<Motion> motion;  // recordings: what drove all of them
+  std::optional<Motion> motion;      // recordings: what drove all of them
+  std::vector<std::string> remarks;  // what a log was taken for, whole lines
 };
 
 // A session: its drift (drift_of with the options) merged with its signals; a series: its gaps closed as `merged` does;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ballbar/formats/sessions/session_toml.hpp"
@@ -16,7 +17,15 @@ struct DriftData {
   std::optional<SessionFiles> session;
   std::optional<Series> series;
   std::vector<std::filesystem::path> files;  // all that were read
+  std::vector<std::string> remarks;          // what a log was taken for, whole lines; none of a ballbar series
 };
+
+// What `open_series` says besides.
+struct OpenedSeries {
+  Series series;
+  std::vector<std::string> remarks;
+};
+OpenedSeries opened_series(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
 
 // Throws Error with what was found where the file is neither.
 DriftData open_drift_data(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());

@@ -15,6 +15,8 @@
 
 namespace ballbar {
 
+struct Log;
+struct LogRecipe;
 struct RecordingFile;
 struct Series;
 struct SessionPlan;
@@ -25,6 +27,7 @@ inline constexpr std::size_t kHeadBytes = std::size_t{1} << 16;  // a header is 
 // null function: known, so that a message can say what was found, but not to be read.
 using ReadRecordings = RecordingFile (*)(std::string_view bytes, std::string_view name);
 using ReadSeries = Series (*)(std::string_view bytes, std::string_view name);
+using ReadLog = Log (*)(const std::filesystem::path& path, const LogRecipe& recipe);  // not held in memory
 using ReadSession = SessionPlan (*)(std::string_view bytes, std::string_view name);
 
 struct Reader {
@@ -32,7 +35,7 @@ struct Reader {
   std::string_view recording;  // after "expected a recording, which is"; empty: not listed there
   bool (*is_yours)(std::string_view head) =
       nullptr;  // of the first kHeadBytes of a file, or of all where it is shorter
-  std::variant<std::monostate, ReadRecordings, ReadSeries, ReadSession> read;  // monostate: for another opener
+  std::variant<std::monostate, ReadRecordings, ReadSeries, ReadLog, ReadSession> read;  // monostate: for another opener
 };
 
 // All formats, in the order in which they are asked.
@@ -53,6 +56,11 @@ template <class Read>
 Read read_of(const Reader* reader) {
   const Read* const read = reader == nullptr ? nullptr : std::get_if<Read>(&reader->read);
   return read == nullptr ? nullptr : *read;
+}
+
+// A series, or a log that is taken for one.
+inline bool reads_series(const Reader* reader) {
+  return read_of<ReadSeries>(reader) != nullptr || read_of<ReadLog>(reader) != nullptr;
 }
 
 }  // namespace ballbar

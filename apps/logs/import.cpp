@@ -1,0 +1,173 @@
+// `ballbar import LOG --out clean.csv`: what a log is taken for, and the series made of it.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/formats/logs/recipe_toml.hpp"
+#include "ballbar/formats/sessions/drift_data.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/series/column_faults.hpp"
+#include "commands.hpp"
+#include "logs/log_options.hpp"
+#include "logs/series_file.hpp"
+#include "terminal/output_guard.hpp"
+#include "terminal/terminal_table.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+constexpr std::size_t kShownRows = 5;
+
+struct Options {
+  std::string log, out, save;
+  LogOptions how;
+  bool json = false;
+};
+
+std::string shown(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : std::string("-"); }
+
+// A row a column: its header, name and role, and the first rows as understood.
+std::string columns_text(const Log& log) {
+  const Series& series = log.series;
+  const std::size_t rows = std::min(kShownRows, series.time_s.size());
+  std::vector<std::string> heading{"in the log", "unit", "in the series", "role"};
+  for (std::size_t row = 0; row < rows; ++row) heading.push_back(fmt::format("{:.6g} s", series.time_s[row]));
+  heading.emplace_back("gaps");
+  Table table(heading);
+  std::size_t k = 0;
+  for (const LogColumn& column : log.columns) {
+    std::vector<std::string> cells{shortened(column.source, 40),
+                                   column.found_unit.empty() ? "-" : shortened(column.found_unit, 12)};
+    if (column.name.empty()) {
+      cells.insert(cells.end(), {"-", "left out: " + column.why});
+      cells.resize(heading.size(), "");
+    } else {
+      cells.insert(cells.end(), {column.name, std::string(name_of(column.role))});
+      for (std::size_t row = 0; row < rows; ++row) cells.push_back(shown(series.columns[k].values[row]));
+      cells.push_back(column.gaps == 0 ? "" : fmt::format("{}", column.gaps));
+      ++k;
+    }
+    table.add(cells);
+  }
+  return table.text();
+}
+
+std::string fault_text(const ColumnFault& fault) {
+  return fmt::format("{}: {}.", fault.column.empty() ? "Time" : fault.column, fault.what);
+}
+
+// What a role was told by, where it is not plain from the unit.
+std::vector<std::string> guesses(const Log& log) {
+  std::vector<std::string> said;
+  for (const LogColumn& column : log.columns) {
+    if (column.name.empty() || column.why.empty() || column.why == "by its unit" || column.why == "by its name" ||
+        column.why == "by the recipe")
+      continue;
+    said.push_back(fmt::format("{}: {}.", column.source, column.why));
+  }
+  return said;
+}
+
+nlohmann::ordered_json json_of(const Options& options, const Log& log, const std::vector<ColumnFault>& faults) {
+  nlohmann::ordered_json json;
+  json["file"] = options.log;
+  json["shape"] = log.shape;
+  json["time"] = log.time;
+  if (log.series.started) json["started"] = *log.series.started;
+  json["rows"] = log.series.time_s.size();
+  json["first_row_line"] = log.first_row_line;
+  json["columns"] = nlohmann::ordered_json::array();
+  for (const LogColumn& column : log.columns) {
+    nlohmann::ordered_json one{{"source", column.source}};
+    if (!column.found_unit.empty()) one["found_unit"] = column.found_unit;
+    if (column.name.empty()) {
+      one["left_out"] = column.why;
+    } else {
+      one["name"] = column.name;
+      one["unit"] = column.unit;
+      one["role"] = name_of(column.role);
+      one["why"] = column.why;
+      one["gaps"] = column.gaps;
+    }
+    json["columns"].push_back(std::move(one));
+  }
+  json["remarks"] = log.remarks;
+  json["faults"] = nlohmann::ordered_json::array();
+  for (const ColumnFault& fault : faults) json["faults"].push_back({{"column", fault.column}, {"what", fault.what}});
+  return json;
+}
+
+void print(const Options& options, const Log& log, const std::vector<ColumnFault>& faults) {
+  const std::vector<double>& time_s = log.series.time_s;
+  fmt::print("{}\n{}\n", options.log, wrapped(sentence_of(log)));
+  fmt::print("{} rows over {}{}\n\n", time_s.size(), duration_text(time_s.back() - time_s.front()),
+             log.series.started ? fmt::format(", started {}", *log.series.started) : std::string());
+  fmt::print("{}", columns_text(log));
+  const auto list = [](std::string_view title, const std::vector<std::string>& lines) {
+    if (lines.empty()) return;
+    fmt::print("\n{}\n", title);
+    for (const std::string& line : lines) fmt::print("{}", wrapped("- " + line) + "\n");
+  };
+  list("Taken so:", guesses(log));
+  list("Mended:", log.remarks);
+  std::vector<std::string> broken;
+  broken.reserve(faults.size());
+  for (const ColumnFault& fault : faults) broken.push_back(fault_text(fault));
+  list("Looks broken:", broken);
+  if (options.out.empty()) fmt::print("\nNothing was written; --out clean.csv writes the series.\n");
+}
+
+// A series of our own is no log to be guessed at; it is only shown.
+Log opened(const Options& options) {
+  const Reader* const reader = reader_of_file(options.log);
+  if (read_of<ReadSeries>(reader) == nullptr) return open_log(options.log, recipe_of(options.how));
+  Log log;
+  log.series = open_series(options.log);
+  for (const Column& column : log.series.columns) {
+    const auto gaps = static_cast<std::size_t>(
+        std::count_if(column.values.begin(), column.values.end(), [](double v) { return std::isnan(v); }));
+    const std::string unit(unit_of(column.name));
+    log.columns.push_back({column.name, column.name, unit, unit, column.role, "by its unit", gaps});
+  }
+  log.shape = "a ballbar series";
+  log.time = "\"time_s\" in s";
+  log.first_row_line = 1;
+  return log;
+}
+
+void run(const Options& options) {
+  expect_no_input({options.out, options.save}, {options.log});
+  const Log log = opened(options);
+  const std::vector<ColumnFault> faults = column_faults(log.series);
+  if (!options.out.empty()) write_series_file(log.series, options.out);
+  if (!options.save.empty()) write_bytes(options.save, write_recipe(log.recipe));
+  if (options.json) {
+    fmt::print("{}\n", json_of(options, log, faults).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    return;
+  }
+  print(options, log, faults);
+  if (!options.out.empty()) fmt::print("\nwrote {}\n", options.out);
+  if (!options.save.empty()) fmt::print("wrote {}\n", options.save);
+}
+
+}  // namespace
+
+void add_import(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("import", "What a logger's file is taken for, and a series made of it");
+  command->add_option("LOG", options->log, "delimited text, .xlsx, .mat or .json of columns over time")->required();
+  command->add_option("--out", options->out, "series .csv to write")->type_name("FILE");
+  command->add_option("--save", options->save, "recipe .toml to write: how this log was read, for the next of its kind")
+      ->type_name("FILE");
+  command->add_flag("--json", options->json, "print what was understood as JSON");
+  add_log_options(*command, options->how);
+  command->footer(
+      "Example:\n"
+      "  ballbar import sample-runs/foreign-logs/warmup.csv --out clean.csv --save recipe.toml");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

@@ -1,0 +1,316 @@
+#include "ballbar/formats/logs/log.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/nearest_name.hpp"
+#include "logs/log_clock.hpp"
+#include "logs/log_plan.hpp"
+#include "logs/log_roles.hpp"
+#include "logs/log_shape.hpp"
+#include "logs/log_sources.hpp"
+#include "logs/log_table.hpp"
+#include "logs/log_units.hpp"
+#include "text/readers.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFreezing_K = 273.15;
+constexpr double kNoReading = 9e36;  // 9.9E37 and 1E38 stand for overload
+
+// Numbers that loggers write where there is no value; only where they stand far outside all others.
+constexpr double kSentinels[] = {-999.0, -9999.0, -99999.0, -999.9,  -999.99, -9999.9, -99.9,  -99.99,   -273.15, 999.9,
+                                 9999.0, 9999.9,  99999.0,  32767.0, 65535.0, 3276.7,  6553.5, -32768.0, -3276.8};
+
+struct Extremes {
+  double least = std::numeric_limits<double>::infinity(), most = -std::numeric_limits<double>::infinity();
+};
+
+template <class Counts>
+Extremes extremes(const std::vector<double>& values, Counts counts) {
+  Extremes found;
+  for (const double value : values) {
+    if (!std::isfinite(value) || !counts(value)) continue;
+    found.least = std::min(found.least, value);
+    found.most = std::max(found.most, value);
+  }
+  return found;
+}
+
+// Takes out what stands for no value; returns what it was and how often.
+std::string take_sentinels(std::vector<double>& values) {
+  std::string said;
+  const auto take_out = [&](auto is_none) {
+    std::size_t count = 0;
+    double example = 0.0;
+    for (double& value : values) {
+      if (!is_none(value)) continue;
+      example = value;
+      value = kGap;
+      ++count;
+    }
+    if (count > 0) said += fmt::format("{}{} times {:g}", said.empty() ? "" : ", ", count, example);
+  };
+  for (int side = 0; side < 4; ++side) {
+    const Extremes all = extremes(values, [](double) { return true; });
+    if (std::abs(all.least) >= kNoReading || std::abs(all.most) >= kNoReading) {
+      take_out([](double v) { return std::abs(v) >= kNoReading; });
+      continue;
+    }
+    const auto is_known = [](double v) {
+      return std::find(std::begin(kSentinels), std::end(kSentinels), v) != std::end(kSentinels);
+    };
+    const bool low = is_known(all.least), high = is_known(all.most);
+    if (!low && !high) break;
+    bool any = false;
+    for (const double one : {low ? all.least : kGap, high ? all.most : kGap}) {
+      if (std::isnan(one)) continue;
+      const Extremes rest = extremes(values, [&](double v) { return v != one; });
+      const double far = 3.0 * (rest.most - rest.least) + 50.0;
+      if (!(one < rest.least - far || one > rest.most + far)) continue;
+      take_out([&](double v) { return v == one; });
+      any = true;
+    }
+    if (!any) break;
+  }
+  return said;
+}
+
+// A name that can be typed: letters, digits and _; then the unit.
+std::string column_name(std::string_view name, std::string_view unit, std::set<std::string>& taken) {
+  std::string stem;
+  for (const char c : name) {
+    const bool kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c & 0x80) != 0;
+    if (kept)
+      stem += c;
+    else if (!stem.empty() && stem.back() != '_')
+      stem += '_';
+  }
+  for (const std::string_view sign : {"°", "º", "\u00A0", "（", "）", "Â"}) {
+    for (std::size_t at = stem.find(sign); at != std::string::npos; at = stem.find(sign)) stem.erase(at, sign.size());
+  }
+  while (stem.ends_with('_')) stem.pop_back();
+  if (stem.empty()) stem = "column";
+  const std::string end = unit.empty() ? "" : "_" + std::string(unit);
+  std::string full = stem + end;
+  for (int k = 2; full == "time_s" || full == "time_min" || !taken.insert(full).second; ++k)
+    full = fmt::format("{}_{}{}", stem, k, end);
+  return full;
+}
+
+const ColumnRecipe* recipe_of(const LogRecipe& recipe, const PlannedColumn& column) {
+  const auto found = std::find_if(recipe.columns.begin(), recipe.columns.end(), [&](const ColumnRecipe& one) {
+    return one.source == column.source || one.source == column.name;
+  });
+  return found == recipe.columns.end() ? nullptr : &*found;
+}
+
+void expect_recipe_columns(const LogPlan& plan, const std::string& name, std::size_t line, const LogRecipe& recipe) {
+  for (const ColumnRecipe& one : recipe.columns) {
+    std::vector<std::string_view> known;
+    bool found = false;
+    for (const PlannedColumn& column : plan.columns) {
+      found = found || column.source == one.source || column.name == one.source;
+      known.emplace_back(column.source);
+    }
+    if (found) continue;
+    throw Error(fmt::format("{}:{}: expected a column {}, which the recipe names, found none; the nearest is {}.", name,
+                            line, in_quotes(one.source), in_quotes(nearest_name(one.source, known))));
+  }
+}
+
+// One column of numbers in the units of a series.
+void take_column(const PlannedColumn& planned, const ColumnRecipe* told, std::vector<double>&& values, Log& log,
+                 std::set<std::string>& taken) {
+  LogColumn column;
+  column.source = planned.source;
+  column.found_unit = planned.unit;
+  const std::string gone = take_sentinels(values);
+  if (!gone.empty()) log.remarks.push_back(fmt::format("{}: {}: taken for no value.", planned.source, gone));
+  column.gaps =
+      static_cast<std::size_t>(std::count_if(values.begin(), values.end(), [](double v) { return std::isnan(v); }));
+  if (column.gaps == values.size()) {
+    column.why = "has no value";
+    log.columns.push_back(std::move(column));
+    return;
+  }
+  const auto unit = log_unit(planned.unit);
+  double factor = 1.0, offset = 0.0;
+  if (unit) {
+    column.unit = unit->canonical;
+    factor = unit->factor;
+    offset = unit->offset;
+    if (column.unit == "K" && factor == 1.0) {
+      const Extremes range = extremes(values, [](double) { return true; });
+      if (range.least > 150.0) {
+        column.unit = "degC";
+        offset = -kFreezing_K;
+      }
+    }
+  }
+  if (factor != 1.0 || offset != 0.0) {
+    for (double& value : values) value = value * factor + offset;
+  }
+  const FoundRole found = found_role(planned.name, column.unit, values);
+  column.role = told != nullptr && told->role ? *told->role : found.role;
+  column.why = told != nullptr && told->role ? "by the recipe" : found.why;
+  if (column.unit.empty() && planned.unit.empty()) column.unit = found.unit;
+  if (told != nullptr && !told->name.empty()) {
+    column.name = column_name(told->name.ends_with("_" + column.unit) && !column.unit.empty()
+                                  ? std::string_view(told->name).substr(0, told->name.size() - column.unit.size() - 1)
+                                  : std::string_view(told->name),
+                              column.unit, taken);
+  } else {
+    column.name = column_name(planned.name, column.unit, taken);
+  }
+  log.series.columns.push_back({column.name, column.role, std::move(values)});
+  log.columns.push_back(std::move(column));
+}
+
+std::string shape_text(const LogShape& shape) {
+  const std::string_view delimiter = shape.delimiter == ';'    ? "semicolons"
+                                     : shape.delimiter == '\t' ? "tabs"
+                                     : shape.delimiter == ' '  ? "blanks"
+                                     : shape.delimiter == '|'  ? "bars"
+                                                               : "commas";
+  return fmt::format("{}, decimal {}, {}", delimiter, shape.decimal == ',' ? "comma" : "point", shape.encoding.name);
+}
+
+LogRecipe recipe_of(const Log& log, const LogShape& shape, const LogPlan& plan, const LogRecipe& given) {
+  LogRecipe recipe = given;
+  recipe.delimiter = shape.delimiter;
+  recipe.decimal = shape.decimal;
+  const TimePlan& time = plan.time;
+  if (time.kind == TimePlan::Kind::rows)
+    recipe.every_s = time.every_s;
+  else
+    recipe.time = plan.columns[time.column].source;
+  if (time.kind == TimePlan::Kind::stamps && time.order) recipe.month_first = *time.order == DateOrder::month_first;
+  recipe.columns.clear();
+  for (const LogColumn& column : log.columns) {
+    recipe.columns.push_back({column.source, column.name, column.found_unit, column.role, column.name.empty()});
+  }
+  return recipe;
+}
+
+void say_lines(const LogTable& table, Log& log) {
+  const auto lines = [](std::size_t count) { return fmt::format("{} {}", count, count == 1 ? "line" : "lines"); };
+  if (table.other_lines > 0)
+    log.remarks.push_back(fmt::format("{} of text among or after the rows: passed over.", lines(table.other_lines)));
+  if (table.without_time > 0)
+    log.remarks.push_back(fmt::format("{} without a time: left out.", lines(table.without_time)));
+  if (table.short_rows > 0)
+    log.remarks.push_back(
+        fmt::format("{} with fewer values than columns: the rest are gaps.", lines(table.short_rows)));
+}
+
+Log log_of(ByteSource source, std::size_t bytes, const std::string& name, const LogRecipe& recipe) {
+  const LogShape shape = log_shape(source, name, recipe);
+  LogPlan plan = log_plan(shape, name, recipe);
+  expect_recipe_columns(plan, name, std::max<std::size_t>(1, shape.header_line), recipe);
+  LogTable table = log_table(source, bytes, shape, plan, name, recipe);
+  if (table.rows < 2) {
+    throw Error(fmt::format("{}:{}: expected at least two rows, found {}.", name, shape.first_row_line, table.rows));
+  }
+  Log log;
+  log.shape = shape_text(shape);
+  log.time = plan.time.said;
+  log.first_row_line = shape.first_row_line;
+  say_lines(table, log);
+  std::optional<double> started_s;
+  log.series.time_s = clock_s(table, plan, name, started_s, log.remarks);
+  if (started_s) log.series.started = stamp_text(*started_s);
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+    const PlannedColumn& column = plan.columns[i];
+    const bool is_time = column.kind != ColumnKind::number && column.kind != ColumnKind::left_out;
+    if (is_time || (plan.time.kind == TimePlan::Kind::number && i == plan.time.column)) continue;
+    if (column.kind == ColumnKind::left_out) {
+      log.columns.push_back({column.source, "", column.unit, "", Role::event, column.why, 0});
+    } else {
+      take_column(column, recipe_of(recipe, column), std::move(table.values[i]), log, taken);
+    }
+  }
+  if (log.series.columns.empty())
+    throw Error(fmt::format("{}:{}: expected a column with values, found none.", name, shape.first_row_line));
+  log.recipe = recipe_of(log, shape, plan, recipe);
+  return log;
+}
+
+}  // namespace
+
+constinit const Reader readers::kLog = {
+    .found = "a log of columns over time",
+    .is_yours = [](std::string_view head) { return is_table_file(head) || holds_table(head); },
+    .read = open_log,
+};
+
+Log read_log(std::string_view bytes, const std::string& name, const LogRecipe& recipe) {
+  if (auto text = table_text(bytes, name, recipe)) {
+    LogRecipe tabs = recipe;
+    tabs.delimiter = '\t';
+    tabs.decimal = '.';
+    Log log = log_of(ByteSource::of_bytes(text->text), text->text.size(), text->name, tabs);
+    log.shape = text->shape;
+    log.recipe.sheet = text->sheet;
+    log.recipe.delimiter.reset();
+    log.recipe.decimal.reset();
+    return log;
+  }
+  return log_of(ByteSource::of_bytes(bytes), bytes.size(), name, recipe);
+}
+
+Log open_log(const std::filesystem::path& path, const LogRecipe& recipe) {
+  const std::string head = read_head(path, 512);
+  if (is_table_file(head)) return read_log(read_bytes(path, kLargestTable), path.string(), recipe);
+  return log_of(ByteSource::of_file(path.string()), static_cast<std::size_t>(std::filesystem::file_size(path)),
+                path.string(), recipe);
+}
+
+std::optional<double> seconds_of_stamp(std::string_view started) {
+  const auto stamp = time_stamp(started, DateOrder::day_first);
+  if (!stamp || !stamp->day || !stamp->clock_s) return std::nullopt;
+  return static_cast<double>(*stamp->day) * 86400.0 + *stamp->clock_s;
+}
+
+std::string stamp_of_seconds(double seconds) { return stamp_text(seconds); }
+
+std::string sentence_of(const Log& log) {
+  std::array<std::size_t, 10> roles{};
+  std::size_t left_out = 0, others = 0;
+  for (const LogColumn& column : log.columns) {
+    if (column.name.empty())
+      ++left_out;
+    else if (column.role == Role::event)
+      ++others;
+    else
+      ++roles[static_cast<std::size_t>(column.role)];
+  }
+  std::string columns;
+  const auto add = [&](std::size_t count, const std::string& one, const std::string& many) {
+    if (count > 0) columns += fmt::format("{}{} {}", columns.empty() ? "" : ", ", count, count == 1 ? one : many);
+  };
+  const auto of = [&](Role role) { return roles[static_cast<std::size_t>(role)]; };
+  add(of(Role::measured), "measured column", "measured columns");
+  add(of(Role::speed), "speed", "speeds");
+  add(of(Role::load), "load", "loads");
+  add(of(Role::structure) + of(Role::housing) + of(Role::bearing) + of(Role::mean_point), "temperature",
+      "temperatures");
+  add(of(Role::ambient), "room temperature", "room temperatures");
+  add(of(Role::coolant), "coolant temperature", "coolant temperatures");
+  add(others, "other", "others");
+  add(left_out, "left out", "left out");
+  return fmt::format("read as {}; {} rows from line {}, time {}; {}.", log.shape, log.series.time_s.size(),
+                     log.first_row_line, log.time, columns);
+}
+
+}  // namespace ballbar

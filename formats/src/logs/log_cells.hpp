@@ -1,0 +1,33 @@
+// Cells of a log: what a text could be, and its number.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ballbar {
+
+std::string_view trimmed_cell(std::string_view cell);  // blanks, unbreakable ones too, and one pair of quotes off
+
+// Cells of a line. ' ' stands for runs of blanks. A delimiter within quotes is none.
+void split_cells(std::string_view line, char delimiter, std::vector<std::string_view>& cells);
+
+// "", "NaN", "#NV", "---", "OVER", "BURNOUT" ...: no value; a name of it in `also` too.
+bool is_missing(std::string_view cell, std::span<const std::string> also = {});
+
+// What signs a number has; `other`: it is no number.
+struct NumberLook {
+  enum class Kind { other, integer, comma, point, both };
+  Kind kind = Kind::other;
+  char decimal = '\0';     // where that is sure by itself: "0,125", "1.234,5", "12,5"
+  bool thousands = false;  // could be grouped by thousands: "1,234", "20.000"
+};
+NumberLook look_of(std::string_view cell);
+
+// With `decimal`; grouped by thousands too, by blanks, ', or the other of comma and point.
+std::optional<double> cell_number(std::string_view cell, char decimal);
+
+}  // namespace ballbar

@@ -1,0 +1,221 @@
+#include "logs/log_clock.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "ballbar/error.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kDay_s = 86400.0, kHour_s = 3600.0;
+
+double rounded(double value, double step) { return step > 0.0 ? std::round(value / step) * step : value; }
+
+// 0.1 and not 0.10000000000000142: the nearest number of so many decimals.
+double to_decimals(double value, double step) {
+  const double inverse = std::round(1.0 / step);
+  return std::round(value * inverse) / inverse;
+}
+
+double median_step_s(const std::vector<double>& time_s) {
+  std::vector<double> steps;
+  steps.reserve(time_s.size());
+  for (std::size_t i = 1; i < time_s.size(); ++i) {
+    if (time_s[i] > time_s[i - 1]) steps.push_back(time_s[i] - time_s[i - 1]);
+  }
+  if (steps.empty()) return 0.0;
+  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
+  return steps[steps.size() / 2];
+}
+
+// A night from Saturday to Sunday, as all changes of summer time are, between 0 and 4 h.
+bool may_change(std::int64_t day, double clock_s) {
+  const std::chrono::weekday weekday{std::chrono::sys_days(std::chrono::days(day))};
+  const double in_day = clock_s - std::floor(clock_s / kDay_s) * kDay_s;
+  const std::chrono::year_month_day date{std::chrono::sys_days(std::chrono::days(day))};
+  const auto month = static_cast<unsigned>(date.month());
+  const bool season = month == 3 || month == 4 || (month >= 9 && month <= 11);
+  return season && weekday == std::chrono::Sunday && in_day <= 4.0 * kHour_s;
+}
+
+class Clock {
+ public:
+  Clock(const LogTable& table, const LogPlan& plan, const std::string& name, std::vector<std::string>& remarks)
+      : table_(table), plan_(plan), name_(name), remarks_(remarks) {}
+
+  void run_on(std::vector<double>& time_s) {
+    const double step_s = median_step_s(time_s);
+    const double slack_s = std::max(3.0, 2.5 * step_s);
+    const double turn_s = plan_.time.minutes_and_seconds ? kHour_s : kDay_s;
+    double added_s = 0.0;
+    std::size_t turns = 0;
+    for (std::size_t i = 1; i < time_s.size(); ++i) {
+      const double before_s = time_s[i - 1] - added_s;  // as written
+      const double change_s = time_s[i] - before_s;
+      const bool dated = table_.first_day.has_value();
+      const auto day = [&](double written_s) {
+        return *table_.first_day + static_cast<std::int64_t>(std::floor(written_s / kDay_s));
+      };
+      if (change_s < 0.0) {
+        if (!dated && change_s < -0.5 * turn_s) {
+          added_s += turn_s;
+          ++turns;
+        } else if (dated && !table_.zoned && std::abs(change_s + kHour_s - step_s) <= slack_s &&
+                   may_change(day(time_s[i]), time_s[i])) {
+          added_s += kHour_s;
+          remarks_.push_back(fmt::format(
+              "The clock goes back an hour at line {}, the end of summer time: the time runs on.", table_.line_of(i)));
+        } else {
+          fail_back(i, -change_s);
+        }
+      } else if (dated && !table_.zoned && change_s > 0.0 && std::abs(change_s - kHour_s - step_s) <= slack_s &&
+                 kHour_s > 4.0 * step_s && may_change(day(time_s[i]), time_s[i]) && in_spring(day(time_s[i]))) {
+        added_s -= kHour_s;
+        remarks_.push_back(
+            fmt::format("The clock goes forward an hour at line {}, the start of summer time: no gap is made of it.",
+                        table_.line_of(i)));
+      }
+      time_s[i] += added_s;
+    }
+    if (turns == 0) return;
+    remarks_.push_back(
+        plan_.time.minutes_and_seconds
+            ? fmt::format("The minutes begin anew {} times: the time runs on.", turns)
+            : fmt::format("Over midnight {}: the time runs on.", turns == 1 ? "once" : fmt::format("{} times", turns)));
+  }
+
+  // Rows of one stamp: evenly to the next stamp's, or within the second or minute to which stamps are written.
+  void spread(std::vector<double>& time_s) {
+    const bool any = std::adjacent_find(time_s.begin(), time_s.end()) != time_s.end();
+    if (!any) return;
+    const double resolution_s = resolution(time_s);
+    std::size_t usual = 1;
+    {
+      std::vector<std::size_t> counts;
+      for (std::size_t i = 0; i < time_s.size();) {
+        const std::size_t end = end_of_group(time_s, i);
+        counts.push_back(end - i);
+        i = end;
+      }
+      std::nth_element(counts.begin(), counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2), counts.end());
+      usual = counts[counts.size() / 2];
+    }
+    std::size_t rows = 0;
+    for (std::size_t i = 0; i < time_s.size();) {
+      const std::size_t end = end_of_group(time_s, i);
+      const std::size_t count = end - i;
+      const double first_s = time_s[i];
+      // The first group may begin within its second, the last may end there.
+      const std::size_t of = std::max(count, usual);
+      const std::size_t skipped = i == 0 ? of - count : 0;
+      const double span_s = end < time_s.size() ? std::min(resolution_s, time_s[end] - first_s) : resolution_s;
+      if (count > 1 || skipped > 0) {
+        for (std::size_t k = 0; k < count; ++k) {
+          time_s[i + k] = first_s + span_s * static_cast<double>(k + skipped) / static_cast<double>(of);
+        }
+        rows += count;
+      }
+      i = end;
+    }
+    remarks_.push_back(
+        fmt::format("{} rows share their time with another, written to {:g} s: they are spread evenly within it.", rows,
+                    resolution_s));
+  }
+
+ private:
+  static bool in_spring(std::int64_t day) {
+    const std::chrono::year_month_day date{std::chrono::sys_days(std::chrono::days(day))};
+    const auto month = static_cast<unsigned>(date.month());
+    return month == 3 || month == 4 || month == 9 || month == 10;
+  }
+
+  static std::size_t end_of_group(const std::vector<double>& time_s, std::size_t begin) {
+    std::size_t end = begin + 1;
+    while (end < time_s.size() && time_s[end] == time_s[begin]) ++end;
+    return end;
+  }
+
+  // To what the stamps are written: minutes, seconds, or the smallest step.
+  double resolution(const std::vector<double>& time_s) const {
+    const auto all = [&](double unit_s) {
+      return std::all_of(time_s.begin(), time_s.end(),
+                         [&](double t) { return std::abs(t - rounded(t, unit_s)) < 1e-9; });
+    };
+    if (all(60.0)) return 60.0;
+    if (all(1.0)) return 1.0;
+    double least = median_step_s(time_s);
+    for (std::size_t i = 1; i < time_s.size(); ++i) {
+      if (time_s[i] > time_s[i - 1]) least = std::min(least, time_s[i] - time_s[i - 1]);
+    }
+    return least > 0.0 ? least : 1.0;
+  }
+
+  [[noreturn]] void fail_back(std::size_t row, double back_s) const {
+    throw Error(
+        fmt::format("{}:{}: expected a time above that of the row before, found one {:g} s earlier; if here begins "
+                    "another recording, "
+                    "cut the file there.",
+                    name_, table_.line_of(row), back_s));
+  }
+
+  const LogTable& table_;
+  const LogPlan& plan_;
+  const std::string& name_;
+  std::vector<std::string>& remarks_;
+};
+
+}  // namespace
+
+std::vector<double> clock_s(LogTable& table, const LogPlan& plan, const std::string& name,
+                            std::optional<double>& started_s, std::vector<std::string>& remarks) {
+  const TimePlan& time = plan.time;
+  std::vector<double> time_s;
+  if (time.kind == TimePlan::Kind::rows) {
+    time_s.reserve(table.rows);
+    for (std::size_t row = 0; row < table.rows; ++row) {
+      time_s.push_back(to_decimals(static_cast<double>(row) * time.every_s, 1e-9));
+    }
+    return time_s;
+  }
+  Clock clock(table, plan, name, remarks);
+  if (time.kind == TimePlan::Kind::number) {
+    time_s = std::move(table.values[time.column]);
+    if (time.zero_s) {
+      const double first = time_s.front();
+      started_s = rounded(first * time.unit_s + *time.zero_s, 1e-3);
+      for (double& value : time_s) value = to_decimals((value - first) * time.unit_s, time.resolution_s);
+    } else if (time.resolution_s > 0.0) {
+      for (double& value : time_s) value = to_decimals(value * time.unit_s, time.resolution_s);
+    }
+    const auto falls = std::adjacent_find(time_s.begin(), time_s.end(), [](double a, double b) { return b < a; });
+    if (falls != time_s.end()) {
+      const auto row = static_cast<std::size_t>(falls - time_s.begin()) + 1;
+      throw Error(
+          fmt::format("{}:{}: expected a time above {:g} s of the row before, found {:g} s; if here begins another "
+                      "recording, cut the "
+                      "file there.",
+                      name, table.line_of(row), time_s[row - 1], time_s[row]));
+    }
+  } else {
+    time_s = std::move(table.time_s);
+    clock.run_on(time_s);
+    const double first_s = time_s.front();
+    if (table.first_day) started_s = static_cast<double>(*table.first_day) * kDay_s + first_s;
+    for (double& value : time_s) value = to_decimals(value - first_s, 1e-9);
+  }
+  clock.spread(time_s);
+  if (time.kind == TimePlan::Kind::stamps || time.zero_s) {  // the first row may stand within its second
+    const double first_s = time_s.front();
+    if (first_s != 0.0) {
+      for (double& value : time_s) value -= first_s;
+    }
+    for (double& value : time_s) value = to_decimals(value, 1e-9);
+  }
+  return time_s;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,47 @@
+// What each column of a log is: the time, numbers, or nothing that a series keeps.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballbar/formats/logs/log.hpp"
+#include "logs/log_shape.hpp"
+#include "logs/time_stamp.hpp"
+
+namespace ballbar {
+
+enum class ColumnKind : std::uint8_t { number, stamp, date, clock, milli, left_out };
+
+struct PlannedColumn {
+  std::string source;  // header as written; "column 3" where there is none
+  std::string name;    // without its unit
+  std::string unit;    // as written
+  ColumnKind kind = ColumnKind::left_out;
+  std::string why;  // why it is left out
+};
+
+struct TimePlan {
+  enum class Kind : std::uint8_t { rows, number, stamps };
+  Kind kind = Kind::rows;
+  std::size_t column = 0;            // number: which; stamps: the first
+  double unit_s = 1.0;               // number
+  double resolution_s = 0.0;         // to which a number is rounded when it became seconds; 0: kept as it is
+  std::optional<double> zero_s;      // number: seconds from 1970 to its zero, where it counts from a date
+  double every_s = 0.0;              // rows
+  std::optional<DateOrder> order;    // stamps; empty: not known yet
+  bool minutes_and_seconds = false;  // stamps without hours
+  std::string said;                  // "Zeit, dd.mm.yyyy hh:mm:ss"
+};
+
+struct LogPlan {
+  std::vector<PlannedColumn> columns;  // one a column of the log
+  TimePlan time;
+};
+
+// Throws Error with name:line where the time cannot be told.
+LogPlan log_plan(const LogShape& shape, const std::string& name, const LogRecipe& recipe);
+
+}  // namespace ballbar

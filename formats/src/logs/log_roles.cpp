@@ -1,0 +1,214 @@
+#include "logs/log_roles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "logs/text_fold.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kTravel_um = 5000.0;  // what moves further is an axis, no probe
+constexpr double kFarFromZero_um = 20000.0;
+
+// Folded. Of five letters and more anywhere in a name, since German joins words; shorter ones as words alone.
+constexpr std::string_view kSpeed[] = {
+    "speed",     "drehzahl",  "rpm",   "spindeldrehzahl", "vitesse", "rotation", "regime", "velocita", "giri",
+    "velocidad", "umdrehung", "转速",  "主轴转速",        "回転数",  "回転速度", "速度",   "n ist",    "n soll",
+    "s actual",  "nist",      "nsoll", "spindle s",       "revs"};
+constexpr std::string_view kLoad[] = {
+    "load",      "last",     "auslastung", "spindellast", "belastung",    "charge",     "carico",  "carga",
+    "power",     "leistung", "puissance",  "potenza",     "potencia",     "torque",     "moment",  "drehmoment",
+    "couple",    "coppia",   "par",        "current",     "strom",        "motorstrom", "courant", "corrente",
+    "corriente", "负载",     "负荷",       "負荷",        "功率",         "电流",       "電流",    "扭矩",
+    "トルク",    "電力",     "ロード",     "utilization", "wirkleistung", "spindellast"};
+constexpr std::string_view kAmbient[] = {"ambient",
+                                         "room",
+                                         "umgebung",
+                                         "raum",
+                                         "raumtemperatur",
+                                         "hall",
+                                         "halle",
+                                         "ambiant",
+                                         "ambiante",
+                                         "salle",
+                                         "ambiente",
+                                         "sala",
+                                         "stanza",
+                                         "air",
+                                         "luft",
+                                         "aria",
+                                         "aire",
+                                         "atelier",
+                                         "officina",
+                                         "taller",
+                                         "环境",
+                                         "室温",
+                                         "室内",
+                                         "車間",
+                                         "车间",
+                                         "雰囲気",
+                                         "外気",
+                                         "気温",
+                                         "空气",
+                                         "environment",
+                                         "umgebungstemperatur",
+                                         "shop",
+                                         "werkstatt",
+                                         "周围",
+                                         "周囲"};
+constexpr std::string_view kCoolant[] = {"coolant",
+                                         "cooling",
+                                         "kuhlmittel",
+                                         "kuhlwasser",
+                                         "kss",
+                                         "refrigerant",
+                                         "refroidissement",
+                                         "fluide",
+                                         "liquide",
+                                         "lubrorefrigerante",
+                                         "refrigerante",
+                                         "chiller",
+                                         "kuhlung",
+                                         "kuhler",
+                                         "vorlauf",
+                                         "rucklauf",
+                                         "oil",
+                                         "oel",
+                                         "ol",
+                                         "olio",
+                                         "aceite",
+                                         "huile",
+                                         "冷却",
+                                         "冷却液",
+                                         "冷卻",
+                                         "クーラント",
+                                         "冷却水",
+                                         "冷却油",
+                                         "油温",
+                                         "切削液",
+                                         "kuehlmittel",
+                                         "raffreddamento",
+                                         "冷媒"};
+constexpr std::string_view kBearing[] = {"bearing",    "lager",       "palier",      "roulement", "cuscinetto",
+                                         "cuscinetti", "rodamiento",  "cojinete",    "轴承",      "ベアリング",
+                                         "軸受",       "vorderlager", "hinterlager", "festlager", "loslager"};
+constexpr std::string_view kHousing[] = {
+    "housing", "gehause",    "spindelgehause", "carter",        "carcasa",  "alloggiamento", "carcassa", "壳体",
+    "主轴箱",  "ハウジング", "headstock",      "spindelkasten", "gehaeuse", "boitier",       "机壳",     "主軸台"};
+constexpr std::string_view kMeasured[] = {"probe",       "taster",       "messtaster", "sensor x",  "displacement",
+                                          "verlagerung", "verschiebung", "weg",        "drift",     "deplacement",
+                                          "palpeur",     "spostamento",  "sonda",      "tastatore", "desplazamiento",
+                                          "error",       "abweichung",   "位移",       "変位",      "palpador",
+                                          "capteur",     "测头",         "プローブ",   "误差",      "gap",
+                                          "abstand",     "tir",          "gauge",      "delta l",   "deviation",
+                                          "ecart",       "wegsensor",    "elongation", "längung",   "laengung"};
+constexpr std::string_view kTemperature[] = {"temp", "temperature", "temperatur", "temperatura", "thermo", "pt100",
+                                             "温度", "温",          "tc",         "rtd",         "ntc"};
+constexpr std::string_view kOtherPercent[] = {"humidity", "feuchte", "humidite", "umidita",   "humedad", "湿度",
+                                              "override", "ventil",  "valve",    "fullstand", "level",   "duty",
+                                              "rh",       "pegel",   "battery",  "vorschub"};
+
+template <std::size_t kSize>
+bool says(const std::string& key, const std::string_view (&words)[kSize]) {
+  const std::string spaced = " " + key + " ";
+  return std::any_of(std::begin(words), std::end(words), [&](std::string_view word) {
+    const bool other_script = static_cast<unsigned char>(word.front()) >= 0x80;
+    if (word.size() >= 5 || other_script) return key.find(word) != std::string::npos;
+    // A short word alone, or with a number behind it: temp1.
+    for (std::size_t at = spaced.find(word); at != std::string::npos; at = spaced.find(word, at + 1)) {
+      const char before = spaced[at - 1], after = spaced[at + word.size()];
+      if (before == ' ' && (after == ' ' || (after >= '0' && after <= '9'))) return true;
+    }
+    return false;
+  });
+}
+
+struct Range {
+  double least = std::numeric_limits<double>::infinity(), most = -std::numeric_limits<double>::infinity();
+};
+
+Range range_of(std::span<const double> values) {
+  Range range;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    range.least = std::min(range.least, value);
+    range.most = std::max(range.most, value);
+  }
+  return range;
+}
+
+// Held for many rows at round numbers of at least 200, never below 0: a spindle's programme.
+bool moves_as_speed(std::span<const double> values) {
+  const Range range = range_of(values);
+  if (!(range.least >= 0.0 && range.most >= 200.0 && range.most <= 100000.0 && range.most - range.least >= 200.0))
+    return false;
+  std::size_t held = 0, round = 0, rows = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (!std::isfinite(values[i])) continue;
+    ++rows;
+    if (values[i] != values[i - 1]) continue;
+    ++held;
+    round += std::fmod(values[i], 10.0) == 0.0;
+  }
+  return rows >= 20 && held * 10 >= rows * 7 && round * 10 >= held * 9;
+}
+
+FoundRole temperature_role(const std::string& key) {
+  if (says(key, kBearing)) return {Role::bearing, "by its name", ""};
+  if (says(key, kCoolant)) return {Role::coolant, "by its name", ""};
+  if (says(key, kHousing)) return {Role::housing, "by its name", ""};
+  if (says(key, kAmbient)) return {Role::ambient, "by its name", ""};
+  return {Role::structure, "by its unit", ""};
+}
+
+}  // namespace
+
+FoundRole found_role(std::string_view name, std::string_view unit, std::span<const double> values) {
+  const std::string key = folded(name);
+  if (unit == "degC" || unit == "K") return temperature_role(key);
+  if (unit == "rpm") return {Role::speed, "by its unit", ""};
+  if (unit == "A" || unit == "W" || unit == "Nm") return {Role::load, "by its unit", ""};
+  if (unit == "percent") {
+    if (says(key, kLoad) && !says(key, kOtherPercent)) return {Role::load, "by its name", ""};
+    return {Role::event, "", ""};
+  }
+  if (unit == "urad") return {Role::measured, "by its unit", ""};
+  if (unit == "um" || unit == "mm") {
+    const Range range = range_of(values);
+    const double one = unit == "mm" ? 1e3 : 1.0;
+    const double travel_um = (range.most - range.least) * one;
+    const double far_um = std::max(std::abs(range.most), std::abs(range.least)) * one;
+    if (travel_um > kTravel_um) {
+      return {Role::event, fmt::format("moves by {:.0f} mm, as an axis, no probe", travel_um * 1e-3), ""};
+    }
+    if (far_um > kFarFromZero_um) return {Role::event, "far from zero, as the place of an axis", ""};
+    return {Role::measured, "by its unit", ""};
+  }
+  if (!unit.empty()) return {Role::event, "", ""};
+  // Without a unit.
+  const Range range = range_of(values);
+  const bool temperature = says(key, kTemperature) || says(key, kCoolant) || says(key, kBearing) || says(key, kAmbient);
+  if (says(key, kTemperature) || (temperature && !says(key, kLoad) && !says(key, kSpeed))) {
+    if (range.least > -40.0 && range.least < 45.0 && range.most < 150.0) {
+      FoundRole found = temperature_role(key);
+      return {found.role, "by its name; no unit, taken for degC by its values", "degC"};
+    }
+    return {Role::event, "a temperature by its name, but in which unit?", ""};
+  }
+  if (says(key, kSpeed) && !says(key, kLoad)) {
+    if (range.least >= -100000.0 && range.most >= 100.0)
+      return {Role::speed, "by its name; no unit, taken for rpm", "rpm"};
+    return {Role::speed, "by its name", ""};
+  }
+  if (says(key, kLoad)) return {Role::load, "by its name", ""};
+  if (says(key, kMeasured)) return {Role::measured, "by its name; in which unit?", ""};
+  if (moves_as_speed(values)) return {Role::speed, "held at round numbers, as a speed; no unit, taken for rpm", "rpm"};
+  return {Role::event, "", ""};
+}
+
+}  // namespace ballbar

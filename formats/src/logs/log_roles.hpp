@@ -1,0 +1,21 @@
+// What a column stands for, by its name in the languages of machine shops, and by how it moves.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "ballbar/series/series.hpp"
+
+namespace ballbar {
+
+struct FoundRole {
+  Role role = Role::event;
+  std::string why;   // "by its name", "by its unit", "moves in steps of round numbers, as a speed"
+  std::string unit;  // that the role alone tells: "rpm" of a speed without a unit; else empty
+};
+
+// `unit`: canonical, may be empty. `values`: in it.
+FoundRole found_role(std::string_view name, std::string_view unit, std::span<const double> values);
+
+}  // namespace ballbar

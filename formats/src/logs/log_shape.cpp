@@ -1,0 +1,364 @@
+#include "logs/log_shape.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "ballbar/error.hpp"
+#include "ballbar/nearest_name.hpp"
+#include "logs/log_cells.hpp"
+#include "logs/log_units.hpp"
+#include "logs/text_fold.hpp"
+#include "logs/time_stamp.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kHead = std::size_t{1} << 20;
+constexpr std::size_t kMostHeadLines = 3000;
+constexpr std::size_t kMostColumns = 10000;
+constexpr std::size_t kMostHeaderRows = 30;
+constexpr char kDelimiters[] = {'\t', ';', ',', '|', ' '};
+
+using Cells = std::vector<std::string_view>;
+
+enum class CellKind { empty, missing, number, stamp, text };
+
+CellKind kind_of(std::string_view cell) {
+  cell = trimmed_cell(cell);
+  if (cell.empty()) return CellKind::empty;
+  if (look_of(cell).kind != NumberLook::Kind::other) return CellKind::number;
+  if (time_stamp(cell, DateOrder::day_first)) return CellKind::stamp;
+  return is_missing(cell) ? CellKind::missing : CellKind::text;
+}
+
+// What the cells of a line are.
+struct LineLook {
+  std::size_t cells = 0, values = 0, missing = 0, texts = 0;
+
+  // Mostly numbers and times; a line of nothing but gaps is none.
+  [[nodiscard]] bool is_row() const {
+    return cells >= 2 && values > 0 && values + missing >= 2 * texts && values >= texts;
+  }
+};
+
+LineLook look_at(std::string_view line, char delimiter, Cells& cells) {
+  split_cells(line, delimiter, cells);
+  LineLook look;
+  look.cells = cells.size();
+  for (const std::string_view cell : cells) {
+    const CellKind kind = kind_of(cell);
+    look.values += kind == CellKind::number || kind == CellKind::stamp;
+    look.missing += kind == CellKind::missing || kind == CellKind::empty;
+    look.texts += kind == CellKind::text;
+  }
+  return look;
+}
+
+bool is_blank(std::string_view line) { return line.find_first_not_of(" \t,;|\"") == std::string_view::npos; }
+
+struct Cut {
+  char delimiter = ',';
+  std::size_t columns = 0;
+  std::size_t first = 0;  // index of the first row
+  double score = 0.0;
+};
+
+// The rows of one delimiter: lines of the same number of cells, mostly values, that follow each other.
+Cut cut_by(const std::vector<HeadLine>& lines, char delimiter) {
+  Cells cells;
+  std::vector<LineLook> looks;
+  looks.reserve(lines.size());
+  std::map<std::size_t, double> weights;  // of a number of cells: by the share of values
+  for (const HeadLine& line : lines) {
+    looks.push_back(is_blank(line.text) ? LineLook{} : look_at(line.text, delimiter, cells));
+    const LineLook& look = looks.back();
+    if (look.is_row()) {
+      weights[look.cells] += static_cast<double>(look.values + look.missing) / static_cast<double>(look.cells);
+    }
+  }
+  Cut cut;
+  cut.delimiter = delimiter;
+  for (const auto& [columns, weight] : weights) {
+    if (weight > cut.score) cut = {delimiter, columns, 0, weight};
+  }
+  const auto suits = [&](const LineLook& look) { return look.is_row() && look.cells == cut.columns; };
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    if (!suits(looks[i])) continue;
+    std::size_t seen = 0, good = 0;  // a row among lines of text is one of the preamble
+    for (std::size_t k = i + 1; k < looks.size() && seen < 4; ++k) {
+      if (looks[k].cells == 0) continue;
+      ++seen;
+      good += suits(looks[k]);
+    }
+    if (good + 1 < seen) continue;
+    cut.first = i;
+    return cut;
+  }
+  cut.score = 0.0;
+  return cut;
+}
+
+bool is_unit_like(std::string_view cell) {
+  const std::string key = folded(trimmed_cell(cell));
+  constexpr std::string_view kOthers[] = {
+      "no",         "nr",   "date",  "time",    "datum",     "zeit",         "hh mm ss",  "dd mm yyyy",
+      "yyyy mm dd", "unit", "units", "einheit", "date time", "sample",       "hz",        "n",
+      "deg",        "kg",   "g",     "khz",     "samples",   "hh mm ss fff", "tt mm jjjj"};
+  return log_unit(trimmed_cell(cell)) || time_unit_s(trimmed_cell(cell)) ||
+         std::find(std::begin(kOthers), std::end(kOthers), key) != std::end(kOthers);
+}
+
+// A row in which what is written are units, at least one of them of the list.
+bool is_units_row(const Cells& cells) {
+  std::size_t written = 0, units = 0, known = 0;
+  for (const std::string_view cell : cells) {
+    const std::string_view text = trimmed_cell(cell);
+    if (text.empty() || text == "-" || text == "[-]" || text == "()" || text == "[]") continue;
+    ++written;
+    units += is_unit_like(text);
+    known += log_unit(text).has_value();
+  }
+  return known > 0 && units * 10 >= written * 7;
+}
+
+// A row of names: at least half is written, and is text.
+bool is_names_row(const Cells& cells) {
+  std::size_t texts = 0, others = 0;
+  for (const std::string_view cell : cells) {
+    const CellKind kind = kind_of(cell);
+    texts += kind == CellKind::text || (kind == CellKind::missing && trimmed_cell(cell).size() > 1);
+    others += kind == CellKind::number || kind == CellKind::stamp;
+  }
+  return texts > 0 && texts >= others;
+}
+
+std::string without_comment_sign(std::string_view line) {
+  const std::size_t first = line.find_first_not_of("#%! \t");
+  if (first == std::string_view::npos || line.find_first_of("#%!") != 0) return std::string(line);
+  return std::string(line.substr(first));
+}
+
+void copy_cells(const Cells& cells, std::size_t columns, std::vector<std::string>& to) {
+  to.assign(columns, "");
+  for (std::size_t i = 0; i < std::min(columns, cells.size()); ++i) to[i] = std::string(trimmed_cell(cells[i]));
+}
+
+// Names and units from the lines directly above the rows.
+void find_headers(const std::vector<HeadLine>& lines, const Cut& cut, LogShape& shape) {
+  Cells cells;
+  std::size_t lowest = cut.first;  // index of the upper of the two
+  std::vector<std::size_t> names;
+  std::size_t units = lines.size();
+  std::size_t rows = 0;
+  for (std::size_t i = cut.first; i-- > 0 && rows < kMostHeaderRows;) {
+    if (is_blank(lines[i].text)) continue;
+    ++rows;
+    std::string text = without_comment_sign(lines[i].text);
+    split_cells(text, cut.delimiter, cells);
+    if (cells.size() + 1 < cut.columns || (cells.size() < 2 && cut.columns > 2) || cells.size() > cut.columns + 1) {
+      // Above a header in another shape begins the preamble; a name row may follow a line of text within two lines.
+      if (!names.empty() || units != lines.size() || rows > 2) break;
+      continue;
+    }
+    if (units == lines.size() && is_units_row(cells)) {
+      units = i;
+    } else if (is_names_row(cells)) {
+      names.push_back(i);
+    } else {
+      break;
+    }
+    if (!names.empty() && units != lines.size() && names.back() < units) break;
+    if (names.size() > 3) break;
+  }
+  std::size_t name = lines.size();
+  if (!names.empty()) {
+    name = names.front();
+    const auto above = std::find_if(names.begin(), names.end(), [&](std::size_t i) { return i < units; });
+    if (units != lines.size() && above != names.end()) name = *above;
+  }
+  const auto take = [&](std::size_t index, std::vector<std::string>& to, std::size_t& line) {
+    if (index == lines.size()) return;
+    const std::string text = without_comment_sign(lines[index].text);
+    split_cells(text, cut.delimiter, cells);
+    copy_cells(cells, cut.columns, to);
+    line = lines[index].number;
+    lowest = std::min(lowest, index);
+  };
+  shape.headers.assign(cut.columns, "");
+  shape.units.assign(cut.columns, "");
+  take(name, shape.headers, shape.header_line);
+  take(units, shape.units, shape.units_line);
+  for (std::size_t i = 0; i < lowest; ++i) shape.preamble.push_back(lines[i]);
+}
+
+// What the cells of all rows say of the decimal sign.
+void find_decimal(const std::string& name, const LogRecipe& recipe, LogShape& shape) {
+  Cells cells;
+  std::size_t sure_comma = 0, sure_point = 0, commas = 0, points = 0, integers = 0;
+  std::string example;
+  std::size_t example_line = 0;
+  for (const HeadLine& row : shape.rows) {
+    split_cells(row.text, shape.delimiter, cells);
+    for (const std::string_view cell : cells) {
+      const NumberLook look = look_of(cell);
+      sure_comma += look.decimal == ',';
+      sure_point += look.decimal == '.';
+      commas += look.kind == NumberLook::Kind::comma;
+      points += look.kind == NumberLook::Kind::point;
+      integers += look.kind == NumberLook::Kind::integer;
+      if (look.thousands && example.empty()) {
+        example = trimmed_cell(cell);
+        example_line = row.number;
+      }
+    }
+  }
+  if (recipe.decimal) {
+    shape.decimal = *recipe.decimal;
+    return;
+  }
+  const auto refuse = [&](const std::string& what, const std::string& found) {
+    throw Error(fmt::format("{}:{}: expected {}, found {}; say --decimal comma or --decimal point.", name, example_line,
+                            what, in_quotes(found)));
+  };
+  if (sure_comma > 0 && sure_point > 0) {
+    // "1.234" of thousands beside "1,5" is sure by the comma; "0.5" beside "0,5" is two hands.
+    if (sure_comma > 20 * sure_point || sure_point > 20 * sure_comma) {
+      shape.decimal = sure_comma > sure_point ? ',' : '.';
+      return;
+    }
+    if (shape.delimiter == ',') {
+      shape.decimal = '.';
+      return;
+    }
+    refuse("one decimal sign in all columns", "both comma and point");
+  }
+  if (sure_comma > 0 || sure_point > 0) {
+    shape.decimal = sure_comma > 0 ? ',' : '.';
+    return;
+  }
+  if (commas == 0 && points == 0) return;
+  // Only numbers such as 1,234 or 20.000. Cells of one column that all have three digits behind the sign are decimals
+  // printed to three places; thousands show smaller numbers without a sign beside them.
+  if (commas > 0 && points > 0) refuse("a decimal sign that can be told", example);
+  if (commas > 0 && shape.delimiter == ';') {
+    shape.decimal = ',';
+    return;
+  }
+  if (commas > 0 && shape.delimiter != ',') refuse("a number of one reading: decimals or thousands", example);
+  if (commas > 0) {  // "1,234" in quotes between commas: thousands, as spreadsheets print them
+    shape.decimal = '.';
+    return;
+  }
+  if (points > 0 && shape.delimiter == ';' && integers > 0) {
+    bool mixed = false;  // a column in which 800 stands beside 1.200
+    std::vector<int> seen;
+    for (const HeadLine& row : shape.rows) {
+      split_cells(row.text, shape.delimiter, cells);
+      seen.resize(std::max(seen.size(), cells.size()), 0);
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        const NumberLook look = look_of(cells[i]);
+        seen[i] |= look.kind == NumberLook::Kind::integer ? 1 : look.kind == NumberLook::Kind::point ? 2 : 0;
+        mixed = mixed || seen[i] == 3;
+      }
+    }
+    if (mixed) refuse("a number of one reading: decimals or thousands", example);
+  }
+  shape.decimal = '.';
+}
+
+// "0,5,23,4": the cells are cut at their decimal commas.
+void expect_no_decimal_delimiter(const std::string& name, const LogShape& shape, const std::vector<HeadLine>& lines,
+                                 const Cut& cut) {
+  if (shape.delimiter != ',' || shape.header_line == 0) return;
+  Cells cells;
+  for (std::size_t i = 0; i < cut.first; ++i) {
+    if (lines[i].number != shape.header_line) continue;
+    split_cells(lines[i].text, ',', cells);
+  }
+  const std::size_t headers = cells.size();
+  split_cells(lines[cut.first].text, ',', cells);
+  if (headers == 0 || cells.size() < headers + 2) return;
+  throw Error(fmt::format(
+      "{}:{}: expected {} values, one for each name of line {}, found {}; commas that separate and commas of decimals "
+      "cannot be told apart: export with semicolons or tabs between the values, or with decimal points.",
+      name, lines[cut.first].number, headers, shape.header_line, cells.size()));
+}
+
+std::vector<HeadLine> head_lines(ByteSource& source, const TextEncoding& encoding, std::size_t& bytes) {
+  std::vector<HeadLine> lines;
+  LogLines text(source, encoding);
+  bytes = 0;
+  while (lines.size() < kMostHeadLines && bytes < kHead && text.next(true)) {
+    lines.push_back({std::string(text.line()), text.number()});
+    bytes += text.line().size() + 1;
+  }
+  return lines;
+}
+
+Cut best_cut(const std::vector<HeadLine>& lines, const LogRecipe& recipe) {
+  Cut best;
+  for (const char delimiter : kDelimiters) {
+    if (recipe.delimiter && delimiter != *recipe.delimiter) continue;
+    const Cut cut = cut_by(lines, delimiter);
+    if (cut.score > best.score * 1.02 + 1e-9) best = cut;
+  }
+  return best;
+}
+}  // namespace
+
+bool holds_table(std::string_view head) {
+  const TextEncoding encoding = encoding_of(head);
+  if (head.empty() || encoding.name.empty()) return false;
+  ByteSource source = ByteSource::of_bytes(head);
+  std::size_t bytes = 0;
+  const std::vector<HeadLine> lines = head_lines(source, encoding, bytes);
+  return best_cut(lines, {}).score > 0.0;
+}
+
+LogShape log_shape(ByteSource& source, const std::string& name, const LogRecipe& recipe) {
+  LogShape shape;
+  source.rewind();
+  std::string head(std::size_t{1} << 16, '\0');
+  std::size_t size = 0;
+  for (std::size_t count = 1; size < head.size() && count > 0; size += count) {
+    count = source.read(head.data() + size, head.size() - size);
+  }
+  head.resize(size);
+  if (head.empty()) throw Error(fmt::format("{}:1: expected a table of numbers over time, found an empty file.", name));
+  shape.encoding = encoding_of(head);
+  if (shape.encoding.name.empty()) {
+    throw Error(
+        fmt::format("{}:1: expected text, a workbook (.xlsx) or a .mat file, found another binary file.", name));
+  }
+  std::size_t bytes = 0;
+  const std::vector<HeadLine> lines = head_lines(source, shape.encoding, bytes);
+
+  const Cut best = best_cut(lines, recipe);
+  if (best.score == 0.0) {
+    throw Error(fmt::format(
+        "{}:1: expected rows of at least two values separated by commas, semicolons, tabs or blanks, found none in the "
+        "first {} lines.",
+        name, lines.size()));
+  }
+  if (best.columns > kMostColumns) {
+    throw Error(fmt::format("{}:{}: expected at most {} columns, found {}.", name, lines[best.first].number,
+                            kMostColumns, best.columns));
+  }
+  shape.delimiter = best.delimiter;
+  shape.first_row_line = lines[best.first].number;
+  find_headers(lines, best, shape);
+  expect_no_decimal_delimiter(name, shape, lines, best);
+  std::size_t row_bytes = 0;
+  for (std::size_t i = best.first; i < lines.size(); ++i) {
+    row_bytes += lines[i].text.size() + 1;
+    if (!is_blank(lines[i].text)) shape.rows.push_back(lines[i]);
+  }
+  shape.bytes_a_row = std::max<std::size_t>(2, row_bytes / std::max<std::size_t>(1, shape.rows.size()));
+  find_decimal(name, recipe, shape);
+  shape.day_first = shape.decimal == ',' || shape.delimiter == ';';
+  return shape;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,39 @@
+// Where in a log the table stands, and how its lines are cut into cells.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ballbar/formats/logs/log.hpp"
+#include "logs/log_text.hpp"
+
+namespace ballbar {
+
+struct HeadLine {
+  std::string text;
+  std::size_t number = 0;
+};
+
+struct LogShape {
+  TextEncoding encoding;
+  char delimiter = ',';  // ' ': runs of blanks
+  char decimal = '.';
+  bool day_first = false;                       // the writer's locale tells that 03/04/2026 is the third of April
+  std::size_t header_line = 0, units_line = 0;  // 0: none
+  std::size_t first_row_line = 0;
+  std::vector<std::string> headers, units;  // one a column, as written
+  std::vector<HeadLine> preamble;           // above the header
+  std::vector<HeadLine> rows;               // the first ones, blank lines left out
+  std::size_t bytes_a_row = 1;              // on the average
+};
+
+// Whether rows of numbers stand in the first bytes of a file.
+bool holds_table(std::string_view head);
+
+// By the first MiB. Throws Error with name:line where no table is found or two readings are possible.
+LogShape log_shape(ByteSource& source, const std::string& name, const LogRecipe& recipe);
+
+}  // namespace ballbar

@@ -1,0 +1,147 @@
+#include "logs/log_sources.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "ballbar/error.hpp"
+#include "logs/mat_table.hpp"
+#include "logs/workbook.hpp"
+#include "text/json_source.hpp"
+
+namespace ballbar {
+namespace {
+
+bool is_json(std::string_view head) {
+  if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
+  const std::size_t first = head.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return false;
+  if (head[first] == '[') {  // [m] of a header is none
+    const std::size_t next = head.find_first_not_of(" \t\r\n", first + 1);
+    return next != std::string_view::npos && (head[next] == '{' || head[next] == '[');
+  }
+  if (head[first] != '{') return false;
+  const std::size_t next = head.find_first_not_of(" \t\r\n", first + 1);
+  return next != std::string_view::npos && head[next] == '"';
+}
+
+std::string cell_of(const nlohmann::json& value) {
+  if (value.is_number()) return value.dump();
+  if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
+  if (!value.is_string()) return {};
+  return as_cell(value.get_ref<const std::string&>());
+}
+
+bool is_flat(const nlohmann::json& value) { return !value.is_array() && !value.is_object(); }
+
+// [{"time_s": 0, "x_um": 1}, ...]
+bool is_rows(const nlohmann::json& value) {
+  return value.is_array() && value.size() > 1 &&
+         std::all_of(value.begin(), value.end(), [](const auto& row) { return row.is_object() && !row.empty(); });
+}
+
+// {"time_s": [0, 1], "x_um": [1, 2], ...}; other members are of no length and left out.
+bool is_columns(const nlohmann::json& value) {
+  if (!value.is_object()) return false;
+  std::size_t arrays = 0;
+  for (const auto& [key, member] : value.items()) {
+    arrays += member.is_array() && member.size() > 1 && std::all_of(member.begin(), member.end(), is_flat);
+  }
+  return arrays > 1;
+}
+
+std::string text_of_rows(const nlohmann::json& rows) {
+  std::set<std::string> seen;
+  std::vector<std::string> keys;
+  for (const auto& row : rows) {
+    for (const auto& [key, member] : row.items()) {
+      if (is_flat(member) && seen.insert(key).second) keys.push_back(key);
+    }
+  }
+  std::string text;
+  for (const std::string& key : keys) text += (text.empty() ? "" : "\t") + as_cell(key);
+  for (const auto& row : rows) {
+    text += '\n';
+    for (const std::string& key : keys) {
+      if (&key != &keys.front()) text += '\t';
+      const auto member = row.find(key);
+      if (member != row.end()) text += cell_of(*member);
+    }
+  }
+  return text + "\n";
+}
+
+std::string text_of_columns(const nlohmann::json& columns) {
+  std::size_t rows = 0;
+  std::vector<const nlohmann::json*> members;
+  std::string text;
+  for (const auto& [key, member] : columns.items()) {
+    if (!member.is_array() || !std::all_of(member.begin(), member.end(), is_flat)) continue;
+    rows = std::max(rows, member.size());
+    text += (members.empty() ? "" : "\t") + as_cell(key);
+    members.push_back(&member);
+  }
+  for (std::size_t row = 0; row < rows; ++row) {
+    text += '\n';
+    for (const nlohmann::json* member : members) {
+      if (member != members.front()) text += '\t';
+      if (row < member->size()) text += cell_of((*member)[row]);
+    }
+  }
+  return text + "\n";
+}
+
+// The first table in it, outermost first.
+const nlohmann::json* table_in(const nlohmann::json& value, int depth, std::string& path) {
+  if (is_rows(value) || is_columns(value)) return &value;
+  if (!value.is_object() || depth == 0) return nullptr;
+  for (const auto& [key, member] : value.items()) {
+    std::string below = path.empty() ? key : path + "." + key;
+    if (const nlohmann::json* const found = table_in(member, depth - 1, below)) {
+      path = below;
+      return found;
+    }
+  }
+  return nullptr;
+}
+
+TableText json_table(std::string_view bytes, const std::string& name) {
+  const JsonSource source = parse_json(bytes, name);
+  std::string path;
+  const nlohmann::json* const table = table_in(source.root, 2, path);
+  if (table == nullptr) {
+    throw Error(
+        fmt::format("{}:1: expected JSON with rows, [{{\"time_s\": 0, ...}}, ...], or columns, {{\"time_s\": [0, ...], "
+                    "...}}, found "
+                    "neither.",
+                    name));
+  }
+  TableText text;
+  text.text = table->is_array() ? text_of_rows(*table) : text_of_columns(*table);
+  text.name = path.empty() ? name : fmt::format("{}[{}]", name, path);
+  text.shape = path.empty() ? "JSON" : fmt::format("JSON, \"{}\"", path);
+  return text;
+}
+
+}  // namespace
+
+std::string as_cell(std::string_view text) {
+  std::string cell(text);
+  std::replace_if(
+      cell.begin(), cell.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r' || c == '"'; }, ' ');
+  return cell;
+}
+
+bool is_table_file(std::string_view head) { return is_workbook(head) || is_mat_file(head) || is_json(head); }
+
+std::optional<TableText> table_text(std::string_view bytes, const std::string& name, const LogRecipe& recipe) {
+  const std::string_view head = bytes.substr(0, 512);
+  if (is_workbook(head)) return workbook_table(bytes, name, recipe.sheet);
+  if (is_mat_file(head)) return mat_table(bytes, name);
+  if (is_json(head)) return json_table(bytes, name);
+  return std::nullopt;
+}
+
+}  // namespace ballbar

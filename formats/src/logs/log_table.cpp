@@ -1,0 +1,309 @@
+#include "logs/log_table.hpp"
+
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <span>
+
+#include "ballbar/error.hpp"
+#include "ballbar/nearest_name.hpp"
+#include "logs/log_cells.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+constexpr double kDay_s = 86400.0;
+
+// A date may be read in two ways: how its days run in either, from row to row.
+struct OrderEvidence {
+  bool day_first = false, month_first = false;
+  std::int64_t last[2] = {0, 0};
+  std::int64_t longest[2] = {0, 0};  // step forward, days
+  bool back[2] = {false, false};
+  bool any = false;
+
+  void look_at(std::string_view text, const TimeStamp& stamp) {
+    if (!stamp.day) return;
+    day_first = day_first || stamp.day_first_only;
+    month_first = month_first || stamp.month_first_only;
+    const auto other = time_stamp(text, DateOrder::month_first);
+    const std::int64_t days[2] = {*stamp.day, other && other->day ? *other->day : *stamp.day};
+    for (int k : {0, 1}) {
+      if (any) {
+        longest[k] = std::max(longest[k], days[k] - last[k]);
+        back[k] = back[k] || days[k] < last[k];
+      }
+      last[k] = days[k];
+    }
+    any = true;
+  }
+
+  // By dates that are one thing alone, else by days that follow each other in one reading and jump in the other.
+  [[nodiscard]] std::optional<DateOrder> order() const {
+    if (day_first != month_first) return day_first ? DateOrder::day_first : DateOrder::month_first;
+    const auto even = [&](int k) { return !back[k] && longest[k] <= 2; };
+    const auto jumps = [&](int k) { return back[k] || longest[k] >= 20; };
+    if (even(0) && jumps(1)) return DateOrder::day_first;
+    if (even(1) && jumps(0)) return DateOrder::month_first;
+    return std::nullopt;
+  }
+};
+
+class Table {
+ public:
+  Table(const LogShape& shape, const LogPlan& plan, const std::string& name, const LogRecipe& recipe, std::size_t rows)
+      : shape_(shape), plan_(plan), name_(name), recipe_(recipe) {
+    table_.values.resize(plan.columns.size());
+    for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+      if (plan.columns[i].kind == ColumnKind::number) table_.values[i].reserve(rows);
+    }
+    if (plan.time.kind == TimePlan::Kind::stamps) table_.time_s.reserve(rows);
+    number_columns_ =
+        static_cast<std::size_t>(std::count_if(plan.columns.begin(), plan.columns.end(),
+                                               [](const auto& column) { return column.kind == ColumnKind::number; }));
+    row_.resize(plan.columns.size(), kGap);
+  }
+
+  void read(ByteSource& source) {
+    LogLines lines(source, shape_.encoding);
+    bool expected_next = false;
+    std::size_t last_line = 0;
+    while (lines.next(true)) {
+      if (lines.number() < shape_.first_row_line) continue;
+      const std::string_view line = lines.line();
+      if (!take_row(line, lines.number())) {
+        expected_next = false;
+        continue;
+      }
+      if (!expected_next || lines.number() != last_line + 1) table_.lines.emplace_back(table_.rows - 1, lines.number());
+      expected_next = true;
+      last_line = lines.number();
+    }
+  }
+
+  LogTable table_;
+  OrderEvidence evidence_;
+  bool open_order_ = false;
+  std::size_t first_either_line_ = 0;
+  std::string first_either_;
+
+ private:
+  // The cell at `begin`: where it ends. Quotes may hold the delimiter.
+  const char* end_of_cell(const char* begin, const char* end) const {
+    if (shape_.delimiter == ' ') {
+      const char* at = begin;
+      while (at < end && *at != ' ' && *at != '\t') ++at;
+      return at;
+    }
+    const char* from = begin;
+    if (begin < end && *begin == '"') {
+      const auto* close =
+          static_cast<const char*>(std::memchr(begin + 1, '"', static_cast<std::size_t>(end - begin - 1)));
+      if (close != nullptr) from = close;
+    }
+    const auto* found =
+        static_cast<const char*>(std::memchr(from, shape_.delimiter, static_cast<std::size_t>(end - from)));
+    return found == nullptr ? end : found;
+  }
+
+  const char* past_blanks(const char* at, const char* end) const {
+    while (at < end && (*at == ' ' || (*at == '\t' && shape_.delimiter != '\t'))) ++at;
+    return at;
+  }
+
+  bool is_end(const char* at, const char* end) const {
+    return at == end || *at == shape_.delimiter || (shape_.delimiter == ' ' && *at == '\t');
+  }
+
+  [[noreturn]] void fail_cell(std::size_t column, std::string_view cell, std::size_t line) const {
+    throw Error(fmt::format("{}:{}: expected a number for {}, found {}; --missing takes such a text for a gap.", name_,
+                            line, in_quotes(plan_.columns[column].source), in_quotes(trimmed_cell(cell))));
+  }
+
+  // Adds the row, or counts the line among others.
+  bool take_row(std::string_view line, std::size_t number) {
+    const char* at = line.data();
+    const char* const end = at + line.size();
+    std::size_t column = 0, numbers = 0;
+    std::optional<std::size_t> bad;  // the first cell that is text where a number is expected
+    std::string_view bad_cell;
+    date_ = clock_ = milli_ = {};
+    const std::size_t columns = plan_.columns.size();
+    at = past_blanks(at, end);
+    if (at == end) return false;
+    bool more = true;
+    const fast_float::parse_options how(fast_float::chars_format::general, shape_.decimal);
+    for (; column < columns && more; ++column) {
+      at = past_blanks(at, end);
+      const ColumnKind kind = plan_.columns[column].kind;
+      if (kind == ColumnKind::number) {
+        double value = kGap;
+        const auto [rest, error] = fast_float::from_chars_advanced(at, end, value, how);
+        const char* const after = error == std::errc{} ? past_blanks(rest, end) : at;
+        if (error == std::errc{} && std::isfinite(value) && (is_end(rest, end) || is_end(after, end))) {
+          row_[column] = value;
+          ++numbers;
+          at = shape_.delimiter == ' ' ? rest : after;
+        } else {
+          const char* const cell_end = end_of_cell(at, end);
+          const std::string_view cell(at, static_cast<std::size_t>(cell_end - at));
+          row_[column] = kGap;
+          if (!is_missing(cell, recipe_.missing)) {
+            if (const auto slow = cell_number(cell, shape_.decimal)) {
+              row_[column] = *slow;
+              ++numbers;
+            } else if (!bad) {
+              bad = column;
+              bad_cell = cell;
+            }
+          }
+          at = cell_end;
+        }
+      } else {
+        const char* const cell_end = end_of_cell(at, end);
+        const std::string_view cell(at, static_cast<std::size_t>(cell_end - at));
+        if (kind == ColumnKind::stamp || kind == ColumnKind::date) date_ = trimmed_cell(cell);
+        if (kind == ColumnKind::clock) clock_ = trimmed_cell(cell);
+        if (kind == ColumnKind::milli) milli_ = trimmed_cell(cell);
+        at = cell_end;
+      }
+      more = at < end;
+      if (more && shape_.delimiter != ' ') {
+        ++at;
+        if (at == end) {  // the line ends in a delimiter: an empty cell follows
+          more = false;
+          if (column + 1 < columns) row_[column + 1] = kGap;
+        }
+      }
+    }
+    return finish_row({at, static_cast<std::size_t>(end - at)}, more, column, numbers, bad, bad_cell, number);
+  }
+
+  bool finish_row(std::string_view rest, bool more, std::size_t column, std::size_t numbers,
+                  const std::optional<std::size_t>& bad, std::string_view bad_cell, std::size_t line) {
+    double time_s = kGap;
+    const TimePlan& plan = plan_.time;
+    bool timed = plan.kind == TimePlan::Kind::rows;
+    if (plan.kind == TimePlan::Kind::stamps) timed = take_stamp(line, time_s);
+    if (plan.kind == TimePlan::Kind::number) timed = column > plan.column && std::isfinite(row_[plan.column]);
+    // Few numbers and no time: a line of text, a header once more, a note at the end.
+    const std::size_t found = numbers - (plan.kind == TimePlan::Kind::number && timed ? 1 : 0);
+    if (!timed) {
+      if (bad || found * 2 < number_columns_ || found == 0)
+        ++table_.other_lines;
+      else
+        ++table_.without_time;
+      return false;
+    }
+    if (found == 0 && (bad || column < plan_.columns.size())) {
+      ++table_.other_lines;
+      return false;
+    }
+    if (bad) fail_cell(*bad, bad_cell, line);
+    if (more) expect_blank(rest, line);
+    if (column < plan_.columns.size()) {
+      for (std::size_t i = column; i < plan_.columns.size(); ++i) row_[i] = kGap;
+      ++table_.short_rows;
+    }
+    for (std::size_t i = 0; i < plan_.columns.size(); ++i) {
+      if (plan_.columns[i].kind == ColumnKind::number) table_.values[i].push_back(row_[i]);
+    }
+    if (plan.kind == TimePlan::Kind::stamps) table_.time_s.push_back(time_s);
+    ++table_.rows;
+    return true;
+  }
+
+  void expect_blank(std::string_view rest, std::size_t line) const {
+    if (rest.find_first_not_of(" \t;,|") == std::string_view::npos) return;
+    throw Error(fmt::format("{}:{}: expected {} values, one for each column, found more: {}.", name_, line,
+                            plan_.columns.size(), in_quotes(rest)));
+  }
+
+  bool take_stamp(std::size_t line, double& time_s) {
+    const DateOrder order = plan_.time.order.value_or(DateOrder::day_first);
+    const auto stamp = time_stamp(date_, order);
+    if (!stamp) return false;
+    double clock_s = stamp->clock_s.value_or(0.0);
+    double zone_s = stamp->zone_s.value_or(0.0);
+    if (!clock_.empty()) {
+      const auto clock = time_stamp(clock_, order);
+      if (!clock || !clock->clock_s) return false;
+      clock_s = *clock->clock_s;
+      zone_s = clock->zone_s.value_or(zone_s);
+    } else if (plan_.columns[plan_.time.column].kind == ColumnKind::date && !stamp->clock_s) {
+      return false;
+    }
+    if (!milli_.empty()) clock_s += cell_number(milli_, shape_.decimal).value_or(0.0) * 1e-3;
+    table_.zoned = table_.zoned || stamp->zone_s.has_value();
+    if (stamp->day) {
+      if (!plan_.time.order) {
+        evidence_.look_at(date_, *stamp);
+        if (stamp->either_order && first_either_.empty()) {
+          first_either_ = std::string(date_);
+          first_either_line_ = line;
+        }
+      } else if ((order == DateOrder::day_first && stamp->month_first_only) ||
+                 (order == DateOrder::month_first && stamp->day_first_only)) {
+        throw Error(fmt::format("{}:{}: expected dates with the {} first as in the rows before, found {}.", name_, line,
+                                order == DateOrder::day_first ? "day" : "month", in_quotes(date_)));
+      }
+      if (!table_.first_day) {
+        table_.first_day = *stamp->day;
+        zone_s_ = zone_s;
+      }
+      time_s = static_cast<double>(*stamp->day - *table_.first_day) * kDay_s + clock_s - (zone_s - zone_s_);
+    } else {
+      time_s = clock_s;
+    }
+    return true;
+  }
+
+  const LogShape& shape_;
+  const LogPlan& plan_;
+  const std::string& name_;
+  const LogRecipe& recipe_;
+  std::vector<double> row_;
+  std::size_t number_columns_ = 0;
+  std::string_view date_, clock_, milli_;
+  double zone_s_ = 0.0;
+};
+
+}  // namespace
+
+std::size_t LogTable::line_of(std::size_t row) const {
+  const auto after =
+      std::upper_bound(lines.begin(), lines.end(), row, [](std::size_t r, const auto& one) { return r < one.first; });
+  if (after == lines.begin()) return 0;
+  const auto& at = *std::prev(after);
+  return at.second + (row - at.first);
+}
+
+LogTable log_table(ByteSource& source, std::size_t bytes, const LogShape& shape, LogPlan& plan, const std::string& name,
+                   const LogRecipe& recipe) {
+  const std::size_t text_bytes = shape.encoding.name.starts_with("UTF-16") ? bytes / 2 : bytes;
+  const std::size_t rows = text_bytes / shape.bytes_a_row + text_bytes / shape.bytes_a_row / 32 + 16;
+  for (;;) {
+    Table table(shape, plan, name, recipe, rows);
+    table.read(source);
+    if (plan.time.order || plan.time.kind != TimePlan::Kind::stamps) return std::move(table.table_);
+    plan.time.order = table.evidence_.order();
+    if (!plan.time.order) {
+      if (table.first_either_.empty()) {
+        plan.time.order = DateOrder::day_first;
+        return std::move(table.table_);
+      }
+      throw Error(fmt::format(
+          "{}:{}: expected a date that can be read in one way, found {}: the third number is the year, but which of "
+          "the others is the month? Say --dates day-first or --dates month-first.",
+          name, table.first_either_line_, in_quotes(table.first_either_)));
+    }
+    if (plan.time.order == DateOrder::day_first) return std::move(table.table_);
+  }
+}
+
+}  // namespace ballbar

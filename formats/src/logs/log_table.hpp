@@ -1,0 +1,30 @@
+// The rows of a log as numbers.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "logs/log_plan.hpp"
+#include "logs/log_shape.hpp"
+
+namespace ballbar {
+
+struct LogTable {
+  std::vector<std::vector<double>> values;                 // one a column of the log; of numbers alone; a gap is NaN
+  std::vector<double> time_s;                              // of stamps: from midnight of `first_day`; of rows: empty
+  std::optional<std::int64_t> first_day;                   // since 1970
+  bool zoned = false;                                      // the clock states its zone: no summer time, no doubt
+  std::vector<std::pair<std::size_t, std::size_t>> lines;  // (row, line) wherever lines were passed over
+  std::size_t rows = 0, other_lines = 0, without_time = 0, short_rows = 0;
+  bool cut_off = false;  // the last line was not whole, and is left out
+
+  [[nodiscard]] std::size_t line_of(std::size_t row) const;
+};
+
+// Throws Error with name:line where a cell is no number, a row has too many cells, or dates can be read in two ways.
+LogTable log_table(ByteSource& source, std::size_t bytes, const LogShape& shape, LogPlan& plan, const std::string& name,
+                   const LogRecipe& recipe);
+
+}  // namespace ballbar

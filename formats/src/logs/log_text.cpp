@@ -1,0 +1,233 @@
+#include "logs/log_text.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <iconv.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/nearest_name.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kBlock = std::size_t{256} << 10;
+constexpr std::size_t kLongestLine = std::size_t{4} << 20;
+constexpr std::size_t kMostLinesOfCell = 20;  // beyond, the quote was an inch, or a cell that lacks its end
+
+unsigned byte(char c) { return static_cast<unsigned char>(c); }
+
+// Where bytes above 0x7F stand.
+bool is_utf8(std::string_view head) {
+  while (!head.empty()) {
+    if (byte(head.front()) < 0x80) {
+      head.remove_prefix(1);
+      continue;
+    }
+    const std::size_t length = utf8_length(head);
+    if (length == 0) return head.size() < 4;  // cut off at the end of the head
+    head.remove_prefix(length);
+  }
+  return true;
+}
+
+// Of the bytes above 0x7F the share that stands in pairs as `is_pair` knows them.
+template <class IsPair, class IsSingle>
+bool in_pairs(std::string_view head, IsPair is_pair, IsSingle is_single) {
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i < head.size(); ++i) {
+    if (byte(head[i]) < 0x80) continue;
+    if (i + 1 < head.size() && is_pair(byte(head[i]), byte(head[i + 1]))) {
+      ++pairs;
+      ++i;
+    } else if (i + 1 < head.size() && !is_single(byte(head[i]))) {
+      return false;
+    }
+  }
+  return pairs > 0;
+}
+
+// UTF-16 without its mark: text of numbers has a NUL in every pair.
+std::string utf16_by_nuls(std::string_view head) {
+  std::size_t nuls[2] = {0, 0};
+  for (std::size_t i = 0; i < head.size(); ++i) nuls[i % 2] += head[i] == '\0';
+  const std::size_t pairs = head.size() / 2;
+  if (nuls[1] > pairs / 2 && nuls[0] < pairs / 20) return "UTF-16LE";
+  if (nuls[0] > pairs / 2 && nuls[1] < pairs / 20) return "UTF-16BE";
+  return {};
+}
+
+}  // namespace
+
+ByteSource ByteSource::of_file(const std::string& path) {
+  read_head(path, 1);  // which tells what is no regular file, or not readable
+  const int opened = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (opened < 0) {
+    throw Error(fmt::format("{}: expected a readable file, found: {}.", path, std::generic_category().message(errno)));
+  }
+  const std::shared_ptr<const int> file(new int(opened), [](const int* number) {
+    ::close(*number);
+    delete number;
+  });
+  ByteSource source;
+  source.read_ = [file, path](char* to, std::size_t most) {
+    for (;;) {
+      const ::ssize_t count = ::read(*file, to, most);
+      if (count >= 0) return static_cast<std::size_t>(count);
+      if (errno != EINTR) throw Error(fmt::format("{}: expected a readable file, found an error while reading.", path));
+    }
+  };
+  source.rewind_ = [file] { ::lseek(*file, 0, SEEK_SET); };
+  return source;
+}
+
+ByteSource ByteSource::of_bytes(std::string_view bytes) {
+  const auto at = std::make_shared<std::size_t>(0);
+  ByteSource source;
+  source.read_ = [bytes, at](char* to, std::size_t most) {
+    const std::size_t count = std::min(most, bytes.size() - *at);
+    std::memcpy(to, bytes.data() + *at, count);
+    *at += count;
+    return count;
+  };
+  source.rewind_ = [at] { *at = 0; };
+  return source;
+}
+
+TextEncoding encoding_of(std::string_view head) {
+  if (head.starts_with("\xEF\xBB\xBF")) return {"UTF-8", 3};
+  if (head.starts_with("\xFF\xFE")) return {"UTF-16LE", 2};
+  if (head.starts_with("\xFE\xFF")) return {"UTF-16BE", 2};
+  if (head.find('\0') != std::string_view::npos) return {utf16_by_nuls(head), 0};
+  if (is_utf8(head)) return {"UTF-8", 0};
+  // Both bytes of the usual Chinese characters are above 0xA0: "°C" and "µm" of Latin-1 are not such pairs.
+  const auto none = [](unsigned) { return false; };
+  if (in_pairs(
+          head, [](unsigned a, unsigned b) { return a >= 0xA1 && a <= 0xF7 && b >= 0xA1 && b <= 0xFE; }, none)) {
+    return {"GBK", 0};
+  }
+  const auto is_kana = [](unsigned a, unsigned b) {  // 1st bytes of signs, kana and the usual characters
+    return ((a >= 0x81 && a <= 0x9F) || (a >= 0xE0 && a <= 0xEA)) &&
+           ((b >= 0x40 && b <= 0x7E) || (b >= 0x80 && b <= 0xFC));
+  };
+  if (in_pairs(head, is_kana, [](unsigned a) { return a >= 0xA1 && a <= 0xDF; })) return {"SHIFT_JIS", 0};
+  return {"WINDOWS-1252", 0};
+}
+
+struct LogLines::Decoder {
+  explicit Decoder(const std::string& from) : handle(iconv_open("UTF-8", from.c_str())) {
+    if (handle == reinterpret_cast<iconv_t>(-1)) {
+      throw Error(fmt::format("expected text in a known encoding, found {}, which this system does not know.", from));
+    }
+  }
+  ~Decoder() { iconv_close(handle); }
+  Decoder(const Decoder&) = delete;
+  Decoder& operator=(const Decoder&) = delete;
+
+  // Appends what `bytes` says; keeps half a character for the next call; U+FFFD for what is none.
+  void append(std::string_view bytes, bool last, std::string& to) {
+    kept.append(bytes);
+    char* from = kept.data();
+    std::size_t left = kept.size();
+    while (left > 0) {
+      char block[4096];
+      char* out = block;
+      std::size_t room = sizeof block;
+      const std::size_t result = iconv(handle, &from, &left, &out, &room);
+      to.append(block, sizeof block - room);
+      if (result != static_cast<std::size_t>(-1) || errno == E2BIG) continue;
+      if (errno == EINVAL && !last) break;
+      to += "\xEF\xBF\xBD";
+      ++from;
+      --left;
+    }
+    kept.erase(0, kept.size() - left);
+  }
+
+  iconv_t handle;
+  std::string kept;
+};
+
+LogLines::LogLines(ByteSource& source, const TextEncoding& encoding) : source_(&source) {
+  source.rewind();
+  if (encoding.name != "UTF-8") decoder_ = std::make_unique<Decoder>(encoding.name);
+  char mark[4];
+  for (std::size_t skipped = 0; skipped < encoding.mark;) {
+    const std::size_t count = source.read(mark, encoding.mark - skipped);
+    if (count == 0) break;
+    skipped += count;
+  }
+}
+
+LogLines::~LogLines() = default;
+
+bool LogLines::refill() {
+  if (ended_) return false;
+  buffer_.erase(0, at_);
+  at_ = 0;
+  const std::size_t before = buffer_.size();
+  if (decoder_) {
+    std::string bytes(kBlock, '\0');
+    bytes.resize(source_->read(bytes.data(), bytes.size()));
+    ended_ = bytes.empty();
+    decoder_->append(bytes, ended_, buffer_);
+  } else {
+    buffer_.resize(before + kBlock);
+    buffer_.resize(before + source_->read(buffer_.data() + before, kBlock));
+    ended_ = buffer_.size() == before;
+  }
+  taken_ += buffer_.size() - before;
+  return true;
+}
+
+bool LogLines::next(bool quotes) {
+  std::size_t searched = at_, ends = 0;
+  std::size_t first_end = 0;  // of the first line, from at_
+  bool open = false;
+  for (;;) {
+    const char* const begin = buffer_.data() + searched;
+    const auto* end = static_cast<const char*>(std::memchr(begin, '\n', buffer_.size() - searched));
+    if (end == nullptr) {
+      if (buffer_.size() - at_ > kLongestLine) {
+        throw Error(fmt::format("{}: expected lines of at most 4 MiB, found a longer one.", lines_ + 1));
+      }
+      const std::size_t done = searched - at_;
+      if (refill()) {
+        searched = at_ + done;
+        continue;
+      }
+      if (at_ == buffer_.size()) return false;
+      end = buffer_.data() + buffer_.size();
+    }
+    auto until = static_cast<std::size_t>(end - buffer_.data());
+    if (quotes && std::memchr(buffer_.data() + searched, '"', until - searched) != nullptr) {
+      open ^= std::count(buffer_.data() + searched, buffer_.data() + until, '"') % 2 != 0;
+    }
+    if (open) {
+      if (ends == 0) first_end = until - at_;
+      if (until < buffer_.size() && ends < kMostLinesOfCell) {
+        ++ends;
+        searched = until + 1;
+        continue;
+      }
+      until = at_ + first_end;
+      ends = 0;
+    }
+    const bool last = until == buffer_.size();
+    line_ = std::string_view(buffer_).substr(at_, until - at_);
+    while (line_.ends_with('\r')) line_.remove_suffix(1);
+    number_ = lines_ + 1;
+    lines_ += ends + 1;
+    at_ = last ? until : until + 1;
+    return true;
+  }
+}
+
+}  // namespace ballbar

@@ -1,0 +1,63 @@
+// The text of a log, whatever its encoding, a line at a time and never whole in memory.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace ballbar {
+
+// Bytes that can be read twice: of a file, or in memory.
+class ByteSource {
+ public:
+  static ByteSource of_file(const std::string& path);  // throws Error
+  static ByteSource of_bytes(std::string_view bytes);
+
+  std::size_t read(char* to, std::size_t most) { return read_(to, most); }  // 0 at the end; throws Error
+  void rewind() { rewind_(); }
+
+ private:
+  std::function<std::size_t(char*, std::size_t)> read_;
+  std::function<void()> rewind_;
+};
+
+// "UTF-8", "UTF-16LE", "UTF-16BE", "WINDOWS-1252", "GBK", "SHIFT_JIS", as iconv knows them, by the first bytes: a byte
+// order mark; NULs at every other place; what is UTF-8; pairs of bytes as Chinese and Japanese have them; else Windows'
+// Latin-1. Empty: a binary file.
+struct TextEncoding {
+  std::string name;
+  std::size_t mark = 0;  // bytes of the byte order mark
+};
+TextEncoding encoding_of(std::string_view head);
+
+// Lines in UTF-8. A quoted cell may hold line ends: it is one line then. Views are valid until the next call.
+class LogLines {
+ public:
+  LogLines(ByteSource& source, const TextEncoding& encoding);
+  ~LogLines();
+  LogLines(const LogLines&) = delete;
+  LogLines& operator=(const LogLines&) = delete;
+
+  // False at the end. `quotes`: a line with an odd number of them goes on. Throws Error where a line is above 4 MiB.
+  bool next(bool quotes);
+
+  [[nodiscard]] std::string_view line() const { return line_; }    // without its end
+  [[nodiscard]] std::size_t number() const { return number_; }     // of its first line, from 1
+  [[nodiscard]] std::size_t read_bytes() const { return taken_; }  // of the text so far
+
+ private:
+  bool refill();
+
+  ByteSource* source_;
+  struct Decoder;
+  std::unique_ptr<Decoder> decoder_;
+  std::string buffer_;
+  std::size_t at_ = 0;
+  std::string_view line_;
+  std::size_t number_ = 0, lines_ = 0, taken_ = 0;
+  bool ended_ = false;
+};
+
+}  // namespace ballbar

@@ -1,0 +1,252 @@
+#include "logs/log_units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "logs/text_fold.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kInch_um = 25400.0;
+
+struct Known {
+  std::string_view text;  // folded, blanks and ends of "[...]" taken off
+  LogUnit unit;
+};
+
+constexpr Known kUnits[] = {
+    // lengths
+    {"um", {"um"}},
+    {"mum", {"um"}},
+    {"micron", {"um"}},
+    {"microns", {"um"}},
+    {"micrometer", {"um"}},
+    {"micrometre", {"um"}},
+    {"micrometers", {"um"}},
+    {"mikrometer", {"um"}},
+    {"微米", {"um"}},
+    {"ミクロン", {"um"}},
+    {"nm", {"um", 1e-3}},
+    {"mm", {"um", 1e3}},
+    {"millimeter", {"um", 1e3}},
+    {"毫米", {"um", 1e3}},
+    {"in", {"um", kInch_um}},
+    {"inch", {"um", kInch_um}},
+    {"inches", {"um", kInch_um}},
+    {"zoll", {"um", kInch_um}},
+    {"uin", {"um", kInch_um * 1e-6}},
+    {"microinch", {"um", kInch_um * 1e-6}},
+    {"mil", {"um", kInch_um * 1e-3}},
+    {"urad", {"urad"}},
+    {"um/m", {"urad"}},
+    {"mrad", {"urad", 1e3}},
+    // temperatures
+    {"degc", {"degC"}},
+    {"deg c", {"degC"}},
+    {"grad c", {"degC"}},
+    {"c", {"degC"}},
+    {"celsius", {"degC"}},
+    {"degcelsius", {"degC"}},
+    {"deg celsius", {"degC"}},
+    {"grad celsius", {"degC"}},
+    {"摄氏度", {"degC"}},
+    {"度", {"degC"}},
+    {"degf", {"degC", 5.0 / 9.0, -32.0 * 5.0 / 9.0}},
+    {"deg f", {"degC", 5.0 / 9.0, -32.0 * 5.0 / 9.0}},
+    {"f", {"degC", 5.0 / 9.0, -32.0 * 5.0 / 9.0}},
+    {"fahrenheit", {"degC", 5.0 / 9.0, -32.0 * 5.0 / 9.0}},
+    {"k", {"K"}},
+    {"kelvin", {"K"}},
+    {"degk", {"K"}},
+    {"mk", {"K", 1e-3}},
+    // speeds of a spindle
+    {"rpm", {"rpm"}},
+    {"r/min", {"rpm"}},
+    {"rev/min", {"rpm"}},
+    {"revs/min", {"rpm"}},
+    {"1/min", {"rpm"}},
+    {"/min", {"rpm"}},
+    {"min-1", {"rpm"}},
+    {"min^-1", {"rpm"}},
+    {"min**-1", {"rpm"}},
+    {"u/min", {"rpm"}},
+    {"upm", {"rpm"}},
+    {"umdr/min", {"rpm"}},
+    {"tr/min", {"rpm"}},
+    {"tours/min", {"rpm"}},
+    {"giri/min", {"rpm"}},
+    {"g/min", {"rpm"}},
+    {"rev/s", {"rpm", 60.0}},
+    {"1/s", {"rpm", 60.0}},
+    {"转/分", {"rpm"}},
+    {"转/分钟", {"rpm"}},
+    {"r/分", {"rpm"}},
+    {"回転/分", {"rpm"}},
+    {"krpm", {"rpm", 1e3}},
+    // load
+    {"a", {"A"}},
+    {"amp", {"A"}},
+    {"amps", {"A"}},
+    {"ampere", {"A"}},
+    {"ma", {"A", 1e-3}},
+    {"w", {"W"}},
+    {"watt", {"W"}},
+    {"watts", {"W"}},
+    {"kw", {"W", 1e3}},
+    {"nm_torque", {"Nm"}},
+    {"n.m", {"Nm"}},
+    {"n*m", {"Nm"}},
+    {"n m", {"Nm"}},
+    {"newtonmeter", {"Nm"}},
+    {"%", {"percent"}},
+    {"percent", {"percent"}},
+    {"pct", {"percent"}},
+    {"prozent", {"percent"}},
+    {"percentage", {"percent"}},
+    // the rest
+    {"bar", {"bar"}},
+    {"mbar", {"bar", 1e-3}},
+    {"hpa", {"bar", 1e-3}},
+    {"kpa", {"bar", 1e-2}},
+    {"mpa", {"bar", 10.0}},
+    {"pa", {"bar", 1e-5}},
+    {"psi", {"bar", 0.0689475729317831}},
+    {"l/min", {"l_per_min"}},
+    {"l_per_min", {"l_per_min"}},
+    {"lpm", {"l_per_min"}},
+    {"ltr/min", {"l_per_min"}},
+    {"liter/min", {"l_per_min"}},
+    {"l/h", {"l_per_min", 1.0 / 60.0}},
+    {"mm/min", {"mm_per_min"}},
+    {"mm_per_min", {"mm_per_min"}},
+    {"m/min", {"mm_per_min", 1e3}},
+    {"mm/s", {"mm_per_min", 60.0}},
+    {"in/min", {"mm_per_min", 25.4}},
+    {"ipm", {"mm_per_min", 25.4}},
+    {"v", {"V"}},
+    {"volt", {"V"}},
+    {"volts", {"V"}},
+    {"mv", {"V", 1e-3}},
+};
+
+constexpr std::pair<std::string_view, double> kTimes[] = {
+    {"s", 1.0},          {"sec", 1.0},       {"secs", 1.0},     {"second", 1.0},
+    {"seconds", 1.0},    {"sek", 1.0},       {"sekunden", 1.0}, {"sekunde", 1.0},
+    {"secondes", 1.0},   {"segundos", 1.0},  {"secondi", 1.0},  {"秒", 1.0},
+    {"ms", 1e-3},        {"msec", 1e-3},     {"millis", 1e-3},  {"milliseconds", 1e-3},
+    {"毫秒", 1e-3},      {"ミリ秒", 1e-3},   {"us", 1e-6},      {"usec", 1e-6},
+    {"ns", 1e-9},        {"min", 60.0},      {"mins", 60.0},    {"minute", 60.0},
+    {"minutes", 60.0},   {"minuten", 60.0},  {"minuti", 60.0},  {"minutos", 60.0},
+    {"分", 60.0},        {"分钟", 60.0},     {"h", 3600.0},     {"hr", 3600.0},
+    {"hrs", 3600.0},     {"hour", 3600.0},   {"hours", 3600.0}, {"std", 3600.0},
+    {"stunden", 3600.0}, {"heures", 3600.0}, {"horas", 3600.0}, {"ore", 3600.0},
+    {"小时", 3600.0},    {"時間", 3600.0},   {"d", 86400.0},    {"day", 86400.0},
+    {"days", 86400.0},   {"tage", 86400.0},
+};
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
+}
+
+std::string_view without_brackets(std::string_view text) {
+  constexpr std::pair<char, char> kPairs[] = {{'[', ']'}, {'(', ')'}, {'{', '}'}, {'<', '>'}};
+  text = trimmed(text);
+  for (const auto& [open, close] : kPairs) {
+    if (text.size() > 1 && text.front() == open && text.back() == close) {
+      return trimmed(text.substr(1, text.size() - 2));
+    }
+  }
+  return text;
+}
+
+// "T_min" may be the least temperature: a unit of time stands in brackets or behind a word for time.
+bool is_unit_of(std::string_view name, std::string_view text) {
+  return log_unit(text) || (time_unit_s(text) && is_time_name(name));
+}
+
+// "Temp 1 [°C]", also with a bracket that is not known as a unit: "Temp 1 [avg]" keeps it in the name.
+std::optional<NameAndUnit> with_brackets(std::string_view header) {
+  for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}, std::pair{'{', '}'}}) {
+    const std::size_t end = header.rfind(close);
+    if (end == std::string_view::npos) continue;
+    const std::size_t begin = header.rfind(open, end);
+    if (begin == std::string_view::npos) continue;
+    const std::string_view inside = trimmed(header.substr(begin + 1, end - begin - 1));
+    if (!log_unit(inside) && !time_unit_s(inside)) continue;
+    std::string name(trimmed(header.substr(0, begin)));
+    const std::string_view after = trimmed(header.substr(end + 1));
+    if (!after.empty()) name += (name.empty() ? "" : " ") + std::string(after);
+    return NameAndUnit{name, std::string(inside)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<LogUnit> log_unit(std::string_view text) {
+  text = without_brackets(text);
+  if (text == "Nm" || text == "NM") return LogUnit{"Nm"};  // nm is a length, Nm a torque
+  if (text == "MPa") return LogUnit{"bar", 10.0};
+  if (text == "mPa") return std::nullopt;
+  const std::string key = folded_unit(text);
+  const auto* found = std::find_if(std::begin(kUnits), std::end(kUnits), [&](const Known& k) { return k.text == key; });
+  if (found == std::end(kUnits)) return std::nullopt;
+  return found->unit;
+}
+
+std::optional<double> time_unit_s(std::string_view text) {
+  std::string key = folded_unit(without_brackets(text));
+  if (key.ends_with('.')) key.pop_back();  // "min.", "sek."
+  const auto* found = std::find_if(std::begin(kTimes), std::end(kTimes), [&](const auto& k) { return k.first == key; });
+  if (found == std::end(kTimes)) return std::nullopt;
+  return found->second;
+}
+
+bool is_time_name(std::string_view name) {
+  constexpr std::string_view kNames[] = {
+      "time",         "t",          "zeit",          "temps",        "tempo",      "tiempo",        "hora",
+      "heure",        "ora",        "uhrzeit",       "elapsed",      "timestamp",  "zeitstempel",   "datetime",
+      "date time",    "date",       "datum",         "fecha",        "data",       "x value",       "elapsed time",
+      "time stamp",   "horodatage", "messzeit",      "laufzeit",     "zeitpunkt",  "date et heure", "data e ora",
+      "fecha y hora", "date heure", "data ora",      "fecha hora",   "datum zeit", "datum uhrzeit", "时间",
+      "日期",         "日期时间",   "時間",          "時刻",         "日時",       "日付",          "经过时间",
+      "経過時間",     "测量时间",   "采样时间",      "time of day",  "epoch",      "unix time",     "timestamp utc",
+      "clock",        "zeitachse",  "relative time", "time elapsed", "duration",   "dauer",         "采集时间",
+      "日期 时间",    "日付 時刻"};
+  const std::string key = folded(name);
+  return std::find(std::begin(kNames), std::end(kNames), key) != std::end(kNames);
+}
+
+NameAndUnit name_and_unit(std::string_view header) {
+  header = trimmed(header);
+  const std::string ascii = [&] {  // full-width brackets as narrow ones
+    std::string text(header);
+    for (const auto& [from, to] :
+         {std::pair{"（", "("}, std::pair{"）", ")"}, std::pair{"［", "["}, std::pair{"］", "]"}}) {
+      for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from)) text.replace(at, 3, to);
+    }
+    return text;
+  }();
+  if (auto both = with_brackets(ascii)) return *both;
+  // "t/ms", "Load/%", "T1_degC", "x, µm", "Power in kW", "Temp °C": the last part is a unit, two letters or more, or a
+  // sign, since "T A" may be a name.
+  for (const std::string_view between : {" in ", " / ", "/", ", ", ",", "_", " - ", " "}) {
+    const bool first = between == "/";  // "Speed/U/min"
+    const std::size_t at = first ? ascii.find(between) : ascii.rfind(between);
+    if (at == std::string::npos || at == 0) continue;
+    const std::string_view end = trimmed(std::string_view(ascii).substr(at + between.size()));
+    const bool one_letter = end.size() == 1 && end != "%";
+    if (!is_unit_of(std::string_view(ascii).substr(0, at), end) ||
+        (one_letter && (between == " " || between == " - ")) || (between == " " && end == "in"))
+      continue;
+    return {std::string(trimmed(std::string_view(ascii).substr(0, at))), std::string(end)};
+  }
+  return {ascii, {}};
+}
+
+}  // namespace ballbar

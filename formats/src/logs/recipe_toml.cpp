@@ -1,0 +1,124 @@
+#include "ballbar/formats/logs/recipe_toml.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "text/toml_source.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::string_view kFormat = "ballbar-recipe 1";
+
+constexpr Key kRootKeys[] = {
+    {"format", "text", "\"ballbar-recipe 1\"; needed"},
+    {"sheet", "text", "of a workbook; default the first"},
+    {"delimiter", "text", "\"comma\", \"semicolon\", \"tab\", \"bar\" or \"blank\""},
+    {"decimal", "text", "\"comma\" or \"point\""},
+    {"dates", "text", "\"day-first\" or \"month-first\": how 03/04/2026 is read"},
+    {"time", "text", "header of the column of time"},
+    {"time_unit", "text", "of a time that is a number: \"s\", \"ms\", \"min\", \"h\" ..."},
+    {"every_s", "s", "distance of the rows where no column holds the time, above 0"},
+    {"missing", "list of texts", "cells that hold no value, besides the usual ones"},
+    {"column", "tables", "`[[column]]`, one a column of the log"},
+};
+constexpr Key kColumnKeys[] = {
+    {"source", "text", "its header in the log, with or without the unit; needed"},
+    {"name", "text", "in the series; default made from the header"},
+    {"unit", "text", "as a log writes it; default found out"},
+    {"role", "text", "as in `[columns.NAME]` of a series; default found out"},
+    {"left_out", "true or false", "default false"},
+};
+
+constexpr std::pair<std::string_view, char> kDelimiters[] = {
+    {"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"bar", '|'}, {"blank", ' '}};
+constexpr std::pair<std::string_view, char> kDecimals[] = {{"comma", ','}, {"point", '.'}};
+
+template <std::size_t kSize>
+std::optional<char> sign(const TomlTable& table, std::string_view key,
+                         const std::pair<std::string_view, char> (&signs)[kSize]) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, one] : signs) names.push_back(name);
+  const auto index = choice_index(table, key, names);
+  if (!index) return std::nullopt;
+  return signs[*index].second;
+}
+
+template <std::size_t kSize>
+std::string_view name_of_sign(char one, const std::pair<std::string_view, char> (&signs)[kSize]) {
+  return std::find_if(std::begin(signs), std::end(signs), [&](const auto& s) { return s.second == one; })->first;
+}
+
+ColumnRecipe column_of(const TomlTable& table) {
+  expect_keys(table, kColumnKeys);
+  ColumnRecipe column;
+  column.source = required(string, table, "source");
+  column.name = string(table, "name").value_or("");
+  column.unit = string(table, "unit").value_or("");
+  column.left_out = boolean(table, "left_out").value_or(false);
+  std::vector<std::string_view> roles;
+  for (int role = 0; role <= static_cast<int>(Role::measured); ++role)
+    roles.push_back(name_of(static_cast<Role>(role)));
+  if (const auto index = choice_index(table, "role", roles)) column.role = static_cast<Role>(*index);
+  return column;
+}
+
+}  // namespace
+
+std::vector<KeyTable> recipe_keys() { return {{"", kRootKeys}, {"`[[column]]`", kColumnKeys}}; }
+
+LogRecipe read_recipe(std::string_view bytes, std::string_view name) {
+  const TomlSource source = parse_toml(bytes, name);
+  const TomlTable root = root_of(source);
+  expect_keys(root, kRootKeys);
+  const std::string_view formats[] = {kFormat};
+  if (!choice_index(root, "format", formats)) fail_missing(root, "format");
+  LogRecipe recipe;
+  recipe.sheet = string(root, "sheet").value_or("");
+  recipe.delimiter = sign(root, "delimiter", kDelimiters);
+  recipe.decimal = sign(root, "decimal", kDecimals);
+  const std::string_view orders[] = {"day-first", "month-first"};
+  if (const auto order = choice_index(root, "dates", orders)) recipe.month_first = *order == 1;
+  recipe.time = string(root, "time").value_or("");
+  recipe.time_unit = string(root, "time_unit").value_or("");
+  recipe.every_s = positive(root, "every_s");
+  recipe.missing = strings(root, "missing").value_or(std::vector<std::string>{});
+  for (const TomlTable& table : subtables(root, "column")) recipe.columns.push_back(column_of(table));
+  return recipe;
+}
+
+std::string write_recipe(const LogRecipe& recipe) {
+  std::string out = fmt::format("format = \"{}\"\n", kFormat);
+  const auto text = [&](std::string_view key, std::string_view value) {
+    if (!value.empty()) out += fmt::format("{} = {}\n", key, toml_quoted(value));
+  };
+  text("sheet", recipe.sheet);
+  if (recipe.delimiter) text("delimiter", name_of_sign(*recipe.delimiter, kDelimiters));
+  if (recipe.decimal) text("decimal", name_of_sign(*recipe.decimal, kDecimals));
+  if (recipe.month_first) text("dates", *recipe.month_first ? "month-first" : "day-first");
+  text("time", recipe.time);
+  text("time_unit", recipe.time_unit);
+  if (recipe.every_s) out += fmt::format("every_s = {}\n", toml_number(*recipe.every_s));
+  if (!recipe.missing.empty()) {
+    out += "missing = [";
+    for (const std::string& one : recipe.missing)
+      out += (&one == &recipe.missing.front() ? "" : ", ") + toml_quoted(one);
+    out += "]\n";
+  }
+  for (const ColumnRecipe& column : recipe.columns) {
+    out += "\n[[column]]\n";
+    text("source", column.source);
+    text("name", column.name);
+    text("unit", column.unit);
+    if (column.left_out)
+      out += "left_out = true\n";
+    else if (column.role)
+      text("role", name_of(*column.role));
+  }
+  return out;
+}
+
+}  // namespace ballbar

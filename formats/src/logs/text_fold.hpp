@@ -1,0 +1,16 @@
+// Names of columns as people write them, made comparable: small letters, no accents, blanks for all that separates.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace ballbar {
+
+// UTF-8 in, UTF-8 out. "Kühlmittel-Temp. [°C]" -> "kuhlmittel temp c". The degree sign, both micro signs, full-width
+// forms and unbreakable blanks become what a keyboard has (blank, u, ASCII, blank); letters of other scripts stay.
+std::string folded(std::string_view text);
+
+// The same but signs stay: "°C" -> "degc", "µm/min" -> "um/min", "min⁻¹" -> "min^-1". For units.
+std::string folded_unit(std::string_view text);
+
+}  // namespace ballbar

@@ -1,0 +1,31 @@
+// Dates and clocks as loggers write them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ballbar {
+
+enum class DateOrder : std::uint8_t { day_first, month_first };
+
+struct TimeStamp {
+  std::optional<std::int64_t> day;   // since 1970-01-01, where a date stands
+  std::optional<double> clock_s;     // since midnight, where a clock stands; above 86 400 where hours run on
+  std::optional<double> zone_s;      // of the clock, east of Greenwich
+  bool either_order = false;         // 03/04/2026: read by `order`, could be the other
+  bool month_first_only = false;     // 11/22/2026: whatever `order` says
+  bool day_first_only = false;       // 22/11/2026
+  bool minutes_and_seconds = false;  // 05:10.3
+};
+
+// 2026-11-22T13:05:10.5+01:00, 22.11.2026 13:05:10,5, 11/22/2026 1:05:10 PM, 22-Nov-2026 13:05, 20261122 130510,
+// 2026年11月22日 13时05分10秒, 13:05:10.123, 13:05:10:123, 26:15:00, 05:10.3 ...; nullopt for all else. A year of two
+// digits is of 1970 to 2069. Dots: the day is first. `order` tells 03/04/2026.
+std::optional<TimeStamp> time_stamp(std::string_view text, DateOrder order);
+
+// "2026-11-22T13:05:10", with a fraction where there is one, of seconds since 1970 without a zone.
+std::string stamp_text(double seconds);
+
+}  // namespace ballbar
