@@ -28,8 +28,9 @@ constexpr double kFreezing_K = 273.15;
 constexpr double kNoReading = 9e36;  // 9.9E37 and 1E38 stand for overload
 
 // Numbers that loggers write where there is no value; only where they stand far outside all others.
-constexpr double kSentinels[] = {-999.0, -9999.0, -99999.0, -999.9,  -999.99, -9999.9, -99.9,  -99.99,   -273.15, 999.9,
-                                 9999.0, 9999.9,  99999.0,  32767.0, 65535.0, 3276.7,  6553.5, -32768.0, -3276.8};
+constexpr double kSentinels[] = {-999.0,  -9999.0, -99999.0, -999.9,   -999.99, -9999.9, -99.9,
+                                 -99.99,  -273.15, 999.9,    9999.0,   9999.9,  99999.0, 32767.0,
+                                 65535.0, 3276.7,  6553.5,   -32768.0, -1e6,    1e6,     -3276.8};
 
 struct Extremes {
   double least = std::numeric_limits<double>::infinity(), most = -std::numeric_limits<double>::infinity();
@@ -258,8 +259,14 @@ Log read_log(std::string_view bytes, const std::string& name, const LogRecipe& r
   if (auto text = table_text(bytes, name, recipe)) {
     LogRecipe tabs = recipe;
     tabs.delimiter = '\t';
-    tabs.decimal = '.';
-    Log log = log_of(ByteSource::of_bytes(text->text), text->text.size(), text->name, tabs);
+    Log log = [&] {
+      try {
+        return log_of(ByteSource::of_bytes(text->text), text->text.size(), text->name, tabs);
+      } catch (const Error& error) {
+        if (text->sheet.empty()) throw;
+        throw Error(fmt::format("{} In the sheet {}; --sheet names another.", error.what(), in_quotes(text->sheet)));
+      }
+    }();
     log.shape = text->shape;
     log.recipe.sheet = text->sheet;
     log.recipe.delimiter.reset();

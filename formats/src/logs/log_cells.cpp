@@ -45,6 +45,11 @@ std::string with_plain_signs(std::string_view cell) {
     out += cell.front() == '\'' ? ' ' : cell.front();
     cell.remove_prefix(1);
   }
+  if (out.size() > 2 && (out[0] == '+' || out[0] == '-') && out[1] == ' ') {  // "+ 20.78"
+    out.erase(1, out.find_first_not_of(' ', 1) == std::string::npos ? 1 : out.find_first_not_of(' ', 1) - 1);
+  }
+  const std::size_t power = out.find_first_of("dD");  // of Fortran: 1.5D-02
+  if (power != std::string::npos && power > 0 && (is_digit(out[power - 1]) || out[power - 1] == '.')) out[power] = 'E';
   return out;
 }
 

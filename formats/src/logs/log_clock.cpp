@@ -69,6 +69,11 @@ class Clock {
           added_s += kHour_s;
           remarks_.push_back(fmt::format(
               "The clock goes back an hour at line {}, the end of summer time: the time runs on.", table_.line_of(i)));
+        } else if (!dated && std::abs(change_s + kHour_s - step_s) <= slack_s && before_s <= 4.0 * kHour_s) {
+          added_s += kHour_s;
+          remarks_.push_back(
+              fmt::format("The clock goes back an hour at line {}, taken for the end of summer time: the time runs on.",
+                          table_.line_of(i)));
         } else {
           fail_back(i, -change_s);
         }
@@ -93,29 +98,15 @@ class Clock {
     const bool any = std::adjacent_find(time_s.begin(), time_s.end()) != time_s.end();
     if (!any) return;
     const double resolution_s = resolution(time_s);
-    std::size_t usual = 1;
-    {
-      std::vector<std::size_t> counts;
-      for (std::size_t i = 0; i < time_s.size();) {
-        const std::size_t end = end_of_group(time_s, i);
-        counts.push_back(end - i);
-        i = end;
-      }
-      std::nth_element(counts.begin(), counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2), counts.end());
-      usual = counts[counts.size() / 2];
-    }
     std::size_t rows = 0;
     for (std::size_t i = 0; i < time_s.size();) {
       const std::size_t end = end_of_group(time_s, i);
       const std::size_t count = end - i;
       const double first_s = time_s[i];
-      // The first group may begin within its second, the last may end there.
-      const std::size_t of = std::max(count, usual);
-      const std::size_t skipped = i == 0 ? of - count : 0;
       const double span_s = end < time_s.size() ? std::min(resolution_s, time_s[end] - first_s) : resolution_s;
-      if (count > 1 || skipped > 0) {
+      if (count > 1) {
         for (std::size_t k = 0; k < count; ++k) {
-          time_s[i + k] = first_s + span_s * static_cast<double>(k + skipped) / static_cast<double>(of);
+          time_s[i + k] = first_s + span_s * static_cast<double>(k) / static_cast<double>(count);
         }
         rows += count;
       }
@@ -203,18 +194,12 @@ std::vector<double> clock_s(LogTable& table, const LogPlan& plan, const std::str
   } else {
     time_s = std::move(table.time_s);
     clock.run_on(time_s);
-    const double first_s = time_s.front();
+    // A clock counts from the first row; what is told since a start stays as it is.
+    const double first_s = table.elapsed && !table.first_day ? 0.0 : time_s.front();
     if (table.first_day) started_s = static_cast<double>(*table.first_day) * kDay_s + first_s;
     for (double& value : time_s) value = to_decimals(value - first_s, 1e-9);
   }
   clock.spread(time_s);
-  if (time.kind == TimePlan::Kind::stamps || time.zero_s) {  // the first row may stand within its second
-    const double first_s = time_s.front();
-    if (first_s != 0.0) {
-      for (double& value : time_s) value -= first_s;
-    }
-    for (double& value : time_s) value = to_decimals(value, 1e-9);
-  }
   return time_s;
 }
 

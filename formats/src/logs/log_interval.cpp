@@ -98,9 +98,11 @@ std::optional<Quantity> quantity_of(std::string_view text) {
 std::optional<double> interval_of(const LogShape& shape) {
   for (const HeadLine& line : shape.preamble) {
     // The first sign that parts a key from what it says.
-    const std::size_t cut = line.text.find_first_of(std::string(":=;\t") + (shape.delimiter == ' ' ? "" : ","));
+    std::size_t cut = line.text.find_first_of(std::string(":=;\t") + (shape.delimiter == ' ' ? "" : ","));
+    const std::size_t is = line.text.find(" is ");  // "Sampling period is 1000000 ns"
+    if (is != std::string::npos) cut = std::min(cut, is + 2);
     if (cut == std::string::npos) continue;
-    const NameAndUnit key = name_and_unit(line.text.substr(0, cut));
+    const NameAndUnit key = name_and_unit(line.text.substr(0, is == std::string::npos ? cut : std::min(cut, is)));
     std::string name = folded(key.name);
     const std::string whole = folded(line.text.substr(0, cut));
     const bool is_rate = holds(name, kRates) || holds(whole, kRates),

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
@@ -25,7 +27,8 @@ struct Sample {
   std::vector<double> values;
   bool rises = true, ever_rises = false;  // numbers
   bool day_first = false, month_first = false, either = false;
-  double first_clock_s = 0.0;
+  std::size_t packed_dates = 0, packed_clocks = 0, two_fields = 0;  // 20261122, 130510, 05:10
+  std::optional<double> first_s, last_s;                            // stamps and clocks
 
   [[nodiscard]] std::size_t written() const { return numbers + dates + clocks + stamps + texts; }
   // Of what is written; a stray word is told when the rows are read.
@@ -45,9 +48,11 @@ void look_at(std::string_view cell, char decimal, Sample& sample) {
       sample.ever_rises = sample.ever_rises || *value > sample.values.back();
     }
     sample.values.push_back(*value);
-    // 20261122130510 and 20261122 are numbers too.
-    if ((cell.size() == 14 || cell.size() == 8) && time_stamp(cell, DateOrder::day_first))
-      ++(cell.size() == 8 ? sample.dates : sample.stamps);
+    // 20261122130510, 20261122 and 130510 are numbers too.
+    const bool digits = cell.find_first_not_of("0123456789") == std::string_view::npos;
+    if (digits && cell.size() == 14 && time_stamp(cell, DateOrder::day_first)) ++sample.stamps;
+    if (digits && cell.size() == 8 && time_stamp(cell, DateOrder::day_first)) ++sample.packed_dates;
+    if (digits && cell.size() == 6 && time_stamp(cell, DateOrder::day_first)) ++sample.packed_clocks;
     return;
   }
   const auto stamp = time_stamp(cell, DateOrder::day_first);
@@ -59,6 +64,10 @@ void look_at(std::string_view cell, char decimal, Sample& sample) {
   sample.month_first = sample.month_first || stamp->month_first_only;
   sample.either = sample.either || stamp->either_order;
   sample.minutes_and_seconds += stamp->minutes_and_seconds;
+  sample.two_fields += stamp->two_fields;
+  const double seconds = 86400.0 * static_cast<double>(stamp->day.value_or(0)) + stamp->clock_s.value_or(0.0);
+  if (!sample.first_s) sample.first_s = seconds;
+  sample.last_s = seconds;
   ++(stamp->day && stamp->clock_s ? sample.stamps : stamp->day ? sample.dates : sample.clocks);
 }
 
@@ -103,9 +112,23 @@ void name_columns(const LogShape& shape, LogPlan& plan) {
     column.name = split.name;
     column.unit = split.unit;
     if (column.unit.empty() && !shape.units[i].empty() && shape.units[i] != "-") column.unit = shape.units[i];
+    column.headed = !column.source.empty();
     if (column.source.empty()) column.source = column.name = fmt::format("column {}", i + 1);
     if (column.name.empty()) column.name = column.source;
+    if (column.unit.empty() && folded(column.name) == "x value") column.unit = "s";  // LabVIEW's measurement files
     plan.columns.push_back(std::move(column));
+  }
+}
+
+// "Y_Unit_Label Volts Amps", one a channel, behind the column of X: LabVIEW's measurement files.
+void label_units(const LogShape& shape, LogPlan& plan) {
+  std::vector<std::string_view> cells;
+  for (const HeadLine& line : shape.preamble) {
+    split_cells(line.text, shape.delimiter, cells);
+    if (cells.size() < 2 || trimmed_cell(cells.front()) != "Y_Unit_Label") continue;
+    for (std::size_t i = 1; i < std::min(cells.size(), plan.columns.size()); ++i) {
+      if (plan.columns[i].unit.empty()) plan.columns[i].unit = std::string(trimmed_cell(cells[i]));
+    }
   }
 }
 
@@ -126,11 +149,12 @@ class TimeFinder {
     // A stamp to whole seconds beside a finer number: the number tells the rows apart.
     if (number && (stamps || clocks) && !is_absolute(*number)) {
       const bool finer = !all_whole(samples_[*number]);
-      if (finer && unit_of_number(*number)) return of_number(*number);
+      if (finer && tells_the_same(*number, stamps ? *stamps : *clocks)) return of_number(*number);
     }
     if (stamps) return of_stamp(*stamps);
     if (dates && clocks) return of_date_and_clock(*dates, *clocks);
     if (const auto packed = packed_stamps()) return of_stamp(*packed);
+    if (const auto packed = packed_date_and_clock()) return of_date_and_clock(packed->first, packed->second);
     if (clocks) return of_stamp(*clocks);
     if (number) return of_number(*number);
     if (const auto every_s = interval_of(shape_)) return by_rows(*every_s, "the lines above the table");
@@ -167,11 +191,32 @@ class TimeFinder {
          fmt::format("the nearest is {}", in_quotes(nearest_name(recipe_.time, known))));
   }
 
+  // A number of time that runs as long as the stamps do.
+  bool tells_the_same(std::size_t number, std::size_t stamps) const {
+    const auto unit_s = unit_of_number(number);
+    if (!unit_s || !samples_[stamps].first_s) return false;
+    const double by_number_s = (samples_[number].values.back() - samples_[number].values.front()) * *unit_s;
+    const double by_stamps_s = *samples_[stamps].last_s - *samples_[stamps].first_s;
+    return std::abs(by_number_s - by_stamps_s) < 2.0 + 0.02 * std::abs(by_stamps_s);
+  }
+
+  // 20261122 and 130510 in two columns, the second perhaps without its leading 0.
+  std::optional<std::pair<std::size_t, std::size_t>> packed_date_and_clock() const {
+    for (std::size_t i = 0; i + 1 < samples_.size(); ++i) {
+      const Sample& date = samples_[i];
+      const Sample& clock = samples_[i + 1];
+      if (date.numbers == 0 || date.packed_dates != date.written()) continue;
+      if (clock.packed_clocks == 0 || clock.packed_clocks != clock.written() ||
+          !is_time_name(plan_.columns[i + 1].name))
+        continue;
+      return std::pair{i, i + 1};
+    }
+    return std::nullopt;
+  }
+
   // 20261122130510, without a sign, under a name of time.
   std::optional<std::size_t> packed_stamps() const {
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-      if (samples_[i].stamps > 0 && samples_[i].stamps == samples_[i].written() - 0 && samples_[i].numbers > 0)
-        return i;
       if (samples_[i].numbers > 0 && samples_[i].stamps == samples_[i].numbers) return i;
     }
     return std::nullopt;
@@ -292,8 +337,11 @@ class TimeFinder {
     TimePlan& time = plan_.time;
     time.kind = TimePlan::Kind::stamps;
     time.column = i;
-    time.minutes_and_seconds =
-        samples_[i].minutes_and_seconds > 0 && samples_[i].minutes_and_seconds == samples_[i].clocks;
+    const std::string header = folded_unit(plan_.columns[i].source + " " + shape_.units[i]);
+    time.two_fields_are_minutes = header.find("mm:ss") != std::string::npos &&
+                                  header.find("h:mm:ss") == std::string::npos && samples_[i].two_fields > 0;
+    time.minutes_and_seconds = time.two_fields_are_minutes || (samples_[i].minutes_and_seconds > 0 &&
+                                                               samples_[i].minutes_and_seconds == samples_[i].clocks);
     plan_.columns[i].kind = ColumnKind::stamp;
     decide_order(samples_[i]);
     time.said = in_quotes(plan_.columns[i].source);
@@ -316,11 +364,13 @@ class TimeFinder {
     const std::string key = folded(next.name);
     const bool named = key == "ms" || key == "msec" || key == "millisecond" || key == "milliseconds" ||
                        key == "millis" || key == "毫秒" || key == "ミリ秒";
+    const bool micro = key == "us" || key == "usec" || key == "microseconds";
     const Sample& sample = samples_[clock + 1];
-    const bool suits =
-        !sample.values.empty() && all_whole(sample) &&
-        std::all_of(sample.values.begin(), sample.values.end(), [](double v) { return v >= 0.0 && v < 1000.0; });
-    if (!named || !suits) return;
+    const bool suits = !sample.values.empty() && all_whole(sample) &&
+                       std::all_of(sample.values.begin(), sample.values.end(),
+                                   [&](double v) { return v >= 0.0 && v < (micro ? 1e6 : 1e3); });
+    if (!(named || micro) || !suits) return;
+    if (micro) plan_.time.milli_s = 1e-6;
     next.kind = ColumnKind::milli;
     plan_.time.said += fmt::format(" and {}", in_quotes(next.source));
   }
@@ -339,6 +389,46 @@ const ColumnRecipe* recipe_of(const LogRecipe& recipe, const PlannedColumn& colu
   return found == recipe.columns.end() ? nullptr : &*found;
 }
 
+// A second clock beside the stamps: one that runs as long. Beside a number, any.
+bool runs_as_the_time(const std::vector<Sample>& samples, const LogPlan& plan, std::size_t i) {
+  if (plan.time.kind != TimePlan::Kind::stamps || !samples[plan.time.column].first_s) return true;
+  const double by_number_s =
+      (samples[i].values.back() - samples[i].values.front()) * *time_unit_s(plan.columns[i].unit);
+  const double by_stamps_s = *samples[plan.time.column].last_s - *samples[plan.time.column].first_s;
+  return std::abs(by_number_s - by_stamps_s) < 2.0 + 0.02 * std::abs(by_stamps_s);
+}
+
+// Tags below each other, one a row: "Speed;13:05:10;0" and "T_bearing;13:05:10;20,0". As one column they would mean
+// nothing.
+void expect_no_tags(const LogShape& shape, const LogPlan& plan, const std::vector<Sample>& samples,
+                    const std::string& name) {
+  if (plan.time.kind != TimePlan::Kind::stamps) return;
+  std::vector<std::string_view> cells;
+  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+    const PlannedColumn& column = plan.columns[i];
+    if (column.kind != ColumnKind::left_out || samples[i].texts == 0 || samples[i].texts != samples[i].written())
+      continue;
+    std::set<std::string> tags;
+    std::string time, tag;
+    std::size_t changes = 0, rows = 0;
+    for (const HeadLine& row : shape.rows) {
+      split_cells(row.text, shape.delimiter, cells);
+      if (cells.size() <= std::max(i, plan.time.column)) continue;
+      const std::string now(trimmed_cell(cells[plan.time.column])), here(trimmed_cell(cells[i]));
+      changes += now == time && here != tag;
+      ++rows;
+      time = now;
+      tag = here;
+      tags.insert(here);
+    }
+    if (tags.size() < 2 || tags.size() > rows / 3 || changes * 3 < rows) continue;
+    throw Error(fmt::format(
+        "{}:{}: expected a column for each quantity, found rows of {} quantities below each other, named in {}; export "
+        "them side by side.",
+        name, shape.first_row_line, tags.size(), in_quotes(column.source)));
+  }
+}
+
 // What is left of the columns after the time: numbers, or why not.
 void plan_values(const std::vector<Sample>& samples, const LogRecipe& recipe, LogPlan& plan) {
   const bool counted = plan.time.kind != TimePlan::Kind::rows || recipe.every_s;
@@ -353,15 +443,16 @@ void plan_values(const std::vector<Sample>& samples, const LogRecipe& recipe, Lo
       column.kind = ColumnKind::number;
       column.unit = told->unit;
     } else if (sample.written() == 0) {
-      const bool headed = !column.source.starts_with("column ");
+      const bool headed = column.headed;
       column.kind = headed ? ColumnKind::number : ColumnKind::left_out;  // empty: of a separator at the end of the line
       if (!headed) column.why = "empty";
     } else if (!sample.mostly(sample.numbers) || sample.stamps > 0) {
       column.why = sample.mostly(sample.stamps + sample.dates + sample.clocks) ? "another time" : "text";
-    } else if (counts_rows(sample) && names_a_count(column.name) && (counted || i == 0)) {
+    } else if (counts_rows(sample) && (!column.headed || names_a_count(column.name)) && (counted || i == 0)) {
       column.why = "counts the rows";
     } else if (time_unit_s(column.unit) && sample.rises && sample.ever_rises &&
-               (is_time_name(column.name) || folded(column.name).starts_with("time"))) {
+               (is_time_name(column.name) || folded(column.name).starts_with("time")) &&
+               runs_as_the_time(samples, plan, i)) {
       column.why = "another time";
     } else {
       column.kind = ColumnKind::number;
@@ -374,9 +465,11 @@ void plan_values(const std::vector<Sample>& samples, const LogRecipe& recipe, Lo
 LogPlan log_plan(const LogShape& shape, const std::string& name, const LogRecipe& recipe) {
   LogPlan plan;
   name_columns(shape, plan);
+  label_units(shape, plan);
   TimeFinder time(shape, name, recipe, plan);
   time.find();
   plan_values(time.samples(), recipe, plan);
+  expect_no_tags(shape, plan, time.samples(), name);
   const bool any = std::any_of(plan.columns.begin(), plan.columns.end(), [&](const PlannedColumn& column) {
     const bool is_time = plan.time.kind == TimePlan::Kind::number && &column == &plan.columns[plan.time.column];
     return column.kind == ColumnKind::number && !is_time;

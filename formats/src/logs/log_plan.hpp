@@ -19,6 +19,7 @@ struct PlannedColumn {
   std::string source;  // header as written; "column 3" where there is none
   std::string name;    // without its unit
   std::string unit;    // as written
+  bool headed = true;  // has a header
   ColumnKind kind = ColumnKind::left_out;
   std::string why;  // why it is left out
 };
@@ -26,14 +27,16 @@ struct PlannedColumn {
 struct TimePlan {
   enum class Kind : std::uint8_t { rows, number, stamps };
   Kind kind = Kind::rows;
-  std::size_t column = 0;            // number: which; stamps: the first
-  double unit_s = 1.0;               // number
-  double resolution_s = 0.0;         // to which a number is rounded when it became seconds; 0: kept as it is
-  std::optional<double> zero_s;      // number: seconds from 1970 to its zero, where it counts from a date
-  double every_s = 0.0;              // rows
-  std::optional<DateOrder> order;    // stamps; empty: not known yet
-  bool minutes_and_seconds = false;  // stamps without hours
-  std::string said;                  // "Zeit, dd.mm.yyyy hh:mm:ss"
+  std::size_t column = 0;               // number: which; stamps: the first
+  double unit_s = 1.0;                  // number
+  double resolution_s = 0.0;            // to which a number is rounded when it became seconds; 0: kept as it is
+  std::optional<double> zero_s;         // number: seconds from 1970 to its zero, where it counts from a date
+  double every_s = 0.0;                 // rows
+  std::optional<DateOrder> order;       // stamps; empty: not known yet
+  bool minutes_and_seconds = false;     // stamps without hours
+  bool two_fields_are_minutes = false;  // 05:10 is five minutes, as the header says
+  double milli_s = 1e-3;                // of the column behind a clock
+  std::string said;                     // "Zeit, dd.mm.yyyy hh:mm:ss"
 };
 
 struct LogPlan {

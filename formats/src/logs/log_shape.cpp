@@ -38,8 +38,8 @@ struct LineLook {
   std::size_t cells = 0, values = 0, missing = 0, texts = 0;
 
   // Mostly numbers and times; a line of nothing but gaps is none.
-  [[nodiscard]] bool is_row() const {
-    return cells >= 2 && values > 0 && values + missing >= 2 * texts && values >= texts;
+  [[nodiscard]] bool is_row(std::size_t fewest) const {
+    return cells >= fewest && values > 0 && values + missing >= 2 * texts && values >= texts;
   }
 };
 
@@ -66,15 +66,16 @@ struct Cut {
 };
 
 // The rows of one delimiter: lines of the same number of cells, mostly values, that follow each other.
-Cut cut_by(const std::vector<HeadLine>& lines, char delimiter) {
+Cut cut_by(const std::vector<HeadLine>& lines, char delimiter, std::size_t fewest) {
   Cells cells;
   std::vector<LineLook> looks;
   looks.reserve(lines.size());
   std::map<std::size_t, double> weights;  // of a number of cells: by the share of values
   for (const HeadLine& line : lines) {
-    looks.push_back(is_blank(line.text) ? LineLook{} : look_at(line.text, delimiter, cells));
+    looks.push_back(is_blank(line.text) || line.text.starts_with('#') ? LineLook{}
+                                                                      : look_at(line.text, delimiter, cells));
     const LineLook& look = looks.back();
-    if (look.is_row()) {
+    if (look.is_row(fewest)) {
       weights[look.cells] += static_cast<double>(look.values + look.missing) / static_cast<double>(look.cells);
     }
   }
@@ -83,7 +84,19 @@ Cut cut_by(const std::vector<HeadLine>& lines, char delimiter) {
   for (const auto& [columns, weight] : weights) {
     if (weight > cut.score) cut = {delimiter, columns, 0, weight};
   }
-  const auto suits = [&](const LineLook& look) { return look.is_row() && look.cells == cut.columns; };
+  // A line of the preamble that happens to hold a number has fewer than a row.
+  std::vector<std::size_t> values;
+  for (const LineLook& look : looks) {
+    if (look.is_row(fewest) && look.cells == cut.columns) values.push_back(look.values);
+  }
+  if (!values.empty()) {
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  }
+  const std::size_t usual = values.empty() ? 0 : values[values.size() / 2];
+  const auto suits = [&](const LineLook& look) {
+    if (3 * look.values < usual) return false;
+    return look.is_row(fewest) && look.cells == cut.columns;
+  };
   for (std::size_t i = 0; i < looks.size(); ++i) {
     if (!suits(looks[i])) continue;
     std::size_t seen = 0, good = 0;  // a row among lines of text is one of the preamble
@@ -140,6 +153,20 @@ std::string without_comment_sign(std::string_view line) {
   return std::string(line.substr(first));
 }
 
+// Names may hold single blanks where columns are parted by several.
+void split_header(std::string_view line, const Cut& cut, Cells& cells) {
+  split_cells(line, cut.delimiter, cells);
+  if (cut.delimiter != ' ' || cells.size() == cut.columns) return;
+  Cells wide;
+  std::size_t at = line.find_first_not_of(" \t");
+  while (at < line.size()) {
+    const std::size_t end = std::min({line.find("  ", at), line.find('\t', at), line.size()});
+    wide.push_back(line.substr(at, end - at));
+    at = line.find_first_not_of(" \t", end);
+  }
+  if (wide.size() == cut.columns) cells = wide;
+}
+
 void copy_cells(const Cells& cells, std::size_t columns, std::vector<std::string>& to) {
   to.assign(columns, "");
   for (std::size_t i = 0; i < std::min(columns, cells.size()); ++i) to[i] = std::string(trimmed_cell(cells[i]));
@@ -155,9 +182,10 @@ void find_headers(const std::vector<HeadLine>& lines, const Cut& cut, LogShape& 
   for (std::size_t i = cut.first; i-- > 0 && rows < kMostHeaderRows;) {
     if (is_blank(lines[i].text)) continue;
     ++rows;
+    if (lines[i].text.starts_with("***")) break;  // the end of a part of LabVIEW's measurement files
     std::string text = without_comment_sign(lines[i].text);
-    split_cells(text, cut.delimiter, cells);
-    if (cells.size() + 1 < cut.columns || (cells.size() < 2 && cut.columns > 2) || cells.size() > cut.columns + 1) {
+    split_header(text, cut, cells);
+    if (cells.size() + 1 < cut.columns || (cells.size() < 2 && cut.columns > 1) || cells.size() > cut.columns + 1) {
       // Above a header in another shape begins the preamble; a name row may follow a line of text within two lines.
       if (!names.empty() || units != lines.size() || rows > 2) break;
       continue;
@@ -170,18 +198,21 @@ void find_headers(const std::vector<HeadLine>& lines, const Cut& cut, LogShape& 
       break;
     }
     if (!names.empty() && units != lines.size() && names.back() < units) break;
-    if (names.size() > 3) break;
+    if (names.size() > 8) break;
   }
   std::size_t name = lines.size();
   if (!names.empty()) {
     name = names.front();
     const auto above = std::find_if(names.begin(), names.end(), [&](std::size_t i) { return i < units; });
+    const auto plain =
+        std::find_if(names.begin(), names.end(), [&](std::size_t i) { return !lines[i].text.starts_with('#'); });
+    if (plain != names.end()) name = *plain;
     if (units != lines.size() && above != names.end()) name = *above;
   }
   const auto take = [&](std::size_t index, std::vector<std::string>& to, std::size_t& line) {
     if (index == lines.size()) return;
     const std::string text = without_comment_sign(lines[index].text);
-    split_cells(text, cut.delimiter, cells);
+    split_header(text, cut, cells);
     copy_cells(cells, cut.columns, to);
     line = lines[index].number;
     lowest = std::min(lowest, index);
@@ -301,8 +332,10 @@ Cut best_cut(const std::vector<HeadLine>& lines, const LogRecipe& recipe) {
   Cut best;
   for (const char delimiter : kDelimiters) {
     if (recipe.delimiter && delimiter != *recipe.delimiter) continue;
-    const Cut cut = cut_by(lines, delimiter);
-    if (cut.score > best.score * 1.02 + 1e-9) best = cut;
+    // One column alone is a table only where the interval of the rows is known.
+    const Cut cut = cut_by(lines, delimiter, recipe.every_s ? 1 : 2);
+    // Blanks stand between words too: another sign goes first.
+    if (cut.score > best.score * (delimiter == ' ' ? 1.1 : 1.02) + 1e-9) best = cut;
   }
   return best;
 }

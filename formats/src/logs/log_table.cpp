@@ -136,6 +136,10 @@ class Table {
     const std::size_t columns = plan_.columns.size();
     at = past_blanks(at, end);
     if (at == end) return false;
+    if (*at == '#') {
+      ++table_.other_lines;
+      return false;
+    }
     bool more = true;
     const fast_float::parse_options how(fast_float::chars_format::general, shape_.decimal);
     for (; column < columns && more; ++column) {
@@ -220,6 +224,12 @@ class Table {
 
   void expect_blank(std::string_view rest, std::size_t line) const {
     if (rest.find_first_not_of(" \t;,|") == std::string_view::npos) return;
+    // A word behind the last column is a remark; a number would be of a column that the rows before did not have.
+    std::vector<std::string_view> cells;
+    split_cells(rest, shape_.delimiter, cells);
+    const bool words = std::all_of(cells.begin(), cells.end(),
+                                   [](std::string_view cell) { return look_of(cell).kind == NumberLook::Kind::other; });
+    if (words) return;
     throw Error(fmt::format("{}:{}: expected {} values, one for each column, found more: {}.", name_, line,
                             plan_.columns.size(), in_quotes(rest)));
   }
@@ -229,6 +239,8 @@ class Table {
     const auto stamp = time_stamp(date_, order);
     if (!stamp) return false;
     double clock_s = stamp->clock_s.value_or(0.0);
+    if (stamp->two_fields && plan_.time.two_fields_are_minutes) clock_s /= 60.0;
+    table_.elapsed = table_.elapsed || stamp->elapsed;
     double zone_s = stamp->zone_s.value_or(0.0);
     if (!clock_.empty()) {
       const auto clock = time_stamp(clock_, order);
@@ -238,7 +250,7 @@ class Table {
     } else if (plan_.columns[plan_.time.column].kind == ColumnKind::date && !stamp->clock_s) {
       return false;
     }
-    if (!milli_.empty()) clock_s += cell_number(milli_, shape_.decimal).value_or(0.0) * 1e-3;
+    if (!milli_.empty()) clock_s += cell_number(milli_, shape_.decimal).value_or(0.0) * plan_.time.milli_s;
     table_.zoned = table_.zoned || stamp->zone_s.has_value();
     if (stamp->day) {
       if (!plan_.time.order) {

@@ -15,6 +15,7 @@ struct LogTable {
   std::vector<std::vector<double>> values;                 // one a column of the log; of numbers alone; a gap is NaN
   std::vector<double> time_s;                              // of stamps: from midnight of `first_day`; of rows: empty
   std::optional<std::int64_t> first_day;                   // since 1970
+  bool elapsed = false;                                    // of the clocks: they count from a start, not from midnight
   bool zoned = false;                                      // the clock states its zone: no summer time, no doubt
   std::vector<std::pair<std::size_t, std::size_t>> lines;  // (row, line) wherever lines were passed over
   std::size_t rows = 0, other_lines = 0, without_time = 0, short_rows = 0;

@@ -44,7 +44,12 @@ bool in_pairs(std::string_view head, IsPair is_pair, IsSingle is_single) {
   std::size_t pairs = 0;
   for (std::size_t i = 0; i < head.size(); ++i) {
     if (byte(head[i]) < 0x80) continue;
-    if (i + 1 < head.size() && is_pair(byte(head[i]), byte(head[i + 1]))) {
+    const auto digit = [&](std::size_t at) {
+      return at < head.size() && byte(head[at]) >= 0x30 && byte(head[at]) <= 0x39;
+    };
+    if (digit(i + 1) && i + 2 < head.size() && byte(head[i + 2]) >= 0x81 && digit(i + 3)) {
+      i += 3;  // four bytes of GB18030
+    } else if (i + 1 < head.size() && is_pair(byte(head[i]), byte(head[i + 1]))) {
       ++pairs;
       ++i;
     } else if (i + 1 < head.size() && !is_single(byte(head[i]))) {
@@ -105,19 +110,29 @@ TextEncoding encoding_of(std::string_view head) {
   if (head.starts_with("\xEF\xBB\xBF")) return {"UTF-8", 3};
   if (head.starts_with("\xFF\xFE")) return {"UTF-16LE", 2};
   if (head.starts_with("\xFE\xFF")) return {"UTF-16BE", 2};
-  if (head.find('\0') != std::string_view::npos) return {utf16_by_nuls(head), 0};
+  const std::size_t nul = head.find('\0');
+  // Room that a logger took beforehand and did not fill.
+  const bool padded =
+      nul != std::string_view::npos && nul > 0 && head.find_first_not_of('\0', nul) == std::string_view::npos;
+  if (nul != std::string_view::npos && !padded) return {utf16_by_nuls(head), 0};
+  if (padded) head = head.substr(0, nul);
   if (is_utf8(head)) return {"UTF-8", 0};
   // Both bytes of the usual Chinese characters are above 0xA0: "°C" and "µm" of Latin-1 are not such pairs.
   const auto none = [](unsigned) { return false; };
   if (in_pairs(
           head, [](unsigned a, unsigned b) { return a >= 0xA1 && a <= 0xF7 && b >= 0xA1 && b <= 0xFE; }, none)) {
-    return {"GBK", 0};
+    return {"GB18030", 0};
   }
-  const auto is_kana = [](unsigned a, unsigned b) {  // 1st bytes of signs, kana and the usual characters
+  // Latin-1 has nothing from 0x80 to 0x9F, and Windows little: there most pairs of Japanese begin.
+  const auto is_pair = [](unsigned a, unsigned b) {
     return ((a >= 0x81 && a <= 0x9F) || (a >= 0xE0 && a <= 0xEA)) &&
            ((b >= 0x40 && b <= 0x7E) || (b >= 0x80 && b <= 0xFC));
   };
-  if (in_pairs(head, is_kana, [](unsigned a) { return a >= 0xA1 && a <= 0xDF; })) return {"SHIFT_JIS", 0};
+  const auto count = [&](unsigned low, unsigned high) {
+    return std::count_if(head.begin(), head.end(), [&](char c) { return byte(c) >= low && byte(c) <= high; });
+  };
+  const bool japanese = 4 * count(0x81, 0x9F) > count(0xA0, 0xFF);
+  if (japanese && in_pairs(head, is_pair, [](unsigned a) { return a >= 0xA1 && a <= 0xDF; })) return {"SHIFT_JIS", 0};
   return {"WINDOWS-1252", 0};
 }
 
@@ -184,6 +199,14 @@ bool LogLines::refill() {
     ended_ = buffer_.size() == before;
   }
   taken_ += buffer_.size() - before;
+  const auto fresh = buffer_.begin() + static_cast<std::ptrdiff_t>(before);
+  if (std::memchr(buffer_.data() + before, '\0', buffer_.size() - before) != nullptr) {
+    buffer_.erase(std::remove(fresh, buffer_.end(), '\0'), buffer_.end());
+  }
+  if (lines_ == 0 && before == 0) {  // one that ends its lines with a carriage return alone
+    returns_ = buffer_.find('\n') == std::string::npos && buffer_.find('\r') != std::string::npos;
+  }
+  if (returns_) std::replace(buffer_.begin() + static_cast<std::ptrdiff_t>(before), buffer_.end(), '\r', '\n');
   return true;
 }
 

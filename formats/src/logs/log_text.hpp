@@ -23,7 +23,7 @@ class ByteSource {
   std::function<void()> rewind_;
 };
 
-// "UTF-8", "UTF-16LE", "UTF-16BE", "WINDOWS-1252", "GBK", "SHIFT_JIS", as iconv knows them, by the first bytes: a byte
+// "UTF-8", "UTF-16LE", "UTF-16BE", "WINDOWS-1252", "GB18030", "SHIFT_JIS", as iconv knows them, by the first bytes: a byte
 // order mark; NULs at every other place; what is UTF-8; pairs of bytes as Chinese and Japanese have them; else Windows'
 // Latin-1. Empty: a binary file.
 struct TextEncoding {
@@ -58,6 +58,7 @@ class LogLines {
   std::string_view line_;
   std::size_t number_ = 0, lines_ = 0, taken_ = 0;
   bool ended_ = false;
+  bool returns_ = false;  // lines end with a carriage return alone
 };
 
 }  // namespace ballbar

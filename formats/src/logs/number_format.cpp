@@ -43,15 +43,15 @@ NumberFormat number_format(std::string_view code) {
     }
   }
   if (elapsed) return NumberFormat::elapsed;
-  if (day) return NumberFormat::date;
+  if (day) return hour || second ? NumberFormat::date_and_clock : NumberFormat::date;
   if (hour || second) return NumberFormat::clock;
   return percent ? NumberFormat::percent : NumberFormat::plain;
 }
 
 NumberFormat built_in_number_format(int id) {
   if (id == 9 || id == 10) return NumberFormat::percent;
-  if ((id >= 14 && id <= 17) || id == 22 || (id >= 27 && id <= 31) || id == 36 || (id >= 50 && id <= 58))
-    return NumberFormat::date;
+  if (id == 22) return NumberFormat::date_and_clock;
+  if ((id >= 14 && id <= 17) || (id >= 27 && id <= 31) || id == 36 || (id >= 50 && id <= 58)) return NumberFormat::date;
   if ((id >= 18 && id <= 21) || (id >= 32 && id <= 35) || id == 45 || id == 47) return NumberFormat::clock;
   if (id == 46) return NumberFormat::elapsed;
   return NumberFormat::plain;
@@ -64,7 +64,8 @@ std::string shown_days(double days, NumberFormat format, bool since_1904) {
   const double date = days + (since_1904 ? k1904_d : 0.0);
   if (date < 1.0) return clock_text(days * kDay_s);
   const double seconds = std::round((date - kUnixToExcel_d) * kDay_s * 1e3) / 1e3;
-  return stamp_text(seconds);
+  const std::string stamp = stamp_text(seconds);
+  return format == NumberFormat::date && stamp.ends_with("T00:00:00") ? stamp.substr(0, 10) : stamp;
 }
 
 }  // namespace ballbar

@@ -7,7 +7,7 @@
 
 namespace ballbar {
 
-enum class NumberFormat : std::uint8_t { plain, date, clock, elapsed, percent };
+enum class NumberFormat : std::uint8_t { plain, date, date_and_clock, clock, elapsed, percent };
 
 // Of a format's code, "dd.mm.yyyy hh:mm", and of the codes that have no text but a number in every workbook.
 NumberFormat number_format(std::string_view code);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"
 
 namespace ballbar {
@@ -47,7 +48,7 @@ class Cursor {
   }
 
   void skip_blanks() {
-    while (take(" ") || take("\t")) continue;
+    while (take(" ") || take("\t") || take("\u00A0") || take("\u202F")) continue;
   }
 
   // All digits in front, `least` to `most` of them.
@@ -199,17 +200,16 @@ double fraction(Cursor& cursor) {
 
 bool take_half_day(Cursor& cursor, double& clock_s) {
   cursor.skip_blanks();
-  const std::string key = folded_unit(cursor.rest().substr(0, 6));
-  const bool before = key.starts_with("am") || key.starts_with("a.m"),
-             after = key.starts_with("pm") || key.starts_with("p.m");
-  if (!before && !after) return true;
+  Cursor ahead = cursor;
+  const char half = ahead.take_any("aApP");
+  ahead.take(".");
+  ahead.skip_blanks();
+  if (half == '\0' || ahead.take_any("mM") == '\0') return true;
+  ahead.take(".");
+  cursor = ahead;
   if (clock_s >= 13.0 * 3600.0) return false;
   if (clock_s >= 12.0 * 3600.0) clock_s -= 12.0 * 3600.0;
-  if (after) clock_s += 12.0 * 3600.0;
-  cursor.take_any("aApP");
-  cursor.take(".");
-  cursor.take_any("mM");
-  cursor.take(".");
+  if (half == 'p' || half == 'P') clock_s += 12.0 * 3600.0;
   return true;
 }
 
@@ -226,12 +226,16 @@ bool take_clock(Cursor& cursor, TimeStamp& stamp) {
     return true;
   }
   const bool named = cursor.take("时") || cursor.take("時") || cursor.take("点");
-  if (!named && cursor.take_any(":h") == '\0') return false;
+  // Behind a date 13.05.10 and 13-05-10 are clocks too.
+  const std::string_view between = stamp.day ? ":h.-" : ":h";
+  const char sign = named ? '\0' : cursor.take_any(between);
+  if (!named && sign == '\0') return false;
   const auto minutes = cursor.number(1, 2);
   if (!minutes || *minutes > 59) return false;
   double clock_s = static_cast<double>(*hours) * 3600.0 + static_cast<double>(*minutes) * 60.0;
   const bool seconds_follow = named ? cursor.take("分") && is_digit(cursor.peek())
-                                    : (cursor.peek() == ':' || cursor.peek() == 'm') && cursor.take_any(":m") != '\0';
+                                    : (cursor.peek() == sign || cursor.peek() == ':' || cursor.peek() == 'm') &&
+                                          cursor.take_any(":m.-") != '\0';
   if (seconds_follow) {
     const auto seconds = cursor.number(1, 2);
     if (!seconds || *seconds > 60) return false;
@@ -243,7 +247,10 @@ bool take_clock(Cursor& cursor, TimeStamp& stamp) {
   } else if (cursor.peek() == '.' || cursor.peek() == ',') {  // 05:10.3
     clock_s = static_cast<double>(*hours) * 60.0 + static_cast<double>(*minutes) + fraction(cursor);
     stamp.minutes_and_seconds = true;
+  } else {
+    stamp.two_fields = !named;
   }
+  stamp.elapsed = stamp.elapsed || clock_s > 86400.0;
   if (after_noon && clock_s < 12.0 * 3600.0) clock_s += 12.0 * 3600.0;
   if (before_noon && clock_s >= 12.0 * 3600.0) clock_s -= 12.0 * 3600.0;
   if (!take_half_day(cursor, clock_s)) return false;
@@ -251,8 +258,19 @@ bool take_clock(Cursor& cursor, TimeStamp& stamp) {
   return true;
 }
 
+// What letters behind a clock say of its zone, hours east of Greenwich.
+constexpr std::pair<std::string_view, double> kZones[] = {
+    {"CEST", 2.0}, {"CET", 1.0},  {"MESZ", 2.0}, {"MEZ", 1.0},  {"BST", 1.0},  {"WEST", 1.0}, {"WET", 0.0},
+    {"EEST", 3.0}, {"EET", 2.0},  {"EST", -5.0}, {"EDT", -4.0}, {"CST", -6.0}, {"CDT", -5.0}, {"MST", -7.0},
+    {"MDT", -6.0}, {"PST", -8.0}, {"PDT", -7.0}, {"JST", 9.0},  {"KST", 9.0}};
+
 bool take_zone(Cursor& cursor, TimeStamp& stamp) {
   cursor.skip_blanks();
+  for (const auto& [name, hours] : kZones) {
+    if (!cursor.take(name)) continue;
+    stamp.zone_s = hours * 3600.0;
+    return true;
+  }
   if (cursor.take("Z") || cursor.take("UTC") || cursor.take("GMT")) {
     stamp.zone_s = 0.0;
     if (cursor.peek() != '+' && cursor.peek() != '-') return true;
@@ -285,10 +303,49 @@ void skip_weekday(Cursor& cursor) {
 
 }  // namespace
 
+namespace {
+
+// A time since a start: "0.5 sec", "12 min", "0 days 00:00:30", "1.02:30:00".
+std::optional<TimeStamp> elapsed_time(std::string_view text) {
+  TimeStamp stamp;
+  stamp.elapsed = true;
+  Cursor cursor(text);
+  const auto days = cursor.number(1, 5);
+  if (!days) return std::nullopt;
+  const bool point = cursor.take(".");
+  Cursor spaced = cursor;
+  spaced.skip_blanks();
+  const bool named = !point && (spaced.take("days") || spaced.take("day"));
+  if (named) {
+    cursor = spaced;
+    cursor.skip_blanks();
+  }
+  if ((point && cursor.rest().size() > 2 && cursor.rest()[2] == ':') || (named && !cursor.at_end())) {
+    if (!take_clock(cursor, stamp) || !cursor.at_end()) return std::nullopt;
+    stamp.clock_s = *stamp.clock_s + 86400.0 * static_cast<double>(*days);
+    return stamp;
+  }
+  const std::size_t end = text.find_first_not_of("0123456789.");
+  if (end == 0 || end == std::string_view::npos) return std::nullopt;
+  double value = 0.0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + end, value);
+  if (error != std::errc{} || rest != text.data() + end) return std::nullopt;
+  std::string_view unit = text.substr(end);
+  while (unit.starts_with(' ')) unit.remove_prefix(1);
+  const bool letters = !unit.empty() && unit.front() >= 'a' && unit.front() <= 'z';
+  const auto unit_s = letters ? time_unit_s(unit) : std::nullopt;
+  if (!unit_s) return std::nullopt;
+  stamp.clock_s = value * *unit_s;
+  return stamp;
+}
+
+}  // namespace
+
 std::optional<TimeStamp> time_stamp(std::string_view text, DateOrder order) {
   Cursor cursor(text);
   cursor.skip_blanks();
   TimeStamp stamp;
+  if (const auto elapsed = elapsed_time(cursor.rest())) return elapsed;
   // A clock in front of the date, or alone.
   Cursor clock = cursor;
   if (take_clock(clock, stamp)) {

@@ -18,6 +18,8 @@ struct TimeStamp {
   bool month_first_only = false;     // 11/22/2026: whatever `order` says
   bool day_first_only = false;       // 22/11/2026
   bool minutes_and_seconds = false;  // 05:10.3
+  bool two_fields = false;           // 05:10
+  bool elapsed = false;              // 0 days 00:00:30, 0.5 sec, 26:15:00
 };
 
 // 2026-11-22T13:05:10.5+01:00, 22.11.2026 13:05:10,5, 11/22/2026 1:05:10 PM, 22-Nov-2026 13:05, 20261122 130510,

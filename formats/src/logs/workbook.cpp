@@ -242,7 +242,7 @@ TableText workbook_table(std::string_view bytes, const std::string& name, const 
   parse(*xml, taken.part, name, document);
 
   TableText table;
-  table.name = fmt::format("{}[{}]", name, taken.name);
+  table.name = name;
   table.shape = fmt::format("a workbook, sheet {}", in_quotes(taken.name));
   table.sheet = taken.name;
   std::size_t line = 0;

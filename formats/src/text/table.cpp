@@ -148,7 +148,8 @@ std::vector<std::vector<double>> table_columns(const SourceText& text, const Tab
       if (end - next > 1 && *next == '+' && next[1] != '-') ++next;
       double value = 0.0;
       const auto [rest, error] = std::from_chars(next, end, value);
-      if (error == std::errc{} && std::isfinite(value)) {
+      const bool nan = gaps && column > 0 && std::isnan(value);  // as numpy and pandas write a gap
+      if (error == std::errc{} && (std::isfinite(value) || nan)) {
         next = rest;
       } else if (error == std::errc::invalid_argument && gaps && column > 0 &&
                  (next == end || *next == ',' || *next == '\r' || *next == '\n') && next[-1] != '+') {
