@@ -86,13 +86,16 @@ bool all_whole(const Sample& sample) {
   return std::all_of(sample.values.begin(), sample.values.end(), [](double v) { return v == std::floor(v); });
 }
 
-// 0, 1, 2 ... or 1, 2, 3 ...
-bool counts_rows(const Sample& sample) {
+// 0, 1, 2 ... or 1, 2, 3 ...; `gaps`: some may be left out.
+bool counts_rows(const Sample& sample, bool gaps) {
   if (sample.values.size() < 2 || sample.numbers != sample.written()) return false;
+  std::size_t next = 0;
   for (std::size_t i = 1; i < sample.values.size(); ++i) {
-    if (sample.values[i] != sample.values[i - 1] + 1.0) return false;
+    if (sample.values[i] <= sample.values[i - 1]) return false;
+    next += sample.values[i] == sample.values[i - 1] + 1.0;
   }
-  return all_whole(sample);
+  const std::size_t steps = sample.values.size() - 1;
+  return all_whole(sample) && (next == steps || (gaps && next * 10 >= steps * 9));
 }
 
 bool names_a_count(std::string_view name) {
@@ -257,10 +260,11 @@ class TimeFinder {
     int best_rank = 0;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       const Sample& sample = samples_[i];
-      if (!sample.mostly(sample.numbers) || !sample.rises || !sample.ever_rises) continue;
+      if (!sample.mostly(sample.numbers) || !sample.ever_rises) continue;
       const bool named = is_time_name(plan_.columns[i].name) || starts_with_time(plan_.columns[i].name);
       const bool unit = time_unit_s(plan_.columns[i].unit).has_value();
       const bool dated = absolute(sample).has_value();
+      if (!sample.rises && !(named && unit)) continue;  // of one that is surely meant, the row that falls is told
       const int rank = named && unit ? 5 : unit ? 4 : named && dated ? 3 : named ? 2 : dated && i == 0 ? 1 : 0;
       if (rank <= best_rank) continue;
       best = i;
@@ -448,7 +452,8 @@ void plan_values(const std::vector<Sample>& samples, const LogRecipe& recipe, Lo
       if (!headed) column.why = "empty";
     } else if (!sample.mostly(sample.numbers) || sample.stamps > 0) {
       column.why = sample.mostly(sample.stamps + sample.dates + sample.clocks) ? "another time" : "text";
-    } else if (counts_rows(sample) && (!column.headed || names_a_count(column.name)) && (counted || i == 0)) {
+    } else if (counts_rows(sample, !column.headed) && (!column.headed || names_a_count(column.name)) &&
+               (counted || i == 0)) {
       column.why = "counts the rows";
     } else if (time_unit_s(column.unit) && sample.rises && sample.ever_rises &&
                (is_time_name(column.name) || folded(column.name).starts_with("time")) &&

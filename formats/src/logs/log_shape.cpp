@@ -200,6 +200,14 @@ void find_headers(const std::vector<HeadLine>& lines, const Cut& cut, LogShape& 
     if (!names.empty() && units != lines.size() && names.back() < units) break;
     if (names.size() > 8) break;
   }
+  if (names.empty() && units != lines.size()) {  // one line of names that could be units: "t,A"
+    names.push_back(units);
+    split_header(without_comment_sign(lines[units].text), cut, cells);
+    const bool all = std::all_of(cells.begin(), cells.end(), [](std::string_view cell) {
+      return log_unit(trimmed_cell(cell)) || time_unit_s(trimmed_cell(cell));
+    });
+    if (!all) units = lines.size();
+  }
   std::size_t name = lines.size();
   if (!names.empty()) {
     name = names.front();
@@ -302,19 +310,20 @@ void find_decimal(const std::string& name, const LogRecipe& recipe, LogShape& sh
 // "0,5,23,4": the cells are cut at their decimal commas.
 void expect_no_decimal_delimiter(const std::string& name, const LogShape& shape, const std::vector<HeadLine>& lines,
                                  const Cut& cut) {
-  if (shape.delimiter != ',' || shape.header_line == 0) return;
+  if (shape.delimiter != ',') return;
   Cells cells;
-  for (std::size_t i = 0; i < cut.first; ++i) {
-    if (lines[i].number != shape.header_line) continue;
-    split_cells(lines[i].text, ',', cells);
-  }
-  const std::size_t headers = cells.size();
+  std::size_t line = cut.first;  // of the names: the last above that is not blank
+  while (line > 0 && is_blank(lines[line - 1].text)) --line;
+  if (line == 0) return;
+  split_cells(lines[line - 1].text, ',', cells);
+  const std::size_t headers = is_names_row(cells) && cells.size() > 1 ? cells.size() : 0;
+  const std::size_t header_line = lines[line - 1].number;
   split_cells(lines[cut.first].text, ',', cells);
   if (headers == 0 || cells.size() < headers + 2) return;
   throw Error(fmt::format(
       "{}:{}: expected {} values, one for each name of line {}, found {}; commas that separate and commas of decimals "
       "cannot be told apart: export with semicolons or tabs between the values, or with decimal points.",
-      name, lines[cut.first].number, headers, shape.header_line, cells.size()));
+      name, lines[cut.first].number, headers, header_line, cells.size()));
 }
 
 std::vector<HeadLine> head_lines(ByteSource& source, const TextEncoding& encoding, std::size_t& bytes) {

@@ -181,7 +181,7 @@ class Table {
         ++at;
         if (at == end) {  // the line ends in a delimiter: an empty cell follows
           more = false;
-          if (column + 1 < columns) row_[column + 1] = kGap;
+          if (column + 1 < columns) row_[++column] = kGap;
         }
       }
     }
@@ -204,7 +204,8 @@ class Table {
         ++table_.without_time;
       return false;
     }
-    if (found == 0 && (bad || column < plan_.columns.size())) {
+    const bool untimed = plan.kind == TimePlan::Kind::rows && found * 2 < number_columns_;
+    if (found == 0 && (!bad || untimed) && column < plan_.columns.size()) {
       ++table_.other_lines;
       return false;
     }

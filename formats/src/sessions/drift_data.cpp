@@ -16,9 +16,11 @@ OpenedSeries opened_series(const std::filesystem::path& path, std::span<const Re
   const Reader* const reader = reader_of(read_head(path, kHeadBytes), readers);
   if (const auto read = read_of<ReadLog>(reader)) {
     Log log = read(path, {});
-    OpenedSeries opened{std::move(log.series), {fmt::format("{}: {}", path.string(), sentence_of(log))}};
+    OpenedSeries opened;
+    opened.remarks.push_back(fmt::format("{}: {}", path.string(), sentence_of(log)));
     for (const std::string& remark : log.remarks)
       opened.remarks.push_back(fmt::format("{}: {}", path.string(), remark));
+    opened.series = std::move(log.series);
     return opened;
   }
   const auto read = read_of<ReadSeries>(reader);

@@ -1,0 +1,307 @@
+#include "ballbar/formats/logs/log.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/logs/recipe_toml.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "logs/log_cells.hpp"
+#include "logs/log_units.hpp"
+#include "logs/number_format.hpp"
+#include "logs/time_stamp.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+std::string said(std::string_view text, const LogRecipe& recipe = {}) {
+  try {
+    read_log(text, "log.csv", recipe);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "read";
+}
+
+// Names, units, roles and values of the columns as one text.
+std::string text_of(const Log& log) {
+  std::string text;
+  for (const Column& column : log.series.columns) {
+    text += fmt::format("{} {}:", column.name, name_of(column.role));
+    for (const double value : column.values) text += fmt::format(" {:.10g}", value);
+    text += "; ";
+  }
+  return text;
+}
+
+std::string times(std::string_view text) {
+  std::string out;
+  for (const double time : read_log(text, "log.csv").series.time_s) out += fmt::format("{} ", time);
+  return out;
+}
+
+TEST(log, of_a_german_logger) {
+  const Log log = read_log(
+      "Messprotokoll\r\nPr\xFC"
+      "fer;M\xFC"
+      "ller\r\n\r\n"
+      "Zeit;Drehzahl [1/min];Spindellast [%];K\xFC"
+      "hlmittel [\xB0"
+      "C];Taster X [\xB5m]\r\n"
+      "22.11.2026 13:05:10;1.200;12,5;21,25;0,5\r\n"
+      "22.11.2026 13:05:20;12.000;14,0;#NV;1,25\r\n"
+      "22.11.2026 13:05:30;12.000;14,5;21,50;-999\r\n",
+      "log.csv");
+  EXPECT_EQ(
+      text_of(log),
+      "Drehzahl_rpm speed: 1200 12000 12000; Spindellast_percent load: 12.5 14 14.5; K\xC3\xBChlmittel_degC coolant: "
+      "21.25 nan 21.5; Taster_X_um measured: 0.5 1.25 nan; ");
+  EXPECT_EQ(log.series.time_s, (std::vector<double>{0, 10, 20}));
+  EXPECT_EQ(log.series.started, "2026-11-22T13:05:10");
+  EXPECT_EQ(log.shape, "semicolons, decimal comma, WINDOWS-1252");
+  EXPECT_EQ(log.first_row_line, 5u);
+  EXPECT_EQ(sentence_of(log),
+            "read as semicolons, decimal comma, WINDOWS-1252; 3 rows from line 5, time \"Zeit\"; 1 measured column, 1 "
+            "speed, 1 load, 1 coolant temperature.");
+}
+
+TEST(log, units_become_those_of_a_series) {
+  // 1 in = 25 400 um; 212 degF = 100 degC; 293.15 K = 20 degC; 2 kW = 2000 W; 10 Hz of a speed is no unit of ours.
+  const Log log = read_log(
+      "t [min],a [in],b (°F),c/K,d in kW,e [nm],f [l/min],g [Nm],humidity [%]\n"
+      "0,1,212,293.15,2,1000,3,4,40\n0.5,1.1,32,294.15,2.5,2000,3,5,41\n",
+      "log.csv");
+  EXPECT_EQ(
+      text_of(log),
+      "a_um event: 25400 27940; b_degC structure: 100 0; c_degC structure: 20 21; d_W load: 2000 2500; e_um measured: "
+      "1 2; f_l_per_min event: 3 3; g_Nm load: 4 5; humidity_percent event: 40 41; ");
+  EXPECT_EQ(log.series.time_s, (std::vector<double>{0, 30}));
+}
+
+TEST(log, times_of_all_kinds) {
+  EXPECT_EQ(times("t_ms,a\n0,1\n250,2\n"), "0 0.25 ");
+  EXPECT_EQ(times("time,a\n23:59:58,1\n23:59:59,2\n00:00:01,3\n"), "0 1 3 ");
+  EXPECT_EQ(times("time,a\n1795352710,1\n1795352720,2\n"), "0 10 ");
+  EXPECT_EQ(times("time,a\n1795352710000,1\n1795352710500,2\n"), "0 0.5 ");
+  EXPECT_EQ(times("Datum,a\n46348.5,1\n46348.500011574,2\n"), "0 1 ");  // 1 s is 1.1574e-5 d
+  EXPECT_EQ(times("Date,Time,a\n2026-11-22,13:05:10,1\n2026-11-22,13:05:11.5,2\n"), "0 1.5 ");
+  EXPECT_EQ(times("Time,a\n11/22/2026 11:59:59 AM,1\n11/22/2026 12:00:01 PM,2\n"), "0 2 ");
+  EXPECT_EQ(times("Elapsed,a\n26:15:00,1\n26:15:10,2\n"), "94500 94510 ");
+  EXPECT_EQ(times("Time,a\n2026-11-22T13:00:00+01:00,1\n2026-11-22T13:00:00Z,2\n"), "0 3600 ");
+  EXPECT_EQ(times("Time,a\n10:00:00,1\n10:00:00,2\n10:00:01,3\n10:00:01,4\n"), "0 0.5 1 1.5 ");
+  EXPECT_EQ(times("Sampling interval: 20 ms\nNo.,a,b\n1,5,6\n2,6,7\n3,8,8\n"), "0 0.02 0.04 ");
+}
+
+TEST(log, summer_time_neither_repeats_nor_skips_an_hour) {
+  // 2026-10-25 03:00 became 02:00; 2026-03-29 02:00 became 03:00. Both Sundays.
+  EXPECT_EQ(
+      times("Zeit;a\n25.10.2026 02:58:00;1\n25.10.2026 02:59:00;2\n25.10.2026 02:00:00;3\n25.10.2026 02:01:00;4\n"),
+      "0 60 120 180 ");
+  EXPECT_EQ(
+      times("Zeit;a\n29.03.2026 01:58:00;1\n29.03.2026 01:59:00;2\n29.03.2026 03:00:00;3\n29.03.2026 03:01:00;4\n"),
+      "0 60 120 180 ");
+}
+
+TEST(log, days_and_months_are_told_apart_only_where_they_can_be) {
+  const std::string open = "Time,a\n03/04/2026 10:00,1\n03/04/2026 10:01,2\n";
+  EXPECT_EQ(
+      said(open),
+      "log.csv:2: expected a date that can be read in one way, found \"03/04/2026 10:00\": the third number is the "
+      "year, but which of the others is the month? Say --dates day-first or --dates month-first.");
+  LogRecipe recipe;
+  recipe.month_first = true;
+  EXPECT_EQ(read_log(open, "log.csv", recipe).series.started, "2026-03-04T10:00:00");
+  // The days after each other in one reading are a month apart in the other.
+  EXPECT_EQ(read_log("Time,a\n03/04/2026 23:59,1\n04/04/2026 00:01,2\n", "log.csv").series.started,
+            "2026-04-03T23:59:00");
+  EXPECT_EQ(read_log("Time,a\n03/04/2026 23:59,1\n03/05/2026 00:01,2\n", "log.csv").series.started,
+            "2026-03-04T23:59:00");
+  // A later row tells.
+  EXPECT_EQ(read_log("Time,a\n12/11/2026 23:59,1\n13/11/2026 00:01,2\n", "log.csv").series.started,
+            "2026-11-12T23:59:00");
+}
+
+TEST(log, what_is_not_clear_is_refused_with_its_line_and_the_way_out) {
+  EXPECT_EQ(said(""), "log.csv:1: expected a table of numbers over time, found an empty file.");
+  EXPECT_EQ(
+      said("only words\nand more\n"),
+      "log.csv:1: expected rows of at least two values separated by commas, semicolons, tabs or blanks, found none in "
+      "the first 2 lines.");
+  EXPECT_EQ(
+      said("a,b\n1,2\n3,5\n4,4\n"),
+      "log.csv:1: expected a column of time, or the interval of the rows, found neither; name the column with --time, "
+      "or give the interval with --every, such as --every 1s.");
+  EXPECT_EQ(said("time,b\n1,2\n3,5\n4,4\n"),
+            "log.csv:1: expected the unit of the time \"time\", found none; say --time-unit s, ms, min or h.");
+  EXPECT_EQ(
+      said("time_s,b\n1,2\n3,5\n2,4\n"),
+      "log.csv:4: expected a time above 3 s of the row before, found 2 s; if here begins another recording, cut the "
+      "file there.");
+  EXPECT_EQ(said("t [s];b\n1;2\n2;5\n3;x\n4;4\n"),
+            "log.csv:4: expected a number for \"b\", found \"x\"; --missing takes such a text for a gap.");
+  EXPECT_EQ(said("t [s];b\n1;2\n2;5;9\n3;3\n4;4\n"),
+            "log.csv:3: expected 2 values, one for each column, found more: \"9\".");
+  EXPECT_EQ(
+      said("t [s]\ta\n0\t1,234\n1\t1,235\n"),
+      "log.csv:2: expected a number of one reading: decimals or thousands, found \"1,234\"; say --decimal comma or "
+      "--decimal point.");
+  EXPECT_EQ(
+      said("t [s],a\n0,5,23,4\n1,0,23,5\n1,5,23,6\n"),
+      "log.csv:2: expected 2 values, one for each name of line 1, found 4; commas that separate and commas of decimals "
+      "cannot be told apart: export with semicolons or tabs between the values, or with decimal points.");
+  EXPECT_EQ(said(std::string("\x7F"
+                             "ELF\0\0\1\2",
+                             8)),
+            "log.csv:1: expected text, a workbook (.xlsx) or a .mat file, found another binary file.");
+  EXPECT_EQ(
+      said("Tag;Zeit;Wert\nn;10:00:00;0,5\nT;10:00:00;20,5\nn;10:00:01;1,5\nT;10:00:01;20,5\nn;10:00:02;0,5\nT;10:00:"
+           "02;20,5\n"),
+      "log.csv:2: expected a column for each quantity, found rows of 2 quantities below each other, named in \"Tag\"; "
+      "export them side by side.");
+}
+
+TEST(log, damaged_workbooks_and_mat_files_are_refused) {
+  EXPECT_EQ(said("PK\x03\x04 and then nothing"),
+            "log.csv:1: expected a whole workbook (.xlsx), found a damaged archive.");
+  EXPECT_EQ(said("MATLAB 5.0 MAT-file and then nothing"),
+            "log.csv:1: expected a whole .mat file, found a damaged one.");
+  EXPECT_EQ(
+      said("{\"a\": 1}"),
+      "log.csv:1: expected JSON with rows, [{\"time_s\": 0, ...}, ...], or columns, {\"time_s\": [0, ...], ...}, found "
+      "neither.");
+}
+
+TEST(log, json_rows_and_columns) {
+  EXPECT_EQ(text_of(read_log("{\"points\": [{\"time_s\": 0, \"x_um\": 1.5}, {\"time_s\": 60, \"x_um\": null}, "
+                             "{\"time_s\": 120, \"x_um\": 2}]}",
+                             "a.json")),
+            "x_um measured: 1.5 nan 2; ");
+  EXPECT_EQ(text_of(read_log("{\"time_s\": [0, 1], \"n_rpm\": [100, 200]}", "a.json")), "n_rpm speed: 100 200; ");
+}
+
+TEST(log, a_recipe_keeps_what_was_found_and_what_was_said) {
+  LogRecipe recipe;
+  recipe.columns = {{"b", "room", "degF", Role::ambient, false}, {"c", "", "", std::nullopt, true}};
+  const std::string text = "t [s],b,c\n0,32,1\n1,212,2\n";
+  const Log log = read_log(text, "log.csv", recipe);
+  EXPECT_EQ(text_of(log), "room_degC ambient: 0 100; ");
+  const LogRecipe again = read_recipe(write_recipe(log.recipe), "recipe.toml");
+  EXPECT_EQ(text_of(read_log(text, "log.csv", again)), text_of(log));
+  EXPECT_EQ(write_recipe(again), write_recipe(log.recipe));
+  EXPECT_EQ(said("t [s],x,c\n0,32,1\n1,212,2\n", recipe),
+            "log.csv:1: expected a column \"b\", which the recipe names, found none; the nearest is \"x\".");
+}
+
+TEST(log, a_series_of_it_reads_back) {
+  const Log log = read_log(
+      "Zeit;Raum [°C];Load [%];Ventil [%]\n22.11.2026 13:05:10;20,5;30;1\n22.11.2026 13:05:11;20,6;31;0\n", "log.csv");
+  const Series again = read_series(write_series(log.series), "clean.csv");
+  ASSERT_EQ(again.columns.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(again.columns[i].name, log.series.columns[i].name);
+    EXPECT_EQ(again.columns[i].role, log.series.columns[i].role);
+    EXPECT_EQ(again.columns[i].values, log.series.columns[i].values);
+  }
+  EXPECT_EQ(again.started, "2026-11-22T13:05:10");
+}
+
+TEST(log, sentinels_go_only_where_they_stand_far_outside) {
+  const auto values = [](const std::string& a, const std::string& b, const std::string& c) {
+    return read_log("t [s],a [°C]\n0," + a + "\n1," + b + "\n2," + c + "\n", "log.csv").series.columns.front().values;
+  };
+  EXPECT_TRUE(std::isnan(values("20", "-999", "21")[1]));
+  EXPECT_TRUE(std::isnan(values("20", "9.9E37", "21")[1]));
+  EXPECT_EQ(values("-990", "-999", "-1005")[1], -999.0);
+}
+
+TEST(log, names_and_units_of_headers) {
+  const auto of = [](std::string_view header) {
+    const NameAndUnit both = name_and_unit(header);
+    return both.name + "|" + both.unit;
+  };
+  EXPECT_EQ(of("Temp 1 [°C]"), "Temp 1|°C");
+  EXPECT_EQ(of("Speed (rpm)"), "Speed|rpm");
+  EXPECT_EQ(of("Load/%"), "Load|%");
+  EXPECT_EQ(of("Speed/U/min"), "Speed|U/min");
+  EXPECT_EQ(of("Power in kW"), "Power|kW");
+  EXPECT_EQ(of("t/ms"), "t|ms");
+  EXPECT_EQ(of("T_min"), "T|min");  // a t is a word for time
+  EXPECT_EQ(of("Temp_min"), "Temp_min|");
+  EXPECT_EQ(of("Pump A"), "Pump A|");
+  EXPECT_EQ(of("Temp 1 [avg]"), "Temp 1 [avg]|");
+}
+
+TEST(log, units_as_people_write_them) {
+  const auto of = [](std::string_view text) {
+    const auto unit = log_unit(text);
+    return unit ? fmt::format("{} {:.6g}", unit->canonical, unit->factor) : std::string("none");
+  };
+  for (const char* text : {"°C", "º C", "degC", "℃", "[°C]", "Â°C", "deg C"}) {
+    EXPECT_EQ(of(text), std::string(text) == "º C" ? "degC 1" : "degC 1") << text;
+  }
+  for (const char* text : {"1/min", "min-1", "min⁻¹", "U/min", "tr/min", "giri/min", "rpm", "转/分"})
+    EXPECT_EQ(of(text), "rpm 1") << text;
+  for (const char* text : {"µm", "μm", "um", "micron"}) EXPECT_EQ(of(text), "um 1") << text;
+  EXPECT_EQ(of("nm"), "um 0.001");
+  EXPECT_EQ(of("Nm"), "Nm 1");
+  EXPECT_EQ(of("in"), "um 25400");
+  EXPECT_EQ(of("furlong"), "none");
+}
+
+TEST(log, numbers_of_two_decimal_signs) {
+  EXPECT_EQ(cell_number("1.234,5", ','), 1234.5);
+  EXPECT_EQ(cell_number("1,234.5", '.'), 1234.5);
+  EXPECT_EQ(cell_number("12\xC2\xA0"
+                        "345,6",
+                        ','),
+            12345.6);
+  EXPECT_EQ(cell_number("1'234.5", '.'), 1234.5);
+  EXPECT_EQ(cell_number("+ 20,78", ','), 20.78);
+  EXPECT_EQ(cell_number("1,5E-03", ','), 1.5e-3);
+  EXPECT_EQ(cell_number("1.5D+01", '.'), 15.0);
+  EXPECT_EQ(cell_number("1.5", ','), std::nullopt);  // no group of three
+  EXPECT_EQ(cell_number("12,5", '.'), std::nullopt);
+  EXPECT_TRUE(is_missing("#NV") && is_missing("---") && is_missing("+OVER") && is_missing("") && is_missing("NaN"));
+  EXPECT_FALSE(is_missing("12") || is_missing("door open"));
+}
+
+TEST(log, stamps) {
+  const auto of = [](std::string_view text) -> std::string {
+    const auto stamp = time_stamp(text, DateOrder::day_first);
+    if (!stamp) return "none";
+    return (stamp->day ? stamp_text(static_cast<double>(*stamp->day) * 86400.0 + stamp->clock_s.value_or(0.0))
+                       : fmt::format("{}", *stamp->clock_s));
+  };
+  for (const char* text : {"2026-11-22T13:05:10", "2026/11/22 13:05:10", "22.11.2026 13:05:10", "22/11/2026 13:05:10",
+                           "11/22/2026 1:05:10 PM", "22-Nov-2026 13:05:10", "22. November 2026 13:05:10",
+                           "22 nov. 2026 13:05:10", "Nov 22, 2026 13:05:10", "20261122 130510", "20261122130510",
+                           "2026年11月22日 13时05分10秒", "Sun Nov 22 13:05:10 2026", "13:05:10 22.11.2026",
+                           "22.11.26 13:05:10", "2026-11-22 13:05:10 CET", "22/11/2026 1:05:10 p. m."}) {
+    EXPECT_EQ(of(text), "2026-11-22T13:05:10") << text;
+  }
+  EXPECT_EQ(of("2026-11-22 13:05:10,5"), "2026-11-22T13:05:10.500");
+  EXPECT_EQ(of("05:10.3"), "310.3");
+  EXPECT_EQ(of("0.5 sec"), "0.5");
+  EXPECT_EQ(of("1.02:30:00"), "95400");
+  for (const char* text : {"31.02.2026", "2026-13-01", "25", "abc", "22.11", "", "1e5", "10:75:00"})
+    EXPECT_EQ(of(text), "none") << text;
+}
+
+TEST(log, formats_of_workbooks) {
+  EXPECT_EQ(number_format("dd.mm.yyyy hh:mm"), NumberFormat::date_and_clock);
+  EXPECT_EQ(number_format("[$-407]d. mmm yyyy"), NumberFormat::date);
+  EXPECT_EQ(number_format("[h]:mm:ss"), NumberFormat::elapsed);
+  EXPECT_EQ(number_format("0.00\" days\""), NumberFormat::plain);
+  EXPECT_EQ(number_format("0.0%"), NumberFormat::percent);
+  EXPECT_EQ(number_format("General"), NumberFormat::plain);
+  EXPECT_EQ(shown_days(46348.5, NumberFormat::date_and_clock, false), "2026-11-22T12:00:00");
+  EXPECT_EQ(shown_days(44886.5, NumberFormat::date_and_clock, true), "2026-11-22T12:00:00");  // 1462 days later
+  EXPECT_EQ(shown_days(1.09375, NumberFormat::elapsed, false), "26:15:00.000");
+}
+
+}  // namespace
+}  // namespace ballbar
