@@ -109,7 +109,7 @@ void print(const Options& options, const Log& log, const std::vector<ColumnFault
   const auto list = [](std::string_view title, const std::vector<std::string>& lines) {
     if (lines.empty()) return;
     fmt::print("\n{}\n", title);
-    for (const std::string& line : lines) fmt::print("{}", wrapped("- " + line) + "\n");
+    for (const std::string& line : lines) fmt::print("{}", wrapped("- " + line));
   };
   list("Taken so:", guesses(log));
   list("Mended:", log.remarks);

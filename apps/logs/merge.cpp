@@ -145,7 +145,7 @@ void run(const Options& options) {
   fmt::print("{} rows over {}, {} columns of {} logs\n\n", series.time_s.size(),
              duration_text(series.time_s.back() - series.time_s.front()), series.columns.size(), parts.size());
   for (std::size_t i = 1; i < parts.size(); ++i)
-    fmt::print("{}\n",
+    fmt::print("{}",
                wrapped(fmt::format("{}: {}", parts[i].file, clock_text(parts.front(), parts[i], options.keep_clocks))));
   fmt::print("\n{}\n",
              options.out.empty() ? "Nothing was written; --out clean.csv writes the series." : "wrote " + options.out);

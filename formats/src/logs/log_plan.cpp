@@ -88,7 +88,7 @@ bool all_whole(const Sample& sample) {
 
 // 0, 1, 2 ... or 1, 2, 3 ...; `gaps`: some may be left out.
 bool counts_rows(const Sample& sample, bool gaps) {
-  if (sample.values.size() < 2 || sample.numbers != sample.written()) return false;
+  if (sample.values.size() < 2 || (!gaps && sample.numbers != sample.written())) return false;
   std::size_t next = 0;
   for (std::size_t i = 1; i < sample.values.size(); ++i) {
     if (sample.values[i] <= sample.values[i - 1]) return false;
