@@ -135,6 +135,22 @@ void label_units(const LogShape& shape, LogPlan& plan) {
   }
 }
 
+// Below "CH;Signal name;Input" the preamble says what is connected: "CH1;Front bearing;TEMP" (Graphtec).
+void name_channels(const LogShape& shape, LogPlan& plan) {
+  std::vector<std::string_view> cells;
+  bool below = false;
+  for (const HeadLine& line : shape.preamble) {
+    split_cells(line.text, shape.delimiter, cells);
+    if (cells.size() < 2) continue;
+    const std::string_view first = trimmed_cell(cells[0]), second = trimmed_cell(cells[1]);
+    below = below || (first == "CH" && folded(second).find("name") != std::string::npos);
+    if (!below || second.empty()) continue;
+    for (PlannedColumn& column : plan.columns) {
+      if (column.name == first) column.name = fmt::format("{} {}", first, second);
+    }
+  }
+}
+
 class TimeFinder {
  public:
   TimeFinder(const LogShape& shape, const std::string& name, const LogRecipe& recipe, LogPlan& plan)
@@ -471,6 +487,7 @@ LogPlan log_plan(const LogShape& shape, const std::string& name, const LogRecipe
   LogPlan plan;
   name_columns(shape, plan);
   label_units(shape, plan);
+  name_channels(shape, plan);
   TimeFinder time(shape, name, recipe, plan);
   time.find();
   plan_values(time.samples(), recipe, plan);

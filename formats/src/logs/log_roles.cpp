@@ -21,11 +21,11 @@ constexpr std::string_view kSpeed[] = {
     "velocidad", "umdrehung", "转速",  "主轴转速",        "回転数",  "回転速度", "速度",   "n ist",    "n soll",
     "s actual",  "nist",      "nsoll", "spindle s",       "revs"};
 constexpr std::string_view kLoad[] = {
-    "load",      "last",     "auslastung", "spindellast", "belastung",    "charge",     "carico",  "carga",
-    "power",     "leistung", "puissance",  "potenza",     "potencia",     "torque",     "moment",  "drehmoment",
-    "couple",    "coppia",   "par",        "current",     "strom",        "motorstrom", "courant", "corrente",
-    "corriente", "负载",     "负荷",       "負荷",        "功率",         "电流",       "電流",    "扭矩",
-    "トルク",    "電力",     "ロード",     "utilization", "wirkleistung", "spindellast"};
+    "load",      "last",     "auslastung", "spindellast", "belastung",    "charge",      "carico",  "carga",
+    "power",     "leistung", "puissance",  "potenza",     "potencia",     "torque",      "moment",  "drehmoment",
+    "couple",    "coppia",   "par",        "current",     "strom",        "motorstrom",  "courant", "corrente",
+    "corriente", "负载",     "负荷",       "負荷",        "功率",         "电流",        "電流",    "扭矩",
+    "トルク",    "電力",     "ロード",     "utilization", "wirkleistung", "spindellast", "lmdat"};
 constexpr std::string_view kAmbient[] = {"ambient",
                                          "room",
                                          "umgebung",
@@ -97,9 +97,9 @@ constexpr std::string_view kCoolant[] = {"coolant",
 constexpr std::string_view kBearing[] = {"bearing",    "lager",       "palier",      "roulement", "cuscinetto",
                                          "cuscinetti", "rodamiento",  "cojinete",    "轴承",      "ベアリング",
                                          "軸受",       "vorderlager", "hinterlager", "festlager", "loslager"};
-constexpr std::string_view kHousing[] = {
-    "housing", "gehause",    "spindelgehause", "carter",        "carcasa",  "alloggiamento", "carcassa", "壳体",
-    "主轴箱",  "ハウジング", "headstock",      "spindelkasten", "gehaeuse", "boitier",       "机壳",     "主軸台"};
+constexpr std::string_view kHousing[] = {"housing",       "gehause",  "spindelgehause", "carter", "carcasa",
+                                         "alloggiamento", "carcassa", "壳体",           "主轴箱", "ハウジング",
+                                         "spindelkasten", "gehaeuse", "boitier",        "机壳",   "主軸台"};
 constexpr std::string_view kMeasured[] = {"probe",       "taster",       "messtaster", "sensor x",  "displacement",
                                           "verlagerung", "verschiebung", "weg",        "drift",     "deplacement",
                                           "palpeur",     "spostamento",  "sonda",      "tastatore", "desplazamiento",
