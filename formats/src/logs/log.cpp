@@ -261,7 +261,7 @@ Log read_log(std::string_view bytes, const std::string& name, const LogRecipe& r
     tabs.delimiter = '\t';
     Log log = [&] {
       try {
-        return log_of(ByteSource::of_bytes(text->text), text->text.size(), text->name, tabs);
+        return log_of(ByteSource::of_bytes(text->text, text->name), text->text.size(), text->name, tabs);
       } catch (const Error& error) {
         if (text->sheet.empty()) throw;
         throw Error(fmt::format("{} In the sheet {}; --sheet names another.", error.what(), in_quotes(text->sheet)));
@@ -273,7 +273,7 @@ Log read_log(std::string_view bytes, const std::string& name, const LogRecipe& r
     log.recipe.decimal.reset();
     return log;
   }
-  return log_of(ByteSource::of_bytes(bytes), bytes.size(), name, recipe);
+  return log_of(ByteSource::of_bytes(bytes, name), bytes.size(), name, recipe);
 }
 
 Log open_log(const std::filesystem::path& path, const LogRecipe& recipe) {

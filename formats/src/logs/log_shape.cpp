@@ -353,7 +353,7 @@ Cut best_cut(const std::vector<HeadLine>& lines, const LogRecipe& recipe) {
 bool holds_table(std::string_view head) {
   const TextEncoding encoding = encoding_of(head);
   if (head.empty() || encoding.name.empty()) return false;
-  ByteSource source = ByteSource::of_bytes(head);
+  ByteSource source = ByteSource::of_bytes(head, {});
   std::size_t bytes = 0;
   const std::vector<HeadLine> lines = head_lines(source, encoding, bytes);
   return best_cut(lines, {}).score > 0.0;

@@ -82,6 +82,7 @@ ByteSource ByteSource::of_file(const std::string& path) {
     delete number;
   });
   ByteSource source;
+  source.name_ = path;
   source.read_ = [file, path](char* to, std::size_t most) {
     for (;;) {
       const ::ssize_t count = ::read(*file, to, most);
@@ -93,9 +94,10 @@ ByteSource ByteSource::of_file(const std::string& path) {
   return source;
 }
 
-ByteSource ByteSource::of_bytes(std::string_view bytes) {
+ByteSource ByteSource::of_bytes(std::string_view bytes, const std::string& name) {
   const auto at = std::make_shared<std::size_t>(0);
   ByteSource source;
+  source.name_ = name;
   source.read_ = [bytes, at](char* to, std::size_t most) {
     const std::size_t count = std::min(most, bytes.size() - *at);
     std::memcpy(to, bytes.data() + *at, count);
@@ -219,7 +221,8 @@ bool LogLines::next(bool quotes) {
     const auto* end = static_cast<const char*>(std::memchr(begin, '\n', buffer_.size() - searched));
     if (end == nullptr) {
       if (buffer_.size() - at_ > kLongestLine) {
-        throw Error(fmt::format("{}: expected lines of at most 4 MiB, found a longer one.", lines_ + 1));
+        throw Error(
+            fmt::format("{}:{}: expected lines of at most 4 MiB, found a longer one.", source_->name(), lines_ + 1));
       }
       const std::size_t done = searched - at_;
       if (refill()) {

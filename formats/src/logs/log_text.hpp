@@ -13,19 +13,21 @@ namespace ballbar {
 class ByteSource {
  public:
   static ByteSource of_file(const std::string& path);  // throws Error
-  static ByteSource of_bytes(std::string_view bytes);
+  static ByteSource of_bytes(std::string_view bytes, const std::string& name);
 
   std::size_t read(char* to, std::size_t most) { return read_(to, most); }  // 0 at the end; throws Error
   void rewind() { rewind_(); }
+  [[nodiscard]] const std::string& name() const { return name_; }  // stands in messages
 
  private:
   std::function<std::size_t(char*, std::size_t)> read_;
   std::function<void()> rewind_;
+  std::string name_;
 };
 
-// "UTF-8", "UTF-16LE", "UTF-16BE", "WINDOWS-1252", "GB18030", "SHIFT_JIS", as iconv knows them, by the first bytes: a byte
-// order mark; NULs at every other place; what is UTF-8; pairs of bytes as Chinese and Japanese have them; else Windows'
-// Latin-1. Empty: a binary file.
+// "UTF-8", "UTF-16LE", "UTF-16BE", "WINDOWS-1252", "GB18030", "SHIFT_JIS", as iconv knows them, by the first bytes: a
+// byte order mark; NULs at every other place; what is UTF-8; pairs of bytes as Chinese and Japanese have them; else
+// Windows' Latin-1. Empty: a binary file.
 struct TextEncoding {
   std::string name;
   std::size_t mark = 0;  // bytes of the byte order mark

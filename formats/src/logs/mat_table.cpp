@@ -4,7 +4,6 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 #include <matio.h>
-#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,6 +11,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <utility>
@@ -156,15 +157,17 @@ void take(const matvar_t* variable, const std::string& name, int depth, Found& f
 
 // The table as text; throws Error with what was expected and found, without the file's name.
 std::string text_of_file(const std::string& path) {
-  const std::unique_ptr<mat_t, decltype(&Mat_Close)> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY), &Mat_Close);
-  if (!file) throw Error("a whole .mat file, found a damaged one");
   // Names first: they may stand behind the matrix that they name.
   Found found;
+  std::size_t variables = 0;
   for (const bool names : {true, false}) {
-    Mat_Rewind(file.get());
+    // Opened twice: matio goes back to the start of a v5 file alone.
+    const std::unique_ptr<mat_t, decltype(&Mat_Close)> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY), &Mat_Close);
+    if (!file) throw Error("a whole .mat file, found a damaged one");
     for (;;) {
       const std::unique_ptr<matvar_t, decltype(&Mat_VarFree)> info(Mat_VarReadNextInfo(file.get()), &Mat_VarFree);
       if (!info) break;
+      ++variables;
       if ((info->class_type == MAT_C_CELL) != names || info->name == nullptr) continue;
       if (count_of(info.get()) > kMostNumbers) throw Error("at most 134 217 728 numbers, found more");
       const std::string name = info->name;
@@ -172,6 +175,7 @@ std::string text_of_file(const std::string& path) {
       take(info.get(), name, 3, found);
     }
   }
+  if (variables == 0) throw Error("a whole .mat file, found a damaged one");
   std::map<std::size_t, std::size_t> lengths;
   for (const MatColumn& column : found.columns) ++lengths[column.values.size()];
   std::size_t rows = 0, most = 0;
@@ -204,7 +208,7 @@ void write_all(int to, std::string_view text) {
 }
 
 // In the child: the table with a '+' in front, or with a '-' what is wrong.
-[[noreturn]] void answer(int file, int to) {
+[[noreturn]] void answer(const std::string& path, int to) {
   const rlimit cpu{kSeconds, kSeconds};
   ::setrlimit(RLIMIT_CPU, &cpu);
   const rlimit none{0, 0};
@@ -216,13 +220,21 @@ void write_all(int to, std::string_view text) {
   }
   std::string text;
   try {
-    text = "+" + text_of_file(fmt::format("/proc/self/fd/{}", file));
+    text = "+" + text_of_file(path);
   } catch (const std::exception& error) {
     text = fmt::format("-{}", error.what());
   }
   write_all(to, text);
   ::_exit(0);
 }
+
+struct Scratch {
+  ~Scratch() {
+    if (made) ::unlink(path.c_str());
+  }
+  std::string path = (std::filesystem::temp_directory_path() / "ballbar-mat-XXXXXX").string();
+  bool made = false;
+};
 
 struct Descriptor {
   explicit Descriptor(int opened) : number(opened) {}
@@ -240,8 +252,39 @@ bool is_mat_file(std::string_view head) {
   return head.starts_with("MATLAB 5.0 MAT-file") || head.starts_with("MATLAB 7.3 MAT-file");
 }
 
+namespace {
+
+// Of a v5 file: its elements, each with its length in front, fill it to the end. matio reads half a file as zeros.
+bool is_whole(std::string_view bytes) {
+  constexpr std::size_t kHeader = 128;
+  if (bytes.starts_with("MATLAB 7.3")) return true;  // HDF5 sees to it
+  if (bytes.size() <= kHeader + 8) return false;
+  const bool little = bytes[126] == 'I' && bytes[127] == 'M';
+  if (!little && !(bytes[126] == 'M' && bytes[127] == 'I')) return false;
+  const auto word = [&](std::size_t at) {
+    std::size_t value = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      value = value << 8 | static_cast<unsigned char>(bytes[at + (little ? 3 - k : k)]);
+    }
+    return value;
+  };
+  std::size_t at = kHeader;
+  while (at + 8 <= bytes.size()) {
+    constexpr std::size_t kCompressed = 15;
+    const std::size_t length = word(at + 4);
+    at += 8 + (word(at) == kCompressed ? length : (length + 7) / 8 * 8);
+  }
+  return at == bytes.size();
+}
+
+}  // namespace
+
 TableText mat_table(std::string_view bytes, const std::string& name) {
-  const Descriptor file(::memfd_create("mat", 0));
+  if (!is_whole(bytes)) throw Error(fmt::format("{}:1: expected a whole .mat file, found a damaged one.", name));
+  // HDF5 opens files by their names alone.
+  Scratch scratch;
+  const Descriptor file(::mkstemp(scratch.path.data()));
+  scratch.made = file.number >= 0;
   int ends[2] = {-1, -1};
   if (file.number < 0 || ::pipe(ends) != 0)
     throw Error(fmt::format("{}: expected room for a copy of the file, found none.", name));
@@ -257,7 +300,7 @@ TableText mat_table(std::string_view bytes, const std::string& name) {
     }
     const ::pid_t child = ::fork();
     if (child < 0) throw Error(fmt::format("{}: expected room for another process, found none.", name));
-    if (child == 0) answer(file.number, to.number);
+    if (child == 0) answer(scratch.path, to.number);
     ::close(to.number);
     const_cast<int&>(to.number) = -1;
     char block[1 << 16];
