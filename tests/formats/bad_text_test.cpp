@@ -125,7 +125,8 @@ constexpr BadText kBadTexts[] = {
     {"series", "speed_rpm,T_air_degC\n", "speed_rpm,speed_rpm\n",
      "file:6:18: expected each column once, found \"speed_rpm\" again."},
     {"series", "*", "time_s,T_F\n0,68\n",
-     "file:1:8: expected a name that ends in its unit, one of _um, _mm, _urad, _degC, _rpm, _A, _W, _K, found "
+     "file:1:8: expected a name that ends in its unit, one of _um, _mm, _urad, _degC, _rpm, _A, _W, _K, _percent, "
+     "_Nm, _bar, _l_per_min, _mm_per_min, _V, or a role stated for it, found "
      "\"T_F\"."},
     {"series", "*", "time_s\n0\n", "file:1:1: expected a column besides the time, found none."},
     {"series", "columns.T_air", "columns.T_oil",
@@ -178,13 +179,13 @@ constexpr BadText kBadTexts[] = {
     {"probes", "X2 = \"ch2_um\"", "X2 = \"\"",
      "file:8:8: expected a column of readings for X2, found \"\"; the nearest is ch1_um."},
     {"probes", "# [five_probe]\n", "# five_probe = 1\n",
-     "file:3:3: expected one of the keys format, title, method, reference_s, columns, five_probe, found "
-     "\"spacing_mm\"; the nearest is title."},
+     "file:3:3: expected one of the keys format, title, method, reference_s, started, columns, five_probe, found "
+     "\"spacing_mm\"; the nearest is started."},
     {"series", "ballbar-series 1", "ballbar-series 3",
      "file:1:12: expected \"ballbar-series 1\" for format, found the text \"ballbar-series 3\"."},
     {"series", "\n10,3000,\n", "\n,3000,\n", "file:8:1: expected a number for time_s, found nothing."},
     {"series", "\n10,3000,\n", "\n10,3000\n", "file:8:1: expected 3 values, one for each column, found 2."},
-    {"series", "\n10,3000,\n", "\n10,3000,nan\n", "file:8:9: expected a finite number for T_air_degC, found \"nan\"."},
+    {"series", "\n10,3000,\n", "\n10,3000,inf\n", "file:8:9: expected a finite number for T_air_degC, found \"inf\"."},
     {"series", "\n10,3000,\n", "\n0,3000,\n", "file:8:1: expected time_s above 0 of the row before, found \"0\"."},
     {"series", "\n10,3000,\n", "\n10,3000,20,6\n",
      "file:8:1: expected 3 values, one for each column, found 4; decimals need a point, not a comma."},
@@ -193,7 +194,8 @@ constexpr BadText kBadTexts[] = {
     {"series", "*", "\xE6\xB8\xA9\xE5\xBA\xA6,a_um\n1,2",
      "file:1:1: expected time_s or time_min as the first column, found \"温度\"."},
     {"series", "*", "time_s,\xE6\xB8\xA9_\xE5\xBA\xA6\n1,2",
-     "file:1:8: expected a name that ends in its unit, one of _um, _mm, _urad, _degC, _rpm, _A, _W, _K, found "
+     "file:1:8: expected a name that ends in its unit, one of _um, _mm, _urad, _degC, _rpm, _A, _W, _K, _percent, "
+     "_Nm, _bar, _l_per_min, _mm_per_min, _V, or a role stated for it, found "
      "\"温_度\"."},
     {"session", "[bar]", "[#bar]", "file:4:2: expected TOML, found \"#\"."},
     {"session", "= 600.0", "= [}00", "file:11:14: expected TOML, found \"}\"."},

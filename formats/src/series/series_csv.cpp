@@ -162,13 +162,11 @@ void expect_units(const SourceText& text, const TableHead& head, const SeriesHea
     if (column.name == "time_s" || column.name == "time_min") {
       fail_at(text, column.offset, fmt::format("expected one column of time, found {} too.", in_quotes(column.name)));
     }
-    const auto role = header.roles.find(column.name);
-    const bool is_event = role != header.roles.end() && role->second == Role::event;
-    if (unit_of(column.name).empty() && !is_event) {
+    if (unit_of(column.name).empty() && !header.roles.contains(column.name)) {
       fail_at(text, column.offset,
               fmt::format(
                   "expected a name that ends in its unit, one of _um, _mm, _urad, _degC, _rpm, _A, _W, _K, _percent, _Nm, "
-                  "_bar, _l_per_min, _mm_per_min, _V, or the role \"event\", found {}.",
+                  "_bar, _l_per_min, _mm_per_min, _V, or a role stated for it, found {}.",
                   in_quotes(column.name)));
     }
   }

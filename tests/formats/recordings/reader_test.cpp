@@ -154,7 +154,7 @@ TEST(reader, each_knows_its_own) {
   EXPECT_EQ(found(good_text("session")), "a session");
   EXPECT_EQ(found("format = 'ballbar-model 1'\n"), "a model");
   EXPECT_EQ(found("# format = \"ballbar-series 1\"\ntime_s,angle_deg\n"), "a series of columns over time");
-  EXPECT_EQ(found("time_s,angle\n"), "a series of columns over time");
+  EXPECT_EQ(found("time_s,angle_urad\n"), "a series of columns over time");
   EXPECT_EQ(found("time_s,angle_deg\n").substr(0, 28), "a ballbar log without its he");
   EXPECT_EQ(found(std::string_view("<a\0", 3)), "a binary file");
   EXPECT_EQ(found(" \n"), "an empty file");
