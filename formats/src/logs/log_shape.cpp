@@ -167,9 +167,20 @@ void split_header(std::string_view line, const Cut& cut, Cells& cells) {
   if (wide.size() == cut.columns) cells = wide;
 }
 
+// Names go into files of ours: what is no character is left out.
+std::string valid_utf8(std::string_view text) {
+  std::string valid;
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    if (static_cast<unsigned char>(text.front()) >= 0x20) valid += text.substr(0, length);
+    text.remove_prefix(std::max<std::size_t>(1, length));
+  }
+  return valid;
+}
+
 void copy_cells(const Cells& cells, std::size_t columns, std::vector<std::string>& to) {
   to.assign(columns, "");
-  for (std::size_t i = 0; i < std::min(columns, cells.size()); ++i) to[i] = std::string(trimmed_cell(cells[i]));
+  for (std::size_t i = 0; i < std::min(columns, cells.size()); ++i) to[i] = valid_utf8(trimmed_cell(cells[i]));
 }
 
 // Names and units from the lines directly above the rows.
