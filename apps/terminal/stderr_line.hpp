@@ -7,4 +7,10 @@ namespace ballbar {
 
 void stderr_line(const std::string& text);
 
+// "ballbar: " in front, in red: why the work was not done.
+void error_line(const std::string& text);
+
+// The line in yellow: the work was done, but not as one may think.
+void warning_line(const std::string& text);
+
 }  // namespace ballbar
