@@ -15,8 +15,10 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "shell/completion.hpp"
 #include "shell/file_command.hpp"
 #include "shell/help.hpp"
+#include "shell/man_page.hpp"
 #include "shell/renamed_options.hpp"
 #include "shell/usage_fault.hpp"
 #include "terminal/option_checks.hpp"
@@ -47,7 +49,7 @@ void add_commands(CLI::App& app) {
   add_group(app, "Place a sensor", {add_meanpoint});
   add_group(app, "Simulate", {add_simulate});
   add_group(app, "Challenge", {add_blind});
-  add_group(app, "Shell", {ballbar::add_help_command});
+  add_group(app, "Shell", {ballbar::add_help_command, ballbar::add_completion_command, ballbar::add_man_command});
 }
 
 // The work, from the words of the command line.
@@ -69,6 +71,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   ballbar::set_help(app);
   app.set_version_flag("--version", "ballbar " BALLBAR_VERSION, "print the version");
+  ballbar::add_page_option(app);
   app.footer(
       "ballbar FILE... without a command does what the file is for: the errors of a ballbar test, the drift of a "
       "session,\n"

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 #include "ballbar/error.hpp"
@@ -52,7 +53,7 @@ bool is_there(const std::string& path) {
 }
 
 // Takes --page [FILE] out of the words; the name of the page, nothing without the option.
-std::optional<std::string> take_page(std::vector<std::string>& words) {
+std::optional<std::string> take_page(std::vector<std::string>& words, const std::vector<std::string>& commands) {
   constexpr std::string_view kOption = "--page";
   const auto option = std::find_if(words.begin(), words.end(), [&](const std::string& word) {
     return word == kOption || word.starts_with(std::string(kOption) + "=");
@@ -62,7 +63,8 @@ std::optional<std::string> take_page(std::vector<std::string>& words) {
   auto last = option + 1;
   if (*option != kOption) {
     page = option->substr(kOption.size() + 1);
-  } else if (last != words.end() && !is_option(*last) && (last->ends_with(".html") || !is_there(*last))) {
+  } else if (last != words.end() && !is_option(*last) && (last->ends_with(".html") || !is_there(*last)) &&
+             std::find(commands.begin(), commands.end(), *last) == commands.end()) {
     page = *last++;
   }
   words.erase(option, last);
@@ -86,12 +88,23 @@ FileKind kind_of_all(const std::vector<std::string>& files) {
 
 }  // namespace
 
+void add_page_option(CLI::App& app) {
+  const auto page = std::make_shared<std::string>();  // taken out of the words before they are read
+  app.add_option("--page", *page, "of FILE...: its page, page.html where no name follows")
+      ->type_name("[FILE]")
+      ->expected(0, 1);
+}
+
 std::vector<std::string> with_command(std::vector<std::string> words, const CLI::App& app) {
   std::vector<std::string> given = words;
-  const std::optional<std::string> page = take_page(given);
   const auto commands = command_names(app);
+  const std::optional<std::string> page = take_page(given, commands);
   if (given.empty() || !is_there(given.front()) ||
       std::find(commands.begin(), commands.end(), given.front()) != commands.end()) {
+    if (!words.empty() && words.front().starts_with("--page")) {
+      throw CLI::ValidationError(
+          "--page: expected files and no command with it; report DATA --out page.html is the command");
+    }
     return words;
   }
   const auto end = std::find_if(given.begin(), given.end(), is_option);

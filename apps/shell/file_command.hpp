@@ -17,9 +17,12 @@ class App;
 
 namespace ballbar {
 
+// --page in the help.
+void add_page_option(CLI::App& app);
+
 // The words with the command in front where the first is no command but a file or a folder, which is said on the
 // standard error; otherwise as they are. Throws Error: files of two kinds, a model alone; CLI::ValidationError: more
-// than one session.
+// than one session, --page without a file.
 std::vector<std::string> with_command(std::vector<std::string> words, const CLI::App& app);
 
 }  // namespace ballbar

@@ -54,10 +54,11 @@ std::string command_fault(const CLI::App& app, const std::string& found) {
 
 std::string fault(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
   const std::string surplus = surplus_of(app);
-  if (app.get_require_subcommand_min() > 0) {
+  const bool is_of_a_value = dynamic_cast<const CLI::ValidationError*>(&error) != nullptr;
+  if (app.get_require_subcommand_min() > 0 && !is_of_a_value) {
     return command_fault(app, app.get_parent() == nullptr && !words.empty() ? words.front() : surplus);
   }
-  if (is_option(surplus)) return option_fault(app, surplus);
+  if (is_option(surplus) && !is_of_a_value) return option_fault(app, surplus);
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !surplus.empty()) {
     return fmt::format("expected nothing more, found {}", in_quotes(surplus));
   }
