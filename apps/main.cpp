@@ -4,35 +4,60 @@
 #include <malloc.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <initializer_list>
 #include <iostream>
 #include <string>
+#include <vector>
 
-#include "ballbar/error.hpp"
 #include "commands.hpp"
+#include "shell/completion.hpp"
+#include "shell/file_command.hpp"
+#include "shell/help.hpp"
+#include "shell/man_page.hpp"
+#include "shell/renamed_options.hpp"
+#include "shell/usage_fault.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
 
 namespace {
 
-// What is wrong with the command line, and where help is.
-std::string told(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
-  const auto chosen = app.get_subcommands();
-  if (!chosen.empty()) {
-    std::string name = "ballbar";
-    for (auto command = chosen; !command.empty(); command = command.front()->get_subcommands()) {
-      name += " " + command.front()->get_name();
-    }
-    return fmt::format("{}; see {} --help", error.what(), name);
+using AddCommand = void (*)(CLI::App&);
+
+// Commands under a heading of the help.
+void add_group(CLI::App& app, const char* heading, std::initializer_list<AddCommand> commands) {
+  for (const AddCommand add : commands) add(app);
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_group() == "Subcommands") command->group(heading);
   }
-  std::string names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    names += (names.empty() ? "" : ", ") + command->get_name();
-  }
-  const std::string found = argc > 1 ? fmt::format("found '{}'", argv[1]) : "found none";
-  return fmt::format("expected a command, {}; the commands are {}; see ballbar --help", found, names);
+}
+
+void add_commands(CLI::App& app) {
+  using namespace ballbar::commands;
+  add_group(app, "Measure", {add_fit, add_drift, add_compare});
+  add_group(app, "Logs of others", {add_import, add_merge});
+  add_group(app, "Follow", {add_history});
+  add_group(app, "Look", {add_report});
+  add_group(app, "Model", {add_effects, add_preflight, add_check});
+  add_group(app, "Diagnose", {add_diagnose, add_try, add_add, add_undo, add_ledger, add_inject});
+  add_group(app, "Train", {add_train, add_select});
+  add_group(app, "Predict", {add_predict});
+  add_group(app, "Compensate", {add_compensate});
+  add_group(app, "Place a sensor", {add_meanpoint});
+  add_group(app, "Simulate", {add_simulate});
+  add_group(app, "Challenge", {add_blind});
+  add_group(app, "Shell", {ballbar::add_help_command, ballbar::add_completion_command, ballbar::add_man_command});
+}
+
+// The work, from the words of the command line.
+void run(CLI::App& app, const std::vector<std::string>& words) {
+  std::vector<std::string> line = ballbar::with_names_of_now(ballbar::with_command(words, app));
+  std::reverse(line.begin(), line.end());  // as CLI11 takes them
+  app.parse(std::move(line));
 }
 
 }  // namespace
@@ -45,48 +70,34 @@ int main(int argc, char** argv) {
   CLI::App app{"Ballbar logs to thermal drift of the spindle."};
   app.name("ballbar");
   app.require_subcommand(1);
-  app.set_version_flag("--version", "ballbar " BALLBAR_VERSION);
-  ballbar::commands::add_fit(app);
-  ballbar::commands::add_drift(app);
-  ballbar::commands::add_compare(app);
-  ballbar::commands::add_history(app);
-  ballbar::commands::add_import(app);
-  ballbar::commands::add_merge(app);
-  ballbar::commands::add_simulate(app);
-  ballbar::commands::add_effects(app);
-  ballbar::commands::add_preflight(app);
-  ballbar::commands::add_check(app);
-  ballbar::commands::add_diagnose(app);
-  ballbar::commands::add_predict(app);
-  ballbar::commands::add_try(app);
-  ballbar::commands::add_add(app);
-  ballbar::commands::add_undo(app);
-  ballbar::commands::add_ledger(app);
-  ballbar::commands::add_blind(app);
-  ballbar::commands::add_inject(app);
-  ballbar::commands::add_train(app);
-  ballbar::commands::add_select(app);
-  ballbar::commands::add_meanpoint(app);
-  ballbar::commands::add_report(app);
-  ballbar::commands::add_compensate(app);
+  ballbar::set_help(app);
+  app.set_version_flag("--version", "ballbar " BALLBAR_VERSION, "print the version");
+  ballbar::add_page_option(app);
+  app.footer(
+      "ballbar FILE... without a command does what the file is for: the errors of a ballbar test, the drift of a "
+      "session,\n"
+      "the verdict on a series; with --page [FILE] as a page. ballbar help COMMAND lists the options of a command.");
+  add_commands(app);
+  ballbar::expect_values(app);
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& help) {
-    app.exit(help);
-    std::cout.flush();
+    run(app, words);
+  } catch (const CLI::CallForVersion& version) {
+    fmt::print("{}\n", version.what());
+  } catch (const CLI::Success&) {
+    const CLI::App* command = &app;
+    while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+    ballbar::print_help(ballbar::help_of(*command));
   } catch (const CLI::ParseError& error) {
-    ballbar::stderr_line(fmt::format("ballbar: {}", told(app, error, argc, argv)));
+    ballbar::error_line(ballbar::usage_fault(app, error, words));
     return 2;
-  } catch (const ballbar::Error& error) {
-    ballbar::stderr_line(fmt::format("ballbar: {}", error.what()));
-    return 1;
-  } catch (const std::exception& error) {  // out of memory, a full disk
-    ballbar::stderr_line(fmt::format("ballbar: {}", error.what()));
+  } catch (const std::exception& error) {  // ballbar::Error; out of memory, a full disk
+    ballbar::error_line(error.what());
     return 1;
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {
-    ballbar::stderr_line(
-        fmt::format("ballbar: the results could not be written to the standard output: {}", std::strerror(errno)));
+    ballbar::error_line(
+        fmt::format("the results could not be written to the standard output: {}", std::strerror(errno)));
     return 1;
   }
   return 0;

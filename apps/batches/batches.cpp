@@ -13,6 +13,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "model/model_options.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
 
@@ -73,7 +74,7 @@ void tell_steps(const std::vector<Batch>& batches, const std::string& target, st
 }  // namespace
 
 void add_batch_options(CLI::App& command, BatchOptions& options) {
-  command.add_option("RUNS", options.list, "list of the recorded batches: runs.csv")->required();
+  command.add_option("RUNS", options.list, "list of the recorded batches: runs.csv")->required()->type_name("");
   command.add_option("--target", options.target, "what to predict: a column in um")->required()->type_name("COLUMN");
   command.add_option("--room", options.room, "column of the room's temperature, where its name does not say so")
       ->type_name("COLUMN");
@@ -85,25 +86,6 @@ void add_batch_options(CLI::App& command, BatchOptions& options) {
       ->type_name("COLUMN")
       ->allow_extra_args(false);
   command.add_flag("--keep-broken", options.keep_broken, "use sensors that look broken all the same");
-}
-
-void add_choice(CLI::App& command, const std::string& name, std::vector<std::string> words,
-                const std::string& otherwise, const std::string& help, const std::function<void(std::size_t)>& at) {
-  const std::string all = fmt::format("{}", fmt::join(words, "|"));
-  command
-      .add_option_function<std::string>(
-          name,
-          [name, words, at](const std::string& found) {
-            const auto place = std::find(words.begin(), words.end(), found);
-            if (place == words.end()) {
-              throw CLI::ValidationError(
-                  name, fmt::format("expected one of {}, found {}", fmt::join(words, ", "), in_quotes(found)));
-            }
-            at(static_cast<std::size_t>(place - words.begin()));
-          },
-          help)
-      ->type_name(all)
-      ->default_str(otherwise);
 }
 
 void add_method_option(CLI::App& command, std::optional<std::size_t>& method, const std::string& otherwise) {

@@ -29,10 +29,6 @@ struct BatchOptions {
 // RUNS and what is said of its columns.
 void add_batch_options(CLI::App& command, BatchOptions& options);
 
-// An option whose value is one of these words; `at` takes its place among them.
-void add_choice(CLI::App& command, const std::string& name, std::vector<std::string> words,
-                const std::string& otherwise, const std::string& help, const std::function<void(std::size_t)>& at);
-
 // --method; nothing: none was asked for.
 void add_method_option(CLI::App& command, std::optional<std::size_t>& method, const std::string& otherwise);
 

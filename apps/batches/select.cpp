@@ -16,6 +16,7 @@
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "terminal/json_number.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -241,8 +242,9 @@ Batch job_of(const Options& options, const BatchColumns& columns, Series job, bo
 void run(const Options& given) {
   Options options = given;
   options.batches.job = options.job;
-  if (!std::isfinite(options.selection.fall)) throw Error("--fall: expected a number from 0 to 1.");
-  if (!std::isfinite(options.selection.share.value_or(0.0))) throw Error("--share: expected a number from 0 to 1.");
+  if (options.selection.share && options.method.value_or(0) != static_cast<std::size_t>(RegressionMethod::pcr)) {
+    throw CLI::ValidationError("--share: expected --method pcr with it");
+  }
   OpenedBatches opened = open_batches(options.batches);
   std::vector<std::filesystem::path> inputs = opened.files;
   inputs.emplace_back(options.job);
@@ -261,7 +263,6 @@ void run(const Options& given) {
   }
   SelectionOptions how = options.selection;
   how.method = static_cast<RegressionMethod>(options.method.value_or(0));
-  if (how.share && how.method != RegressionMethod::pcr) throw Error("--share: expected --method pcr with it.");
   const Selection selection = with_source(
       options.batches.list, [&] { return select_batches(opened.batches, start, moments ? &*moments : nullptr, how); });
   const std::vector<Choice> choices = choices_of(selection, how);
@@ -301,7 +302,7 @@ void add_select(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("select", "Which recorded batches to train on for the job at hand");
   add_batch_options(*command, options->batches);
-  command->add_option("--for", options->job, "the job: a series of its temperatures; with the target, it is checked")
+  command->add_option("--on", options->job, "the job: a series of its temperatures; with the target, it is checked")
       ->required()
       ->type_name("DATA");
   add_method_option(*command, options->method, "pcr");
@@ -309,25 +310,25 @@ void add_select(CLI::App& app) {
       ->add_option("--share", options->selection.share,
                    "pcr: components by the share of the inputs they explain, anew for every choice of batches; "
                    "otherwise one number by batches left out")
-      ->check(CLI::Range(0.0, 1.0).description(""))
-      ->type_name("0.99");
+      ->check(number_within(0.0, 1.0))
+      ->type_name("SHARE");
   command->add_option("--fall", options->selection.fall, "how far RMSE_m must fall below all those before it")
-      ->check(CLI::Range(0.0, 1.0).description(""))
+      ->check(number_within(0.0, 1.0))
       ->type_name("SHARE")
       ->capture_default_str();
   command->add_option("--random", options->random.choices, "random choices to compare with")
       ->check(CLI::Range(0, 100000).description(""))
       ->type_name("N")
       ->capture_default_str();
-  command->add_option("--seed", options->random.seed, "of the random choices")->capture_default_str();
+  command->add_option("--seed", options->random.seed, "of the random choices")->type_name("N")->capture_default_str();
   add_choice(*command, "--take", {"paper", "held-out", "weights", "all"}, "weights",
              "whose model is written and told first", [options](std::size_t at) { options->take = at; });
   command->add_option("--out", options->out, "write the model, .json")->type_name("FILE");
   command->add_flag("--every", options->every, "list every batch");
-  command->add_flag("--json", options->json, "for a program");
+  command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"
-      "  ballbar select sample-runs/batches-tan2024/runs.csv --target y_um --for "
+      "  ballbar select sample-runs/batches-tan2024/runs.csv --target y_um --on "
       "sample-runs/batches-tan2024/test1.csv");
   command->callback([options] { run(*options); });
 }

@@ -21,6 +21,7 @@
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "terminal/json_number.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
@@ -64,13 +65,13 @@ void expect_fitting(const Options& options) {
     return !options.method || *options.method == static_cast<std::size_t>(method);
   };
   if (options.components && !is(RegressionMethod::pcr) && !is(RegressionMethod::pls)) {
-    throw Error("--components: expected --method pcr or pls with it.");
+    throw CLI::ValidationError("--components: expected --method pcr or pls with it.");
   }
-  if (options.share && !is(RegressionMethod::pcr)) throw Error("--share: expected --method pcr with it.");
-  if (options.share && !std::isfinite(*options.share)) throw Error("--share: expected a number from 0 to 1.");
-  if (options.components && options.share) throw Error("expected --components or --share, found both.");
+  if (options.share && !is(RegressionMethod::pcr))
+    throw CLI::ValidationError("--share: expected --method pcr with it.");
+  if (options.components && options.share) throw CLI::ValidationError("expected --components or --share, found both.");
   if (options.penalty_K2 && !is(RegressionMethod::ridge)) {
-    throw Error("--penalty: expected --method ridge with it.");
+    throw CLI::ValidationError("--penalty: expected --method ridge with it.");
   }
 }
 
@@ -172,7 +173,8 @@ std::optional<std::size_t> method_of(const Options& options) {
 void run_effects(const Options& options) {
   const BatchOptions& batches = options.batches;
   if (method_of(options) || !options.model.empty()) {
-    throw Error("--effects: expected neither --method, --components, --share, --penalty nor --model with it.");
+    throw CLI::ValidationError(
+        "--effects: expected neither --method, --components, --share, --penalty nor --model with it.");
   }
   TrainEffectsOptions how{batches.list,      batches.target, batches.without, batches.without_sensor,
                           options.max_gap_s, false,          options.out,     options.json};
@@ -209,8 +211,8 @@ void run_effects(const Options& options) {
 
 void run(const Options& given) {
   if (given.effects) return run_effects(given);
-  if (given.few) throw Error("--few: expected --effects with it.");
-  if (given.max_gap_s) throw Error("--max-gap: expected --effects with it.");
+  if (given.few) throw CLI::ValidationError("--few: expected --effects with it.");
+  if (given.max_gap_s) throw CLI::ValidationError("--max-gap: expected --effects with it.");
   expect_fitting(given);
   Options options = given;
   options.method = method_of(given);
@@ -269,11 +271,13 @@ void add_train(CLI::App& app) {
   command->add_option("--components", options->components, "of pcr or pls; otherwise chosen by batches left out")
       ->check(CLI::Range(1, 10000).description(""))
       ->type_name("N");
-  command->add_option("--share", options->share, "pcr: the fewest components that explain this share of the inputs")
-      ->check(CLI::Range(0.0, 1.0).description(""))
-      ->type_name("0.99");
+  command
+      ->add_option("--share", options->share,
+                   "pcr: the fewest components that explain this share of the inputs, such as 0.99")
+      ->check(number_within(0.0, 1.0))
+      ->type_name("SHARE");
   command->add_option("--penalty", options->penalty_K2, "of ridge, K^2 a row; otherwise chosen by batches left out")
-      ->check(CLI::Range(0.0, 1e9).description(""))
+      ->check(number_within(0.0, 1e9))
       ->type_name("K2");
   command->add_option("--model", options->model, "a model of effects, .toml, in the same contest; it is not written")
       ->type_name("FILE");
@@ -283,7 +287,7 @@ void add_train(CLI::App& app) {
   command->add_flag("--few", options->few, "with --effects: some ten effects, nine selections averaged");
   add_max_gap(*command, options->max_gap_s);
   command->add_option("--out", options->out, "write the model, .json")->required()->type_name("FILE");
-  command->add_flag("--json", options->json, "the comparison for a program");
+  command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"
       "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --out model.json\n"

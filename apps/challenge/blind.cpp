@@ -207,7 +207,7 @@ void add_make(CLI::App& blind) {
   const auto options = std::make_shared<MakeOptions>();
   CLI::App* command = blind.add_subcommand("make", "Data sets in which effects may be hidden, with sealed answers");
   command->add_option("--n", options->count, fmt::format("number of sets, 1 to {}; default 20", kMostSets))
-      ->check(CLI::Range(1, kMostSets))
+      ->check(CLI::Range(1, kMostSets).description(""))
       ->type_name("N");
   command->add_option("--out", options->out, "folder for the sets, new or empty")->type_name("DIR")->required();
   command->add_option("--answers", options->answers, "file for the answers; without it DIR/answers.json")
@@ -215,9 +215,9 @@ void add_make(CLI::App& blind) {
   command
       ->add_option("--seed", options->seed,
                    "of all that is drawn, 0 or above; the same seed makes the same sets. Without it another each time")
-      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()))
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()).description(""))
       ->type_name("N");
-  command->add_flag("--json", options->json, "the summary for a program");
+  command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"
       "  ballbar blind make --n 20 --out blind-test\n"
@@ -228,7 +228,7 @@ void add_make(CLI::App& blind) {
 void add_score(CLI::App& blind) {
   const auto options = std::make_shared<ScoreOptions>();
   CLI::App* command = blind.add_subcommand("score", "What a diagnosis finds in them, beside the sealed answers");
-  command->add_option("DIR", options->folder, "folder that blind make wrote")->required();
+  command->add_option("DIR", options->folder, "folder that blind make wrote")->required()->type_name("");
   command->add_option("--answers", options->answers, "file of the answers; without it DIR/answers.json")
       ->type_name("FILE");
   command

@@ -12,6 +12,7 @@
 #include "compensate/compensate_live.hpp"
 #include "compensate/compensate_replay.hpp"
 #include "compensate/compensation_options.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 
 namespace ballbar::commands {
@@ -21,25 +22,17 @@ struct Options {
   CompensationOptions compensation;
   LiveOptions live;
   ReplayOptions replay;
-  std::string save;
-  std::string format = "csv";
+  std::vector<std::string> out;  // of these the series, .csv, are the replay's
+  std::string save;              // and the model is this one, .toml
+  bool json = false;
 };
-
-OffsetFormat format_of(const std::string& name) {
-  if (name == "csv") return OffsetFormat::csv;
-  if (name == "jsonl") return OffsetFormat::jsonl;
-  if (name == "word") return OffsetFormat::word;
-  throw Error(fmt::format("--format: expected csv, jsonl or word, found {}.", in_quotes(name)));
-}
 
 // The model as it runs: every value held, the ranges it was trained on.
 void save(const Options& options) {
   const std::vector<CompensatedAxis> axes = axes_of(options.compensation);
   if (axes.size() != 1) {
-    throw Error(fmt::format("--save: expected a model of one target, found {}: save each of its own.", axes.size()));
-  }
-  if (options.compensation.fit.empty()) {
-    throw Error("--save: expected --fit DATA with it: the file takes what is fitted to them and their ranges.");
+    throw Error(fmt::format("--out {}: expected a model of one target, found {}: save each of its own.", options.save,
+                            axes.size()));
   }
   std::vector<std::filesystem::path> inputs(options.compensation.fit.begin(), options.compensation.fit.end());
   inputs.insert(inputs.end(), options.compensation.models.begin(), options.compensation.models.end());
@@ -48,23 +41,49 @@ void save(const Options& options) {
   fmt::print(stderr, "wrote {}\n", options.save);
 }
 
-void run(const Options& options) {
+// The files of --out, each for what writes its kind.
+Options sorted_out(Options options) {
+  for (const std::string& path : options.out) {
+    if (path.ends_with(".csv")) {
+      options.replay.out.push_back(path);
+    } else if (options.save.empty()) {
+      options.save = path;
+    } else {
+      throw CLI::ValidationError(
+          fmt::format("--out: expected one model to write, found {} and {}", options.save, path));
+    }
+  }
+  options.replay.json = options.json;
+  if (options.json) options.live.format = OffsetFormat::jsonl;
+  return options;
+}
+
+void expect_fitting(const Options& options) {
   const bool live = !options.live.signals.empty(), replay = !options.replay.data.empty();
-  if (live && replay) throw Error("expected --signals or --replay, found both.");
-  if (!live && !replay && options.save.empty()) {
-    throw Error("expected --signals FILE to run, --replay DATA to try it on recorded data, or --fit DATA --save FILE.");
-  }
-  if (!replay && (options.replay.json || !options.replay.out.empty())) {
-    throw Error(
-        "expected --replay with --json and --out; rows of --signals go to the standard output, --format says "
-        "how.");
-  }
-  if (!live && !options.compensation.state.empty()) throw Error("--state: expected --signals with it.");
-  if (!live && options.live.follow) throw Error("--follow: expected --signals with it.");
+  const auto expect = [](bool fits, const char* sentence) {
+    if (!fits) throw CLI::ValidationError(sentence);
+  };
+  expect(!live || !replay, "expected --signals or --on, found both");
+  expect(live || replay || !options.save.empty(),
+         "expected --signals FILE to run, --on DATA to try it on recorded data, or --fit DATA --out MODEL.toml");
+  expect(live || replay || !options.json, "--json: expected --signals or --on with it");
+  expect(replay || options.replay.out.empty(),
+         "--out: expected --on with a .csv; rows of --signals go to the standard output, --format says how");
+  expect(options.save.empty() || !options.compensation.fit.empty(),
+         "--out: expected --fit DATA with a model to write: the file takes what is fitted to them and their ranges");
+  expect(live || options.compensation.state.empty(), "--state: expected --signals with it");
+  const CompensationLimits& limits = options.compensation.limits;
+  expect(limits.step_um >= limits.resolution_um, "--step-um: expected at least --resolution-um");
+  expect(limits.largest_um >= limits.resolution_um, "--largest-um: expected at least --resolution-um");
+  expect(live || !options.live.follow, "--follow: expected --signals with it");
+}
+
+void run(const Options& given) {
+  const Options options = sorted_out(given);
+  expect_fitting(options);
+  const bool live = !options.live.signals.empty(), replay = !options.replay.data.empty();
   if (!options.save.empty()) save(options);
-  LiveOptions how = options.live;
-  how.format = format_of(options.format);
-  if (live) compensate_live(options.compensation, how);
+  if (live) compensate_live(options.compensation, options.live);
   if (replay) compensate_replay(options.compensation, options.replay);
 }
 
@@ -77,19 +96,22 @@ void add_compensate(CLI::App& app) {
   command->add_option("--signals", options->live.signals, "series .csv as it grows, or - for the standard input")
       ->type_name("FILE");
   command->add_flag("--follow", options->live.follow, "wait for rows that are still to be written to the file");
-  command->add_option("--format", options->format, "csv, jsonl, or word: 16 bits for a PLC; default: csv")
-      ->type_name("FORMAT");
-  command->add_option("--replay", options->replay.data, "session or series: what its error would have been")
+  add_choice(*command, "--format", {"csv", "jsonl", "word"}, "csv", "of the rows of --signals; word: 16 bits for a PLC",
+             [options](std::size_t at) { options->live.format = static_cast<OffsetFormat>(at); });
+  command->add_option("--on", options->replay.data, "session or series: what its error would have been")
       ->type_name("DATA");
-  command->add_option("--out", options->replay.out, "with --replay: before, after and offset, .csv")
+  command
+      ->add_option("--out", options->out,
+                   ".csv, with --on: before, after and offset; .toml, with --fit: the fitted model, ready to run; may "
+                   "be repeated")
       ->type_name("FILE")
-      ->allow_extra_args(false);
-  command->add_flag("--json", options->replay.json, "with --replay: the result for a program");
-  command->add_option("--save", options->save, "the fitted model, ready to run")->type_name("FILE");
+      ->allow_extra_args(false)
+      ->check(name_that_ends_in({".csv", ".toml"}));
+  command->add_flag("--json", options->json, "the result for a program; with --signals the rows as JSON, as jsonl");
   command->footer(
       "Example:\n"
       "  ballbar compensate --model sample-runs/spindle-rotation-huang2022/mean-point.toml --to z \\\n"
-      "    --replay sample-runs/spindle-rotation-huang2022");
+      "    --on sample-runs/spindle-rotation-huang2022");
   command->callback([options] { run(*options); });
 }
 

@@ -1,4 +1,4 @@
-// `ballbar compensate --replay`: what the error would have been with the model on line.
+// `ballbar compensate --on`: what the error would have been with the model on line.
 #pragma once
 
 #include <string>

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <limits>
 
 #include "ballbar/fit/held_model.hpp"
 #include "ballbar/formats/models/compensation_state.hpp"
@@ -14,6 +15,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "predict/predict_batch.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/state_file.hpp"
 #include "terminal/stderr_line.hpp"
 
@@ -43,8 +45,9 @@ Model fitted(Model model, const std::string& file, const CompensationOptions& op
   return model;
 }
 
-void add_limit(CLI::App& command, const std::string& name, double& limit, const std::string& what) {
-  command.add_option(name, limit, what)->capture_default_str()->type_name("NUMBER")->group("Limits");
+CLI::Option* add_limit(CLI::App& command, const std::string& name, double& limit, const char* unit,
+                       const std::string& what) {
+  return command.add_option(name, limit, what)->capture_default_str()->type_name(unit)->group("Limits");
 }
 
 }  // namespace
@@ -66,17 +69,28 @@ void add_compensation_options(CLI::App& command, CompensationOptions& options) {
           "--state", options.state,
           "goes on from this file after a restart, and keeps it up to date; without it the first row is the zero")
       ->type_name("FILE");
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
   CompensationLimits& limits = options.limits;
-  add_limit(command, "--resolution-um", limits.resolution_um, "least increment of the control");
-  add_limit(command, "--hysteresis", limits.hysteresis, "of an increment beyond its half, before counts change");
-  add_limit(command, "--rate-um-per-s", limits.rate_um_per_s, "fastest change of an offset");
-  add_limit(command, "--step-um", limits.step_um, "largest change from one row to the next");
-  add_limit(command, "--largest-um", limits.largest_um, "largest offset");
-  add_limit(command, "--range-margin", limits.range_margin, "of the trained range, believed beyond it");
-  add_limit(command, "--spike-K", limits.spike_K, "largest change of a temperature at once");
-  add_limit(command, "--heating-K-per-s", limits.heating_K_per_s, "and with the time");
-  add_limit(command, "--stuck-s", limits.stuck_s, "longest time a temperature may stay the same; inf: not looked for");
-  add_limit(command, "--gap-s", limits.gap_s, "longest time between rows");
+  add_limit(command, "--resolution-um", limits.resolution_um, "UM", "least increment of the control")
+      ->check(number_above_0());
+  add_limit(command, "--hysteresis", limits.hysteresis, "SHARE",
+            "of an increment beyond its half, before counts change")
+      ->check(number_within(0.0, 10.0));
+  add_limit(command, "--rate-um-per-s", limits.rate_um_per_s, "UM/S", "fastest change of an offset")
+      ->check(number_above_0());
+  add_limit(command, "--step-um", limits.step_um, "UM", "largest change from one row to the next")
+      ->check(number_above_0());
+  add_limit(command, "--largest-um", limits.largest_um, "UM", "largest offset")->check(number_above_0());
+  add_limit(command, "--range-margin", limits.range_margin, "SHARE", "of the trained range, believed beyond it")
+      ->check(number_within(0.0, kInfinite));
+  add_limit(command, "--spike-K", limits.spike_K, "K", "largest change of a temperature at once")
+      ->check(number_above_0(true));
+  add_limit(command, "--heating-K-per-s", limits.heating_K_per_s, "K/S", "and with the time")
+      ->check(number_within(0.0, kInfinite));
+  add_limit(command, "--stuck-s", limits.stuck_s, "S",
+            "longest time a temperature may stay the same; inf: not looked for")
+      ->check(number_above_0(true));
+  add_limit(command, "--gap-s", limits.gap_s, "S", "longest time between rows")->check(number_above_0(true));
 }
 
 std::vector<CompensatedAxis> axes_of(const CompensationOptions& options) {

@@ -12,6 +12,7 @@
 #include "diagnose/machine_errors_report.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -22,7 +23,6 @@ struct Options {
   ModelOptions model;
   DiagnoseOptions how;
   ErrorsOptions errors;
-  std::string prior = "usual";
   bool json = false;
 };
 
@@ -50,7 +50,6 @@ void show_one_of_several(const Options& options, const Model& model, const Model
 
 // Recordings of two linear axes: all of their errors together, ranked.
 void run_on_circles(Options options) {
-  options.errors.prior = options.prior == "usual";
   if (!options.model.model.empty()) {
     const ModelData data = open_data(options.model);
     for (const Term& term : open_model(options.model, data).terms)
@@ -58,7 +57,7 @@ void run_on_circles(Options options) {
   }
   const ErrorsReports reports = errors_reports_of(options.model.data, options.errors);
   options.json ? fmt::print("{}\n", json_of(reports).dump(2)) : print_text(reports);
-  for (const std::string& remark : reports.remarks) stderr_line(remark);
+  for (const std::string& remark : reports.remarks) warning_line(remark);
 }
 
 void run(const Options& options) {
@@ -87,17 +86,26 @@ void add_diagnose(CLI::App& app) {
   CLI::App* command = app.add_subcommand("diagnose", "Which physical effect a model lacks");
   add_model_options(*command, options->model, false);
   add_also_input(*command, options->model);
-  command->add_option("--tolerance-um", options->how.tolerance_um, "smaller effects are called minor")
-      ->check(CLI::Range(0.0, 1e6));
-  command->add_option("--seed", options->how.seed, "of the random draws; the same seed gives the same result");
+  command
+      ->add_option_function<double>(
+          "--tolerance",
+          [options](double tolerance_um) {
+            options->how.tolerance_um = tolerance_um;
+            options->errors.tolerance_um = tolerance_um;
+          },
+          "smaller effects are called minor; of circles: largest circularity that passes")
+      ->type_name("UM")
+      ->check(number_within(0.0, 1e6));
+  command->add_option("--seed", options->how.seed, "of the random draws; the same seed gives the same result")
+      ->type_name("N");
   command
       ->add_option("--most-rows", options->how.most_rows,
                    "values of the target that are searched, of longer series every k-th")
-      ->check(CLI::Range(30, 5000));
-  command->add_option("--prior", options->prior, "circles: what holds errors that the readings hardly tell, or none")
-      ->check(CLI::IsMember({"usual", "none"}));
-  command->add_option("--tolerance", options->errors.tolerance_um, "circles: largest circularity in um that passes")
-      ->check(CLI::Range(0.0, 1e6));
+      ->type_name("N")
+      ->check(CLI::Range(30, 5000).description(""));
+  add_choice(*command, "--prior", {"usual", "none"}, "usual",
+             "circles: what holds errors that the readings hardly tell, or none",
+             [options](std::size_t at) { options->errors.prior = at == 0; });
   command->add_flag("--strict", options->errors.strict, "circles: stop at the first file that cannot be read");
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(

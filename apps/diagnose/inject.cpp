@@ -21,6 +21,7 @@
 #include "model/residual_report.hpp"
 #include "model/resolve_columns.hpp"
 #include "terminal/json_number.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
@@ -268,14 +269,11 @@ void add_inject(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("inject", "Whether an effect could have been seen in data");
   command->add_option("EFFECT", options->effect, "name, with columns where there is a choice: NAME:ROLE=COLUMN")
-      ->required();
+      ->required()
+      ->type_name("");
   command->add_option("--amplitude-um", options->amplitude_um, "its largest less its smallest value")
-      ->check(CLI::Validator(
-          [](const std::string& amplitude_um) {
-            const double value = std::strtod(amplitude_um.c_str(), nullptr);
-            return value > 0.0 && std::isfinite(value) ? "" : std::string("expected a finite amplitude above 0");
-          },
-          ""))
+      ->type_name("UM")
+      ->check(number_above_0())
       ->required();
   add_model_options(*command, options->model, false);
   add_also_input(*command, options->model);
@@ -283,8 +281,11 @@ void add_inject(CLI::App& app) {
       ->add_option("--set", options->shapes, "a shape of it, NAME=VALUE, such as time_constant_s=1800; may be repeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  command->add_option("--seed", options->seed, "of the random draws; the same seed gives the same result");
-  command->add_option("--out", options->out, "write the data with the effect added, .csv")->type_name("FILE");
+  command->add_option("--seed", options->seed, "of the random draws; the same seed gives the same result")
+      ->type_name("N");
+  command->add_option("--out", options->out, "write the data with the effect added, .csv")
+      ->type_name("FILE")
+      ->check(name_that_ends_in({".csv"}));
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"

@@ -96,7 +96,7 @@ void add_ledger(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("ledger", "What a model went through: every revision and its error");
   command->add_option("--model", options->model, "model.toml with a ledger")->type_name("FILE")->required();
-  command->add_flag("--json", options->json, "the rows for a program");
+  command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example, after `ballbar add ... --out model.toml`:\n"
       "  ballbar ledger --model model.toml");

@@ -21,6 +21,7 @@
 #include "hal/axis.hpp"
 #include "hal/axis_letters.hpp"
 #include "hal/component.hpp"
+#include "terminal/option_checks.hpp"
 
 namespace ballbar::hal {
 namespace {

@@ -20,6 +20,7 @@
 #include "history/history_text.hpp"
 #include "history/test_files.hpp"
 #include "page/report_page.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -29,7 +30,7 @@ namespace {
 struct Options {
   std::vector<std::string> folders;
   std::vector<std::string> tolerances;
-  std::string csv, out, page;
+  std::vector<std::string> out;  // each by its ending
   bool all = false;
   bool strict = false;
   bool json = false;
@@ -39,7 +40,8 @@ struct Options {
 Tolerance tolerance_of(const std::string& text) {
   const std::size_t equals = text.find('=');
   const auto wrong = [&] {
-    return Error(fmt::format("--tolerance {}: expected NAME=VALUE with a number above 0.", in_quotes(text)));
+    return CLI::ValidationError(
+        fmt::format("--tolerance {}: expected NAME=VALUE with a number above 0", in_quotes(text)));
   };
   if (equals == std::string::npos || equals == 0) throw wrong();
   double value = 0.0;
@@ -77,22 +79,20 @@ void run(const Options& options) {
   std::vector<Tolerance> tolerances;
   tolerances.reserve(options.tolerances.size());
   for (const std::string& text : options.tolerances) tolerances.push_back(tolerance_of(text));
-  if (!options.page.empty()) expect_page("--page");
+  const auto is_page = [](const std::string& path) { return path.ends_with(".html"); };
+  if (std::any_of(options.out.begin(), options.out.end(), is_page)) expect_page("--out");
   const TestFiles files = read_tests(options.folders, options.strict);
-  if (!options.csv.empty()) expect_no_input({options.csv}, files.files, "--csv");
-  if (!options.out.empty()) expect_no_input({options.out}, files.files);
-  if (!options.page.empty()) expect_no_input({options.page}, files.files, "--page");
+  expect_no_input(options.out, files.files);
   expect_known(tolerances, files.tests);
   const std::vector<MachineHistory> machines = history_of(files.tests, tolerances);
-  const bool wants_json = options.json || !options.out.empty();
-  const std::string json = wants_json ? history_json(files, machines).dump(2) + '\n' : std::string();
-  if (!options.csv.empty()) write_bytes(options.csv, history_csv(files.tests));
-  if (!options.out.empty()) write_bytes(options.out, json);
-  if (!options.page.empty()) write_bytes(options.page, history_page(title_of(options.folders), files, machines));
-  fmt::print("{}", options.json ? json : history_text(files, machines, options.all));
-  for (const std::string& path : {options.csv, options.out, options.page}) {
-    if (!path.empty()) fmt::print(stderr, "wrote {}\n", path);
+  const auto json = [&] { return history_json(files, machines).dump(2) + '\n'; };
+  for (const std::string& path : options.out) {
+    write_bytes(path, is_page(path)            ? history_page(title_of(options.folders), files, machines)
+                      : path.ends_with(".csv") ? history_csv(files.tests)
+                                               : json());
   }
+  fmt::print("{}", options.json ? json() : history_text(files, machines, options.all));
+  for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
 }
 
 }  // namespace
@@ -101,17 +101,23 @@ void add_history(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("history", "A machine over its tests: changes, trends, squareness, scales");
   command->add_option("FOLDER", options->folders, "folders of .b5r files or ballbar logs, with those below")
-      ->required();
+      ->required()
+      ->type_name("");
   command
       ->add_option("--tolerance", options->tolerances,
                    "limit of a quantity, to both sides of 0; goes before the file's; may be repeated")
-      ->type_name("NAME=VALUE");
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
   command->add_flag("--all", options->all, "show quantities too that say nothing");
   command->add_flag("--strict", options->strict, "stop at a file that would be skipped");
-  command->add_option("--csv", options->csv, "write one row a test and quantity")->type_name("FILE");
-  command->add_flag("--json", options->json, "the history for a program");
-  command->add_option("--out", options->out, "write the JSON to a file as well")->type_name("FILE");
-  command->add_option("--page", options->page, "write a page with pictures of all quantities")->type_name("FILE");
+  command
+      ->add_option("--out", options->out,
+                   "write .csv: one row a test and quantity; .json; or .html: a page with pictures of all quantities; "
+                   "may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->check(name_that_ends_in({".csv", ".json", ".html"}));
+  command->add_flag("--json", options->json, "the result for a program");
   command->footer("Example:\n  ballbar history sample-runs/machine-history --tolerance backlash_a_pos=5");
   command->callback([options] { run(*options); });
 }

@@ -10,6 +10,7 @@
 #include "ballbar/formats/logs/recipe_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "terminal/option_checks.hpp"
 
 namespace ballbar {
 namespace {
@@ -66,12 +67,13 @@ void add_log_options(CLI::App& command, LogOptions& options) {
       ->check(CLI::IsMember({"us", "ms", "s", "min", "h", "d"}))
       ->type_name("")
       ->group(group);
-  command.add_option("--every", options.every_s, "distance of the rows where there is no time: 10ms, 1s, 1min")
-      ->type_name("TIME")
+  CLI::Option* every =
+      command.add_option("--every", options.every_s, "distance of the rows where there is no time: 10ms, 1s, 1min");
+  every->type_name("TIME")
       ->transform(CLI::AsNumberWithUnit(
           std::map<std::string, double>{{"us", 1e-6}, {"ms", 1e-3}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
           CLI::AsNumberWithUnit::CASE_SENSITIVE))
-      ->check(CLI::PositiveNumber)
+      ->check(number_above_0())
       ->group(group);
   repeated(command, "--missing", options.missing, "a text that stands for no value; may be repeated", "TEXT")
       ->group(group);

@@ -17,6 +17,7 @@
 #include "logs/log_options.hpp"
 #include "logs/series_file.hpp"
 #include "model/model_options.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
@@ -161,8 +162,9 @@ void add_merge(CLI::App& app) {
       ->expected(2, 1000);
   command->add_option("--out", options->out, "series .csv to write")->type_name("FILE");
   command->add_flag("--keep-clocks", options->keep_clocks, "by their dates alone, without a lag from what both know");
-  add_time_option(*command, "--lag-range", options->range_s,
-                  "how far apart the clocks may be; default 30min, without dates half the log");
+  take_time(*command->add_option("--lag-range", options->range_s,
+                                 "how far apart the clocks may be; default: 30min, without dates half the log"),
+            true);
   add_max_gap(*command, options->max_gap_s);
   command->add_flag("--json", options->json, "print what was done as JSON");
   add_log_options(*command, options->how);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -36,8 +37,8 @@ std::optional<PixelBox> box_of(const char* option, const std::string& stated) {
     const auto [rest, error] = std::from_chars(next, end, numbers[i]);
     const bool last = i + 1 == numbers.size();
     if (error != std::errc{} || (last ? rest != end : rest == end || *rest != ',')) {
-      throw Error(fmt::format("{}: expected x,y,w,h, whole pixels from the top left corner, found {}.", option,
-                              in_quotes(stated)));
+      throw CLI::ValidationError(fmt::format("{}: expected x,y,w,h, whole pixels from the top left corner, found {}",
+                                             option, in_quotes(stated)));
     }
     next = rest + 1;
   }
@@ -50,16 +51,20 @@ std::vector<Colour> colours_of(const std::string& name) {
   try {
     return colour_map(name);
   } catch (const Error& error) {
-    throw Error(fmt::format("--colours: {}", error.what()));
+    throw CLI::ValidationError(fmt::format("--colours: {}", error.what()));
   }
 }
 
-double of_picture(const char* option, const std::vector<double>& stated, std::size_t index, std::size_t pictures) {
-  if (stated.size() == 1) return stated.front();
-  if (stated.size() == pictures) return stated[index];
-  throw Error(fmt::format("{}: expected one temperature{}, found {}.", option,
-                          pictures == 1 ? "" : fmt::format(" for all pictures or one for each of {}", pictures),
-                          stated.empty() ? "none" : fmt::format("{}", stated.size())));
+void expect_one_each(const char* option, const std::vector<double>& stated, std::size_t pictures) {
+  if (stated.size() <= 1 || stated.size() == pictures) return;
+  throw CLI::ValidationError(fmt::format(
+      "{}: expected one temperature{}, found {}", option,
+      pictures == 1 ? "" : fmt::format(" for all pictures or one for each of {}", pictures), stated.size()));
+}
+
+double of_picture(const char* option, const std::vector<double>& stated, std::size_t index) {
+  if (stated.empty()) throw Error(fmt::format("{}: expected one temperature, found none.", option));
+  return stated.size() == 1 ? stated.front() : stated[index];
 }
 
 // step_degC is of the scale: it is in the sigma of T at each place, but does not make crossings one.
@@ -85,16 +90,23 @@ void take_sigmas_away(MeanPointState& state) {
 std::size_t edge_of(const MeanPointOptions& options) {
   if (!options.edge_px) return ImageOptions{}.edge_px;
   if (*options.edge_px >= 0 && *options.edge_px <= kWidestEdge_px) return static_cast<std::size_t>(*options.edge_px);
-  throw Error(fmt::format("--edge-px: expected 0 to {} pixels, found {}.", kWidestEdge_px, *options.edge_px));
+  throw CLI::ValidationError(
+      fmt::format("--edge-px: expected 0 to {} pixels, found {}.", kWidestEdge_px, *options.edge_px));
 }
 
 void expect_bounded(const char* option, double value, double largest, const char* unit) {
   if (std::abs(value) <= largest) return;
-  throw Error(fmt::format("{}: expected -{:g} to {:g} {}, found {:g}.", option, largest, largest, unit, value));
+  throw CLI::ValidationError(
+      fmt::format("{}: expected -{:g} to {:g} {}, found {:g}.", option, largest, largest, unit, value));
 }
 
-void check_numbers(const MeanPointOptions& options) {
+void expect_usable(const MeanPointOptions& options) {
   edge_of(options);
+  box_of("--legend", options.legend);
+  box_of("--region", options.region);
+  colours_of(options.colours);
+  expect_one_each("--min-degC", options.min_degC, options.files.size());
+  expect_one_each("--max-degC", options.max_degC, options.files.size());
   constexpr double kLargest_ppm_per_K = 1000.0;
   if (options.start_degC) expect_bounded("--start-degC", *options.start_degC, kLargest_degC, "degC");
   for (const double min : options.min_degC) expect_bounded("--min-degC", min, kLargest_degC, "degC");
@@ -102,15 +114,16 @@ void check_numbers(const MeanPointOptions& options) {
   if (options.from_mm) expect_bounded("--from-mm", *options.from_mm, kLargestPlace_mm, "mm");
   if (options.to_mm) expect_bounded("--to-mm", *options.to_mm, kLargestPlace_mm, "mm");
   if (!(options.expansion_ppm_per_K > 0.0 && options.expansion_ppm_per_K <= kLargest_ppm_per_K)) {
-    throw Error(fmt::format("--expansion-ppm-per-K: expected more than 0, at most {:g} ppm/K, found {:g}.",
-                            kLargest_ppm_per_K, options.expansion_ppm_per_K));
+    throw CLI::ValidationError(
+        fmt::format("--expansion-ppm-per-K: expected more than 0, at most {:g} ppm/K, found {:g}.", kLargest_ppm_per_K,
+                    options.expansion_ppm_per_K));
   }
 }
 
 MeanPointState state_of(const MeanPointOptions& options, const std::string& path, const std::string& bytes,
                         std::size_t index) {
-  const double min = of_picture("--min-degC", options.min_degC, index, options.files.size());
-  const double max = of_picture("--max-degC", options.max_degC, index, options.files.size());
+  const double min = of_picture("--min-degC", options.min_degC, index);
+  const double max = of_picture("--max-degC", options.max_degC, index);
   const std::optional<PixelBox> legend = box_of("--legend", options.legend);
   MeanPointState state{path, {}, 0.0, 0.0, {}, {}, {}, PictureState{}};
   PictureState& from = *state.from;
@@ -162,7 +175,7 @@ std::vector<MeanPointState> states_of_table(const MeanPointOptions& options, con
 }  // namespace
 
 std::vector<MeanPointState> mean_point_states(const MeanPointOptions& options) {
-  check_numbers(options);
+  expect_usable(options);
   std::vector<std::string> bytes;
   std::size_t pictures = 0;
   for (const std::string& path : options.files) {

@@ -18,6 +18,7 @@
 #include "mean_point/mean_point_states.hpp"
 #include "mean_point/meanpoint_plot.hpp"
 #include "terminal/json_number.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -287,9 +288,6 @@ void run(const Options& options) {
     outputs.push_back(options.plot);
   }
   if (!options.out.empty()) {
-    if (!options.out.ends_with(".csv")) {
-      throw Error(fmt::format("--out {}: expected a name that ends in .csv.", options.out));
-    }
     outputs.push_back(options.out);
   }
   expect_no_input(outputs, {options.of.files.begin(), options.of.files.end()});
@@ -326,13 +324,17 @@ void add_meanpoint(CLI::App& app) {
   command
       ->add_option("FILE,--images", of.files,
                    "pictures of temperature (PNG, JPEG) or one table .csv: x_mm and columns in degC")
-      ->required();
+      ->required()
+      ->type_name("");
   command->add_option("--start-degC", of.start_degC, "temperature at which the elongation is 0")->type_name("DEGC");
   command->add_option("--expansion-ppm-per-K", of.expansion_ppm_per_K, "of the spindle; default: 11.7, steel")
-      ->type_name("PPM");
-  command->add_option("--out", options->out, "write T along x and its sigma, .csv")->type_name("FILE");
+      ->type_name("PPM/K");
+  command->add_option("--out", options->out, "write T along x and its sigma, .csv")
+      ->type_name("FILE")
+      ->check(name_that_ends_in({".csv"}));
   command->add_option("--plot", options->plot, "T along x, .svg; or the picture with what was found, .png")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(name_that_ends_in({".svg", ".png"}));
   command->add_flag("--json", options->json, "the result for a program");
   constexpr const char* kGroup = "Pictures";
   const auto add = [&](const char* name, auto& value, const char* what, const char* type) {
@@ -347,7 +349,7 @@ void add_meanpoint(CLI::App& app) {
   add("--colours", of.colours,
       "a known scale instead: jet, turbo, viridis, inferno, hot, gray and others; _r at the end reverses it", "NAME");
   add("--region", of.region, "what to look at; default: all that is on the scale, without the legend", "X,Y,W,H");
-  add("--edge-px", of.edge_px, "pixels left out beside what is not on the scale; default: 3", "N");
+  add("--edge-px", of.edge_px, "pixels left out beside what is not on the scale; default: 3", "PX");
   command->add_flag("--vertical", of.vertical, "x runs from the region's top to its bottom")->group(kGroup);
   command->footer(
       "Examples:\n"

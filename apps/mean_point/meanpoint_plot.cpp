@@ -112,10 +112,7 @@ void draw_points(Canvas& canvas, const MeanPointState& state) {
 
 void expect_meanpoint_plot(const std::string& path) {
   const std::string ending = ending_of(path);
-  if (ending == ".png") return;
-  if (ending == ".svg") return expect_page("--plot");
-  throw Error(fmt::format("--plot {}: expected a name that ends in .svg or .png, found {}.", path,
-                          ending.empty() ? "no ending" : ending));
+  if (ending == ".svg") expect_page("--plot");
 }
 
 nlohmann::ordered_json mean_point_part(const std::vector<MeanPointState>& states, const std::optional<BestPoint>& best,

@@ -19,6 +19,7 @@
 #include "measure/compared_drifts.hpp"
 #include "measure/comparison_json.hpp"
 #include "page/report_page.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -192,22 +193,8 @@ Series differences(const Comparison& comparison) {
   return series;
 }
 
-void expect_ending(const std::string& path, const char* wanted) {
-  const std::string ending = std::filesystem::path(path).extension().string();
-  if (ending == wanted) return;
-  throw Error(fmt::format("{}: expected a name that ends in {}, found {}.", path, wanted,
-                          ending.empty() ? "no ending" : ending));
-}
-
 void run(const Options& options) {
-  if (!options.plot.empty()) {
-    expect_ending(options.plot, ".svg");
-    expect_page("--plot");
-  }
-  if (options.max_gap_s && !(*options.max_gap_s > 0.0)) {
-    throw Error(fmt::format("--max-gap: expected a time above 0, found {} s.", *options.max_gap_s));
-  }
-  for (const std::string& path : options.out) expect_ending(path, ".csv");
+  if (!options.plot.empty()) expect_page("--plot");
   ComparedDrifts drifts = compared_drifts_of(options.drifts);
   std::vector<std::string> outputs = options.out;
   if (!options.plot.empty()) outputs.push_back(options.plot);
@@ -231,26 +218,32 @@ void run(const Options& options) {
 void add_compare(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("compare", "How well two drift series agree, and within their uncertainty");
-  command->add_option("A", options->drifts.a, "session, folder, drift .csv or five probes' .csv")->required();
-  command->add_option("B", options->drifts.b, "what to compare it with; without it the session's own five probes");
-  command->add_option("--plot", options->plot, "picture of both and their difference, .svg")->type_name("FILE");
-  command->add_option("--out", options->out, "write both and their difference at the common times, .csv")
-      ->type_name("FILE");
-  const CLI::AsNumberWithUnit time(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
-                                   CLI::AsNumberWithUnit::CASE_SENSITIVE);
+  command->add_option("A", options->drifts.a, "session, folder, drift .csv or five probes' .csv")
+      ->required()
+      ->type_name("");
+  command->add_option("B", options->drifts.b, "what to compare it with; without it the session's own five probes")
+      ->type_name("");
+  command->add_option("--plot", options->plot, "picture of both and their difference, .svg")
+      ->type_name("FILE")
+      ->check(name_that_ends_in({".svg"}));
   command
-      ->add_option("--reference", options->drifts.reference_s, "time since which changes are taken; default: the first")
-      ->type_name("TIME")
-      ->transform(time);
+      ->add_option("--out", options->out, "write both and their difference at the common times, .csv; may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->check(name_that_ends_in({".csv"}));
+  take_time(*command->add_option("--reference", options->drifts.reference_s,
+                                 "time since which changes are taken; default: the first"),
+            false);
+  take_time(*command->add_option("--max-gap", options->max_gap_s,
+                                 "no interpolation between rows farther apart; default: 4 times the usual step"),
+            true);
   command
-      ->add_option("--max-gap", options->max_gap_s,
-                   "no interpolation between rows farther apart; default: 4 times the usual step")
-      ->type_name("TIME")
-      ->transform(time);
-  command->add_option("--match", options->match, "axis of A and the axis of B it stands for, such as axial=-z")
-      ->type_name("A=B");
+      ->add_option("--match", options->match,
+                   "axis of A and the axis of B it stands for, such as axial=-z; may be repeated")
+      ->type_name("A=B")
+      ->allow_extra_args(false);
   add_five_probe_options(*command, options->drifts.probes);
-  command->add_flag("--json", options->json, "the comparison for a program");
+  command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Examples:\n"
       "  ballbar compare sample-runs/two-arcs-he2015/session.toml --plot agreement.svg\n"

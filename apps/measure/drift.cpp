@@ -17,6 +17,7 @@
 #include "measure/drift_text.hpp"
 #include "measure/five_probe_drift.hpp"
 #include "measure/five_probe_options.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
@@ -186,12 +187,12 @@ void run(const Options& options) {
   }
   for (const Position& position : series.positions) {
     if (!position.converged) {
-      fmt::print(stderr, "ballbar: the fit of the test at {:g} min did not converge.\n", min_from_s(position.time_s));
+      warning_line(fmt::format("the fit of the test at {:g} min did not converge.", min_from_s(position.time_s)));
     }
   }
   if (options.reference_s && *options.reference_s != series.reference_s) {
-    fmt::print(stderr, "ballbar: no test at {:g} s; the nearest one, at {:g} s, is the reference.\n",
-               *options.reference_s, series.reference_s);
+    warning_line(fmt::format("no test at {:g} s; the nearest one, at {:g} s, is the reference.", *options.reference_s,
+                             series.reference_s));
   }
   for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
 }
@@ -203,22 +204,22 @@ void add_drift(CLI::App& app) {
   CLI::App* command = app.add_subcommand("drift", "Drift of the spindle over a session, or of five probes");
   command
       ->add_option("SESSION", options->session, "session.toml, a folder of it or of .b5r files, or five probes' .csv")
-      ->required();
+      ->required()
+      ->type_name("");
   command->add_option("--out", options->out, "write the series: .csv, .json or .mat; may be repeated")
-      ->type_name("FILE");
-  command
-      ->add_option("--reference", options->reference_s,
-                   "test to which drift is taken: 3840, 3840s or 64min; default: first")
-      ->type_name("TIME")
-      ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
-                                        CLI::AsNumberWithUnit::CASE_SENSITIVE));
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->check(name_that_ends_in({".csv", ".json", ".mat"}));
+  take_time(*command->add_option("--reference", options->reference_s,
+                                 "test to which drift is taken: 3840, 3840s or 64min; default: first"),
+            false);
   CLI::Option* sequential =
       command->add_flag("--sequential", options->sequential, "two_arcs: path 1, then path 2 with its y (as the paper)");
   command->add_flag("--equal-radii", options->equal_radii, "two_arcs: one radius for both arcs")->excludes(sequential);
   command->add_flag("--eq34", options->eq34, "spindle_rotation: elongation correction r / cos(dL / r) - r");
   command->add_flag("--polar", options->polar, "circles through the polar points, as instrument software does");
   command->add_flag("--robust", options->robust, "discount outlying readings (Tukey's biweight)");
-  command->add_flag("--json", options->json, "the series for a program");
+  command->add_flag("--json", options->json, "the result for a program");
   command->add_flag("--five-probe", options->five_probe, "of a session: its five probes instead of its recordings");
   add_five_probe_options(*command, options->probes);
   command->footer(

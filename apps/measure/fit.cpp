@@ -208,7 +208,7 @@ void run(const Options& options) {
   how.robust = options.robust;
   if (!options.out.empty()) expect_no_input({options.out}, {options.files.begin(), options.files.end()});
   const Fitted fitted = fit_files(options.files, how, true);
-  for (const std::string& remark : fitted.remarks) stderr_line(remark);
+  for (const std::string& remark : fitted.remarks) warning_line(remark);
   const bool wants_json = options.json || !options.out.empty();
   const std::string json = wants_json ? json_of(fitted).dump(2) + '\n' : std::string();
   if (!options.out.empty()) write_bytes(options.out, json);
@@ -221,10 +221,10 @@ void run(const Options& options) {
 void add_fit(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("fit", "Circle or axial fit of each recording; ISO 230-4 of a CCW/CW pair");
-  command->add_option("FILE", options->files, ".b5r files or ballbar logs")->required();
+  command->add_option("FILE", options->files, ".b5r files or ballbar logs")->required()->type_name("");
   command->add_flag("--polar", options->polar, "the circle through the polar points, as instrument software does");
   command->add_flag("--robust", options->robust, "discount outlying readings (Tukey's biweight) and list them");
-  command->add_flag("--json", options->json, "the results for a program");
+  command->add_flag("--json", options->json, "the result for a program");
   command->add_option("--out", options->out, "write the JSON to a file as well")->type_name("FILE");
   command->footer("Example:\n  ballbar fit sample-runs/qc20-style-b5r/00.b5r");
   command->callback([options] { run(*options); });

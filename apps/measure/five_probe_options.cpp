@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
+#include "ballbar/nearest_name.hpp"
 
 namespace ballbar {
 namespace {
@@ -18,14 +19,17 @@ std::string names_of(const Series& series) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-void set_column(Series& series, FiveProbe& probe, const std::string& stated) {
+std::string probe_complaint(const std::string& stated) {
   const std::size_t equals = stated.find('=');
   const std::string name = stated.substr(0, equals);
-  const auto* const known = std::find(kProbes.begin(), kProbes.end(), name);
-  if (equals == std::string::npos || known == kProbes.end()) {
-    throw Error(fmt::format("--probe {}: expected PROBE=COLUMN with one of the probes {}, found \"{}\".", stated,
-                            fmt::join(kProbes, ", "), name));
-  }
+  if (equals != std::string::npos && std::find(kProbes.begin(), kProbes.end(), name) != kProbes.end()) return {};
+  return fmt::format("expected PROBE=COLUMN with one of the probes {}, found {}", fmt::join(kProbes, ", "),
+                     in_quotes(stated));
+}
+
+void set_column(Series& series, FiveProbe& probe, const std::string& stated) {  // probe_complaint() has none
+  const std::size_t equals = stated.find('=');
+  const auto* const known = std::find(kProbes.begin(), kProbes.end(), stated.substr(0, equals));
   const std::string column = stated.substr(equals + 1);
   if (find_column(series, column) == nullptr) {
     throw Error(fmt::format("--probe {}: expected a column of the file, one of {}, found \"{}\".", stated,
@@ -68,7 +72,9 @@ void add_five_probe_options(CLI::App& command, FiveProbeOptions& options) {
   number("--spacing", options.spacing_mm, "distance of the planes 1 and 2", "MM", true);
   number("--resolution", options.resolution_um, "step of a probe's reading", "UM", true);
   number("--linearity", options.linearity_percent, "limit of a probe's error, percent of the reading", "PERCENT", true);
-  add("--probe", options.probes, "column of a probe, such as X1=ch1_um; may be repeated", "PROBE=COLUMN");
+  add("--probe", options.probes, "column of a probe, such as X1=ch1_um; may be repeated", "PROBE=COLUMN")
+      ->allow_extra_args(false)
+      ->check(probe_complaint);
 }
 
 Series stated(Series series, const FiveProbeOptions& options) {

@@ -46,7 +46,7 @@ void add_effect_options(CLI::App& command, EffectOptions& options, const std::st
   add_model_options(command, options.model, true);
   add_also_input(command, options.model);
   command.remove_option(command.get_option("DATA"));
-  command.add_option("EFFECT_AND_DATA", options.words, words)->required();
+  command.add_option("EFFECT_AND_DATA", options.words, words)->required()->type_name("");
   command.add_flag("--json", options.json, "the result for a program");
 }
 

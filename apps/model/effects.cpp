@@ -144,10 +144,8 @@ void run(const Options& options) {
     if (options.name.empty() || effect->name == options.name) chosen.push_back(effect);
   }
   if (chosen.empty()) {
-    throw Error(
-        fmt::format("expected the name of an effect, found {}; the nearest is {}. ballbar effects lists "
-                    "all.",
-                    in_quotes(options.name), nearest_name(options.name, names)));
+    throw CLI::ValidationError(fmt::format("expected the name of an effect, found {}; the nearest is {}",
+                                           in_quotes(options.name), nearest_name(options.name, names)));
   }
   if (options.json) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
@@ -168,8 +166,8 @@ void run(const Options& options) {
 void add_effects(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("effects", "The catalogue of physical effects, or one effect's page");
-  command->add_option("NAME", options->name, "effect to explain");
-  command->add_flag("--json", options->json, "for a program");
+  command->add_option("NAME", options->name, "effect to explain; without it the list of all")->type_name("");
+  command->add_flag("--json", options->json, "the result for a program");
   command->footer("Example:\n  ballbar effects backlash_a");
   command->callback([options] { run(*options); });
 }

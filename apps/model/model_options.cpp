@@ -5,8 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <map>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
@@ -14,6 +12,7 @@
 #include "ballbar/model/recording_base_model.hpp"
 #include "ballbar/model/target_columns.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -67,31 +66,16 @@ void choose_targets(Model& model, const ModelOptions& options) {
 }  // namespace
 
 void add_max_gap(CLI::App& command, std::optional<double>& max_gap_s) {
-  add_time_option(command, "--max-gap", max_gap_s, "longest gap of a signal to interpolate over; default 10min");
-}
-
-void add_time_option(CLI::App& command, const std::string& name, std::optional<double>& time_s,
-                     const std::string& help) {
-  command.add_option(name, time_s, help)
-      ->type_name("TIME")
-      ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
-                                        CLI::AsNumberWithUnit::CASE_SENSITIVE))
-      ->check(CLI::Validator(
-          [](const std::string& seconds) {
-            const double gap_s = std::strtod(seconds.c_str(), nullptr);  // 0 where it is too small for a double
-            return gap_s > 0.0 && std::isfinite(gap_s) ? "" : std::string("expected a finite time above 0");
-          },
-          ""));
+  take_time(*command.add_option("--max-gap", max_gap_s, "longest gap of a signal to interpolate over; default: 10min"),
+            true);
 }
 
 void add_model_options(CLI::App& command, ModelOptions& options, bool model_required) {
-  command.add_option("DATA", options.data, "series .csv, session, or recordings (.b5r, logs)")->required();
+  command.add_option("DATA", options.data, "series .csv, session, or recordings (.b5r, logs)")
+      ->required()
+      ->type_name("");
   CLI::Option* model =
-      command.add_option("--model", options.model, "model.toml: the effects to fit")
-          ->type_name("FILE")
-          ->check(CLI::Validator(
-              [](const std::string& name) { return std::string(name.empty() ? "expected a file, found no name" : ""); },
-              ""));
+      command.add_option("--model", options.model, "model.toml: the effects to fit")->type_name("FILE");
   if (model_required) model->required();
   command.add_option("--target", options.target, "column to explain instead of the model's own; may be repeated")
       ->type_name("COLUMN")

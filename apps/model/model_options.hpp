@@ -28,10 +28,6 @@ struct ModelOptions {
 
 void add_model_options(CLI::App& command, ModelOptions& options, bool model_required);
 
-// An option that takes a time above 0 with its unit, s, min or h.
-void add_time_option(CLI::App& command, const std::string& name, std::optional<double>& time_s,
-                     const std::string& help);
-
 // --max-gap
 void add_max_gap(CLI::App& command, std::optional<double>& max_gap_s);
 

@@ -17,6 +17,7 @@
 #include "predict/predict_batch.hpp"
 #include "predict/predict_effects.hpp"
 #include "terminal/json_number.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -81,13 +82,6 @@ Table summary(const std::vector<Column>& columns) {
   return table;
 }
 
-void expect_csv(const std::vector<std::string>& out) {
-  for (const std::string& path : out) {
-    if (std::filesystem::path(path).extension() == ".csv") continue;
-    throw Error(fmt::format("--out {}: expected a name that ends in .csv.", path));
-  }
-}
-
 void expect_one_file(const Options& options) {
   if (options.model.data.size() == 1) return;
   throw Error(
@@ -104,7 +98,6 @@ void run_batch_model(const Options& options) {
                     "and is fitted to nothing here.",
                     options.model.model));
   }
-  expect_csv(options.out);
   expect_no_input(options.out, {options.model.data.front(), options.model.model});
   predict_batch({options.model.data.front(), options.model.model, options.out, options.anyway, options.json});
 }
@@ -119,7 +112,6 @@ void run_effects(const Options& options) {
                     "target, predicts DATA itself and is fitted to nothing here.",
                     options.model.model));
   }
-  expect_csv(options.out);
   expect_no_input(options.out, {options.model.data.front(), options.model.model});
   predict_effects({options.model.data.front(), options.model.model, options.state, options.out, options.model.max_gap_s,
                    options.json});
@@ -139,7 +131,6 @@ void run(const Options& options) {
   inputs.insert(inputs.end(), other.files.begin(), other.files.end());
   inputs.emplace_back(options.model.model);
   expect_no_input(options.out, inputs);
-  expect_csv(options.out);
   Series series;
   series.time_s = other.series.time_s;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
@@ -176,15 +167,19 @@ void add_predict(CLI::App& app) {
   CLI::App* command = app.add_subcommand("predict", "The model's series, with what each effect adds");
   add_model_options(*command, options->model, true);
   add_fit_options(*command, options->model);
-  command->add_option("--on", options->on, "other data to predict, with the parameters fitted to DATA")
-      ->type_name("DATA");
-  command->add_option("--out", options->out, "write the series, .csv")->type_name("FILE")->allow_extra_args(false);
+  command->add_option("--on", options->on, "other data to predict, with the parameters fitted to DATA; may be repeated")
+      ->type_name("DATA")
+      ->allow_extra_args(false);
+  command->add_option("--out", options->out, "write the series, .csv; may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->check(name_that_ends_in({".csv"}));
   command
       ->add_option("--state", options->state,
                    "model of train --effects: goes on from this file, and keeps in it where the last row stood")
       ->type_name("FILE");
   command->add_flag("--anyway", options->anyway, "model of `train`: predict though a sensor looks broken");
-  command->add_flag("--json", options->json, "the series for a program");
+  command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"
       "  ballbar predict sample-runs/two-arcs-he2015 --model sample-runs/two-arcs-he2015/model.toml --out y.csv");

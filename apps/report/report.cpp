@@ -27,6 +27,7 @@
 #include "predict/predict_batch.hpp"
 #include "programs/child_process.hpp"
 #include "report/report_parts.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
@@ -49,7 +50,9 @@ struct Options {
   bool no_diagnosis = false;  // with one neither
   bool anyway = false;
   std::string out;
+  std::optional<Format> chosen_format;
   Format format = Format::html;
+  bool json = false;
   PictureOptions pictures;
   bool open = false;
 };
@@ -207,7 +210,7 @@ void expect_use(const Options& options, bool of_recordings, bool of_batches) {
   const bool has_model = !options.model.model.empty();
   const bool fits = !of_batches && (has_model || options.diagnose);
   const auto expect = [](bool used, const char* option, const char* with) {
-    if (!used) throw Error(fmt::format("{}: expected {} with it.", option, with));
+    if (!used) throw CLI::ValidationError(fmt::format("{}: expected {} with it", option, with));
   };
   expect(options.model.target.empty() || fits, "--target", "a model of effects or --diagnose");
   expect(options.model.also_input.empty() || fits, "--also-input", "a model of effects or --diagnose");
@@ -286,27 +289,41 @@ void write_pictures(const Json& report, const Options& options) {
   }
 }
 
-void expect_out(const Options& options) {
-  if (options.out.empty()) {
-    throw Error(options.format == Format::svg
-                    ? "--format svg: expected --out with a folder, or a name that ends in .svg."
-                    : "expected --out with the name of the page, as in --out page.html.");
-  }
+// As --format says, or the ending of --out.
+Format format_of(const Options& options) {
+  if (options.chosen_format) return *options.chosen_format;
   const std::string ending = ending_of(options.out);
-  const char* wanted = options.format == Format::html ? ".html" : options.format == Format::json ? ".json" : nullptr;
-  if (wanted != nullptr && ending != wanted) {
-    throw Error(fmt::format("--out {}: expected a name that ends in {}, found {}.", options.out, wanted,
-                            ending.empty() ? "no ending" : ending));
-  }
+  return ending == ".svg" ? Format::svg : ending == ".json" ? Format::json : Format::html;
+}
+
+void expect_fitting_options(const Options& options) {
+  const auto expect = [](bool fits, const std::string& sentence) {
+    if (!fits) throw CLI::ValidationError(sentence);
+  };
   const PictureOptions& pictures = options.pictures;
-  if (options.format != Format::svg && !(pictures.names.empty() && pictures.choices.empty())) {
-    throw Error(fmt::format("--{}: expected --format svg with it; the page has all pictures.",
-                            pictures.names.empty() ? "choose" : "picture"));
+  expect(options.format == Format::svg || (pictures.names.empty() && pictures.choices.empty()),
+         fmt::format("--{}: expected --format svg with it; the page has all pictures",
+                     pictures.names.empty() ? "choose" : "picture"));
+  expect(pictures.choices.empty() || pictures.names.size() == 1,
+         "--choose: expected one --picture with it, whose choice it is");
+  if (options.json) {
+    expect(options.out.empty() && !options.chosen_format && !options.open,
+           "--json: expected neither --out, --format nor --open with it; it prints the data of the page");
+    return;
   }
-  if (!pictures.choices.empty() && pictures.names.size() != 1) {
-    throw Error("--choose: expected one --picture with it, whose choice it is.");
-  }
-  if (options.open && options.format != Format::html) throw Error("--open: expected a page to open, not --format.");
+  expect(!options.out.empty(), options.format == Format::svg
+                                   ? "--format svg: expected --out with a folder, or a name that ends in .svg"
+                                   : "expected --out with the name of the page, as in --out page.html");
+  const std::string ending = ending_of(options.out);
+  const std::string wanted = options.format == Format::html ? ".html" : options.format == Format::json ? ".json" : "";
+  expect(wanted.empty() || ending == wanted, fmt::format("--out {}: expected a name that ends in {}, found {}",
+                                                         options.out, wanted, ending.empty() ? "no ending" : ending));
+  expect(!options.open || options.format == Format::html, "--open: expected a page to open, not --format");
+}
+
+void expect_out(const Options& options) {
+  expect_fitting_options(options);
+  if (options.json) return;
   // Before a long diagnosis rather than after it.
   const fs::path folder = fs::absolute(options.out).parent_path();
   std::error_code error;
@@ -316,13 +333,14 @@ void expect_out(const Options& options) {
   if (options.format != Format::json) expect_page();
 }
 
-void run(const Options& options) {
+void run(Options options) {
+  options.format = format_of(options);
   expect_out(options);
   std::vector<fs::path> inputs(options.model.data.begin(), options.model.data.end());
   for (const std::string& other : {options.model.model, options.compare}) {
     if (!other.empty()) inputs.emplace_back(other);
   }
-  expect_no_input({options.out}, inputs);
+  if (!options.json) expect_no_input({options.out}, inputs);
   const Made made = [&] {
     const ProgressLine line;
     Made result = made_of(options);
@@ -333,6 +351,10 @@ void run(const Options& options) {
     result.json["files"] = names;
     return result;
   }();
+  if (options.json) {
+    fmt::print("{}\n", made.json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    return;
+  }
   expect_no_input({options.out}, made.files);
   if (options.format == Format::svg) return write_pictures(made.json, options);
   const bool page = options.format == Format::html;
@@ -342,7 +364,7 @@ void run(const Options& options) {
   for (const Json& sentence : made.json["summary"]) fmt::print("{}", wrapped(sentence.get<std::string>()));
   fmt::print(stderr, "wrote {}\n", options.out);
   if (options.open && !started({"xdg-open", fs::absolute(options.out).string()})) {
-    fmt::print(stderr, "ballbar: no program xdg-open to open it with; open {} in a browser.\n", options.out);
+    warning_line(fmt::format("no program xdg-open to open it with; open {} in a browser.", options.out));
   }
 }
 
@@ -361,10 +383,13 @@ void add_report(CLI::App& app) {
   command->add_flag("--no-diagnosis", options->no_diagnosis, "with a model: where it fails, not what is missing")
       ->excludes(diagnose);
   command->add_flag("--anyway", options->anyway, "model of `train`: predict though a sensor looks broken");
-  command->add_option("--out", options->out, "page.html; with --format svg a folder or one .svg")->type_name("FILE");
-  add_choice(*command, "--format", {"html", "svg", "json"}, "html",
+  command
+      ->add_option("--out", options->out, "page.html; one picture .svg, or a folder with --format svg; .json: its data")
+      ->type_name("FILE");
+  add_choice(*command, "--format", {"html", "svg", "json"}, "by the ending of --out",
              "html: the page; svg: its pictures, drawn by node; json: its data",
-             [options](std::size_t at) { options->format = static_cast<Format>(at); });
+             [options](std::size_t at) { options->chosen_format = static_cast<Format>(at); });
+  command->add_flag("--json", options->json, "the result for a program: the data of the page");
   command->add_option("--picture", options->pictures.names, "with --format svg: only this one; may be repeated")
       ->type_name("NAME")
       ->allow_extra_args(false);
@@ -375,7 +400,7 @@ void add_report(CLI::App& app) {
       ->allow_extra_args(false);
   command->add_option("--width", options->pictures.width_px, "of --format svg, in pixels; default 900")
       ->type_name("PX")
-      ->check(CLI::Range(300, 4000));
+      ->check(CLI::Range(300, 4000).description(""));
   command->add_flag("--open", options->open, "open the page in a browser");
   add_five_probe_options(*command, options->probes);
   command->footer(

@@ -101,7 +101,8 @@ void add_simulate(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("simulate", "Recordings, signals and five-probe readings of a virtual machine");
   command->add_option("MACHINE", options->machine, "machine.toml: the virtual machine, its truth and its noise")
-      ->required();
+      ->required()
+      ->type_name("");
   command->add_option("--out", options->out, "folder for the session's files, new or empty")
       ->type_name("DIR")
       ->required();
@@ -110,11 +111,11 @@ void add_simulate(CLI::App& app) {
   command
       ->add_option("--seed", options->seed,
                    "of the noise, 0 or above, another for each machine; without it the machine's own")
-      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()))
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()).description(""))
       ->type_name("N");
   command->add_flag("--b5r", options->b5r, "method circles: .b5r files alone, without session.toml and signals");
   command->add_flag("--force", options->force, "replace files of the same names");
-  command->add_flag("--json", options->json, "the summary for a program");
+  command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"
       "  ballbar simulate sample-runs/two-arcs-he2015/machine.toml --out my-run\n"

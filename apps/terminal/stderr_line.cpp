@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "terminal/colour.hpp"
+
 namespace ballbar {
 
 void stderr_line(const std::string& text) { std::fputs((text + "\n").c_str(), stderr); }
@@ -9,5 +11,9 @@ void stderr_line(const std::string& text) { std::fputs((text + "\n").c_str(), st
 void tell(const std::vector<std::string>& remarks) {
   for (const std::string& remark : remarks) stderr_line("ballbar: " + remark);
 }
+
+void error_line(const std::string& text) { stderr_line(red("ballbar:") + " " + text); }
+
+void warning_line(const std::string& text) { stderr_line(yellow(text)); }
 
 }  // namespace ballbar

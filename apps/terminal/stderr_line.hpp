@@ -10,5 +10,10 @@ void stderr_line(const std::string& text);
 
 // A line each, after "ballbar: ".
 void tell(const std::vector<std::string>& remarks);
+// "ballbar: " in front, in red: why the work was not done.
+void error_line(const std::string& text);
+
+// The line in yellow: the work was done, but not as one may think.
+void warning_line(const std::string& text);
 
 }  // namespace ballbar

@@ -7,6 +7,28 @@
 #include <vector>
 
 namespace ballbar {
+namespace {
+
+// Letters changed, missing, extra, or exchanged with the next (optimal string alignment), three rows of its table.
+std::size_t letters_apart(std::string_view name, std::string_view other) {
+  name = name.substr(0, 100);  // what is longer is near to nothing
+  std::vector<std::size_t> before, last(other.size() + 1), row(other.size() + 1);
+  std::iota(last.begin(), last.end(), std::size_t{0});
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < other.size(); ++j) {
+      row[j + 1] = std::min({last[j] + (name[i] == other[j] ? 0 : 1), last[j + 1] + 1, row[j] + 1});
+      if (i > 0 && j > 0 && name[i] == other[j - 1] && name[i - 1] == other[j]) {
+        row[j + 1] = std::min(row[j + 1], before[j - 1] + 1);
+      }
+    }
+    before = last;
+    last = row;
+  }
+  return last.back();
+}
+
+}  // namespace
 
 std::size_t utf8_length(std::string_view bytes) {
   const auto at = [&](std::size_t i) { return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u; };
@@ -44,22 +66,18 @@ std::string in_quotes(std::string_view found) {
 }
 
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known) {
-  name = name.substr(0, 100);                          // what is longer is near to nothing
-  const auto distance = [&](std::string_view other) {  // Levenshtein, one row
-    std::vector<std::size_t> row(other.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < name.size(); ++i) {
-      std::size_t diagonal = row[0]++;
-      for (std::size_t j = 0; j < other.size(); ++j) {
-        const std::size_t replaced = diagonal + (name[i] == other[j] ? 0 : 1);
-        diagonal = row[j + 1];
-        row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-      }
-    }
-    return row.back();
-  };
-  return *std::min_element(known.begin(), known.end(),
-                           [&](auto left, auto right) { return distance(left) < distance(right); });
+  return *std::min_element(known.begin(), known.end(), [&](auto left, auto right) {
+    return letters_apart(name, left) < letters_apart(name, right);
+  });
+}
+
+std::string_view near_name(std::string_view name, std::span<const std::string_view> known) {
+  constexpr std::size_t kShortestBeginning = 2;
+  if (known.empty() || name.empty()) return {};
+  const std::string_view nearest = nearest_name(name, known);
+  if (3 * letters_apart(name, nearest) <= std::max(name.size(), nearest.size())) return nearest;
+  const auto begun = std::find_if(known.begin(), known.end(), [&](auto one) { return one.starts_with(name); });
+  return begun == known.end() || name.size() < kShortestBeginning ? std::string_view() : *begun;
 }
 
 }  // namespace ballbar

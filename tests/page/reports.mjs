@@ -50,12 +50,12 @@ export const grown = async () => {
 
 export const history = async () => {
   const out = join(folder, "history.html");
-  await execute(program, ["history", of_run("machine-history"), "--tolerance", "backlash_a_pos=5", "--page", out]);
+  await execute(program, ["history", of_run("machine-history"), "--tolerance", "backlash_a_pos=5", "--out", out]);
   return out;
 };
 
 export const batch = () => {
   const model = join(folder, "batch.json");
-  run("select", of_run("batches-tan2024", "runs.csv"), "--target", "y_um", "--for", of_run("batches-tan2024", "test1.csv"), "--out", model);
+  run("select", of_run("batches-tan2024", "runs.csv"), "--target", "y_um", "--on", of_run("batches-tan2024", "test1.csv"), "--out", model);
   return report("batch", of_run("batches-tan2024", "test1.csv"), "--model", model);
 };

@@ -288,7 +288,7 @@ export interface MeanPointPart {
   states: MeanPointState[];
 }
 
-// A machine over its tests (`ballbar history --page`).
+// A machine over its tests (`ballbar history --out`, .html).
 export interface HistoryQuantity {
   name: string;
   unit: string;

@@ -213,7 +213,8 @@ void find_headers(const std::vector<HeadLine>& lines, const Cut& cut, LogShape& 
   }
   if (names.empty() && units != lines.size()) {  // one line of names that could be units: "t,A"
     names.push_back(units);
-    split_header(without_comment_sign(lines[units].text), cut, cells);
+    const std::string text = without_comment_sign(lines[units].text);
+    split_header(text, cut, cells);
     const bool all = std::all_of(cells.begin(), cells.end(), [](std::string_view cell) {
       return log_unit(trimmed_cell(cell)) || time_unit_s(trimmed_cell(cell));
     });

@@ -7,8 +7,11 @@
 
 namespace ballbar {
 
-// The known name with the fewest changed, missing or extra letters. `known` is not empty.
+// The known name with the fewest changed, missing, extra or exchanged letters. `known` is not empty.
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known);
+
+// The same where it is near: at most one letter in three is other, or `name` is its beginning. Empty where none is.
+std::string_view near_name(std::string_view name, std::span<const std::string_view> known);
 
 // What was found, in quotes, shortened, unprintable bytes as \xNN: for messages.
 std::string in_quotes(std::string_view found);

@@ -1,0 +1,23 @@
+// `ballbar help [COMMAND]`, and how help is printed.
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace ballbar {
+
+// Words and layout of the help of all commands; before the commands are added, which take it over.
+void set_help(CLI::App& app);
+
+// Of this very command, whichever the command line chose.
+std::string help_of(const CLI::App& app);
+
+void add_help_command(CLI::App& app);
+
+// Prints it, headings in bold on a terminal.
+void print_help(const std::string& text);
+
+}  // namespace ballbar

@@ -1,0 +1,95 @@
+#include "terminal/option_checks.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "ballbar/nearest_name.hpp"
+
+namespace ballbar {
+namespace {
+
+bool is_number(const std::string& text, double& value) {
+  return CLI::detail::lexical_cast(text, value) && !std::isnan(value);
+}
+
+CLI::Validator validator(std::function<std::string(std::string&)> complaint) {
+  return {std::move(complaint), ""};  // no words of its own in the help
+}
+
+}  // namespace
+
+CLI::Validator number_within(double low, double high) {
+  return validator([low, high](const std::string& found) {
+    double value = 0.0;
+    if (is_number(found, value) && value >= low && value <= high) return std::string();
+    return fmt::format("expected a number from {} to {}, found {}", low, high, in_quotes(found));
+  });
+}
+
+CLI::Validator number_above_0(bool or_infinite) {
+  return validator([or_infinite](const std::string& found) {
+    double value = 0.0;
+    if (is_number(found, value) && value > 0.0 && (or_infinite || std::isfinite(value))) return std::string();
+    return fmt::format("expected a number above 0{}, found {}", or_infinite ? " or inf" : "", in_quotes(found));
+  });
+}
+
+CLI::Validator name_that_ends_in(std::vector<std::string> endings) {
+  return validator([endings = std::move(endings)](const std::string& found) {
+    const std::string ending = std::filesystem::path(found).extension().string();
+    if (std::find(endings.begin(), endings.end(), ending) != endings.end()) return std::string();
+    const std::size_t last = endings.size() - 1;
+    const std::string all =
+        last == 0 ? endings.front()
+                  : fmt::format("{} or {}", fmt::join(endings.begin(), endings.end() - 1, ", "), endings[last]);
+    return fmt::format("expected a name that ends in {}, found {}", all, ending.empty() ? "no ending" : ending);
+  });
+}
+
+void take_time(CLI::Option& option, bool above_0) {
+  CLI::AsNumberWithUnit seconds(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
+                                CLI::AsNumberWithUnit::CASE_SENSITIVE);
+  option.type_name("TIME")->transform(seconds.description(""));
+  option.check(validator([above_0](const std::string& found) {
+    double time_s = 0.0;  // stays 0 where it is too small for a double
+    const bool finite = is_number(found, time_s) && std::isfinite(time_s);
+    if (finite && (!above_0 || time_s > 0.0)) return std::string();
+    return fmt::format("expected a finite time{}", above_0 ? " above 0" : "");
+  }));
+}
+
+void add_choice(CLI::App& command, const std::string& name, std::vector<std::string> words,
+                const std::string& otherwise, const std::string& help, const std::function<void(std::size_t)>& at) {
+  const std::string all = fmt::format("{}", fmt::join(words, "|"));
+  command
+      .add_option_function<std::string>(
+          name,
+          [name, words, at](const std::string& found) {
+            const auto place = std::find(words.begin(), words.end(), found);
+            if (place == words.end()) {
+              throw CLI::ValidationError(
+                  name, fmt::format("expected one of {}, found {}", fmt::join(words, ", "), in_quotes(found)));
+            }
+            at(static_cast<std::size_t>(place - words.begin()));
+          },
+          help)
+      ->type_name(all)
+      ->default_str(otherwise);
+}
+
+void expect_values(CLI::App& app) {
+  for (CLI::Option* option : app.get_options([](const CLI::Option*) { return true; })) {
+    if (option->get_expected_max() == 0 || option->get_type_size() == 0) continue;  // a flag
+    option->check(validator([](const std::string& found) {
+      return std::string(found.empty() ? "expected a value, found an empty one" : "");
+    }));
+  }
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) expect_values(*command);
+}
+
+}  // namespace ballbar

@@ -1,0 +1,30 @@
+// What a value of an option may be, checked before any file is read. A fault is the command line's: exit status 2.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ballbar {
+
+// A finite number, both ends included.
+CLI::Validator number_within(double low, double high);
+
+// `or_infinite`: inf too.
+CLI::Validator number_above_0(bool or_infinite = false);
+
+// A name of a file with one of these endings, such as ".csv".
+CLI::Validator name_that_ends_in(std::vector<std::string> endings);
+
+// Shown as TIME: 3840, 3840s, 64min or 1.5h, which becomes a number of seconds. `above_0`: of no other kind.
+void take_time(CLI::Option& option, bool above_0);
+
+// An option whose value is one of these words; `at` takes its place among them.
+void add_choice(CLI::App& command, const std::string& name, std::vector<std::string> words,
+                const std::string& otherwise, const std::string& help, const std::function<void(std::size_t)>& at);
+
+// For all options: an empty value is none.
+void expect_values(CLI::App& app);
+
+}  // namespace ballbar
