@@ -303,9 +303,9 @@ void run(Options options) {
 void add_add(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("add", "A new revision of a model with more effects, and its ledger");
-  add_effect_options(
-      *command, options->effect,
-      "effects (none with --auto), NAME or NAME:ROLE=COLUMN,..., then series .csv, session, or recordings");
+  add_effect_options(*command, options->effect,
+                     "effects (none with --auto), NAME, 'NAME(COLUMN, ...)' or NAME:ROLE=COLUMN,..., then series .csv, "
+                     "session, or recordings");
   command->add_option("--out", options->out, "write the new revision there instead of into the model's file")
       ->type_name("FILE");
   command->add_flag("--auto", options->automatic,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/model/bound_effect.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -25,15 +26,12 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-// As `add` and `try` want it, in quotes; empty where the name of a column holds the comma that parts them.
+// As `add` and `try` take it, in quotes; empty where the name of a column holds what parts them.
 std::string word_of(const BoundEffect& bound) {
-  std::vector<std::string> columns;
-  for (std::size_t k = 0; k < bound.columns.size(); ++k) {
-    if (bound.columns[k].find(',') != std::string::npos) return "";
-    columns.push_back(fmt::format("{}={}", bound.effect->inputs[k].role, bound.columns[k]));
+  for (const std::string& column : bound.columns) {
+    if (column.find_first_of(",;()'\"") != std::string::npos) return "";
   }
-  const bool binds_itself = columns.empty() || bound.effect->level == Level::recording;
-  return quoted(binds_itself ? bound.effect->name : fmt::format("{}:{}", bound.effect->name, fmt::join(columns, ",")));
+  return shell_word(label_of(bound));
 }
 
 // The first that is worth a try: of what is in question, else of what is most probable.

@@ -35,8 +35,9 @@ void run(EffectOptions options) {
 void add_try(CLI::App& app) {
   const auto options = std::make_shared<EffectOptions>();
   CLI::App* command = app.add_subcommand("try", "Before and after an effect is added to a model; nothing is saved");
-  add_effect_options(*command, *options,
-                     "effects, NAME or NAME:ROLE=COLUMN,..., then series .csv, session, or recordings");
+  add_effect_options(
+      *command, *options,
+      "effects, NAME, 'NAME(COLUMN, ...)' or NAME:ROLE=COLUMN,..., then series .csv, session, or recordings");
   command->footer(
       "Example:\n"
       "  ballbar try lagged_expansion:temperature=T16_degC sample-runs/spindle-46h/measured.csv \\\n"

@@ -15,10 +15,12 @@ namespace ballbar {
 namespace {
 
 bool is_effect(const std::string& word) {
-  const std::string name = word.substr(0, word.find(':'));
-  if (find_effect(name, Level::series) != nullptr || find_effect(name, Level::recording) != nullptr) return true;
+  const std::string name = word.substr(0, word.find_first_of(":( "));
+  const bool is_known = find_effect(name, Level::series) != nullptr || find_effect(name, Level::recording) != nullptr;
+  if (is_known && (name == word || word[name.size()] == ':')) return true;
   std::error_code absent;  // then it is no file
   if (std::filesystem::exists(word, absent)) return false;
+  if (is_known) return true;
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
     return c == '_' || c == '-' || std::isalnum(static_cast<unsigned char>(c)) != 0;
   });
