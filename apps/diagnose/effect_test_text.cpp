@@ -16,8 +16,7 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kWidest = 120;  // of a table
-constexpr double kNotNoise = 0.01;    // as the sentences of residual.hpp
+constexpr double kNotNoise = 0.01;  // as the sentences of residual.hpp
 
 std::string known(double value, int decimals) { return std::isfinite(value) ? fixed(value, decimals) : "-"; }
 
@@ -54,7 +53,7 @@ Table added_table(const EffectTest& effect_test) {
                "best surrogate's %"});
   const double fall = 1.0 - effect_test.after.rmse_um / effect_test.before.rmse_um;
   for (const Candidate& tried : effect_test.added) {
-    table.add({shortened(tried.label, 44),
+    table.add({one_line(tried.label),
                std::isfinite(tried.amplitude_sigma_um)
                    ? with_sigma(tried.amplitude_um, tried.amplitude_sigma_um, digits_of(tried.amplitude_um))
                    : fixed(tried.amplitude_um, digits_of(tried.amplitude_um)),
@@ -70,8 +69,8 @@ Table earlier_table(const EffectTest& effect_test) {
   const bool of_axes = is_of_axes(effect_test);
   Table table({"earlier", of_axes ? "chi^2" : "2 ln B", "parameters", of_axes ? "p" : "P not needed", "needed"});
   for (const DropTest& drop_test : effect_test.earlier) {
-    table.add({shortened(drop_test.label, 44), fixed(drop_test.likelihood_ratio, 1),
-               fmt::format("{}", drop_test.parameters), p_text(drop_test.p), drop_test.needed ? "yes" : "no"});
+    table.add({one_line(drop_test.label), fixed(drop_test.likelihood_ratio, 1), fmt::format("{}", drop_test.parameters),
+               p_text(drop_test.p), drop_test.needed ? "yes" : "no"});
   }
   return table;
 }
@@ -93,8 +92,8 @@ Table parameter_table(const EffectTest& effect_test) {
     const auto same = [&](const FittedParameter& p) { return p.effect == after.effect && p.name == after.name; };
     const std::vector<FittedParameter>& all = effect_test.fit_before.parameters;
     const auto before = std::find_if(all.begin(), all.end(), same);
-    table.add({shortened(after.effect, 44), shortened(after.name, 30), before == all.end() ? "-" : value_text(*before),
-               value_text(tested(after, effect_test)), shortened(after.unit, 12)});
+    table.add({one_line(after.effect), one_line(after.name), before == all.end() ? "-" : value_text(*before),
+               value_text(tested(after, effect_test)), one_line(after.unit)});
   }
   return table;
 }
@@ -156,9 +155,9 @@ std::string conclusion(const EffectTest& effect_test) {
 }
 
 std::string tables(const EffectTest& effect_test) {
-  std::string text = figures(effect_test).text(kWidest) + "\n" + added_table(effect_test).text(kWidest);
-  if (!effect_test.earlier.empty()) text += "\n" + earlier_table(effect_test).text(kWidest);
-  text += "\n" + parameter_table(effect_test).text(kWidest);
+  std::string text = figures(effect_test).text(table_width()) + "\n" + added_table(effect_test).text(table_width());
+  if (!effect_test.earlier.empty()) text += "\n" + earlier_table(effect_test).text(table_width());
+  text += "\n" + parameter_table(effect_test).text(table_width());
   if (is_of_axes(effect_test)) {
     return text + "\n" +
            wrapped(

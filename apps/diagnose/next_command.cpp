@@ -26,10 +26,10 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-// As `add` and `try` take it, in quotes; empty where the name of a column holds what parts them.
+// As `add` and `try` take it, in quotes; empty where the name of a column holds the comma that parts them.
 std::string word_of(const BoundEffect& bound) {
   for (const std::string& column : bound.columns) {
-    if (column.find_first_of(",;()'\"") != std::string::npos) return "";
+    if (column.find(',') != std::string::npos) return "";
   }
   return shell_word(label_of(bound));
 }

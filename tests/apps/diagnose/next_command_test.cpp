@@ -28,7 +28,7 @@ TEST(NextCommand, all_that_is_named_is_added_at_once) {
   named.named = {bound("expansion", {"T_room_degC"}), bound("gradient_bending", {"T a_degC", "T'b_degC"})};
   named.probable = {bound("linear_drift", {})};
   EXPECT_EQ(next_command(options(), named),
-            "ballbar add 'expansion:temperature=T_room_degC' 'gradient_bending:hot=T a_degC,cold=T'\\''b_degC' "
+            "ballbar add 'expansion(T_room_degC)' 'gradient_bending(T a_degC, T'\\''b_degC)' "
             "'run 1.csv' --model model.toml --target y_um");
 }
 
@@ -36,17 +36,17 @@ TEST(NextCommand, what_is_probable_is_added_and_what_is_in_question_tried) {
   Diagnosis diagnosis = found(Verdict::probable);
   diagnosis.probable = {bound("linear_drift", {})};
   EXPECT_EQ(next_command(options(), diagnosis),
-            "ballbar add 'linear_drift' 'run 1.csv' --model model.toml --target y_um");
+            "ballbar add linear_drift 'run 1.csv' --model model.toml --target y_um");
   for (const Verdict verdict : {Verdict::equivalent, Verdict::driver, Verdict::unexplained}) {
     diagnosis = found(verdict);
     EXPECT_EQ(next_command(options(), diagnosis), "");
     diagnosis.candidates.push_back({});
     diagnosis.candidates.front().bound = bound("linear_drift", {});
     EXPECT_EQ(next_command(options(), diagnosis),
-              "ballbar try 'linear_drift' 'run 1.csv' --model model.toml --target y_um");
+              "ballbar try linear_drift 'run 1.csv' --model model.toml --target y_um");
     diagnosis.equivalent = {{bound("expansion", {"T_room_degC"}), bound("linear_drift", {})}};
     EXPECT_EQ(next_command(options(), diagnosis),
-              "ballbar try 'expansion:temperature=T_room_degC' 'run 1.csv' --model model.toml --target y_um");
+              "ballbar try 'expansion(T_room_degC)' 'run 1.csv' --model model.toml --target y_um");
   }
 }
 
@@ -58,7 +58,7 @@ TEST(NextCommand, what_the_user_typed_comes_again) {
   typed.also_input = {"z_um"};
   typed.max_gap_s = 90.0;
   EXPECT_EQ(next_command(typed, diagnosis),
-            "ballbar add 'linear_drift' ./-a.csv --model model.toml --target y_um --also-input z_um --max-gap 90s");
+            "ballbar add linear_drift ./-a.csv --model model.toml --target y_um --also-input z_um --max-gap 90s");
 }
 
 TEST(NextCommand, there_is_none_where_nothing_is_to_be_added) {
