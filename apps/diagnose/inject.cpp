@@ -220,6 +220,7 @@ void show_progress_of(std::size_t diagnosis) { show_progress(fmt::format("diagno
 void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
+  say_start(options.model, data);
   if (model.targets.size() != 1) {
     throw Error(fmt::format("--target: expected one column to add to, found {}: {}.", model.targets.size(),
                             fmt::join(model.targets, ", ")));

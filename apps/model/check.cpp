@@ -136,6 +136,7 @@ void print_targets(const std::vector<ResidualReport>& all, const std::string& ti
 void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
+  say_start(options.model, data);
   std::vector<ResidualReport> all;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     all.push_back(residual_report_of(options.model, of_one_target(model, options.model, target), data, 0));

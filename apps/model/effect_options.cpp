@@ -45,7 +45,7 @@ Term term_of_text(const std::string& effect, const Model& model, const Series& d
 }  // namespace
 
 void add_effect_options(CLI::App& command, EffectOptions& options, const std::string& words) {
-  add_model_options(command, options.model, true);
+  add_model_options(command, options.model, false);
   add_also_input(command, options.model);
   command.remove_option(command.get_option("DATA"));
   command.add_option("EFFECT_AND_DATA", options.words, words)->required();
@@ -69,7 +69,10 @@ void split_words(EffectOptions& options, bool effects_wanted) {
 void expect_one_target(const ModelOptions& options, const Model& model) {
   if (model.targets.size() == 1) return;
   throw Error(fmt::format("{}: expected one target, by which effects are judged, found {}; --target chooses one.",
-                          options.target.empty() ? options.model : "--target", fmt::join(model.targets, ", ")));
+                          !options.target.empty() ? "--target"
+                          : options.model.empty() ? options.data.front()
+                                                  : options.model,
+                          fmt::join(model.targets, ", ")));
 }
 
 std::vector<Term> terms_of(const std::vector<std::string>& effects, const Model& model, const ModelData& data) {

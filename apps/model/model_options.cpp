@@ -14,6 +14,7 @@
 #include "ballbar/model/recording_base_model.hpp"
 #include "ballbar/model/target_columns.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -144,6 +145,15 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
   expect_model_suits(model, options, data);
   expect_also_inputs(options, model, data.series);
   return model;
+}
+
+std::string_view start_of(Level level) {
+  return level == Level::recording ? "the circle of each recording" : "a constant";
+}
+
+void say_start(const ModelOptions& options, const ModelData& data) {
+  if (!options.model.empty()) return;
+  stderr_line(fmt::format("no --model: the model is {} alone", start_of(data.level)));
 }
 
 void expect_no_target(const std::string& label, const std::vector<std::string>& columns, const Model& model) {

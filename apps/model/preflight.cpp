@@ -152,6 +152,7 @@ nlohmann::ordered_json json_of(const Preflight& result) {
 void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
+  say_start(options.model, data);
   std::vector<Preflight> results;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     const Model one = of_one_target(model, options.model, target);

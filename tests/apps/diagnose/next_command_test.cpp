@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 namespace ballbar {
 namespace {
 
@@ -85,13 +87,21 @@ TEST(NextCommand, a_held_value_is_freed_by_hand) {
             "In model.toml, free the exponent of speed_heating(speed_rpm): exponent = { start = 1.02 }.");
 }
 
-TEST(NextCommand, without_a_model_file_one_is_asked_for) {
+// `add` makes it, under a name that no file has; `try` needs none.
+TEST(NextCommand, without_a_model_file) {
   Diagnosis diagnosis = found(Verdict::named);
   diagnosis.named = {bound("expansion", {"T_room_degC"})};
   ModelOptions none = options();
   none.model.clear();
-  EXPECT_EQ(next_command(none, diagnosis), "");
-  EXPECT_EQ(next_hint(none, diagnosis), "To go on, write a model file, target = \"y_um\", and give it with --model.");
+  EXPECT_EQ(model_file(options()), "model.toml");
+  const std::string name = model_file(none);
+  EXPECT_FALSE(std::filesystem::exists(name));
+  EXPECT_EQ(next_command(none, diagnosis),
+            "ballbar add 'expansion(T_room_degC)' 'run 1.csv' --model " + name + " --target y_um");
+  EXPECT_EQ(next_hint(none, diagnosis), "");
+  diagnosis.verdict = Verdict::equivalent;
+  diagnosis.equivalent = {{bound("linear_drift", {})}};
+  EXPECT_EQ(next_command(none, diagnosis), "ballbar try linear_drift 'run 1.csv' --target y_um");
 }
 
 TEST(NextCommand, words_are_quoted_where_a_shell_would_part_them) {
