@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
   ballbar::commands::add_history(app);
   ballbar::commands::add_simulate(app);
   ballbar::commands::add_effects(app);
+  ballbar::commands::add_terms(app);
   ballbar::commands::add_preflight(app);
   ballbar::commands::add_check(app);
   ballbar::commands::add_diagnose(app);

@@ -10,6 +10,7 @@
 #include "ballbar/effect_regression/effect_regression.hpp"
 #include "ballbar/formats/models/effect_regression_json.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/number_text.hpp"
 #include "model/model_options.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/output_guard.hpp"

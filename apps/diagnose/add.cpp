@@ -246,8 +246,7 @@ std::string unneeded_text(const EffectTest& tried) {
 void print_text(const Story& story, const std::string& stopped, const std::string& title) {
   fmt::print("{}\n\n", title);
   for (const EffectTest& tried : story.effect_tests) {
-    fmt::print("{}", wrapped(sentence(tried.after, &tried.before)));
-    if (tried.after.verdict != "named") fmt::print("{}", wrapped(conclusion(tried)));
+    fmt::print("{}{}", wrapped(conclusion(tried)), wrapped(sentence(tried.after, &tried.before)));
     const std::string unneeded = unneeded_text(tried);
     if (!unneeded.empty()) fmt::print("{}", wrapped(unneeded));
   }

@@ -127,12 +127,12 @@ std::string untestable_text(const Diagnosis& found) {
 void print_text(const DiagnosisReport& diagnosis_report, const std::string& title) {
   const Diagnosis& found = diagnosis_report.diagnosis;
   fmt::print("{}\n{}\n\n", title, heading(diagnosis_report.residual_report.fit));
-  fmt::print("{}", wrapped(fmt::format("Verdict: {}. {}", name_of(found.verdict), found.sentence)));
+  fmt::print("{}", wrapped(found.sentence));
   if (!diagnosis_report.command.empty()) fmt::print("\n{}\n", diagnosis_report.command);
   if (!diagnosis_report.hint.empty()) fmt::print("\n{}", wrapped(diagnosis_report.hint));
   const std::vector<std::string> parts = parts_of(found);
   const std::string next = next_text(diagnosis_report);
-  if (parts.size() > 1 || !next.empty()) fmt::print("\n");
+  fmt::print("\nVerdict: {}.\n", name_of(found.verdict));
   if (parts.size() > 1) {
     for (std::size_t k = 0; k < parts.size(); ++k) fmt::print("{}", wrapped(fmt::format("{}. {}.", k + 1, parts[k])));
   }

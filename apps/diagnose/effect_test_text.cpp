@@ -8,6 +8,7 @@
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/fit/residual.hpp"
+#include "ballbar/number_text.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 #include "terminal/json_number.hpp"
@@ -124,6 +125,27 @@ nlohmann::ordered_json figures_json(const LedgerRow& row) {
           {"held_out_um", number(row.held_out_um)}};
 }
 
+// "The data support expansion(T_room_degC), 14 um of z_um, very likely (98 %)": effect, size, how sure.
+std::string first_words(const EffectTest& effect_test, bool supported) {
+  std::vector<std::string> texts;
+  texts.reserve(effect_test.added.size());
+  for (const Candidate& tried : effect_test.added) {
+    const double odds = std::exp(-0.5 * tried.likelihood_ratio);  // against it: 1 / B
+    const bool weighed = supported && !is_of_axes(effect_test) && std::isfinite(tried.likelihood_ratio);
+    texts.push_back(fmt::format(
+        "{}{}{}", tried.label,
+        tried.amplitude_um > 0.0 ? fmt::format(", {} um of {}", size_text(tried.amplitude_um), effect_test.after.target)
+                                 : "",
+        weighed ? ", " + sure_text(1.0 / (1.0 + odds)) : ""));
+  }
+  return fmt::format("The data {} {}", supported ? "support" : "do not support", fmt::join(texts, ", and "));
+}
+
+std::string left_words(const EffectTest& effect_test) {
+  return fmt::format("(with {} the model leaves {} um, without {} um)", effect_test.added.size() == 1 ? "it" : "them",
+                     size_text(effect_test.after.rmse_um), size_text(effect_test.before.rmse_um));
+}
+
 }  // namespace
 
 std::string conclusion(const EffectTest& effect_test) {
@@ -134,24 +156,24 @@ std::string conclusion(const EffectTest& effect_test) {
     doubts.push_back(
         fmt::format("{}{}", effect_test.added.size() == 1 ? "" : tried.label + ": ", fmt::join(tried.doubts, ", ")));
   }
-  const std::string names = fmt::format("{}", fmt::join(labels, ", "));
-  if (!doubts.empty()) return fmt::format("The data do not support {}: {}.", names, fmt::join(doubts, "; "));
-  std::string text = fmt::format("The data support {}", names);
+  std::string text = fmt::format("{} {}.", first_words(effect_test, doubts.empty()), left_words(effect_test));
+  if (!doubts.empty()) return fmt::format("{} Why not: {}.", text, fmt::join(doubts, "; "));
   if (effect_test.after.verdict == "time only") {
-    text += ", which needs nothing but time, so that one run cannot name it as a cause";
+    text += fmt::format(" {} nothing but time, so that one run cannot name it as a cause.",
+                        labels.size() == 1 ? labels.front() + " needs" : "One of them needs");
   }
   const Whiteness white = whiteness(effect_test.fit_after);
   if (!is_adequate(effect_test.fit_after, white)) {
     const std::string_view these = effect_test.added.size() == 1 ? "this effect" : "these effects";
     text += white.p < kNotNoise
                 ? fmt::format(
-                      ". What is left is not noise: something else is missing too, and {} may stand in for that", these)
+                      " What is left is not noise: something else is missing too, and {} may stand in for that.", these)
                 : fmt::format(
-                      ". What is left is above the floor: noise with a memory, or something else that is missing, for "
-                      "which {} may stand in",
+                      " What is left is above the floor: noise with a memory, or something else that is missing, for "
+                      "which {} may stand in.",
                       these);
   }
-  return text + '.';
+  return text;
 }
 
 std::string tables(const EffectTest& effect_test) {

@@ -131,6 +131,9 @@ std::string prior_text(const ErrorsReport& report) {
 void print_group(const ErrorsReport& report) {
   const MachineErrors& found = report.found;
   fmt::print("{}\n{}", head_text(report), wrapped(conclusion(report)));
+  const auto largest =
+      std::find_if(found.ranked.begin(), found.ranked.end(), [](const RankedError& one) { return one.significant; });
+  if (largest != found.ranked.end()) fmt::print("\nballbar effects {}\n", largest->effect->name);
   for (const std::string& text : tolerance_texts(report)) fmt::print("{}\n", shortened(text, 100));
   fmt::print("\n{}", table_text(report));
   fmt::print("{}", wrapped("IC: circularity that this error alone would make; ± one sigma by the noise that all errors "

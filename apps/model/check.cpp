@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ballbar/fit/parameter_correlation.hpp"
+#include "ballbar/number_text.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"

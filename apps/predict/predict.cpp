@@ -12,6 +12,7 @@
 #include "ballbar/fit/held_model.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/number_text.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "predict/predict_batch.hpp"

@@ -12,8 +12,6 @@
 #include <string_view>
 #include <utility>
 
-#include "ballbar/units.hpp"
-
 namespace ballbar {
 namespace {
 
@@ -129,12 +127,6 @@ std::string fixed(double value, int decimals) {
   if (std::abs(value) >= kTooLongToRead) return fmt::format("{:.3g}", value);
   if (std::abs(value) < 0.5 * std::pow(10.0, -decimals)) value = 0.0;
   return fmt::format("{:.{}f}", value, decimals);
-}
-
-std::string duration_text(double duration_s) {
-  if (duration_s < 120.0) return fmt::format("{:.3g} s", duration_s);
-  const double duration_min = min_from_s(duration_s);
-  return fmt::format("{:.{}f} min", duration_min, duration_min < 10.0 ? 1 : 0);
 }
 
 std::string shortened(const std::string& text, std::size_t width) {

@@ -33,9 +33,6 @@ std::string with_sigma(const Estimate& estimate, int decimals = 2);
 // "-0.00" is "0.00"; from 1e9 on "1.36e+12", whatever the decimals.
 std::string fixed(double value, int decimals);
 
-// "38.7 s" below two minutes, "164 min" above.
-std::string duration_text(double duration_s);
-
 // One line of at most `width` characters, with "..." where some were left out and ? for what a terminal would obey.
 std::string shortened(const std::string& text, std::size_t width);
 
