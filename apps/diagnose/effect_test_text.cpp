@@ -142,7 +142,7 @@ std::string first_words(const EffectTest& effect_test, bool supported) {
 }
 
 std::string left_words(const EffectTest& effect_test) {
-  return fmt::format("(with {} the model leaves {} um, without {} um)", effect_test.added.size() == 1 ? "it" : "them",
+  return fmt::format("with {} the model leaves {} um, without {} um", effect_test.added.size() == 1 ? "it" : "them",
                      size_text(effect_test.after.rmse_um), size_text(effect_test.before.rmse_um));
 }
 
@@ -156,7 +156,7 @@ std::string conclusion(const EffectTest& effect_test) {
     doubts.push_back(
         fmt::format("{}{}", effect_test.added.size() == 1 ? "" : tried.label + ": ", fmt::join(tried.doubts, ", ")));
   }
-  std::string text = fmt::format("{} {}.", first_words(effect_test, doubts.empty()), left_words(effect_test));
+  std::string text = fmt::format("{}; {}.", first_words(effect_test, doubts.empty()), left_words(effect_test));
   if (!doubts.empty()) return fmt::format("{} Why not: {}.", text, fmt::join(doubts, "; "));
   if (effect_test.after.verdict == "time only") {
     text += fmt::format(" {} nothing but time, so that one run cannot name it as a cause.",
