@@ -16,6 +16,7 @@ void add_compare(CLI::App& app);
 void add_history(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_effects(CLI::App& app);
+void add_terms(CLI::App& app);
 void add_preflight(CLI::App& app);
 void add_check(CLI::App& app);
 void add_diagnose(CLI::App& app);

@@ -23,8 +23,7 @@
 namespace ballbar::commands {
 namespace {
 
-constexpr std::size_t kWidest = 120;  // of a table
-constexpr std::size_t kShown = 30;    // batches
+constexpr std::size_t kShown = 30;  // batches
 
 enum class Take { paper, held_out, weights, all };
 
@@ -147,7 +146,7 @@ void print_choices(const std::vector<Choice>& choices, const Selection& selectio
     add("their best tenth", 0.1);
     add("their worst tenth", 0.9);
   }
-  fmt::print("\n{}", table.text(kWidest));
+  fmt::print("\n{}", table.text(table_width()));
 }
 
 void print_ranking(const Options& options, const OpenedBatches& opened, const Selection& selection, bool measured) {
@@ -163,7 +162,7 @@ void print_ranking(const Options& options, const OpenedBatches& opened, const Se
     if (measured) row.push_back(fixed(*one.predicted_rmse_um, 2));
     table.add(row);
   }
-  fmt::print("\n{}", table.text(kWidest));
+  fmt::print("\n{}", table.text(table_width()));
   if (shown < selection.ranked.size()) fmt::print("{} more (--every)\n", selection.ranked.size() - shown);
   fmt::print("RMSE_m: of the batches up to this rank by a regression to them{}.\n",
              measured ? "; RMSE_p: of the job by it" : "");

@@ -29,8 +29,6 @@
 namespace ballbar::commands {
 namespace {
 
-constexpr std::size_t kWidest = 120;  // of a table
-
 struct Options {
   BatchOptions batches;
   std::optional<std::size_t> method;
@@ -154,7 +152,7 @@ void print_text(const Options& options, const OpenedBatches& opened, const std::
                fixed(effects->rmse_um, 2)});
   }
   fmt::print(
-      "\n{}{}", table.text(kWidest),
+      "\n{}{}", table.text(table_width()),
       wrapped("* is written. left out: RMSE where each batch in turn is predicted by all the others; the settings "
               "are chosen by it, so that it is a little too good."));
   if (!opened.remarks.empty()) fmt::print("\n");

@@ -10,6 +10,7 @@
 #include "ballbar/effect_regression/effect_regression.hpp"
 #include "ballbar/formats/models/effect_regression_json.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/number_text.hpp"
 #include "model/model_options.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/output_guard.hpp"
@@ -19,7 +20,6 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kWidest = 120;  // of a table
 constexpr std::size_t kShownDrivers = 8;
 constexpr double kNoBetter = 0.95;           // of the error of the last value held
 constexpr double kHardlyBetter = 2.0 / 3.0;  // random walks reach this by chance
@@ -76,7 +76,7 @@ Table driver_table(const DriverReport& report) {
       ++more;
       continue;
     }
-    table.add({shortened(one.share.column, 40), std::string(name_of(one.share.role)), fixed(one.share.share_um, 2),
+    table.add({one_line(one.share.column), std::string(name_of(one.share.role)), fixed(one.share.share_um, 2),
                fmt::format("{:.2f} to {:.2f}", one.low_um, one.high_um),
                one.stable  ? "stable"
                : one.flips ? "its sign flips"
@@ -229,11 +229,11 @@ void train_effects(const TrainEffectsOptions& options, const std::vector<std::fi
                dictionary_text(of), of.rows, of.runs > 1 ? fmt::format(" of {} runs", of.runs) : "");
     fmt::print("{}{}\n", wrapped(expectation(of)), wrapped(memory_text(of)));
     if (!others.empty() && of.forecasts) {
-      fmt::print("{}{}\n", contest(trained, others, files).text(kWidest),
+      fmt::print("{}{}\n", contest(trained, others, files).text(table_width()),
                  wrapped("* is written. left out: RMSE where each batch in turn is predicted by all the others; the "
                          "settings are chosen by it, so that it is a little too good."));
     }
-    fmt::print("{}{}", driver_table(trained.drivers).text(kWidest),
+    fmt::print("{}{}", driver_table(trained.drivers).text(table_width()),
                wrapped(fmt::format("share: of {:.2f} um, the range of what is predicted. parts left out: least and "
                                    "largest in {} refits, each without a part of the record.",
                                    trained.drivers.range_um, trained.drivers.refits)));

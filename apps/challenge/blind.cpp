@@ -119,12 +119,12 @@ void print_text(const std::vector<SealedSet>& sets, const std::vector<BlindVerdi
   Table table({"set", "kind", "truth", "d", "verdict", "effects said", "outcome"});
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const BlindAnswer& answer = sets[i].answer;
-    table.add({sets[i].name, std::string(name_of(answer.kind)), shortened(answer.what, 48), d_text(answer),
-               std::string(name_of(verdicts[i].verdict)), shortened(said(verdicts[i]), 52),
+    table.add({sets[i].name, std::string(name_of(answer.kind)), one_line(answer.what), d_text(answer),
+               std::string(name_of(verdicts[i].verdict)), one_line(said(verdicts[i])),
                std::string(name_of(outcomes[i]))});
   }
   fmt::print("{} set{}, the seal is whole; verdicts {}\n\n{}\n", sets.size(), sets.size() == 1 ? "" : "s",
-             by_hand.empty() ? "by ballbar diagnose" : "of " + by_hand, table.left_aligned());
+             by_hand.empty() ? "by ballbar diagnose" : "of " + by_hand, table.left_aligned(table_width(150)));
   Table totals({"", "sets", "share", "95 % interval"});
   print_share(totals, "false call where nothing is hidden", scores.false_calls);
   print_share(totals, "right", scores.right);

@@ -121,7 +121,7 @@ void print(const Replay& replay, const CompensationOptions& options, const Recor
                fixed(largest(axis.after_um), 3), held.empty() ? "0" : held});
   }
   fmt::print(
-      "{}\n{}", table.text(120),
+      "{}\n{}", table.text(table_width()),
       wrapped(fmt::format("Errors since the first value, which is left out. An error is met by the offset of the "
                           "last row before it; nothing later is used. ± is one sigma by leaving out {} in turn.",
                           stretches_text(replay))));

@@ -21,10 +21,12 @@
 #include "diagnose/diagnosis_report.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/grown.hpp"
+#include "diagnose/new_model.hpp"
 #include "diagnose/next_command.hpp"
 #include "model/effect_options.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -50,12 +52,38 @@ struct Story {
   std::optional<GrownModel> grown;  // after them
 };
 
+// The model's file is then that which is written.
+ModelOptions written_to(const Options& options) {
+  ModelOptions written = options.effect.model;
+  if (!options.out.empty()) written.model = options.out;
+  return written;
+}
+
+// Which file is to be written, the command line has to say.
+void expect_file(const Options& options) {
+  if (!options.effect.model.model.empty() || !options.out.empty()) return;
+  std::vector<std::string> words;
+  words.reserve(options.effect.words.size() + 2 * options.effect.model.target.size());
+  for (const std::string& word : options.effect.words) words.push_back(shell_word(word));
+  for (const std::string& target : options.effect.model.target)
+    words.insert(words.end(), {"--target", shell_word(target)});
+  throw CLI::ValidationError(
+      "--model", fmt::format("expected the model's file, which is made where there is none, as in ballbar add {}{} "
+                             "--model {}",
+                             options.automatic ? "--auto " : "", fmt::join(words, " "), model_file({})));
+}
+
 Story story_of(const Options& options, const ModelData& data) {
   Story story;
-  story.bytes = read_bytes(options.effect.model.model, kLargestText);
-  story.model = open_model(options.effect.model, data);
-  expect_one_target(options.effect.model, story.model);
-  expect_to_fit(options.effect.model, story.model, data);
+  ModelOptions how = options.effect.model;
+  const bool is_new = is_new_model(how);
+  if (is_new) how.model.clear();
+  story.model = open_model(how, data);
+  expect_one_target(how, story.model);
+  expect_to_fit(how, story.model, data);
+  story.bytes = is_new ? new_model_text(story.model) : read_bytes(how.model, kLargestText);
+  if (is_new)
+    stderr_line(fmt::format("{} is new: it starts from {} alone", written_to(options).model, start_of(data.level)));
   story.not_in_file = story.model.terms.size() - read_model(story.bytes, options.effect.model.model).terms.size();
   static_cast<void>(read_ledger(story.bytes, options.effect.model.model));
   return story;
@@ -97,13 +125,6 @@ std::string either_text(const std::vector<std::vector<BoundEffect>>& groups) {
     texts.push_back(labels(group, " or "));
   }
   return fmt::format("{}", fmt::join(texts, "; "));
-}
-
-// The model's file is then that which is written.
-ModelOptions written_to(const Options& options) {
-  ModelOptions written = options.effect.model;
-  if (!options.out.empty()) written.model = options.out;
-  return written;
 }
 
 // Why the search goes no further.
@@ -225,8 +246,7 @@ std::string unneeded_text(const EffectTest& tried) {
 void print_text(const Story& story, const std::string& stopped, const std::string& title) {
   fmt::print("{}\n\n", title);
   for (const EffectTest& tried : story.effect_tests) {
-    fmt::print("{}", wrapped(sentence(tried.after, &tried.before)));
-    if (tried.after.verdict != "named") fmt::print("{}", wrapped(conclusion(tried)));
+    fmt::print("{}{}", wrapped(conclusion(tried)), wrapped(sentence(tried.after, &tried.before)));
     const std::string unneeded = unneeded_text(tried);
     if (!unneeded.empty()) fmt::print("{}", wrapped(unneeded));
   }
@@ -242,11 +262,12 @@ void print_text(const Story& story, const std::string& stopped, const std::strin
 
 void run(Options options) {
   split_words(options.effect, !options.automatic);
+  expect_file(options);
   const ModelOptions& how = options.effect.model;
   const ModelData data = open_data(how);
   Story story = story_of(options, data);
   if (!options.out.empty()) expect_no_input({options.out}, data.files);
-  const std::string out = options.out.empty() ? how.model : options.out;
+  const std::string out = written_to(options).model;
   std::string stopped;
   Verdict verdict = Verdict::named;
   if (options.automatic) {
@@ -303,9 +324,9 @@ void run(Options options) {
 void add_add(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("add", "A new revision of a model with more effects, and its ledger");
-  add_effect_options(
-      *command, options->effect,
-      "effects (none with --auto), NAME or NAME:ROLE=COLUMN,..., then series .csv, session, or recordings");
+  add_effect_options(*command, options->effect,
+                     "effects (none with --auto), NAME, 'NAME(COLUMN, ...)' or NAME:ROLE=COLUMN,..., then series .csv, "
+                     "session, or recordings");
   command->add_option("--out", options->out, "write the new revision there instead of into the model's file")
       ->type_name("FILE");
   command->add_flag("--auto", options->automatic,

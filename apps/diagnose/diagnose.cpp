@@ -67,6 +67,7 @@ void run(const Options& options) {
   }
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
+  say_start(options.model, data);
   if (model.targets.size() == 1) {
     const DiagnosisReport diagnosis_report = diagnosis_report_of(options.model, options.how, model, data);
     options.json ? fmt::print("{}\n", json_of(diagnosis_report).dump(2)) : print_text(diagnosis_report, data.title);

@@ -51,6 +51,7 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, const DiagnoseO
   how.tolerance_um = how_to.tolerance_um;
   how.search.seed = how_to.seed;
   how.most_rows = how_to.most_rows;
+  how.where = worst_place(diagnosis_report.residual_report.fit, diagnosis_report.residual_report.where);
   how.search.progress = tell;
   diagnosis_report.surrogates = how.surrogates;
   diagnosis_report.diagnosis = diagnose(model, data.series, 0, how);

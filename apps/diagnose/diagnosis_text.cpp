@@ -14,7 +14,6 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kWidest = 120;
 constexpr std::size_t kDrivers = 4;
 
 // "1. Certain: ...", "2. Probable: ...", "3. One of these as well: ...": where there is more than one thing to say.
@@ -66,21 +65,21 @@ Table candidate_table(const Diagnosis& found) {
   for (std::size_t i = 0; i < found.candidates.size(); ++i) {
     const Candidate& candidate = found.candidates[i];
     const bool held_out = candidate.in_best_set;  // of the others nothing is
-    table.add(
-        {fmt::format("{}{} {}", i + 1, candidate.in_best_set ? "*" : ".", shortened(label_of(candidate.bound), 44)),
-         with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, decimals), fmt::format("{:.2f}", candidate.p),
-         fixed(candidate.likelihood_ratio, 0), fmt::format("{:.{}f}", candidate.rmse_after_um, decimals + 1),
-         held_out ? fmt::format("{:.{}f} -> {:.{}f}", candidate.held_out_before_um, decimals,
-                                candidate.held_out_after_um, decimals)
-                  : "-",
-         not_told_from(candidate, found.candidates)});
+    table.add({fmt::format("{}{} {}", i + 1, candidate.in_best_set ? "*" : ".", one_line(label_of(candidate.bound))),
+               with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, decimals),
+               fmt::format("{:.2f}", candidate.p), fixed(candidate.likelihood_ratio, 0),
+               fmt::format("{:.{}f}", candidate.rmse_after_um, decimals + 1),
+               held_out ? fmt::format("{:.{}f} -> {:.{}f}", candidate.held_out_before_um, decimals,
+                                      candidate.held_out_after_um, decimals)
+                        : "-",
+               not_told_from(candidate, found.candidates)});
   }
   return table;
 }
 
 void print_candidates(const Diagnosis& found) {
   if (found.candidates.empty()) return;
-  fmt::print("\n{}", candidate_table(found).text(kWidest));
+  fmt::print("\n{}", candidate_table(found).text(table_width()));
   const bool of_recordings = found.candidates.front().bound.effect->level == Level::recording;
   const bool best = found.candidates.front().in_best_set;
   fmt::print("{}", wrapped(fmt::format("{}P: that it is missing. 2 ln B: 2 ln of how much more likely the readings are "
@@ -128,12 +127,12 @@ std::string untestable_text(const Diagnosis& found) {
 void print_text(const DiagnosisReport& diagnosis_report, const std::string& title) {
   const Diagnosis& found = diagnosis_report.diagnosis;
   fmt::print("{}\n{}\n\n", title, heading(diagnosis_report.residual_report.fit));
-  fmt::print("{}", wrapped(fmt::format("Verdict: {}. {}", name_of(found.verdict), found.sentence)));
+  fmt::print("{}", wrapped(found.sentence));
   if (!diagnosis_report.command.empty()) fmt::print("\n{}\n", diagnosis_report.command);
   if (!diagnosis_report.hint.empty()) fmt::print("\n{}", wrapped(diagnosis_report.hint));
   const std::vector<std::string> parts = parts_of(found);
   const std::string next = next_text(diagnosis_report);
-  if (parts.size() > 1 || !next.empty()) fmt::print("\n");
+  fmt::print("\nVerdict: {}.\n", name_of(found.verdict));
   if (parts.size() > 1) {
     for (std::size_t k = 0; k < parts.size(); ++k) fmt::print("{}", wrapped(fmt::format("{}. {}.", k + 1, parts[k])));
   }

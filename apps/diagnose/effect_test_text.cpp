@@ -8,6 +8,7 @@
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/fit/residual.hpp"
+#include "ballbar/number_text.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 #include "terminal/json_number.hpp"
@@ -16,8 +17,7 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kWidest = 120;  // of a table
-constexpr double kNotNoise = 0.01;    // as the sentences of residual.hpp
+constexpr double kNotNoise = 0.01;  // as the sentences of residual.hpp
 
 std::string known(double value, int decimals) { return std::isfinite(value) ? fixed(value, decimals) : "-"; }
 
@@ -54,7 +54,7 @@ Table added_table(const EffectTest& effect_test) {
                "best surrogate's %"});
   const double fall = 1.0 - effect_test.after.rmse_um / effect_test.before.rmse_um;
   for (const Candidate& tried : effect_test.added) {
-    table.add({shortened(tried.label, 44),
+    table.add({one_line(tried.label),
                std::isfinite(tried.amplitude_sigma_um)
                    ? with_sigma(tried.amplitude_um, tried.amplitude_sigma_um, digits_of(tried.amplitude_um))
                    : fixed(tried.amplitude_um, digits_of(tried.amplitude_um)),
@@ -70,8 +70,8 @@ Table earlier_table(const EffectTest& effect_test) {
   const bool of_axes = is_of_axes(effect_test);
   Table table({"earlier", of_axes ? "chi^2" : "2 ln B", "parameters", of_axes ? "p" : "P not needed", "needed"});
   for (const DropTest& drop_test : effect_test.earlier) {
-    table.add({shortened(drop_test.label, 44), fixed(drop_test.likelihood_ratio, 1),
-               fmt::format("{}", drop_test.parameters), p_text(drop_test.p), drop_test.needed ? "yes" : "no"});
+    table.add({one_line(drop_test.label), fixed(drop_test.likelihood_ratio, 1), fmt::format("{}", drop_test.parameters),
+               p_text(drop_test.p), drop_test.needed ? "yes" : "no"});
   }
   return table;
 }
@@ -93,8 +93,8 @@ Table parameter_table(const EffectTest& effect_test) {
     const auto same = [&](const FittedParameter& p) { return p.effect == after.effect && p.name == after.name; };
     const std::vector<FittedParameter>& all = effect_test.fit_before.parameters;
     const auto before = std::find_if(all.begin(), all.end(), same);
-    table.add({shortened(after.effect, 44), shortened(after.name, 30), before == all.end() ? "-" : value_text(*before),
-               value_text(tested(after, effect_test)), shortened(after.unit, 12)});
+    table.add({one_line(after.effect), one_line(after.name), before == all.end() ? "-" : value_text(*before),
+               value_text(tested(after, effect_test)), one_line(after.unit)});
   }
   return table;
 }
@@ -125,6 +125,27 @@ nlohmann::ordered_json figures_json(const LedgerRow& row) {
           {"held_out_um", number(row.held_out_um)}};
 }
 
+// "The data support expansion(T_room_degC), 14 um of z_um, very likely (98 %)": effect, size, how sure.
+std::string first_words(const EffectTest& effect_test, bool supported) {
+  std::vector<std::string> texts;
+  texts.reserve(effect_test.added.size());
+  for (const Candidate& tried : effect_test.added) {
+    const double odds = std::exp(-0.5 * tried.likelihood_ratio);  // against it: 1 / B
+    const bool weighed = supported && !is_of_axes(effect_test) && std::isfinite(tried.likelihood_ratio);
+    texts.push_back(fmt::format(
+        "{}{}{}", tried.label,
+        tried.amplitude_um > 0.0 ? fmt::format(", {} um of {}", size_text(tried.amplitude_um), effect_test.after.target)
+                                 : "",
+        weighed ? ", " + sure_text(1.0 / (1.0 + odds)) : ""));
+  }
+  return fmt::format("The data {} {}", supported ? "support" : "do not support", fmt::join(texts, ", and "));
+}
+
+std::string left_words(const EffectTest& effect_test) {
+  return fmt::format("with {} the model leaves {} um, without {} um", effect_test.added.size() == 1 ? "it" : "them",
+                     size_text(effect_test.after.rmse_um), size_text(effect_test.before.rmse_um));
+}
+
 }  // namespace
 
 std::string conclusion(const EffectTest& effect_test) {
@@ -135,30 +156,30 @@ std::string conclusion(const EffectTest& effect_test) {
     doubts.push_back(
         fmt::format("{}{}", effect_test.added.size() == 1 ? "" : tried.label + ": ", fmt::join(tried.doubts, ", ")));
   }
-  const std::string names = fmt::format("{}", fmt::join(labels, ", "));
-  if (!doubts.empty()) return fmt::format("The data do not support {}: {}.", names, fmt::join(doubts, "; "));
-  std::string text = fmt::format("The data support {}", names);
+  std::string text = fmt::format("{}; {}.", first_words(effect_test, doubts.empty()), left_words(effect_test));
+  if (!doubts.empty()) return fmt::format("{} Why not: {}.", text, fmt::join(doubts, "; "));
   if (effect_test.after.verdict == "time only") {
-    text += ", which needs nothing but time, so that one run cannot name it as a cause";
+    text += fmt::format(" {} nothing but time, so that one run cannot name it as a cause.",
+                        labels.size() == 1 ? labels.front() + " needs" : "One of them needs");
   }
   const Whiteness white = whiteness(effect_test.fit_after);
   if (!is_adequate(effect_test.fit_after, white)) {
     const std::string_view these = effect_test.added.size() == 1 ? "this effect" : "these effects";
     text += white.p < kNotNoise
                 ? fmt::format(
-                      ". What is left is not noise: something else is missing too, and {} may stand in for that", these)
+                      " What is left is not noise: something else is missing too, and {} may stand in for that.", these)
                 : fmt::format(
-                      ". What is left is above the floor: noise with a memory, or something else that is missing, for "
-                      "which {} may stand in",
+                      " What is left is above the floor: noise with a memory, or something else that is missing, for "
+                      "which {} may stand in.",
                       these);
   }
-  return text + '.';
+  return text;
 }
 
 std::string tables(const EffectTest& effect_test) {
-  std::string text = figures(effect_test).text(kWidest) + "\n" + added_table(effect_test).text(kWidest);
-  if (!effect_test.earlier.empty()) text += "\n" + earlier_table(effect_test).text(kWidest);
-  text += "\n" + parameter_table(effect_test).text(kWidest);
+  std::string text = figures(effect_test).text(table_width()) + "\n" + added_table(effect_test).text(table_width());
+  if (!effect_test.earlier.empty()) text += "\n" + earlier_table(effect_test).text(table_width());
+  text += "\n" + parameter_table(effect_test).text(table_width());
   if (is_of_axes(effect_test)) {
     return text + "\n" +
            wrapped(

@@ -15,7 +15,6 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kWidest = 120;  // of a table
 constexpr double kKnownDriver = 0.9;  // P
 
 std::string known(double value) { return std::isfinite(value) ? fixed(value, 2) : "-"; }
@@ -116,7 +115,7 @@ std::string tables(const GrownModel& grown) {
   if (grown.rows.empty()) return "";
   Table table({"revision", "RMSE um", "surrogates", "forecasts um", "surrogates", "2 ln B", "what it is"});
   const auto add = [&](const std::string& name, const GrowthErrors& errors, const LedgerRow* row) {
-    table.add({shortened(name, 44), known(errors.rmse_um), known(errors.surrogate_um), known(errors.forecast_um),
+    table.add({one_line(name), known(errors.rmse_um), known(errors.surrogate_um), known(errors.forecast_um),
                known(errors.surrogate_forecast_um), row == nullptr ? "-" : fixed(row->likelihood_ratio, 1),
                row == nullptr ? "the model" : row->verdict});
   };
@@ -125,7 +124,7 @@ std::string tables(const GrownModel& grown) {
     add(fmt::format("{} {}", grown.rows[k].revision, grown.rows[k].change), grown.growth.errors[k + 1], &grown.rows[k]);
   }
   return fmt::format(
-      "{}{}", table.text(kWidest),
+      "{}{}", table.text(table_width()),
       wrapped(fmt::format(
           "forecasts: RMSE of rows predicted from earlier ones alone, from {} origins, all of the "
           "growth done again each time. surrogates: as many columns as smooth, with random phases and no cause, chosen "

@@ -194,9 +194,11 @@ void print_json(const Injected& result) {
 }
 
 Injection injection(const Options& options, const Model& model, const ModelData& data) {
+  EffectText text;
   BoundEffect bound;
   try {
-    bound = resolve_columns(effect_text(options.effect, data.level), data.series, model.targets.front());
+    text = effect_text(options.effect, data.level, &data.series);
+    bound = resolve_columns(text, data.series, model.targets.front());
   } catch (const Error& error) {
     throw Error(fmt::format("EFFECT: {}", error.what()));
   }
@@ -206,6 +208,10 @@ Injection injection(const Options& options, const Model& model, const ModelData&
     throw Error(fmt::format("EFFECT: expected an effect that the model lacks, found {}.", label_of(bound)));
   }
   Injection result = injection_of(bound, data.series);
+  for (const auto& [parameter, setting] : text.settings) {
+    const std::string& name = bound.effect->parameters[parameter].name;
+    if (setting.stated) set_shape(result, fmt::format("{}={}", name, setting.start));
+  }
   for (const std::string& shape : options.shapes) set_shape(result, shape);
   return result;
 }
@@ -215,6 +221,7 @@ void show_progress_of(std::size_t diagnosis) { show_progress(fmt::format("diagno
 void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
+  say_start(options.model, data);
   if (model.targets.size() != 1) {
     throw Error(fmt::format("--target: expected one column to add to, found {}: {}.", model.targets.size(),
                             fmt::join(model.targets, ", ")));
@@ -268,7 +275,9 @@ void run(const Options& options) {
 void add_inject(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("inject", "Whether an effect could have been seen in data");
-  command->add_option("EFFECT", options->effect, "name, with columns where there is a choice: NAME:ROLE=COLUMN")
+  command
+      ->add_option("EFFECT", options->effect,
+                   "name, with columns where there is a choice: 'NAME(COLUMN, ...)' or NAME:ROLE=COLUMN,...")
       ->required()
       ->type_name("");
   command->add_option("--amplitude-um", options->amplitude_um, "its largest less its smallest value")

@@ -20,8 +20,6 @@
 namespace ballbar::commands {
 namespace {
 
-constexpr std::size_t kWidest = 120;  // of a table
-
 struct Options {
   std::string model;
   bool json = false;
@@ -58,12 +56,12 @@ Table table_of(const std::vector<LedgerRow>& rows) {
   heading.emplace_back("verdict");
   Table table(heading);
   for (const LedgerRow& row : rows) {
-    std::vector<std::string> cells{fmt::format("{} {}", row.revision, shortened(row.change, 60))};
-    if (several) cells.push_back(shortened(row.target, 16));
+    std::vector<std::string> cells{fmt::format("{} {}", row.revision, one_line(row.change))};
+    if (several) cells.push_back(one_line(row.target));
     cells.insert(cells.end(), {fmt::format("{}", row.parameters), fixed(row.rmse_um, 3), known(row.times_floor, 2),
                                known(row.held_out_um, 3)});
     for (const Figure& figure : figures) cells.push_back(known(row.*figure.value, figure.decimals));
-    cells.push_back(shortened(row.verdict, 20));
+    cells.push_back(one_line(row.verdict));
     table.add(std::move(cells));
   }
   return table;
@@ -86,7 +84,7 @@ void run(const Options& options) {
   const auto same = [&](const LedgerRow& row) { return row.target == rows.front().target; };
   fmt::print("{}{}\n\n{}\n", options.model,
              std::all_of(rows.begin(), rows.end(), same) ? ", " + shortened(rows.front().target, 40) : "",
-             table_of(rows).text(kWidest));
+             table_of(rows).text(table_width()));
   for (std::size_t i = 0; i < rows.size(); ++i) fmt::print("{}", wrapped(sentence(rows[i], before(i))));
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 
@@ -142,14 +143,19 @@ std::string verdict_of(const ErrorsReport& report) {
 std::string conclusion(const ErrorsReport& report) {
   const MachineErrors& found = report.found;
   const std::vector<const RankedError*> significant = significant_of(found);
-  std::string text = fmt::format("Circularity {:.1f} um. ", found.circularity_um);
-  if (significant.empty()) return text + "No error of the axes stands out of the noise.";
+  if (significant.empty()) {
+    return fmt::format("The circularity is {:.1f} um, and no error of the axes stands out of the noise.",
+                       found.circularity_um);
+  }
   std::vector<std::string> names;
   names.reserve(significant.size());
   for (const RankedError* one : significant) names.push_back(one->effect->name);
   const RankedError& most = *significant.front();
-  text += fmt::format("The largest that is clear is {}, which alone makes {:.1f} um", most.effect->name,
-                      most.individual_circularity_um);
+  std::string words = most.effect->explanation.summary;
+  if (words.ends_with('.')) words.pop_back();
+  words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
+  std::string text = fmt::format("The circularity is {:.1f} um; {} ({}) alone makes {:.1f} um, clear of the noise",
+                                 found.circularity_um, most.effect->name, words, most.individual_circularity_um);
   if (most.circularity_without_um < found.circularity_um) {
     text += fmt::format("; without it {:.1f} um would remain", most.circularity_without_um);
   }

@@ -102,7 +102,7 @@ std::string table_text(const ErrorsReport& report) {
   for (std::size_t row = 0; row < listed.size(); ++row) {
     if (!listed[row]) add(report.found.errors[row], nullptr, true);
   }
-  return table.text(kWidest);
+  return table.text(table_width(kWidest));
 }
 
 std::string prior_text(const ErrorsReport& report) {
@@ -131,6 +131,9 @@ std::string prior_text(const ErrorsReport& report) {
 void print_group(const ErrorsReport& report) {
   const MachineErrors& found = report.found;
   fmt::print("{}\n{}", head_text(report), wrapped(conclusion(report)));
+  const auto largest =
+      std::find_if(found.ranked.begin(), found.ranked.end(), [](const RankedError& one) { return one.significant; });
+  if (largest != found.ranked.end()) fmt::print("\nballbar effects {}\n", largest->effect->name);
   for (const std::string& text : tolerance_texts(report)) fmt::print("{}\n", shortened(text, 100));
   fmt::print("\n{}", table_text(report));
   fmt::print("{}", wrapped("IC: circularity that this error alone would make; ± one sigma by the noise that all errors "
@@ -166,10 +169,10 @@ void print_text(const ErrorsReports& reports) {
     Table table({"stored", "value", "unit", "of"});
     for (const StoredFeature& feature : reports.without_readings[k].stored) {
       if (!feature.valid) continue;
-      table.add({shortened(feature.name, 40), fmt::format("{:g}", feature.value),
-                 std::string(unit_of_data_type(feature.data_type)), shortened(feature.parent, 30)});
+      table.add({one_line(feature.name), fmt::format("{:g}", feature.value),
+                 std::string(unit_of_data_type(feature.data_type)), one_line(feature.parent)});
     }
-    fmt::print("{}", table.text(kWidest));
+    fmt::print("{}", table.text(table_width(kWidest)));
   }
   if (!reports.skipped.empty()) {
     fmt::print("\nLeft out: {}\n",

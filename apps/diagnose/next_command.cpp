@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/model/bound_effect.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -25,15 +28,31 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-// As `add` and `try` want it, in quotes; empty where the name of a column holds the comma that parts them.
-std::string word_of(const BoundEffect& bound) {
-  std::vector<std::string> columns;
-  for (std::size_t k = 0; k < bound.columns.size(); ++k) {
-    if (bound.columns[k].find(',') != std::string::npos) return "";
-    columns.push_back(fmt::format("{}={}", bound.effect->inputs[k].role, bound.columns[k]));
+// As `add` and `try` take it; empty where the name of a column holds the comma that parts them.
+std::string word_of(const std::string& label, const std::vector<std::string>& columns) {
+  for (const std::string& column : columns) {
+    if (column.find(',') != std::string::npos) return "";
   }
-  const bool binds_itself = columns.empty() || bound.effect->level == Level::recording;
-  return quoted(binds_itself ? bound.effect->name : fmt::format("{}:{}", bound.effect->name, fmt::join(columns, ",")));
+  return shell_word(label);
+}
+
+std::string word_of(const BoundEffect& bound) { return word_of(label_of(bound), bound.columns); }
+
+std::string word_of(const Term& term) { return word_of(label_of(term), term.columns); }
+
+// Empty where there is no effect, or one that cannot be typed.
+std::string command_of(const std::string& verb, const std::vector<std::string>& effects, const ModelOptions& options,
+                       const std::string& target) {
+  if (effects.empty() || std::find(effects.begin(), effects.end(), "") != effects.end()) return "";
+  std::vector<std::string> words{"ballbar", verb};
+  words.insert(words.end(), effects.begin(), effects.end());
+  for (const std::string& file : options.data) words.push_back(shell_word(file.starts_with('-') ? "./" + file : file));
+  if (verb == "add" || !options.model.empty()) words.insert(words.end(), {"--model", shell_word(model_file(options))});
+  words.insert(words.end(), {"--target", shell_word(target)});
+  for (const std::string& column : options.also_input) words.insert(words.end(), {"--also-input", shell_word(column)});
+  if (options.max_gap_s) words.insert(words.end(), {"--max-gap", fmt::format("{:g}s", *options.max_gap_s)});
+  const std::string command = fmt::format("{}", fmt::join(words, " "));
+  return shortened(command, command.size()) == command ? command : "";  // a name that a terminal would obey
 }
 
 // The first that is worth a try: of what is in question, else of what is most probable.
@@ -61,32 +80,34 @@ std::string shell_word(const std::string& text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), is_plain) ? text : quoted(text);
 }
 
+std::string model_file(const ModelOptions& options) {
+  if (!options.model.empty()) return options.model;
+  std::string name = "model.toml";
+  std::error_code absent;  // then the name is free
+  for (int number = 2; std::filesystem::exists(name, absent); ++number) name = fmt::format("model-{}.toml", number);
+  return name;
+}
+
 std::string next_command(const ModelOptions& options, const Diagnosis& found) {
-  if (options.model.empty() || found.verdict == Verdict::nothing || found.verdict == Verdict::untestable) return "";
+  if (found.verdict == Verdict::nothing || found.verdict == Verdict::untestable) return "";
   const std::vector<BoundEffect>& certain = found.verdict == Verdict::named ? found.named : found.probable;
+  std::vector<std::string> words;
   const std::vector<BoundEffect> bounds = says_a_name(found) ? certain : worth_a_try(found);
-  if (bounds.empty()) return "";
-  std::vector<std::string> words{"ballbar", says_a_name(found) ? "add" : "try"};
-  for (const BoundEffect& bound : bounds) {
-    words.push_back(word_of(bound));
-    if (words.back().empty()) return "";
-  }
-  for (const std::string& file : options.data) words.push_back(shell_word(file.starts_with('-') ? "./" + file : file));
-  words.insert(words.end(), {"--model", shell_word(options.model), "--target", shell_word(found.target)});
-  for (const std::string& column : options.also_input) words.insert(words.end(), {"--also-input", shell_word(column)});
-  if (options.max_gap_s) words.insert(words.end(), {"--max-gap", fmt::format("{:g}s", *options.max_gap_s)});
-  const std::string command = fmt::format("{}", fmt::join(words, " "));
-  return shortened(command, command.size()) == command ? command : "";  // a name that a terminal would obey
+  words.reserve(bounds.size());
+  for (const BoundEffect& bound : bounds) words.push_back(word_of(bound));
+  return command_of(says_a_name(found) ? "add" : "try", words, options, found.target);
+}
+
+std::string add_command(const ModelOptions& options, const EffectTest& tried) {
+  std::vector<std::string> words;
+  words.reserve(tried.added.size());
+  const std::size_t first = tried.model.terms.size() - tried.added.size();
+  for (std::size_t k = first; k < tried.model.terms.size(); ++k) words.push_back(word_of(tried.model.terms[k]));
+  return command_of("add", words, options, tried.after.target);
 }
 
 std::string next_hint(const ModelOptions& options, const Diagnosis& found) {
   if (found.verdict == Verdict::nothing || found.verdict == Verdict::untestable) return "";
-  if (options.model.empty()) {
-    const bool is_recording =
-        !found.candidates.empty() && found.candidates.front().bound.effect->level == Level::recording;
-    return fmt::format("To go on, write a model file, {}target = \"{}\", and give it with --model.",
-                       is_recording ? "level = \"recording\", " : "", found.target);
-  }
   if (!says_a_name(found)) return "";
   std::string text;
   for (const OwnValue& own : found.own) {

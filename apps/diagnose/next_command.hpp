@@ -4,16 +4,23 @@
 #include <string>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/revision/effect_test.hpp"
 #include "model/model_options.hpp"
 
 namespace ballbar {
 
 // "ballbar add 'expansion:temperature=T_room_degC' run.csv --model model.toml --target y_um": all that is named, or
 // what is probable; else the first that is in question, to `try`. Files as they were typed, quoted where a shell needs
-// it. Empty where there is nothing to add, or no model file to add it to.
+// it. Empty where there is nothing to add, or no way to type it.
 std::string next_command(const ModelOptions& options, const Diagnosis& found);
 
-// What the user has to do by hand: a value that the model holds, or a model file that is not there. Whole sentences.
+// "ballbar add 'expansion(T_room_degC)' run.csv --model model.toml --target y_um": what saves what was tried.
+std::string add_command(const ModelOptions& options, const EffectTest& tried);
+
+// The model's file as it was typed; where none was, a name that no file has yet: model.toml, model-2.toml ...
+std::string model_file(const ModelOptions& options);
+
+// What the user has to do by hand: a value that the model holds. Whole sentences.
 std::string next_hint(const ModelOptions& options, const Diagnosis& found);
 
 // As one word of a shell: in single quotes where it holds anything else than letters, digits and _-./=:,+@%.

@@ -1,4 +1,4 @@
-// `ballbar try EFFECT... --model M DATA`: what an effect would change; nothing is saved.
+// `ballbar try EFFECT... DATA`: what an effect would change; nothing is saved.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "diagnose/effect_test_text.hpp"
+#include "diagnose/next_command.hpp"
 #include "model/effect_options.hpp"
 #include "model/residual_report.hpp"
 #include "terminal/terminal_table.hpp"
@@ -17,17 +18,20 @@ void run(EffectOptions options) {
   split_words(options, true);
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
+  say_start(options.model, data);
   expect_one_target(options.model, model);
   expect_to_fit(options.model, model, data);
   const std::vector<Term> terms = terms_of(options.effects, model, data);
   EffectTest tried = with_source(options.model.data.front(), [&] { return effect_test(model, terms, data.series); });
   tried.after.data = options.model.data;
+  const std::string saves = add_command(options.model, tried);
   if (options.json) {
     fmt::print("{}\n", json_of(tried).dump(2));
     return;
   }
-  fmt::print("{}\n{}\n\n{}\n{}\nNothing was saved; `ballbar add` saves it.\n", data.title, heading(tried.fit_after),
-             wrapped(conclusion(tried)), tables(tried));
+  fmt::print("{}\n{}\n\n{}\n{}\nNothing was saved; {}\n", data.title, heading(tried.fit_after),
+             wrapped(conclusion(tried)), tables(tried),
+             saves.empty() ? "`ballbar add` saves it." : "this saves it:\n" + saves);
 }
 
 }  // namespace
@@ -35,8 +39,9 @@ void run(EffectOptions options) {
 void add_try(CLI::App& app) {
   const auto options = std::make_shared<EffectOptions>();
   CLI::App* command = app.add_subcommand("try", "Before and after an effect is added to a model; nothing is saved");
-  add_effect_options(*command, *options,
-                     "effects, NAME or NAME:ROLE=COLUMN,..., then series .csv, session, or recordings");
+  add_effect_options(
+      *command, *options,
+      "effects, NAME, 'NAME(COLUMN, ...)' or NAME:ROLE=COLUMN,..., then series .csv, session, or recordings");
   command->footer(
       "Example:\n"
       "  ballbar try lagged_expansion:temperature=T16_degC sample-runs/spindle-46h/measured.csv \\\n"

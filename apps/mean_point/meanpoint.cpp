@@ -174,14 +174,14 @@ void print_states(const Options& options, const std::vector<MeanPointState>& sta
     for (std::size_t i = 0; i < state.points.size(); ++i) {
       places.push_back(value_text(state.points[i].x_mm, state.sigma_mm[i], 2));
     }
-    table.add({shortened(state.name, 40), value_text(state.mean_degC, state.sigma_mean_degC, 2),
+    table.add({one_line(state.name), value_text(state.mean_degC, state.sigma_mean_degC, 2),
                options.of.start_degC
                    ? value_text(elongation_um(options, state, state.mean_degC - *options.of.start_degC),
                                 elongation_um(options, state, state.sigma_mean_degC), 2)
                    : "-",
                fmt::format("{}", fmt::join(places, ", ")), fixed(best.error_um[k], 2)});
   }
-  fmt::print("{}\n", table.text(140));
+  fmt::print("{}\n", table.text(table_width(140)));
 }
 
 void print_text(const Options& options, const std::vector<MeanPointState>& states,

@@ -26,7 +26,7 @@ std::string text_of(const ResultsAlone& alone) {
     table.add({feature.name, fmt::format("{}", feature.value), std::string(unit_of_data_type(feature.data_type)),
                place_of(alone.b5r, feature.parent)});
   }
-  return table.text(150) + '\n' + wrapped(alone.file + ": without readings there is nothing to fit.");
+  return table.text(table_width(150)) + '\n' + wrapped(alone.file + ": without readings there is nothing to fit.");
 }
 
 nlohmann::ordered_json json_of(const ResultsAlone& alone) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ballbar/fit/parameter_correlation.hpp"
+#include "ballbar/number_text.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
@@ -18,7 +19,6 @@ namespace ballbar::commands {
 namespace {
 
 constexpr std::size_t kGroupsShown = 8;
-constexpr std::size_t kWidest = 120;  // of a table
 
 struct Options {
   ModelOptions model;
@@ -33,7 +33,7 @@ std::string correlation_text(const Fit& fit, std::size_t k) {
   if (other.name == "constant_um") return fmt::format("{:.2f} constant", strongest->value);
   const auto same = [&](const FittedParameter& parameter) { return parameter.name == other.name; };
   const bool unique = std::count_if(fit.parameters.begin(), fit.parameters.end(), same) == 1;
-  return fmt::format("{:.2f} {}{}", strongest->value, other.name, unique ? "" : ", " + shortened(other.effect, 24));
+  return fmt::format("{:.2f} {}{}", strongest->value, other.name, unique ? "" : ", " + one_line(other.effect));
 }
 
 void add_parameters(Table& table, const Fit& fit, const std::string& target) {
@@ -41,8 +41,8 @@ void add_parameters(Table& table, const Fit& fit, const std::string& target) {
     const FittedParameter& parameter = fit.parameters[k];
     if (k == 0 && parameter.state == ParameterState::held && parameter.value == 0.0) continue;  // recordings have none
     if (parameter.shape_of == ShapeOf::recording) continue;  // the label has it: circle 1
-    std::vector<std::string> row{target + shortened(parameter.effect, 44), shortened(parameter.name, 30),
-                                 value_text(parameter), shortened(parameter.unit, 12)};
+    std::vector<std::string> row{target + one_line(parameter.effect), one_line(parameter.name), value_text(parameter),
+                                 one_line(parameter.unit)};
     if (target.empty()) row.push_back(correlation_text(fit, k));
     table.add(std::move(row));
   }
@@ -73,7 +73,7 @@ Table misfit_table(const ResidualReport& residual_report) {
   Table table({"where", "from", "to", "rows", "bias um", "RMSE um", "% of misfit"});
   const int decimals = decimals_of(residual_report.fit.rmse_um);
   for (const Misfit& misfit : worth_showing(residual_report)) {
-    table.add({shortened(misfit.what, 30), misfit.from, misfit.from == misfit.to ? "" : misfit.to,
+    table.add({one_line(misfit.what), misfit.from, misfit.from == misfit.to ? "" : misfit.to,
                fmt::format("{}", misfit.n), with_sigma(misfit.bias_um, misfit.bias_sigma_um, decimals),
                fixed(misfit.rmse_um, decimals + 1), fmt::format("{:.0f}", 100.0 * misfit.share)});
   }
@@ -114,8 +114,8 @@ void print_text(const ResidualReport& residual_report, const std::string& title)
   const Fit& fit = residual_report.fit;
   fmt::print("{}\n{}\n\n", title, heading(fit));
   print_sentences(residual_report);
-  fmt::print("\n{}\n{}", parameter_table(fit).text(kWidest), wrapped(floor_text(fit)));
-  if (!residual_report.where.empty()) fmt::print("\n{}", misfit_table(residual_report).text(kWidest));
+  fmt::print("\n{}\n{}", parameter_table(fit).text(table_width()), wrapped(floor_text(fit)));
+  if (!residual_report.where.empty()) fmt::print("\n{}", misfit_table(residual_report).text(table_width()));
   fmt::print("\n{}",
              wrapped(noise_text(fit.noise) + whiteness_text(residual_report.whiteness, fit.residual_um.size())));
   print_remarks(fit);
@@ -131,12 +131,13 @@ void print_targets(const std::vector<ResidualReport>& all, const std::string& ti
     print_remarks(residual_report.fit);
     add_parameters(table, residual_report.fit, residual_report.fit.target + ": ");
   }
-  fmt::print("\n{}\n--target {} shows one target in full.\n", table.text(kWidest), all.front().fit.target);
+  fmt::print("\n{}\n--target {} shows one target in full.\n", table.text(table_width()), all.front().fit.target);
 }
 
 void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
+  say_start(options.model, data);
   std::vector<ResidualReport> all;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     all.push_back(residual_report_of(options.model, of_one_target(model, options.model, target), data, 0));

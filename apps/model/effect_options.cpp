@@ -15,10 +15,12 @@ namespace ballbar {
 namespace {
 
 bool is_effect(const std::string& word) {
-  const std::string name = word.substr(0, word.find(':'));
-  if (find_effect(name, Level::series) != nullptr || find_effect(name, Level::recording) != nullptr) return true;
+  const std::string name = word.substr(0, word.find_first_of(":( "));
+  const bool is_known = find_effect(name, Level::series) != nullptr || find_effect(name, Level::recording) != nullptr;
+  if (is_known && (name == word || word[name.size()] == ':')) return true;
   std::error_code absent;  // then it is no file
   if (std::filesystem::exists(word, absent)) return false;
+  if (is_known) return true;
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
     return c == '_' || c == '-' || std::isalnum(static_cast<unsigned char>(c)) != 0;
   });
@@ -43,7 +45,7 @@ Term term_of_text(const std::string& effect, const Model& model, const Series& d
 }  // namespace
 
 void add_effect_options(CLI::App& command, EffectOptions& options, const std::string& words) {
-  add_model_options(command, options.model, true);
+  add_model_options(command, options.model, false);
   add_also_input(command, options.model);
   command.remove_option(command.get_option("DATA"));
   command.add_option("EFFECT_AND_DATA", options.words, words)->required()->type_name("");
@@ -67,7 +69,10 @@ void split_words(EffectOptions& options, bool effects_wanted) {
 void expect_one_target(const ModelOptions& options, const Model& model) {
   if (model.targets.size() == 1) return;
   throw Error(fmt::format("{}: expected one target, by which effects are judged, found {}; --target chooses one.",
-                          options.target.empty() ? options.model : "--target", fmt::join(model.targets, ", ")));
+                          !options.target.empty() ? "--target"
+                          : options.model.empty() ? options.data.front()
+                                                  : options.model,
+                          fmt::join(model.targets, ", ")));
 }
 
 std::vector<Term> terms_of(const std::vector<std::string>& effects, const Model& model, const ModelData& data) {

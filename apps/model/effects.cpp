@@ -139,9 +139,10 @@ nlohmann::ordered_json json_of(const Effect& effect) {
 void run(const Options& options) {
   std::vector<const Effect*> chosen;
   std::vector<std::string_view> names;
+  const std::string name = options.name.substr(0, options.name.find_first_of(":( "));  // of a label, as one is printed
   for (const Effect* effect : all_effects()) {
     names.push_back(effect->name);
-    if (options.name.empty() || effect->name == options.name) chosen.push_back(effect);
+    if (options.name.empty() || effect->name == name) chosen.push_back(effect);
   }
   if (chosen.empty()) {
     throw CLI::ValidationError(fmt::format("expected the name of an effect, found {}; the nearest is {}",

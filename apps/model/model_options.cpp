@@ -139,6 +139,15 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
   return model;
 }
 
+std::string_view start_of(Level level) {
+  return level == Level::recording ? "the circle of each recording" : "a constant";
+}
+
+void say_start(const ModelOptions& options, const ModelData& data) {
+  if (!options.model.empty()) return;
+  stderr_line(fmt::format("no --model: the model is {} alone", start_of(data.level)));
+}
+
 void expect_no_target(const std::string& label, const std::vector<std::string>& columns, const Model& model) {
   for (const std::string& column : columns) {
     if (!is_in(model.not_inputs, column)) continue;

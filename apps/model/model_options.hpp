@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ballbar/error.hpp"
@@ -49,6 +50,12 @@ ModelData open_drift(const std::string& data, const std::optional<double>& max_g
 // suit the data (expect_suits) with the file's name, a target that is not in um. Targets that --target leaves out are
 // no inputs (Model::not_inputs) but where --also-input says so.
 Model open_model(const ModelOptions& options, const ModelData& data);
+
+// What every model has before any effect, in words.
+std::string_view start_of(Level level);
+
+// Says on the standard error what a model without a file is: a constant, or the circles of recordings.
+void say_start(const ModelOptions& options, const ModelData& data);
 
 // Throws Error where an effect of that label would read one of Model::not_inputs.
 void expect_no_target(const std::string& label, const std::vector<std::string>& columns, const Model& model);

@@ -18,8 +18,7 @@ namespace ballbar::commands {
 namespace {
 
 constexpr std::size_t kTargetsShown = 6;
-constexpr std::size_t kColumnsWidth = 40, kListWidth = 19;
-constexpr std::size_t kWidest = 120;  // of a table
+constexpr std::size_t kListWidth = 19;
 
 struct Options {
   ModelOptions model;
@@ -53,7 +52,7 @@ std::string um_text(double value_um) {
 std::string columns_text(const Detectability& detectable) {
   if (detectable.columns.empty()) return "time";
   const std::string more = detectable.bindings > 1 ? fmt::format(" (1 of {})", detectable.bindings) : "";
-  return shortened(fmt::format("{}", fmt::join(detectable.columns, ", ")), kColumnsWidth - more.size()) + more;
+  return one_line(fmt::format("{}", fmt::join(detectable.columns, ", "))) + more;
 }
 
 // Numbers of the rows of the table; names of effects that are not in it.
@@ -95,7 +94,7 @@ void print_text(const Preflight& result, const std::string& title) {
                        fmt::format("{:.0f}", 100.0 * rows[i]->surviving_share), inseparable_text(*rows[i], rows)},
                       kListWidth);
   }
-  if (!rows.empty()) fmt::print("{}\n", table.text(kWidest));
+  if (!rows.empty()) fmt::print("{}\n", table.text(table_width()));
   print_untestable(result);
   fmt::print("\n{}", wrapped(fmt::format(
                          "um: range (max - min) that the effect would add over these data, to be seen and to be named. "
@@ -118,7 +117,7 @@ void print_targets(const std::vector<Preflight>& results, const std::string& tit
     if (std::any_of(row.begin() + 1, row.end(), [](const std::string& text) { return text != "-"; })) table.add(row);
   }
   fmt::print("{}\n{} targets{}\n\n{}\n", title, results.size(),
-             shown < results.size() ? fmt::format(", the first {} shown", shown) : "", table.text(kWidest));
+             shown < results.size() ? fmt::format(", the first {} shown", shown) : "", table.text(table_width()));
   print_untestable(results.front());
   fmt::print("\n{}", wrapped(fmt::format(
                          "um: range (max - min) that the effect would add over these data. Noise from: {}. --target {} "
@@ -153,6 +152,7 @@ nlohmann::ordered_json json_of(const Preflight& result) {
 void run(const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
+  say_start(options.model, data);
   std::vector<Preflight> results;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     const Model one = of_one_target(model, options.model, target);

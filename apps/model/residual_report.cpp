@@ -7,6 +7,7 @@
 
 #include "ballbar/fit/parameter_correlation.hpp"
 #include "ballbar/model/measured_input.hpp"
+#include "ballbar/number_text.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/terminal_table.hpp"
 

@@ -12,6 +12,7 @@
 #include "ballbar/fit/held_model.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/number_text.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "predict/predict_batch.hpp"
@@ -23,8 +24,6 @@
 
 namespace ballbar::commands {
 namespace {
-
-constexpr std::size_t kWidest = 120;  // of a table
 
 struct Options {
   ModelOptions model;
@@ -76,8 +75,7 @@ Table summary(const std::vector<Column>& columns) {
       last = value;
     }
     if (low > high) continue;
-    table.add(
-        {shortened(column.name, 60), fixed(low, 3), fixed(high, 3), fixed(last, 3), fixed(rms(column.values), 3)});
+    table.add({one_line(column.name), fixed(low, 3), fixed(high, 3), fixed(last, 3), fixed(rms(column.values), 3)});
   }
   return table;
 }
@@ -155,7 +153,7 @@ void run(const Options& options) {
     fmt::print("{}\n{}: {} rows over {}{}\n\n{}", other.title, options.model.model, series.time_s.size(),
                duration_text(series.time_s.back() - series.time_s.front()),
                options.on.empty() ? "" : fmt::format("\nfitted to {}", data.title),
-               summary(series.columns).text(kWidest));
+               summary(series.columns).text(table_width()));
   }
   for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
 }

@@ -14,6 +14,7 @@
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/reader.hpp"
+#include "ballbar/number_text.hpp"
 #include "batches/batches.hpp"
 #include "model/model_options.hpp"
 #include "terminal/json_number.hpp"

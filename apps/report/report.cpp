@@ -180,6 +180,7 @@ void add_target(Made& made, const Options& options, const Model& model, const Mo
 void add_model(Made& made, const Options& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
+  say_start(options.model, data);
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     try {
       add_target(made, options, of_one_target(model, options.model, target), data);

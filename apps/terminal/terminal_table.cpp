@@ -1,14 +1,16 @@
 #include "terminal/terminal_table.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <numeric>
 #include <sstream>
-
-#include "ballbar/units.hpp"
+#include <string_view>
+#include <utility>
 
 namespace ballbar {
 namespace {
@@ -22,7 +24,48 @@ std::size_t characters(const std::string& text) {
       std::count_if(text.begin(), text.end(), [](char c) { return !is_within_character(c); }));
 }
 
+// Where a cell of at most `width` characters ends, in bytes, and how many bytes after that are dropped: at a space,
+// else behind a sign within a name, both beyond the middle; else anywhere.
+std::pair<std::size_t, std::size_t> break_of(const std::string& text, std::size_t width) {
+  constexpr std::size_t kNone = std::string::npos;
+  std::size_t at_space = kNone, at_bracket = kNone, at_sign = kNone, anywhere = 0, shown = 0;
+  const auto is_one_of = [](std::string_view signs, char c) { return signs.find(c) != kNone; };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (is_within_character(text[i])) continue;
+    if (text[i] == ' ' && 2 * shown > width) at_space = i;
+    if (shown == width) {
+      anywhere = i;
+      break;
+    }
+    ++shown;
+    if (2 * shown > width && is_one_of("(,", text[i])) at_bracket = i + 1;
+    if (2 * shown > width && is_one_of("_/=:", text[i])) at_sign = i + 1;
+  }
+  if (at_space != kNone) return {at_space, 1};
+  return {at_bracket != kNone ? at_bracket : at_sign != kNone ? at_sign : anywhere, 0};
+}
+
+// The lines of a cell; with an indent those after the first stand in by two.
+std::vector<std::string> lines_of(std::string text, std::size_t width, bool indented) {
+  std::vector<std::string> lines;
+  const auto indent = [&] { return std::string(indented && !lines.empty() ? 2 : 0, ' '); };
+  while (characters(text) + indent().size() > width) {
+    const auto [end, dropped] = break_of(text, width - indent().size());
+    lines.push_back(indent() + text.substr(0, end));
+    text.erase(0, end + dropped);
+  }
+  lines.push_back(indent() + text);
+  return lines;
+}
+
 }  // namespace
+
+std::size_t table_width(std::size_t elsewhere) {
+  constexpr std::size_t kNarrowest = 60, kWidest = 400;
+  winsize size{};
+  if (isatty(STDOUT_FILENO) == 0 || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return elsewhere;
+  return std::clamp<std::size_t>(size.ws_col, kNarrowest, kWidest);
+}
 
 void Table::add_wrapped(std::vector<std::string> row, std::size_t width) {
   std::istringstream text(wrapped(row.back(), width));
@@ -35,10 +78,10 @@ void Table::add_wrapped(std::vector<std::string> row, std::size_t width) {
 
 std::string Table::text(std::size_t most) const { return aligned(true, most); }
 
-std::string Table::left_aligned() const { return aligned(false, 10000); }
+std::string Table::left_aligned(std::size_t most) const { return aligned(false, most); }
 
 std::string Table::aligned(bool numbers, std::size_t most) const {
-  constexpr std::size_t kNarrowest = 8;
+  constexpr std::size_t kNarrowest = 12;
   std::vector<std::size_t> width(rows_.front().size(), 0);
   for (const auto& row : rows_) {
     for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], characters(row[i]));
@@ -49,14 +92,23 @@ std::string Table::aligned(bool numbers, std::size_t most) const {
   }
   std::string text;
   for (const auto& row : rows_) {
-    std::string line;
+    std::vector<std::vector<std::string>> cells;
+    std::size_t lines = 1;
+    cells.reserve(row.size());
     for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string cell = characters(row[i]) > width[i] ? shortened(row[i], width[i]) : row[i];
-      const std::string space(width[i] - characters(cell), ' ');
-      line += (i == 0 ? "" : "  ") + (i == 0 || !numbers ? cell + space : space + cell);
+      cells.push_back(lines_of(row[i], width[i], i == 0 || !numbers));
+      lines = std::max(lines, cells.back().size());
     }
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + '\n';
+    for (std::size_t k = 0; k < lines; ++k) {
+      std::string line;
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        const std::string cell = k < cells[i].size() ? cells[i][k] : "";
+        const std::string space(width[i] - characters(cell), ' ');
+        line += (i == 0 ? "" : "  ") + (i == 0 || !numbers ? cell + space : space + cell);
+      }
+      line.erase(line.find_last_not_of(' ') + 1);
+      text += line + '\n';
+    }
   }
   return text;
 }
@@ -75,12 +127,6 @@ std::string fixed(double value, int decimals) {
   if (std::abs(value) >= kTooLongToRead) return fmt::format("{:.3g}", value);
   if (std::abs(value) < 0.5 * std::pow(10.0, -decimals)) value = 0.0;
   return fmt::format("{:.{}f}", value, decimals);
-}
-
-std::string duration_text(double duration_s) {
-  if (duration_s < 120.0) return fmt::format("{:.3g} s", duration_s);
-  const double duration_min = min_from_s(duration_s);
-  return fmt::format("{:.{}f} min", duration_min, duration_min < 10.0 ? 1 : 0);
 }
 
 std::string shortened(const std::string& text, std::size_t width) {
@@ -102,6 +148,11 @@ std::string shortened(const std::string& text, std::size_t width) {
     if (!is_within_character(line[end]) && ++shown > width - 3) break;
   }
   return line.substr(0, end) + "...";
+}
+
+std::string one_line(const std::string& text) {
+  constexpr std::size_t kNobodyReads = 300;
+  return shortened(text, kNobodyReads);
 }
 
 std::string wrapped(const std::string& text, std::size_t width) {

@@ -14,14 +14,17 @@ class Table {
   explicit Table(std::vector<std::string> heading) : rows_{std::move(heading)} {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   void add_wrapped(std::vector<std::string> row, std::size_t width);  // the last cell goes on below itself
-  // Rows wider than `most` characters: the widest column is shortened, then the next.
+  // Rows wider than `most` characters: the widest column gives way, then the next, and its cells go on below.
   std::string text(std::size_t most = 10000) const;
-  std::string left_aligned() const;  // all columns to the left: tables of words
+  std::string left_aligned(std::size_t most = 10000) const;  // all columns to the left: tables of words
 
  private:
   std::string aligned(bool numbers, std::size_t most) const;
   std::vector<std::vector<std::string>> rows_;
 };
+
+// Characters of a line: of the terminal, where the standard output is one.
+std::size_t table_width(std::size_t elsewhere = 120);
 
 // "7.40 ± 0.02"; the sigma "?" where it is not known, "undetermined" where the readings do not determine it.
 std::string with_sigma(double value, double sigma, int decimals);
@@ -30,11 +33,11 @@ std::string with_sigma(const Estimate& estimate, int decimals = 2);
 // "-0.00" is "0.00"; from 1e9 on "1.36e+12", whatever the decimals.
 std::string fixed(double value, int decimals);
 
-// "38.7 s" below two minutes, "164 min" above.
-std::string duration_text(double duration_s);
-
 // One line of at most `width` characters, with "..." where some were left out and ? for what a terminal would obey.
 std::string shortened(const std::string& text, std::size_t width);
+
+// A name as it is, with ? for what a terminal would obey; only what nobody would read to the end is shortened.
+std::string one_line(const std::string& text);
 
 // Breaks at spaces so that no line is longer than `width`.
 std::string wrapped(const std::string& text, std::size_t width = 100);

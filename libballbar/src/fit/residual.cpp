@@ -156,6 +156,7 @@ std::string digits(double value_um) {
   return value_um < 999.5 || value_um >= 1e9 ? fmt::format("{:.3g}", value_um) : fmt::format("{:.0f}", value_um);
 }
 
+// What an engineer is told; the word for it and where it is from come after that.
 std::string of_floor(const Fit& fit) {
   const double floor_um = fit.floor.rms_um;
   if (!(floor_um > 0.0) || fit.floor.source.empty()) {
@@ -164,13 +165,13 @@ std::string of_floor(const Fit& fit) {
   }
   const double ratio = fit.rmse_um / floor_um;
   if (ratio < 1.05) {
-    return fmt::format("The model leaves {} um, as little as the floor of {} um ({}).", digits(fit.rmse_um),
-                       digits(floor_um), fit.floor.source);
+    return fmt::format("The model leaves {} um, as little as any model could. The floor is {} um ({}).",
+                       digits(fit.rmse_um), digits(floor_um), fit.floor.source);
   }
   const std::string times =
       ratio < 1e6 ? fmt::format("{:.{}f}", ratio, ratio < 2.0 ? 2 : 1) : fmt::format("{:.1e}", ratio);
-  return fmt::format("The model leaves {} um, {} times the floor of {} um ({}).", digits(fit.rmse_um), times,
-                     digits(floor_um), fit.floor.source);
+  return fmt::format("The model leaves {} um, {} times what no model could explain. The floor is {} um ({}).",
+                     digits(fit.rmse_um), times, digits(floor_um), fit.floor.source);
 }
 
 std::string place_of(const Misfit& group) {
@@ -190,8 +191,8 @@ std::string place_of(const Misfit& group) {
   return fmt::format("where {} is {}", group.what, range());
 }
 
-// What is above the group's own share of the readings, and worth a sentence.
-std::string of_place(const Fit& fit, const std::vector<Misfit>& where) {
+// What is furthest above its own share of the readings, and worth a sentence; nullptr: none.
+const Misfit* worst_of(const Fit& fit, const std::vector<Misfit>& where) {
   constexpr double kWorthIt = 0.1;
   const auto n = static_cast<double>(fit.residual_um.size());
   const auto above = [&](const Misfit& group) { return group.share - static_cast<double>(group.n) / n; };
@@ -199,9 +200,15 @@ std::string of_place(const Fit& fit, const std::vector<Misfit>& where) {
   for (const Misfit& group : where) {
     if (worst == nullptr || above(group) > above(*worst)) worst = &group;
   }
-  if (worst == nullptr || above(*worst) < kWorthIt) return "It fails nowhere more than elsewhere.";
+  return worst == nullptr || above(*worst) < kWorthIt ? nullptr : worst;
+}
+
+std::string of_place(const Fit& fit, const std::vector<Misfit>& where) {
+  const Misfit* worst = worst_of(fit, where);
+  if (worst == nullptr) return "It fails nowhere more than elsewhere.";
   return fmt::format("It fails most {}: {:.0f} % of the misfit in {:.0f} % of the readings, bias {} um.",
-                     place_of(*worst), 100.0 * worst->share, 100.0 * static_cast<double>(worst->n) / n,
+                     place_of(*worst), 100.0 * worst->share,
+                     100.0 * static_cast<double>(worst->n) / static_cast<double>(fit.residual_um.size()),
                      with_sigma(worst->bias_um, worst->bias_sigma_um));
 }
 
@@ -256,6 +263,12 @@ std::vector<Misfit> where_it_fails(const Fit& fit, const Series& data) {
 
 bool is_adequate(const Fit& fit, const Whiteness& whiteness) {
   return !fit.floor.source.empty() && fit.rmse_um <= 1.2 * fit.floor.rms_um && whiteness.p >= 0.01;
+}
+
+std::string worst_place(const Fit& fit, const std::vector<Misfit>& where) {
+  if (!fit.discounted.empty()) return worst_place(inliers_of(fit), where);
+  const Misfit* worst = worst_of(fit, where);
+  return worst == nullptr ? "" : place_of(*worst);
 }
 
 std::vector<std::string> sentences(const Fit& fit, const std::vector<Misfit>& where, const Whiteness& whiteness) {

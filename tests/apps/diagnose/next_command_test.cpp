@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 namespace ballbar {
 namespace {
 
@@ -28,7 +30,7 @@ TEST(NextCommand, all_that_is_named_is_added_at_once) {
   named.named = {bound("expansion", {"T_room_degC"}), bound("gradient_bending", {"T a_degC", "T'b_degC"})};
   named.probable = {bound("linear_drift", {})};
   EXPECT_EQ(next_command(options(), named),
-            "ballbar add 'expansion:temperature=T_room_degC' 'gradient_bending:hot=T a_degC,cold=T'\\''b_degC' "
+            "ballbar add 'expansion(T_room_degC)' 'gradient_bending(T a_degC, T'\\''b_degC)' "
             "'run 1.csv' --model model.toml --target y_um");
 }
 
@@ -36,17 +38,17 @@ TEST(NextCommand, what_is_probable_is_added_and_what_is_in_question_tried) {
   Diagnosis diagnosis = found(Verdict::probable);
   diagnosis.probable = {bound("linear_drift", {})};
   EXPECT_EQ(next_command(options(), diagnosis),
-            "ballbar add 'linear_drift' 'run 1.csv' --model model.toml --target y_um");
+            "ballbar add linear_drift 'run 1.csv' --model model.toml --target y_um");
   for (const Verdict verdict : {Verdict::equivalent, Verdict::driver, Verdict::unexplained}) {
     diagnosis = found(verdict);
     EXPECT_EQ(next_command(options(), diagnosis), "");
     diagnosis.candidates.push_back({});
     diagnosis.candidates.front().bound = bound("linear_drift", {});
     EXPECT_EQ(next_command(options(), diagnosis),
-              "ballbar try 'linear_drift' 'run 1.csv' --model model.toml --target y_um");
+              "ballbar try linear_drift 'run 1.csv' --model model.toml --target y_um");
     diagnosis.equivalent = {{bound("expansion", {"T_room_degC"}), bound("linear_drift", {})}};
     EXPECT_EQ(next_command(options(), diagnosis),
-              "ballbar try 'expansion:temperature=T_room_degC' 'run 1.csv' --model model.toml --target y_um");
+              "ballbar try 'expansion(T_room_degC)' 'run 1.csv' --model model.toml --target y_um");
   }
 }
 
@@ -58,7 +60,7 @@ TEST(NextCommand, what_the_user_typed_comes_again) {
   typed.also_input = {"z_um"};
   typed.max_gap_s = 90.0;
   EXPECT_EQ(next_command(typed, diagnosis),
-            "ballbar add 'linear_drift' ./-a.csv --model model.toml --target y_um --also-input z_um --max-gap 90s");
+            "ballbar add linear_drift ./-a.csv --model model.toml --target y_um --also-input z_um --max-gap 90s");
 }
 
 TEST(NextCommand, there_is_none_where_nothing_is_to_be_added) {
@@ -85,13 +87,21 @@ TEST(NextCommand, a_held_value_is_freed_by_hand) {
             "In model.toml, free the exponent of speed_heating(speed_rpm): exponent = { start = 1.02 }.");
 }
 
-TEST(NextCommand, without_a_model_file_one_is_asked_for) {
+// `add` makes it, under a name that no file has; `try` needs none.
+TEST(NextCommand, without_a_model_file) {
   Diagnosis diagnosis = found(Verdict::named);
   diagnosis.named = {bound("expansion", {"T_room_degC"})};
   ModelOptions none = options();
   none.model.clear();
-  EXPECT_EQ(next_command(none, diagnosis), "");
-  EXPECT_EQ(next_hint(none, diagnosis), "To go on, write a model file, target = \"y_um\", and give it with --model.");
+  EXPECT_EQ(model_file(options()), "model.toml");
+  const std::string name = model_file(none);
+  EXPECT_FALSE(std::filesystem::exists(name));
+  EXPECT_EQ(next_command(none, diagnosis),
+            "ballbar add 'expansion(T_room_degC)' 'run 1.csv' --model " + name + " --target y_um");
+  EXPECT_EQ(next_hint(none, diagnosis), "");
+  diagnosis.verdict = Verdict::equivalent;
+  diagnosis.equivalent = {{bound("linear_drift", {})}};
+  EXPECT_EQ(next_command(none, diagnosis), "ballbar try linear_drift 'run 1.csv' --target y_um");
 }
 
 TEST(NextCommand, words_are_quoted_where_a_shell_would_part_them) {

@@ -42,12 +42,30 @@ TEST(text, a_table_row_whose_last_cell_goes_on_below) {
   EXPECT_EQ(table.left_aligned(), "effect  what\na       one two\n        three\n");
 }
 
-// Three columns of 12, 9 and 3 characters and 4 between them are 28; the widest gives way until 24 are left.
+// Three columns of 20, 9 and 3 characters and 4 between them are 36; the widest gives way, and nothing is left out.
 TEST(text, a_table_no_wider_than_asked) {
   Table table({"first", "second", "3rd"});
-  table.add({"abcdefghijkl", "123456789", "x"});
-  EXPECT_EQ(table.text(), "first            second  3rd\nabcdefghijkl  123456789    x\n");
-  EXPECT_EQ(table.text(24), "first        second  3rd\nabcde...  123456789    x\n");
+  table.add({"expansion(T1a_degC)", "123456789", "x"});
+  table.add({"abcdefghijklmnopqrst", "1", "\u00b5"});
+  EXPECT_EQ(table.text(),
+            "first                    second  3rd\nexpansion(T1a_degC)   123456789    x\n"
+            "abcdefghijklmnopqrst          1    \u00b5\n");
+  EXPECT_EQ(table.text(31),
+            "first               second  3rd\nexpansion(       123456789    x\n  T1a_degC)\n"
+            "abcdefghijklmno          1    \u00b5\n  pqrst\n");
+}
+
+// At a space where there is one beyond the middle.
+TEST(text, a_cell_that_goes_on_below) {
+  Table table({"effect", "n"});
+  table.add({"gradient_bending(T9_degC, T16_degC)", "1"});
+  EXPECT_EQ(table.text(30), "effect                       n\ngradient_bending(T9_degC,    1\n  T16_degC)\n");
+}
+
+TEST(text, a_name_is_whole) {
+  EXPECT_EQ(one_line("a\x1b[31m\nb"), "a?[31m b");
+  EXPECT_EQ(one_line(std::string(300, 'a')), std::string(300, 'a'));
+  EXPECT_EQ(one_line(std::string(301, 'a')), std::string(297, 'a') + "...");
 }
 
 }  // namespace

@@ -298,7 +298,9 @@ TEST(Sentences, of_a_model_that_fails) {
   const Series data = series_with(570, {duty()});
   const std::vector<std::string> found = sentences(fit, where_it_fails(fit, data), whiteness(fit));
   ASSERT_EQ(found.size(), 3U);
-  EXPECT_EQ(found[0], "The model leaves 0.801 um, 8.0 times the floor of 0.1 um (standstill from 510 to 569 min).");
+  EXPECT_EQ(found[0],
+            "The model leaves 0.801 um, 8.0 times what no model could explain. The floor is 0.1 um (standstill from "
+            "510 to 569 min).");
   EXPECT_EQ(found[1],
             "It fails most after a change of speed: 99 % of the misfit in 7 % of the readings, bias -3.00 ± 0.13 um.");
   EXPECT_EQ(found[2].substr(0, 70), "The residual is not noise (p < 0.001): something with a memory of abou");
@@ -310,9 +312,10 @@ TEST(Sentences, of_a_model_that_is_adequate) {
   fit.rmse_um = 1.0;
   const std::vector<std::string> found =
       sentences(fit, where_it_fails(fit, series_with(400, {})), Whiteness{{}, 0.05, 0.42});
-  EXPECT_EQ(found, (std::vector<std::string>{
-                       "The model leaves 1 um, as little as the floor of 0.98 um (3 pairs of repeats).",
-                       "It fails nowhere more than elsewhere.", "What is left is as noise would be (p = 0.42)."}));
+  EXPECT_EQ(found,
+            (std::vector<std::string>{
+                "The model leaves 1 um, as little as any model could. The floor is 0.98 um (3 pairs of repeats).",
+                "It fails nowhere more than elsewhere.", "What is left is as noise would be (p = 0.42)."}));
 }
 
 TEST(Sentences, of_noise_with_a_memory_and_of_few_readings) {

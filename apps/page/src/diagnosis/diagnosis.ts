@@ -19,7 +19,7 @@ const sentences_of = (found: Diagnosed): string[] => {
       ? ["Why it is not named, or not all of it:", ...found.reasons.map((reason) => `– ${reason}`)]
       : [];
   const next = found.next_test_text === "" ? "" : `To decide: ${found.next_test_text}`;
-  return [`Verdict: ${found.verdict}. ${found.sentence}`, found.hint, next, ...reasons].filter((one) => one !== "");
+  return [found.sentence, `Verdict: ${found.verdict}.`, found.hint, next, ...reasons].filter((one) => one !== "");
 };
 
 // Effects with one reason together, as on the terminal.

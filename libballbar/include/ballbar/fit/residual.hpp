@@ -62,4 +62,8 @@ bool is_adequate(const Fit& fit, const Whiteness& whiteness);
 // is furthest above its share of the readings. What is left is not noise where p < 0.01.
 std::vector<std::string> sentences(const Fit& fit, const std::vector<Misfit>& where, const Whiteness& whiteness);
 
+// Of these the place alone: "while warming", "where T_air_degC is from 21 to 22 degC"; empty where it fails nowhere
+// more than elsewhere.
+std::string worst_place(const Fit& fit, const std::vector<Misfit>& where);
+
 }  // namespace ballbar

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/number_text.hpp"
 #include "diagnosis/next_test/discrimination.hpp"
 #include "diagnosis/next_test/discrimination_matrix.hpp"
 #include "diagnosis/next_test/planned_test.hpp"
@@ -104,9 +105,7 @@ std::string interval_text(const Series& all, const std::string& target) {
   if (gaps_s.empty()) return {};
   const auto middle = gaps_s.begin() + static_cast<std::ptrdiff_t>(gaps_s.size() / 2);
   std::nth_element(gaps_s.begin(), middle, gaps_s.end());
-  const std::string every =
-      *middle < 600.0 ? fmt::format("{:.3g} s", *middle) : fmt::format("{:.3g} min", *middle / 60.0);
-  return fmt::format(", readings every {} as now", every);
+  return fmt::format(", readings every {} as now", duration_text(*middle));
 }
 
 struct RatedTest {

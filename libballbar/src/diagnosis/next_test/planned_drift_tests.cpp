@@ -6,6 +6,7 @@
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/model/measured_input.hpp"
+#include "ballbar/number_text.hpp"
 #include "diagnosis/next_test/planned_test.hpp"
 #include "diagnosis/next_test/test_plans.hpp"
 #include "diagnosis/next_test/thermal_forecast.hpp"
@@ -204,11 +205,11 @@ std::vector<PlannedTest> drift_tests(const Series& data, const std::string& targ
                                      const std::vector<std::size_t>& rows) {
   std::vector<PlannedTest> tests;
   if (rows.size() < 2 || rows.back() >= data.time_s.size()) return tests;
-  const double hours = [&] { return (data.time_s[rows.back()] - data.time_s.front()) / 3600.0; }();
+  const double whole_s = data.time_s[rows.back()] - data.time_s.front();
   PlannedTest again = repeated(data, target, rows);
-  const double again_h = again.duration_s / 3600.0;
-  const std::string what = again_h < hours - 1e-9 ? fmt::format("the first {:.1f} h of these data", again_h)
-                                                  : fmt::format("the {:.1f} h of these data", again_h);
+  const bool is_part = again.duration_s < whole_s - 4e-6;
+  const std::string what =
+      fmt::format("the {}{} of these data", is_part ? "first " : "", duration_text(again.duration_s));
   again.name = "the same again";
   again.doing = what + " once more, the set-up untouched and the machine cold as then";
   tests.push_back(again);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/number_text.hpp"
 #include "ballbar/series/speed_steps.hpp"
 #include "series/standstill.hpp"
 
@@ -41,7 +42,7 @@ Speeds speeds_of(const Series& data) {
 
 std::vector<Plan> plans_of(const Speeds& speeds, const Logged& logged) {
   const double full = speeds.full_rpm;
-  const std::string at_full = fmt::format("at {:.0f} rpm", full);
+  const std::string at_full = fmt::format("at {} rpm", grouped_text(full));
   std::vector<Plan> plans{{"at rest", "3 h at rest", {{3.0, 0.0}}}};
   const std::string warmer = fmt::format("the room made {:g} K warmer (door, air conditioning)", kStep_K);
   if (logged.room) plans.push_back({"room step at rest", "4 h at rest, after 1 h " + warmer, {{4.0, 0.0}}, 1.0});
@@ -58,7 +59,7 @@ std::vector<Plan> plans_of(const Speeds& speeds, const Logged& logged) {
       {"stop and go", fmt::format("1 h at rest, 1 h {}, 1 h at rest", at_full), {{1.0, 0.0}, {1.0, full}, {1.0, 0.0}}});
   if (speeds.other_rpm > 0.0) {
     plans.push_back({"another speed",
-                     fmt::format("2 h at {:.0f} rpm, 1 h at rest", speeds.other_rpm),
+                     fmt::format("2 h at {} rpm, 1 h at rest", grouped_text(speeds.other_rpm)),
                      {{2.0, speeds.other_rpm}, {1.0, 0.0}}});
   }
   Plan folds{"several cycles", fmt::format("40 min {} and 40 min at rest, three times", at_full), {}};

@@ -52,6 +52,7 @@ class Decision {
     weighed_ = weighed(model, data, target, how, {}, options.search.progress);
     result_.base = problem().base;
     result_.target = problem().base.target;
+    result_.where = options.where;
   }
 
   Diagnosis run() {

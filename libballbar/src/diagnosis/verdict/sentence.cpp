@@ -4,8 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <string_view>
 #include <vector>
+
+#include "ballbar/number_text.hpp"
 
 namespace ballbar {
 namespace {
@@ -24,46 +28,97 @@ double p_of(const Diagnosis& d, const BoundEffect& bound) {
   return at == d.effects.end() ? 0.0 : at->p;
 }
 
-// "expansion(T_room_degC), 3.2 um (P = 0.98)"
+// "; it fails most while warming"
+std::string where_text(const Diagnosis& d) { return d.where.empty() ? "" : "; it fails most " + d.where; }
+
+// "Free expansion with one temperature." within a sentence
+std::string in_words(const Effect& effect) {
+  std::string words = effect.explanation.summary;
+  if (words.ends_with('.')) words.pop_back();
+  if (words.size() > 1 && std::islower(static_cast<unsigned char>(words[1])) != 0) {
+    words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
+  }
+  return words;
+}
+
+// ", time constant 51 min 39 s": the first shape that is a time and was found; else empty
+std::string time_text(const Candidate& one) {
+  constexpr std::string_view kUnit = "_s";
+  for (const FittedParameter& parameter : one.parameters) {
+    const bool found = parameter.state == ParameterState::free && std::isfinite(parameter.sigma);
+    if (parameter.unit != "s" || !found || parameter.shape_of != ShapeOf::curve || !parameter.name.ends_with(kUnit)) {
+      continue;
+    }
+    std::string words = parameter.name.substr(0, parameter.name.size() - kUnit.size());
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return fmt::format(", {} {}", words, duration_text(parameter.value));
+  }
+  return "";
+}
+
+// "expansion(T_room_degC), free expansion with one temperature: 3.2 um, very likely (98 %)"
 std::string effect_text(const Diagnosis& d, const BoundEffect& bound) {
   const Candidate* one = candidate_of(d, bound);
-  const std::string size =
-      one != nullptr && one->amplitude_um > 0.0 ? fmt::format(", {:.2g} um", one->amplitude_um) : "";
-  return fmt::format("{}{} (P = {:.2f}){}", label_of(bound), size, p_of(d, bound),
-                     one != nullptr && one->minor ? ", which is minor" : "");
+  const bool sized = one != nullptr && one->amplitude_um > 0.0;
+  return fmt::format("{}, {}: {}{}{}{}", label_of(bound), in_words(*bound.effect),
+                     sized ? size_text(one->amplitude_um) + " um, " : "", one != nullptr && one->minor ? "minor, " : "",
+                     sure_text(p_of(d, bound)), one != nullptr ? time_text(*one) : "");
 }
 
 std::string effects_text(const Diagnosis& d, const std::vector<BoundEffect>& bounds) {
   std::vector<std::string> texts;
+  texts.reserve(bounds.size());
   for (const BoundEffect& bound : bounds) texts.push_back(effect_text(d, bound));
-  return fmt::format("{}", fmt::join(texts, " and "));
+  return fmt::format("{}", fmt::join(texts, "; and "));
 }
 
 std::string group_text(const Diagnosis& d, const std::vector<BoundEffect>& group) {
   std::vector<std::string> texts;
   const std::size_t said = group.size() > kInASentence + 1 ? kInASentence : group.size();
   for (std::size_t k = 0; k < said; ++k)
-    texts.push_back(fmt::format("{} (P = {:.2f})", label_of(group[k]), p_of(d, group[k])));
+    texts.push_back(fmt::format("{} ({})", label_of(group[k]), percent_text(p_of(d, group[k]))));
   if (said < group.size()) texts.push_back(fmt::format("one of {} more", group.size() - said));
   return fmt::format("{}", fmt::join(texts, ", or "));
 }
 
+std::string model_text(const Diagnosis& d, std::string_view the) {
+  return d.target.empty() ? fmt::format("{} model", the) : fmt::format("{} model of {}", the, d.target);
+}
+
+// Of the values that the model holds, each a sentence.
 std::string own_text(const Diagnosis& d, double least) {
   std::string text;
   for (const OwnValue& own : d.own) {
     if (own.p < least) continue;
-    text += fmt::format("The {} of {} is {:.3g} ({:.3g} to {:.3g}), the model holds {:.3g} (P = {:.2f}). ",
-                        own.parameter, own.effect, own.fitted, own.interval.low, own.interval.high, own.held, own.p);
+    text += fmt::format("{} holds {:.3g} for the {} of {}, the data say {:.3g} ({:.3g} to {:.3g}): {}{}. ",
+                        model_text(d, "The"), own.held, own.parameter, own.effect, own.fitted, own.interval.low,
+                        own.interval.high, sure_text(own.p), text.empty() ? where_text(d) : "");
   }
   return text;
 }
 
+bool is_driver(const Driver& driver) { return driver.p >= kSureDriver; }
+
 std::string drivers_text(const Diagnosis& d) {
-  std::vector<std::string> texts;
+  std::vector<std::string> names;
+  double least = 1.0;
   for (const Driver& driver : d.drivers) {
-    if (driver.p >= kSureDriver) texts.push_back(fmt::format("{} (P = {:.2f})", driver.column, driver.p));
+    if (!is_driver(driver)) continue;
+    names.push_back(driver.column);
+    least = std::min(least, driver.p);
   }
-  return fmt::format("{}", fmt::join(texts, " and "));
+  double size_um = 0.0;  // of what the most probable set has
+  for (const Candidate& one : d.candidates) {
+    const std::vector<std::string>& columns = one.bound.columns;
+    const bool reads = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+      return std::find(columns.begin(), columns.end(), name) != columns.end();
+    });
+    if (reads && one.in_best_set) size_um = std::max(size_um, one.amplitude_um);
+  }
+  return fmt::format("{} {} something that {} lacks{}: {}{}; its form is open.", fmt::join(names, " and "),
+                     names.size() == 1 ? "drives" : "drive", model_text(d, "the"),
+                     size_um > 0.0 ? fmt::format(", about {} um", size_text(size_um)) : "", sure_text(least),
+                     where_text(d));
 }
 
 std::string open_text(const Diagnosis& d) {
@@ -73,46 +128,74 @@ std::string open_text(const Diagnosis& d) {
   return text;
 }
 
+std::string equivalent_text(const Diagnosis& d) {
+  double size_um = 0.0;
+  std::size_t effects = 0;
+  for (const std::vector<BoundEffect>& group : d.equivalent) {
+    effects += group.size();
+    for (const BoundEffect& bound : group) {
+      const Candidate* one = candidate_of(d, bound);
+      if (one != nullptr && one->in_best_set) size_um = std::max(size_um, one->amplitude_um);
+    }
+  }
+  return fmt::format("{} lacks something{}: {}{}; the data cannot tell {}. {}: {}.", model_text(d, "The"),
+                     size_um > 0.0 ? fmt::format(" of about {} um", size_text(size_um)) : "",
+                     sure_text(1.0 - d.p_nothing), where_text(d),
+                     effects == 1 ? "for certain what it is" : fmt::format("which of {} effects it is", effects),
+                     effects == 1 ? "In question is" : "It may be", open_text(d));
+}
+
+std::string unexplained_text(const Diagnosis& d) {
+  const bool slow = d.discrepancy_um > 0.0 && d.p_discrepancy >= kDiscrepancy;
+  if (!slow) {
+    return fmt::format(
+        "{} lacks something that goes with time alone, of the {} um that it leaves: {}{}; no logged "
+        "input drives it.",
+        model_text(d, "The"), size_text(d.base.rmse_um), sure_text(1.0 - d.p_nothing), where_text(d));
+  }
+  return fmt::format("{} lacks a slow curve of about {} um either way that no effect of the catalogue explains: {}{}.",
+                     model_text(d, "The"), size_text(d.discrepancy_um), sure_text(d.p_discrepancy), where_text(d));
+}
+
+std::string missing_text(const Diagnosis& d, std::string_view verb, const std::vector<BoundEffect>& bounds) {
+  return fmt::format("{} {} {}{}. ", model_text(d, "The"), verb, effects_text(d, bounds), where_text(d));
+}
+
 }  // namespace
 
 std::string sentence_of(const Diagnosis& d) {
   switch (d.verdict) {
     case Verdict::named: {
-      std::string text = own_text(d, kNamed);
-      if (!d.named.empty()) text += fmt::format("The model lacks {}. ", effects_text(d, d.named));
+      std::string text = d.named.empty() ? "" : missing_text(d, "lacks", d.named);
+      text += own_text(d, kNamed);
       if (!d.probable.empty()) text += fmt::format("Probably also {}. ", effects_text(d, d.probable));
       if (!d.equivalent.empty()) text += fmt::format("One of these as well: {}. ", open_text(d));
       text.pop_back();
       return text;
     }
     case Verdict::probable: {
-      std::string text = own_text(d, kProbable);
-      if (!d.probable.empty()) text += fmt::format("The model probably lacks {}. ", effects_text(d, d.probable));
+      std::string text = d.probable.empty() ? "" : missing_text(d, "probably lacks", d.probable);
+      text += own_text(d, kProbable);
       text.pop_back();
       return text;
     }
     case Verdict::driver:
-      return fmt::format("{} drives what the model lacks; its form is open{}.", drivers_text(d),
-                         d.equivalent.empty() ? "" : ": " + open_text(d));
+      return drivers_text(d) + (d.equivalent.empty() ? "" : fmt::format(" It may be: {}.", open_text(d)));
     case Verdict::equivalent:
-      return fmt::format("Something is missing, and the data cannot tell which of these it is: {}.", open_text(d));
+      return equivalent_text(d);
     case Verdict::unexplained:
-      return d.discrepancy_um > 0.0 && d.p_discrepancy >= kDiscrepancy
-                 ? fmt::format(
-                       "Something is left that no effect of the catalogue explains: a slow curve of {:.2g} um "
-                       "(standard deviation).",
-                       d.discrepancy_um)
-                 : "Something is left that goes with time alone: no logged input drives it.";
+      return unexplained_text(d);
     case Verdict::untestable:
       return "These data could not have shown a missing effect.";
     case Verdict::nothing:
       break;
   }
-  std::string text = fmt::format("No effect is found (P of nothing = {:.2f}).", d.p_nothing);
+  std::string text =
+      fmt::format("{} lacks nothing that these data show: {}", model_text(d, "The"), sure_text(d.p_nothing));
   if (std::isfinite(d.smallest_um) && d.smallest.effect != nullptr) {
-    text += fmt::format(" {} would have been from {:.2g} um.", label_of(d.smallest), d.smallest_um);
+    text += fmt::format("; {} would have been seen from {} um", label_of(d.smallest), size_text(d.smallest_um));
   }
-  return text;
+  return text + '.';
 }
 
 }  // namespace ballbar

@@ -8,6 +8,14 @@ namespace {
 
 BoundEffect expansion(const std::string& column) { return {find_effect("expansion", Level::series), {column}}; }
 
+Diagnosis with_verdict(Verdict verdict) {
+  Diagnosis found;
+  found.verdict = verdict;
+  found.target = "z_um";
+  found.p_nothing = 0.02;
+  return found;
+}
+
 void add(Diagnosis& found, const BoundEffect& bound, double p, double amplitude_um) {
   found.effects.push_back({bound, p});
   Candidate candidate;
@@ -15,94 +23,127 @@ void add(Diagnosis& found, const BoundEffect& bound, double p, double amplitude_
   candidate.label = label_of(bound);
   candidate.p = p;
   candidate.amplitude_um = amplitude_um;
+  candidate.in_best_set = true;
   found.candidates.push_back(candidate);
 }
 
 TEST(Sentence, of_an_effect_that_is_named) {
-  Diagnosis found;
-  found.verdict = Verdict::named;
+  Diagnosis found = with_verdict(Verdict::named);
   add(found, expansion("T1_degC"), 0.984, 3.21);
   found.named = {expansion("T1_degC")};
-  EXPECT_EQ(sentence_of(found), "The model lacks expansion(T1_degC), 3.2 um (P = 0.98).");
+  EXPECT_EQ(sentence_of(found),
+            "The model of z_um lacks expansion(T1_degC), free expansion with one temperature: 3.2 um, very likely (98 "
+            "%).");
   found.candidates[0].minor = true;
-  EXPECT_EQ(sentence_of(found), "The model lacks expansion(T1_degC), 3.2 um (P = 0.98), which is minor.");
+  found.where = "while warming";
+  EXPECT_EQ(sentence_of(found),
+            "The model of z_um lacks expansion(T1_degC), free expansion with one temperature: 3.2 um, minor, very "
+            "likely (98 %); it fails most while warming.");
+}
+
+TEST(Sentence, of_one_with_a_time) {
+  Diagnosis found = with_verdict(Verdict::named);
+  const BoundEffect lagged{find_effect("lagged_expansion", Level::series), {"T1_degC"}};
+  add(found, lagged, 0.999, 12.0);
+  FittedParameter time;
+  time.name = "time_constant_s";
+  time.unit = "s";
+  time.value = 265.0;
+  time.sigma = 20.0;
+  found.candidates[0].parameters = {time};
+  found.named = {lagged};
+  EXPECT_EQ(sentence_of(found),
+            "The model of z_um lacks lagged_expansion(T1_degC), a body that follows a temperature slowly: 12 um, very "
+            "likely (over 99 %), time constant 4 min 25 s.");
 }
 
 TEST(Sentence, of_one_that_is_certain_and_one_that_is_open) {
-  Diagnosis found;
-  found.verdict = Verdict::named;
+  Diagnosis found = with_verdict(Verdict::named);
   add(found, expansion("T1_degC"), 0.99, 12.0);
   add(found, expansion("T2_degC"), 0.6, 2.0);
   add(found, expansion("T3_degC"), 0.38, 2.0);
   found.named = {expansion("T1_degC")};
   found.equivalent = {{expansion("T2_degC"), expansion("T3_degC")}};
   EXPECT_EQ(sentence_of(found),
-            "The model lacks expansion(T1_degC), 12 um (P = 0.99). One of these as well: expansion(T2_degC) (P = "
-            "0.60), or expansion(T3_degC) (P = 0.38).");
+            "The model of z_um lacks expansion(T1_degC), free expansion with one temperature: 12 um, very likely (99 "
+            "%). One of these as well: expansion(T2_degC) (60 %), or expansion(T3_degC) (38 %).");
 }
 
 TEST(Sentence, of_what_is_probable) {
-  Diagnosis found;
-  found.verdict = Verdict::probable;
+  Diagnosis found = with_verdict(Verdict::probable);
   add(found, expansion("T1_degC"), 0.83, 3.0);
   found.probable = {expansion("T1_degC")};
-  EXPECT_EQ(sentence_of(found), "The model probably lacks expansion(T1_degC), 3 um (P = 0.83).");
+  EXPECT_EQ(sentence_of(found),
+            "The model of z_um probably lacks expansion(T1_degC), free expansion with one temperature: 3 um, likely "
+            "(83 %).");
 }
 
 TEST(Sentence, of_a_value_that_the_model_holds) {
-  Diagnosis found;
-  found.verdict = Verdict::named;
+  Diagnosis found = with_verdict(Verdict::named);
   found.own = {{"speed_heating(n_rpm)", "exponent", "1", 5.0 / 3.0, 1.0, {0.9, 1.1}, 0.97}};
   EXPECT_EQ(sentence_of(found),
-            "The exponent of speed_heating(n_rpm) is 1 (0.9 to 1.1), the model holds 1.67 (P = 0.97).");
+            "The model of z_um holds 1.67 for the exponent of speed_heating(n_rpm), the data say 1 (0.9 to 1.1): very "
+            "likely (97 %).");
 }
 
 TEST(Sentence, of_an_input_that_drives) {
-  Diagnosis found;
-  found.verdict = Verdict::driver;
+  Diagnosis found = with_verdict(Verdict::driver);
   found.drivers = {{"T4_degC", 0.998}, {"T5_degC", 0.6}};
-  EXPECT_EQ(sentence_of(found), "T4_degC (P = 1.00) drives what the model lacks; its form is open.");
+  EXPECT_EQ(sentence_of(found),
+            "T4_degC drives something that the model of z_um lacks: very likely (over 99 %); its form is open.");
   add(found, expansion("T4_degC"), 0.5, 3.0);
   found.equivalent = {{expansion("T4_degC")}};
   EXPECT_EQ(sentence_of(found),
-            "T4_degC (P = 1.00) drives what the model lacks; its form is open: expansion(T4_degC) (P = 0.50).");
+            "T4_degC drives something that the model of z_um lacks, about 3 um: very likely (over 99 %); its form is "
+            "open. It may be: expansion(T4_degC) (50 %).");
+  found.drivers[1].p = 0.97;
+  found.equivalent.clear();
+  EXPECT_EQ(sentence_of(found),
+            "T4_degC and T5_degC drive something that the model of z_um lacks, about 3 um: very likely (97 %); its "
+            "form is open.");
 }
 
 // More than five are not all told.
 TEST(Sentence, of_many_that_cannot_be_told_apart) {
-  Diagnosis found;
-  found.verdict = Verdict::equivalent;
+  Diagnosis found = with_verdict(Verdict::equivalent);
   found.equivalent.emplace_back();
   for (int k = 1; k <= 6; ++k) {
     const BoundEffect bound = expansion("T" + std::to_string(k) + "_degC");
-    add(found, bound, 0.16, 1.0);
+    add(found, bound, 0.16, 11.0);
     found.equivalent[0].push_back(bound);
   }
   EXPECT_EQ(sentence_of(found),
-            "Something is missing, and the data cannot tell which of these it is: expansion(T1_degC) (P = 0.16), or "
-            "expansion(T2_degC) (P = 0.16), or expansion(T3_degC) (P = 0.16), or expansion(T4_degC) (P = 0.16), or "
-            "one of 2 more.");
+            "The model of z_um lacks something of about 11 um: very likely (98 %); the data cannot tell which of 6 "
+            "effects it is. It may be: expansion(T1_degC) (16 %), or expansion(T2_degC) (16 %), or "
+            "expansion(T3_degC) (16 %), or expansion(T4_degC) (16 %), or one of 2 more.");
+  found.equivalent[0].resize(1);
+  EXPECT_EQ(sentence_of(found),
+            "The model of z_um lacks something of about 11 um: very likely (98 %); the data cannot tell for certain "
+            "what it is. In question is: expansion(T1_degC) (16 %).");
 }
 
 TEST(Sentence, of_what_no_effect_explains) {
-  Diagnosis found;
-  found.verdict = Verdict::unexplained;
+  Diagnosis found = with_verdict(Verdict::unexplained);
   found.p_discrepancy = 0.9;
   found.discrepancy_um = 2.5;
   EXPECT_EQ(sentence_of(found),
-            "Something is left that no effect of the catalogue explains: a slow curve of 2.5 um (standard "
-            "deviation).");
+            "The model of z_um lacks a slow curve of about 2.5 um either way that no effect of the catalogue explains: "
+            "very likely (90 %).");
   found.p_discrepancy = 0.1;
-  EXPECT_EQ(sentence_of(found), "Something is left that goes with time alone: no logged input drives it.");
+  found.base.rmse_um = 3.7;
+  EXPECT_EQ(sentence_of(found),
+            "The model of z_um lacks something that goes with time alone, of the 3.7 um that it leaves: very likely "
+            "(98 %); no logged input drives it.");
 }
 
 TEST(Sentence, of_nothing) {
-  Diagnosis found;
+  Diagnosis found = with_verdict(Verdict::nothing);
   found.p_nothing = 0.91;
   found.smallest = expansion("T1_degC");
   found.smallest_um = 0.534;
   EXPECT_EQ(sentence_of(found),
-            "No effect is found (P of nothing = 0.91). expansion(T1_degC) would have been from 0.53 um.");
+            "The model of z_um lacks nothing that these data show: very likely (91 %); expansion(T1_degC) would have "
+            "been seen from 0.53 um.");
   found.verdict = Verdict::untestable;
   EXPECT_EQ(sentence_of(found), "These data could not have shown a missing effect.");
 }

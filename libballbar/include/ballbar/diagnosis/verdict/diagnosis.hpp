@@ -86,7 +86,8 @@ struct Diagnosis {
   std::size_t searched_effects = 0;
   std::vector<Detectability> detectability;  // what the data could show, as preflight
   std::vector<std::string> reasons;          // why not `named`; whole sentences
-  std::string sentence;                      // the verdict in plain words
+  std::string where;                         // "while warming": where the model fails most, as the options have it
+  std::string sentence;                      // the verdict in plain words, the first without any of statistics
 };
 
 struct DiagnosisOptions {
@@ -94,6 +95,7 @@ struct DiagnosisOptions {
   double tolerance_um = 0.0;  // smaller effects are called minor
   std::size_t surrogates = kSurrogates;
   std::size_t most_rows = 1000;  // values of the target weighed
+  std::string where = {};        // worst_place(), which the sentence tells
 };
 
 // Throws Error as fit does.

@@ -1,0 +1,16 @@
+// Words of statistics that are printed, each with the sentence that explains it.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace ballbar {
+
+struct ExplainedTerm {
+  std::string_view name, meaning;
+};
+
+// In the order of their names.
+std::span<const ExplainedTerm> explained_terms();
+
+}  // namespace ballbar

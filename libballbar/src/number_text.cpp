@@ -1,0 +1,51 @@
+#include "ballbar/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace ballbar {
+
+std::string duration_text(double duration_s) {
+  constexpr double kMost_s = 1e9;  // what is absurd gets an exponent
+  if (!std::isfinite(duration_s) || std::abs(duration_s) >= kMost_s) return fmt::format("{:.3g} s", duration_s);
+  if (duration_s < 0.0) return "-" + duration_text(-duration_s);
+  if (duration_s < 59.5) return fmt::format("{:.3g} s", duration_s);
+  const auto in_parts = [](long long small, const char* large_unit, const char* small_unit) {
+    const std::string large = fmt::format("{} {}", small / 60, large_unit);
+    return small % 60 == 0 ? large : fmt::format("{} {} {}", large, small % 60, small_unit);
+  };
+  if (duration_s < 3599.5) return in_parts(std::llround(duration_s), "min", "s");
+  if (duration_s < 100.0 * 3600.0 - 30.0) return in_parts(std::llround(duration_s / 60.0), "h", "min");
+  return fmt::format("{} h", grouped_text(duration_s / 3600.0));
+}
+
+std::string grouped_text(double value) {
+  std::string digits = fmt::format("{:.0f}", value);
+  if (!std::isfinite(value) || std::abs(value) < 9999.5) return digits;
+  const std::size_t first = value < 0.0 ? 1 : 0;
+  for (std::size_t end = digits.size(); end > first + 3; end -= 3) digits.insert(end - 3, " ");
+  return digits;
+}
+
+std::string percent_text(double p) {
+  if (p >= 0.995) return "over 99 %";
+  if (p < 0.005) return "under 1 %";
+  return fmt::format("{:.0f} %", 100.0 * p);
+}
+
+std::string sure_text(double p) {
+  constexpr double kVery = 0.9, kLikely = 0.65;
+  const char* words = p >= kVery          ? "very likely"
+                      : p >= kLikely      ? "likely"
+                      : p > 1.0 - kLikely ? "about even"
+                      : p > 1.0 - kVery   ? "unlikely"
+                                          : "very unlikely";
+  return fmt::format("{} ({})", words, percent_text(p));
+}
+
+std::string size_text(double size_um) {
+  return std::abs(size_um) < 99.5 ? fmt::format("{:.2g}", size_um) : grouped_text(size_um);
+}
+
+}  // namespace ballbar

@@ -1,0 +1,47 @@
+// Numbers as people write them.
+#include "ballbar/number_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace ballbar {
+namespace {
+
+TEST(NumberText, durations) {
+  EXPECT_EQ(duration_text(38.74), "38.7 s");
+  EXPECT_EQ(duration_text(59.6), "1 min");
+  EXPECT_EQ(duration_text(265.0), "4 min 25 s");
+  EXPECT_EQ(duration_text(3599.6), "1 h");
+  EXPECT_EQ(duration_text(9600.0), "2 h 40 min");
+  EXPECT_EQ(duration_text(100.0 * 3600.0 - 29.0), "100 h");
+  EXPECT_EQ(duration_text(12345.0 * 3600.0), "12 345 h");
+  EXPECT_EQ(duration_text(-90.0), "-1 min 30 s");
+  EXPECT_EQ(duration_text(2e9), "2e+09 s");
+  EXPECT_EQ(duration_text(std::numeric_limits<double>::infinity()), "inf s");
+}
+
+TEST(NumberText, groups_of_three_from_five_digits_on) {
+  EXPECT_EQ(grouped_text(5000.0), "5000");
+  EXPECT_EQ(grouped_text(9999.6), "10 000");
+  EXPECT_EQ(grouped_text(20000.0), "20 000");
+  EXPECT_EQ(grouped_text(-1234567.0), "-1 234 567");
+}
+
+TEST(NumberText, how_sure) {
+  EXPECT_EQ(sure_text(1.0), "very likely (over 99 %)");
+  EXPECT_EQ(sure_text(0.98), "very likely (98 %)");
+  EXPECT_EQ(sure_text(0.83), "likely (83 %)");
+  EXPECT_EQ(sure_text(0.51), "about even (51 %)");
+  EXPECT_EQ(sure_text(0.2), "unlikely (20 %)");
+  EXPECT_EQ(sure_text(0.001), "very unlikely (under 1 %)");
+}
+
+TEST(NumberText, sizes) {
+  EXPECT_EQ(size_text(0.534), "0.53");
+  EXPECT_EQ(size_text(13.98), "14");
+  EXPECT_EQ(size_text(1234.0), "1234");
+}
+
+}  // namespace
+}  // namespace ballbar
