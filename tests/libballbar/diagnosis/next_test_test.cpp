@@ -331,13 +331,13 @@ TEST(next_test, the_text_is_whole_sentences) {
   add_target(data, values_of(room, {3.0, 1800.0}, data), 1.0, 8);
   const Model model = empty_model();
   EXPECT_EQ(without_d(named(next_tests(model, data, undecided(model, data, {room, housing})), "stop and go").text),
-            "Stop and go: 1 h at rest, 1 h at 5000 rpm, 1 h at rest, readings every 60 s as now. It would tell "
+            "Stop and go: 1 h at rest, 1 h at 5000 rpm, 1 h at rest, readings every 1 min as now. It would tell "
             "lagged_expansion(T_room_degC) from expansion(T_housing_degC) with d = # (named from 7.5); "
             "the data so far have d = #. Predicted as in the data: T_housing_degC (R2 = 1.00).");
   const std::vector<Term> three{room, term_of("expansion", {"T_room_degC"}), term_of("day_cycle", {})};
   EXPECT_EQ(without_d(next_tests(model, data, undecided(model, data, three)).front().text),
             "Room step at rest: 4 h at rest, after 1 h the room made 3 K warmer (door, air conditioning), readings "
-            "every 60 s as now. Of 3 pairs of candidates it would settle 3 (d of 7.5 or more); the hardest is to show "
+            "every 1 min as now. Of 3 pairs of candidates it would settle 3 (d of 7.5 or more); the hardest is to show "
             "whether lagged_expansion(T_room_degC) is more than expansion(T_room_degC): d = # (named from 7.5); the "
             "data so far have d = #.");
 }

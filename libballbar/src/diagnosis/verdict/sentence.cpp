@@ -35,7 +35,7 @@ std::string where_text(const Diagnosis& d) { return d.where.empty() ? "" : "; it
 std::string in_words(const Effect& effect) {
   std::string words = effect.explanation.summary;
   if (words.ends_with('.')) words.pop_back();
-  if (words.size() > 1 && std::islower(static_cast<unsigned char>(words[1])) != 0) {
+  if (words.size() > 1 && std::isupper(static_cast<unsigned char>(words[1])) == 0) {
     words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
   }
   return words;
