@@ -264,15 +264,19 @@ std::optional<DifferenceStructure> difference_structure(const DifferenceRows& al
 }
 
 DifferenceStructure judged(DifferenceStructure structure, std::size_t axes) {
-  structure.limit_of_parts = kChanceOfPart / static_cast<double>(axes);
-  structure.limit_of_part = structure.limit_of_parts / static_cast<double>(kDifferenceKinds.size());
+  const auto kinds = static_cast<double>(kDifferenceKinds.size());
+  structure.limit_of_part = kChanceOfPart / (kinds * static_cast<double>(axes));
+  structure.limit_of_parts = kChanceOfPart / ((kinds + 1.0) * static_cast<double>(axes));
   structure.stands_out = structure.chance_of_parts < structure.limit_of_parts;
-  for (DifferenceParts* parts : {&structure.parts, &structure.alone}) {
-    for (std::optional<DifferencePart>& part : *parts) {
-      if (part) part->named = part->chance < structure.limit_of_part;
-      if (part && part->named && parts == &structure.parts) structure.stands_out = true;
+  const auto name = [&](DifferenceParts& parts, double limit) {
+    for (std::optional<DifferencePart>& part : parts) {
+      if (!part) continue;
+      part->named = part->chance < limit;
+      structure.stands_out = structure.stands_out || part->named;
     }
-  }
+  };
+  name(structure.parts, structure.limit_of_part);
+  name(structure.alone, structure.limit_of_parts);
   return structure;
 }
 

@@ -60,16 +60,16 @@ struct DifferenceStructure {
   double chance_of_parts = 1.0;
   NoiseOfDifference noise = NoiseOfDifference::stated;
   double widened_by = 1.0;      // sigma; from_rows: sigma of b - a in a row, in the axis' unit
-  bool stands_out = false;      // one of `parts` is named, or chance_of_parts is below its limit
-  double limit_of_part = 0.0;   // 1 % / (4 axes)
-  double limit_of_parts = 0.0;  // 1 % / axes
+  bool stands_out = false;      // a part is named, in `parts` or `alone`, or chance_of_parts is below its limit
+  double limit_of_part = 0.0;   // 1 % / (4 axes): of `parts`
+  double limit_of_parts = 0.0;  // 1 % / (5 axes): of all four together, and of `alone`
 };
 
 // Nothing: fewer than 6 rows that count, 12 where no variance is stated.
 std::optional<DifferenceStructure> difference_structure(const DifferenceRows& rows);
 
-// Bonferroni: of all comparisons of series that do not differ at most 1 % name a part, and at most 1 % more stand out
-// by all four together.
+// Bonferroni: of all comparisons of series that do not differ at most 1 % name one of `parts`, and at most 1 % more
+// stand out by all four together or by one alone, which is the sharper test where only one thing is wrong.
 DifferenceStructure judged(DifferenceStructure structure, std::size_t axes);
 
 // The one kind, or those, which alone leave nothing that chance would not: p > 1 % of what the four explain beyond it.
