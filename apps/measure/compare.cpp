@@ -141,6 +141,31 @@ std::string budget_text(const Comparison& comparison) {
   return table.text();
 }
 
+// What the difference is made of, each part with the others free; empty where no axis has samples enough.
+std::string structure_text(const Comparison& comparison) {
+  std::vector<std::string> heading{"B against A, all four at once"};
+  bool any = false;
+  for (const AxisComparison& axis : comparison.axes) {
+    heading.push_back(fmt::format("{} {}", axis.name, axis.unit));
+    any = any || axis.structure.has_value();
+  }
+  if (!any) return {};
+  Table table(heading);
+  const auto row = [&](const std::string& name, DifferenceKind kind, double zero, double scale, int decimals) {
+    std::vector<std::string> cells{name};
+    for (const AxisComparison& axis : comparison.axes) {
+      const auto part = axis.structure ? axis.structure->parts[static_cast<std::size_t>(kind)] : std::nullopt;
+      cells.push_back(part ? with_sigma(scale * (part->value - zero), scale * part->sigma, decimals) : kNone);
+    }
+    table.add(cells);
+  };
+  row("scale %", DifferenceKind::gain, 1.0, 100.0, 2);
+  row("lag min", DifferenceKind::lag, 0.0, min_from_s(1.0), 2);
+  row("offset", DifferenceKind::offset, 0.0, 1.0, 3);
+  row("drift per h", DifferenceKind::drift, 0.0, 1.0, 3);
+  return table.text();
+}
+
 void print_text(const ComparedDrifts& drifts, const Comparison& comparison) {
   const AxisComparison& axis = comparison.axes.front();
   if (!drifts.title.empty()) fmt::print("{}\n", drifts.title);
@@ -148,6 +173,8 @@ void print_text(const ComparedDrifts& drifts, const Comparison& comparison) {
              comparison.b, comparison.samples, min_from_s(axis.time_s.front()), min_from_s(axis.time_s.back()),
              min_from_s(comparison.reference_s));
   fmt::print("{}\n{}\n", wrapped(conclusion(comparison)), statistics(comparison).text());
+  const std::string structure = structure_text(comparison);
+  if (!structure.empty()) fmt::print("{}\n", structure);
   const std::string budget = budget_text(comparison);
   std::string legend = "Lag: positive where the first one is late.";
   if (!budget.empty()) {
@@ -157,6 +184,7 @@ void print_text(const ComparedDrifts& drifts, const Comparison& comparison) {
         "difference is at most 2 sigma. " +
         legend;
   }
+  if (!structure.empty()) legend += " A is the first one, B the second.";
   fmt::print("{}", wrapped(legend));
   if (comparison.left_out > 0) {
     fmt::print("{} times fall into a gap and were left out (--max-gap).\n", comparison.left_out);

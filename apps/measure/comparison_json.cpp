@@ -10,6 +10,48 @@
 namespace ballbar {
 namespace {
 
+constexpr const char* kNames[] = {"offset", "gain", "lag", "drift"};
+
+nlohmann::ordered_json json_of(const DifferenceParts& parts, const std::string& unit) {
+  const std::string units[] = {"_" + unit, "", "_s", fmt::format("_{}_per_h", unit)};
+  nlohmann::ordered_json json;
+  for (std::size_t kind = 0; kind < kDifferenceKinds.size(); ++kind) {
+    const std::optional<DifferencePart>& part = parts[kind];
+    if (!part) {
+      json[kNames[kind]] = nullptr;
+      continue;
+    }
+    json[kNames[kind]] = {{"value" + units[kind], number(part->value)},
+                          {"sigma" + units[kind], number(part->sigma)},
+                          {"chance", number(part->chance)},
+                          {"named", part->named}};
+  }
+  return json;
+}
+
+nlohmann::ordered_json json_of(const DifferenceStructure& structure, const std::string& unit) {
+  nlohmann::ordered_json json;
+  json["stands_out"] = structure.stands_out;
+  json["parts"] = json_of(structure.parts, unit);
+  json["alone"] = json_of(structure.alone, unit);
+  json["sufficient_alone"] = nlohmann::ordered_json::array();
+  for (const DifferenceKind kind : sufficient_alone(structure)) {
+    json["sufficient_alone"].push_back(kNames[static_cast<std::size_t>(kind)]);
+  }
+  json["limit_of_part"] = number(structure.limit_of_part);
+  json["together"] = {{"chi2", number(structure.chi2_of_parts)},
+                      {"freedom", structure.parts_freedom},
+                      {"chance", number(structure.chance_of_parts)},
+                      {"limit", number(structure.limit_of_parts)}};
+  json["whole"] = {{"chi2", number(structure.chi2)}, {"freedom", structure.rows}};
+  json["noise"] = structure.noise == NoiseOfDifference::stated    ? "stated"
+                  : structure.noise == NoiseOfDifference::widened ? "widened"
+                                                                  : "from rows";
+  if (structure.noise == NoiseOfDifference::widened) json["widened_by"] = number(structure.widened_by);
+  if (structure.noise == NoiseOfDifference::from_rows) json["noise_" + unit] = number(structure.widened_by);
+  return json;
+}
+
 nlohmann::ordered_json json_of(const AxisComparison& axis) {
   nlohmann::ordered_json json;
   const auto put = [&](const std::string& key, const std::optional<double>& value) {
@@ -42,6 +84,7 @@ nlohmann::ordered_json json_of(const AxisComparison& axis) {
                          {with_unit("sigma"), number(axis.deviation->sigma)},
                          {"at_s", axis.deviation->at_s}};
   }
+  json["structure"] = axis.structure ? json_of(*axis.structure, axis.unit) : nlohmann::ordered_json(nullptr);
   json["budget"] = nlohmann::ordered_json::array();
   for (const UncertaintyShare& share : axis.budget) {
     json["budget"].push_back(

@@ -13,14 +13,14 @@
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
 #include "drift/clock_shift.hpp"
+#include "drift/sample_agreement.hpp"
+#include "drift/sample_statistics.hpp"
 #include "numerics/interpolation.hpp"
+#include "numerics/median.hpp"
 #include "numerics/not_finite.hpp"
-#include "numerics/tails.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr double kChance = 0.01;
 
 void expect_comparable(const MeasuredDrift& a, const MeasuredDrift& b) {
   for (const MeasuredDrift* drift : {&a, &b}) {
@@ -74,117 +74,52 @@ Side side_at(const DriftAxis& axis, const std::vector<Place>& places, std::size_
     const double zero_sigma = std::isnan(sigma[zero]) ? 0.0 : sigma[zero];
     for (double& s : sigma) s = std::hypot(s, zero_sigma);
     sigma[zero] = 0.0;
-    side.budget.push_back({contribution.source, std::move(sigma)});
+    side.budget.push_back({contribution.source, std::move(sigma), contribution.shared});
   }
   return side;
 }
 
-double mean(std::span<const double> values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
-
-std::optional<double> correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  const double mean_a = mean(a), mean_b = mean(b);
-  double aa = 0.0, bb = 0.0, ab = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    aa += (a[i] - mean_a) * (a[i] - mean_a);
-    bb += (b[i] - mean_b) * (b[i] - mean_b);
-    ab += (a[i] - mean_a) * (b[i] - mean_b);
+double rows_median(const std::vector<double>& values, std::size_t without) {
+  std::vector<double> known;
+  known.reserve(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i != without && std::isfinite(values[i])) known.push_back(values[i]);
   }
-  if (!(aa > 0.0 && bb > 0.0)) return std::nullopt;
-  return ab / std::sqrt(aa * bb);
+  return known.empty() ? 0.0 : median(std::move(known));
 }
 
-// P(at least k of n samples beyond 2 sigma) where half of each variance is an error that all share: that of the zero.
-// The shared part c is integrated over; beyond 2 sigma is then |sqrt(1/2) c + sqrt(1/2) e| > 2 of the own part e.
-double chance_of_beyond(std::size_t k, std::size_t n) {
-  if (k == 0) return 1.0;
-  constexpr double kStep = 0.05, kFarthest = 6.0;
-  double probability = 0.0;
-  for (double c = -kFarthest; c <= kFarthest; c += kStep) {
-    const double density = std::exp(-0.5 * c * c) / std::sqrt(2.0 * std::numbers::pi);
-    const double above = 0.5 * std::erfc((2.0 - std::sqrt(0.5) * c) / std::sqrt(0.5) / std::numbers::sqrt2);
-    const double below = 0.5 * std::erfc((2.0 + std::sqrt(0.5) * c) / std::sqrt(0.5) / std::numbers::sqrt2);
-    const double p = std::clamp(above + below, 1e-12, 1.0 - 1e-12);
-    probability += density * kStep * binomial_upper_tail(k, n, p);
-  }
-  return probability;
-}
+// Variances of a side apart: each row's own, and that of the zero, in every row: half of what is usual. What all rows
+// share otherwise goes to `shared`.
+struct Variances {
+  std::vector<double> own;
+  double reference = 0.0;
+};
 
-double deviation_in_sigma(const AxisComparison& axis, std::size_t i) {
-  if (!std::isfinite(axis.sigma[i]) || axis.difference[i] == 0.0) return 0.0;
-  return std::abs(axis.difference[i]) / axis.sigma[i];  // infinite where sigma is 0
-}
-
-void decide_agreement(AxisComparison& axis, double reference_s) {
-  std::size_t worst = 0;
-  for (std::size_t i = 0; i < axis.time_s.size(); ++i) {
-    if (axis.time_s[i] == reference_s || !std::isfinite(axis.sigma[i])) continue;
-    ++axis.counted;
-    if (deviation_in_sigma(axis, i) <= 2.0) ++axis.within;
-    if (deviation_in_sigma(axis, i) > deviation_in_sigma(axis, worst)) worst = i;
-  }
-  if (axis.counted == 0) return;
-  const double z = deviation_in_sigma(axis, worst);
-  const double largest_by_chance =
-      -std::expm1(static_cast<double>(axis.counted) * std::log1p(-std::erfc(z / std::numbers::sqrt2)));
-  const bool too_many = chance_of_beyond(axis.counted - axis.within, axis.counted) < kChance;
-  axis.agreement = too_many || largest_by_chance < kChance ? Agreement::disagrees : Agreement::agrees;
-  if (z <= 2.0) return;
-  const auto beyond = [&](std::size_t i) {
-    return deviation_in_sigma(axis, i) > 2.0 && (axis.difference[i] > 0.0) == (axis.difference[worst] > 0.0);
-  };
-  std::size_t from = worst, to = worst;
-  while (from > 0 && beyond(from - 1)) --from;
-  while (to + 1 < axis.time_s.size() && beyond(to + 1)) ++to;
-  axis.deviation = Deviation{axis.time_s[from],      axis.time_s[to],   to + 1 == axis.time_s.size(),
-                             axis.difference[worst], axis.sigma[worst], axis.time_s[worst]};
-}
-
-void describe(AxisComparison& axis, double reference_s) {
-  const std::size_t n = axis.difference.size();
-  const auto [low, high] = std::minmax_element(axis.b.begin(), axis.b.end());
-  const double range = *high - *low;
-  double squares = 0.0, relative = 0.0, expected = 0.0, absolute = 0.0;
-  std::size_t relative_samples = 0;
-  std::vector<double> moved;  // differences, the reference left out: it is 0 by definition
-  for (std::size_t i = 0; i < n; ++i) {
-    const double d = axis.difference[i];
-    if (std::abs(d) > std::abs(axis.largest) || i == 0) {
-      axis.largest = d;
-      axis.largest_s = axis.time_s[i];
+Variances variances_of(const Side& side, const DriftAxis& axis, const std::vector<Place>& places, std::size_t zero,
+                       std::vector<std::vector<double>>& shared) {
+  Variances variances{std::vector<double>(side.value.size(), 0.0)};
+  for (std::size_t source = 0; source < side.budget.size(); ++source) {
+    const Contribution& contribution = side.budget[source];
+    std::vector<double> errors;
+    errors.reserve(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const double sigma = contribution.sigma[i];
+      if (!contribution.shared) {
+        if (!std::isnan(sigma)) variances.own[i] += sigma * sigma;
+        continue;
+      }
+      // Linear in the value, and grown since the series' own zero.
+      const double own = value_at(axis.budget[source].sigma, places[i]);
+      errors.push_back(std::isnan(own) ? 0.0 : std::copysign(own, value_at(axis.value, places[i])));
     }
-    if (axis.time_s[i] == reference_s) continue;
-    moved.push_back(d);
-    squares += d * d;
-    absolute += std::abs(d);
-    if (std::abs(axis.b[i]) > range / 10.0) {
-      ++relative_samples;
-      relative += std::abs(d / axis.b[i]);
-      expected += std::sqrt(2.0 / std::numbers::pi) * axis.sigma[i] / std::abs(axis.b[i]);
-    }
+    if (!contribution.shared) continue;
+    const double at_zero = errors[zero];
+    for (double& error : errors) error -= at_zero;
+    shared.push_back(std::move(errors));
   }
-  const auto count = static_cast<double>(moved.size());
-  axis.rmse = std::sqrt(squares / count);
-  axis.bias = mean(moved);
-  if (moved.size() > 1) {
-    double variance = 0.0;
-    for (const double d : moved) variance += (d - axis.bias) * (d - axis.bias);
-    const double sd = std::sqrt(variance / (count - 1.0));
-    axis.limit_low = axis.bias - 1.96 * sd;
-    axis.limit_high = axis.bias + 1.96 * sd;
-  }
-  if (range > 0.0) axis.range_deviation = absolute / count / range;
-  if (relative_samples > 0) {
-    axis.mean_relative_deviation = relative / static_cast<double>(relative_samples);
-    if (std::isfinite(expected)) {
-      axis.expected_relative_deviation = expected / static_cast<double>(relative_samples);
-      if (relative > 0.0) axis.explained_share = std::min(1.0, expected / relative);
-    }
-  }
-  axis.correlation = correlation(axis.a, axis.b);
+  variances.reference = 0.5 * rows_median(variances.own, zero);
+  for (double& own : variances.own) own = std::max(own - variances.reference, 0.5 * own);
+  return variances;
 }
 
 std::vector<UncertaintyShare> shares_of(const std::vector<Contribution>& budget, std::size_t zero) {
@@ -250,19 +185,6 @@ std::size_t nearest(const std::vector<double>& time_s, std::optional<double> wan
   return best;
 }
 
-std::string sentence_of(const AxisComparison& axis) {
-  const Deviation& deviation = *axis.deviation;
-  std::string when;
-  if (deviation.from_s == deviation.to_s && !deviation.to_the_end) {
-    when = fmt::format("at {:g} min", min_from_s(deviation.from_s));
-  } else {
-    when = fmt::format("from {:g} min to {}", min_from_s(deviation.from_s),
-                       deviation.to_the_end ? "the end" : fmt::format("{:g} min", min_from_s(deviation.to_s)));
-  }
-  return fmt::format("{} {}, by {:.2f} ± {:.2f} {} at {:g} min", axis.name, when, deviation.largest, deviation.sigma,
-                     axis.unit, min_from_s(deviation.at_s));
-}
-
 }  // namespace
 
 Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const ComparisonOptions& options) {
@@ -318,6 +240,14 @@ Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const Compari
       }
     }
     const std::size_t sources_of_a = side_a.budget.size();
+    DifferenceRows rows{own.time_s, side_a.value, side_b.value, zero, {}, {}, 0.0, 0.0, {}, true};
+    Variances of_a = variances_of(side_a, axis_a, a_is_sparse ? own.sparse : own.dense, zero, rows.shared);
+    Variances of_b = variances_of(side_b, *axis_b, a_is_sparse ? own.dense : own.sparse, zero, rows.shared);
+    rows.variance_a = std::move(of_a.own);
+    rows.variance_b = std::move(of_b.own);
+    rows.reference_variance_a = of_a.reference;
+    rows.reference_variance_b = of_b.reference;
+    rows.stated = of_a.reference + of_b.reference > 0.0;
     std::vector<Contribution> budget = std::move(side_a.budget);
     std::move(side_b.budget.begin(), side_b.budget.end(), std::back_inserter(budget));
 
@@ -340,8 +270,8 @@ Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const Compari
       axis.sigma.push_back(sigma_of(total, i));
     }
     axis.budget = shares_of(budget, zero);
-    describe(axis, own.time_s[zero]);
-    decide_agreement(axis, own.time_s[zero]);
+    describe_samples(axis, own.time_s[zero]);
+    decide_by_samples(axis, own.time_s[zero]);
     // Half of the variance of a change since the zero is the zero's: a constant, which moves no lag.
     const std::span<const UncertaintyShare> shares(axis.budget);
     const double sigma_a = total_sigma(shares.first(sources_of_a)) / std::numbers::sqrt2;
@@ -353,32 +283,18 @@ Comparison compare(const MeasuredDrift& a, const MeasuredDrift& b, const Compari
       axis.lag_s = a_is_sparse ? lag->shift_s : -lag->shift_s;
       axis.lag_sigma_s = lag->sigma_s;
     }
+    axis.structure = difference_structure(rows);
     result.axes.push_back(std::move(axis));
   }
   if (result.axes.empty()) throw Error(result.remarks.back());
+  const auto tested = static_cast<std::size_t>(std::count_if(
+      result.axes.begin(), result.axes.end(), [](const AxisComparison& axis) { return axis.structure.has_value(); }));
+  for (AxisComparison& axis : result.axes) {
+    if (!axis.structure) continue;
+    axis.structure = judged(*axis.structure, tested);
+    if (axis.structure->stands_out) axis.agreement = Agreement::disagrees;
+  }
   return result;
-}
-
-std::string conclusion(const Comparison& comparison) {
-  std::vector<std::string> agree, unknown, deviations;
-  for (const AxisComparison& axis : comparison.axes) {
-    if (axis.agreement == Agreement::agrees) agree.push_back(axis.name);
-    if (axis.agreement == Agreement::cannot_tell) unknown.push_back(axis.name);
-    if (axis.agreement == Agreement::disagrees) deviations.push_back(sentence_of(axis));
-  }
-  std::string text;
-  if (!deviations.empty()) {
-    text = fmt::format("Beyond the stated uncertainty: {}.", fmt::join(deviations, "; "));
-    if (!agree.empty()) text += fmt::format(" {} agree{}.", fmt::join(agree, ", "), agree.size() == 1 ? "s" : "");
-  } else if (!agree.empty()) {
-    text =
-        fmt::format("{} agree{} within the stated uncertainty.", fmt::join(agree, ", "), agree.size() == 1 ? "s" : "");
-  }
-  if (!unknown.empty()) {
-    text +=
-        fmt::format("{}{}: cannot tell, no uncertainty is known.", text.empty() ? "" : " ", fmt::join(unknown, ", "));
-  }
-  return text;
 }
 
 }  // namespace ballbar

@@ -106,9 +106,9 @@ class Reduction {
     }
     add_constant(axis, "probe resolution", resolution_variance(combination));
     add_constant(axis, "probe scatter", scatter_variance(combination));
-    if (probe_.linearity_percent) axis.budget.push_back({"probe linearity", linearity(combination)});
+    if (probe_.linearity_percent) axis.budget.push_back({"probe linearity", linearity(combination), true});
     if (options_.from_plane_1_sigma_mm > 0.0 && combination.tilt_per_mm != 0.0) {
-      axis.budget.push_back({"place of the ball", place(combination)});
+      axis.budget.push_back({"place of the ball", place(combination), true});
     }
     return axis;
   }

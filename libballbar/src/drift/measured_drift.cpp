@@ -107,7 +107,7 @@ MeasuredDrift measured(const DriftSeries& drift, const Session& session) {
     if (known) axis.budget.push_back(std::move(fits));
     if (axis.name == "axial") {
       std::vector<double> growth_um = bar_growth_sigma_um(drift, session, result.remarks);
-      if (!growth_um.empty()) axis.budget.push_back({"bar's thermal growth", std::move(growth_um)});
+      if (!growth_um.empty()) axis.budget.push_back({"bar's thermal growth", std::move(growth_um), true});
     } else if (session.bar_expansion_ppm_per_K) {
       axis.budget.push_back({"bar's thermal growth", std::vector<double>(drift.points.size(), 0.0)});
     }

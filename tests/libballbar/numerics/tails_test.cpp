@@ -22,6 +22,22 @@ TEST(Chi2UpperTail, of_nothing_is_certain) {
   EXPECT_EQ(chi2_upper_tail(-1.0, 3), 1.0);
 }
 
+// One degree: Cauchy, half of it beyond 1; two: 1 - t / sqrt(2 + t^2), 1 - sqrt(1/2) at sqrt 2. Many: normal.
+TEST(StudentTails, of_one_two_and_many_degrees) {
+  EXPECT_NEAR(student_tails(1.0, 1.0), 0.5, 1e-15);
+  EXPECT_NEAR(student_tails(-std::sqrt(2.0), 2.0), 1.0 - std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(student_tails(2.0, INFINITY), std::erfc(std::sqrt(2.0)), 1e-15);
+  EXPECT_NEAR(student_tails(2.0, 1e9), std::erfc(std::sqrt(2.0)), 1e-8);
+}
+
+// One degree above: t squared; two: (1 + 2 f / d)^(-d / 2). Infinite below: chi^2.
+TEST(FisherUpperTail, of_one_and_two_degrees) {
+  EXPECT_NEAR(fisher_upper_tail(4.0, 1, 7.0), student_tails(2.0, 7.0), 1e-15);
+  EXPECT_NEAR(fisher_upper_tail(3.0, 2, 4.0), 1.0 / 6.25, 1e-15);
+  EXPECT_NEAR(fisher_upper_tail(3.0, 4, INFINITY), chi2_upper_tail(12.0, 4), 1e-15);
+  EXPECT_EQ(fisher_upper_tail(0.0, 4, 7.0), 1.0);
+}
+
 // Four coins: three heads in 4 ways of 16, four in one.
 TEST(BinomialUpperTail, of_four_coins) {
   EXPECT_NEAR(binomial_upper_tail(3, 4, 0.5), 5.0 / 16.0, 1e-15);

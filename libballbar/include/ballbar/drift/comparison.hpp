@@ -17,7 +17,8 @@
 // (undetermined) it does not count. An axis disagrees if more samples do not agree than chance allows (p < 1 %;
 // binomial, half of each variance an error that all samples share, that of the zero), or one lies farther out than the
 // largest of so many would (p < 1 %). Other errors that samples share, such as a probe's linearity, make it wrong more
-// often.
+// often. It disagrees, too, where scale, clock, offset or drift of the difference stand out (difference_structure.hpp):
+// half of the usual variance of each side is taken for the zero's.
 #pragma once
 
 #include <cstddef>
@@ -25,6 +26,7 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/drift/difference_structure.hpp"
 #include "ballbar/drift/measured_drift.hpp"
 
 namespace ballbar {
@@ -50,8 +52,9 @@ struct AxisComparison {
   std::string name, unit;
   std::vector<double> time_s, a, b, difference, sigma;  // n samples; sigma NaN: not stated, infinite: not determined
   Agreement agreement = Agreement::cannot_tell;
-  std::optional<Deviation> deviation;                 // where some sample is beyond 2 sigma
-  std::optional<double> mean_relative_deviation;      // nothing: b does not move
+  bool samples_agree = true;                      // one by one; `agreement` needs `structure` not to stand out besides
+  std::optional<Deviation> deviation;             // where some sample is beyond 2 sigma
+  std::optional<double> mean_relative_deviation;  // nothing: b does not move
   std::optional<double> expected_relative_deviation;  // mean of sqrt(2/pi) sigma / |b| over the same samples
   std::optional<double> explained_share;              // of the first by the second, at most 1
   std::optional<double> range_deviation;
@@ -65,6 +68,7 @@ struct AxisComparison {
   std::optional<double> correlation;
   std::optional<double> lag_s, lag_sigma_s;  // nothing: none within a quarter of the common time, or no bend
   std::vector<UncertaintyShare> budget;
+  std::optional<DifferenceStructure> structure;  // nothing: too few samples
 };
 
 struct ComparisonOptions {

@@ -17,6 +17,7 @@ namespace ballbar {
 struct Contribution {
   std::string source;         // "circle fits", "probe resolution"
   std::vector<double> sigma;  // n rows, in the axis' unit; NaN: not known
+  bool shared = false;        // one error in all rows, such as a wrong scale: sigma is what it makes of each
 };
 
 struct DriftAxis {
