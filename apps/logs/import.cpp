@@ -9,6 +9,7 @@
 #include "ballbar/formats/logs/recipe_toml.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/number_text.hpp"
 #include "ballbar/series/column_faults.hpp"
 #include "commands.hpp"
 #include "logs/log_options.hpp"

@@ -11,6 +11,7 @@
 #include "ballbar/formats/logs/log.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/number_text.hpp"
 #include "ballbar/series/clock_lag.hpp"
 #include "ballbar/series/merged_series.hpp"
 #include "commands.hpp"
