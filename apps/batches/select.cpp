@@ -316,13 +316,18 @@ void add_select(CLI::App& app) {
       ->type_name("SHARE")
       ->capture_default_str();
   command->add_option("--random", options->random.choices, "random choices to compare with")
-      ->check(CLI::Range(0, 100000).description(""))
+      ->check(number_within(0, 100000))
       ->type_name("N")
       ->capture_default_str();
-  command->add_option("--seed", options->random.seed, "of the random choices")->type_name("N")->capture_default_str();
+  command->add_option("--seed", options->random.seed, "of the random choices")
+      ->type_name("N")
+      ->check(number_within(0, kLargestSeed))
+      ->capture_default_str();
   add_choice(*command, "--take", {"paper", "held-out", "weights", "all"}, "weights",
              "whose model is written and told first", [options](std::size_t at) { options->take = at; });
-  command->add_option("--out", options->out, "write the model, .json")->type_name("FILE");
+  command->add_option("--out", options->out, "write the model, .json")
+      ->type_name("FILE")
+      ->check(name_that_ends_in({".json"}));
   command->add_flag("--every", options->every, "list every batch");
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(

@@ -284,7 +284,10 @@ void add_train(CLI::App& app) {
       "a regression on the catalogue's effects instead, which runs live; RUNS may be one series or session");
   command->add_flag("--few", options->few, "with --effects: some ten effects, nine selections averaged");
   add_max_gap(*command, options->max_gap_s);
-  command->add_option("--out", options->out, "write the model, .json")->required()->type_name("FILE");
+  command->add_option("--out", options->out, "write the model, .json")
+      ->required()
+      ->type_name("FILE")
+      ->check(name_that_ends_in({".json"}));
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"

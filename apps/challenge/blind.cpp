@@ -18,6 +18,7 @@
 #include "challenge/challenge_files.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -215,7 +216,7 @@ void add_make(CLI::App& blind) {
   command
       ->add_option("--seed", options->seed,
                    "of all that is drawn, 0 or above; the same seed makes the same sets. Without it another each time")
-      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()).description(""))
+      ->check(number_within(0, kLargestSeed))
       ->type_name("N");
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(

@@ -60,7 +60,11 @@ void add_compensation_options(CLI::App& command, CompensationOptions& options) {
       ->required();
   command.add_option("--to", options.axes, "axis of each target, in order: z; default: the target's own name")
       ->type_name("AXIS")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->check([](const std::string& name) {
+        return is_plain(name) ? std::string()
+                              : fmt::format("expected a name of letters, digits and _ for an axis, found {}", in_quotes(name));
+      });
   command.add_option("--fit", options.fit, "fit what is free to DATA; their ranges are those trained on")
       ->type_name("DATA")
       ->allow_extra_args(false);

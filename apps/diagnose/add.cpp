@@ -2,7 +2,6 @@
 // ledger.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -24,6 +23,7 @@
 #include "diagnose/new_model.hpp"
 #include "diagnose/next_command.hpp"
 #include "model/effect_options.hpp"
+#include "model/known_effect.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
@@ -192,7 +192,7 @@ std::string add_errors(const Options& options, const ModelData& data, Story& sto
 // Effects that diagnose() names, until it names none. Returns why it stopped.
 std::string add_named(const Options& options, const ModelData& data, Story& story, Verdict& verdict) {
   while (true) {
-    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "searching, {} revisions so far\n", story.effect_tests.size());
+    show_progress(fmt::format("searching, {} revisions so far", story.effect_tests.size()));
     DiagnosisOptions how;
     how.search.motion = data.motion;
     const Diagnosis diagnosis =
@@ -261,8 +261,11 @@ void print_text(const Story& story, const std::string& stopped, const std::strin
 }
 
 void run(Options options) {
+  if (options.named_only && !options.automatic) throw CLI::ValidationError("--named-only: expected --auto with it");
   split_words(options.effect, !options.automatic);
+  for (const std::string& effect : options.effect.effects) expect_known_effect(effect, true);
   expect_file(options);
+  const ProgressLine progress;
   const ModelOptions& how = options.effect.model;
   const ModelData data = open_data(how);
   Story story = story_of(options, data);
@@ -279,8 +282,10 @@ void run(Options options) {
       if (!options.named_only && data.level == Level::series && is_left(verdict)) add_grown(options, data, story);
     }
   } else {
+    show_progress("fitting with and without what is added");
     add_terms(options, data, terms_of(options.effect.effects, story.model, data), false, story);
   }
+  show_progress({});
   expect_file_suits(options, data, story.bytes);
   const bool changed = revisions_of(story) > 0;
   if (changed) write_bytes(out, story.bytes);

@@ -98,7 +98,8 @@ void add_diagnose(CLI::App& app) {
       ->type_name("UM")
       ->check(number_within(0.0, 1e6));
   command->add_option("--seed", options->how.seed, "of the random draws; the same seed gives the same result")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(number_within(0, kLargestSeed));
   command
       ->add_option("--most-rows", options->how.most_rows,
                    "values of the target that are searched, of longer series every k-th")

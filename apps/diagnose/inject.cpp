@@ -17,6 +17,7 @@
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/numerics/range.hpp"
 #include "commands.hpp"
+#include "model/known_effect.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 #include "model/resolve_columns.hpp"
@@ -219,6 +220,7 @@ Injection injection(const Options& options, const Model& model, const ModelData&
 void show_progress_of(std::size_t diagnosis) { show_progress(fmt::format("diagnosis {}", diagnosis)); }
 
 void run(const Options& options) {
+  expect_known_effect(options.effect, false);
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
   say_start(options.model, data);
@@ -289,9 +291,11 @@ void add_inject(CLI::App& app) {
   command
       ->add_option("--set", options->shapes, "a shape of it, NAME=VALUE, such as time_constant_s=1800; may be repeated")
       ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->check(name_and_number());
   command->add_option("--seed", options->seed, "of the random draws; the same seed gives the same result")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(number_within(0, kLargestSeed));
   command->add_option("--out", options->out, "write the data with the effect added, .csv")
       ->type_name("FILE")
       ->check(name_that_ends_in({".csv"}));

@@ -8,7 +8,9 @@
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/next_command.hpp"
 #include "model/effect_options.hpp"
+#include "model/known_effect.hpp"
 #include "model/residual_report.hpp"
+#include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -16,13 +18,17 @@ namespace {
 
 void run(EffectOptions options) {
   split_words(options, true);
+  for (const std::string& effect : options.effects) expect_known_effect(effect, true);
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
   say_start(options.model, data);
   expect_one_target(options.model, model);
   expect_to_fit(options.model, model, data);
   const std::vector<Term> terms = terms_of(options.effects, model, data);
+  const ProgressLine progress;
+  show_progress(fmt::format("fitting {} with and without what is tried", model.targets.front()));
   EffectTest tried = with_source(options.model.data.front(), [&] { return effect_test(model, terms, data.series); });
+  show_progress({});
   tried.after.data = options.model.data;
   const std::string saves = add_command(options.model, tried);
   if (options.json) {

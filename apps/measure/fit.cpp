@@ -11,6 +11,7 @@
 #include "ballbar/units.hpp"
 #include "commands.hpp"
 #include "measure/recording_fits.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
@@ -225,7 +226,9 @@ void add_fit(CLI::App& app) {
   command->add_flag("--polar", options->polar, "the circle through the polar points, as instrument software does");
   command->add_flag("--robust", options->robust, "discount outlying readings (Tukey's biweight) and list them");
   command->add_flag("--json", options->json, "the result for a program");
-  command->add_option("--out", options->out, "write the JSON to a file as well")->type_name("FILE");
+  command->add_option("--out", options->out, "write the JSON to a file as well, .json")
+      ->type_name("FILE")
+      ->check(name_that_ends_in({".json"}));
   command->footer("Example:\n  ballbar fit sample-runs/qc20-style-b5r/00.b5r");
   command->callback([options] { run(*options); });
 }

@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "model/untestable_reasons.hpp"
+#include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -154,12 +155,15 @@ void run(const Options& options) {
   const Model model = open_model(options.model, data);
   say_start(options.model, data);
   std::vector<Preflight> results;
+  const ProgressLine progress;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     const Model one = of_one_target(model, options.model, target);
     expect_to_fit(options.model, one, data);
+    show_progress(fmt::format("{}, target {} of {}", model.targets[target], target + 1, model.targets.size()));
     results.push_back(
         with_source(options.model.data.front(), [&] { return preflight(one, data.series, 0, data.motion); }));
   }
+  show_progress({});
   if (options.json) {
     nlohmann::ordered_json targets = nlohmann::ordered_json::array();
     for (const Preflight& result : results) targets.push_back(json_of(result));

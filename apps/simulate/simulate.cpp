@@ -16,6 +16,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/units.hpp"
 #include "commands.hpp"
+#include "terminal/option_checks.hpp"
 
 namespace ballbar::commands {
 namespace {
@@ -111,7 +112,7 @@ void add_simulate(CLI::App& app) {
   command
       ->add_option("--seed", options->seed,
                    "of the noise, 0 or above, another for each machine; without it the machine's own")
-      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()).description(""))
+      ->check(number_within(0, kLargestSeed))
       ->type_name("N");
   command->add_flag("--b5r", options->b5r, "method circles: .b5r files alone, without session.toml and signals");
   command->add_flag("--force", options->force, "replace files of the same names");

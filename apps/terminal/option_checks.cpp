@@ -39,6 +39,18 @@ CLI::Validator number_above_0(bool or_infinite) {
   });
 }
 
+CLI::Validator name_and_number() {
+  return validator([](const std::string& found) {
+    const std::size_t equals = found.find('=');
+    double value = 0.0;
+    if (equals != std::string::npos && equals > 0 && is_number(found.substr(equals + 1), value) &&
+        std::isfinite(value)) {
+      return std::string();
+    }
+    return fmt::format("expected NAME=NUMBER, found {}", in_quotes(found));
+  });
+}
+
 CLI::Validator name_that_ends_in(std::vector<std::string> endings) {
   return validator([endings = std::move(endings)](const std::string& found) {
     const std::string ending = std::filesystem::path(found).extension().string();

@@ -8,11 +8,16 @@
 
 namespace ballbar {
 
+inline constexpr double kLargestSeed = 9.2e18;  // a whole number of 63 bits
+
 // A finite number, both ends included.
 CLI::Validator number_within(double low, double high);
 
 // `or_infinite`: inf too.
 CLI::Validator number_above_0(bool or_infinite = false);
+
+// NAME=NUMBER, finite.
+CLI::Validator name_and_number();
 
 // A name of a file with one of these endings, such as ".csv".
 CLI::Validator name_that_ends_in(std::vector<std::string> endings);

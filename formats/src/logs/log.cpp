@@ -18,6 +18,7 @@
 #include "logs/log_sources.hpp"
 #include "logs/log_table.hpp"
 #include "logs/log_units.hpp"
+#include "text/head.hpp"
 #include "text/readers.hpp"
 
 namespace ballbar {
@@ -251,7 +252,10 @@ Log log_of(ByteSource source, std::size_t bytes, const std::string& name, const 
 
 constinit const Reader readers::kLog = {
     .found = "a log of columns over time",
-    .is_yours = [](std::string_view head) { return is_table_file(head) || holds_table(head); },
+    .is_yours =
+        [](std::string_view head) {
+          return is_table_file(head) || (!format_name(head).starts_with("ballbar") && holds_table(head));
+        },
     .read = open_log,
 };
 
