@@ -45,6 +45,11 @@ Model fitted(Model model, const std::string& file, const CompensationOptions& op
   return model;
 }
 
+bool is_plain(const std::string& name) {
+  return !name.empty() &&
+         std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+}
+
 CLI::Option* add_limit(CLI::App& command, const std::string& name, double& limit, const char* unit,
                        const std::string& what) {
   return command.add_option(name, limit, what)->capture_default_str()->type_name(unit)->group("Limits");
@@ -62,8 +67,9 @@ void add_compensation_options(CLI::App& command, CompensationOptions& options) {
       ->type_name("AXIS")
       ->allow_extra_args(false)
       ->check([](const std::string& name) {
-        return is_plain(name) ? std::string()
-                              : fmt::format("expected a name of letters, digits and _ for an axis, found {}", in_quotes(name));
+        return is_plain(name)
+                   ? std::string()
+                   : fmt::format("expected a name of letters, digits and _ for an axis, found {}", in_quotes(name));
       });
   command.add_option("--fit", options.fit, "fit what is free to DATA; their ranges are those trained on")
       ->type_name("DATA")

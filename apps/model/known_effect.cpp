@@ -16,8 +16,8 @@ void expect_known_effect(const std::string& word, bool or_file) {
   const std::vector<std::string> known = effect_words();
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
   throw CLI::ValidationError(fmt::format("expected an effect{}, found {}{}{}; ballbar effects lists all",
-                                         or_file ? " or a file" : "", in_quotes(name), or_file ? ", which is neither" : "",
-                                         nearest_hint(name, known)));
+                                         or_file ? " or a file" : "", in_quotes(name),
+                                         or_file ? ", which is neither" : "", nearest_hint(name, known)));
 }
 
 }  // namespace ballbar

@@ -23,7 +23,7 @@ Takes taken_by(const std::string& name) {
   if (name == "EFFECT" || name == "NAME") return Takes::effect;
   if (name == "EFFECT_AND_DATA") return Takes::effect_or_file;
   if (name == "DIR" || name == "FOLDER") return Takes::folder;
-  for (const char* of_a_file : {"FILE", "DATA", "SESSION", "MACHINE", "RUNS", "A", "B"}) {
+  for (const char* of_a_file : {"FILE", "DATA", "LOG", "SESSION", "MACHINE", "RUNS", "A", "B"}) {
     if (name == of_a_file) return Takes::file;
   }
   return Takes::text;
