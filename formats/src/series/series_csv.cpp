@@ -163,11 +163,12 @@ void expect_units(const SourceText& text, const TableHead& head, const SeriesHea
       fail_at(text, column.offset, fmt::format("expected one column of time, found {} too.", in_quotes(column.name)));
     }
     if (unit_of(column.name).empty() && !header.roles.contains(column.name)) {
-      fail_at(text, column.offset,
-              fmt::format(
-                  "expected a name that ends in its unit, one of _um, _mm, _urad, _degC, _rpm, _A, _W, _K, _percent, _Nm, "
-                  "_bar, _l_per_min, _mm_per_min, _V, or a role stated for it, found {}.",
-                  in_quotes(column.name)));
+      fail_at(
+          text, column.offset,
+          fmt::format(
+              "expected a name that ends in its unit, one of _um, _mm, _urad, _degC, _rpm, _A, _W, _K, _percent, _Nm, "
+              "_bar, _l_per_min, _mm_per_min, _V, or a role stated for it, found {}.",
+              in_quotes(column.name)));
     }
   }
   if (head.columns.size() < 2) fail_at(text, time.offset, "expected a column besides the time, found none.");
@@ -199,10 +200,7 @@ std::vector<KeyTable> series_keys() {
 // By its format, or by a first column of time, where angles do not tell a ballbar log.
 constinit const Reader readers::kSeries = {
     .found = "a series of columns over time",
-    .is_yours =
-        [](std::string_view head) {
-          return format_name(head) == "ballbar-series" || is_header_of_units(head);
-        },
+    .is_yours = [](std::string_view head) { return format_name(head) == "ballbar-series" || is_header_of_units(head); },
     .read = read_series,
 };
 
