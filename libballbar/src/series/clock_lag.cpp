@@ -9,6 +9,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kLeastCorrelation = 0.7;
+constexpr double kAlike = 0.01;  // what two correlations differ by without telling anything
 constexpr std::size_t kMostRows = 4000, kFewestRows = 20;
 constexpr int kMostLags = 600;
 
@@ -93,15 +94,6 @@ Match match_at(const Curve& first, const Curve& second, double lag_s, double ste
   return match;
 }
 
-std::size_t steps_in(const Curve& curve) {
-  double least = curve.value.front(), most = curve.value.front();
-  for (const double value : curve.value) least = std::min(least, value), most = std::max(most, value);
-  std::size_t steps = 0;
-  for (std::size_t i = 1; i < curve.value.size(); ++i)
-    steps += std::abs(curve.value[i] - curve.value[i - 1]) > 0.05 * (most - least);
-  return std::max<std::size_t>(1, steps);
-}
-
 std::optional<ClockLag> lag_of(const Curve& first, const Curve& second, double range_s) {
   if (first.time_s.size() < kFewestRows || second.time_s.size() < kFewestRows) return std::nullopt;
   const double slow_s = std::max(median_step(first), median_step(second));
@@ -125,7 +117,7 @@ std::optional<ClockLag> lag_of(const Curve& first, const Curve& second, double r
   while (high < most && at(high + 1) < at(high)) ++high;
   for (int k = -most; k <= most; ++k) {
     if (k < low || k > high) {
-      if (1.0 - at(k) < 2.0 * (1.0 - largest)) return std::nullopt;
+      if (1.0 - at(k) < 2.0 * (1.0 - largest) + kAlike) return std::nullopt;
     }
   }
   if (best == -most || best == most) return std::nullopt;  // the best lies beyond
@@ -148,8 +140,8 @@ std::optional<ClockLag> lag_of(const Curve& first, const Curve& second, double r
   const double free_rows = static_cast<double>(match.rows) * (1.0 - match.memory) / (1.0 + match.memory);
   const double of_fit =
       curvature > 0.0 ? std::sqrt(2.0 * match.left / (std::max(3.0, free_rows) * curvature)) : range_s;
-  const double of_rows =
-      std::hypot(slow_s, fine_s) / std::sqrt(12.0 * static_cast<double>(std::min(steps_in(first), steps_in(second))));
+  // Steps of a programme lie at one place between the rows, all of them: more steps tell no more.
+  const double of_rows = std::hypot(slow_s, fine_s) / std::sqrt(12.0);
   lag.sigma_s = std::hypot(of_fit, of_rows);
   return lag;
 }

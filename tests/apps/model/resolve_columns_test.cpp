@@ -42,7 +42,7 @@ TEST(ResolveColumns, ColumnsThatDoNotSuitAreNamed) {
       {"expansion",
        "expected a column for temperature of expansion, as in expansion:temperature=T_air_degC; the columns are "
        "T_air_degC, T_oil_degC."},
-      {"load_heating", "expected a column in W or A for load of load_heating, found none."},
+      {"load_heating", "expected a column in W or A or percent or Nm for load of load_heating, found none."},
       {"preload_loss:signal=z_um",
        "expected a column for signal of preload_loss that is not the target, found \"z_um\"."},
   };

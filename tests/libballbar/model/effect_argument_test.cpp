@@ -158,7 +158,8 @@ TEST(TermText, bad_text) {
       {"lagged_expansion:temperature=T1_dgC",
        "lagged_expansion: expected a column of the data for temperature, found \"T1_dgC\"; the nearest is T1_degC."},
       {"linear_drift:time=time_s", "linear_drift: expected no columns, which it does not read, found \"time=time_s\"."},
-      {"load_heating", "load_heating: expected columns of the data for load in W or A, found none that suit."},
+      {"load_heating",
+       "load_heating: expected columns of the data for load in W or A or percent or Nm, found none that suit."},
       {"gradient_bending:hot=z_um",
        "gradient_bending: expected columns of the data for hot in degC or K and cold in degC or K beside those named, "
        "found none that suit."},
