@@ -85,6 +85,7 @@ class Clock {
                         table_.line_of(i)));
       }
       time_s[i] += added_s;
+      if (time_s[i] < time_s[i - 1]) fail_back(i, time_s[i - 1] - time_s[i]);
     }
     if (turns == 0) return;
     remarks_.push_back(
@@ -200,6 +201,13 @@ std::vector<double> clock_s(LogTable& table, const LogPlan& plan, const std::str
     for (double& value : time_s) value = to_decimals(value - first_s, 1e-9);
   }
   clock.spread(time_s);
+  const auto stands =
+      std::adjacent_find(time_s.begin(), time_s.end(), [](double before, double after) { return !(after > before); });
+  if (stands != time_s.end()) {
+    const auto row = static_cast<std::size_t>(stands - time_s.begin()) + 1;
+    throw Error(fmt::format("{}:{}: expected a time above that of the row before, found {:g} s after {:g} s.", name,
+                            table.line_of(row), time_s[row], time_s[row - 1]));
+  }
   return time_s;
 }
 

@@ -1,0 +1,33 @@
+// What the first rows of a log show of a column.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "logs/log_shape.hpp"
+
+namespace ballbar {
+
+// Counts of its cells by what they could be.
+struct ColumnSample {
+  std::size_t numbers = 0, dates = 0, clocks = 0, stamps = 0, missing = 0, texts = 0, minutes_and_seconds = 0;
+  std::vector<double> values;
+  bool rises = true, ever_rises = false;  // numbers
+  bool day_first = false, month_first = false, either = false;
+  std::size_t packed_dates = 0, packed_clocks = 0, two_fields = 0;  // 20261122, 130510, 05:10
+  std::optional<double> first_s, last_s;                            // stamps and clocks
+
+  [[nodiscard]] std::size_t written() const { return numbers + dates + clocks + stamps + texts; }
+  // Of what is written; a stray word is told when the rows are read.
+  [[nodiscard]] bool mostly(std::size_t count) const { return count > 0 && count * 10 >= written() * 6; }
+};
+
+std::vector<ColumnSample> samples_of(const LogShape& shape);  // one a column
+
+bool all_whole(const ColumnSample& sample);
+
+// 0, 1, 2 ... or 1, 2, 3 ...; `gaps`: some may be left out.
+bool counts_rows(const ColumnSample& sample, bool gaps);
+
+}  // namespace ballbar

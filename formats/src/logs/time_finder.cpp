@@ -1,0 +1,277 @@
+#include "logs/time_finder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ballbar/error.hpp"
+#include "ballbar/nearest_name.hpp"
+#include "logs/log_interval.hpp"
+#include "logs/log_units.hpp"
+#include "logs/text_fold.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kUnixToExcel_d = 25569.0, kUnixToMatlab_d = 719529.0;
+
+class TimeFinder {
+ public:
+  TimeFinder(const LogShape& shape, const std::string& name, const LogRecipe& recipe,
+             const std::vector<ColumnSample>& samples, LogPlan& plan)
+      : shape_(shape), name_(name), recipe_(recipe), plan_(plan), samples_(samples) {}
+
+  void find() {
+    if (recipe_.every_s) return by_rows(*recipe_.every_s, "the option");
+    if (!recipe_.time.empty()) return of_column(named_by_recipe());
+    const auto stamps = first([](const ColumnSample& s) { return s.mostly(s.stamps) && s.numbers == 0; });
+    const auto dates = first([](const ColumnSample& s) { return s.mostly(s.dates) && s.numbers == 0; });
+    const auto clocks = first([](const ColumnSample& s) { return s.mostly(s.clocks); });
+    const auto number = number_of_time();
+    // A stamp to whole seconds beside a finer number: the number tells the rows apart.
+    if (number && (stamps || clocks) && !is_absolute(*number)) {
+      const bool finer = !all_whole(samples_[*number]);
+      if (finer && tells_the_same(*number, stamps ? *stamps : *clocks)) return of_number(*number);
+    }
+    if (stamps) return of_stamp(*stamps);
+    if (dates && clocks) return of_date_and_clock(*dates, *clocks);
+    if (const auto packed = packed_stamps()) return of_stamp(*packed);
+    if (const auto packed = packed_date_and_clock()) return of_date_and_clock(packed->first, packed->second);
+    if (clocks) return of_stamp(*clocks);
+    if (number) return of_number(*number);
+    if (const auto every_s = interval_of(shape_)) return by_rows(*every_s, "the lines above the table");
+    if (dates) return of_stamp(*dates);
+    fail("a column of time, or the interval of the rows", "neither",
+         "name the column with --time, or give the interval with --every, such as --every 1s");
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& expected, const std::string& found, const std::string& mend) const {
+    const std::size_t line = shape_.header_line > 0 ? shape_.header_line : shape_.first_row_line;
+    throw Error(fmt::format("{}:{}: expected {}, found {}; {}.", name_, line, expected, found, mend));
+  }
+
+  template <class Suits>
+  std::optional<std::size_t> first(Suits suits) const {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (!suits(samples_[i])) continue;
+      if (is_time_name(plan_.columns[i].name)) return i;
+      if (!found) found = i;
+    }
+    return found;
+  }
+
+  std::size_t named_by_recipe() const {
+    std::vector<std::string_view> known;
+    for (std::size_t i = 0; i < plan_.columns.size(); ++i) {
+      const PlannedColumn& column = plan_.columns[i];
+      if (column.source == recipe_.time || column.name == recipe_.time) return i;
+      known.emplace_back(column.source);
+    }
+    fail(fmt::format("a column {} for the time", in_quotes(recipe_.time)), "none",
+         fmt::format("the nearest is {}", in_quotes(nearest_name(recipe_.time, known))));
+  }
+
+  // A number of time that runs as long as the stamps do.
+  bool tells_the_same(std::size_t number, std::size_t stamps) const {
+    const auto unit_s = unit_of_number(number);
+    if (!unit_s || !samples_[stamps].first_s) return false;
+    const double by_number_s = (samples_[number].values.back() - samples_[number].values.front()) * *unit_s;
+    const double by_stamps_s = *samples_[stamps].last_s - *samples_[stamps].first_s;
+    return std::abs(by_number_s - by_stamps_s) < 2.0 + 0.02 * std::abs(by_stamps_s);
+  }
+
+  // 20261122 and 130510 in two columns, the second perhaps without its leading 0.
+  std::optional<std::pair<std::size_t, std::size_t>> packed_date_and_clock() const {
+    for (std::size_t i = 0; i + 1 < samples_.size(); ++i) {
+      const ColumnSample& date = samples_[i];
+      const ColumnSample& clock = samples_[i + 1];
+      if (date.numbers == 0 || date.packed_dates != date.written()) continue;
+      if (clock.packed_clocks == 0 || clock.packed_clocks != clock.written() ||
+          !is_time_name(plan_.columns[i + 1].name))
+        continue;
+      return std::pair{i, i + 1};
+    }
+    return std::nullopt;
+  }
+
+  // 20261122130510, without a sign, under a name of time.
+  std::optional<std::size_t> packed_stamps() const {
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (samples_[i].numbers > 0 && samples_[i].stamps == samples_[i].numbers) return i;
+    }
+    return std::nullopt;
+  }
+
+  // Seconds since 1970 and days since 1899 or year 0 of a plausible date; how long a unit of it is.
+  struct Absolute {
+    double unit_s, zero_s, resolution_s;
+    std::string_view said;
+  };
+  static std::optional<Absolute> absolute(const ColumnSample& sample) {
+    if (sample.values.size() < 2 || !sample.rises || !sample.ever_rises) return std::nullopt;
+    const double first = sample.values.front(), last = sample.values.back();
+    const auto within = [&](double low, double high) { return first >= low && last <= high; };
+    if (within(3e8, 6e9)) return Absolute{1.0, 0.0, 1e-6, "seconds since 1970"};
+    if (within(3e11, 6e12)) return Absolute{1e-3, 0.0, 1e-6, "ms since 1970"};
+    if (within(3e14, 6e15)) return Absolute{1e-6, 0.0, 1e-6, "us since 1970"};
+    if (within(3e17, 6e18)) return Absolute{1e-9, 0.0, 1e-6, "ns since 1970"};
+    const bool days = (last - first) / static_cast<double>(sample.values.size() - 1) < 1.1 && !all_whole(sample);
+    if (days && within(29000.0, 80000.0)) {
+      return Absolute{86400.0, -kUnixToExcel_d * 86400.0, 1e-3, "days of a spreadsheet, since 1899-12-30"};
+    }
+    if (days && within(715000.0, 780000.0)) {
+      return Absolute{86400.0, -kUnixToMatlab_d * 86400.0, 1e-3, "days of MATLAB's datenum"};
+    }
+    return std::nullopt;
+  }
+  [[nodiscard]] bool is_absolute(std::size_t i) const { return absolute(samples_[i]).has_value(); }
+
+  std::optional<double> unit_of_number(std::size_t i) const {
+    if (!recipe_.time_unit.empty()) return time_unit_s(recipe_.time_unit);
+    return time_unit_s(plan_.columns[i].unit);
+  }
+
+  // Rising numbers: with a unit of time and a name, with a unit, with a name, or days and seconds of a date.
+  std::optional<std::size_t> number_of_time() const {
+    std::optional<std::size_t> best;
+    int best_rank = 0;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      const ColumnSample& sample = samples_[i];
+      if (!sample.mostly(sample.numbers) || !sample.ever_rises) continue;
+      const bool named = is_time_name(plan_.columns[i].name) || starts_with_time(plan_.columns[i].name);
+      const bool unit = time_unit_s(plan_.columns[i].unit).has_value();
+      const bool dated = absolute(sample).has_value();
+      if (!sample.rises && !(named && unit)) continue;  // of one that is surely meant, the row that falls is told
+      const int rank = named && unit ? 5 : unit ? 4 : named && dated ? 3 : named ? 2 : dated && i == 0 ? 1 : 0;
+      if (rank <= best_rank) continue;
+      best = i;
+      best_rank = rank;
+    }
+    return best;
+  }
+
+  static bool starts_with_time(std::string_view name) {
+    const std::string key = folded(name);
+    return key.starts_with("time ") || key.starts_with("zeit ") || key.ends_with(" time") || key.ends_with("zeit") ||
+           key.starts_with("timestamp") || key.ends_with("timestamp");
+  }
+
+  void by_rows(double every_s, std::string_view from) {
+    plan_.time.kind = TimePlan::Kind::rows;
+    plan_.time.every_s = every_s;
+    plan_.time.said = fmt::format("rows every {:g} s, by {}", every_s, from);
+  }
+
+  void of_column(std::size_t i) {
+    const ColumnSample& sample = samples_[i];
+    if (sample.mostly(sample.numbers) && sample.stamps != sample.numbers) return of_number(i);
+    if (sample.mostly(sample.dates)) {
+      const auto clocks = first([](const ColumnSample& s) { return s.mostly(s.clocks); });
+      if (clocks) return of_date_and_clock(i, *clocks);
+    }
+    if (!sample.mostly(sample.stamps + sample.dates + sample.clocks)) {
+      fail(fmt::format("times in the column {}", in_quotes(plan_.columns[i].source)), "other text",
+           "name another with --time, or give the interval with --every, such as --every 1s");
+    }
+    of_stamp(i);
+  }
+
+  void of_number(std::size_t i) {
+    TimePlan& time = plan_.time;
+    time.kind = TimePlan::Kind::number;
+    time.column = i;
+    PlannedColumn& column = plan_.columns[i];
+    column.kind = ColumnKind::number;
+    if (const auto dated = absolute(samples_[i]); dated && recipe_.time_unit.empty()) {
+      time.unit_s = dated->unit_s;
+      time.zero_s = dated->zero_s;
+      time.resolution_s = dated->resolution_s;
+      time.said = fmt::format("{}, {}", in_quotes(column.source), dated->said);
+      return;
+    }
+    const auto unit_s = unit_of_number(i);
+    if (!unit_s) {
+      fail(fmt::format("the unit of the time {}", in_quotes(column.source)), "none", "say --time-unit s, ms, min or h");
+    }
+    time.unit_s = *unit_s;
+    time.resolution_s = *unit_s == 1.0 ? 0.0 : 1e-9;
+    time.said = fmt::format("{} in {}", in_quotes(column.source),
+                            recipe_.time_unit.empty() ? folded_unit(column.unit) : recipe_.time_unit);
+  }
+
+  void decide_order(const ColumnSample& sample) {
+    if (sample.day_first && sample.month_first) {
+      throw Error(fmt::format("{}:{}: expected dates of one order, found days and months that change places.", name_,
+                              shape_.first_row_line));
+    }
+    TimePlan& time = plan_.time;
+    if (sample.day_first) time.order = DateOrder::day_first;
+    if (sample.month_first) time.order = DateOrder::month_first;
+    if (time.order) return;
+    if (recipe_.month_first)
+      time.order = *recipe_.month_first ? DateOrder::month_first : DateOrder::day_first;
+    else if (!sample.either || shape_.day_first)
+      time.order = DateOrder::day_first;
+  }
+
+  void of_stamp(std::size_t i) {
+    TimePlan& time = plan_.time;
+    time.kind = TimePlan::Kind::stamps;
+    time.column = i;
+    const std::string header = folded_unit(plan_.columns[i].source + " " + shape_.units[i]);
+    time.two_fields_are_minutes = header.find("mm:ss") != std::string::npos &&
+                                  header.find("h:mm:ss") == std::string::npos && samples_[i].two_fields > 0;
+    time.minutes_and_seconds = time.two_fields_are_minutes || (samples_[i].minutes_and_seconds > 0 &&
+                                                               samples_[i].minutes_and_seconds == samples_[i].clocks);
+    plan_.columns[i].kind = ColumnKind::stamp;
+    decide_order(samples_[i]);
+    time.said = in_quotes(plan_.columns[i].source);
+    find_milli(i);
+  }
+
+  void of_date_and_clock(std::size_t date, std::size_t clock) {
+    of_stamp(date);
+    plan_.columns[date].kind = ColumnKind::date;
+    plan_.columns[clock].kind = ColumnKind::clock;
+    plan_.time.said =
+        fmt::format("{} and {}", in_quotes(plan_.columns[date].source), in_quotes(plan_.columns[clock].source));
+    find_milli(clock);
+  }
+
+  // A column of milliseconds right behind a clock to whole seconds.
+  void find_milli(std::size_t clock) {
+    if (clock + 1 >= samples_.size()) return;
+    PlannedColumn& next = plan_.columns[clock + 1];
+    const std::string key = folded(next.name);
+    const bool named = key == "ms" || key == "msec" || key == "millisecond" || key == "milliseconds" ||
+                       key == "millis" || key == "毫秒" || key == "ミリ秒";
+    const bool micro = key == "us" || key == "usec" || key == "microseconds";
+    const ColumnSample& sample = samples_[clock + 1];
+    const bool suits = !sample.values.empty() && all_whole(sample) &&
+                       std::all_of(sample.values.begin(), sample.values.end(),
+                                   [&](double v) { return v >= 0.0 && v < (micro ? 1e6 : 1e3); });
+    if (!(named || micro) || !suits) return;
+    if (micro) plan_.time.milli_s = 1e-6;
+    next.kind = ColumnKind::milli;
+    plan_.time.said += fmt::format(" and {}", in_quotes(next.source));
+  }
+
+  const LogShape& shape_;
+  const std::string& name_;
+  const LogRecipe& recipe_;
+  LogPlan& plan_;
+  const std::vector<ColumnSample>& samples_;
+};
+
+}  // namespace
+
+void find_time(const LogShape& shape, const std::string& name, const LogRecipe& recipe,
+               const std::vector<ColumnSample>& samples, LogPlan& plan) {
+  TimeFinder(shape, name, recipe, samples, plan).find();
+}
+
+}  // namespace ballbar
