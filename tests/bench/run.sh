@@ -23,7 +23,7 @@ mkdir -p "$results"
 "$programs/bench_files" "$results" "$size_MB" "$readings" "$rows"
 export BALLBAR_BENCH_LOG_MB="$size_MB" BALLBAR_BENCH_READINGS="$readings" BALLBAR_BENCH_ROWS="$rows"
 export BALLBAR_BENCH_BATCHES="$batches" BALLBAR_BENCH_TESTS="$tests"
-for name in b5r batches compensation history log circle machine_errors session five_probe prediction spindle; do
+for name in b5r batches compensation history import log circle machine_errors session five_probe prediction spindle; do
   "$programs/bench_$name" --benchmark_min_time="$min_time" --benchmark_repetitions="$repetitions" \
     --benchmark_out="$results/$name.json" --benchmark_out_format=json
 done
