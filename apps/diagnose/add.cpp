@@ -121,6 +121,7 @@ void expect_file_suits(const Options& options, const ModelData& data, const std:
 
 std::string either_text(const std::vector<std::vector<BoundEffect>>& groups) {
   std::vector<std::string> texts;
+  texts.reserve(groups.size());
   for (const std::vector<BoundEffect>& group : groups) {
     texts.push_back(labels(group, " or "));
   }

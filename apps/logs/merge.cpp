@@ -128,6 +128,7 @@ void run(const Options& options) {
     expect_own_names(parts.back().series, taken);
   }
   std::vector<Series> all;
+  all.reserve(parts.size());
   for (const Part& part : parts) all.push_back(part.series);
   Series series = merged(all, options.max_gap_s.value_or(kUsualGap_s));
   const double first_s = series.time_s.front();

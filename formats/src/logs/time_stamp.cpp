@@ -100,6 +100,12 @@ std::optional<std::int64_t> day_of(std::int64_t year, std::int64_t month, std::i
   return std::chrono::sys_days(date).time_since_epoch().count();
 }
 
+// 130510 -> 13 h 5 min 10 s.
+double seconds_of_digits(std::int64_t digits) {
+  const std::int64_t hours = digits / 10000, minutes = digits / 100 % 100;
+  return static_cast<double>(hours * 3600 + minutes * 60 + digits % 100);
+}
+
 std::int64_t whole_year(std::int64_t year, std::size_t digits) {
   if (digits > 2) return year;
   return year < 70 ? 2000 + year : 1900 + year;
@@ -162,7 +168,7 @@ bool take_date(Cursor& cursor, DateOrder order, TimeStamp& stamp) {
   if (digits == 14) {                                                                        // 20261122130510
     const std::int64_t clock = *first % 1000000;
     if (clock / 10000 > 23 || clock / 100 % 100 > 59 || clock % 100 > 59) return false;
-    stamp.clock_s = static_cast<double>(clock / 10000 * 3600 + clock / 100 % 100 * 60 + clock % 100);
+    stamp.clock_s = seconds_of_digits(clock);
     return set_day(stamp, *first / 10000000000, *first / 100000000 % 100, *first / 1000000 % 100);
   }
   if (digits == 4) {  // 2026-11-22, 2026/11/22, 2026.11.22, 2026年11月22日
@@ -221,8 +227,7 @@ bool take_clock(Cursor& cursor, TimeStamp& stamp) {
   if (!hours) return false;
   if (cursor.digits() == 6 && cursor.peek() != ':') {  // 130510
     if (*hours / 10000 > 23 || *hours / 100 % 100 > 59 || *hours % 100 > 59) return false;
-    stamp.clock_s =
-        static_cast<double>(*hours / 10000 * 3600 + *hours / 100 % 100 * 60 + *hours % 100) + fraction(cursor);
+    stamp.clock_s = seconds_of_digits(*hours) + fraction(cursor);
     return true;
   }
   const bool named = cursor.take("时") || cursor.take("時") || cursor.take("点");
@@ -280,7 +285,7 @@ bool take_zone(Cursor& cursor, TimeStamp& stamp) {
   const auto hours = cursor.number(2, 4);
   if (!hours) return false;
   double zone_s = static_cast<double>(*hours) * 3600.0;
-  if (cursor.digits() == 4) zone_s = static_cast<double>(*hours / 100 * 3600 + *hours % 100 * 60);
+  if (cursor.digits() == 4) zone_s = seconds_of_digits(*hours * 100);
   if (cursor.take(":")) {
     const auto minutes = cursor.number(2, 2);
     if (!minutes) return false;

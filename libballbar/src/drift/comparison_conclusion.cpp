@@ -90,6 +90,7 @@ std::string sentences_of_structure(const AxisComparison& axis) {
       sentences.push_back(sentence_of(kind, *part_of(structure.parts, kind), axis));
   } else if (!alone.empty()) {
     std::vector<std::string> either;
+    either.reserve(alone.size());
     for (const DifferenceKind kind : alone) {
       either.push_back(fmt::format("{} ({})", kNames[static_cast<std::size_t>(kind)],
                                    amount_of(kind, *part_of(structure.alone, kind), axis.unit)));
