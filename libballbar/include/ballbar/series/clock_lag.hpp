@@ -21,8 +21,8 @@ struct ClockLag {
 // none correlates by 0.7, or where a lag elsewhere fits nearly as well: two clocks that nothing tells apart.
 //
 // sigma: of the least sum of squares in the lag, readings that depend on each other counted as fewer. A quantity that
-// changes in steps between the rows tells no more than their distance, since the steps of a programme may all lie at one
-// place between them: sigma is at least the distance over the square root of 12. O(lags n), n at most 4000 rows.
+// changes in steps between the rows tells no more than their distance, since the steps of a programme may all lie at
+// one place between them: sigma is at least the distance over the square root of 12. O(lags n), n at most 4000 rows.
 std::optional<ClockLag> clock_lag(const Series& first, const Series& second, double range_s);
 
 }  // namespace ballbar
