@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "ballbar/formats/logs/recipe_toml.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/number_text.hpp"
 #include "ballbar/series/column_faults.hpp"
 #include "commands.hpp"
 #include "logs/log_options.hpp"
-#include "logs/series_file.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -143,7 +143,10 @@ void run(const Options& options) {
   expect_no_input({options.out, options.save}, {options.log});
   const Log log = opened(options);
   const std::vector<ColumnFault> faults = column_faults(log.series);
-  if (!options.out.empty()) write_series_file(log.series, options.out);
+  if (!options.out.empty())
+    write_through(options.out, [&](const std::filesystem::path& path) {
+      write_series_parts(log.series, series_header(log.series), path);
+    });
   if (!options.save.empty()) write_bytes(options.save, write_recipe(log.recipe));
   if (options.json) {
     fmt::print("{}\n", json_of(options, log, faults).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));

@@ -30,6 +30,14 @@ CLI::Validator pairs() {
           ""};
 }
 
+template <std::size_t kSize>
+std::vector<std::string> names_of(const std::pair<std::string_view, char> (&signs)[kSize]) {
+  std::vector<std::string> names;
+  names.reserve(kSize);
+  for (const auto& [name, sign] : signs) names.emplace_back(name);
+  return names;
+}
+
 template <class Set>
 void of_columns(const std::vector<std::string>& pairs, LogRecipe& recipe, Set set) {
   for (const std::string& pair : pairs) {
@@ -51,11 +59,11 @@ void add_log_options(CLI::App& command, LogOptions& options) {
       ->type_name("SHEET")
       ->group(group);
   command.add_option("--delimiter", options.delimiter, "what stands between the values")
-      ->check(CLI::IsMember({"comma", "semicolon", "tab", "bar", "blank"}))
+      ->check(CLI::IsMember(names_of(kDelimiterNames)))
       ->type_name("")
       ->group(group);
   command.add_option("--decimal", options.decimal, "sign of decimals")
-      ->check(CLI::IsMember({"comma", "point"}))
+      ->check(CLI::IsMember(names_of(kDecimalNames)))
       ->type_name("")
       ->group(group);
   command.add_option("--dates", options.dates, "how 03/04/2026 is read")
@@ -100,12 +108,12 @@ LogRecipe recipe_of(const LogOptions& options) {
   take(options.sheet, recipe.sheet);
   take(options.time, recipe.time);
   take(options.time_unit, recipe.time_unit);
-  constexpr std::pair<std::string_view, char> kDelimiters[] = {
-      {"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"bar", '|'}, {"blank", ' '}};
-  for (const auto& [name, sign] : kDelimiters) {
+  for (const auto& [name, sign] : kDelimiterNames) {
     if (name == options.delimiter) recipe.delimiter = sign;
   }
-  if (!options.decimal.empty()) recipe.decimal = options.decimal == "comma" ? ',' : '.';
+  for (const auto& [name, sign] : kDecimalNames) {
+    if (name == options.decimal) recipe.decimal = sign;
+  }
   if (!options.dates.empty()) recipe.month_first = options.dates == "month-first";
   if (options.every_s) recipe.every_s = options.every_s;
   recipe.missing.insert(recipe.missing.end(), options.missing.begin(), options.missing.end());

@@ -9,6 +9,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/logs/log.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/number_text.hpp"
@@ -16,7 +17,6 @@
 #include "ballbar/series/merged_series.hpp"
 #include "commands.hpp"
 #include "logs/log_options.hpp"
-#include "logs/series_file.hpp"
 #include "model/model_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
@@ -137,7 +137,9 @@ void run(const Options& options) {
     series.started = stamp_of_seconds(*started + first_s);
     for (double& time : series.time_s) time -= first_s;
   }
-  if (!options.out.empty()) write_series_file(series, options.out);
+  if (!options.out.empty())
+    write_through(options.out,
+                  [&](const std::filesystem::path& path) { write_series_parts(series, series_header(series), path); });
   if (options.json) {
     nlohmann::ordered_json json{
         {"rows", series.time_s.size()}, {"columns", series.columns.size()}, {"parts", nlohmann::ordered_json::array()}};

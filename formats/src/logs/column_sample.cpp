@@ -62,6 +62,12 @@ bool all_whole(const ColumnSample& sample) {
   return std::all_of(sample.values.begin(), sample.values.end(), [](double v) { return v == std::floor(v); });
 }
 
+bool runs_as_long(const ColumnSample& numbers, double unit_s, const ColumnSample& stamps) {
+  const double by_numbers_s = (numbers.values.back() - numbers.values.front()) * unit_s;
+  const double by_stamps_s = *stamps.last_s - *stamps.first_s;
+  return std::abs(by_numbers_s - by_stamps_s) < 2.0 + 0.02 * std::abs(by_stamps_s);
+}
+
 bool counts_rows(const ColumnSample& sample, bool gaps) {
   if (sample.values.size() < 2 || (!gaps && sample.numbers != sample.written())) return false;
   std::size_t next = 0;

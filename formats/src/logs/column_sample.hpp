@@ -30,4 +30,7 @@ bool all_whole(const ColumnSample& sample);
 // 0, 1, 2 ... or 1, 2, 3 ...; `gaps`: some may be left out.
 bool counts_rows(const ColumnSample& sample, bool gaps);
 
+// Whether a column of numbers in a unit of time runs as long as one of stamps.
+bool runs_as_long(const ColumnSample& numbers, double unit_s, const ColumnSample& stamps);
+
 }  // namespace ballbar

@@ -109,19 +109,12 @@ std::string column_name(std::string_view name, std::string_view unit, std::set<s
   return full;
 }
 
-const ColumnRecipe* recipe_of(const LogRecipe& recipe, const PlannedColumn& column) {
-  const auto found = std::find_if(recipe.columns.begin(), recipe.columns.end(), [&](const ColumnRecipe& one) {
-    return one.source == column.source || one.source == column.name;
-  });
-  return found == recipe.columns.end() ? nullptr : &*found;
-}
-
 void expect_recipe_columns(const LogPlan& plan, const std::string& name, std::size_t line, const LogRecipe& recipe) {
   for (const ColumnRecipe& one : recipe.columns) {
     std::vector<std::string_view> known;
     bool found = false;
     for (const PlannedColumn& column : plan.columns) {
-      found = found || column.source == one.source || column.name == one.source;
+      found = found || is_of(one, column);
       known.emplace_back(column.source);
     }
     if (found) continue;
@@ -239,7 +232,7 @@ Log log_of(ByteSource source, std::size_t bytes, const std::string& name, const 
     if (column.kind == ColumnKind::left_out) {
       log.columns.push_back({column.source, "", column.unit, "", Role::event, column.why, 0});
     } else {
-      take_column(column, recipe_of(recipe, column), std::move(table.values[i]), log, taken);
+      take_column(column, told_of(recipe, column), std::move(table.values[i]), log, taken);
     }
   }
   if (log.series.columns.empty())

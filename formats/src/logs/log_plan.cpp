@@ -70,20 +70,11 @@ void name_channels(const LogShape& shape, LogPlan& plan) {
   }
 }
 
-const ColumnRecipe* recipe_of(const LogRecipe& recipe, const PlannedColumn& column) {
-  const auto found = std::find_if(recipe.columns.begin(), recipe.columns.end(), [&](const ColumnRecipe& one) {
-    return one.source == column.source || one.source == column.name;
-  });
-  return found == recipe.columns.end() ? nullptr : &*found;
-}
-
 // A second clock beside the stamps: one that runs as long. Beside a number, any.
 bool runs_as_the_time(const std::vector<ColumnSample>& samples, const LogPlan& plan, std::size_t i) {
-  if (plan.time.kind != TimePlan::Kind::stamps || !samples[plan.time.column].first_s) return true;
-  const double by_number_s =
-      (samples[i].values.back() - samples[i].values.front()) * *time_unit_s(plan.columns[i].unit);
-  const double by_stamps_s = *samples[plan.time.column].last_s - *samples[plan.time.column].first_s;
-  return std::abs(by_number_s - by_stamps_s) < 2.0 + 0.02 * std::abs(by_stamps_s);
+  const ColumnSample& time = samples[plan.time.column];
+  if (plan.time.kind != TimePlan::Kind::stamps || !time.first_s) return true;
+  return runs_as_long(samples[i], *time_unit_s(plan.columns[i].unit), time);
 }
 
 // Tags below each other, one a row: "Speed;13:05:10;0" and "T_bearing;13:05:10;20,0". As one column they would mean
@@ -124,7 +115,7 @@ void plan_values(const std::vector<ColumnSample>& samples, const LogRecipe& reci
     PlannedColumn& column = plan.columns[i];
     if (column.kind != ColumnKind::left_out) continue;
     const ColumnSample& sample = samples[i];
-    const ColumnRecipe* const told = recipe_of(recipe, column);
+    const ColumnRecipe* const told = told_of(recipe, column);
     if (told != nullptr && told->left_out) {
       column.why = "left out by the recipe";
     } else if (told != nullptr && !told->unit.empty()) {
@@ -150,6 +141,16 @@ void plan_values(const std::vector<ColumnSample>& samples, const LogRecipe& reci
 }
 
 }  // namespace
+
+bool is_of(const ColumnRecipe& recipe, const PlannedColumn& column) {
+  return recipe.source == column.source || recipe.source == column.name;
+}
+
+const ColumnRecipe* told_of(const LogRecipe& recipe, const PlannedColumn& column) {
+  const auto found = std::find_if(recipe.columns.begin(), recipe.columns.end(),
+                                  [&](const ColumnRecipe& one) { return is_of(one, column); });
+  return found == recipe.columns.end() ? nullptr : &*found;
+}
 
 LogPlan log_plan(const LogShape& shape, const std::string& name, const LogRecipe& recipe) {
   LogPlan plan;

@@ -44,6 +44,12 @@ struct LogPlan {
   TimePlan time;
 };
 
+// Whether the recipe's column is this one: by its header, with or without the unit.
+bool is_of(const ColumnRecipe& recipe, const PlannedColumn& column);
+
+// What the recipe says of the column; nullptr: nothing.
+const ColumnRecipe* told_of(const LogRecipe& recipe, const PlannedColumn& column);
+
 // Throws Error with name:line where the time cannot be told.
 LogPlan log_plan(const LogShape& shape, const std::string& name, const LogRecipe& recipe);
 

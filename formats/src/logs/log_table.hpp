@@ -19,7 +19,6 @@ struct LogTable {
   bool zoned = false;                                      // the clock states its zone: no summer time, no doubt
   std::vector<std::pair<std::size_t, std::size_t>> lines;  // (row, line) wherever lines were passed over
   std::size_t rows = 0, other_lines = 0, without_time = 0, short_rows = 0;
-  bool cut_off = false;  // the last line was not whole, and is left out
 
   [[nodiscard]] std::size_t line_of(std::size_t row) const;
 };

@@ -200,7 +200,6 @@ bool LogLines::refill() {
     buffer_.resize(before + source_->read(buffer_.data() + before, kBlock));
     ended_ = buffer_.size() == before;
   }
-  taken_ += buffer_.size() - before;
   const auto fresh = buffer_.begin() + static_cast<std::ptrdiff_t>(before);
   if (std::memchr(buffer_.data() + before, '\0', buffer_.size() - before) != nullptr) {
     buffer_.erase(std::remove(fresh, buffer_.end(), '\0'), buffer_.end());

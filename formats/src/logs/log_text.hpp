@@ -45,9 +45,8 @@ class LogLines {
   // False at the end. `quotes`: a line with an odd number of them goes on. Throws Error where a line is above 4 MiB.
   bool next(bool quotes);
 
-  [[nodiscard]] std::string_view line() const { return line_; }    // without its end
-  [[nodiscard]] std::size_t number() const { return number_; }     // of its first line, from 1
-  [[nodiscard]] std::size_t read_bytes() const { return taken_; }  // of the text so far
+  [[nodiscard]] std::string_view line() const { return line_; }  // without its end
+  [[nodiscard]] std::size_t number() const { return number_; }   // of its first line, from 1
 
  private:
   bool refill();
@@ -58,7 +57,7 @@ class LogLines {
   std::string buffer_;
   std::size_t at_ = 0;
   std::string_view line_;
-  std::size_t number_ = 0, lines_ = 0, taken_ = 0;
+  std::size_t number_ = 0, lines_ = 0;
   bool ended_ = false;
   bool returns_ = false;  // lines end with a carriage return alone
 };

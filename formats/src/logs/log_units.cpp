@@ -95,7 +95,6 @@ constexpr Known kUnits[] = {
     {"watt", {"W"}},
     {"watts", {"W"}},
     {"kw", {"W", 1e3}},
-    {"nm_torque", {"Nm"}},
     {"n.m", {"Nm"}},
     {"n*m", {"Nm"}},
     {"n m", {"Nm"}},

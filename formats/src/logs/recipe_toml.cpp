@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "series/role_choice.hpp"
 #include "text/toml_source.hpp"
 
 namespace ballbar {
@@ -33,10 +34,6 @@ constexpr Key kColumnKeys[] = {
     {"left_out", "true or false", "default false"},
 };
 
-constexpr std::pair<std::string_view, char> kDelimiters[] = {
-    {"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"bar", '|'}, {"blank", ' '}};
-constexpr std::pair<std::string_view, char> kDecimals[] = {{"comma", ','}, {"point", '.'}};
-
 template <std::size_t kSize>
 std::optional<char> sign(const TomlTable& table, std::string_view key,
                          const std::pair<std::string_view, char> (&signs)[kSize]) {
@@ -59,10 +56,7 @@ ColumnRecipe column_of(const TomlTable& table) {
   column.name = string(table, "name").value_or("");
   column.unit = string(table, "unit").value_or("");
   column.left_out = boolean(table, "left_out").value_or(false);
-  std::vector<std::string_view> roles;
-  for (int role = 0; role <= static_cast<int>(Role::measured); ++role)
-    roles.push_back(name_of(static_cast<Role>(role)));
-  if (const auto index = choice_index(table, "role", roles)) column.role = static_cast<Role>(*index);
+  column.role = role_choice(table, "role");
   return column;
 }
 
@@ -78,8 +72,8 @@ LogRecipe read_recipe(std::string_view bytes, std::string_view name) {
   if (!choice_index(root, "format", formats)) fail_missing(root, "format");
   LogRecipe recipe;
   recipe.sheet = string(root, "sheet").value_or("");
-  recipe.delimiter = sign(root, "delimiter", kDelimiters);
-  recipe.decimal = sign(root, "decimal", kDecimals);
+  recipe.delimiter = sign(root, "delimiter", kDelimiterNames);
+  recipe.decimal = sign(root, "decimal", kDecimalNames);
   const std::string_view orders[] = {"day-first", "month-first"};
   if (const auto order = choice_index(root, "dates", orders)) recipe.month_first = *order == 1;
   recipe.time = string(root, "time").value_or("");
@@ -96,8 +90,8 @@ std::string write_recipe(const LogRecipe& recipe) {
     if (!value.empty()) out += fmt::format("{} = {}\n", key, toml_quoted(value));
   };
   text("sheet", recipe.sheet);
-  if (recipe.delimiter) text("delimiter", name_of_sign(*recipe.delimiter, kDelimiters));
-  if (recipe.decimal) text("decimal", name_of_sign(*recipe.decimal, kDecimals));
+  if (recipe.delimiter) text("delimiter", name_of_sign(*recipe.delimiter, kDelimiterNames));
+  if (recipe.decimal) text("decimal", name_of_sign(*recipe.decimal, kDecimalNames));
   if (recipe.month_first) text("dates", *recipe.month_first ? "month-first" : "day-first");
   text("time", recipe.time);
   text("time_unit", recipe.time_unit);

@@ -79,9 +79,7 @@ class TimeFinder {
   bool tells_the_same(std::size_t number, std::size_t stamps) const {
     const auto unit_s = unit_of_number(number);
     if (!unit_s || !samples_[stamps].first_s) return false;
-    const double by_number_s = (samples_[number].values.back() - samples_[number].values.front()) * *unit_s;
-    const double by_stamps_s = *samples_[stamps].last_s - *samples_[stamps].first_s;
-    return std::abs(by_number_s - by_stamps_s) < 2.0 + 0.02 * std::abs(by_stamps_s);
+    return runs_as_long(samples_[number], *unit_s, samples_[stamps]);
   }
 
   // 20261122 and 130510 in two columns, the second perhaps without its leading 0.

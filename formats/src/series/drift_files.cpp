@@ -83,20 +83,11 @@ struct DriftColumns {
   Series series;
 };
 
-// In parts, so that a long series is not in memory a second time as text.
 void write_csv(const DriftColumns& drift, const std::filesystem::path& path) {
-  constexpr std::size_t kRows = 1024;
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
   std::string header = series_header(drift.series);
   header.insert(header.find('\n') + 1,
                 fmt::format("# method = \"{}\"\n# reference_s = {:#}\n", drift.method, drift.reference_s));
-  file << header;
-  const std::size_t rows = drift.series.time_s.size();
-  for (std::size_t row = 0; row < rows; row += kRows) {
-    file << write_rows(drift.series, row, std::min(row + kRows, rows));
-  }
-  file.close();
-  if (!file) throw Error(fmt::format("{}: expected room to write {} rows, found none.", path.string(), rows));
+  write_series_parts(drift.series, header, path);
 }
 
 nlohmann::ordered_json json_of(const DriftRange& range, const std::string& unit) {

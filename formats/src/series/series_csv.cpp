@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <utility>
 
 #include "ballbar/error.hpp"
+#include "series/role_choice.hpp"
 #include "text/head.hpp"
 #include "text/readers.hpp"
 #include "text/table.hpp"
@@ -83,12 +85,9 @@ struct SeriesHeader {
 };
 
 Role role_of(const TomlTable& column) {
-  std::vector<std::string_view> names;
-  for (int role = 0; role <= static_cast<int>(Role::measured); ++role)
-    names.push_back(name_of(static_cast<Role>(role)));
-  const std::optional<std::size_t> index = choice_index(column, "role", names);
-  if (!index) fail_missing(column, "role");
-  return static_cast<Role>(*index);
+  const std::optional<Role> role = role_choice(column, "role");
+  if (!role) fail_missing(column, "role");
+  return *role;
 }
 
 // The column whose name stands under the probe's key.
@@ -276,6 +275,18 @@ std::string write_series(const Series& series) {
     text += write_rows(series, row, std::min(row + kRows, series.time_s.size()));
   }
   return text;
+}
+
+void write_series_parts(const Series& series, std::string_view header, const std::filesystem::path& path) {
+  constexpr std::size_t kRows = 1024;
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  file << header;
+  const std::size_t rows = series.time_s.size();
+  for (std::size_t row = 0; row < rows && file; row += kRows) {
+    file << write_rows(series, row, std::min(row + kRows, rows));
+  }
+  file.close();
+  if (!file) throw Error(fmt::format("{}: expected room to write {} rows, found none.", path.string(), rows));
 }
 
 }  // namespace ballbar

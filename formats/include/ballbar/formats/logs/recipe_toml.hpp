@@ -4,10 +4,16 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "ballbar/formats/logs/log.hpp"
 
 namespace ballbar {
+
+// What signs are called in a recipe and on the command line.
+inline constexpr std::pair<std::string_view, char> kDelimiterNames[] = {
+    {"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"bar", '|'}, {"blank", ' '}};
+inline constexpr std::pair<std::string_view, char> kDecimalNames[] = {{"comma", ','}, {"point", '.'}};
 
 // Throws Error with name:line:column.
 LogRecipe read_recipe(std::string_view bytes, std::string_view name);
