@@ -44,15 +44,9 @@ struct Part {
 
 Part opened(const std::string& file, const LogOptions& how) {
   Part part{file, {}, 0.0, std::nullopt, std::nullopt};
-  if (read_of<ReadSeries>(reader_of_file(file)) != nullptr) {
-    part.series = open_series(file);
-    return part;
-  }
-  Log log = open_log(file, recipe_of(how));
-  std::vector<std::string> remarks{fmt::format("{}: {}", file, sentence_of(log))};
-  for (const std::string& remark : log.remarks) remarks.push_back(fmt::format("{}: {}", file, remark));
-  tell(remarks);
-  part.series = std::move(log.series);
+  OpenedSeries opened = opened_series(file, known_readers(), recipe_of(how));
+  tell(opened.remarks);
+  part.series = std::move(opened.series);
   return part;
 }
 

@@ -12,10 +12,11 @@
 
 namespace ballbar {
 
-OpenedSeries opened_series(const std::filesystem::path& path, std::span<const Reader> readers) {
-  const Reader* const reader = reader_of(read_head(path, kHeadBytes), readers);
+namespace {
+
+OpenedSeries opened_by(const Reader* reader, const std::filesystem::path& path, const LogRecipe& recipe) {
   if (const auto read = read_of<ReadLog>(reader)) {
-    Log log = read(path, {});
+    Log log = read(path, recipe);
     OpenedSeries opened;
     opened.remarks.push_back(fmt::format("{}: {}", path.string(), sentence_of(log)));
     for (const std::string& remark : log.remarks)
@@ -28,6 +29,13 @@ OpenedSeries opened_series(const std::filesystem::path& path, std::span<const Re
   return {(read != nullptr ? read : read_series)(read_bytes(path, kLargestTable), path.string()), {}};
 }
 
+}  // namespace
+
+OpenedSeries opened_series(const std::filesystem::path& path, std::span<const Reader> readers,
+                           const LogRecipe& recipe) {
+  return opened_by(reader_of(read_head(path, kHeadBytes), readers), path, recipe);
+}
+
 Series open_series(const std::filesystem::path& path, std::span<const Reader> readers) {
   return opened_series(path, readers).series;
 }
@@ -38,7 +46,7 @@ DriftData open_drift_data(const std::filesystem::path& path, std::span<const Rea
   if (std::filesystem::is_regular_file(path, error)) {
     const Reader* const reader = reader_of_file(path, readers);
     if (reads_series(reader)) {
-      OpenedSeries opened = opened_series(path, readers);
+      OpenedSeries opened = opened_by(reader, path, {});
       data.series = std::move(opened.series);
       data.remarks = std::move(opened.remarks);
       data.files = {path};

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/formats/logs/log.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
 #include "ballbar/formats/text/reader.hpp"
 #include "ballbar/series/series.hpp"
@@ -25,7 +26,8 @@ struct OpenedSeries {
   Series series;
   std::vector<std::string> remarks;
 };
-OpenedSeries opened_series(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
+OpenedSeries opened_series(const std::filesystem::path& path, std::span<const Reader> readers = known_readers(),
+                           const LogRecipe& recipe = {});  // of a log
 
 // Throws Error with what was found where the file is neither.
 DriftData open_drift_data(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
