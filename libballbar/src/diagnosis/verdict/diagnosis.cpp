@@ -11,6 +11,7 @@
 #include "diagnosis/posterior/weighed.hpp"
 #include "diagnosis/signatures/detectability.hpp"
 #include "diagnosis/verdict/fitted_set.hpp"
+#include "diagnosis/verdict/gains_by_run.hpp"
 #include "diagnosis/verdict/probabilities.hpp"
 #include "diagnosis/verdict/sentence.hpp"
 #include "diagnosis/verdict/tested_member.hpp"
@@ -128,6 +129,7 @@ class Decision {
                      [](const EffectProbability& a, const EffectProbability& b) { return a.p > b.p; });
     best_ = &posterior().sets.front();
     at_ = set_at(problem(), posterior(), *best_);
+    result_.gains_by_run = gains_by_run(problem(), posterior(), *best_, at_);
     const Covariance& covariance = posterior().points[best_->point].covariance;
     result_.noise = noise_of(covariance, at_.variance);
     for (const EffectSet& set : posterior().sets) {
@@ -193,6 +195,10 @@ class Decision {
         std::vector<BoundEffect> group;
         for (const std::size_t f : groups[m]) group.push_back(family(f).bound);
         d.equivalent.push_back(std::move(group));
+      }
+      for (const GainByRun& gain : d.gains_by_run) {
+        if (gain.effect == one.label)
+          d.reasons.push_back(fmt::format("{}: its gain differs from run to run.", one.label));
       }
       for (const std::string& doubt : one.doubts) d.reasons.push_back(fmt::format("{}: {}.", one.label, doubt));
     }
