@@ -16,6 +16,7 @@ std::string minutes_text(long long time_ms) {
   return fmt::format("{}", min);
 }
 
+// To the hundredth of an hour.
 std::string hours_text(long long time_ms) {
   return fmt::format("{}", std::round(static_cast<double>(time_ms) / 36e3) / 100.0);
 }
@@ -132,8 +133,9 @@ std::vector<Step> steps_of(const Schedule& schedule, const ProgramOptions& optio
     const int rpm = whole_rpm(dwell.speed_rpm);
     begin_s += dwell.duration_s;
     const long long end_ms = ms_of(begin_s);
-    steps.say(fmt::format("DWELL {} OF {} - {} MIN AT {} RPM", i + 1, schedule.dwells.size(),
-                          minutes_text(end_ms - at_ms), rpm));
+    const std::string time = end_ms - at_ms < 60000 ? fmt::format("{} S", static_cast<double>(end_ms - at_ms) / 1e3)
+                                                    : minutes_text(end_ms - at_ms) + " MIN";
+    steps.say(fmt::format("DWELL {} OF {} - {} AT {} RPM", i + 1, schedule.dwells.size(), time, rpm));
     if (const std::string order = setting(before, dwell); !order.empty()) steps.stop(order);
     before = dwell;
     while (at_ms < end_ms) {
