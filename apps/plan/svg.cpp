@@ -54,7 +54,7 @@ std::vector<std::string> broken_lines(std::string_view text, std::size_t most) {
     const std::string_view word = text.substr(i, end - i);
     const auto length = static_cast<std::size_t>(std::count_if(
         word.begin(), word.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
-    if (characters + 1 + length > most) end_line();
+    if (characters + length > most) end_line();
     if (characters > 0) line += ' ';
     for (std::size_t k = 0; k < word.size();) {
       const std::size_t one = std::max<std::size_t>(utf8_length(word.substr(k, 4)), 1);
@@ -63,7 +63,7 @@ std::vector<std::string> broken_lines(std::string_view text, std::size_t most) {
       ++characters;
       k += one;
     }
-    ++characters;
+    ++characters;  // the blank after it
     i = end;
   }
   end_line();

@@ -42,7 +42,7 @@ TEST(plan_files, a_folder_that_a_shop_can_run) {
     EXPECT_EQ(run.circles.size(), 6u);
     EXPECT_NE(bytes(file_name_of(dialect)).find("TITLE WHICH OF TWO"), std::string::npos);
   }
-  EXPECT_TRUE(bytes("checklist.txt").starts_with("Which of two\n2 h 0 min in all"));
+  EXPECT_TRUE(bytes("checklist.txt").starts_with("Which of two\n2 h in all"));
   EXPECT_NE(bytes("checklist.txt").find("[ ] T_room_degC\n"), std::string::npos);
   EXPECT_TRUE(bytes("plan.svg").ends_with("</svg>\n"));
 }
