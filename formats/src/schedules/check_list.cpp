@@ -32,7 +32,9 @@ std::string order_text(const Dwell& before, const Dwell& now) {
   const auto beside = [](double difference_K) {
     return difference_K == 0.0 ? std::string("as in the data so far") : fmt::format("{:+.4g} K", difference_K);
   };
-  if (now.load != before.load) add(fmt::format("load {:.4g} times that of the data", now.load));
+  if (now.load != before.load) {
+    add(now.load == 1.0 ? "load as in the data so far" : fmt::format("load {:.4g} times that of the data", now.load));
+  }
   if (now.room_K != before.room_K) add("room " + beside(now.room_K));
   if (now.coolant_K != before.coolant_K) add("coolant " + beside(now.coolant_K));
   return text;
@@ -74,7 +76,9 @@ std::string check_list(const Schedule& schedule, const ProgramOptions& options,
                             : "The machine has been at rest for a night, powered, in the room of the test.");
   item(fmt::format("The tool in the spindle may turn at {} rpm; guards and door are closed while it turns.",
                    grouped_text(std::round(highest_rpm))));
-  item("Clearances are checked: dry run of the program with the spindle's override at its lowest.");
+  item(test ? "Clearances are checked: axes move in the ballbar tests alone, first with the override of the feed "
+              "turned down."
+            : "Clearances are checked; no axis moves in the program.");
   if (test) {
     item(
         fmt::format("The zero of the workpiece (G54, preset) is the centre of the fixed ball; X{:.4g} Y0 can be "

@@ -86,7 +86,7 @@ void head(Steps& steps, const Schedule& schedule, const ProgramOptions& options)
 std::string setting(const Dwell& before, const Dwell& now) {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "SET " : ", ") + what; };
-  if (now.load != before.load) add(fmt::format("LOAD {:.4g} TIMES", now.load));
+  if (now.load != before.load) add(now.load == 1.0 ? "LOAD AS BEFORE" : fmt::format("LOAD {:.4g} TIMES", now.load));
   if (now.room_K != before.room_K) add("ROOM " + difference_text(now.room_K));
   if (now.coolant_K != before.coolant_K) add("COOLANT " + difference_text(now.coolant_K));
   return text;

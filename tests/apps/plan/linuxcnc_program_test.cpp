@@ -121,7 +121,7 @@ TEST(linuxcnc_program, its_interpreter_turns_and_dwells_as_the_schedule) {
                                              "SET COOLANT +2 K",
                                              "SET COOLANT AS BEFORE",
                                              "SET COOLANT +2 K",
-                                             "SET LOAD 1 TIMES, COOLANT AS BEFORE"};
+                                             "SET LOAD AS BEFORE, COOLANT AS BEFORE"};
   EXPECT_EQ(canonical.messages, expected);
   EXPECT_EQ(canonical.stops, 7);
 }
