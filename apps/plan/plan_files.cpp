@@ -1,0 +1,55 @@
+#include "plan/plan_files.hpp"
+
+#include <fmt/format.h>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/schedules/check_list.hpp"
+#include "ballbar/formats/schedules/schedule_csv.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "plan/plan_picture.hpp"
+#include "terminal/new_folder.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr const char* kSchedule = "schedule.csv";
+
+bool holds_a_plan(const std::filesystem::path& folder) {
+  try {
+    read_schedule_csv(read_bytes(folder / kSchedule, kLargestText), kSchedule);
+    return true;
+  } catch (const Error&) {  // none, or one that is not ours
+    return false;
+  }
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> plan_files(const PlanContents& contents) {
+  ProgramOptions options = contents.options;
+  if (options.title.empty()) options.title = contents.title;
+  std::vector<std::pair<std::string, std::string>> files{{kSchedule, write_schedule_csv(contents.schedule)}};
+  for (const Dialect dialect : kDialects) {
+    files.emplace_back(file_name_of(dialect), spindle_program(contents.schedule, dialect, options));
+  }
+  files.emplace_back("checklist.txt",
+                     check_list(contents.schedule, contents.options, contents.columns_to_log, contents.title));
+  files.emplace_back("plan.svg", plan_picture(contents));
+  return files;
+}
+
+void expect_plan_folder(const std::filesystem::path& folder) {
+  if (holds_a_plan(folder)) {
+    throw Error(fmt::format(
+        "{}: expected a new or an empty folder, found one that holds a plan; name another, or remove this one.",
+        folder.string()));
+  }
+  expect_new_folder(folder);
+}
+
+void write_plan(const std::filesystem::path& folder, const PlanContents& contents) {
+  expect_plan_folder(folder);
+  write_folder(folder, plan_files(contents));
+}
+
+}  // namespace ballbar
