@@ -28,6 +28,7 @@ std::span<const Reader> known_readers() {
       readers::kSession,
       readers::kModel,
       readers::kSeries,
+      readers::kSchedule,
       // Of these two it is only known what they are not.
       readers::kLogWithoutHeader,
       readers::kOtherXml,

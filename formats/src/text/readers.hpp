@@ -10,6 +10,7 @@ extern const Reader kBallbarLog;
 extern const Reader kSession;
 extern const Reader kModel;
 extern const Reader kSeries;
+extern const Reader kSchedule;
 extern const Reader kLogWithoutHeader;
 extern const Reader kLog;
 extern const Reader kOtherXml;

@@ -1,0 +1,123 @@
+#include "ballbar/formats/schedules/check_list.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ballbar/formats/schedules/schedule_csv.hpp"
+#include "ballbar/number_text.hpp"
+#include "schedules/program_steps.hpp"
+
+namespace ballbar {
+namespace {
+
+// "2:05", hours and minutes; "2:05:30" where it is no whole minute.
+std::string clock_text(double time_s) {
+  const long long whole_s = std::llround(time_s);
+  const std::string text = fmt::format("{}:{:02}", whole_s / 3600, whole_s / 60 % 60);
+  return whole_s % 60 == 0 ? text : text + fmt::format(":{:02}", whole_s % 60);
+}
+
+std::string one_line(std::string_view text) {
+  std::string line(text);
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
+  return line;
+}
+
+std::string order_text(const Dwell& before, const Dwell& now) {
+  std::string text;
+  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
+  const auto beside = [](double difference_K) {
+    return difference_K == 0.0 ? std::string("as in the data so far") : fmt::format("{:+.4g} K", difference_K);
+  };
+  if (now.load != before.load) add(fmt::format("load {:.4g} times that of the data", now.load));
+  if (now.room_K != before.room_K) add("room " + beside(now.room_K));
+  if (now.coolant_K != before.coolant_K) add("coolant " + beside(now.coolant_K));
+  return text;
+}
+
+// A line a dwell: when, how long, how fast, and what is to be set.
+std::string timetable(const Schedule& schedule) {
+  std::string out = fmt::format("  {:>9}  {:>9}  {:>8}  {}\n", "from h:mm", "for h:mm", "rpm", "to set by hand");
+  double begin_s = 0.0;
+  Dwell before;
+  for (const Dwell& dwell : schedule.dwells) {
+    const int rpm = steps::whole_rpm(dwell.speed_rpm);
+    std::string line = fmt::format("  {:>9}  {:>9}  {:>8}  {}", clock_text(begin_s), clock_text(dwell.duration_s),
+                                   rpm == 0 ? "rest" : fmt::format("{}", rpm), order_text(before, dwell));
+    line.erase(line.find_last_not_of(' ') + 1);
+    out += line + "\n";
+    begin_s += dwell.duration_s;
+    before = dwell;
+  }
+  return out + fmt::format("  {:>9}  end\n", clock_text(begin_s));
+}
+
+}  // namespace
+
+std::string check_list(const Schedule& schedule, const ProgramOptions& options,
+                       const std::vector<std::string>& columns_to_log, std::string_view title) {
+  expect_schedule(schedule);
+  const std::optional<BallbarTest>& test = options.ballbar;
+  double highest_rpm = 0.0;
+  for (const Dwell& dwell : schedule.dwells) highest_rpm = std::max(highest_rpm, dwell.speed_rpm);
+  const bool by_hand = std::any_of(schedule.dwells.begin(), schedule.dwells.end(),
+                                   [](const Dwell& one) { return !order_text(Dwell{}, one).empty(); });
+  std::string out = title.empty() ? "Check list of a thermal test\n" : one_line(title) + "\n";
+  const auto item = [&](std::string_view text) { out += fmt::format("[ ] {}\n", text); };
+
+  out += fmt::format("{} in all; the stops for the operator{} come on top.\n\nBefore\n",
+                     duration_text(duration_s(schedule)), test ? " and the ballbar tests" : "");
+  item(schedule.starts_warm ? "The machine still moves from what it did before: begin within minutes of its end."
+                            : "The machine has been at rest for a night, powered, in the room of the test.");
+  item(fmt::format("The tool in the spindle may turn at {} rpm; guards and door are closed while it turns.",
+                   grouped_text(std::round(highest_rpm))));
+  item("Clearances are checked: dry run of the program with the spindle's override at its lowest.");
+  if (test) {
+    item(
+        fmt::format("The zero of the workpiece (G54, preset) is the centre of the fixed ball; X{:.4g} Y0 can be "
+                    "reached.",
+                    test->radius_mm + test->feed_in_mm));
+    item(fmt::format("Bar of {:.6g} mm, calibrated, at the room's temperature; feed {:.6g} mm/min, XY, CCW then CW.",
+                     test->radius_mm, test->feed_mm_per_min));
+  } else {
+    item("What measures the drift is mounted and reads; its range holds the drift that is expected (plan.svg).");
+  }
+  item("The clocks of the machine, of the loggers and of the ballbar's computer agree to a few seconds.");
+  item("The machine's own thermal compensation is off, or its offsets are logged.");
+  if (by_hand)
+    item("Load, room and coolant can be set as the timetable says, and what they were in the data is known.");
+
+  out += "\nLog from before the start until after the end, one file, one clock\n";
+  item(fmt::format("time, as time_s or a time stamp; the target every {:.6g} s, all else at least as often",
+                   schedule.reading_s));
+  for (const std::string& column : columns_to_log) item(one_line(column));
+
+  out += "\nDuring: hours and minutes since the start\n";
+  out += timetable(schedule);
+  out += "\n";
+  item("Start the loggers, wait for ten readings at rest, start the program, write down the time of day: ______");
+  if (by_hand) item("At each stop set what the message says, write down when and what was reached, start again.");
+  if (test && test->every_min > 0.0) {
+    item(
+        fmt::format("A ballbar test at the start, every {:.6g} min and at the end; the bar is off while the spindle "
+                    "turns.",
+                    test->every_min));
+  } else if (test) {
+    item("A ballbar test at the start and after each dwell; the bar is off while the spindle turns.");
+  }
+  item("The override of the spindle's speed stays at 100 %.");
+  item("What was other than planned (door open, a pause, an alarm) is written down with its time.");
+
+  out += "\nAfter\n";
+  item("Let the loggers run for ten more minutes, then save.");
+  item("Each column of the list is in the file, has its unit in its name and no long gap.");
+  item("The spindle's speed in the file is that of the timetable.");
+  if (test) item("Each ballbar recording bears its own time.");
+  item("Give the run to ballbar diagnose together with the data so far.");
+  return out;
+}
+
+}  // namespace ballbar
