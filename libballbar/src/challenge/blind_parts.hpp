@@ -59,10 +59,18 @@ struct Workshop {
 // T_room_degC and T_front_degC; in constant_room T_room_degC is constant.
 Workshop workshop_of(Plan kind, Random& random);
 
-// The same shop floor on another day, driven by the schedule, a row every reading_s (0: as often as before). The room
-// has its mean and its day's swing, at another time of day, with a wandering of its own. The load is the mean one that
-// the first run had at that speed, in proportion between speeds and beyond them, times the stretch's. Begun warm, the
-// first run goes before; rows of it come first, `before_s` long.
+// A plan that follows a schedule: from 0 on, behind `before_s` of the first plan where it starts warm; a row every
+// reading_s (0: as often as before). The load is the mean one that the first plan has at that speed, in proportion
+// between speeds and beyond them, times the stretch's. Without a room. Throws Error for a schedule that is too short.
+struct Day {
+  DutyPlan plan;
+  ThermalClock clock;
+  double before_s = 0.0;
+};
+Day day_under(const Schedule& schedule, const DutyPlan& first, const ThermalClock& clock);
+
+// The same shop floor on another day. The room has its mean and its day's swing, at another time of day, with a
+// wandering of its own.
 struct AnotherRun {
   Workshop workshop;
   double before_s = 0.0;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "challenge/blind_parts.hpp"
+#include "numerics/interpolation.hpp"
 
 namespace ballbar {
 namespace blind {
@@ -28,6 +29,16 @@ Series since(Series series, double before_s) {
   return series;
 }
 
+// A curve of straight lines, read to and fro from some time on.
+double to_and_fro(const std::vector<double>& time_s, const std::vector<double>& values, double at_s) {
+  const double length_s = time_s.back() - time_s.front();
+  if (!(length_s > 0.0)) return values.front();
+  double since_s = std::fmod(at_s, 2.0 * length_s);
+  if (since_s > length_s) since_s = 2.0 * length_s - since_s;
+  const std::optional<Place> place = place_of(time_s, time_s.front() + since_s);
+  return place ? value_at(values, *place) : values.back();
+}
+
 }  // namespace
 }  // namespace blind
 
@@ -51,6 +62,30 @@ Series next_run(BlindKind kind, std::uint64_t seed, const Schedule& schedule, st
   for (double& value : measured.values) value = simulation::rounded(offset_um + value, scatter.resolution_um) + 0.0;
   run.logged.columns.push_back(std::move(measured));
   return blind::since(std::move(run.logged), another.before_s);
+}
+
+Series next_run(const VirtualSpindle& machine, const Schedule& schedule, std::uint64_t seed, std::uint64_t number) {
+  blind::Random random = simulation::stream_of(seed, simulation::Stream::blind_run, number);
+  blind::Day day = blind::day_under(schedule, machine.plan, machine.clock);
+  if (!machine.plan.room_time_s.empty()) {
+    const double from_s = blind::between(random, 0.0, 2.0 * 86400.0);
+    constexpr double kEach_s = 600.0;
+    for (double time_s = 0.0; time_s <= day.plan.end_s + kEach_s; time_s += kEach_s) {
+      const double set_K = time_s < day.before_s ? 0.0 : dwell_at(schedule, time_s - day.before_s).room_K;
+      day.plan.room_time_s.push_back(time_s);
+      day.plan.room_degC.push_back(
+          set_K + blind::to_and_fro(machine.plan.room_time_s, machine.plan.room_degC, from_s + time_s));
+    }
+  }
+  const ThermalRun run = run_of(machine.body, day.plan, machine.mechanisms, day.clock);
+  Series series = measured_series(run, machine.measurement, random());
+  for (Column& column : series.columns) {
+    if (column.role != Role::measured) continue;
+    const double offset_um = blind::between(random, -blind::kLargestOffset_um, blind::kLargestOffset_um);
+    const double resolution_um = machine.measurement.resolution_um;
+    for (double& value : column.values) value = simulation::rounded(value + offset_um, resolution_um) + 0.0;
+  }
+  return blind::since(std::move(series), day.before_s);
 }
 
 }  // namespace ballbar

@@ -110,8 +110,8 @@ DutyPlan duty_of(const Schedule& schedule, const DutyPlan& first, double before_
     if (has_load) plan.load_W.push_back(load_W);
     plan.coolant_K.push_back(coolant_K);
   };
-  for (std::size_t i = 0; i < first.time_s.size() && first.time_s[i] < before_s; ++i) {
-    add(first.time_s[i], first.speed_rpm[i], has_load ? first.load_W[i] : 0.0, 0.0);
+  for (std::size_t i = 0; i < first.time_s.size() && first.time_s[i] - first.time_s.front() < before_s; ++i) {
+    add(first.time_s[i] - first.time_s.front(), first.speed_rpm[i], has_load ? first.load_W[i] : 0.0, 0.0);
   }
   double time_s = before_s;
   for (const Dwell& dwell : schedule.dwells) {
@@ -159,22 +159,30 @@ Workshop workshop_of(Plan kind, Random& random) {
   return workshop;
 }
 
+Day day_under(const Schedule& schedule, const DutyPlan& first, const ThermalClock& clock) {
+  Day day;
+  day.clock.interval_s = schedule.reading_s > 0.0 ? schedule.reading_s : clock.interval_s;
+  day.clock.step_s = std::clamp(day.clock.interval_s, 30.0, kInterval_s.back());
+  if (!(duration_s(schedule) >= day.clock.interval_s)) {
+    throw Error(fmt::format("schedule: expected at least as long as from reading to reading, {:g} s, found {:g} s.",
+                            day.clock.interval_s, duration_s(schedule)));
+  }
+  if (schedule.starts_warm) {
+    day.before_s = std::floor((first.end_s - first.time_s.front()) / day.clock.interval_s) * day.clock.interval_s;
+  }
+  day.plan = duty_of(schedule, first, day.before_s);
+  return day;
+}
+
 AnotherRun workshop_under(const Schedule& schedule, const Workshop& first, Random& random) {
-  AnotherRun another;
+  Day day = day_under(schedule, first.plan, first.clock);
+  AnotherRun another{{}, day.before_s};
   Workshop& run = another.workshop;
   run.kind = first.kind;
   run.spindle = first.spindle;
   run.measurement = first.measurement;
-  run.clock.interval_s = schedule.reading_s > 0.0 ? schedule.reading_s : first.clock.interval_s;
-  run.clock.step_s = std::clamp(run.clock.interval_s, 30.0, kInterval_s.back());
-  if (!(duration_s(schedule) >= run.clock.interval_s)) {
-    throw Error(fmt::format("schedule: expected at least as long as from reading to reading, {:g} s, found {:g} s.",
-                            run.clock.interval_s, duration_s(schedule)));
-  }
-  if (schedule.starts_warm) {
-    another.before_s = std::floor(first.plan.end_s / run.clock.interval_s) * run.clock.interval_s;
-  }
-  run.plan = duty_of(schedule, first.plan, another.before_s);
+  run.clock = std::move(day.clock);
+  run.plan = std::move(day.plan);
   const auto set_K = [&](double time_s) {
     return time_s < another.before_s ? 0.0 : dwell_at(schedule, time_s - another.before_s).room_K;
   };

@@ -11,6 +11,7 @@
 #include "ballbar/challenge/inject.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
+#include "ballbar/numerics/range.hpp"
 
 namespace ballbar {
 namespace {
@@ -221,6 +222,39 @@ TEST(NextRun, AScheduleOfNothingIsRefused) {
           fmt::format("schedule: expected at least as long as from reading to reading, 60 s, found {:g} s.", lasts_s));
     }
   }
+}
+
+VirtualSpindle milling_spindle() {
+  VirtualSpindle machine;
+  machine.plan = {.time_s = {0.0, 3600.0}, .speed_rpm = {0.0, 9000.0}, .end_s = 7200.0};
+  machine.plan.room_time_s = {0.0, 3600.0, 7200.0};
+  machine.plan.room_degC = {20.0, 23.0, 21.0};
+  machine.measurement.not_logged = {"load_W"};
+  return machine;
+}
+
+// The room stays within its curve and comes back at its end without a jump: 3 K in an hour are 0.05 K a row, and the
+// sensor has steps of 0.1 K and a noise of 0.03 K.
+TEST(NextRun, AVirtualSpindleRunsAgain) {
+  const Series run = next_run(milling_spindle(), staircase(), 1, 2);
+  EXPECT_EQ(run.time_s.size(), 331U);
+  EXPECT_EQ(find_column(run, "load_W"), nullptr);
+  const std::vector<double>& room = values(run, "T_room_degC");
+  for (std::size_t i = 1; i < room.size(); ++i) {
+    EXPECT_NEAR(room[i], 21.5, 1.8);
+    EXPECT_LT(std::abs(room[i] - room[i - 1]), 0.36) << i;
+  }
+  EXPECT_GT(range_of(room), 2.0);
+  EXPECT_GT(range_of(values(run, "T_front_degC")), 5.0);
+  const std::vector<double> first = values(run, "y_um"),
+                            again = values(next_run(milling_spindle(), staircase(), 1, 2), "y_um"),
+                            other = values(next_run(milling_spindle(), staircase(), 1, 3), "y_um");
+  EXPECT_EQ(first, again);
+  EXPECT_GT(std::abs(first[0] - other[0]), 1.0);  // another set-up
+  VirtualSpindle still = milling_spindle();
+  still.plan.room_time_s.clear();
+  still.plan.room_degC.clear();
+  EXPECT_NEAR(mean(values(next_run(still, staircase(), 1, 2), "T_room_degC")), 20.0, 0.02);
 }
 
 }  // namespace

@@ -40,6 +40,7 @@
 #include "ballbar/model/model.hpp"
 #include "ballbar/noise/noise.hpp"
 #include "ballbar/series/series.hpp"
+#include "ballbar/simulation/virtual_spindle.hpp"
 
 namespace ballbar {
 
@@ -82,6 +83,10 @@ BlindSet blind_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogu
 // does.
 Series next_run(BlindKind kind, std::uint64_t seed, const Schedule& schedule, std::uint64_t number,
                 const Catalogue& catalogue = built_in_catalogue());
+
+// A virtual spindle once more, likewise: its room's curve is read to and fro from another time on (a room that is not
+// stated stays at 20 degC), each of x, y, z has a new offset. All columns that it logs, then x_um, y_um, z_um.
+Series next_run(const VirtualSpindle& machine, const Schedule& schedule, std::uint64_t seed, std::uint64_t number);
 
 // What was said of a set.
 struct BlindVerdict {
