@@ -21,6 +21,7 @@ void add_preflight(CLI::App& app);
 void add_check(CLI::App& app);
 void add_diagnose(CLI::App& app);
 void add_predict(CLI::App& app);
+void add_plan(CLI::App& app);
 void add_try(CLI::App& app);
 void add_add(CLI::App& app);
 void add_undo(CLI::App& app);

@@ -43,7 +43,7 @@ void add_commands(CLI::App& app) {
   add_group(app, "Follow", {add_history});
   add_group(app, "Look", {add_report});
   add_group(app, "Model", {add_effects, add_terms, add_preflight, add_check});
-  add_group(app, "Diagnose", {add_diagnose, add_try, add_add, add_undo, add_ledger, add_inject});
+  add_group(app, "Diagnose", {add_diagnose, add_plan, add_try, add_add, add_undo, add_ledger, add_inject});
   add_group(app, "Train", {add_train, add_select});
   add_group(app, "Predict", {add_predict});
   add_group(app, "Compensate", {add_compensate});

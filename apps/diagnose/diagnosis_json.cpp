@@ -112,7 +112,9 @@ Json json_of(const DiagnosisReport& diagnosis_report) {
   add_not_seen(found, json);
   json["reasons"] = found.reasons;
   json["next_test"] = nullptr;
-  if (!diagnosis_report.next_tests.empty()) {
+  if (!diagnosis_report.plan_command.empty()) {
+    json["next_test"] = {{"text", next_text(diagnosis_report)}, {"command", diagnosis_report.plan_command}};
+  } else if (!diagnosis_report.next_tests.empty()) {
     json["next_test"] = {{"text", diagnosis_report.next_tests.front().text},
                          {"separation", number(diagnosis_report.next_tests.front().separation)}};
   }

@@ -16,7 +16,9 @@ constexpr std::size_t kLabels = 4;
 std::string next_text(const DiagnosisReport& diagnosis_report) {
   const Diagnosis& found = diagnosis_report.diagnosis;
   if (found.verdict == Verdict::named && found.equivalent.empty()) return "";  // nothing is left to tell
-  return diagnosis_report.next_tests.empty() ? "" : diagnosis_report.next_tests.front().text;
+  if (!diagnosis_report.next_tests.empty()) return diagnosis_report.next_tests.front().text;
+  if (diagnosis_report.plan_command.empty()) return "";
+  return "another run of the machine. `ballbar plan` finds which one, and says how surely it would decide.";
 }
 
 std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {
@@ -55,7 +57,7 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, const DiagnoseO
   how.search.progress = tell;
   diagnosis_report.surrogates = how.surrogates;
   diagnosis_report.diagnosis = diagnose(model, data.series, 0, how);
-  tell("predicting what the next tests would tell");
+  if (model.level == Level::series) diagnosis_report.plan_command = plan_command(options, diagnosis_report.diagnosis);
   diagnosis_report.next_tests = next_tests(model, data.series, diagnosis_report.diagnosis);
   diagnosis_report.command = next_command(options, diagnosis_report.diagnosis);
   diagnosis_report.hint = next_hint(options, diagnosis_report.diagnosis);

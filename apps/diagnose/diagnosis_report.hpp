@@ -28,6 +28,7 @@ struct DiagnosisReport {
   std::vector<NextTest> next_tests;
   std::size_t surrogates = 0;  // tried of each effect
   std::string command;         // to paste next; empty: none
+  std::string plan_command;    // that plans the test which would decide; empty: none, or recordings
   std::string hint;            // what to do where no command does it, a sentence; or empty
 };
 

@@ -137,6 +137,7 @@ void print_text(const DiagnosisReport& diagnosis_report, const std::string& titl
     for (std::size_t k = 0; k < parts.size(); ++k) fmt::print("{}", wrapped(fmt::format("{}. {}.", k + 1, parts[k])));
   }
   if (!next.empty()) fmt::print("{}", wrapped("To decide: " + next));
+  if (!diagnosis_report.plan_command.empty()) fmt::print("{}\n", diagnosis_report.plan_command);
   print_candidates(found);
   if (!found.reasons.empty() && found.verdict != Verdict::nothing) {
     fmt::print("\nWhy{}:\n", found.verdict == Verdict::untestable ? "" : " it is not named, or not all of it");

@@ -40,10 +40,10 @@ std::string word_of(const BoundEffect& bound) { return word_of(label_of(bound), 
 
 std::string word_of(const Term& term) { return word_of(label_of(term), term.columns); }
 
-// Empty where there is no effect, or one that cannot be typed.
+// Empty where one of the effects cannot be typed.
 std::string command_of(const std::string& verb, const std::vector<std::string>& effects, const ModelOptions& options,
                        const std::string& target) {
-  if (effects.empty() || std::find(effects.begin(), effects.end(), "") != effects.end()) return "";
+  if (std::find(effects.begin(), effects.end(), "") != effects.end()) return "";
   std::vector<std::string> words{"ballbar", verb};
   words.insert(words.end(), effects.begin(), effects.end());
   for (const std::string& file : options.data) words.push_back(shell_word(file.starts_with('-') ? "./" + file : file));
@@ -95,7 +95,14 @@ std::string next_command(const ModelOptions& options, const Diagnosis& found) {
   const std::vector<BoundEffect> bounds = says_a_name(found) ? certain : worth_a_try(found);
   words.reserve(bounds.size());
   for (const BoundEffect& bound : bounds) words.push_back(word_of(bound));
+  if (words.empty()) return "";
   return command_of(says_a_name(found) ? "add" : "try", words, options, found.target);
+}
+
+std::string plan_command(const ModelOptions& options, const Diagnosis& found) {
+  const bool is_open = found.verdict != Verdict::nothing && found.verdict != Verdict::untestable &&
+                       (found.verdict != Verdict::named || !found.equivalent.empty() || !found.probable.empty());
+  return is_open ? command_of("plan", {}, options, found.target) : "";
 }
 
 std::string add_command(const ModelOptions& options, const EffectTest& tried) {

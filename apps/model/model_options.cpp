@@ -10,6 +10,7 @@
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/model/recording_base_model.hpp"
+#include "ballbar/model/run_terms.hpp"
 #include "ballbar/model/target_columns.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "terminal/option_checks.hpp"
@@ -131,6 +132,7 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
     if (data.motion) with_source(options.model, [&] { expect_acts(model, *data.motion); });
     if (model.level == Level::recording) model = with_circles(std::move(model), data.series);
   }
+  model = with_run_terms(std::move(model), data.series);
   choose_targets(model, options);
   if (model.targets.empty())
     throw Error(fmt::format("{}: expected a measured column to explain, found none.", data.title));

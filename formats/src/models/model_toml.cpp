@@ -345,7 +345,9 @@ std::string write_model(const Model& model) {
   for (const ColumnRange& range : model.trained) {
     out += fmt::format("{} = [{}, {}]\n", toml_key(range.column), toml_number(range.low), toml_number(range.high));
   }
-  for (const Term& term : model.terms) out += "\n" + effect_text(term);
+  for (const Term& term : model.terms) {
+    if (!term.effect->rules.of_set_up) out += "\n" + effect_text(term);
+  }
   return out;
 }
 

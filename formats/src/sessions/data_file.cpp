@@ -1,6 +1,7 @@
 #include "ballbar/formats/sessions/data_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -10,6 +11,7 @@
 #include "ballbar/formats/series/drift_files.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/series/merged_series.hpp"
+#include "ballbar/series/runs.hpp"
 
 namespace ballbar {
 namespace {
@@ -84,22 +86,13 @@ ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths, st
   return data;
 }
 
-}  // namespace
-
-ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,
-                          double max_gap_s, std::span<const Reader> readers) {
-  const Reader* const reader = reader_of_file(paths.front(), readers);
-  if (reader != nullptr && std::holds_alternative<ReadRecordings>(reader->read)) {
-    return data_of_recordings(paths, readers);
-  }
-  if (paths.size() > 1) {
-    throw Error(fmt::format("{}: expected one series or session, or recordings alone, found {} files.",
-                            paths.front().string(), paths.size()));
-  }
-  expect_data(paths.front(), reader);
-  const DriftData source = open_drift_data(paths.front(), readers);
+// A series, or a session with its signals.
+ModelData data_of_drift(const std::filesystem::path& path, const DriftOptions& options, double max_gap_s,
+                        std::span<const Reader> readers) {
+  expect_data(path, reader_of_file(path, readers));
+  const DriftData source = open_drift_data(path, readers);
   ModelData data;
-  data.title = paths.front().string();
+  data.title = path.string();
   data.files = source.files;
   data.remarks = source.remarks;
   std::vector<Series> parts;
@@ -108,19 +101,56 @@ ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const
   } else {
     if (!source.session->session.title.empty()) data.title = source.session->session.title;
     parts.push_back(series_of(drift_of(source.session->session, options)));
-    for (const std::filesystem::path& path : source.session->signals) {
-      OpenedSeries opened = opened_series(path, readers);
+    for (const std::filesystem::path& signals : source.session->signals) {
+      OpenedSeries opened = opened_series(signals, readers);
       parts.push_back(std::move(opened.series));
       data.remarks.insert(data.remarks.end(), opened.remarks.begin(), opened.remarks.end());
     }
   }
+  const std::optional<std::string> started = parts.front().started;
   try {
     data.series = merged(parts, max_gap_s);
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", paths.front().string(), error.what()));
+    throw Error(fmt::format("{}: {}", path.string(), error.what()));
   }
+  if (parts.size() == 1) data.series.started = started;  // the zero of its clock stays
   data.targets = measured_names(data.series);
   return data;
+}
+
+ModelData data_of_runs(const std::vector<std::filesystem::path>& paths, const DriftOptions& options, double max_gap_s,
+                       std::span<const Reader> readers) {
+  expect_once(paths);
+  ModelData data;
+  std::vector<Series> runs;
+  std::vector<std::string> names;
+  runs.reserve(paths.size());
+  names.reserve(paths.size());
+  for (const std::filesystem::path& path : paths) {
+    ModelData one = data_of_drift(path, options, max_gap_s, readers);
+    runs.push_back(std::move(one.series));
+    names.push_back(path.string());
+    data.files.insert(data.files.end(), one.files.begin(), one.files.end());
+    data.remarks.insert(data.remarks.end(), one.remarks.begin(), one.remarks.end());
+  }
+  Stacked all = stacked(runs, names);
+  data.series = std::move(all.series);
+  data.remarks.insert(data.remarks.end(), all.remarks.begin(), all.remarks.end());
+  data.title = fmt::format("{} runs, {}", paths.size(), fmt::join(names, ", "));
+  data.targets = measured_names(data.series);
+  return data;
+}
+
+}  // namespace
+
+ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,
+                          double max_gap_s, std::span<const Reader> readers) {
+  const Reader* const reader = reader_of_file(paths.front(), readers);
+  if (reader != nullptr && std::holds_alternative<ReadRecordings>(reader->read)) {
+    return data_of_recordings(paths, readers);
+  }
+  if (paths.size() == 1) return data_of_drift(paths.front(), options, max_gap_s, readers);
+  return data_of_runs(paths, options, max_gap_s, readers);
 }
 
 }  // namespace ballbar

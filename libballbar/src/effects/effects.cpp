@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include "ballbar/effects/effect.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/series/runs.hpp"
 
 namespace ballbar {
 
@@ -9,6 +11,24 @@ std::vector<double> grid_of(const Parameter& parameter, const EffectRows& rows, 
   std::vector<double> grid = parameter.grid_on ? parameter.grid_on(rows, lower, upper, most) : parameter.grid;
   std::erase_if(grid, [&](double value) { return value < lower || value > upper; });
   return grid;
+}
+
+void Evaluate::operator()(const EffectRows& rows, const double* at, double* values, double* derivatives) const {
+  if (std::is_sorted(rows.time_s.begin(), rows.time_s.end())) {
+    all(rows, at, values, derivatives);
+    return;
+  }
+  if (derivatives != nullptr && parameters == 0) {
+    throw Error("expected an effect that states how many parameters it has (Evaluate::parameters), found none.");
+  }
+  EffectRows own = rows;
+  for (const RowRange& range : runs_of(rows.time_s)) {
+    const std::size_t n = range.end - range.begin;
+    own.time_s = rows.time_s.subspan(range.begin, n);
+    for (std::size_t k = 0; k < own.inputs.size(); ++k) own.inputs[k] = rows.inputs[k].subspan(range.begin, n);
+    all(own, at, values + range.begin, derivatives == nullptr ? nullptr : derivatives + range.begin * parameters);
+    ++own.run;
+  }
 }
 
 bool applies_to(const Effect& effect, Motion motion) {

@@ -40,7 +40,7 @@ Evaluate by_row(Functor functor) {
   const auto row = [functor](const EffectRows& rows, std::size_t i, const double* parameters, double* kept) {
     return functor(rows, i, parameters, kept);
   };
-  return {all, row, static_cast<std::size_t>(kKept)};
+  return {all, row, static_cast<std::size_t>(kKept), static_cast<std::size_t>(kParameters)};
 }
 
 template <int kParameters, class Functor>
@@ -61,7 +61,7 @@ Evaluate evaluated_by(Functor functor) {
       for (int k = 0; k < kParameters; ++k) derivatives[i * kParameters + static_cast<std::size_t>(k)] = out[i].v[k];
     }
   };
-  return {all};
+  return {all, {}, 0, static_cast<std::size_t>(kParameters)};
 }
 
 }  // namespace ballbar

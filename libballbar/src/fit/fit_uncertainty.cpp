@@ -27,7 +27,8 @@ Eigen::MatrixXd noise_times(const Fit& result, const Eigen::VectorXd& weights, c
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(columns.cols());
   const auto decay = [&](Eigen::Index i) {
     const auto row = static_cast<std::size_t>(i);
-    return std::exp(-(result.time_s[row] - result.time_s[row - 1]) / noise.correlation_time_s);
+    const double step_s = result.time_s[row] - result.time_s[row - 1];
+    return step_s < 0.0 ? 0.0 : std::exp(-step_s / noise.correlation_time_s);  // another run
   };
   for (Eigen::Index i = 0; i < n; ++i) {
     if (i > 0) sum = decay(i) * (sum + x.row(i - 1));
@@ -103,6 +104,7 @@ void add(Fit& result, const Eigen::MatrixXd& jacobian, const Bounds& bounds, dou
 }
 
 void widen_onsets(Fit& result) {
+  if (!std::is_sorted(result.time_s.begin(), result.time_s.end())) return;  // of several runs: in each
   for (FittedParameter& parameter : result.parameters) {
     if (parameter.shape_of != ShapeOf::onset || parameter.state == ParameterState::held) continue;
     const auto after = std::lower_bound(result.time_s.begin(), result.time_s.end(), parameter.value);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
+#include "ballbar/numerics/range.hpp"
 #include "fit/inlier_rows.hpp"
 #include "fit/robust_weights.hpp"
 #include "numerics/not_finite.hpp"
@@ -35,7 +36,7 @@ Eigen::MatrixXd jacobian_of_free(const FitProblem& problem, const Eigen::VectorX
 // A memory longer than a tenth of the record is no noise that the record could show: it is what the model lacks. To
 // whiten it would difference the data and fit the fast part alone.
 bool is_misfit(const Noise& noise, const std::vector<double>& time_s) {
-  return noise.correlated_um > noise.white_um && noise.correlation_time_s > 0.1 * (time_s.back() - time_s.front());
+  return noise.correlated_um > noise.white_um && noise.correlation_time_s > 0.1 * range_of(time_s);
 }
 
 }  // namespace

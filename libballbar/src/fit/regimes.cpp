@@ -24,7 +24,9 @@ std::vector<SpeedStep> without_stops(const std::vector<double>& time_s, const st
   const auto length_s = [&](const SpeedStep& step) { return time_s[step.end - 1] - time_s[step.begin]; };
   std::vector<SpeedStep> result;
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const bool stop = !result.empty() && i + 1 < steps.size() && at_standstill(steps[i].speed_rpm, largest_rpm) &&
+    const auto goes_on = [&](const SpeedStep& step) { return time_s[step.begin] >= time_s[step.begin - 1]; };
+    const bool stop = !result.empty() && i + 1 < steps.size() && goes_on(steps[i]) && goes_on(steps[i + 1]) &&
+                      at_standstill(steps[i].speed_rpm, largest_rpm) &&
                       std::abs(result.back().speed_rpm - steps[i + 1].speed_rpm) < 0.02 * largest_rpm &&
                       length_s(steps[i]) < std::min({kAfterChange_s, length_s(result.back()), length_s(steps[i + 1])});
     if (stop) {
@@ -45,12 +47,13 @@ std::vector<Regime> regimes(const std::vector<double>& time_s, const Column& spe
   std::vector<Regime> result(time_s.size(), Regime::standstill);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const SpeedStep& step = steps[i];
-    if (i == 0 && at_standstill(step.speed_rpm, largest_rpm)) continue;
-    const double before_rpm = i == 0 ? 0.0 : steps[i - 1].speed_rpm;
+    const bool first = i == 0 || time_s[step.begin] < time_s[step.begin - 1];  // of a run
+    if (first && at_standstill(step.speed_rpm, largest_rpm)) continue;
+    const double before_rpm = first ? 0.0 : steps[i - 1].speed_rpm;
     for (std::size_t row = step.begin; row < step.end; ++row) {
       const double since_s = time_s[row] - time_s[step.begin];
-      result[row] = i > 0 && since_s < kAfterChange_s ? Regime::after_change
-                                                      : later(since_s, before_rpm, step.speed_rpm, largest_rpm);
+      result[row] = !first && since_s < kAfterChange_s ? Regime::after_change
+                                                       : later(since_s, before_rpm, step.speed_rpm, largest_rpm);
     }
   }
   return result;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ballbar/series/runs.hpp"
 #include "ballbar/units.hpp"
 #include "fit/inlier_rows.hpp"
 
@@ -78,7 +79,21 @@ std::string printed_time(double time_s, double whole_s) {
   return fmt::format("{} {}", number, in_s ? "s" : "min");
 }
 
-void by_time(const Fit& fit, Groups& groups) {
+void by_run(const Fit& fit, const Series& data, const std::vector<RowRange>& runs, Groups& groups) {
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    const std::string name = run < data.runs.size() ? data.runs[run].name : std::string();
+    Group group{"run", fmt::format("{}{}{}", run + 1, name.empty() ? "" : " ", name), {}, {}};
+    group.to = group.from;
+    for (std::size_t i = 0; i < fit.row.size(); ++i) {
+      if (fit.row[i] >= runs[run].begin && fit.row[i] < runs[run].end) group.rows.push_back(i);
+    }
+    groups.add(group);
+  }
+}
+
+void by_time(const Fit& fit, const Series& data, Groups& groups) {
+  const std::vector<RowRange> runs = runs_of(data.time_s);
+  if (runs.size() > 1 && find_column(data, "angle_rad") == nullptr) return by_run(fit, data, runs, groups);
   constexpr std::size_t kTenths = 10;
   const double begin_s = fit.time_s.front(), whole_s = fit.time_s.back() - begin_s;
   const auto at = [&](std::size_t tenth) { return begin_s + whole_s * static_cast<double>(tenth) / kTenths; };
@@ -250,7 +265,7 @@ std::vector<Misfit> where_it_fails(const Fit& fit, const Series& data) {
   if (!fit.discounted.empty()) return where_it_fails(inliers_of(fit), data);
   Groups groups(fit);
   by_regime(fit, data, groups);
-  by_time(fit, groups);
+  by_time(fit, data, groups);
   if (const Column* angle = find_column(data, "angle_rad")) {
     by_angle(fit, data, *angle, groups);
   } else {

@@ -110,7 +110,7 @@ Evaluate evaluated_by(std::shared_ptr<const Bound> bound, std::vector<Parameter>
   const auto row = [live](const EffectRows& rows, std::size_t i, const double* p, double* kept) {
     return live->program.at(rows, i, p, kept);
   };
-  const std::size_t kept = live->program.kept();
+  const std::size_t kept = live->program.kept(), count = parameters.size();
   const auto all = [bound = std::move(bound), parameters = std::move(parameters)](
                        const EffectRows& rows, const double* p, double* values, double* derivatives) {
     Program program(*bound);
@@ -139,7 +139,7 @@ Evaluate evaluated_by(std::shared_ptr<const Bound> bound, std::vector<Parameter>
       }
     }
   };
-  return {all, row, kept};
+  return {all, row, kept, count};
 }
 
 Explanation page() {

@@ -19,7 +19,7 @@ constexpr std::size_t kFewestOfRepeat = 8, kFewestOfStandstill = 20;
 // Fewer residuals are taken as white, and their innovations are the residual itself: it would be its own floor.
 constexpr std::size_t kFewestOfResidual = 30;
 constexpr double kShortestStandstill_s = 600.0;
-constexpr double kRest_s = 7200.0;
+constexpr double kSettled_s = 7200.0;
 constexpr double kSameSpeed = 0.02;   // of the largest
 constexpr double kSameLength = 0.1;   // of the longer
 constexpr double kPassedOver = 1.25;  // times the residual's noise
@@ -98,7 +98,7 @@ std::optional<Floor> of_standstill(const std::vector<SpeedStep>& steps, double l
   for (const SpeedStep& step : steps) {
     if (!at_standstill(step.speed_rpm, largest_rpm)) continue;
     std::size_t first = step.begin;
-    while (first < step.end && time_s[first] < time_s[step.begin] + kRest_s) ++first;
+    while (first < step.end && time_s[first] < time_s[step.begin] + kSettled_s) ++first;
     if (step.end - first < kFewestOfStandstill || time_s[step.end - 1] - time_s[first] < kShortestStandstill_s)
       continue;
     if (end == 0 || time_s[step.end - 1] - time_s[first] > time_s[end - 1] - time_s[begin]) {

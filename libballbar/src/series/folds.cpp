@@ -12,6 +12,17 @@ constexpr std::size_t kParts = 5;  // of a record: no cycle is longer
 constexpr std::size_t kPartsOfASweep = 4;
 constexpr double kNowhere = 1e-12;  // share of a column's square that is none
 
+// Runs one right after another.
+std::vector<double> without_pauses(std::vector<double> time_s) {
+  double offset_s = 0.0, last_s = time_s.empty() ? 0.0 : time_s.front();
+  for (double& time : time_s) {
+    if (time + offset_s < last_s) offset_s = last_s - time;
+    time += offset_s;
+    last_s = time;
+  }
+  return time_s;
+}
+
 std::vector<std::size_t> parts_of(const std::vector<double>& time_s, const std::vector<std::size_t>& rows,
                                   std::size_t parts) {
   std::vector<std::size_t> fold;
@@ -66,7 +77,9 @@ std::vector<std::size_t> stretches_of(const Series& data, const Column& speed, c
   std::vector<std::size_t> stretch;
   std::size_t now = 0, held = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (i > 0 && step_of[rows[i]] != step_of[rows[i - 1]] && held >= fewest && rows.size() - i >= fewest / 2) {
+    const bool ends = i > 0 && step_of[rows[i]] != step_of[rows[i - 1]];
+    const bool other_run = i > 0 && data.time_s[rows[i]] < data.time_s[rows[i - 1]];
+    if ((ends && held >= fewest && rows.size() - i >= fewest / 2) || (other_run && held > 1)) {
       ++now;
       held = 0;
     }
@@ -106,7 +119,7 @@ std::vector<std::size_t> folds_of(const Series& data, const std::vector<std::siz
   }
   const auto speed = std::find_if(data.columns.begin(), data.columns.end(),
                                   [](const Column& column) { return column.role == Role::speed; });
-  if (speed == data.columns.end()) return parts_of(data.time_s, rows, kParts);
+  if (speed == data.columns.end()) return parts_of(without_pauses(data.time_s), rows, kParts);
   return none_too_long(stretches_of(data, *speed, rows));
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "ballbar/series/runs.hpp"
 #include "numerics/median.hpp"
 
 namespace ballbar {
@@ -21,17 +22,13 @@ double median_of_known(const std::vector<double>& values, std::size_t begin, std
   return known.empty() ? std::numeric_limits<double>::quiet_NaN() : median(std::move(known));
 }
 
-}  // namespace
-
-std::vector<SpeedStep> speed_steps(const std::vector<double>& time_s, const Column& speed) {
-  const std::vector<double>& rpm = speed.values;
-  double largest = 0.0;
-  for (const double value : rpm) largest = std::fmax(largest, std::abs(value));  // a gap does not count
-  std::vector<std::size_t> starts{0};
+void add_steps(const std::vector<double>& time_s, const std::vector<double>& rpm, const RowRange& run, double largest,
+               std::vector<SpeedStep>& steps) {
+  std::vector<std::size_t> starts{run.begin};
   std::vector<double> firsts;  // value that each finished step began with, its ramp left out
-  double first = rpm.empty() ? 0.0 : rpm.front();
-  std::size_t changed = 0;  // row of the last change of speed
-  for (std::size_t row = 1; row < rpm.size(); ++row) {
+  double first = rpm[run.begin];
+  std::size_t changed = run.begin;  // row of the last change of speed
+  for (std::size_t row = run.begin + 1; row < run.end; ++row) {
     if (std::isnan(first)) first = rpm[row];
     if (!(std::abs(rpm[row] - first) > kTolerance * largest)) continue;
     if (time_s[row] - time_s[changed] >= kShortest_s) {
@@ -48,11 +45,20 @@ std::vector<SpeedStep> speed_steps(const std::vector<double>& time_s, const Colu
     changed = row;
     first = rpm[row];
   }
-  std::vector<SpeedStep> steps;
-  for (std::size_t i = 0; i < starts.size() && !rpm.empty(); ++i) {
-    const std::size_t end = i + 1 < starts.size() ? starts[i + 1] : rpm.size();
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const std::size_t end = i + 1 < starts.size() ? starts[i + 1] : run.end;
     steps.push_back({median_of_known(rpm, starts[i], end), starts[i], end});
   }
+}
+
+}  // namespace
+
+std::vector<SpeedStep> speed_steps(const std::vector<double>& time_s, const Column& speed) {
+  const std::vector<double>& rpm = speed.values;
+  double largest = 0.0;
+  for (const double value : rpm) largest = std::fmax(largest, std::abs(value));  // a gap does not count
+  std::vector<SpeedStep> steps;
+  for (const RowRange& run : runs_of(time_s)) add_steps(time_s, rpm, run, largest, steps);
   return steps;
 }
 

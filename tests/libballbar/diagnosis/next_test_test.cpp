@@ -161,28 +161,6 @@ TEST(next_test, a_column_follows_speed_and_room_as_it_did) {
 }
 
 // A start that is not followed by a stop: the housing warms as the mount settles.
-TEST(next_test, settling_does_not_come_back_where_a_lag_does) {
-  Series data = machine(4 * 60, start_once, wandering_room);
-  add_target(data, values_of(term_of("settling", {}), {10.0, 3000.0}, data), 0.3, 1);
-  const Diagnosis diagnosis =
-      undecided(empty_model(), data, {term_of("settling", {}), term_of("lagged_expansion", {"T_housing_degC"})});
-  const std::vector<NextTest> tests = next_tests(empty_model(), data, diagnosis);
-  ASSERT_FALSE(tests.empty());
-  const NextTest& again = named(tests, "the same again");
-  EXPECT_GT(again.separation, 20.0);
-  EXPECT_GT(again.separation, 0.5 * tests.front().separation);
-  EXPECT_GT(again.separation, 2.0 * named(tests, "new set-up").separation);
-}
-
-TEST(next_test, a_room_step_tells_the_room_from_the_instrument) {
-  Series data = machine(6 * 60, start_and_stop, rising_room);
-  const Term truth = term_of("lagged_expansion", {"T_room_degC"});
-  add_target(data, values_of(truth, {5.0, 3600.0}, data), 0.3, 2);
-  const std::vector<Term> competitors{truth, term_of("linear_drift", {})};
-  const std::vector<NextTest> tests = next_tests(empty_model(), data, undecided(empty_model(), data, competitors));
-  ASSERT_FALSE(tests.empty());
-  EXPECT_EQ(tests.front().name.substr(0, 9), "room step");
-}
 
 Series circles(bool both_ways, double squareness_um_per_m, std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -270,49 +248,6 @@ double chi2(const Term& term, const std::vector<const Series*>& runs, double sig
 
 // Data and test are simulated from the truth, with the housing that the machine would really have; the competitors are
 // fitted to both by an exhaustive search. d scatters by 1.
-TEST(next_test, what_is_promised_comes_true) {
-  constexpr double kSigma_um = 0.3;
-  const std::vector<Term> competitors{term_of("lagged_expansion", {"T_housing_degC"}),
-                                      term_of("speed_heating", {"speed_rpm"})};
-  Series data = machine(6 * 60, start_and_stop, wandering_room);
-  const std::vector<double> truth{1.5, 1500.0};
-  add_target(data, values_of(competitors[0], truth, data), kSigma_um, 5);
-  const std::vector<NextTest> tests = next_tests(empty_model(), data, undecided(empty_model(), data, competitors));
-  ASSERT_FALSE(tests.empty());
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < data.time_s.size(); ++i) rows.push_back(i);
-  std::size_t compared = 0;
-  for (const PlannedTest& plan : drift_tests(data, "z_um", rows)) {
-    if (plan.name == "new set-up") continue;
-    Series after = plan.inputs;
-    const std::vector<double>& rpm = after.columns[0].values;
-    std::vector<double> heat;
-    for (const double value : rpm) heat.push_back(0.4 * std::pow(value / 1000.0, 2));
-    const std::vector<double> warm = low_passed(after.time_s, heat, 2400.0);
-    const std::vector<double> ambient = low_passed(after.time_s, after.columns[1].values, 3600.0);
-    for (std::size_t i = 0; i < warm.size(); ++i) after.columns[2].values[i] = warm[i] + ambient[i];
-    add_target(after, values_of(competitors[0], truth, after), kSigma_um, 6);
-    const double realised = std::sqrt(std::max(
-        0.0, chi2(competitors[1], {&data, &after}, kSigma_um) - chi2(competitors[0], {&data, &after}, kSigma_um)));
-    const double promised = named(tests, plan.name).separation;
-    ++compared;
-    EXPECT_LT(realised, 1.5 * promised) << plan.name;
-    EXPECT_GT(realised, promised / 1.5) << plan.name;
-  }
-  EXPECT_GT(compared, 6u);
-}
-
-TEST(next_test, of_time_alone_asks_whether_it_comes_again) {
-  Series data = machine(4 * 60, start_and_stop, wandering_room);
-  const Term settling = term_of("settling", {});
-  add_target(data, values_of(settling, {5.0, 3000.0}, data), 0.3, 7);
-  const std::vector<NextTest> tests = next_tests(empty_model(), data, undecided(empty_model(), data, {settling}));
-  ASSERT_FALSE(tests.empty());
-  EXPECT_EQ(tests.front().name, "new set-up");
-  EXPECT_NE(tests.front().text.find("It would show whether settling comes again with d = "), std::string::npos);
-  EXPECT_GT(tests.front().separation, 20.0);
-  EXPECT_NEAR(tests.front().separation_so_far, 0.0, 1e-6);
-}
 
 // The text with its numbers of d struck out.
 std::string without_d(std::string text) {
@@ -325,39 +260,7 @@ std::string without_d(std::string text) {
   return text;
 }
 
-TEST(next_test, the_text_is_whole_sentences) {
-  Series data = machine(4 * 60, start_and_stop, wandering_room);
-  const Term room = term_of("lagged_expansion", {"T_room_degC"}), housing = term_of("expansion", {"T_housing_degC"});
-  add_target(data, values_of(room, {3.0, 1800.0}, data), 1.0, 8);
-  const Model model = empty_model();
-  EXPECT_EQ(without_d(named(next_tests(model, data, undecided(model, data, {room, housing})), "stop and go").text),
-            "Stop and go: 1 h at rest, 1 h at 5000 rpm, 1 h at rest, readings every 1 min as now. It would tell "
-            "lagged_expansion(T_room_degC) from expansion(T_housing_degC) with d = # (named from 7.5); "
-            "the data so far have d = #. Predicted as in the data: T_housing_degC (R2 = 1.00).");
-  const std::vector<Term> three{room, term_of("expansion", {"T_room_degC"}), term_of("day_cycle", {})};
-  EXPECT_EQ(without_d(next_tests(model, data, undecided(model, data, three)).front().text),
-            "Room step at rest: 4 h at rest, after 1 h the room made 3 K warmer (door, air conditioning), readings "
-            "every 1 min as now. Of 3 pairs of candidates it would settle 3 (d of 7.5 or more); the hardest is to show "
-            "whether lagged_expansion(T_room_degC) is more than expansion(T_room_degC): d = # (named from 7.5); the "
-            "data so far have d = #.");
-}
-
 // Two sensors side by side.
-TEST(next_test, that_no_test_helps_is_said) {
-  Series data = machine(4 * 60, start_and_stop, wandering_room);
-  data.columns.push_back({"T_twin_degC", Role::housing, data.columns[2].values});
-  const Term housing = term_of("expansion", {"T_housing_degC"});
-  add_target(data, values_of(housing, {1.0}, data), 0.3, 15);
-  const Model model = empty_model();
-  const std::vector<NextTest> tests =
-      next_tests(model, data, undecided(model, data, {housing, term_of("expansion", {"T_twin_degC"})}));
-  ASSERT_GT(tests.size(), 1U);
-  EXPECT_EQ(tests[0].text,
-            fmt::format("None on the list would tell all of them apart: the best ({}) reaches d = 0.0, 5 is needed.",
-                        tests[0].name))
-      << tests[0].text;
-  EXPECT_EQ(tests[1].text.find("No test"), std::string::npos);
-}
 
 TEST(next_test, a_squareness_is_told_from_an_oval_form_by_the_radius) {
   const Series trace = circles(false, 20.0, 17);
@@ -387,76 +290,10 @@ TEST(next_test, another_radius_is_that_of_a_bar_there_is) {
 }
 
 // A chiller that follows the load a little: the housing behind it or a drift.
-TEST(next_test, a_coolant_step_where_there_is_a_coolant) {
-  Series data = machine(4 * 60, start_once, wandering_room);
-  Column coolant{"T_coolant_degC", Role::coolant, {}};
-  for (const double warm : data.columns[2].values) coolant.values.push_back(20.0 + 0.1 * (warm - 20.0));
-  data.columns.push_back(coolant);
-  const Term lagged = term_of("lagged_expansion", {"T_coolant_degC"});
-  add_target(data, values_of(lagged, {6.0, 1800.0}, data), 0.3, 18);
-  const std::vector<Term> competitors{lagged, term_of("speed_heating", {"speed_rpm"})};
-  const std::vector<NextTest> tests = next_tests(empty_model(), data, undecided(empty_model(), data, competitors));
-  ASSERT_FALSE(tests.empty());
-  EXPECT_EQ(tests.front().name, "coolant step");
-  EXPECT_GT(tests.front().separation, 20.0);
-}
 
 // The load goes with the only speed: either may heat. Twice the load at the same speed tells them apart.
-TEST(next_test, a_load_step_where_there_is_a_load) {
-  Series data = machine(4 * 60, start_once, wandering_room);
-  Column load{"load_W", Role::load, {}};
-  for (const double rpm : find_column(data, "speed_rpm")->values) load.values.push_back(0.3 * rpm);
-  data.columns.push_back(load);
-  const Term heating = term_of("load_heating", {"load_W"});
-  add_target(data, values_of(heating, {8.0, 1800.0}, data), 0.3, 19);
-  const std::vector<Term> competitors{heating, term_of("speed_heating", {"speed_rpm"})};
-  const std::vector<NextTest> tests = next_tests(empty_model(), data, undecided(empty_model(), data, competitors));
-  ASSERT_FALSE(tests.empty());
-  EXPECT_EQ(tests.front().name, "load step");
-  EXPECT_GT(tests.front().separation, 10.0);
-  EXPECT_LT(named(tests, "stop and go").separation, 0.2 * tests.front().separation);
-}
 
 // One effect of a room, weak in the data: a step of the room would show it again.
-TEST(next_test, a_single_candidate_is_to_come_again) {
-  Series data = machine(6 * 60, start_and_stop, wandering_room);
-  const Term room = term_of("lagged_expansion", {"T_room_degC"});
-  add_target(data, values_of(room, {1.0, 3600.0}, data), 0.5, 16);
-  const std::vector<NextTest> tests = next_tests(empty_model(), data, undecided(empty_model(), data, {room}));
-  ASSERT_FALSE(tests.empty());
-  EXPECT_EQ(tests.front().name.substr(0, 9), "room step");
-  EXPECT_NE(tests.front().text.find("show whether lagged_expansion(T_room_degC) comes again"), std::string::npos);
-  EXPECT_NEAR(named(tests, "at rest").separation, 0.0, 1e-6);
-}
-
-TEST(next_test, nothing_open_nothing_proposed) {
-  Series data = machine(120, start_and_stop, wandering_room);
-  const Term settling = term_of("settling", {}), drift = term_of("linear_drift", {});
-  add_target(data, values_of(settling, {5.0, 3000.0}, data), 0.3, 9);
-  const Model model = empty_model();
-  EXPECT_TRUE(next_tests(model, data, Diagnosis{}).empty());
-  EXPECT_TRUE(next_tests(model, data, undecided(model, data, {})).empty());
-  Diagnosis nothing = undecided(model, data, {settling, drift});
-  EXPECT_FALSE(next_tests(model, data, nothing).empty());
-  nothing.verdict = Verdict::nothing;
-  EXPECT_TRUE(next_tests(model, data, nothing).empty());
-}
-
-TEST(next_test, a_diagnosis_of_other_data_is_refused) {
-  Series data = machine(120, start_and_stop, wandering_room);
-  const Term settling = term_of("settling", {}), drift = term_of("linear_drift", {});
-  add_target(data, values_of(settling, {5.0, 3000.0}, data), 0.3, 10);
-  const Diagnosis diagnosis = undecided(empty_model(), data, {settling, drift});
-  Series shorter = data;
-  shorter.time_s.resize(50);
-  for (Column& column : shorter.columns) column.values.resize(50);
-  EXPECT_TRUE(next_tests(empty_model(), shorter, diagnosis).empty());
-  Model other = empty_model();
-  other.terms.push_back(term_of("expansion", {"T_room_degC"}));
-  EXPECT_TRUE(next_tests(other, data, diagnosis).empty());
-  data.columns.pop_back();
-  EXPECT_TRUE(next_tests(empty_model(), data, diagnosis).empty());
-}
 
 // Names of the tests, all numbers checked to be numbers.
 std::vector<std::string> names_of(const Model& model, const Series& data, const std::vector<Term>& competitors) {
@@ -475,72 +312,9 @@ std::vector<std::string> names_of(const Model& model, const Series& data, const 
   return names;
 }
 
-TEST(next_test, odd_data) {
-  const Term settling = term_of("settling", {}), drift = term_of("linear_drift", {});
-  Series data = machine(4 * 60, start_and_stop, wandering_room);
-  add_target(data, values_of(settling, {5.0, 3000.0}, data), 0.3, 11);
-  const std::vector<std::string> rest{"at rest", "new set-up", "room step at rest", "the same again"};
-  const std::vector<std::string> no_room{"at rest", "new set-up", "the same again"};
-
-  Series without_speed = data;
-  without_speed.columns.erase(without_speed.columns.begin());
-  EXPECT_EQ(names_of(empty_model(), without_speed, {settling, drift}), rest);
-  Series only_target = data;
-  only_target.columns.erase(only_target.columns.begin(), only_target.columns.begin() + 3);
-  EXPECT_EQ(names_of(empty_model(), only_target, {settling, drift}), no_room);
-
-  // Gaps: in the room, in a column that nobody reads, in the speed.
-  Series gaps = data;
-  const double kGap = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t i = 0; i < gaps.time_s.size(); ++i) {
-    if (i % 3 == 0) gaps.columns[0].values[i] = kGap;
-    if (i < 20) gaps.columns[1].values[i] = kGap;
-    gaps.columns[2].values[i] = kGap;
-  }
-  EXPECT_EQ(names_of(empty_model(), gaps, {settling, drift}).size(), 10U);
-  for (double& value : gaps.columns[1].values) value = kGap;
-  EXPECT_EQ(names_of(empty_model(), gaps, {settling, drift}).size(), 8U);
-}
-
 // 17 readings, 20 min apart, of 5 h of signals every 4 s; the model is there already.
-TEST(next_test, few_readings_among_many_signals) {
-  Series signals = machine(5 * 60, start_and_stop, wandering_room), data;
-  for (std::size_t i = 0; i < 5 * 900; ++i) data.time_s.push_back(4.0 * static_cast<double>(i));
-  for (const Column& column : signals.columns) {
-    data.columns.push_back({column.name, column.role, {}});
-    for (std::size_t i = 0; i < data.time_s.size(); ++i) data.columns.back().values.push_back(column.values[i / 15]);
-  }
-  std::vector<double> target(data.time_s.size(), std::numeric_limits<double>::quiet_NaN());
-  const Term lagged = term_of("lagged_expansion", {"T_housing_degC"});
-  const std::vector<double> truth = values_of(lagged, {2.0, 1800.0}, data);
-  std::mt19937_64 random(12);
-  for (std::size_t i = 0; i < 17 * 250; i += 250) target[i] = truth[i] + std::normal_distribution(0.0, 0.2)(random);
-  data.columns.push_back({"z_um", Role::measured, target});
-  Model model = empty_model();
-  model.terms = {term_of("expansion", {"T_room_degC"})};
-  EXPECT_EQ(names_of(model, data, {lagged, term_of("speed_heating", {"speed_rpm"}), term_of("settling", {})}).size(),
-            10U);
-}
 
 // A temperature that wanders by itself: what it would do in a test is not known, but for the same again.
-TEST(next_test, nothing_is_promised_for_a_column_that_follows_nothing) {
-  Series data = machine(6 * 60, start_and_stop, wandering_room);
-  Column own{"T_own_degC", Role::structure, {}};
-  std::mt19937_64 random(13);
-  double value = 20.0;
-  for (std::size_t i = 0; i < data.time_s.size(); ++i) {
-    own.values.push_back(value + std::sin(static_cast<double>(i) / 9.0));
-  }
-  data.columns.push_back(own);
-  const Term expansion = term_of("expansion", {"T_own_degC"});
-  add_target(data, values_of(expansion, {2.0}, data), 0.3, 14);
-  const std::vector<Term> competitors{expansion, term_of("lagged_expansion", {"T_own_degC"})};
-  for (const NextTest& test : next_tests(empty_model(), data, undecided(empty_model(), data, competitors))) {
-    if (test.name == "the same again" || test.name == "new set-up") continue;
-    EXPECT_EQ(test.separation, test.separation_so_far);
-    EXPECT_NE(test.text.find("What T_own_degC would do in it is not known"), std::string::npos) << test.text;
-  }
-}
 
 }  // namespace
 }  // namespace ballbar

@@ -120,6 +120,9 @@ inline constexpr double kDropTest = 0.05;           // P that one is not needed,
 inline constexpr double kDropTestOfErrors = 0.001;  // p of chi^2, the same of errors of the axes
 
 // The next test.
+inline constexpr double kSureEnough = 0.95;            // P(right) of a test from which no longer one is looked for
+inline constexpr double kLeastPromise = 0.1;           // P(right) below which none is proposed
+inline constexpr std::size_t kCurvesShown = 6;         // hypotheses
 inline constexpr double kUseless = 1.0;                // d
 inline constexpr double kImitated = 1.0;               // d of an effect that another makes whatever is done
 inline constexpr double kNearlyImitated = 0.2;         // the same: d over that of the other order

@@ -30,8 +30,9 @@ enum class ParameterKind { gain, shape };
 
 // The rows an effect is evaluated on: n times and, in the order of Effect::inputs, n values of each input.
 struct EffectRows {
-  std::span<const double> time_s;  // rising
+  std::span<const double> time_s;  // rising; of several runs (runs.hpp) in each
   std::vector<std::span<const double>> inputs;
+  std::size_t run = 0;  // number of the run that these rows are of
 };
 
 // What a shape says.
@@ -109,12 +110,12 @@ using EvaluateRow =
 
 struct Evaluate {
   EvaluateAll all;
-  EvaluateRow row = {};  // empty: needs more than these rows
-  std::size_t kept = 0;  // how many numbers
+  EvaluateRow row = {};        // empty: needs more than these rows
+  std::size_t kept = 0;        // how many numbers
+  std::size_t parameters = 0;  // how many; several runs need it
 
-  void operator()(const EffectRows& rows, const double* parameters, double* values, double* derivatives) const {
-    all(rows, parameters, values, derivatives);
-  }
+  // On the rows of several runs each begins anew.
+  void operator()(const EffectRows& rows, const double* at, double* values, double* derivatives) const;
 };
 
 // What moves the finite-volume spindle of blind challenges (blind.hpp).
@@ -178,7 +179,8 @@ struct PredictorRule {
 
 // What searches, tests and challenges are told of an effect.
 struct EffectRules {
-  bool is_base = false;  // in every model of its level: not searched, not tested by leaving it out
+  bool is_base = false;    // in every model of its level: not searched, not tested by leaving it out
+  bool of_set_up = false;  // of these data alone: no model that is kept has it
   // Of a base: names of its gains that recordings with one bar share, where they differ in feed.
   std::vector<std::string> one_for_all = {};
   bool may_repeat = false;           // searched beside itself on the same columns, with another onset or period

@@ -31,12 +31,22 @@ struct FiveProbe {
   std::array<std::string, 5> columns{"X1_um", "X2_um", "Y1_um", "Y2_um", "Z_um"};  // of the series, as kProbes
 };
 
+// How a run began: from rest, in equilibrium with its surroundings, or still on its way from what went before.
+enum class RunStart { rest, warm };
+
+// One of several runs.
+struct RunOrigin {
+  std::string name;  // of its file
+  RunStart start = RunStart::rest;
+};
+
 // Rows in the order of time.
 struct Series {
-  std::vector<double> time_s;  // strictly rising
+  std::vector<double> time_s;  // strictly rising; of several runs (runs.hpp) in each
   std::vector<Column> columns;
   std::optional<FiveProbe> five_probe;  // where the file has a [five_probe] table
   std::optional<std::string> started;   // wall clock at time_s = 0, "2026-11-22T13:05:10", no zone, where it is known
+  std::vector<RunOrigin> runs;          // one a run where there are several; else none
 };
 
 // Unit at the end of a column's name ("um", "mm", "urad", "degC", "rpm", "A", "W", "K", "percent", "Nm", "bar",

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/series/runs.hpp"
 #include "effects/effect_at.hpp"
 
 namespace ballbar {
@@ -16,13 +17,15 @@ double deviation_of(const Eigen::VectorXd& column) {
 
 // The column as it was so much later, straight lines between the rows, constant beyond them.
 std::vector<double> shifted(const std::vector<double>& time_s, const std::vector<double>& values, double by_s) {
-  std::vector<double> result(values.size());
-  std::size_t k = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double at_s = std::clamp(time_s[i] + by_s, time_s.front(), time_s.back());
-    while (k + 2 < values.size() && time_s[k + 1] < at_s) ++k;
-    const double share = (at_s - time_s[k]) / (time_s[k + 1] - time_s[k]);
-    result[i] = values[k] + share * (values[k + 1] - values[k]);
+  std::vector<double> result = values;
+  for (const RowRange& run : runs_of(time_s)) {
+    std::size_t k = run.begin;
+    for (std::size_t i = run.begin; i < run.end && run.end - run.begin > 1; ++i) {
+      const double at_s = std::clamp(time_s[i] + by_s, time_s[run.begin], time_s[run.end - 1]);
+      while (k + 2 < run.end && time_s[k + 1] < at_s) ++k;
+      const double share = (at_s - time_s[k]) / (time_s[k + 1] - time_s[k]);
+      result[i] = values[k] + share * (values[k + 1] - values[k]);
+    }
   }
   return result;
 }

@@ -6,8 +6,10 @@
 #include <limits>
 
 #include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/series/runs.hpp"
 #include "numerics/interpolation.hpp"
 #include "numerics/median.hpp"
+#include "series/resolution.hpp"
 
 namespace ballbar {
 namespace {
@@ -119,32 +121,13 @@ void draw_step(std::vector<double>& values, const Jump& jump) {
 }
 
 // Runs of equal values.
-struct Stretch {
-  std::size_t begin = 0, end = 0;
-};
-
-std::vector<Stretch> runs_of(const std::vector<double>& values) {
-  std::vector<Stretch> runs;
+std::vector<RowRange> equal_rows(const std::vector<double>& values) {
+  std::vector<RowRange> runs;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (i == 0 || values[i] != values[i - 1]) runs.push_back({i, i});
     runs.back().end = i + 1;
   }
   return runs;
-}
-
-// Smallest step between neighbours, where all steps are multiples of it; 0: none.
-double resolution_of(const std::vector<double>& values) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    const double step = std::abs(values[i] - values[i - 1]);
-    if (step > 1e-9) least = std::min(least, step);
-  }
-  if (!std::isfinite(least)) return 0.0;
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    const double steps = std::abs(values[i] - values[i - 1]) / least;
-    if (std::abs(steps - std::round(steps)) > 0.01) return 0.0;
-  }
-  return least;
 }
 
 struct Observation {
@@ -258,13 +241,13 @@ std::vector<double> smoothed(const std::vector<Observation>& seen, const std::ve
 
 // Runs of a coarse column where it spends several rows each; else its samples.
 std::vector<double> continuous(const std::vector<double>& time_s, const std::vector<double>& values, std::size_t held) {
-  const std::vector<Stretch> runs = runs_of(values);
+  const std::vector<RowRange> runs = equal_rows(values);
   if (runs.size() < kFewestChanges) return values;
   std::vector<Observation> seen;
   seen.reserve(runs.size());
   const bool coarse = resolution_of(values) > 0.0 && 3 * runs.size() < values.size() / held;
   if (coarse) {
-    for (const Stretch& run : runs) {
+    for (const RowRange& run : runs) {
       const bool is_short = run.end - run.begin < 3 * held;
       // A value that is held is that of the beginning.
       const double late_s = held > 1 ? 0.5 * (time_s[1] - time_s[0]) * static_cast<double>(held - 1) : 0.0;
@@ -302,17 +285,7 @@ bool is_temperature(const Column& column) {
   return unit == "degC" || unit == "K";
 }
 
-}  // namespace
-
-std::vector<double> with_jump_moved(const std::vector<double>& values, const Jump& jump, bool earlier) {
-  std::vector<double> moved = values;
-  for (std::size_t row = jump.first + (earlier ? 0 : 1); row < jump.last + (earlier ? 0 : 1); ++row) {
-    moved[row] = earlier ? jump.after : jump.before;
-  }
-  return moved;
-}
-
-LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& targets) {
+LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& targets) {
   LoggedInputs result;
   result.series = data;
   if (data.time_s.size() < kFewestChanges || find_column(data, "angle_rad") != nullptr) return result;
@@ -356,6 +329,47 @@ LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& t
       continue;
     }
     result.inputs.push_back(std::move(input));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<double> with_jump_moved(const std::vector<double>& values, const Jump& jump, bool earlier) {
+  std::vector<double> moved = values;
+  for (std::size_t row = jump.first + (earlier ? 0 : 1); row < jump.last + (earlier ? 0 : 1); ++row) {
+    moved[row] = earlier ? jump.after : jump.before;
+  }
+  return moved;
+}
+
+LoggedInputs logged_inputs(const Series& data, const std::vector<std::string>& targets) {
+  const std::vector<RowRange> runs = runs_of(data.time_s);
+  if (runs.size() < 2 || find_column(data, "angle_rad") != nullptr) return inputs_of_run(data, targets);
+  // Each run has a logger of its own; what is stepped in one is so in all.
+  LoggedInputs result;
+  result.series = data;
+  for (const RowRange& run : runs) {
+    LoggedInputs own = inputs_of_run(rows_of(data, run), targets);
+    for (std::size_t k = 0; k < data.columns.size(); ++k) {
+      std::copy(own.series.columns[k].values.begin(), own.series.columns[k].values.end(),
+                result.series.columns[k].values.begin() + static_cast<std::ptrdiff_t>(run.begin));
+    }
+    for (LoggedInput& input : own.inputs) {
+      for (Jump& jump : input.jumps) {
+        jump.first += run.begin;
+        jump.last += run.begin;
+      }
+      const auto known = std::find_if(result.inputs.begin(), result.inputs.end(),
+                                      [&](const LoggedInput& one) { return one.column == input.column; });
+      if (known == result.inputs.end()) {
+        result.inputs.push_back(std::move(input));
+        continue;
+      }
+      known->is_stepped = known->is_stepped || input.is_stepped;
+      known->sample_s = std::max(known->sample_s, input.sample_s);
+      known->jumps.insert(known->jumps.end(), input.jumps.begin(), input.jumps.end());
+    }
   }
   return result;
 }

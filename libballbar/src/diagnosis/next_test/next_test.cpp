@@ -164,7 +164,9 @@ std::string text_of(const UndecidedPairs& question, const RatedTest& rated, cons
 
 std::vector<NextTest> next_tests(const Model& model, const Series& all, const Diagnosis& diagnosis) {
   std::vector<NextTest> result;
-  if (diagnosis.verdict == Verdict::nothing || find_column(all, diagnosis.target) == nullptr) return result;
+  if (model.level == Level::series || diagnosis.verdict == Verdict::nothing ||
+      find_column(all, diagnosis.target) == nullptr)
+    return result;
   const Series data = subsampled(all, diagnosis.target, kMostTested);
   if (!suits(model, data, diagnosis)) return result;
   const UndecidedPairs question = undecided_pairs_of(model, data, diagnosis);
@@ -184,8 +186,7 @@ std::vector<NextTest> next_tests(const Model& model, const Series& all, const Di
   std::vector<double> sigma = base.sigma_um;
   std::sort(sigma.begin(), sigma.end());
   std::vector<RatedTest> tests;
-  for (PlannedTest& test : model.level == Level::series ? drift_tests(data, diagnosis.target, base.row)
-                                                        : recording_tests(data, diagnosis.target, base.row)) {
+  for (PlannedTest& test : recording_tests(data, diagnosis.target, base.row)) {
     if (test.rows.size() < 2) continue;
     const Eigen::MatrixXd own = own_columns(candidates, test);
     const std::optional<Eigen::MatrixXd> in_test = columns_in_test(candidates, test, own);

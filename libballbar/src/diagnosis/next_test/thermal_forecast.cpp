@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "ballbar/series/runs.hpp"
 #include "effects/low_pass.hpp"
 
 namespace ballbar {
@@ -29,8 +30,11 @@ void add_low_passes(Columns& columns, const std::vector<double>& time_s, const s
   for (const double tau_s : time_constants_s) {
     if (drive.empty()) return;
     columns.emplace_back(time_s.size());
-    low_pass(
-        time_s, [&](std::size_t i) { return drive[i]; }, tau_s, columns.back().data());
+    for (const RowRange& run : runs_of(time_s)) {
+      low_pass(
+          std::span(time_s).subspan(run.begin, run.end - run.begin),
+          [&](std::size_t i) { return drive[run.begin + i]; }, tau_s, columns.back().data() + run.begin);
+    }
   }
 }
 
@@ -49,7 +53,11 @@ Columns decays(const std::vector<double>& time_s) {
   Columns columns;
   for (const double tau_s : kDecays_s) {
     columns.emplace_back();
-    for (const double t_s : time_s) columns.back().push_back(std::exp(-(t_s - time_s.front()) / tau_s));
+    double begin_s = 0.0;
+    for (std::size_t i = 0; i < time_s.size(); ++i) {
+      if (i == 0 || time_s[i] < time_s[i - 1]) begin_s = time_s[i];  // another run
+      columns.back().push_back(std::exp(-(time_s[i] - begin_s) / tau_s));
+    }
   }
   return columns;
 }

@@ -7,6 +7,7 @@
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/model/measured_input.hpp"
+#include "ballbar/series/runs.hpp"
 #include "effects/low_pass.hpp"
 
 namespace ballbar {
@@ -16,15 +17,19 @@ namespace {
 std::vector<Eigen::VectorXd> forms_of(const std::vector<double>& time_s, const std::vector<double>& values,
                                       const std::vector<std::size_t>& rows) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double range = *high - *low, first = values.front();
+  const double range = *high - *low;
+  const std::vector<RowRange> runs = runs_of(time_s);
   std::vector<Eigen::VectorXd> forms;
   std::vector<double> passed(values.size());
   const auto add = [&](bool is_squared, double tau_s) {
-    const auto input = [&](std::size_t i) {
-      const double u = (values[i] - first) / range;
-      return is_squared ? u * u : u;
-    };
-    low_pass<double>(time_s, input, tau_s, passed.data());
+    for (const RowRange& run : runs) {
+      const auto input = [&](std::size_t i) {
+        const double u = (values[run.begin + i] - values.front()) / range;
+        return is_squared ? u * u : u;
+      };
+      low_pass<double>(std::span(time_s).subspan(run.begin, run.end - run.begin), input, tau_s,
+                       passed.data() + run.begin);
+    }
     Eigen::VectorXd column(static_cast<Eigen::Index>(rows.size()));
     for (std::size_t i = 0; i < rows.size(); ++i) column[static_cast<Eigen::Index>(i)] = passed[rows[i]];
     forms.push_back(std::move(column));

@@ -7,6 +7,7 @@
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/numerics/parallel.hpp"
+#include "ballbar/series/runs.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "diagnosis/surrogates/phase_randomised.hpp"
 #include "effects/effect_at.hpp"
@@ -23,13 +24,14 @@ std::vector<double> on_grid(const Effect& effect, const EffectRows& inputs, cons
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   const Eigen::VectorXd gain = effect_at(effect, inputs, point, rows).gains(effect).col(0);
   const std::vector<double> values(gain.begin(), gain.end());
+  const std::vector<double> time_s = unrolled(inputs.time_s);
   std::vector<double> grid(kSurrogateGrid);
   std::size_t row = 0;
   for (std::size_t i = 0; i < kSurrogateGrid; ++i) {
     const double t = begin_s + (end_s - begin_s) * static_cast<double>(i) / static_cast<double>(kSurrogateGrid - 1);
-    while (row + 2 < values.size() && inputs.time_s[row + 1] < t) ++row;
-    const double step = inputs.time_s[row + 1] - inputs.time_s[row];
-    const double part = std::clamp((t - inputs.time_s[row]) / step, 0.0, 1.0);
+    while (row + 2 < values.size() && time_s[row + 1] < t) ++row;
+    const double step = time_s[row + 1] - time_s[row];
+    const double part = std::clamp((t - time_s[row]) / step, 0.0, 1.0);
     grid[i] = values[row] + part * (values[row + 1] - values[row]);
   }
   return grid;
@@ -70,6 +72,13 @@ double largest_fall(const Freed& model, Eigen::MatrixXd columns) {
   return most;
 }
 
+std::vector<double> on_clock(const std::vector<double>& time_s, const std::vector<std::size_t>& rows) {
+  std::vector<double> result;
+  result.reserve(rows.size());
+  for (const std::size_t row : rows) result.push_back(time_s[row]);
+  return result;
+}
+
 std::vector<Spectrum> spectra_of(const SurrogateSource& source, const Series& data, const std::vector<double>& time_s) {
   const Effect& effect = *source.bound.effect;
   const BoundInputs bound = inputs_of(effect, source.bound.columns, data);
@@ -86,9 +95,10 @@ std::vector<Spectrum> spectra_of(const SurrogateSource& source, const Series& da
 BestSurrogate best_surrogate(const SurrogateSource& effect, const Series& data, const Background& background,
                              std::size_t count, std::uint64_t seed) {
   constexpr std::size_t kTogether = 8;
-  const std::vector<Spectrum> spectra = spectra_of(effect, data, background.time_s);
+  const std::vector<double> time_s = on_clock(unrolled(data.time_s), background.row);
+  const std::vector<Spectrum> spectra = spectra_of(effect, data, time_s);
   const Freed &white = background.white, &plain = background.plain;
-  const Places places(background.time_s);
+  const Places places(time_s);
   std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 3);
   std::vector<std::vector<double>> phases;
   for (std::size_t number = 0; number < count; ++number) phases.push_back(random_phases(kSurrogateGrid, random));
@@ -96,7 +106,7 @@ BestSurrogate best_surrogate(const SurrogateSource& effect, const Series& data, 
   std::vector<double> gain(batches, 0.0), fall(batches, 0.0);
   in_parallel(batches, [&](std::size_t batch) {
     const std::size_t first = batch * kTogether, last = std::min(count, first + kTogether);
-    Eigen::MatrixXd surrogates(static_cast<Eigen::Index>(background.time_s.size()),
+    Eigen::MatrixXd surrogates(static_cast<Eigen::Index>(time_s.size()),
                                static_cast<Eigen::Index>((last - first) * spectra.size()));
     Eigen::Index column = 0;
     for (std::size_t number = first; number < last; ++number) {

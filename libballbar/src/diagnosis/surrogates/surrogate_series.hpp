@@ -26,7 +26,7 @@ struct BestSurrogate {
 };
 // What they are added to.
 struct Background {
-  std::vector<double> time_s;                                          // n
+  std::vector<std::size_t> row;                                        // n, of the data
   std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)> whiten = {};  // n by k
   Freed white, plain;                                                  // columns that are there, and what they leave
 };

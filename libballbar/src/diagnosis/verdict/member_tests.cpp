@@ -111,7 +111,7 @@ std::optional<BestSurrogate> surrogate_of(const Problem& problem, const Posterio
   if (family.bound.effect->time_only || family.bound.effect->inputs.empty() || count == 0) return std::nullopt;
   const CovarianceFilter& filter = posterior.points[set.point].filter;
   Background background;
-  background.time_s = problem.time_s;
+  background.row = problem.base.row;
   background.whiten = [&](const Eigen::MatrixXd& columns) { return at.white(filter, columns); };
   background.white.basis = orthonormal(others_of(at, member, true));
   background.white.residual = freed(at.white_y, background.white.basis);

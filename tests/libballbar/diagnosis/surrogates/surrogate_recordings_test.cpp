@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include <algorithm>
 #include <random>
 
@@ -31,7 +33,8 @@ WithSurrogate with_surrogate(const char* effect, const std::vector<made::Sweep>&
   Eigen::VectorXd residual_um = scale * added;
   for (double& value : residual_um) value += normal(random);
   Background background;
-  background.time_s = trace.time_s;
+  background.row.resize(trace.time_s.size());
+  std::iota(background.row.begin(), background.row.end(), std::size_t{0});
   background.whiten = [](const Eigen::MatrixXd& columns) { return columns; };
   background.white = background.plain = {Eigen::MatrixXd(added.size(), 0), residual_um};
   const SurrogateSource traced{{term.effect.get(), term.columns}, {parameters}, added};

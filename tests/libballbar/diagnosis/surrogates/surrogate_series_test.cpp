@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "diagnosis/made_drift.hpp"
@@ -30,7 +31,8 @@ Tried tried(double scale, std::uint64_t seed) {
   Eigen::VectorXd residual_um = scale * added;
   for (double& value : residual_um) value += normal(random);
   Background background;
-  background.time_s = data.time_s;
+  background.row.resize(data.time_s.size());
+  std::iota(background.row.begin(), background.row.end(), std::size_t{0});
   background.whiten = [](const Eigen::MatrixXd& columns) { return columns; };
   const Eigen::MatrixXd basis = orthonormal(Eigen::MatrixXd::Ones(200, 1));
   background.white = background.plain = {basis, freed(residual_um, basis)};

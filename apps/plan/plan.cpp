@@ -1,0 +1,146 @@
+// `ballbar plan DATA --model M`: the run of the machine that would decide which effect is missing, and how surely.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/diagnosis/next_test/test_plan.hpp"
+#include "ballbar/units.hpp"
+#include "commands.hpp"
+#include "model/model_options.hpp"
+#include "terminal/json_number.hpp"
+#include "terminal/option_checks.hpp"
+#include "terminal/progress.hpp"
+#include "terminal/terminal_table.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  ModelOptions model;
+  TestPlanOptions plan;
+  std::vector<std::string> can;
+  std::string out;
+  bool json = false;
+};
+
+Json json_of(const std::vector<BoundEffect>& effects) {
+  Json all = Json::array();
+  for (const BoundEffect& one : effects) all.push_back(label_of(one));
+  return all;
+}
+
+Json json_of(const Schedule& schedule) {
+  Json dwells = Json::array();
+  for (const Dwell& dwell : schedule.dwells) {
+    dwells.push_back({{"duration_min", min_from_s(dwell.duration_s)},
+                      {"speed_rpm", dwell.speed_rpm},
+                      {"load", dwell.load},
+                      {"room_K", dwell.room_K},
+                      {"coolant_K", dwell.coolant_K}});
+  }
+  return {{"reading_s", schedule.reading_s}, {"dwells", dwells}};
+}
+
+Json json_of(const TestPlan& plan) {
+  Json json{{"sentence", plan.sentence}, {"verdict", name_of(plan.verdict)}, {"decided", plan.is_decided}};
+  json["tests"] = Json::array();
+  for (const ExpectedTest& test : plan.tests) {
+    json["tests"].push_back({{"test", test.kind},
+                             {"hours", test.hours},
+                             {"p_right", test.p_right},
+                             {"p_right_sigma", test.p_right_sigma},
+                             {"p_wrong", test.p_wrong},
+                             {"truths", test.truths}});
+  }
+  json["schedule"] = plan.tests.empty() ? Json(nullptr) : json_of(plan.tests.front().schedule);
+  json["inseparable"] = Json::array();
+  for (const std::vector<BoundEffect>& group : plan.inseparable) json["inseparable"].push_back(json_of(group));
+  json["curves"] = Json::array();
+  for (const ExpectedCurve& curve : plan.curves) json["curves"].push_back({{"effects", curve.label}, {"p", curve.p}});
+  return json;
+}
+
+void print_text(const TestPlan& plan, const ModelData& data, const std::string& target) {
+  fmt::print("{}\n{}\n\n{}", data.title, target, wrapped(plan.sentence));
+  if (plan.tests.empty()) return;
+  Table tests({"test", "hours", "P right", "P wrong", "simulated"});
+  for (const ExpectedTest& test : plan.tests) {
+    tests.add({test.kind, fmt::format("{:g}", test.hours),
+               fmt::format("{:.2f} ± {:.2f}", test.p_right, test.p_right_sigma), fmt::format("{:.2f}", test.p_wrong),
+               fmt::format("{}", test.truths)});
+  }
+  fmt::print("\n{}", tests.text(table_width()));
+  fmt::print(
+      "{}",
+      wrapped("P right: share of the simulated cases, drawn from what these data leave possible, in which the data and "
+              "the run together name what is missing and nothing else. P wrong: in which they name another effect."));
+  Table curves({"what may be missing", "P now"});
+  for (const ExpectedCurve& curve : plan.curves) curves.add({curve.label, fmt::format("{:.2f}", curve.p)});
+  if (!plan.curves.empty()) fmt::print("\n{}", curves.text(table_width()));
+}
+
+void run(Options options) {
+  for (const std::string& what : options.can) {
+    options.plan.can_load = options.plan.can_load || what == "load";
+    options.plan.can_room = options.plan.can_room || what == "room";
+    options.plan.can_coolant = options.plan.can_coolant || what == "coolant";
+  }
+  const ModelData data = open_data(options.model);
+  if (data.level == Level::recording) {
+    throw Error(
+        fmt::format("{}: expected a series or a session of drift, found recordings; `ballbar diagnose` says which "
+                    "circles to drive next.",
+                    options.model.data.front()));
+  }
+  const Model model = open_model(options.model, data);
+  say_start(options.model, data);
+  if (model.targets.size() != 1) {
+    throw Error(fmt::format("expected one target to plan for, found {}; --target chooses one.", model.targets.size()));
+  }
+  const ProgressLine line;
+  if (!options.json) options.plan.search.progress = [](std::string_view step) { show_progress(std::string(step)); };
+  const TestPlan plan =
+      with_source(options.model.data.front(), [&] { return test_plan(model, data.series, 0, options.plan); });
+  show_progress({});
+  if (options.json) {
+    fmt::print("{}\n", json_of(plan).dump(2));
+  } else {
+    print_text(plan, data, model.targets.front());
+  }
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("plan", "The run of the machine that would decide what is missing");
+  add_model_options(*command, options->model, false);
+  add_also_input(*command, options->model);
+  command->add_option("--hours", options->plan.most_hours, "the longest run that can be made")
+      ->type_name("H")
+      ->capture_default_str()
+      ->check(number_within(1.0, 168.0));
+  command->add_option("--max-rpm", options->plan.max_rpm, "highest speed; default: that of the data")
+      ->type_name("RPM")
+      ->check(number_within(1.0, 1e6));
+  command->add_option("--can", options->can, "what can be moved beside the speed: load, room, coolant")
+      ->delimiter(',')
+      ->type_name("WHAT")
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"load", "room", "coolant"}));
+  command->add_option("--seed", options->plan.search.seed, "of the random draws; the same seed gives the same result")
+      ->type_name("N")
+      ->check(number_within(0, kLargestSeed));
+  command->add_flag("--json", options->json, "the result for a program");
+  command->footer(
+      "Example:\n"
+      "  ballbar plan sample-runs/hidden-effect/01/data.csv --model sample-runs/hidden-effect/01/model.toml --hours 8");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

@@ -1,0 +1,43 @@
+// Several runs of one machine as one series: stacked, the time of each from 0 again.
+//
+// Where `time_s` falls, another run begins. What has a memory (the filters of effects, noise) begins there anew, and a
+// model has an offset for each run (run_terms.hpp), because a set-up is never made twice alike.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ballbar/series/series.hpp"
+
+namespace ballbar {
+
+struct RowRange {
+  std::size_t begin = 0, end = 0;  // rows [begin, end)
+};
+
+// One range a run; none of no rows.
+std::vector<RowRange> runs_of(std::span<const double> time_s);
+
+// The rows of one run alone.
+Series rows_of(const Series& data, const RowRange& range);
+
+// Times that go on from run to run, each a day after the longest: for what only has to draw or to count.
+std::vector<double> unrolled(std::span<const double> time_s);
+
+// A machine that stood less than this since the run before begins warm.
+inline constexpr double kRest_s = 8.0 * 3600.0;
+
+struct Stacked {
+  Series series;
+  std::vector<std::string> remarks;  // whole sentences: what was left out
+};
+
+// Runs one after another, in their order; of one run itself. Columns that not all have are left out; roles are those of
+// the first. A run begins warm where its log says that it began less than kRest_s after the end of another, or where
+// its speed is not 0 in the first row. Throws Error, with the names: runs of fewer than two rows, with no column in
+// common, a column in other units (T_bed_degC, T_bed_K), the same rows twice, wall clocks that overlap.
+Stacked stacked(const std::vector<Series>& runs, const std::vector<std::string>& names);
+
+}  // namespace ballbar

@@ -1,0 +1,94 @@
+#include "diagnosis/next_test/columns_alike.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "series/resolution.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kLeastP = 0.2;
+constexpr double kOfAStep = 0.6;      // largest distance of two columns that are one, in steps of the coarser
+constexpr double kOfTheRange = 1e-9;  // the same where they have no steps
+
+bool is_input(const Column& column, const Model& model) {
+  return std::find(model.targets.begin(), model.targets.end(), column.name) == model.targets.end() &&
+         column.role != Role::measured && !unit_of(column.name).empty();
+}
+
+bool is_read(const Column& column, const Model& model) {
+  return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& term) {
+    return std::find(term.columns.begin(), term.columns.end(), column.name) != term.columns.end();
+  });
+}
+
+bool are_one(const Column& a, const Column& b) {
+  if (unit_of(a.name) != unit_of(b.name)) return false;
+  double n = 0.0, mean_a = 0.0, mean_b = 0.0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    if (!std::isfinite(a.values[i]) || !std::isfinite(b.values[i])) continue;
+    n += 1.0;
+    mean_a += (a.values[i] - mean_a) / n;
+    mean_b += (b.values[i] - mean_b) / n;
+  }
+  if (n < 3.0) return false;
+  double aa = 0.0, ab = 0.0, bb = 0.0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    if (!std::isfinite(a.values[i]) || !std::isfinite(b.values[i])) continue;
+    const double x = a.values[i] - mean_a, y = b.values[i] - mean_b;
+    aa += x * x;
+    ab += x * y;
+    bb += y * y;
+  }
+  if (!(aa > 0.0) || !(bb > 0.0)) return false;
+  const double slope = ab / aa, step = std::max(std::abs(slope) * resolution_of(a.values), resolution_of(b.values));
+  const double most = std::max(kOfAStep * step, kOfTheRange * std::sqrt(bb / n));
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    if (std::isfinite(a.values[i]) != std::isfinite(b.values[i])) return false;
+    if (std::abs(b.values[i] - mean_b - slope * (a.values[i] - mean_a)) > most) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Alike alike_columns_of(const Series& data, const Model& model) {
+  Alike result;
+  result.data = data;
+  for (std::size_t a = 0; a < data.columns.size(); ++a) {
+    if (!is_input(data.columns[a], model)) continue;
+    const auto is_taken = [&](const Column& column) {
+      return std::any_of(result.twins.begin(), result.twins.end(),
+                         [&](const Twin& one) { return one.other == column.name; });
+    };
+    for (std::size_t b = 0; b < data.columns.size() && !is_taken(data.columns[a]); ++b) {
+      const Column& other = data.columns[b];
+      const bool is_later = b > a || is_read(data.columns[a], model);
+      if (b == a || !is_later || !is_input(other, model) || is_read(other, model) || is_taken(other)) continue;
+      if (are_one(data.columns[a], other)) result.twins.push_back({data.columns[a].name, other.name});
+    }
+  }
+  std::erase_if(result.data.columns, [&](const Column& column) {
+    return std::any_of(result.twins.begin(), result.twins.end(),
+                       [&](const Twin& one) { return one.other == column.name; });
+  });
+  return result;
+}
+
+std::vector<std::vector<BoundEffect>> inseparable_effects(const Diagnosis& diagnosis, const Alike& alike) {
+  std::vector<std::vector<BoundEffect>> groups;
+  for (const EffectProbability& effect : diagnosis.effects) {
+    if (effect.p < kLeastP) continue;
+    std::vector<BoundEffect> group{effect.bound};
+    for (const Twin& twin : alike.twins) {
+      BoundEffect other = effect.bound;
+      std::replace(other.columns.begin(), other.columns.end(), twin.kept, twin.other);
+      if (!(other == effect.bound)) group.push_back(std::move(other));
+    }
+    if (group.size() > 1) groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+}  // namespace ballbar

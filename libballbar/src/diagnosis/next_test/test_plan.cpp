@@ -1,0 +1,314 @@
+#include "ballbar/diagnosis/next_test/test_plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/model/run_terms.hpp"
+#include "ballbar/number_text.hpp"
+#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/series/runs.hpp"
+#include "diagnosis/next_test/columns_alike.hpp"
+#include "diagnosis/next_test/menu.hpp"
+#include "diagnosis/next_test/planned_inputs.hpp"
+#include "diagnosis/next_test/truths.hpp"
+#include "numerics/random_streams.hpp"
+#include "series/resolution.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kScreened = 8;  // truths for a first look at a test
+constexpr std::size_t kTruths = 24;   // for what is promised
+constexpr std::size_t kKindsKept = 2;
+constexpr std::size_t kSurrogatesSimulated = 50;
+constexpr std::size_t kRowsSimulated = 500;  // of the target that each diagnosis weighs
+
+Model without_unknown(const Model& model, const Series& data) {
+  if (model.level == Level::series) return without_run_terms(model);
+  throw Error(
+      fmt::format("expected a drift series to plan a run for, found recordings of {} readings.", data.time_s.size()));
+}
+
+// The rows of a run behind those of the data, columns by their names.
+Series with_run(const Series& data, const Series& run) {
+  Series all = data;
+  const double begin_s = data.time_s.empty() ? 0.0 : data.time_s.front();
+  if (runs_of(data.time_s).size() < 2) {
+    for (double& time_s : all.time_s) time_s -= begin_s;
+    all.runs = {{"data", RunStart::rest}};
+  }
+  all.time_s.insert(all.time_s.end(), run.time_s.begin(), run.time_s.end());
+  for (Column& column : all.columns) {
+    const std::vector<double>& values = find_column(run, column.name)->values;
+    column.values.insert(column.values.end(), values.begin(), values.end());
+  }
+  all.runs.push_back({"test", RunStart::rest});
+  return all;
+}
+
+struct Outcome {
+  bool right = false, wrong = false;
+};
+
+Outcome outcome_of(const std::vector<BoundEffect>& truth, bool slow, const Diagnosis& found) {
+  const auto is_in = [](const std::vector<BoundEffect>& all, const BoundEffect& one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+  };
+  Outcome outcome;
+  for (const BoundEffect& named : found.named) outcome.wrong = outcome.wrong || !is_in(truth, named);
+  const bool all =
+      std::all_of(truth.begin(), truth.end(), [&](const BoundEffect& one) { return is_in(found.named, one); });
+  outcome.right = !outcome.wrong && all && (!truth.empty() || slow);
+  return outcome;
+}
+
+class Design {
+ public:
+  Design(const Model& model, const Series& data, std::size_t target, const TestPlanOptions& options)
+      : model_(without_unknown(model, data)), options_(options), data_(data), target_(model.targets.at(target)) {
+    target_index_ = target;
+    ProblemOptions how;
+    how.catalogue = options.search.catalogue;
+    how.signatures.without = options.search.without;
+    tell("weighing the data at hand");
+    weighed_ = weighed(with_run_terms(model_, data_), data_, target, how);
+    if (weighed_.largest == 0 || weighed_.is_still) return;
+    truths_.emplace(weighed_);
+    planned_ = std::make_unique<PlannedInputs>(data_, target_);
+    resolution_um_ = resolution_of(find_column(data_, target_)->values);
+  }
+
+  bool can_draw() const { return truths_.has_value(); }
+  const Weighed& posterior() const { return weighed_; }
+  const Truths& truths() const { return *truths_; }
+  const PlannedInputs& planned() const { return *planned_; }
+
+  std::vector<Truth> drawn(std::size_t count, std::uint64_t stage) const {
+    std::mt19937_64 random = simulation::stream_of(options_.search.seed, simulation::Stream::signal, 100 + stage);
+    return truths_->drawn(count, random);
+  }
+
+  // A whole diagnosis of each truth.
+  ExpectedTest expected(const MenuItem& item, const std::vector<Truth>& truths) const {
+    std::vector<Outcome> outcomes(truths.size());
+    in_parallel(truths.size(), [&](std::size_t k) {
+      std::mt19937_64 random = simulation::stream_of(options_.search.seed, simulation::Stream::signal, 1000 + k);
+      outcomes[k] = outcome(item.schedule, truths[k], random);
+    });
+    ExpectedTest result{item.kind, item.doing, item.hours, item.schedule, truths.size()};
+    const auto n = static_cast<double>(truths.size());
+    for (const Outcome& one : outcomes) {
+      result.p_right += one.right ? 1.0 / n : 0.0;
+      result.p_wrong += one.wrong ? 1.0 / n : 0.0;
+    }
+    // Of Laplace's estimate, so that 24 of 24 is no certainty.
+    const double p = (result.p_right * n + 1.0) / (n + 2.0);
+    result.p_right_sigma = std::sqrt(p * (1.0 - p) / (n + 3.0));
+    return result;
+  }
+
+  Series simulated(const Schedule& schedule, const Truth& truth, std::mt19937_64& random) const {
+    Series run = planned_->under(schedule, random);
+    run.columns.push_back({target_, Role::measured, truths_->readings_um(truth, run, resolution_um_, random)});
+    return run;
+  }
+
+  void tell(const std::string& step) const {
+    if (options_.search.progress) options_.search.progress(step);
+  }
+
+ private:
+  Outcome outcome(const Schedule& schedule, const Truth& truth, std::mt19937_64& random) const {
+    const Series all = with_run(data_, simulated(schedule, truth, random));
+    DiagnosisOptions how;
+    how.search = options_.search;
+    how.search.progress = {};
+    how.surrogates = kSurrogatesSimulated;
+    how.most_rows = kRowsSimulated;
+    try {
+      const Diagnosis found = diagnose(with_run_terms(model_, all), all, target_index_, how);
+      return outcome_of(truths_->effects_of(truth), truth.slow, found);
+    } catch (const Error&) {
+      return {};  // a run that cannot be diagnosed decides nothing
+    }
+  }
+
+  Model model_;
+  const TestPlanOptions& options_;
+  const Series& data_;
+  std::string target_;
+  std::size_t target_index_ = 0;
+  Weighed weighed_;
+  std::optional<Truths> truths_;
+  std::unique_ptr<PlannedInputs> planned_;
+  double resolution_um_ = 0.0;
+};
+
+bool is_better(const ExpectedTest& a, const ExpectedTest& b) {
+  if (a.p_right != b.p_right) return a.p_right > b.p_right;
+  if (a.p_wrong != b.p_wrong) return a.p_wrong < b.p_wrong;
+  return a.hours < b.hours;
+}
+
+// The shortest that is sure enough, else the surest.
+std::size_t chosen(const std::vector<ExpectedTest>& tests) {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < tests.size(); ++k) {
+    const bool sure = tests[k].p_right >= kSureEnough, best_is_sure = tests[best].p_right >= kSureEnough;
+    const bool shorter = tests[k].hours < tests[best].hours;
+    if (sure && best_is_sure ? shorter : is_better(tests[k], tests[best])) best = k;
+  }
+  return best;
+}
+
+std::vector<ExpectedTest> tests_of(const Design& design, const std::vector<MenuItem>& menu) {
+  std::map<std::string, std::vector<const MenuItem*>> kinds;  // each from short to long
+  std::vector<std::string> order;
+  for (const MenuItem& item : menu) {
+    if (kinds[item.kind].empty()) order.push_back(item.kind);
+    kinds[item.kind].push_back(&item);
+  }
+  const std::vector<Truth> few = design.drawn(kScreened, 0);
+  std::vector<ExpectedTest> longest, all;
+  for (const std::string& kind : order) {
+    design.tell(fmt::format("simulating {:g} h of {}", kinds[kind].back()->hours, kind));
+    longest.push_back(design.expected(*kinds[kind].back(), few));
+  }
+  std::stable_sort(longest.begin(), longest.end(), is_better);
+  for (std::size_t k = 0; k < longest.size(); ++k) {
+    if (longest[k].p_right > 0.0 && k < kKindsKept) {
+      const std::vector<const MenuItem*>& items = kinds[longest[k].kind];
+      for (std::size_t i = 0; i + 1 < items.size(); ++i) {
+        design.tell(fmt::format("simulating {:g} h of {}", items[i]->hours, items[i]->kind));
+        all.push_back(design.expected(*items[i], few));
+      }
+    }
+    all.push_back(std::move(longest[k]));
+  }
+  // What is promised comes from other truths than the choice; where it falls short the next is looked at as well.
+  const std::vector<Truth> fresh = design.drawn(kTruths, 1);
+  std::set<std::size_t> promised;
+  for (int round = 0; round < 2; ++round) {
+    const std::size_t best = chosen(all);
+    if (!(all[best].p_right > 0.0) || !promised.insert(best).second) break;
+    design.tell(fmt::format("simulating {:g} h of {} with {} truths", all[best].hours, all[best].kind, kTruths));
+    const auto item = std::find_if(menu.begin(), menu.end(), [&](const MenuItem& one) {
+      return one.kind == all[best].kind && one.hours == all[best].hours;
+    });
+    all[best] = design.expected(*item, fresh);
+  }
+  std::size_t best = chosen(all);
+  if (!promised.empty() && promised.count(best) == 0)
+    best = *std::max_element(promised.begin(), promised.end(),
+                             [&](std::size_t a, std::size_t b) { return is_better(all[b], all[a]); });
+  std::swap(all[0], all[best]);
+  std::stable_sort(all.begin() + 1, all.end(), is_better);
+  return all;
+}
+
+void add_curves(const Design& design, TestPlan& plan, std::uint64_t seed) {
+  const Posterior& posterior = design.posterior().posterior;
+  std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 7);
+  const Series run = design.planned().under(plan.tests.front().schedule, random);
+  plan.time_s = run.time_s;
+  for (std::size_t s = 0; s < posterior.sets.size() && plan.curves.size() < kCurvesShown; ++s) {
+    const EffectSet& set = posterior.sets[s];
+    const double p = posterior.p(set);
+    if (p < 0.01) continue;
+    const Truth truth{s, false};
+    const std::vector<BoundEffect> effects = design.truths().effects_of(truth);
+    std::vector<std::string> labels;
+    for (const BoundEffect& one : effects) labels.push_back(label_of(one));
+    const Eigen::VectorXd drift = design.truths().drift_um(truth, run);
+    plan.curves.push_back({labels.empty() ? "nothing of the catalogue" : fmt::format("{}", fmt::join(labels, " + ")),
+                           p,
+                           {drift.begin(), drift.end()}});
+    for (double& um : plan.curves.back().um) um -= drift[0];
+    plan.sigma_um = std::max(plan.sigma_um, design.truths().sigma_um(truth));
+  }
+}
+
+std::string percent(double p) { return fmt::format("{:.0f} %", 100.0 * p); }
+
+std::string inseparable_text(const std::vector<std::vector<BoundEffect>>& groups) {
+  std::string text;
+  for (const std::vector<BoundEffect>& group : groups) {
+    std::vector<std::string> labels;
+    for (const BoundEffect& one : group) labels.push_back(label_of(one));
+    text += fmt::format("{}No test can tell {} apart: their columns read the same.", text.empty() ? "" : " ",
+                        fmt::join(labels, " and "));
+  }
+  return text;
+}
+
+std::string sentence_of(const TestPlan& plan, const TestPlanOptions& options) {
+  const std::string apart = inseparable_text(plan.inseparable);
+  const std::string behind = apart.empty() ? "" : " " + apart;
+  if (plan.is_decided) return "The data at hand decide: no further test is needed." + behind;
+  if (plan.verdict == Verdict::nothing)
+    return "By the data at hand nothing is missing: there is nothing to decide." + behind;
+  if (plan.tests.empty()) {
+    if (!apart.empty()) return apart + " Put one of the sensors elsewhere; no test is proposed.";
+    return fmt::format("No test of up to {:g} h on the menu would decide; none is proposed.", options.most_hours);
+  }
+  const ExpectedTest& best = plan.tests.front();
+  std::string text = fmt::format(
+      "Run {:g} h from cold: {}. It would name what is missing in {} of cases (± {:.0f}, {} simulated), and "
+      "something wrong in {}.",
+      best.hours, best.doing, percent(best.p_right), 100.0 * best.p_right_sigma, best.truths, percent(best.p_wrong));
+  if (best.p_right < kSureEnough)
+    text += fmt::format(" No test of up to {:g} h reaches {}.", options.most_hours, percent(kSureEnough));
+  for (const SensorToAdd& sensor : plan.sensors) {
+    text += fmt::format(" A temperature sensor {} would raise it to {} in the same run.", sensor.place,
+                        percent(sensor.p_right));
+  }
+  return text + behind;
+}
+
+}  // namespace
+
+TestPlan test_plan(const Model& model, const Series& data, std::size_t target, const TestPlanOptions& options) {
+  TestPlan plan;
+  // Columns that read the same are one: which of them it is, no test can tell.
+  const Alike alike = alike_columns_of(data, model);
+  const Design design(model, alike.data, target, options);
+  if (!design.can_draw()) {
+    plan.sentence = "The data have too few values, or do not move: nothing can be planned from them.";
+    return plan;
+  }
+  design.tell("diagnosing the data at hand");
+  DiagnosisOptions how;
+  how.search = options.search;
+  how.search.progress = {};
+  const Diagnosis now = diagnose(with_run_terms(without_run_terms(model), alike.data), alike.data, target, how);
+  plan.inseparable = inseparable_effects(now, alike);
+  plan.verdict = now.verdict;
+  const bool is_all_named = now.verdict == Verdict::named && now.probable.empty() && now.equivalent.empty();
+  plan.is_decided = is_all_named && plan.inseparable.empty();
+  if (!is_all_named && now.verdict != Verdict::nothing && now.verdict != Verdict::untestable) {
+    MenuLimits limits{options.most_hours, options.max_rpm, options.can_load, options.can_room, options.can_coolant};
+    plan.tests = tests_of(design, menu_of(alike.data, model.targets.at(target), limits));
+    if (!plan.tests.empty() && !(plan.tests.front().p_right >= kLeastPromise)) plan.tests.clear();
+  }
+  if (!plan.tests.empty()) add_curves(design, plan, options.search.seed);
+  plan.sentence = sentence_of(plan, options);
+  return plan;
+}
+
+ExpectedTest expected_of(const Model& model, const Series& data, std::size_t target, const Schedule& schedule,
+                         std::size_t truths, const TestPlanOptions& options) {
+  const Design design(model, data, target, options);
+  if (!design.can_draw()) return {};
+  return design.expected({"", "", duration_s(schedule) / 3600.0, schedule}, design.drawn(truths, 1));
+}
+
+}  // namespace ballbar

@@ -1,0 +1,50 @@
+// What may be true, drawn from a posterior, and what would then be read in a test.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <random>
+#include <vector>
+
+#include "diagnosis/posterior/weighed.hpp"
+#include "diagnosis/verdict/fitted_set.hpp"
+
+namespace ballbar {
+
+struct Truth {
+  std::size_t set = 0;  // of Posterior::sets
+  bool slow = false;    // with a slow curve without a cause
+};
+
+class Truths {
+ public:
+  // Refers to it.
+  explicit Truths(const Weighed& weighed);
+
+  // Truths of about the posterior's weights, as even as so many can be; none where nothing is missing.
+  std::vector<Truth> drawn(std::size_t count, std::mt19937_64& random) const;
+
+  std::vector<BoundEffect> effects_of(const Truth& truth) const;
+
+  // On the rows of one run, without noise; what is of a set-up left out.
+  Eigen::VectorXd drift_um(const Truth& truth, const Series& run) const;
+
+  // With noise, rounded as the target is.
+  std::vector<double> readings_um(const Truth& truth, const Series& run, double resolution_um,
+                                  std::mt19937_64& random) const;
+
+  double sigma_um(const Truth& truth) const;  // of a reading
+
+ private:
+  struct Fitted {
+    FittedSet set;
+    Covariance noise, slow;
+    double variance = 0.0;
+  };
+  const Fitted& fitted(std::size_t set) const;
+
+  const Weighed& weighed_;
+  mutable std::map<std::size_t, Fitted> fitted_;  // as they are asked for, before anything runs in parallel
+};
+
+}  // namespace ballbar

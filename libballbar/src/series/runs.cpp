@@ -1,0 +1,195 @@
+#include "ballbar/series/runs.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "ballbar/error.hpp"
+
+namespace ballbar {
+namespace {
+
+std::string_view stem_of(std::string_view column) {
+  const std::string_view unit = unit_of(column);
+  return unit.empty() ? column : column.substr(0, column.size() - unit.size() - 1);
+}
+
+bool is_in_all(const std::vector<Series>& runs, const std::string& column) {
+  return std::all_of(runs.begin(), runs.end(), [&](const Series& run) { return find_column(run, column) != nullptr; });
+}
+
+// A column of one run that another has in other units.
+void expect_same_units(const std::vector<Series>& runs, const std::vector<std::string>& names) {
+  for (std::size_t r = 1; r < runs.size(); ++r) {
+    for (const Column& column : runs[r].columns) {
+      if (find_column(runs.front(), column.name) != nullptr || unit_of(column.name).empty()) continue;
+      for (const Column& other : runs.front().columns) {
+        if (unit_of(other.name).empty() || stem_of(other.name) != stem_of(column.name)) continue;
+        throw Error(fmt::format("expected the columns of all runs in the same units, found {} in {} and {} in {}.",
+                                other.name, names.front(), column.name, names[r]));
+      }
+    }
+  }
+}
+
+bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+// The same rows: times since the first and values of every column.
+bool same_rows(const Series& a, const Series& b) {
+  if (a.time_s.size() != b.time_s.size()) return false;
+  std::size_t compared = 0;
+  for (const Column& column : a.columns) {
+    const Column* other = find_column(b, column.name);
+    if (other == nullptr) continue;
+    ++compared;
+    if (!std::equal(column.values.begin(), column.values.end(), other->values.begin(), same)) return false;
+  }
+  return compared > 0;
+}
+
+// Of "2026-11-22T13:05:10".
+std::optional<double> seconds_of_clock(const std::string& text) {
+  int year = 0;
+  unsigned month = 0, day = 0, hour = 0, minute = 0;
+  double second = 0.0;
+  // NOLINTNEXTLINE(cert-err34-c): what does not fit is no clock
+  if (std::sscanf(text.c_str(), "%4d-%2u-%2uT%2u:%2u:%9lf", &year, &month, &day, &hour, &minute, &second) != 6) {
+    return std::nullopt;
+  }
+  const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(month), std::chrono::day(day)};
+  if (!date.ok()) return std::nullopt;
+  const auto days = std::chrono::sys_days(date).time_since_epoch().count();
+  return 86400.0 * static_cast<double>(days) + 3600.0 * hour + 60.0 * minute + second;
+}
+
+struct Hours {
+  std::optional<double> begin_s, end_s;
+};
+
+std::vector<Hours> hours_of(const std::vector<Series>& runs) {
+  std::vector<Hours> hours;
+  hours.reserve(runs.size());
+  for (const Series& run : runs) {
+    const std::optional<double> zero_s = run.started ? seconds_of_clock(*run.started) : std::nullopt;
+    hours.push_back(zero_s ? Hours{*zero_s + run.time_s.front(), *zero_s + run.time_s.back()} : Hours{});
+  }
+  return hours;
+}
+
+void expect_apart(const std::vector<Series>& runs, const std::vector<std::string>& names,
+                  const std::vector<Hours>& hours) {
+  for (std::size_t a = 0; a < runs.size(); ++a) {
+    for (std::size_t b = a + 1; b < runs.size(); ++b) {
+      if (same_rows(runs[a], runs[b])) {
+        throw Error(fmt::format("expected every run once, found the same rows in {} and {}.", names[a], names[b]));
+      }
+      if (!hours[a].begin_s || !hours[b].begin_s) continue;
+      if (*hours[a].begin_s > *hours[b].end_s || *hours[b].begin_s > *hours[a].end_s) continue;
+      throw Error(
+          fmt::format("expected runs of one machine one after another, found {} and {}, which overlap by their "
+                      "clocks; where they are two logs of one run, `ballbar merge` makes one of them.",
+                      names[a], names[b]));
+    }
+  }
+}
+
+bool begins_warm(const Series& run, std::size_t number, const std::vector<Hours>& hours) {
+  if (hours[number].begin_s) {
+    for (std::size_t other = 0; other < hours.size(); ++other) {
+      if (other == number || !hours[other].end_s) continue;
+      const double rest_s = *hours[number].begin_s - *hours[other].end_s;
+      if (rest_s > 0.0 && rest_s < kRest_s) return true;
+    }
+  }
+  return std::any_of(run.columns.begin(), run.columns.end(), [](const Column& column) {
+    return column.role == Role::speed && !column.values.empty() && std::abs(column.values.front()) > 0.0;
+  });
+}
+
+}  // namespace
+
+std::vector<RowRange> runs_of(std::span<const double> time_s) {
+  std::vector<RowRange> ranges;
+  for (std::size_t row = 0; row < time_s.size(); ++row) {
+    if (row == 0 || time_s[row] < time_s[row - 1]) ranges.push_back({row, row});
+    ranges.back().end = row + 1;
+  }
+  return ranges;
+}
+
+Series rows_of(const Series& data, const RowRange& range) {
+  const auto part = [&](const std::vector<double>& values) {
+    return std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(range.begin),
+                               values.begin() + static_cast<std::ptrdiff_t>(range.end));
+  };
+  Series result;
+  result.time_s = part(data.time_s);
+  result.five_probe = data.five_probe;
+  result.columns.reserve(data.columns.size());
+  for (const Column& column : data.columns) result.columns.push_back({column.name, column.role, part(column.values)});
+  return result;
+}
+
+std::vector<double> unrolled(std::span<const double> time_s) {
+  constexpr double kDay_s = 86400.0;
+  std::vector<double> result(time_s.begin(), time_s.end());
+  if (result.empty()) return result;
+  const auto [low, high] = std::minmax_element(time_s.begin(), time_s.end());
+  const double apart_s = *high - *low + kDay_s;
+  double offset_s = 0.0;
+  for (std::size_t row = 0; row < result.size(); ++row) {
+    if (row > 0 && time_s[row] < time_s[row - 1]) offset_s += apart_s;
+    result[row] += offset_s;
+  }
+  return result;
+}
+
+Stacked stacked(const std::vector<Series>& runs, const std::vector<std::string>& names) {
+  Stacked result;
+  if (runs.size() == 1) {
+    result.series = runs.front();
+    return result;
+  }
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    if (runs[r].time_s.size() >= 2) continue;
+    throw Error(fmt::format("{}: expected a run of at least 2 rows, found {}.", names[r], runs[r].time_s.size()));
+  }
+  expect_same_units(runs, names);
+  const std::vector<Hours> hours = hours_of(runs);
+  expect_apart(runs, names, hours);
+  Series& all = result.series;
+  all.five_probe = runs.front().five_probe;
+  std::vector<std::string> left_out;
+  for (const Series& run : runs) {
+    for (const Column& column : run.columns) {
+      const bool is_known = std::find(left_out.begin(), left_out.end(), column.name) != left_out.end();
+      if (!is_in_all(runs, column.name) && !is_known) left_out.push_back(column.name);
+    }
+  }
+  for (const Column& column : runs.front().columns) {
+    if (is_in_all(runs, column.name)) all.columns.push_back({column.name, column.role, {}});
+  }
+  if (all.columns.empty())
+    throw Error(fmt::format("expected a column that all of {} have, found none.", fmt::join(names, ", ")));
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const Series& run = runs[r];
+    for (const double time_s : run.time_s) all.time_s.push_back(time_s - run.time_s.front());
+    for (Column& column : all.columns) {
+      const std::vector<double>& values = find_column(run, column.name)->values;
+      column.values.insert(column.values.end(), values.begin(), values.end());
+    }
+    all.runs.push_back({names[r], begins_warm(run, r, hours) ? RunStart::warm : RunStart::rest});
+  }
+  if (!left_out.empty()) {
+    result.remarks.push_back(fmt::format("left out, as not all runs have {}: {}", left_out.size() == 1 ? "it" : "them",
+                                         fmt::join(left_out, ", ")));
+  }
+  return result;
+}
+
+}  // namespace ballbar
