@@ -1,4 +1,5 @@
 // `ballbar blind make` and `ballbar blind score`: hide effects in simulated data, and score who looks for them.
+// `ballbar blind run` is in blind_run.cpp.
 #include "ballbar/challenge/blind.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,9 @@
 #include <random>
 
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "challenge/blind_run.hpp"
 #include "challenge/challenge_files.hpp"
+#include "challenge/challenge_runs.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "terminal/option_checks.hpp"
@@ -78,7 +81,7 @@ void make(const MakeOptions& options) {
 
 BlindVerdict diagnosis_verdict(const fs::path& folder) {
   ModelOptions options;
-  options.data = {(folder / "data.csv").string()};
+  for (const fs::path& run : runs_of_set(folder)) options.data.push_back(run.string());
   options.model = (folder / "model.toml").string();
   const ModelData data = open_data(options);
   return verdict_of(diagnose(open_model(options, data), data.series));
@@ -250,6 +253,7 @@ void add_blind(CLI::App& app) {
   CLI::App* command = app.add_subcommand("blind", "Hide effects in simulated data, and score who looks for them");
   command->require_subcommand(1);
   add_make(*command);
+  add_blind_run(*command);
   add_score(*command);
 }
 

@@ -24,7 +24,12 @@ struct SealedSet {
   std::string name;  // its folder: "01"
   BlindAnswer answer;
   std::string data_sha256, model_sha256;
+  std::uint64_t seed = 0;      // of blind_set
+  std::string machine_sha256;  // of DIR/machine.toml.base64, which moved in place of a blind set's machine; empty: none
 };
+
+// data.csv of a set.
+std::string data_of(const BlindSet& set);
 
 // Makes the sets and writes them, all or nothing; returns the digest of the answers. `progress` is called with the
 // number of sets that are made. Throws Error where `folder` holds anything or `answers` exists.

@@ -10,8 +10,11 @@
 namespace ballbar {
 namespace {
 
+using blind::Drawn;
 using blind::Hidden;
 using blind::Random;
+using blind::Scatter;
+using blind::Source;
 using blind::Workshop;
 
 struct NamedKind {
@@ -30,48 +33,6 @@ constexpr double kLeastShare = 0.05;    // of a hidden signal that the base mode
 constexpr double kLargestCosine = 0.9;  // of two hidden signals, whitened and freed of the base model
 constexpr double kLargestRange_um = 200.0;
 constexpr int kMostTries = 300;
-
-struct Scatter {
-  double sigma_um = 0.2, phi = 0.9, resolution_um = 0.01;
-  bool heavy = false;
-};
-
-Scatter drawn_scatter(Random& random) {
-  Scatter scatter;
-  scatter.sigma_um = blind::log_between(random, 0.1, 0.5);
-  scatter.phi = blind::between(random, 0.5, 0.98);
-  scatter.resolution_um = blind::one_of(random, std::array{0.01, 0.02, 0.05, 0.1});
-  scatter.heavy = blind::chance(random, 0.25);
-  return scatter;
-}
-
-// Rounding is a white noise with a standard deviation of resolution / sqrt 12.
-Noise noise_model(const Scatter& scatter, double interval_s) {
-  return {scatter.resolution_um / std::sqrt(12.0), scatter.sigma_um, -interval_s / std::log(scatter.phi), 0.0};
-}
-
-// Student's t with 4 degrees of freedom over its standard deviation, sqrt 2; or normal.
-double innovation(const Scatter& scatter, Random& random) {
-  const double w = simulation::normal(random);
-  if (!scatter.heavy) return w;
-  double squares = 0.0;
-  for (int i = 0; i < 4; ++i) {
-    const double each = simulation::normal(random);
-    squares += each * each;
-  }
-  return w / std::sqrt(squares / 4.0) / std::sqrt(2.0);
-}
-
-std::vector<double> noise_um(std::size_t n, const Scatter& scatter, Random& random) {
-  std::vector<double> values;
-  simulation::Ar1 memory(1.0, scatter.phi);
-  double last = memory.next(random);
-  for (std::size_t i = 0; i < n; ++i) {
-    values.push_back(scatter.sigma_um * last);
-    last = memory.next(innovation(scatter, random));
-  }
-  return values;
-}
 
 // What the sets are written with, as a user writes a model.
 Term friction_heat(const Catalogue& catalogue) {
@@ -93,16 +54,24 @@ Model usual_model(std::string target, const Catalogue& catalogue, Random& random
   return model;
 }
 
+// The same effect with the same shapes in another run.
+blind::Adds again(Injection injection) {
+  return [injection = std::move(injection)](const Workshop& run, Random&) {
+    return blind::added_by(injection, run.logged);
+  };
+}
+
 BoundEffect bound_of(const Term& term) { return {term.effect.get(), term.columns}; }
 
 // A constant and 5 to 30 um of every effect.
-std::vector<double> clean_of(const Model& model, const Series& logged, Random& random) {
+std::vector<double> clean_of(const Model& model, const Series& logged, std::vector<Source>& sources, Random& random) {
   std::vector<double> clean(logged.time_s.size(), blind::between(random, -5.0, 5.0));
   for (const Term& term : model.terms) {
     const Injection injection = blind::drawn_injection(bound_of(term), logged, random);
     const std::vector<double> signal = signal_of(injection, logged);
     const double scale = blind::between(random, 5.0, 30.0) / range_of(signal);
     for (std::size_t i = 0; i < clean.size(); ++i) clean[i] += scale * signal[i];
+    sources.push_back({again(injection), scale});
   }
   return clean;
 }
@@ -125,7 +94,8 @@ double cosine(const std::vector<double>& a, const std::vector<double>& b) {
 
 // Takes hidden signals as `next` offers them, each scaled to a d, until there are enough; false where there never are.
 template <class Next>
-bool hide(BlindSet& set, std::size_t count, const Fit& base, const Noise& noise, Random& random, Next next) {
+bool hide(Drawn& drawn, std::size_t count, const Fit& base, const Noise& noise, Random& random, Next next) {
+  BlindSet& set = drawn.set;
   std::vector<std::vector<double>> taken;
   for (int tries = 0; set.hidden_um.size() < count && tries < kMostTries; ++tries) {
     std::optional<Hidden> hidden = next();
@@ -140,6 +110,7 @@ bool hide(BlindSet& set, std::size_t count, const Fit& base, const Noise& noise,
     taken.push_back(std::move(survival.left));
     for (double& value : hidden->signal_um) value *= scale;
     set.hidden_um.push_back(std::move(hidden->signal_um));
+    drawn.sources.push_back({std::move(hidden->again), scale});
     set.answer.what += (set.answer.what.empty() ? "" : " and ") + hidden->what;
     if (hidden->bound) set.answer.hidden.push_back(*hidden->bound);
     set.answer.match = std::move(hidden->match);
@@ -167,20 +138,20 @@ std::optional<Hidden> twin_effect(Twins twins, const Catalogue& catalogue, const
     bound = of("gradient_bending", {"T_front_degC", "T_room_degC"});
   }
   Injection injection = blind::drawn_injection(bound, logged, random);
-  if (twins != Twins::room) return Hidden{label_of(bound), bound, {}, signal_of(injection, logged)};
+  if (twins != Twins::room) {
+    return Hidden{label_of(bound), bound, {}, signal_of(injection, logged), again(injection)};
+  }
   // The room does not move: the same as the other temperature alone.
   const BoundEffect alone = of("lagged_expansion", {"T_front_degC"});
-  return Hidden{label_of(bound), bound, {}, signal_of({alone, injection.parameters}, logged)};
+  return Hidden{label_of(bound), bound, {}, signal_of({alone, injection.parameters}, logged), again(injection)};
 }
 
-// Logs the head twice.
-void log_twice(Series& logged, const Series& sensors) {
-  std::erase_if(logged.columns, [](const Column& column) { return column.name == "T_head_degC"; });
-  Column head = *find_column(sensors, "T_head_degC");
-  for (double& value : head.values) value = simulation::rounded(value, 0.1);
-  logged.columns.push_back(head);
-  head.name = "T_head_2_degC";
-  logged.columns.push_back(std::move(head));
+// What the model makes with these parameters, in another run; without its constant.
+blind::Adds again(Model model, std::vector<FittedParameter> parameters) {
+  parameters.front().value = 0.0;
+  return [model = std::move(model), parameters = std::move(parameters)](const Workshop& run, Random&) {
+    return predict(model, parameters, run.logged).predicted_um;
+  };
 }
 
 std::vector<double> sum_of_others(const Series& causes, std::string_view target, const Hidden& cause) {
@@ -189,16 +160,19 @@ std::vector<double> sum_of_others(const Series& causes, std::string_view target,
   return sum;
 }
 
-bool fill(BlindSet& set, BlindKind kind, const Catalogue& catalogue, Random& random) {
+bool fill(Drawn& drawn, BlindKind kind, const Catalogue& catalogue, Random& random) {
+  BlindSet& set = drawn.set;
   set.answer.kind = kind;
   const std::string target = blind::chance(random, 0.5) ? "y_um" : "z_um";
   const Twins twins = blind::one_of(random, std::array{Twins::sensors, Twins::load, Twins::room});
   blind::Plan plan = blind::Plan::usual;
   if (kind == BlindKind::inseparable && twins == Twins::load) plan = blind::Plan::one_speed;
   if (kind == BlindKind::inseparable && twins == Twins::room) plan = blind::Plan::constant_room;
-  const Workshop workshop = blind::workshop_of(plan, random);
-  const Scatter scatter = drawn_scatter(random);
-  const Noise noise = noise_model(scatter, workshop.logged.time_s[1] - workshop.logged.time_s[0]);
+  drawn.workshop = blind::workshop_of(plan, random);
+  const Workshop& workshop = drawn.workshop;
+  drawn.scatter = blind::drawn_scatter(random);
+  const Scatter& scatter = drawn.scatter;
+  const Noise noise = blind::noise_model(scatter, workshop.logged.time_s[1] - workshop.logged.time_s[0]);
   set.data = workshop.logged;
   set.noise = noise;
 
@@ -214,7 +188,9 @@ bool fill(BlindSet& set, BlindKind kind, const Catalogue& catalogue, Random& ran
         offered = true;
         return cause;
       };
-      if (hide(set, 1, base, noise, random, next)) break;
+      if (!hide(drawn, 1, base, noise, random, next)) continue;
+      drawn.sources.push_back({again(set.model, base.parameters)});
+      break;
     }
     if (set.hidden_um.empty()) return false;
   } else {
@@ -225,8 +201,9 @@ bool fill(BlindSet& set, BlindKind kind, const Catalogue& catalogue, Random& ran
     if (kind == BlindKind::inseparable && twins == Twins::room) {
       set.model.terms = {friction_heat(catalogue)};
     }
-    if (kind == BlindKind::inseparable && twins == Twins::sensors) log_twice(set.data, workshop.sensors);
-    set.clean_um = clean_of(set.model, set.data, random);
+    drawn.head_twice = kind == BlindKind::inseparable && twins == Twins::sensors;
+    if (drawn.head_twice) blind::log_twice(set.data, workshop.sensors);
+    set.clean_um = clean_of(set.model, set.data, drawn.sources, random);
     const Fit base = base_fit(set.model, set.data, set.clean_um);
     const std::size_t count = kind == BlindKind::nothing ? 0 : kind == BlindKind::two ? 2 : 1;
     const auto next = [&]() -> std::optional<Hidden> {
@@ -234,12 +211,12 @@ bool fill(BlindSet& set, BlindKind kind, const Catalogue& catalogue, Random& ran
       if (kind == BlindKind::inseparable) return twin_effect(twins, catalogue, set.data, random);
       return blind::drawn_effect(catalogue, set.model, set.data, random);
     };
-    if (!hide(set, count, base, noise, random, next)) return false;
+    if (!hide(drawn, count, base, noise, random, next)) return false;
   }
   if (kind == BlindKind::nothing) set.answer.what = "nothing";
 
   Column measured{target, Role::measured, set.clean_um};
-  const std::vector<double> scattered_um = noise_um(measured.values.size(), scatter, random);
+  const std::vector<double> scattered_um = blind::noise_um(measured.values.size(), scatter, random);
   for (std::size_t i = 0; i < measured.values.size(); ++i) {
     double& value = measured.values[i];
     for (const std::vector<double>& hidden_um : set.hidden_um) value += hidden_um[i];
@@ -272,11 +249,15 @@ BlindKind blind_kind(std::uint64_t seed) {
 }
 
 BlindSet blind_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogue) {
+  return blind::drawn_set(kind, seed, catalogue).set;
+}
+
+blind::Drawn blind::drawn_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogue) {
   // A draw in which nothing can be hidden (all at rest, say) is drawn again.
   for (std::uint64_t attempt = 0;; ++attempt) {
     Random random = simulation::stream_of(seed, simulation::Stream::blind_set, attempt);
-    BlindSet set;
-    if (fill(set, kind, catalogue, random)) return set;
+    Drawn drawn;
+    if (fill(drawn, kind, catalogue, random)) return drawn;
   }
 }
 

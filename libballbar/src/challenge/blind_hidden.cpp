@@ -14,20 +14,41 @@ const std::vector<double>& values_of(const Series& series, std::string_view colu
   return find_column(series, column)->values;
 }
 
-// A drive of 0 and 1 that nobody logs, at times of its own, seen through a body that follows it slowly.
-std::vector<double> unlogged_machine(const std::vector<double>& time_s, Random& random) {
-  const double follows_s = log_between(random, 300.0, 5400.0);
-  const double stays_s = (time_s.back() - time_s.front()) / between(random, 4.0, 10.0);
+// A machine that nobody logs, and how slowly what it heats follows.
+struct Unlogged {
+  double follows_s = 0.0, stays_s = 0.0;
+};
+
+// A drive of 0 and 1 at times of its own, seen through that body.
+std::vector<double> unlogged_machine(const Unlogged& machine, const std::vector<double>& time_s, Random& random) {
   std::vector<double> signal;
-  double on = 0.0, state = 0.0, last_s = time_s.front(), next_s = time_s.front() + stays_s * between(random, 0.3, 1.7);
+  double on = 0.0, state = 0.0, last_s = time_s.front();
+  double next_s = time_s.front() + machine.stays_s * between(random, 0.3, 1.7);
   for (const double now_s : time_s) {
-    state = on + (state - on) * std::exp(-(now_s - last_s) / follows_s);
+    state = on + (state - on) * std::exp(-(now_s - last_s) / machine.follows_s);
     if (now_s >= next_s) {
       on = 1.0 - on;
-      next_s = now_s + stays_s * between(random, 0.3, 1.7);
+      next_s = now_s + machine.stays_s * between(random, 0.3, 1.7);
     }
     last_s = now_s;
     signal.push_back(state);
+  }
+  return signal;
+}
+
+std::vector<double> room_by_speed(const Series& sensors, double room_degC) {
+  const std::vector<double>&speed_rpm = values_of(sensors, "speed_rpm"), &room = values_of(sensors, "T_room_degC");
+  std::vector<double> signal;
+  signal.reserve(room.size());
+  for (std::size_t i = 0; i < room.size(); ++i) signal.push_back(speed_rpm[i] * (room[i] - room_degC));
+  return signal;
+}
+
+std::vector<double> resonance(const Series& sensors, double at_rpm) {
+  std::vector<double> signal;
+  for (const double rpm : values_of(sensors, "speed_rpm")) {
+    const double away = (rpm - at_rpm) / 500.0;
+    signal.push_back(std::exp(-away * away));
   }
   return signal;
 }
@@ -130,6 +151,13 @@ Injection drawn_injection(const BoundEffect& bound, const Series& logged, Random
   return injection;
 }
 
+std::vector<double> added_by(const Injection& injection, const Series& logged) {
+  const BoundInputs inputs = inputs_of(*injection.bound.effect, injection.bound.columns, logged);
+  std::vector<double> values(logged.time_s.size());
+  injection.bound.effect->evaluate(inputs.rows, injection.parameters.data(), values.data(), nullptr);
+  return values;
+}
+
 std::optional<Hidden> drawn_effect(const Catalogue& catalogue, const Model& model, const Series& logged,
                                    Random& random) {
   std::vector<const Effect*> hidden;
@@ -147,34 +175,39 @@ std::optional<Hidden> drawn_effect(const Catalogue& catalogue, const Model& mode
   if (std::any_of(injection.parameters.begin(), injection.parameters.end(), [](double v) { return !(v != 0.0); })) {
     return std::nullopt;  // a threshold of a signal that never rises
   }
-  return Hidden{label_of(bound), bound, {}, signal_of(injection, logged), injection.parameters};
+  std::vector<double> signal = signal_of(injection, logged);
+  const auto again = [injection](const Workshop& run, Random&) { return added_by(injection, run.logged); };
+  return Hidden{label_of(bound), bound, {}, std::move(signal), again};
 }
 
 Hidden drawn_outsider(const Series& sensors, Random& random) {
-  const std::vector<double>& speed_rpm = values_of(sensors, "speed_rpm");
+  const auto hidden = [&](std::string what, auto signal_on) {
+    const Adds again = [signal_on](const Workshop& run, Random& other) { return signal_on(run.sensors, other); };
+    return Hidden{std::move(what), std::nullopt, {}, signal_on(sensors, random), again};
+  };
   switch (index_below(random, 4)) {
-    case 0: {
-      const std::vector<double>& room = values_of(sensors, "T_room_degC");
-      std::vector<double> signal;
-      for (std::size_t i = 0; i < room.size(); ++i) signal.push_back(speed_rpm[i] * (room[i] - room.front()));
-      return {"speed times the rise of T_room_degC", std::nullopt, {}, std::move(signal)};
+    case 0:
+      return hidden("speed times the rise of T_room_degC",
+                    [room_degC = values_of(sensors, "T_room_degC").front()](const Series& run, Random&) {
+                      return room_by_speed(run, room_degC);
+                    });
+    case 1: {
+      const double follows_s = log_between(random, 300.0, 5400.0);
+      const double stays_s = (sensors.time_s.back() - sensors.time_s.front()) / between(random, 4.0, 10.0);
+      return hidden("a machine that switches on and off, not logged", [=](const Series& run, Random& times) {
+        return unlogged_machine({follows_s, stays_s}, run.time_s, times);
+      });
     }
-    case 1:
-      return {
-          "a machine that switches on and off, not logged", std::nullopt, {}, unlogged_machine(sensors.time_s, random)};
     case 2:
-      return {"the square of the rate of T_front_degC", std::nullopt, {}, squared_rate(sensors, "T_front_degC")};
+      return hidden("the square of the rate of T_front_degC",
+                    [](const Series& run, Random&) { return squared_rate(run, "T_front_degC"); });
     default:
       break;
   }
   double at_rpm = 0.0;
-  while (at_rpm == 0.0) at_rpm = one_of(random, speed_rpm);
-  std::vector<double> signal;
-  for (const double rpm : speed_rpm) {
-    const double away = (rpm - at_rpm) / 500.0;
-    signal.push_back(std::exp(-away * away));
-  }
-  return {fmt::format("a resonance at {:g} rpm", at_rpm), std::nullopt, {}, std::move(signal)};
+  while (at_rpm == 0.0) at_rpm = one_of(random, values_of(sensors, "speed_rpm"));
+  return hidden(fmt::format("a resonance at {:g} rpm", at_rpm),
+                [at_rpm](const Series& run, Random&) { return resonance(run, at_rpm); });
 }
 
 std::vector<Hidden> drawn_causes(const Catalogue& catalogue, const Workshop& workshop, std::string_view target,
@@ -186,7 +219,8 @@ std::vector<Hidden> drawn_causes(const Catalogue& catalogue, const Workshop& wor
   for (const SpindlePart& part : parts) {
     const std::string_view name = part.column.substr(0, part.column.size() - 3);  // without its unit
     causes.push_back({fmt::format("{} of a finite-volume spindle", name), std::nullopt, match_of(catalogue, part),
-                      values_of(workshop.causes, part.column)});
+                      values_of(workshop.causes, part.column),
+                      [column = part.column](const Workshop& run, Random&) { return values_of(run.causes, column); }});
   }
   return causes;
 }

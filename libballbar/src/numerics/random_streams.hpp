@@ -21,7 +21,8 @@ enum class Stream : std::uint32_t {
   spindle_memory,
   spindle_variety,
   blind_kind,
-  blind_set
+  blind_set,
+  blind_run
 };
 
 // The stream of that seed, kind and key; the key is the test's time or the column's name.

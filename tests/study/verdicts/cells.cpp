@@ -110,7 +110,7 @@ std::vector<Cell> cells() {
   faint.d = 7.5;
   result.push_back(cell("one-7.5-exact", "right >= 52, wrong <= 2", faint));
   Recipe poor;
-  poor.is_poor = true;
+  poor.course = Course::poor;
   result.push_back(cell("poor-10", "right >= 40, driver >= 65, wrong <= 2", poor));
   Recipe two;
   two.count = 2;

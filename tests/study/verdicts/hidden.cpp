@@ -1,6 +1,7 @@
 #include "hidden.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -34,77 +35,99 @@ std::pair<Quantity, Quantity> two_sides(const Plan& plan, Chance& chance) {
 
 }  // namespace
 
+Track added_by(const Hidden& hidden, const Plan& plan, const Plan& first) {
+  const auto shape = [&](std::size_t k) { return hidden.parameters[k].value; };
+  const auto input = [&](std::size_t k) -> const Track& { return plan[hidden.inputs[k]]; };
+  // How much warmer the plan begins than the first one.
+  const auto begins_K = [&](std::size_t k) { return input(k).front() - first[hidden.inputs[k]].front(); };
+  Track track;
+  if (hidden.effect == "centrifugal_shift") {
+    track = power_of_speed(input(0), 2.0);
+  } else if (hidden.effect == "cooling_asymmetry") {
+    track = heat_with_two_lags(input(0), 5.0 / 3.0, shape(1), shape(2));
+  } else if (hidden.effect == "viscosity_feedback") {
+    track = low_pass(thinning_friction(input(0), input(1), shape(2)), shape(1));
+    const double thinner = std::exp(-shape(2) * begins_K(1));
+    if (thinner != 1.0) {
+      for (double& value : track) value *= thinner;
+    }
+  } else if (hidden.effect == "load_heating") {
+    track = low_pass(input(0), shape(1));
+  } else if (hidden.effect == "gradient_bending") {
+    track = rise(difference(input(0), input(1)));
+    if (shape(1) > 0.0) track = low_pass(track, shape(1));
+  } else if (hidden.effect == "bearing_rings") {
+    track = ring_growth(input(0), input(1));
+  } else if (hidden.effect == "lagged_expansion") {
+    track = low_pass(rise(input(0)), shape(1));
+  } else if (hidden.effect == "preload_loss") {
+    track = beyond(input(0), shape(1) - begins_K(0));
+  } else if (hidden.effect == "play_hysteresis") {
+    track = held_back(input(0), shape(1));
+  } else {
+    track = rise(input(0));  // expansion
+  }
+  const double gain = hidden.parameters.front().value;
+  if (gain != 1.0) {
+    for (double& value : track) value *= gain;
+  }
+  return track;
+}
+
 Hidden drawn_effect(std::string_view effect, const Plan& plan, double row_s, Chance& chance) {
   const double slowest_s = std::min(15000.0, 0.5 * static_cast<double>(plan.span_s));
   const auto lag_s = [&] { return chance.log_between(std::max(100.0, 2.0 * row_s), slowest_s); };
-  const Track& speed = plan[Quantity::speed];
-  const std::string name(effect);
+  Hidden hidden{std::string(effect), {}, {}, {}, 0.0};
   if (effect == "centrifugal_shift") {
-    return {name, {Quantity::speed}, {{"gain_um_per_krpm_p", 1.0, true}}, power_of_speed(speed, 2.0)};
-  }
-  if (effect == "cooling_asymmetry") {
+    hidden.inputs = {Quantity::speed};
+    hidden.parameters = {{"gain_um_per_krpm_p", 1.0, true}};
+  } else if (effect == "cooling_asymmetry") {
     const double ratio = chance.log_between(1.6, 6.0), turning_s = chance.log_between(100.0, slowest_s / ratio);
-    return {name,
-            {Quantity::speed},
-            {{"gain_um_per_krpm_a", 1.0, true},
-             {"time_constant_turning_s", turning_s},
-             {"time_constant_at_rest_s", ratio * turning_s}},
-            heat_with_two_lags(speed, 5.0 / 3.0, turning_s, ratio * turning_s)};
-  }
-  if (effect == "viscosity_feedback") {
+    hidden.inputs = {Quantity::speed};
+    hidden.parameters = {{"gain_um_per_krpm_a", 1.0, true},
+                         {"time_constant_turning_s", turning_s},
+                         {"time_constant_at_rest_s", ratio * turning_s}};
+  } else if (effect == "viscosity_feedback") {
     const Quantity inside = one_of(kInside, chance);
     const double tau_s = lag_s(), loss_per_K = chance.log_between(0.01, 0.08);
-    return {name,
-            {Quantity::speed, inside},
-            {{"gain_um_per_krpm", 1.0, true}, {"time_constant_s", tau_s}, {"viscosity_loss_per_K", loss_per_K}},
-            low_pass(thinning_friction(speed, plan[inside], loss_per_K), tau_s)};
-  }
-  if (effect == "load_heating") {
-    const double tau_s = lag_s();
-    return {name,
-            {Quantity::load},
-            {{"gain_um_per_unit", 1.0, true}, {"time_constant_s", tau_s}},
-            low_pass(plan[Quantity::load], tau_s)};
-  }
-  if (effect == "gradient_bending") {
+    hidden.inputs = {Quantity::speed, inside};
+    hidden.parameters = {
+        {"gain_um_per_krpm", 1.0, true}, {"time_constant_s", tau_s}, {"viscosity_loss_per_K", loss_per_K}};
+  } else if (effect == "load_heating") {
+    hidden.inputs = {Quantity::load};
+    hidden.parameters = {{"gain_um_per_unit", 1.0, true}, {"time_constant_s", lag_s()}};
+  } else if (effect == "gradient_bending") {
     const auto [hot, cold] = two_sides(plan, chance);
     const double tau_s = chance.happens(0.5) ? 0.0 : lag_s();
-    const Track sides = rise(difference(plan[hot], plan[cold]));
-    return {name,
-            {hot, cold},
-            {{"gain_um_per_K", 1.0, true}, {"time_constant_s", tau_s}},
-            tau_s > 0.0 ? low_pass(sides, tau_s) : sides,
-            tau_s > 0.0 ? 0.0 : std::numbers::sqrt2};
-  }
-  if (effect == "bearing_rings") {
+    hidden.inputs = {hot, cold};
+    hidden.parameters = {{"gain_um_per_K", 1.0, true}, {"time_constant_s", tau_s}};
+    hidden.at_once_per_K = tau_s > 0.0 ? 0.0 : std::numbers::sqrt2;
+  } else if (effect == "bearing_rings") {
     const bool first = chance.happens(0.5);
-    const Quantity inner = kInside[first ? 0 : 1], outer = kInside[first ? 1 : 0];
-    return {name, {inner, outer}, {{"gain", 1.0, true}}, ring_growth(plan[inner], plan[outer]), 0.633};
+    hidden.inputs = {kInside[first ? 0 : 1], kInside[first ? 1 : 0]};
+    hidden.parameters = {{"gain", 1.0, true}};
+    hidden.at_once_per_K = 0.633;
+  } else {
+    const Quantity input = one_of(kTemperatures, chance);
+    const Track& signal = plan[input];
+    hidden.inputs = {input};
+    hidden.at_once_per_K = 1.0;
+    if (effect == "lagged_expansion") {
+      hidden.parameters = {{"gain_um_per_K", 1.0, true}, {"time_constant_s", lag_s()}};
+      hidden.at_once_per_K = 0.0;
+    } else if (effect == "preload_loss") {
+      const Track up = rise(signal);
+      const double threshold = chance.between(0.2, 0.7) * *std::max_element(up.begin(), up.end());
+      hidden.parameters = {{"gain_um_per_unit", 1.0, true}, {"threshold_unit", threshold}};
+    } else if (effect == "play_hysteresis") {
+      hidden.parameters = {{"gain_um_per_unit", 1.0, true},
+                           {"half_width_unit", chance.between(0.05, 0.2) * range(signal)}};
+    } else {
+      hidden.parameters = {{"gain_um_per_K", 1.0, true}};  // expansion
+    }
   }
-  const Quantity input = one_of(kTemperatures, chance);
-  const Track& signal = plan[input];
-  if (effect == "lagged_expansion") {
-    const double tau_s = lag_s();
-    return {name, {input}, {{"gain_um_per_K", 1.0, true}, {"time_constant_s", tau_s}}, low_pass(rise(signal), tau_s)};
-  }
-  if (effect == "preload_loss") {
-    const Track up = rise(signal);
-    const double threshold = chance.between(0.2, 0.7) * *std::max_element(up.begin(), up.end());
-    return {name,
-            {input},
-            {{"gain_um_per_unit", 1.0, true}, {"threshold_unit", threshold}},
-            beyond(signal, threshold),
-            1.0};
-  }
-  if (effect == "play_hysteresis") {
-    const double half_width = chance.between(0.05, 0.2) * range(signal);
-    return {name,
-            {input},
-            {{"gain_um_per_unit", 1.0, true}, {"half_width_unit", half_width}},
-            held_back(signal, half_width),
-            1.0};
-  }
-  return {name, {input}, {{"gain_um_per_K", 1.0, true}}, rise(signal), 1.0};  // expansion
+  hidden.unit = added_by(hidden, plan, plan);
+  return hidden;
 }
 
 Track unit_track(const Base& base, const Plan& plan, double time_constant_s) {

@@ -34,6 +34,10 @@ inline constexpr std::array<std::string_view, 10> kHidden{
 // logarithm. The gain is 1.
 Hidden drawn_effect(std::string_view effect, const Plan& plan, double row_s, Chance& chance);
 
+// What an effect with these parameters adds on a plan, its gain included. A temperature at which something happens is
+// that of `first`, the plan on which the parameters were drawn: its rise there.
+Track added_by(const Hidden& hidden, const Plan& plan, const Plan& first);
+
 // What the user's model has right, gain and time constant free.
 struct Base {
   std::string effect;  // empty: a constant alone

@@ -12,6 +12,10 @@ double value_at(const Track& track, double time_s) {
   return track[static_cast<std::size_t>(held_s)];
 }
 
+double sample_of(const Conventions& conventions) {
+  return static_cast<double>(conventions.logging != Logging::exact ? conventions.every_s : conventions.row_s);
+}
+
 }  // namespace
 
 std::vector<double> rows_of(const Plan& plan, std::size_t row_s) {
@@ -28,14 +32,24 @@ std::vector<double> at_rows(const Track& track, const std::vector<double>& time_
   return values;
 }
 
+Clock drawn_clock(const Conventions& conventions, Chance& chance) {
+  const double every_s = sample_of(conventions);
+  const double late_s = every_s * chance.between(0.0, conventions.most_late);
+  return {late_s, chance.between(-every_s, 0.0)};
+}
+
 std::vector<double> logged(const Track& track, Quantity quantity, const std::vector<double>& time_s,
                            const Conventions& conventions, Chance& chance) {
+  const Clock clock = drawn_clock(conventions, chance);
+  return logged(track, quantity, time_s, conventions, clock, chance);
+}
+
+std::vector<double> logged(const Track& track, Quantity quantity, const std::vector<double>& time_s,
+                           const Conventions& conventions, const Clock& clock, Chance& chance) {
   const bool has_own_samples = conventions.logging != Logging::exact;
-  const auto sample_s = static_cast<double>(has_own_samples ? conventions.every_s : conventions.row_s);
-  const double late_s = sample_s * chance.between(0.0, conventions.most_late);
-  const double phase_s = chance.between(-sample_s, 0.0);  // of the first sample; `exact` has those of the rows
+  const double sample_s = sample_of(conventions);
   const auto seen = [&](double at_s) {
-    double value = value_at(track, at_s - late_s);
+    double value = value_at(track, at_s - clock.late_s);
     if (!is_temperature(quantity)) return std::round(value);
     value += conventions.sensor_noise_K * chance.normal();
     const double step = conventions.kelvin_step;
@@ -43,7 +57,7 @@ std::vector<double> logged(const Track& track, Quantity quantity, const std::vec
   };
   std::vector<double> values;
   values.reserve(time_s.size());
-  double last_s = phase_s, last = has_own_samples ? seen(last_s) : 0.0,
+  double last_s = clock.phase_s, last = has_own_samples ? seen(last_s) : 0.0,
          next = has_own_samples ? seen(last_s + sample_s) : 0.0;
   for (const double t : time_s) {
     if (!has_own_samples) {

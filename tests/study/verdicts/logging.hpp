@@ -25,7 +25,16 @@ struct Conventions {
 // Rows at 0, row_s ... up to the span of the plan, s.
 std::vector<double> rows_of(const Plan& plan, std::size_t row_s);
 
+// Of one column, s.
+struct Clock {
+  double late_s = 0.0;   // the same in every run of a machine
+  double phase_s = 0.0;  // of the first sample; `exact` has those of the rows
+};
+Clock drawn_clock(const Conventions& conventions, Chance& chance);
+
 // The column of that track. Temperatures have noise and steps; a speed is whole revolutions, a load whole watts.
+std::vector<double> logged(const Track& track, Quantity quantity, const std::vector<double>& time_s,
+                           const Conventions& conventions, const Clock& clock, Chance& chance);
 std::vector<double> logged(const Track& track, Quantity quantity, const std::vector<double>& time_s,
                            const Conventions& conventions, Chance& chance);
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "another_run.hpp"
 #include "rivals.hpp"
-#include "scene.hpp"
 
 namespace ballbar::verdicts {
 namespace {
@@ -84,6 +84,17 @@ Ideal ideal_of(const std::vector<Hidden>& hidden, std::size_t which, Scene scene
 }  // namespace
 
 Made made(const Recipe& recipe, std::string_view stream, std::uint64_t seed) {
+  Bench bench = bench_of(recipe, stream, seed);
+  for (std::size_t k = 0; k < bench.hidden.size(); ++k) {
+    const Ideal one = ideal_of(bench.hidden, k, bench.scene);
+    if (one.p > bench.made.ideal_p) continue;
+    bench.made.ideal_p = one.p;
+    bench.made.rival = one.rival;
+  }
+  return std::move(bench.made);
+}
+
+Bench bench_of(const Recipe& recipe, std::string_view stream, std::uint64_t seed) {
   Chance chance(stream, seed);
   const std::size_t count = recipe.kind == Kind::nothing ? 0 : recipe.count;
   std::vector<std::string_view> effects;  // drawn first and kept: all alike, however seldom one suits
@@ -116,14 +127,8 @@ Made made(const Recipe& recipe, std::string_view stream, std::uint64_t seed) {
       set.what += (set.what.empty() ? "" : " + ") + described(set.truths.back());
     }
     set.d = recipe.d;
-    for (std::size_t k = 0; k < hidden.size(); ++k) {
-      const Ideal one = ideal_of(hidden, k, scene);
-      if (one.p > set.ideal_p) continue;
-      set.ideal_p = one.p;
-      set.rival = one.rival;
-    }
     set.seed = seed;
-    return set;
+    return {std::move(set), scene, std::move(hidden)};
   }
   throw std::runtime_error(fmt::format("{} seed {}: expected an effect that can be hidden, found none", stream, seed));
 }

@@ -1,6 +1,7 @@
 // A data set with its truth.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -45,14 +46,17 @@ struct Made {
   double ideal_p = 1.0;
   std::string rival;
   std::uint64_t seed = 0;
+  std::array<double, kQuantities> late_s{};  // of the columns' clocks
 };
 
 enum class Kind { nothing, effects };
 enum class Noise { any, ar90, ar98, heavy, coarse };
 
+enum class Course { rich, poor, one_speed };
+
 struct Recipe {
   Kind kind = Kind::effects;
-  bool is_poor = false;
+  Course course = Course::rich;
   std::size_t count = 1;  // of hidden effects
   double d = 10.0;
   Noise noise = Noise::any;

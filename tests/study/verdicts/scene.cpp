@@ -22,6 +22,18 @@ constexpr std::array<std::array<const char*, kQuantities + 1>, 4> kNames{{
 }};
 constexpr std::array kRoles{Role::speed, Role::load, Role::ambient, Role::coolant, Role::housing, Role::bearing};
 
+Plan drawn_plan(Course course, Chance& chance) {
+  switch (course) {
+    case Course::poor:
+      return poor_plan(chance);
+    case Course::one_speed:
+      return one_speed_plan(chance);
+    case Course::rich:
+      break;
+  }
+  return rich_plan(chance);
+}
+
 Scatter drawn_scatter(Noise noise, Chance& chance) {
   if (noise == Noise::any) {
     const double kind = chance.uniform();
@@ -73,7 +85,7 @@ std::vector<double> fake_temperature(const Plan& plan, const std::vector<double>
 
 Scene drawn_scene(const Recipe& recipe, Chance& chance) {
   Scene scene;
-  scene.plan = recipe.is_poor ? poor_plan(chance) : rich_plan(chance);
+  scene.plan = drawn_plan(recipe.course, chance);
   scene.conventions = drawn_conventions(recipe, chance);
   scene.scatter = drawn_scatter(recipe.noise, chance);
   scene.time_s = rows_of(scene.plan, scene.conventions.row_s);
@@ -127,8 +139,10 @@ Made assembled(const Scene& scene, const Track& sum, const std::vector<Quantity>
     const auto quantity = static_cast<Quantity>(k);
     if (quantity == missing) continue;
     const Role role = scene.states_roles ? kRoles[k] : role_from_unit(unit_of(scene.name[k]));
+    const Clock clock = drawn_clock(scene.conventions, chance);
+    made.late_s[k] = clock.late_s;
     made.data.columns.push_back(
-        {scene.name[k], role, logged(scene.plan[quantity], quantity, scene.time_s, scene.conventions, chance)});
+        {scene.name[k], role, logged(scene.plan[quantity], quantity, scene.time_s, scene.conventions, clock, chance)});
   }
   for (std::size_t k = 0; k < recipe.fakes; ++k) {
     made.data.columns.push_back({fmt::format("spare{:02}_degC", k + 1), Role::structure,

@@ -4,8 +4,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "ballbar/diagnosis/verdict/diagnosis.hpp"
-
 namespace ballbar::verdicts {
 namespace {
 
@@ -52,8 +50,14 @@ Said verdict_of(const Made& made) {
   options.search.without = made.without;
   const auto start = std::chrono::steady_clock::now();
   const Diagnosis found = diagnose(made.model, made.data, 0, options);
+  const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  Said said = said_of(found);
+  said.took_s = took_s;
+  return said;
+}
+
+Said said_of(const Diagnosis& found) {
   Said said;
-  said.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   said.word = word_of(found.verdict);
   said.named = members_of(found.named);
   said.probable = members_of(found.probable);

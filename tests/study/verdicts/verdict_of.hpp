@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "made.hpp"
 
 namespace ballbar::verdicts {
@@ -51,5 +52,8 @@ struct Said {
 
 // Of the model's first target.
 Said verdict_of(const Made& made);
+
+// What a diagnosis said.
+Said said_of(const Diagnosis& found);
 
 }  // namespace ballbar::verdicts
