@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "ballbar/error.hpp"
 #include "ballbar/formats/schedules/check_list.hpp"
+#include "ballbar/formats/schedules/dry_run.hpp"
 #include "ballbar/formats/schedules/schedule_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "plan/plan_picture.hpp"
@@ -23,6 +27,16 @@ bool holds_a_plan(const std::filesystem::path& folder) {
   }
 }
 
+// What is handed to a machine has been read back: the speeds and dwells of the schedule, and nothing else.
+void expect_driven(const Schedule& schedule, const DryRun& run, Dialect dialect) {
+  const std::vector<Dwell> expected = driven_dwells(schedule);
+  const bool same = std::equal(run.dwells.begin(), run.dwells.end(), expected.begin(), expected.end(),
+                               [](const Dwell& left, const Dwell& right) {
+                                 return left.duration_s == right.duration_s && left.speed_rpm == right.speed_rpm;
+                               });
+  if (!same) throw std::logic_error(fmt::format("the program for {} is not the schedule", name_of(dialect)));
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> plan_files(const PlanContents& contents) {
@@ -30,7 +44,9 @@ std::vector<std::pair<std::string, std::string>> plan_files(const PlanContents& 
   if (options.title.empty()) options.title = contents.title;
   std::vector<std::pair<std::string, std::string>> files{{kSchedule, write_schedule_csv(contents.schedule)}};
   for (const Dialect dialect : kDialects) {
-    files.emplace_back(file_name_of(dialect), spindle_program(contents.schedule, dialect, options));
+    std::string program = spindle_program(contents.schedule, dialect, options);
+    expect_driven(contents.schedule, dry_run_of(program, dialect, file_name_of(dialect)), dialect);
+    files.emplace_back(file_name_of(dialect), std::move(program));
   }
   files.emplace_back("checklist.txt",
                      check_list(contents.schedule, contents.options, contents.columns_to_log, contents.title));

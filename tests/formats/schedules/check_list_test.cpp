@@ -15,7 +15,7 @@ TEST(check_list, whole) {
   EXPECT_EQ(
       check_list(schedule, {.ballbar = BallbarTest{.every_min = 20.0}}, {"T_room_degC", "speed_rpm"}, "Which\nof two"),
       R"(Which of two
-2 h 2 min in all; the stops for the operator and the ballbar tests come on top.
+2 h 2 min in all; 19 stops for the operator and 8 ballbar tests come on top.
 
 Before
 [ ] The machine has been at rest for a night, powered, in the room of the test.
@@ -56,9 +56,9 @@ After
 
 TEST(check_list, warm_and_without_a_bar) {
   const std::string text = check_list({.dwells = {{.duration_s = 60.0}}, .starts_warm = true}, {}, {}, "");
-  EXPECT_TRUE(
-      text.starts_with("Check list of a thermal test\n1 min in all; the stops for the operator come on top.\n\nBefore\n"
-                       "[ ] The machine still moves from what it did before: begin within minutes of its end.\n"))
+  EXPECT_TRUE(text.starts_with(
+      "Check list of a thermal test\n1 min in all; the program runs through without a stop.\n\nBefore\n"
+      "[ ] The machine still moves from what it did before: begin within minutes of its end.\n"))
       << text;
   EXPECT_EQ(text.find("bar is off"), std::string::npos);
   EXPECT_EQ(text.find("Load, room"), std::string::npos);
