@@ -53,15 +53,8 @@ double start_and_stop(double hours) {
   if (std::fmod(hours, 3.0) >= 1.5 || hours == 0.0) return 0.0;
   return hours < 3.0 ? 5000.0 : 3000.0;
 }
+double rising_room(double hours) { return 20.0 + 0.2 * hours; }
 double wandering_room(double hours) { return 20.0 + std::sin(hours / 0.9); }
-
-std::vector<double> values_of(const Term& term, const std::vector<double>& parameters, const Series& data) {
-  EffectRows rows{data.time_s, {}};
-  for (const std::string& name : term.columns) rows.inputs.emplace_back(find_column(data, name)->values);
-  std::vector<double> values(data.time_s.size());
-  term.effect->evaluate(rows, parameters.data(), values.data(), nullptr);
-  return values;
-}
 
 // The competitors fitted alone, all of them equivalent, the likeliest first.
 Diagnosis undecided(const Model& model, const Series& data, const std::vector<Term>& competitors) {

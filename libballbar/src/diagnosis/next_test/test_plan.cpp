@@ -59,15 +59,17 @@ struct Outcome {
   bool right = false, wrong = false;
 };
 
-Outcome outcome_of(const std::vector<BoundEffect>& truth, bool slow, const Diagnosis& found) {
+// What needs nothing but time is never named: a truth is told where all the rest of it is.
+Outcome outcome_of(const std::vector<BoundEffect>& truth, const Diagnosis& found) {
   const auto is_in = [](const std::vector<BoundEffect>& all, const BoundEffect& one) {
     return std::find(all.begin(), all.end(), one) != all.end();
   };
   Outcome outcome;
   for (const BoundEffect& named : found.named) outcome.wrong = outcome.wrong || !is_in(truth, named);
-  const bool all =
-      std::all_of(truth.begin(), truth.end(), [&](const BoundEffect& one) { return is_in(found.named, one); });
-  outcome.right = !outcome.wrong && all && (!truth.empty() || slow);
+  const bool all = std::all_of(truth.begin(), truth.end(), [&](const BoundEffect& one) {
+    return one.effect->time_only || is_in(found.named, one);
+  });
+  outcome.right = !outcome.wrong && all;
   return outcome;
 }
 
@@ -136,7 +138,7 @@ class Design {
     how.most_rows = kRowsSimulated;
     try {
       const Diagnosis found = diagnose(with_run_terms(model_, all), all, target_index_, how);
-      return outcome_of(truths_->effects_of(truth), truth.slow, found);
+      return outcome_of(truths_->effects_of(truth), found);
     } catch (const Error&) {
       return {};  // a run that cannot be diagnosed decides nothing
     }
@@ -185,14 +187,15 @@ std::vector<ExpectedTest> tests_of(const Design& design, const std::vector<MenuI
   }
   std::stable_sort(longest.begin(), longest.end(), is_better);
   for (std::size_t k = 0; k < longest.size(); ++k) {
-    if (longest[k].p_right > 0.0 && k < kKindsKept) {
-      const std::vector<const MenuItem*>& items = kinds[longest[k].kind];
-      for (std::size_t i = 0; i + 1 < items.size(); ++i) {
-        design.tell(fmt::format("simulating {:g} h of {}", items[i]->hours, items[i]->kind));
-        all.push_back(design.expected(*items[i], few));
-      }
-    }
+    // Where hours are enough, fewer may be: as long as they are.
+    const std::vector<const MenuItem*>& items = kinds[longest[k].kind];
+    bool enough = k < kKindsKept && longest[k].p_right >= kSureEnough;
     all.push_back(std::move(longest[k]));
+    for (std::size_t i = items.size() - 1; i-- > 0 && enough;) {
+      design.tell(fmt::format("simulating {:g} h of {}", items[i]->hours, items[i]->kind));
+      all.push_back(design.expected(*items[i], few));
+      enough = all.back().p_right >= kSureEnough;
+    }
   }
   // What is promised comes from other truths than the choice; where it falls short the next is looked at as well.
   const std::vector<Truth> fresh = design.drawn(kTruths, 1);
