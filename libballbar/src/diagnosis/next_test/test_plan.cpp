@@ -20,6 +20,7 @@
 #include "diagnosis/next_test/menu.hpp"
 #include "diagnosis/next_test/planned_inputs.hpp"
 #include "diagnosis/next_test/truths.hpp"
+#include "diagnosis/verdict/diagnosis_at.hpp"
 #include "numerics/random_streams.hpp"
 #include "series/resolution.hpp"
 
@@ -30,6 +31,7 @@ constexpr std::size_t kScreened = 8;  // truths for a first look at a test
 constexpr std::size_t kTruths = 24;   // for what is promised
 constexpr std::size_t kKindsKept = 2;
 constexpr std::size_t kSurrogatesSimulated = 50;
+constexpr std::size_t kSlowStride = 6;       // of the covariances with a slow curve one in so many
 constexpr std::size_t kRowsSimulated = 500;  // of the target that each diagnosis weighs
 
 Model without_unknown(const Model& model, const Series& data) {
@@ -87,6 +89,7 @@ class Design {
     truths_.emplace(weighed_);
     planned_ = std::make_unique<PlannedInputs>(data_, target_);
     resolution_um_ = resolution_of(find_column(data_, target_)->values);
+    covariances_ = simulated_covariances();
   }
 
   bool can_draw() const { return truths_.has_value(); }
@@ -129,6 +132,28 @@ class Design {
   }
 
  private:
+  // Those that the data make likely, and a few with a slow curve, so that a simulated run may find one.
+  std::vector<Covariance> simulated_covariances() const {
+    std::vector<Covariance> chosen;
+    std::size_t slow = 0;
+    for (const Covariance& one : weighed_.problem->covariances) {
+      const bool is_likely =
+          std::any_of(weighed_.posterior.points.begin(), weighed_.posterior.points.end(), [&](const Point& point) {
+            const Covariance& there = point.covariance;
+            return there.white == one.white && there.time_s == one.time_s && there.slow == one.slow &&
+                   there.slow_time_s == one.slow_time_s;
+          });
+      if (is_likely || (one.slow > 0.0 && slow++ % kSlowStride == 0)) chosen.push_back(one);
+    }
+    // Those that are left share the whole, without and with a slow curve.
+    double without = 0.0, with = 0.0;
+    for (const Covariance& one : chosen) (one.slow > 0.0 ? with : without) += 1.0;
+    for (Covariance& one : chosen) {
+      one.log_prior = std::log(one.slow > 0.0 ? kPriorOfDiscrepancy / with : (1.0 - kPriorOfDiscrepancy) / without);
+    }
+    return chosen;
+  }
+
   Outcome outcome(const Schedule& schedule, const Truth& truth, std::mt19937_64& random) const {
     const Series all = with_run(data_, simulated(schedule, truth, random));
     DiagnosisOptions how;
@@ -137,7 +162,7 @@ class Design {
     how.surrogates = kSurrogatesSimulated;
     how.most_rows = kRowsSimulated;
     try {
-      const Diagnosis found = diagnose(with_run_terms(model_, all), all, target_index_, how);
+      const Diagnosis found = diagnosis_at(with_run_terms(model_, all), all, target_index_, how, covariances_);
       return outcome_of(truths_->effects_of(truth), found);
     } catch (const Error&) {
       return {};  // a run that cannot be diagnosed decides nothing
@@ -153,6 +178,7 @@ class Design {
   std::optional<Truths> truths_;
   std::unique_ptr<PlannedInputs> planned_;
   double resolution_um_ = 0.0;
+  std::vector<Covariance> covariances_;
 };
 
 bool is_better(const ExpectedTest& a, const ExpectedTest& b) {

@@ -10,6 +10,7 @@
 #include "diagnosis/posterior/set_at.hpp"
 #include "diagnosis/posterior/weighed.hpp"
 #include "diagnosis/signatures/detectability.hpp"
+#include "diagnosis/verdict/diagnosis_at.hpp"
 #include "diagnosis/verdict/fitted_set.hpp"
 #include "diagnosis/verdict/gains_by_run.hpp"
 #include "diagnosis/verdict/probabilities.hpp"
@@ -43,9 +44,11 @@ Noise noise_of(const Covariance& covariance, double variance) {
 
 class Decision {
  public:
-  Decision(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options)
+  Decision(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
+           const std::vector<Covariance>& covariances)
       : model_(model), options_(options) {
     ProblemOptions how;
+    how.covariances = covariances;
     how.catalogue = options.search.catalogue;
     how.signatures.motion = options.search.motion;
     how.signatures.without = options.search.without;
@@ -296,7 +299,12 @@ std::string_view name_of(Verdict verdict) {
 }
 
 Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options) {
-  return Decision(model, data, target, options).run();
+  return diagnosis_at(model, data, target, options, {});
+}
+
+Diagnosis diagnosis_at(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
+                       const std::vector<Covariance>& covariances) {
+  return Decision(model, data, target, options, covariances).run();
 }
 
 }  // namespace ballbar
