@@ -65,6 +65,7 @@ std::string body_text() {
 
 std::string keys_text(std::string_view name) {
   if (name == "session.toml") return text_of(session_keys());
+  if (name == "runs") return text_of(runs_keys());
   if (name == "ballbar log") return text_of(log_keys());
   if (name == "b5r") return text_of(b5r_keys());
   if (name == "series") return text_of(series_keys());
@@ -168,7 +169,7 @@ bool defaults_hold() {
 }
 
 constexpr std::string_view kBegin = "<!-- keys of ", kBeginEnd = " -->\n", kEnd = "<!-- end of keys -->";
-constexpr std::size_t kTables = 12;
+constexpr std::size_t kTables = 13;
 
 int held(const std::filesystem::path& path, bool update) {
   const std::string page = read_bytes(path, kLargestText);
