@@ -73,7 +73,7 @@ std::vector<double> fake_temperature(const Plan& plan, const std::vector<double>
 
 Scene drawn_scene(const Recipe& recipe, Chance& chance) {
   Scene scene;
-  scene.plan = recipe.is_poor ? poor_plan(chance) : rich_plan(chance);
+  scene.plan = recipe.is_poor ? poor_plan(chance) : rich_plan(chance, recipe.hours);
   scene.conventions = drawn_conventions(recipe, chance);
   scene.scatter = drawn_scatter(recipe.noise, chance);
   scene.time_s = rows_of(scene.plan, scene.conventions.row_s);

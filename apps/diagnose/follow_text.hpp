@@ -1,0 +1,18 @@
+// What `diagnose --follow` prints: a row a look, then what is decided.
+#pragma once
+
+#include <string>
+
+#include "ballbar/diagnosis/follow/follow.hpp"
+
+namespace ballbar {
+
+void print_follow_heading(const std::string& name, const std::string& target);
+
+// The last look.
+void print_look(const FollowState& state, bool json);
+
+// `command`: to paste next, or empty.
+void print_outcome(const FollowState& state, const std::string& command, bool json);
+
+}  // namespace ballbar
