@@ -63,6 +63,7 @@ void run_on_circles(Options options) {
 }
 
 void run(const Options& options) {
+  expect_follow(options.follow);
   if (options.follow.follow) {
     follow(options.model, options.how, options.follow, options.json);
     return;

@@ -25,6 +25,7 @@
 namespace ballbar {
 namespace {
 
+constexpr double kEvery_s = 1.0;   // between looks at the file
 constexpr double kPause_s = 0.05;  // in which a signal is heard
 
 volatile std::sig_atomic_t g_end_asked = 0;
@@ -73,6 +74,16 @@ std::size_t values_in(const Series& data, const std::string& target) {
       std::count_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); }));
 }
 
+// Without names that are not decided.
+Diagnosis with_names(Diagnosis diagnosis, const std::vector<std::string>& decided) {
+  const auto is_open = [&](const std::string& label) {
+    return std::find(decided.begin(), decided.end(), label) == decided.end();
+  };
+  std::erase_if(diagnosis.named, [&](const BoundEffect& bound) { return is_open(label_of(bound)); });
+  std::erase_if(diagnosis.own, [&](const OwnValue& own) { return is_open(label_of(own)); });
+  return diagnosis;
+}
+
 // The looks so far, and how many lines the next one takes.
 class Following {
  public:
@@ -98,7 +109,6 @@ class Following {
     }
     if (!has_ended())
       lines_needed_ = log.lines() + values_of_look(state_.looks.size()) - std::min(values, next_values());
-    lines_ = log.lines();
   }
 
   void wait(const GrowingLog& log) const {
@@ -106,10 +116,13 @@ class Following {
   }
 
   void sum() const {
-    const bool decided = state_.outcome == Outcome::decided && last_ && !state_.looks.back().sure.empty();
-    const std::string command =
-        last_ && (decided || state_.outcome != Outcome::decided) ? next_command(options_, *last_) : "";
-    print_outcome(state_, command, json_);
+    const std::optional<Diagnosis>& shown = decided_ ? decided_ : last_;
+    const bool can_be_typed = shown && options_.data.front() != "-";
+    print_outcome(state_,
+                  !can_be_typed ? NextStep{}
+                  : decided_    ? NextStep{next_command(options_, *shown), next_hint(options_, *shown)}
+                                : NextStep{diagnose_command(options_, shown->target), ""},
+                  json_);
   }
 
  private:
@@ -128,6 +141,7 @@ class Following {
     try {
       last_ = diagnose(log.model, data, 0, how);
       state_ = followed(std::move(state_), *last_, values, hours);
+      if (state_.outcome == Outcome::decided && !decided_) decided_ = with_names(*last_, state_.decided);
     } catch (const Error& error) {
       last_.reset();
       state_ = followed(std::move(state_), error.what(), values, hours);
@@ -139,29 +153,35 @@ class Following {
   const DiagnoseOptions& how_;
   bool keep_ = false, json_ = false, has_opened_ = false;
   FollowState state_;
-  std::optional<Diagnosis> last_;  // of the last look
-  std::size_t lines_needed_ = kFirstLook, lines_ = 0;
+  std::optional<Diagnosis> last_, decided_;  // of the last look; where it was decided, with those names alone
+  std::size_t lines_needed_ = kFirstLook;
 };
 
 }  // namespace
 
 void add_follow_options(CLI::App& command, FollowOptions& options) {
-  CLI::Option* follow =
-      command.add_flag("--follow", options.follow, "look at a log that grows again and again, until it is decided");
+  command.add_flag("--follow", options.follow, "look at a log that grows again and again, until it is decided");
   command
-      .add_option("--hours", options.planned_hours, "with --follow: how long the run is to be; default: twice as long")
+      .add_option("--hours", options.planned_hours,
+                  "with --follow: how long the run is to be; where that will be too short, it is said")
       ->type_name("H")
-      ->check(number_above_0())
-      ->needs(follow);
-  CLI::Option* every =
-      command.add_option("--every", options.every_s, "with --follow: between looks at the file; default: 1s");
-  take_time(*every, true);
-  every->needs(follow);
-  CLI::Option* patience = command.add_option("--patience", options.patience_s,
-                                             "with --follow: end where nothing more came for so long; default: never");
-  take_time(*patience, false);
-  patience->needs(follow);
-  command.add_flag("--keep", options.keep, "with --follow: go on once it is decided, or will not be")->needs(follow);
+      ->check(number_above_0());
+  take_time(*command.add_option("--every", options.every_s, "with --follow: between looks at the file; default: 1s"),
+            true);
+  take_time(*command.add_option("--patience", options.patience_s,
+                                "with --follow: end where nothing more came for so long; default: never"),
+            false);
+  command.add_flag("--keep", options.keep, "with --follow: go on once it is decided, or will not be");
+}
+
+void expect_follow(const FollowOptions& options) {
+  const auto expect = [&](bool given, const char* option) {
+    if (given && !options.follow) throw CLI::ValidationError(fmt::format("{}: expected --follow with it", option));
+  };
+  expect(options.planned_hours.has_value(), "--hours");
+  expect(options.every_s.has_value(), "--every");
+  expect(options.patience_s.has_value(), "--patience");
+  expect(options.keep, "--keep");
 }
 
 void follow(const ModelOptions& model, const DiagnoseOptions& how, const FollowOptions& options, bool json) {
@@ -172,6 +192,7 @@ void follow(const ModelOptions& model, const DiagnoseOptions& how, const FollowO
   GrowingLog log(model.data.front());
   Following following(model, how, options, json);
   end_at_signals();
+  const double every_s = options.every_s.value_or(kEvery_s);
   double silent_s = 0.0;
   while (true) {
     const bool has_grown = log.take();
@@ -180,7 +201,7 @@ void follow(const ModelOptions& model, const DiagnoseOptions& how, const FollowO
     if (has_grown) silent_s = 0.0;
     if (!has_grown && options.patience_s && silent_s >= *options.patience_s) break;
     following.wait(log);
-    const double pause_s = options.patience_s ? std::min(options.every_s, *options.patience_s) : options.every_s;
+    const double pause_s = std::min(every_s, options.patience_s.value_or(every_s));
     for (double waited_s = 0.0; waited_s < pause_s && g_end_asked == 0; waited_s += kPause_s) {
       usleep(static_cast<useconds_t>(1e6 * std::min(kPause_s, pause_s - waited_s)));
     }

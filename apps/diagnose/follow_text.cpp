@@ -61,18 +61,17 @@ void print_look(const FollowState& state, bool json) {
   std::fflush(stdout);
 }
 
-void print_outcome(const FollowState& state, const std::string& command, bool json) {
+void print_outcome(const FollowState& state, const NextStep& next, bool json) {
   if (json) {
-    nlohmann::ordered_json row{{"outcome", name_of(state.outcome)},
-                               {"decided", state.decided},
-                               {"sentence", outcome_text(state)},
-                               {"error", error_text()},
-                               {"command", command}};
+    nlohmann::ordered_json row{{"outcome", name_of(state.outcome)}, {"decided", state.decided},
+                               {"sentence", outcome_text(state)},   {"error", error_text()},
+                               {"command", next.command},           {"hint", next.hint}};
     fmt::print("{}\n", row.dump());
     return;
   }
   fmt::print("{}{}", state.looks.empty() ? "" : "\n", wrapped(outcome_text(state)));
-  if (!command.empty()) fmt::print("\n{}\n", command);
+  if (!next.command.empty()) fmt::print("\n{}\n", next.command);
+  if (!next.hint.empty()) fmt::print("\n{}", wrapped(next.hint));
   fmt::print("\n{}", wrapped(error_text() + " ln B: ln of that ratio."));
 }
 

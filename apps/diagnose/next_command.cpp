@@ -40,10 +40,11 @@ std::string word_of(const BoundEffect& bound) { return word_of(label_of(bound), 
 
 std::string word_of(const Term& term) { return word_of(label_of(term), term.columns); }
 
-// Empty where there is no effect, or one that cannot be typed.
+// Empty where there is no effect to a verb that takes some, or one that cannot be typed.
 std::string command_of(const std::string& verb, const std::vector<std::string>& effects, const ModelOptions& options,
                        const std::string& target) {
-  if (effects.empty() || std::find(effects.begin(), effects.end(), "") != effects.end()) return "";
+  const bool lacks_one = effects.empty() && verb != "diagnose";
+  if (lacks_one || std::find(effects.begin(), effects.end(), "") != effects.end()) return "";
   std::vector<std::string> words{"ballbar", verb};
   words.insert(words.end(), effects.begin(), effects.end());
   for (const std::string& file : options.data) words.push_back(shell_word(file.starts_with('-') ? "./" + file : file));
@@ -104,6 +105,10 @@ std::string add_command(const ModelOptions& options, const EffectTest& tried) {
   const std::size_t first = tried.model.terms.size() - tried.added.size();
   for (std::size_t k = first; k < tried.model.terms.size(); ++k) words.push_back(word_of(tried.model.terms[k]));
   return command_of("add", words, options, tried.after.target);
+}
+
+std::string diagnose_command(const ModelOptions& options, const std::string& target) {
+  return command_of("diagnose", {}, options, target);
 }
 
 std::string next_hint(const ModelOptions& options, const Diagnosis& found) {

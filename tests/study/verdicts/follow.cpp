@@ -1,7 +1,7 @@
 // Runs of 24 h that are looked at while they grow, by data of the study's own: what is decided falsely, rightly, and
 // when.
 //
-//   study_follow [N [HOURS [CELL...]]] [--first SEED] [--every-look] [--verbose]
+//   study_follow [N [HOURS [CELL...]]] [--first SEED] [--every-look] [--verbose] [--looks]
 //
 // N seeds a cell (24), runs of HOURS (24). Fails where more than 2 % of the runs of cells in which nothing is hidden
 // come to a decision, beyond what chance makes of so few. A decision needs three looks in a row, so that of cells in
@@ -12,7 +12,7 @@
 //   B          at some look the readings were so much more likely with something
 //   named      at some look the verdict was `named`: what is said without the rule (of the looks made)
 //   stop 24    said that it will not be decided, the planned end given;   then: decided after all
-//   stop 2x    the same without a planned end
+//   no end     the same without a planned end
 #include "ballbar/diagnosis/follow/follow.hpp"
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ struct Options {
   std::uint64_t count = 24, first = 1;
   double hours = 24.0;
   std::vector<std::string> cells;
-  bool makes_all_looks = false, is_verbose = false;
+  bool makes_all_looks = false, is_verbose = false, shows_looks = false;
 };
 
 struct Cell {
@@ -165,6 +165,14 @@ void count(const Cell& cell, std::uint64_t seed, const Options& options, Counts&
   if (stopped_h) counts.stop_h.push_back(*stopped_h);
   if (!options.is_verbose) return;
   double most = 0.0;
+  for (const ballbar::Look& look : state.looks) {
+    if (!options.shows_looks) break;
+    fmt::print("    {:>6} {:5.2f} h ln B {:6.1f}", look.values, look.hours, look.log_bayes_factor);
+    for (std::size_t k = 0; k < std::min<std::size_t>(4, look.hypotheses.size()); ++k) {
+      fmt::print("  {:.3f} {}", look.hypotheses[k].p, look.hypotheses[k].label);
+    }
+    fmt::print("  {} {} {}\n", ballbar::name_of(look.verdict), look.why_stop, look.fault);
+  }
   for (const ballbar::Look& look : state.looks) most = std::max(most, look.log_bayes_factor);
   fmt::print("  {:>4} {} | {} | ln B at most {:.1f} | stop {:.1f} {:.1f} h | {}\n", seed, made.what,
              is_decided ? (is_right ? "right" : "WRONG") : "-", most, stopped_h.value_or(NAN),
@@ -247,6 +255,8 @@ Options options_of(const std::vector<std::string>& words) {
   for (std::size_t k = 0; k < words.size(); ++k) {
     if (words[k] == "--every-look") {
       options.makes_all_looks = true;
+    } else if (words[k] == "--looks") {
+      options.is_verbose = options.shows_looks = true;
     } else if (words[k] == "--verbose") {
       options.is_verbose = true;
     } else if (words[k] == "--first" && k + 1 < words.size()) {
@@ -274,7 +284,7 @@ std::size_t most_false(std::size_t runs) {
 
 bool study(const Options& options) {
   fmt::print("{:<22} {:>5} {:>8} {:>6} {:>6} {:>6} {:>4} {:>6} {:>8} {:>5} {:>5} {:>8} {:>5}\n", "cell", "runs",
-             "decided", "right", "wrong", "at h", "B", "named", "stop 24", "at h", "then", "stop 2x", "then");
+             "decided", "right", "wrong", "at h", "B", "named", "stop 24", "at h", "then", "no end", "then");
   std::size_t runs = 0, falsely = 0;
   for (const Cell& cell : cells(options.hours)) {
     const bool wanted = options.cells.empty() ||

@@ -21,22 +21,26 @@ std::vector<Hypothesis> hypotheses_of(const Diagnosis& diagnosis) {
   result.reserve(diagnosis.effects.size() + diagnosis.own.size());
   for (const EffectProbability& one : diagnosis.effects) result.push_back({label_of(one.bound), one.p});
   for (const OwnValue& own : diagnosis.own) {
-    result.push_back({fmt::format("{} of {}", own.parameter, own.effect), own.p});
+    result.push_back({label_of(own), own.p});
   }
   std::stable_sort(result.begin(), result.end(), [](const Hypothesis& a, const Hypothesis& b) { return a.p > b.p; });
   return result;
 }
 
+constexpr double kSure = 1.0 - kFalselyDecided;
+
+bool is_likely(const Diagnosis& diagnosis) { return diagnosis.log_bayes_factor >= least_log_bayes_factor(); }
+
 // Labels that all tests name, and that are as sure as a run that is looked at often needs.
 std::vector<std::string> sure_of(const Diagnosis& diagnosis, const std::vector<Hypothesis>& hypotheses) {
-  if (diagnosis.verdict != Verdict::named || diagnosis.log_bayes_factor < least_log_bayes_factor()) return {};
+  if (diagnosis.verdict != Verdict::named || !is_likely(diagnosis)) return {};
   std::vector<std::string> named;
   named.reserve(diagnosis.named.size() + diagnosis.own.size());
   for (const BoundEffect& bound : diagnosis.named) named.push_back(label_of(bound));
-  for (const OwnValue& own : diagnosis.own) named.push_back(fmt::format("{} of {}", own.parameter, own.effect));
+  for (const OwnValue& own : diagnosis.own) named.push_back(label_of(own));
   std::vector<std::string> sure;
   for (const Hypothesis& one : hypotheses) {
-    if (one.p >= 1.0 - kFalselyDecided && is_in(named, one.label)) sure.push_back(one.label);
+    if (one.p >= kSure && is_in(named, one.label)) sure.push_back(one.label);
   }
   return sure;
 }
@@ -71,6 +75,8 @@ FollowState with_look(FollowState state, Look look) {
 }
 
 }  // namespace
+
+std::string label_of(const OwnValue& own) { return fmt::format("{} of {}", own.parameter, own.effect); }
 
 std::string_view name_of(Outcome outcome) {
   switch (outcome) {
@@ -108,6 +114,8 @@ FollowState followed(FollowState state, const Diagnosis& diagnosis, std::size_t 
   look.log_bayes_factor = diagnosis.log_bayes_factor;
   look.hypotheses = hypotheses_of(diagnosis);
   look.sure = sure_of(diagnosis, look.hypotheses);
+  const bool would_be = is_likely(diagnosis) && !look.hypotheses.empty() && look.hypotheses.front().p >= kSure;
+  if (would_be && look.sure.empty()) look.doubts = diagnosis.reasons;
   return with_look(std::move(state), std::move(look));
 }
 

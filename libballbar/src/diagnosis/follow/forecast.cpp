@@ -38,7 +38,7 @@ std::size_t look_of_half(const std::vector<Look>& looks) {
 // The label that is as probable as the first, and has been since there were half of the values; empty: none.
 std::string twin_of_first(const std::vector<Look>& looks, std::size_t half) {
   const Look& now = looks.back();
-  if (now.log_bayes_factor < least_log_bayes_factor() || now.hypotheses.empty() || best_p(now) >= 1.0 - kTwinNow) {
+  if (now.p_nothing > kNothing || now.hypotheses.empty() || best_p(now) >= 1.0 - kTwinNow) {
     return "";
   }
   const std::string& first = now.hypotheses.front().label;
@@ -62,10 +62,7 @@ double at_most(double before, double now, double further) {
   return now + further * gained + kForecastSigmas * std::sqrt((further * further + further) * (2.0 * gained + 1.0));
 }
 
-std::string end_text(const FollowState& state, double end_h) {
-  return fmt::format("by {}{}", duration_text(3600.0 * end_h),
-                     state.planned_hours ? ", the planned end," : ", twice as long as so far,");
-}
+std::string end_text(double end_h) { return fmt::format("by {}, the planned end,", duration_text(3600.0 * end_h)); }
 
 }  // namespace
 
@@ -81,21 +78,22 @@ std::string why_it_stays_open(const FollowState& state) {
                        now.hypotheses.front().label, twin);
   }
   const Look& then = state.looks[half];
-  const double end_h = state.planned_hours.value_or(2.0 * now.hours);
-  if (!then.fault.empty() || 2.0 * now.hours < end_h || !(now.hours > then.hours)) return "";
+  if (!state.planned_hours || 2.0 * now.hours < *state.planned_hours) return "";
+  const double end_h = *state.planned_hours;
+  if (!then.fault.empty() || !(now.hours > then.hours)) return "";
   const double further = std::max(0.0, end_h - now.hours) / (now.hours - then.hours);
   const double most = at_most(then.log_bayes_factor, now.log_bayes_factor, further);
   if (most < least_log_bayes_factor()) {
     return fmt::format(
         "As it goes, the readings will {} be at most {:.2g} times as likely with something missing as "
         "with nothing; {:.0f} times are needed.",
-        end_text(state, end_h), std::exp(most), std::exp(least_log_bayes_factor()));
+        end_text(end_h), std::exp(most), std::exp(least_log_bayes_factor()));
   }
   if (now.hypotheses.empty()) return "";
   const double most_odds = at_most(log_odds(best_p(then)), log_odds(best_p(now)), further);
   if (most_odds >= log_odds(1.0 - kFalselyDecided)) return "";
   return fmt::format("As it goes, P of {}, the most probable, will {} be at most {:.2f}; {:.2f} is needed.",
-                     now.hypotheses.front().label, end_text(state, end_h), 1.0 / (1.0 + std::exp(-most_odds)),
+                     now.hypotheses.front().label, end_text(end_h), 1.0 / (1.0 + std::exp(-most_odds)),
                      1.0 - kFalselyDecided);
 }
 

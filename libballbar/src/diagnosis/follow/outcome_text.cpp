@@ -40,11 +40,12 @@ std::string outcome_text(const FollowState& state) {
     return fmt::format("Stop, it will not be decided in this run, {}. {}", place_of(last), last.why_stop);
   }
   if (!last.fault.empty()) return fmt::format("Not decided {}. {}", place_of(last), last.fault);
-  return fmt::format("Not decided {}: the verdict on these is {}, P of nothing is {:.2f}{}.", place_of(last),
-                     name_of(last.verdict), last.p_nothing,
-                     last.hypotheses.empty() ? ""
-                                             : fmt::format(", the most probable is {} with {:.2f}",
-                                                           last.hypotheses.front().label, last.hypotheses.front().p));
+  const std::string best = last.hypotheses.empty()
+                               ? ""
+                               : fmt::format(", the most probable is {} with {:.2f}", last.hypotheses.front().label,
+                                             last.hypotheses.front().p);
+  return fmt::format("Not decided {}: P of nothing is {:.2f}{}.{}{}", place_of(last), last.p_nothing, best,
+                     last.doubts.empty() ? "" : " It is not named: ", fmt::join(last.doubts, " "));
 }
 
 std::string error_text() {

@@ -4,23 +4,27 @@
 // one begins to watch, and as many whether it is asked for them after each row or once a day. To look often must not
 // say more that is false. Two bounds hold for all looks together:
 //
-//   Nothing is hidden. Let B be how much more likely the readings are with something than with nothing
-//   (Diagnosis::log_bayes_factor). Where nothing is hidden its mean is at most 1 at each look, so that B >= 5000 in at
-//   most one of 5000 looks of runs (Markov), and at any of the 100 looks in at most 100 / 5000 = 2 % of runs. No more
-//   is asked of the looks: they may depend on each other, and priors may change from one to the next. Something else is
-//   hidden. A posterior does not depend on why one stopped: an effect that is decided at P >= 0.98 is another one in at
-//   most 2 % of runs.
 //
-// As far as the likelihood is right; tests/study/verdicts counts it. Decided is therefore what at three looks in a row
-// is named by all tests, of P >= 0.98, with B >= 5000.
+// Nothing is hidden. Let B be how much more likely the readings are with something than with nothing
+// (Diagnosis::log_bayes_factor). Where nothing is hidden its mean is at most 1 at each look, so that B >= 5000 in at
+// most one of 5000 runs at a look (Markov), and in at most 100 / 5000 = 2 % of runs at any of 100 looks. No more is
+// asked of the looks: they may depend on each other, and priors may change from one to the next.
 //
-// It will not be decided in this run (said of what came so far, an effect that acts later is not known) where at three
-// looks in a row
-//   two rivals are alike: the odds of the first and of another one, of P >= 0.1, moved by less than 0.2 of their ln
-//   while the values doubled, and B >= 5000: a sensor that is logged twice; or ln B, or ln of the odds of the first
-//   against all others, would not come that far by the planned end. With v now, D gained since there were half of the
-//   values, and f the time that is left over the time since then, it comes to at most v + f D + 2 sqrt((f^2 + f) (2 D +
-//   1)); the variance of ln of odds that grow by D is 2 D. Not said before half of the planned time.
+// Something else is hidden. A posterior does not depend on why one stopped: what is decided at P >= 0.98 is another
+// effect in at most 2 % of runs.
+//
+// That is so as far as the likelihood is right; tests/study/verdicts/follow.cpp counts it. Decided is what at three
+// looks in a row is named by all tests, of P >= 0.98, with B >= 5000.
+//
+// It will not be decided in this run, where at three looks in a row two rivals are alike: nothing is improbable, and
+// the odds of the first and of another one, of P >= 0.1, moved by less than 0.2 of their ln while the values doubled; a
+// sensor that is logged twice is the plainest case. Or, where the planned end is known and half of that time is over,
+// ln B or ln of the odds of the first against all others would not come far enough by then. With v now, D gained since
+// there were half of the values, and f the time that is left over the time since then, it comes to at most
+//
+//   v + f D + 2 sqrt((f^2 + f) (2 D + 1)):
+//
+// ln of odds that grow by D has a variance of 2 D. An effect that acts later only is not foreseen.
 #pragma once
 
 #include <cstddef>
@@ -40,8 +44,9 @@ std::size_t values_of_look(std::size_t look);
 // The rows up to that value of the target; all where there are fewer.
 Series first_rows(const Series& data, const std::string& target, std::size_t values);
 
-// An effect, or a value that the model holds ("exponent of speed_heating(speed_rpm)"), and P that it is missing or
-// another.
+std::string label_of(const OwnValue& own);  // "exponent of speed_heating(speed_rpm)"
+
+// An effect, or a value that the model holds, and P that it is missing or another.
 struct Hypothesis {
   std::string label;
   double p = 0.0;
@@ -55,6 +60,7 @@ struct Look {
   double log_bayes_factor = 0.0;
   std::vector<Hypothesis> hypotheses;  // the most probable first
   std::vector<std::string> sure;       // labels that count towards a decision
+  std::vector<std::string> doubts;     // why what is as sure is not among them, sentences
   std::string why_stop;                // a sentence; empty: it may be decided yet
   std::string fault;                   // why there is no diagnosis, a sentence; empty: there is
 };
@@ -63,7 +69,7 @@ enum class Outcome { open, decided, undecidable };
 std::string_view name_of(Outcome outcome);
 
 struct FollowState {
-  std::optional<double> planned_hours;  // without: twice as long as so far
+  std::optional<double> planned_hours;  // without: no end is forecast
   std::vector<Look> looks;
   Outcome outcome = Outcome::open;   // decided stays
   std::vector<std::string> decided;  // labels
