@@ -102,6 +102,7 @@ class Following {
     const std::string& target = opened_log.model.targets.front();
     expect_one_target_to_follow(opened_log.model);
     if (!std::exchange(has_opened_, true) && !json_) print_follow_heading(options_.data.front(), target);
+    state_.logged_twice = columns_logged_twice(opened_log.data.series);
     const std::size_t values = values_in(opened_log.data.series, target);
     while (!has_ended() && g_end_asked == 0 && values_of_look(state_.looks.size()) <= values) {
       diagnose_first(opened_log, values_of_look(state_.looks.size()));

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,7 +11,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
+#include <filesystem>
 #include <string_view>
 
 #include "ballbar/error.hpp"
@@ -20,14 +21,6 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kPiece = std::size_t{64} << 10;
-
-std::filesystem::path new_folder() {
-  std::string name = (std::filesystem::temp_directory_path() / "ballbar-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) {
-    throw Error(fmt::format("{}: expected a folder to write to, found: {}.", name, std::strerror(errno)));
-  }
-  return name;
-}
 
 std::string shown_name(const std::string& name) { return name == "-" ? "standard input" : name; }
 
@@ -50,14 +43,14 @@ GrowingLog::GrowingLog(const std::string& name) : name_(shown_name(name)) {
     descriptor_ = open(name.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor_ < 0) throw Error(fmt::format("{}: cannot be opened: {}.", name_, std::strerror(errno)));
   }
-  folder_ = new_folder();
-  copy_ = folder_ / "log.csv";
+  copy_descriptor_ = memfd_create("log", MFD_CLOEXEC);
+  if (copy_descriptor_ < 0) throw Error(fmt::format("{}: no memory for it: {}.", name_, std::strerror(errno)));
+  copy_ = fmt::format("/proc/self/fd/{}", copy_descriptor_);
 }
 
 GrowingLog::~GrowingLog() {
-  std::error_code left;  // nothing that anybody could do
-  std::filesystem::remove_all(folder_, left);
   if (descriptor_ > 0) close(descriptor_);
+  if (copy_descriptor_ >= 0) close(copy_descriptor_);
 }
 
 bool GrowingLog::take() {
@@ -92,10 +85,13 @@ void GrowingLog::keep(std::string_view bytes) {
   }
   const std::string_view whole = bytes.substr(0, last + 1);
   lines_ += static_cast<std::size_t>(std::count(whole.begin(), whole.end(), '\n'));
-  std::ofstream file(copy_, std::ios::binary | std::ios::app);
-  file << rest_ << whole;
-  file.close();
-  if (!file) throw Error(fmt::format("{}: expected room to write, found none.", copy_.string()));
+  rest_ += whole;
+  for (std::size_t written = 0; written < rest_.size();) {
+    const ssize_t count = write(copy_descriptor_, rest_.data() + written, rest_.size() - written);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw Error(fmt::format("{}: no memory for it: {}.", name_, std::strerror(errno)));
+    written += static_cast<std::size_t>(count);
+  }
   rest_ = bytes.substr(last + 1);
 }
 
@@ -112,9 +108,8 @@ void GrowingLog::expect_same_file() const {
 }
 
 std::string GrowingLog::with_its_name(std::string text) const {
-  const std::string copy = copy_.string();
-  for (std::size_t at = text.find(copy); at != std::string::npos; at = text.find(copy, at + name_.size())) {
-    text.replace(at, copy.size(), name_);
+  for (std::size_t at = text.find(copy_); at != std::string::npos; at = text.find(copy_, at + name_.size())) {
+    text.replace(at, copy_.size(), name_);
   }
   return text;
 }

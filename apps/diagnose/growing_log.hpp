@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace ballbar {
 
-// Copies what has come, up to the end of the last whole line, to a file of its own, which goes with it.
+// Copies what has come, up to the end of the last whole line, to a file in memory, which goes with the program.
 class GrowingLog {
  public:
   // "-": the standard input. Throws Error where it cannot be opened, or is no text of a row a line.
@@ -20,9 +20,9 @@ class GrowingLog {
   // one has its name.
   bool take();
 
-  bool has_ended() const { return has_ended_; }  // the standard input: no more will come
-  std::size_t lines() const { return lines_; }   // whole ones
-  const std::filesystem::path& copy() const { return copy_; }
+  bool has_ended() const { return has_ended_; }      // the standard input: no more will come
+  std::size_t lines() const { return lines_; }       // whole ones
+  const std::string& copy() const { return copy_; }  // name of that file
 
   // The text with the name of the log where it has that of the copy: of a message.
   std::string with_its_name(std::string text) const;
@@ -32,8 +32,8 @@ class GrowingLog {
   void keep(std::string_view bytes);
 
   std::string name_;
-  int descriptor_ = 0;
-  std::filesystem::path folder_, copy_;
+  int descriptor_ = 0, copy_descriptor_ = -1;
+  std::string copy_;
   std::string rest_;  // of a line that is not whole
   std::size_t lines_ = 0, taken_ = 0;
   bool has_ended_ = false;

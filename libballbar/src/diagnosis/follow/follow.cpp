@@ -16,13 +16,28 @@ bool is_in(const std::vector<std::string>& labels, const std::string& label) {
   return std::find(labels.begin(), labels.end(), label) != labels.end();
 }
 
-std::vector<Hypothesis> hypotheses_of(const Diagnosis& diagnosis) {
+using TwiceLogged = std::map<std::string, std::string>;
+
+std::string once(BoundEffect bound, const TwiceLogged& logged_twice) {
+  for (std::string& column : bound.columns) {
+    if (const auto first = logged_twice.find(column); first != logged_twice.end()) column = first->second;
+  }
+  return label_of(bound);
+}
+
+bool reads_twice_logged(const BoundEffect& bound, const TwiceLogged& logged_twice) {
+  return std::any_of(logged_twice.begin(), logged_twice.end(), [&](const auto& same) {
+    return is_in(bound.columns, same.first) || is_in(bound.columns, same.second);
+  });
+}
+
+std::vector<Hypothesis> hypotheses_of(const Diagnosis& diagnosis, const TwiceLogged& logged_twice) {
   std::vector<Hypothesis> result;
   result.reserve(diagnosis.effects.size() + diagnosis.own.size());
-  for (const EffectProbability& one : diagnosis.effects) result.push_back({label_of(one.bound), one.p});
-  for (const OwnValue& own : diagnosis.own) {
-    result.push_back({label_of(own), own.p});
+  for (const EffectProbability& one : diagnosis.effects) {
+    result.push_back({label_of(one.bound), one.p, once(one.bound, logged_twice)});
   }
+  for (const OwnValue& own : diagnosis.own) result.push_back({label_of(own), own.p, label_of(own)});
   std::stable_sort(result.begin(), result.end(), [](const Hypothesis& a, const Hypothesis& b) { return a.p > b.p; });
   return result;
 }
@@ -32,11 +47,14 @@ constexpr double kSure = 1.0 - kFalselyDecided;
 bool is_likely(const Diagnosis& diagnosis) { return diagnosis.log_bayes_factor >= least_log_bayes_factor(); }
 
 // Labels that all tests name, and that are as sure as a run that is looked at often needs.
-std::vector<std::string> sure_of(const Diagnosis& diagnosis, const std::vector<Hypothesis>& hypotheses) {
+std::vector<std::string> sure_of(const Diagnosis& diagnosis, const std::vector<Hypothesis>& hypotheses,
+                                 const TwiceLogged& logged_twice) {
   if (diagnosis.verdict != Verdict::named || !is_likely(diagnosis)) return {};
   std::vector<std::string> named;
   named.reserve(diagnosis.named.size() + diagnosis.own.size());
-  for (const BoundEffect& bound : diagnosis.named) named.push_back(label_of(bound));
+  for (const BoundEffect& bound : diagnosis.named) {
+    if (!reads_twice_logged(bound, logged_twice)) named.push_back(label_of(bound));
+  }
   for (const OwnValue& own : diagnosis.own) named.push_back(label_of(own));
   std::vector<std::string> sure;
   for (const Hypothesis& one : hypotheses) {
@@ -76,6 +94,20 @@ FollowState with_look(FollowState state, Look look) {
 
 }  // namespace
 
+std::map<std::string, std::string> columns_logged_twice(const Series& data) {
+  const auto is_same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  std::map<std::string, std::string> result;
+  for (std::size_t k = 0; k < data.columns.size(); ++k) {
+    const std::vector<double>& values = data.columns[k].values;
+    const auto first = std::find_if(
+        data.columns.begin(), data.columns.begin() + static_cast<std::ptrdiff_t>(k), [&](const Column& other) {
+          return std::equal(values.begin(), values.end(), other.values.begin(), other.values.end(), is_same);
+        });
+    if (first != data.columns.begin() + static_cast<std::ptrdiff_t>(k)) result[data.columns[k].name] = first->name;
+  }
+  return result;
+}
+
 std::string label_of(const OwnValue& own) { return fmt::format("{} of {}", own.parameter, own.effect); }
 
 std::string_view name_of(Outcome outcome) {
@@ -112,8 +144,8 @@ FollowState followed(FollowState state, const Diagnosis& diagnosis, std::size_t 
   look.verdict = diagnosis.verdict;
   look.p_nothing = diagnosis.p_nothing;
   look.log_bayes_factor = diagnosis.log_bayes_factor;
-  look.hypotheses = hypotheses_of(diagnosis);
-  look.sure = sure_of(diagnosis, look.hypotheses);
+  look.hypotheses = hypotheses_of(diagnosis, state.logged_twice);
+  look.sure = sure_of(diagnosis, look.hypotheses, state.logged_twice);
   const bool would_be = is_likely(diagnosis) && !look.hypotheses.empty() && look.hypotheses.front().p >= kSure;
   if (would_be && look.sure.empty()) look.doubts = diagnosis.reasons;
   return with_look(std::move(state), std::move(look));

@@ -35,23 +35,33 @@ std::size_t look_of_half(const std::vector<Look>& looks) {
   return looks.size();
 }
 
-// The label that is as probable as the first, and has been since there were half of the values; empty: none.
-std::string twin_of_first(const std::vector<Look>& looks, std::size_t half) {
-  const Look& now = looks.back();
-  if (now.p_nothing > kNothing || now.hypotheses.empty() || best_p(now) >= 1.0 - kTwinNow) {
-    return "";
+// Largest less smallest of ln of the odds of two labels, since the look `half`.
+double moved(const std::vector<Look>& looks, std::size_t half, const std::string& first, const std::string& other) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (std::size_t k = half; k < looks.size(); ++k) {
+    const double ratio = std::log(p_of(looks[k], first) / p_of(looks[k], other));
+    if (!std::isfinite(ratio)) return std::numeric_limits<double>::infinity();
+    low = std::min(low, ratio);
+    high = std::max(high, ratio);
   }
-  const std::string& first = now.hypotheses.front().label;
+  return high - low;
+}
+
+// Why another label is as good as the first; empty: none is.
+std::string why_not_the_first(const std::vector<Look>& looks, std::size_t half) {
+  const Look& now = looks.back();
+  if (now.p_nothing > kNothing || now.hypotheses.empty()) return "";
+  const Hypothesis& first = now.hypotheses.front();
   for (const Hypothesis& other : now.hypotheses) {
-    if (other.label == first || other.p < kTwinNow) continue;
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (std::size_t k = half; k < looks.size(); ++k) {
-      const double ratio = std::log(p_of(looks[k], first) / p_of(looks[k], other.label));
-      if (!std::isfinite(ratio)) low = -std::numeric_limits<double>::infinity();
-      low = std::min(low, ratio);
-      high = std::max(high, ratio);
+    if (other.label == first.label) continue;
+    if (other.once == first.once) {
+      return fmt::format("No readings tell {} from {}: the same values are logged twice.", first.label, other.label);
     }
-    if (high - low < kTwinMoves) return other.label;
+    if (half == looks.size() || other.p < kTwinNow || first.p >= 1.0 - kTwinNow) continue;
+    if (moved(looks, half, first.label, other.label) < kTwinMoves) {
+      return fmt::format("The readings do not tell {} from {}: their odds did not move while the values doubled.",
+                         first.label, other.label);
+    }
   }
   return "";
 }
@@ -71,17 +81,15 @@ double least_log_bayes_factor() { return std::log(static_cast<double>(kMostLooks
 std::string why_it_stays_open(const FollowState& state) {
   const Look& now = state.looks.back();
   const std::size_t half = look_of_half(state.looks);
-  if (half == state.looks.size() || !now.fault.empty() || !now.sure.empty()) return "";
-  const std::string twin = twin_of_first(state.looks, half);
-  if (!twin.empty()) {
-    return fmt::format("The readings do not tell {} from {}: their odds did not move while the values doubled.",
-                       now.hypotheses.front().label, twin);
-  }
+  if (!now.fault.empty() || !now.sure.empty()) return "";
+  const std::string alike = why_not_the_first(state.looks, half);
+  if (!alike.empty() || half == state.looks.size()) return alike;
   const Look& then = state.looks[half];
   if (!state.planned_hours || 2.0 * now.hours < *state.planned_hours) return "";
   const double end_h = *state.planned_hours;
   if (!then.fault.empty() || !(now.hours > then.hours)) return "";
-  const double further = std::max(0.0, end_h - now.hours) / (now.hours - then.hours);
+  if (now.hours >= end_h) return fmt::format("The planned end, {}, is over.", duration_text(3600.0 * end_h));
+  const double further = (end_h - now.hours) / (now.hours - then.hours);
   const double most = at_most(then.log_bayes_factor, now.log_bayes_factor, further);
   if (most < least_log_bayes_factor()) {
     return fmt::format(

@@ -118,8 +118,30 @@ TEST(Follow, a_value_that_the_model_holds_is_decided) {
             "(over 99 %).");
 }
 
+// A search may leave unequal what is equal.
+TEST(Follow, values_that_are_logged_twice_are_not_decided) {
+  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+  const Series data{{0, 1, 2},
+                    {{"T_a_degC", Role::structure, {1, kGap, 3}},
+                     {"T_b_degC", Role::structure, {1, kGap, 3}},
+                     {"T_c_degC", Role::structure, {1, 2, 3}}},
+                    {},
+                    {}};
+  FollowState state;
+  state.logged_twice = columns_logged_twice(data);
+  EXPECT_EQ(state.logged_twice, (std::map<std::string, std::string>{{"T_b_degC", "T_a_degC"}}));
+  Diagnosis found = naming({expansion("T_a_degC")});
+  found.effects.push_back({expansion("T_b_degC"), 0.011});
+  const FollowState after_three = after(after(after(state, found), found), found);
+  EXPECT_EQ(after_three.outcome, Outcome::undecidable);
+  EXPECT_EQ(after_three.looks.back().why_stop,
+            "No readings tell expansion(T_a_degC) from expansion(T_b_degC): the same values are logged twice.");
+  found = naming({expansion("T_c_degC")});
+  EXPECT_EQ(after(after(after(state, found), found), found).outcome, Outcome::decided);
+}
+
 // Half of the values of look 9, 132, are those of look 0: looks 9, 10 and 11.
-TEST(Follow, a_sensor_that_is_logged_twice_stops_it) {
+TEST(Follow, rivals_whose_odds_do_not_move_stop_it) {
   FollowState state;
   for (int k = 0; k < 11; ++k) state = after(state, undecided(0.5, 0.48, 3.0));
   EXPECT_EQ(state.outcome, Outcome::open);
@@ -164,6 +186,7 @@ TEST(Follow, a_run_that_is_too_short_stops) {
       "Stop, it will not be decided in this run, after 5 h 17 min, at 317 values. As it goes, the readings will by "
       "7 h 56 min, the planned end, be at most 16 times as likely with something missing as with nothing; 5000 "
       "times are needed.");
+  EXPECT_EQ(flat(3.0, 21, 20.0).looks.back().why_stop, "The planned end, 3 h, is over.");
   EXPECT_EQ(flat(2.6 * 317.0 / 60.0, 21, 0.0).outcome, Outcome::open);       // less than half of it is over
   EXPECT_EQ(flat(1.5 * 317.0 / 60.0, 21, 0.0, 0.4).outcome, Outcome::open);  // ln B grows, from 4 to 8
   EXPECT_EQ(flat(1.5 * 317.0 / 60.0, 21, 20.0).outcome, Outcome::open);      // so do the odds of the first

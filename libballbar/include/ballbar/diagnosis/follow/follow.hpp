@@ -4,7 +4,6 @@
 // one begins to watch, and as many whether it is asked for them after each row or once a day. To look often must not
 // say more that is false. Two bounds hold for all looks together:
 //
-//
 // Nothing is hidden. Let B be how much more likely the readings are with something than with nothing
 // (Diagnosis::log_bayes_factor). Where nothing is hidden its mean is at most 1 at each look, so that B >= 5000 in at
 // most one of 5000 runs at a look (Markov), and in at most 100 / 5000 = 2 % of runs at any of 100 looks. No more is
@@ -16,11 +15,11 @@
 // That is so as far as the likelihood is right; tests/study/verdicts/follow.cpp counts it. Decided is what at three
 // looks in a row is named by all tests, of P >= 0.98, with B >= 5000.
 //
-// It will not be decided in this run, where at three looks in a row two rivals are alike: nothing is improbable, and
-// the odds of the first and of another one, of P >= 0.1, moved by less than 0.2 of their ln while the values doubled; a
-// sensor that is logged twice is the plainest case. Or, where the planned end is known and half of that time is over,
-// ln B or ln of the odds of the first against all others would not come far enough by then. With v now, D gained since
-// there were half of the values, and f the time that is left over the time since then, it comes to at most
+// It will not be decided in this run, where at three looks in a row nothing is improbable and two rivals are alike:
+// they read the same values under two names, or the odds of the first and of another one, of P >= 0.1, moved by less
+// than 0.2 of their ln while the values doubled. Or, where the planned end is known and half of that time is over, ln B
+// or ln of the odds of the first against all others would not come far enough by then. With v now, D gained since there
+// were half of the values, and f the time that is left over the time since then, it comes to at most
 //
 //   v + f D + 2 sqrt((f^2 + f) (2 D + 1)):
 //
@@ -28,6 +27,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,12 +44,16 @@ std::size_t values_of_look(std::size_t look);
 // The rows up to that value of the target; all where there are fewer.
 Series first_rows(const Series& data, const std::string& target, std::size_t values);
 
+// Columns that hold the same values as an earlier one, which is the second name.
+std::map<std::string, std::string> columns_logged_twice(const Series& data);
+
 std::string label_of(const OwnValue& own);  // "exponent of speed_heating(speed_rpm)"
 
 // An effect, or a value that the model holds, and P that it is missing or another.
 struct Hypothesis {
   std::string label;
   double p = 0.0;
+  std::string once = {};  // label, columns that are logged twice by the name of the first
 };
 
 struct Look {
@@ -69,7 +73,8 @@ enum class Outcome { open, decided, undecidable };
 std::string_view name_of(Outcome outcome);
 
 struct FollowState {
-  std::optional<double> planned_hours;  // without: no end is forecast
+  std::optional<double> planned_hours;              // without: no end is forecast
+  std::map<std::string, std::string> logged_twice;  // columns_logged_twice: what reads one of them is not decided
   std::vector<Look> looks;
   Outcome outcome = Outcome::open;   // decided stays
   std::vector<std::string> decided;  // labels
