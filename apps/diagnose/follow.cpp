@@ -102,14 +102,12 @@ class Following {
     const std::string& target = opened_log.model.targets.front();
     expect_one_target_to_follow(opened_log.model);
     if (!std::exchange(has_opened_, true) && !json_) print_follow_heading(options_.data.front(), target);
-    state_.logged_twice = columns_logged_twice(opened_log.data.series);
     const std::size_t values = values_in(opened_log.data.series, target);
-    while (!has_ended() && g_end_asked == 0 && values_of_look(state_.looks.size()) <= values) {
-      diagnose_first(opened_log, values_of_look(state_.looks.size()));
+    while (!has_ended() && g_end_asked == 0 && next_values() <= values) {
+      diagnose_first(opened_log, next_values());
       print_look(state_, json_);
     }
-    if (!has_ended())
-      lines_needed_ = log.lines() + values_of_look(state_.looks.size()) - std::min(values, next_values());
+    lines_needed_ = log.lines() + next_values() - std::min(values, next_values());
   }
 
   void wait(const GrowingLog& log) const {
@@ -132,7 +130,8 @@ class Following {
   void diagnose_first(const Opened& log, std::size_t values) {
     const std::string& target = log.model.targets.front();
     const Series data = first_rows(log.data.series, target, values);
-    const double hours = data.time_s.back() / 3600.0;
+    const double hours = (data.time_s.back() - data.time_s.front()) / 3600.0;
+    state_.logged_twice = columns_logged_twice(data);
     DiagnosisOptions how;
     how.search.motion = log.data.motion;
     how.search.seed = how_.seed;

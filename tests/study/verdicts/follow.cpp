@@ -23,15 +23,13 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
-#include <functional>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "ballbar/diagnosis/thresholds.hpp"
-#include "made.hpp"
+#include "follow_cells.hpp"
 
 namespace verdicts = ballbar::verdicts;
 
@@ -42,12 +40,6 @@ struct Options {
   double hours = 24.0;
   std::vector<std::string> cells;
   bool makes_all_looks = false, is_verbose = false, shows_looks = false;
-};
-
-struct Cell {
-  std::string name;
-  bool is_nothing = false;
-  std::function<verdicts::Made(std::uint64_t seed)> make;
 };
 
 struct Counts {
@@ -136,7 +128,7 @@ bool is_truth(const verdicts::Made& made, const std::string& label) {
   });
 }
 
-void count(const Cell& cell, std::uint64_t seed, const Options& options, Counts& counts) {
+void count(const verdicts::FollowCell& cell, std::uint64_t seed, const Options& options, Counts& counts) {
   const verdicts::Made made = cell.make(seed);
   Watched run(made);
   ballbar::FollowState state;
@@ -195,63 +187,6 @@ std::string row_of(const std::string& name, const Counts& counts) {
                      counts.then_twice);
 }
 
-// The column that drives what is hidden, logged a second time.
-verdicts::Made with_a_sensor_twice(verdicts::Made made) {
-  for (const std::string& name : made.drivers) {
-    if (ballbar::unit_of(name) != "degC") continue;
-    ballbar::Column again = *ballbar::find_column(made.data, name);
-    again.name = "T_again_degC";
-    made.data.columns.push_back(std::move(again));
-    return made;
-  }
-  throw std::runtime_error("no temperature drives what is hidden");
-}
-
-std::vector<Cell> cells(double hours) {
-  std::vector<Cell> result;
-  const auto add = [&](const std::string& name, verdicts::Recipe recipe, bool is_nothing) {
-    recipe.kind = is_nothing ? verdicts::Kind::nothing : verdicts::Kind::effects;
-    recipe.hours = hours;
-    result.push_back({name, is_nothing, [=](std::uint64_t seed) { return made(recipe, "follow " + name, seed); }});
-  };
-  verdicts::Recipe recipe;
-  const auto with_noise = [](verdicts::Noise noise, std::size_t fakes = 0) {
-    verdicts::Recipe of;
-    of.noise = noise;
-    of.fakes = fakes;
-    return of;
-  };
-  const auto logged = [](verdicts::Logging logging, double most_late, double kelvin_step) {
-    verdicts::Recipe of;
-    of.logging = logging;
-    of.most_late = most_late;
-    of.kelvin_step = kelvin_step;
-    return of;
-  };
-  add("nothing-ar0.9", with_noise(verdicts::Noise::ar90), true);
-  add("nothing-ar0.98", with_noise(verdicts::Noise::ar98), true);
-  add("nothing-rounded", with_noise(verdicts::Noise::coarse), true);
-  add("nothing-heavy", with_noise(verdicts::Noise::heavy), true);
-  add("nothing-20fakes", with_noise(verdicts::Noise::any, 20), true);
-  add("nothing-held", logged(verdicts::Logging::held, 0.0, 0.01), true);
-  add("nothing-ramped", logged(verdicts::Logging::ramped, 0.0, 0.01), true);
-  add("nothing-late", logged(verdicts::Logging::exact, 1.0, 0.01), true);
-  add("nothing-0.1K", logged(verdicts::Logging::exact, 0.0, 0.1), true);
-  add("one-10-exact", recipe, false);
-  add("one-10-held", logged(verdicts::Logging::held, 0.0, 0.01), false);
-  recipe.hours = hours;
-  result.push_back({"sensor-twice-10", false, [recipe](std::uint64_t seed) {
-                      for (std::uint64_t further = 0;; further += 100000) {
-                        const verdicts::Made one = made(recipe, "follow sensor-twice", seed + further);
-                        const bool suits = std::any_of(one.drivers.begin(), one.drivers.end(), [](const auto& name) {
-                          return ballbar::unit_of(name) == "degC";
-                        });
-                        if (suits) return with_a_sensor_twice(one);
-                      }
-                    }});
-  return result;
-}
-
 Options options_of(const std::vector<std::string>& words) {
   Options options;
   std::vector<std::string> plain;
@@ -289,7 +224,7 @@ bool study(const Options& options) {
   fmt::print("{:<22} {:>5} {:>8} {:>6} {:>6} {:>6} {:>4} {:>6} {:>8} {:>5} {:>5} {:>8} {:>5}\n", "cell", "runs",
              "decided", "right", "wrong", "at h", "B", "named", "stop 24", "at h", "then", "no end", "then");
   std::size_t runs = 0, falsely = 0, all_runs = 0, wrong = 0;
-  for (const Cell& cell : cells(options.hours)) {
+  for (const verdicts::FollowCell& cell : verdicts::follow_cells(options.hours)) {
     const bool wanted = options.cells.empty() ||
                         std::find(options.cells.begin(), options.cells.end(), cell.name) != options.cells.end();
     if (!wanted) continue;

@@ -58,7 +58,7 @@ struct Hypothesis {
 
 struct Look {
   std::size_t values = 0;  // of the target
-  double hours = 0.0;      // of the last row
+  double hours = 0.0;      // from the first row to the last
   Verdict verdict = Verdict::untestable;
   double p_nothing = 1.0;
   double log_bayes_factor = 0.0;
