@@ -58,6 +58,7 @@ Json json_of(const TestPlan& plan) {
                              {"hours", test.hours},
                              {"p_right", test.p_right},
                              {"p_right_sigma", test.p_right_sigma},
+                             {"p_part", test.p_part},
                              {"p_wrong", test.p_wrong},
                              {"truths", test.truths}});
   }
@@ -72,17 +73,19 @@ Json json_of(const TestPlan& plan) {
 void print_text(const TestPlan& plan, const ModelData& data, const std::string& target) {
   fmt::print("{}\n{}\n\n{}", data.title, target, wrapped(plan.sentence));
   if (plan.tests.empty()) return;
-  Table tests({"test", "hours", "P right", "P wrong", "simulated"});
+  Table tests({"test", "hours", "P right", "P some", "P wrong", "simulated"});
   for (const ExpectedTest& test : plan.tests) {
     tests.add({test.kind, fmt::format("{:g}", test.hours),
-               fmt::format("{:.2f} ± {:.2f}", test.p_right, test.p_right_sigma), fmt::format("{:.2f}", test.p_wrong),
-               fmt::format("{}", test.truths)});
+               fmt::format("{:.2f} ± {:.2f}", test.p_right, test.p_right_sigma), fmt::format("{:.2f}", test.p_part),
+               fmt::format("{:.2f}", test.p_wrong), fmt::format("{}", test.truths)});
   }
   fmt::print("\n{}", tests.text(table_width()));
   fmt::print(
       "{}",
-      wrapped("P right: share of the simulated cases, drawn from what these data leave possible, in which the data and "
-              "the run together name what is missing and nothing else. P wrong: in which they name another effect."));
+      wrapped(
+          "P right: share of the simulated cases, drawn from what these data leave possible, in which the data and "
+          "the run together name all that is missing and nothing else; P some: at least some of it that is not named "
+          "now. P wrong: they name another effect."));
   Table curves({"what may be missing", "P now"});
   for (const ExpectedCurve& curve : plan.curves) curves.add({curve.label, fmt::format("{:.2f}", curve.p)});
   if (!plan.curves.empty()) fmt::print("\n{}", curves.text(table_width()));

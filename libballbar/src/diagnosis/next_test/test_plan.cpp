@@ -58,20 +58,26 @@ Series with_run(const Series& data, const Series& run) {
 }
 
 struct Outcome {
-  bool right = false, wrong = false;
+  bool right = false, part = false, wrong = false;
 };
 
 // What needs nothing but time is never named: a truth is told where all the rest of it is.
-Outcome outcome_of(const std::vector<BoundEffect>& truth, const Diagnosis& found) {
+Outcome outcome_of(const std::vector<BoundEffect>& truth, const Diagnosis& found,
+                   const std::vector<BoundEffect>& known) {
   const auto is_in = [](const std::vector<BoundEffect>& all, const BoundEffect& one) {
     return std::find(all.begin(), all.end(), one) != all.end();
   };
   Outcome outcome;
-  for (const BoundEffect& named : found.named) outcome.wrong = outcome.wrong || !is_in(truth, named);
+  bool more = false;
+  for (const BoundEffect& named : found.named) {
+    outcome.wrong = outcome.wrong || !is_in(truth, named);
+    more = more || !is_in(known, named);
+  }
   const bool all = std::all_of(truth.begin(), truth.end(), [&](const BoundEffect& one) {
     return one.effect->time_only || is_in(found.named, one);
   });
   outcome.right = !outcome.wrong && all;
+  outcome.part = !outcome.wrong && (all || more);
   return outcome;
 }
 
@@ -92,6 +98,8 @@ class Design {
     covariances_ = simulated_covariances();
   }
 
+  // What the data at hand name already.
+  void know(const std::vector<BoundEffect>& named) { named_now_ = named; }
   bool can_draw() const { return truths_.has_value(); }
   const Weighed& posterior() const { return weighed_; }
   const Truths& truths() const { return *truths_; }
@@ -113,6 +121,7 @@ class Design {
     const auto n = static_cast<double>(truths.size());
     for (const Outcome& one : outcomes) {
       result.p_right += one.right ? 1.0 / n : 0.0;
+      result.p_part += one.part ? 1.0 / n : 0.0;
       result.p_wrong += one.wrong ? 1.0 / n : 0.0;
     }
     // Of Laplace's estimate, so that 24 of 24 is no certainty.
@@ -163,7 +172,7 @@ class Design {
     how.most_rows = kRowsSimulated;
     try {
       const Diagnosis found = diagnosis_at(with_run_terms(model_, all), all, target_index_, how, covariances_);
-      return outcome_of(truths_->effects_of(truth), found);
+      return outcome_of(truths_->effects_of(truth), found, named_now_);
     } catch (const Error&) {
       return {};  // a run that cannot be diagnosed decides nothing
     }
@@ -179,10 +188,12 @@ class Design {
   std::unique_ptr<PlannedInputs> planned_;
   double resolution_um_ = 0.0;
   std::vector<Covariance> covariances_;
+  std::vector<BoundEffect> named_now_;
 };
 
 bool is_better(const ExpectedTest& a, const ExpectedTest& b) {
   if (a.p_right != b.p_right) return a.p_right > b.p_right;
+  if (a.p_part != b.p_part) return a.p_part > b.p_part;
   if (a.p_wrong != b.p_wrong) return a.p_wrong < b.p_wrong;
   return a.hours < b.hours;
 }
@@ -228,7 +239,7 @@ std::vector<ExpectedTest> tests_of(const Design& design, const std::vector<MenuI
   std::set<std::size_t> promised;
   for (int round = 0; round < 2; ++round) {
     const std::size_t best = chosen(all);
-    if (!(all[best].p_right > 0.0) || !promised.insert(best).second) break;
+    if (!(all[best].p_part > 0.0) || !promised.insert(best).second) break;
     design.tell(fmt::format("simulating {:g} h of {} with {} truths", all[best].hours, all[best].kind, kTruths));
     const auto item = std::find_if(menu.begin(), menu.end(), [&](const MenuItem& one) {
       return one.kind == all[best].kind && one.hours == all[best].hours;
@@ -291,11 +302,14 @@ std::string sentence_of(const TestPlan& plan, const TestPlanOptions& options) {
   }
   const ExpectedTest& best = plan.tests.front();
   std::string text = fmt::format(
-      "Run {:g} h from cold: {}. It would name what is missing in {} of cases (± {:.0f}, {} simulated), and "
-      "something wrong in {}.",
-      best.hours, best.doing, percent(best.p_right), 100.0 * best.p_right_sigma, best.truths, percent(best.p_wrong));
-  if (best.p_right < kSureEnough)
+      "Run {:g} h from cold: {}. It would name all that is missing in {} of cases (± {:.0f}, {} "
+      "simulated)",
+      best.hours, best.doing, percent(best.p_right), 100.0 * best.p_right_sigma, best.truths);
+  if (best.p_part > best.p_right) text += fmt::format(", at least some of it in {}", percent(best.p_part));
+  text += fmt::format(", and something wrong in {}.", percent(best.p_wrong));
+  if (best.p_right < kSureEnough) {
     text += fmt::format(" No test of up to {:g} h reaches {}.", options.most_hours, percent(kSureEnough));
+  }
   for (const SensorToAdd& sensor : plan.sensors) {
     text += fmt::format(" A temperature sensor {} would raise it to {} in the same run.", sensor.place,
                         percent(sensor.p_right));
@@ -309,7 +323,7 @@ TestPlan test_plan(const Model& model, const Series& data, std::size_t target, c
   TestPlan plan;
   // Columns that read the same are one: which of them it is, no test can tell.
   const Alike alike = alike_columns_of(data, model);
-  const Design design(model, alike.data, target, options);
+  Design design(model, alike.data, target, options);
   if (!design.can_draw()) {
     plan.sentence = "The data have too few values, or do not move: nothing can be planned from them.";
     return plan;
@@ -319,6 +333,7 @@ TestPlan test_plan(const Model& model, const Series& data, std::size_t target, c
   how.search = options.search;
   how.search.progress = {};
   const Diagnosis now = diagnose(with_run_terms(without_run_terms(model), alike.data), alike.data, target, how);
+  design.know(now.named);
   plan.inseparable = inseparable_effects(now, alike);
   plan.verdict = now.verdict;
   const bool is_all_named = now.verdict == Verdict::named && now.probable.empty() && now.equivalent.empty();
@@ -326,7 +341,7 @@ TestPlan test_plan(const Model& model, const Series& data, std::size_t target, c
   if (!is_all_named && now.verdict != Verdict::nothing && now.verdict != Verdict::untestable) {
     MenuLimits limits{options.most_hours, options.max_rpm, options.can_load, options.can_room, options.can_coolant};
     plan.tests = tests_of(design, menu_of(alike.data, model.targets.at(target), limits));
-    if (!plan.tests.empty() && !(plan.tests.front().p_right >= kLeastPromise)) plan.tests.clear();
+    if (!plan.tests.empty() && !(plan.tests.front().p_part >= kLeastPromise)) plan.tests.clear();
   }
   if (!plan.tests.empty()) add_curves(design, plan, options.search.seed);
   plan.sentence = sentence_of(plan, options);

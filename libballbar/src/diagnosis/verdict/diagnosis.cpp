@@ -124,6 +124,7 @@ class Decision {
     p_ = probabilities_of(problem(), posterior());
     result_.p_nothing = p_.nothing;
     result_.p_discrepancy = p_.discrepancy;
+    result_.log_bayes_factor = p_.log_bayes_factor;
     if (model_.level == Level::series) result_.drivers = drivers_of(posterior(), problem(), p_.column);
     for (std::size_t f = 0; f < problem().effects; ++f) {
       if (p_.family[f] >= 0.01) result_.effects.push_back({family(f).bound, p_.family[f]});

@@ -86,6 +86,9 @@ struct Diagnosis {
   std::vector<GainByRun> gains_by_run;               // of several runs, those that differ
   double p_nothing = 1.0;                            // no effect, no other value, no discrepancy
   double p_discrepancy = 0.0;
+  // ln of how much more likely the readings are with any effect or other value than with none, whatever the
+  // discrepancy: its exponential is at most 1 on average where none is hidden.
+  double log_bayes_factor = 0.0;
   double discrepancy_um = 0.0;        // its standard deviation, where it is most likely
   Noise noise;                        // beside the best set
   std::vector<Candidate> candidates;  // the best set first, then by P; at most 12
