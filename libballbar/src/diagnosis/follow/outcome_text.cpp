@@ -51,8 +51,10 @@ std::string outcome_text(const FollowState& state) {
 std::string error_text() {
   return fmt::format(
       "However often it is looked at, a run in which nothing is missing comes to a decision in at most {:.0f} % of "
-      "cases: at each of at most {} looks the readings must be {:.0f} times as likely with something missing as with "
-      "nothing. What is decided has P of {:.2f} or more, by all tests, at {} looks in a row.",
+      "cases, as far as noise and logging are what they are taken for: at each of at most {} looks the readings must "
+      "be "
+      "{:.0f} times as likely with something missing as with nothing. What is decided has P of {:.2f} or more, by all "
+      "tests, at {} looks in a row.",
       100.0 * kFalselyDecided, kMostLooks, static_cast<double>(kMostLooks) / kFalselyDecided, 1.0 - kFalselyDecided,
       kLooksToDecide);
 }

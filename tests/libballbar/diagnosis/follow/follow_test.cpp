@@ -210,8 +210,9 @@ TEST(Follow, too_few_values_and_the_bound) {
   EXPECT_EQ(outcome_text({}), "There are too few values to look at: the first look is at 64.");
   EXPECT_EQ(error_text(),
             "However often it is looked at, a run in which nothing is missing comes to a decision in at most 2 % of "
-            "cases: at each of at most 100 looks the readings must be 5000 times as likely with something missing as "
-            "with nothing. What is decided has P of 0.98 or more, by all tests, at 3 looks in a row.");
+            "cases, as far as noise and logging are what they are taken for: at each of at most 100 looks the readings "
+            "must be 5000 times as likely with something missing as with nothing. What is decided has P of 0.98 or "
+            "more, by all tests, at 3 looks in a row.");
 }
 
 }  // namespace
