@@ -65,6 +65,10 @@ Json json_of(const TestPlan& plan) {
   json["schedule"] = plan.tests.empty() ? Json(nullptr) : json_of(plan.tests.front().schedule);
   json["inseparable"] = Json::array();
   for (const std::vector<BoundEffect>& group : plan.inseparable) json["inseparable"].push_back(json_of(group));
+  json["sensors"] = Json::array();
+  for (const SensorToAdd& sensor : plan.sensors) {
+    json["sensors"].push_back({{"place", sensor.place}, {"p_right", sensor.p_right}});
+  }
   json["curves"] = Json::array();
   for (const ExpectedCurve& curve : plan.curves) json["curves"].push_back({{"effects", curve.label}, {"p", curve.p}});
   return json;

@@ -31,6 +31,8 @@ constexpr std::size_t kScreened = 8;  // truths for a first look at a test
 constexpr std::size_t kTruths = 24;   // for what is promised
 constexpr std::size_t kKindsKept = 2;
 constexpr std::size_t kSurrogatesSimulated = 50;
+constexpr const char* kAddedSensor = "T_added_degC";
+constexpr double kWorthASensor = 0.1;        // P(right) that it adds
 constexpr std::size_t kSlowStride = 6;       // of the covariances with a slow curve one in so many
 constexpr std::size_t kRowsSimulated = 500;  // of the target that each diagnosis weighs
 
@@ -57,28 +59,27 @@ Series with_run(const Series& data, const Series& run) {
   return all;
 }
 
-struct Outcome {
+struct Told {
   bool right = false, part = false, wrong = false;
 };
 
 // What needs nothing but time is never named: a truth is told where all the rest of it is.
-Outcome outcome_of(const std::vector<BoundEffect>& truth, const Diagnosis& found,
-                   const std::vector<BoundEffect>& known) {
+Told told_of(const std::vector<BoundEffect>& truth, const Diagnosis& found, const std::vector<BoundEffect>& known) {
   const auto is_in = [](const std::vector<BoundEffect>& all, const BoundEffect& one) {
     return std::find(all.begin(), all.end(), one) != all.end();
   };
-  Outcome outcome;
+  Told told;
   bool more = false;
   for (const BoundEffect& named : found.named) {
-    outcome.wrong = outcome.wrong || !is_in(truth, named);
+    told.wrong = told.wrong || !is_in(truth, named);
     more = more || !is_in(known, named);
   }
   const bool all = std::all_of(truth.begin(), truth.end(), [&](const BoundEffect& one) {
     return one.effect->time_only || is_in(found.named, one);
   });
-  outcome.right = !outcome.wrong && all;
-  outcome.part = !outcome.wrong && (all || more);
-  return outcome;
+  told.right = !told.wrong && all;
+  told.part = !told.wrong && (all || more);
+  return told;
 }
 
 class Design {
@@ -112,14 +113,14 @@ class Design {
 
   // A whole diagnosis of each truth.
   ExpectedTest expected(const MenuItem& item, const std::vector<Truth>& truths) const {
-    std::vector<Outcome> outcomes(truths.size());
+    std::vector<Told> outcomes(truths.size());
     in_parallel(truths.size(), [&](std::size_t k) {
       std::mt19937_64 random = simulation::stream_of(options_.search.seed, simulation::Stream::signal, 1000 + k);
-      outcomes[k] = outcome(item.schedule, truths[k], random);
+      outcomes[k] = told_by(item.schedule, truths[k], random);
     });
     ExpectedTest result{item.kind, item.doing, item.hours, item.schedule, truths.size()};
     const auto n = static_cast<double>(truths.size());
-    for (const Outcome& one : outcomes) {
+    for (const Told& one : outcomes) {
       result.p_right += one.right ? 1.0 / n : 0.0;
       result.p_part += one.part ? 1.0 / n : 0.0;
       result.p_wrong += one.wrong ? 1.0 / n : 0.0;
@@ -128,6 +129,32 @@ class Design {
     const double p = (result.p_right * n + 1.0) / (n + 2.0);
     result.p_right_sigma = std::sqrt(p * (1.0 - p) / (n + 3.0));
     return result;
+  }
+
+  // P(right) of the run alone with a thermometer where an effect's heat goes: it shows that heat, whether it moves
+  // anything or not. To name an effect of its column is then to name that effect.
+  double p_right_with_sensor(const Schedule& schedule, std::size_t set, const std::vector<Truth>& truths) const {
+    const std::vector<BoundEffect> place = truths_->effects_of({set, false});
+    static_cast<void>(truths_->sigma_um({set, false}));  // fitted before the threads ask for it
+    std::vector<char> right(truths.size(), 0);
+    in_parallel(truths.size(), [&](std::size_t k) {
+      std::mt19937_64 random = simulation::stream_of(options_.search.seed, simulation::Stream::signal, 1000 + k);
+      Series run = simulated(schedule, truths[k], random);
+      run.columns.push_back(
+          {kAddedSensor, Role::structure, thermometer(truths_->member_um({set, false}, 0, run), random)});
+      try {
+        const Diagnosis found = diagnosis_at(model_, run, target_index_, simulated_options(), covariances_);
+        std::vector<BoundEffect> named;
+        for (const BoundEffect& one : found.named)
+          named.push_back(one.columns.size() == 1 && one.columns.front() == kAddedSensor ? place.front() : one);
+        Diagnosis as_named;
+        as_named.named = std::move(named);
+        right[k] = told_of(truths_->effects_of(truths[k]), as_named, {}).right ? 1 : 0;
+      } catch (const Error&) {
+        right[k] = 0;
+      }
+    });
+    return static_cast<double>(std::count(right.begin(), right.end(), 1)) / static_cast<double>(truths.size());
   }
 
   Series simulated(const Schedule& schedule, const Truth& truth, std::mt19937_64& random) const {
@@ -163,16 +190,33 @@ class Design {
     return chosen;
   }
 
-  Outcome outcome(const Schedule& schedule, const Truth& truth, std::mt19937_64& random) const {
-    const Series all = with_run(data_, simulated(schedule, truth, random));
+  DiagnosisOptions simulated_options() const {
     DiagnosisOptions how;
     how.search = options_.search;
     how.search.progress = {};
     how.surrogates = kSurrogatesSimulated;
     how.most_rows = kRowsSimulated;
+    return how;
+  }
+
+  // 5 K from its least to its largest, read to 0.1 K.
+  static std::vector<double> thermometer(const Eigen::VectorXd& heat, std::mt19937_64& random) {
+    const double low = heat.minCoeff(), range = std::max(1e-12, heat.maxCoeff() - low);
+    std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(heat.size()));
+    for (const double one : heat) {
+      const double kelvin = 5.0 * (one - low) / range + 0.03 * simulation::normal(random);
+      values.push_back(0.1 * std::round(10.0 * (20.0 + kelvin)));
+    }
+    return values;
+  }
+
+  Told told_by(const Schedule& schedule, const Truth& truth, std::mt19937_64& random) const {
+    const Series all = with_run(data_, simulated(schedule, truth, random));
+    const DiagnosisOptions how = simulated_options();
     try {
       const Diagnosis found = diagnosis_at(with_run_terms(model_, all), all, target_index_, how, covariances_);
-      return outcome_of(truths_->effects_of(truth), found, named_now_);
+      return told_of(truths_->effects_of(truth), found, named_now_);
     } catch (const Error&) {
       return {};  // a run that cannot be diagnosed decides nothing
     }
@@ -277,6 +321,31 @@ void add_curves(const Design& design, TestPlan& plan, std::uint64_t seed) {
   }
 }
 
+// Reads what heats, and no temperature: the way of its heat is what a thermometer would show.
+bool is_unseen_heat(const BoundEffect& bound) {
+  if (bound.columns.empty() || bound.effect->time_only) return false;
+  return std::all_of(bound.columns.begin(), bound.columns.end(), [](const std::string& column) {
+    const std::string_view unit = unit_of(column);
+    return unit == "rpm" || unit == "W" || unit == "A" || unit == "percent" || unit == "Nm";
+  });
+}
+
+void add_sensor(const Design& design, TestPlan& plan) {
+  const ExpectedTest& best = plan.tests.front();
+  if (best.p_right >= kSureEnough) return;
+  const Posterior& posterior = design.posterior().posterior;
+  for (std::size_t s = 0; s < posterior.sets.size(); ++s) {
+    if (posterior.p(posterior.sets[s]) < 0.05) return;
+    const std::vector<BoundEffect> effects = design.truths().effects_of({s, false});
+    if (effects.size() != 1 || !is_unseen_heat(effects.front())) continue;
+    design.tell("simulating a thermometer more");
+    const double p = design.p_right_with_sensor(best.schedule, s, design.drawn(kTruths, 1));
+    if (p < best.p_right + kWorthASensor) return;
+    plan.sensors.push_back({fmt::format("where {} heats", label_of(effects.front())), p});
+    return;  // the most probable one
+  }
+}
+
 std::string percent(double p) { return fmt::format("{:.0f} %", 100.0 * p); }
 
 std::string inseparable_text(const std::vector<std::vector<BoundEffect>>& groups) {
@@ -343,7 +412,10 @@ TestPlan test_plan(const Model& model, const Series& data, std::size_t target, c
     plan.tests = tests_of(design, menu_of(alike.data, model.targets.at(target), limits));
     if (!plan.tests.empty() && !(plan.tests.front().p_part >= kLeastPromise)) plan.tests.clear();
   }
-  if (!plan.tests.empty()) add_curves(design, plan, options.search.seed);
+  if (!plan.tests.empty()) {
+    add_curves(design, plan, options.search.seed);
+    add_sensor(design, plan);
+  }
   plan.sentence = sentence_of(plan, options);
   return plan;
 }

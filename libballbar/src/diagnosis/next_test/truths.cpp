@@ -111,18 +111,30 @@ std::vector<BoundEffect> Truths::effects_of(const Truth& truth) const {
 }
 
 Eigen::VectorXd Truths::drift_um(const Truth& truth, const Series& run) const {
+  const Model& model = fitted(truth.set).set.model;
+  return added_um(truth, run, [&](std::size_t t) { return !model.terms[t].effect->rules.of_set_up; });
+}
+
+Eigen::VectorXd Truths::member_um(const Truth& truth, std::size_t member, const Series& run) const {
+  const std::size_t first = weighed_.problem->model.terms.size();
+  return added_um(truth, run, [&](std::size_t t) { return t == first + member; });
+}
+
+// The sum of some terms of the model with the set.
+Eigen::VectorXd Truths::added_um(const Truth& truth, const Series& run,
+                                 const std::function<bool(std::size_t)>& is_wanted) const {
   const FittedSet& set = fitted(truth.set).set;
   std::vector<std::size_t> rows(run.time_s.size());
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
   const ModelRows all(set.model, run, rows);
   std::vector<double> parameters;
+  parameters.reserve(set.parameters.size());
   for (const FittedParameter& one : set.parameters) parameters.push_back(one.value);
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.size()));
   std::size_t place = 1;
   for (std::size_t t = 0; t < set.model.terms.size(); ++t) {
-    const Term& term = set.model.terms[t];
-    if (!term.effect->rules.of_set_up) sum += all.term(t, parameters.data() + place, nullptr);
-    place += term.settings.size();
+    if (is_wanted(t)) sum += all.term(t, parameters.data() + place, nullptr);
+    place += set.model.terms[t].settings.size();
   }
   return sum;
 }

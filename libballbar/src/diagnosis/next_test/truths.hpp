@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <random>
 #include <vector>
@@ -29,6 +30,9 @@ class Truths {
   // On the rows of one run, without noise; what is of a set-up left out.
   Eigen::VectorXd drift_um(const Truth& truth, const Series& run) const;
 
+  // What one effect of the set adds, the model left out.
+  Eigen::VectorXd member_um(const Truth& truth, std::size_t member, const Series& run) const;
+
   // With noise, rounded as the target is.
   std::vector<double> readings_um(const Truth& truth, const Series& run, double resolution_um,
                                   std::mt19937_64& random) const;
@@ -42,6 +46,8 @@ class Truths {
     double variance = 0.0;
   };
   const Fitted& fitted(std::size_t set) const;
+  Eigen::VectorXd added_um(const Truth& truth, const Series& run,
+                           const std::function<bool(std::size_t)>& is_wanted) const;
 
   const Weighed& weighed_;
   mutable std::map<std::size_t, Fitted> fitted_;  // as they are asked for, before anything runs in parallel
