@@ -15,6 +15,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "challenge/digest.hpp"
+#include "terminal/new_folder.hpp"
 
 namespace ballbar {
 namespace {
@@ -129,30 +130,9 @@ void expect_made(const fs::path& file, std::size_t limit, const std::string& dig
       fmt::format("{}: expected the file that was made (SHA-256 {:.12}...), found another.", file.string(), digest));
 }
 
-// A folder that nobody else has, to be renamed.
-fs::path new_folder_beside(const fs::path& folder) {
-  std::random_device random;
-  for (int attempt = 0;; ++attempt) {
-    fs::path name = folder.string() + fmt::format(".{:08x}", random());
-    std::error_code error;
-    if (fs::create_directories(name, error)) return name;
-    if (error || attempt == 100) {
-      throw Error(fmt::format("{}: expected a folder that can be made, found: {}.", folder.string(),
-                              error ? error.message() : "no free name"));
-    }
-  }
-}
-
 void expect_new(const fs::path& folder, const fs::path& answers) {
+  expect_new_folder(folder);
   std::error_code error;
-  if (fs::exists(folder, error)) {
-    if (!fs::is_directory(folder, error)) {
-      throw Error(fmt::format("{}: expected a new or an empty folder, found a file.", folder.string()));
-    }
-    if (!fs::is_empty(folder, error)) {
-      throw Error(fmt::format("{}: expected a new or an empty folder, found one that holds files.", folder.string()));
-    }
-  }
   if (fs::exists(answers, error)) {
     throw Error(fmt::format("{}: expected a new file for the answers, found one.", answers.string()));
   }
@@ -169,8 +149,7 @@ std::string data_of(const BlindSet& set) {
 std::string write_blind(const fs::path& folder, const fs::path& answers, std::size_t count, std::uint64_t seed,
                         const std::function<void(std::size_t)>& progress) {
   expect_seal();
-  if (folder.empty()) throw Error("Expected the name of a folder to write to, found an empty one.");
-  const fs::path target = fs::absolute(folder / "").lexically_normal().parent_path();  // no trailing slash
+  const fs::path target = folder_to_write(folder);
   expect_new(folder, answers);
   const bool apart = fs::absolute(answers).lexically_normal() != target / "answers.json";
   const fs::path temporary = new_folder_beside(target);

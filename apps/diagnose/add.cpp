@@ -280,7 +280,11 @@ void run(Options options) {
       verdict = Verdict::nothing;
     } else {
       stopped = add_named(options, data, story, verdict);
-      if (!options.named_only && data.level == Level::series && is_left(verdict)) add_grown(options, data, story);
+      const bool is_one_run = data.series.runs.size() < 2;
+      if (!options.named_only && data.level == Level::series && is_left(verdict)) {
+        if (is_one_run) add_grown(options, data, story);
+        if (!is_one_run) stderr_line("of several runs a model grows by names alone; `ballbar train` takes runs");
+      }
     }
   } else {
     show_progress("fitting with and without what is added");

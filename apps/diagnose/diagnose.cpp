@@ -9,6 +9,7 @@
 #include "ballbar/error.hpp"
 #include "commands.hpp"
 #include "diagnose/diagnosis_report.hpp"
+#include "diagnose/follow.hpp"
 #include "diagnose/machine_errors_report.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
@@ -23,6 +24,7 @@ struct Options {
   ModelOptions model;
   DiagnoseOptions how;
   ErrorsOptions errors;
+  FollowOptions follow;
   bool json = false;
 };
 
@@ -61,6 +63,11 @@ void run_on_circles(Options options) {
 }
 
 void run(const Options& options) {
+  expect_follow(options.follow);
+  if (options.follow.follow) {
+    follow(options.model, options.how, options.follow, options.json);
+    return;
+  }
   if (are_of_linear_axes(options.model.data)) {
     run_on_circles(options);
     return;
@@ -109,6 +116,7 @@ void add_diagnose(CLI::App& app) {
              "circles: what holds errors that the readings hardly tell, or none",
              [options](std::size_t at) { options->errors.prior = at == 0; });
   command->add_flag("--strict", options->errors.strict, "circles: stop at the first file that cannot be read");
+  add_follow_options(*command, options->follow);
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"

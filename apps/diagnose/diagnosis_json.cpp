@@ -111,6 +111,18 @@ Json json_of(const DiagnosisReport& diagnosis_report) {
   for (const Candidate& candidate : found.candidates) json["candidates"].push_back(json_of(candidate));
   add_not_seen(found, json);
   json["reasons"] = found.reasons;
+  json["gains_by_run"] = Json::array();
+  for (const GainByRun& one : found.gains_by_run) {
+    Json runs = Json::array();
+    for (std::size_t run = 0; run < one.gain.size(); ++run) {
+      runs.push_back({{"gain", number(one.gain[run])}, {"sigma", number(one.sigma[run])}});
+    }
+    json["gains_by_run"].push_back({{"effect", one.effect},
+                                    {"parameter", one.parameter},
+                                    {"unit", one.unit},
+                                    {"p", number(one.p)},
+                                    {"runs", runs}});
+  }
   json["next_test"] = nullptr;
   if (!diagnosis_report.plan_command.empty()) {
     json["next_test"] = {{"text", next_text(diagnosis_report)}, {"command", diagnosis_report.plan_command}};

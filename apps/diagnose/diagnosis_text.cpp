@@ -122,6 +122,20 @@ std::string untestable_text(const Diagnosis& found) {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
+// What changed in the machine from run to run.
+void print_gains_by_run(const Diagnosis& found) {
+  for (const GainByRun& one : found.gains_by_run) {
+    std::vector<std::string> texts;
+    for (std::size_t run = 0; run < one.gain.size(); ++run) {
+      texts.push_back(fmt::format("{:.3g} ± {:.1g} in run {}", one.gain[run], one.sigma[run], run + 1));
+    }
+    fmt::print("\n{}",
+               wrapped(fmt::format("The {} of {} is not the same in all runs: {} ({}). The machine, or its set-up, "
+                                   "changed between them.",
+                                   one.parameter, one.effect, fmt::join(texts, ", "), one.unit)));
+  }
+}
+
 }  // namespace
 
 void print_text(const DiagnosisReport& diagnosis_report, const std::string& title) {
@@ -143,6 +157,7 @@ void print_text(const DiagnosisReport& diagnosis_report, const std::string& titl
     fmt::print("\nWhy{}:\n", found.verdict == Verdict::untestable ? "" : " it is not named, or not all of it");
     for (const std::string& reason : found.reasons) fmt::print("{}", wrapped("- " + reason));
   }
+  print_gains_by_run(found);
   if (found.verdict != Verdict::untestable) fmt::print("\n{}", wrapped(posterior_text(found)));
   fmt::print("\n");
   print_sentences(diagnosis_report.residual_report);

@@ -21,6 +21,9 @@ std::string plan_command(const ModelOptions& options, const Diagnosis& found);
 // "ballbar add 'expansion(T_room_degC)' run.csv --model model.toml --target y_um": what saves what was tried.
 std::string add_command(const ModelOptions& options, const EffectTest& tried);
 
+// "ballbar diagnose run.csv --model model.toml --target y_um"
+std::string diagnose_command(const ModelOptions& options, const std::string& target);
+
 // The model's file as it was typed; where none was, a name that no file has yet: model.toml, model-2.toml ...
 std::string model_file(const ModelOptions& options);
 

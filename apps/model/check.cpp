@@ -58,7 +58,7 @@ Table parameter_table(const Fit& fit) {
 std::vector<Misfit> worth_showing(const ResidualReport& residual_report) {
   std::vector<Misfit> shown, rest;
   for (const Misfit& misfit : residual_report.where) {
-    (misfit.what == "regime" || misfit.what == "quadrant" ? shown : rest).push_back(misfit);
+    (misfit.what == "regime" || misfit.what == "quadrant" || misfit.what == "run" ? shown : rest).push_back(misfit);
   }
   const auto n = static_cast<double>(residual_report.fit.residual_um.size() - residual_report.fit.discounted.size());
   const auto excess = [&](const Misfit& misfit) { return misfit.share / (static_cast<double>(misfit.n) / n); };

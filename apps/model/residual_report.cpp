@@ -8,6 +8,7 @@
 #include "ballbar/fit/parameter_correlation.hpp"
 #include "ballbar/model/measured_input.hpp"
 #include "ballbar/number_text.hpp"
+#include "ballbar/series/runs.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -52,8 +53,10 @@ ResidualReport residual_report_of(const ModelOptions& options, const Model& mode
 }
 
 std::string heading(const Fit& fit) {
-  return fmt::format("{}, {} values over {}", fit.target, fit.residual_um.size(),
-                     duration_text(fit.time_s.back() - fit.time_s.front()));
+  const std::vector<double> time_s = one_after_another(fit.time_s);
+  const std::size_t runs = std::is_sorted(fit.time_s.begin(), fit.time_s.end()) ? 1 : runs_of(fit.time_s).size();
+  return fmt::format("{}, {} values over {}{}", fit.target, fit.residual_um.size(),
+                     duration_text(time_s.back() - time_s.front()), runs > 1 ? fmt::format(" in {} runs", runs) : "");
 }
 
 void print_sentences(const ResidualReport& residual_report) {

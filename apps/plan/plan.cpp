@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -10,9 +10,11 @@
 #include "ballbar/units.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
+#include "plan/plan_files.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/progress.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -25,6 +27,8 @@ struct Options {
   TestPlanOptions plan;
   std::vector<std::string> can;
   std::string out;
+  double ballbar_mm = 0.0;  // length of the bar; 0: no ballbar tests between
+  double ballbar_every_min = 60.0;
   bool json = false;
 };
 
@@ -54,6 +58,7 @@ Json json_of(const TestPlan& plan) {
                              {"hours", test.hours},
                              {"p_right", test.p_right},
                              {"p_right_sigma", test.p_right_sigma},
+                             {"p_part", test.p_part},
                              {"p_wrong", test.p_wrong},
                              {"truths", test.truths}});
   }
@@ -68,23 +73,65 @@ Json json_of(const TestPlan& plan) {
 void print_text(const TestPlan& plan, const ModelData& data, const std::string& target) {
   fmt::print("{}\n{}\n\n{}", data.title, target, wrapped(plan.sentence));
   if (plan.tests.empty()) return;
-  Table tests({"test", "hours", "P right", "P wrong", "simulated"});
+  Table tests({"test", "hours", "P right", "P some", "P wrong", "simulated"});
   for (const ExpectedTest& test : plan.tests) {
     tests.add({test.kind, fmt::format("{:g}", test.hours),
-               fmt::format("{:.2f} ± {:.2f}", test.p_right, test.p_right_sigma), fmt::format("{:.2f}", test.p_wrong),
-               fmt::format("{}", test.truths)});
+               fmt::format("{:.2f} ± {:.2f}", test.p_right, test.p_right_sigma), fmt::format("{:.2f}", test.p_part),
+               fmt::format("{:.2f}", test.p_wrong), fmt::format("{}", test.truths)});
   }
   fmt::print("\n{}", tests.text(table_width()));
   fmt::print(
       "{}",
-      wrapped("P right: share of the simulated cases, drawn from what these data leave possible, in which the data and "
-              "the run together name what is missing and nothing else. P wrong: in which they name another effect."));
+      wrapped(
+          "P right: share of the simulated cases, drawn from what these data leave possible, in which the data and "
+          "the run together name all that is missing and nothing else; P some: at least some of it that is not named "
+          "now. P wrong: they name another effect."));
   Table curves({"what may be missing", "P now"});
   for (const ExpectedCurve& curve : plan.curves) curves.add({curve.label, fmt::format("{:.2f}", curve.p)});
   if (!plan.curves.empty()) fmt::print("\n{}", curves.text(table_width()));
 }
 
+// Spread of the curves at each time, beside the readings' sigma.
+std::vector<double> apart_of(const TestPlan& plan) {
+  std::vector<double> apart;
+  apart.reserve(plan.time_s.size());
+  for (std::size_t i = 0; i < plan.time_s.size(); ++i) {
+    double low = plan.curves.front().um[i], high = low;
+    for (const ExpectedCurve& curve : plan.curves) {
+      low = std::min(low, curve.um[i]);
+      high = std::max(high, curve.um[i]);
+    }
+    apart.push_back(plan.sigma_um > 0.0 ? (high - low) / plan.sigma_um : 0.0);
+  }
+  return apart;
+}
+
+PlanContents contents_of(const TestPlan& plan, const Options& options, const ModelData& data,
+                         const std::string& target) {
+  PlanContents contents;
+  contents.schedule = plan.tests.front().schedule;
+  contents.title = fmt::format("What is missing in {}: {}", target, plan.tests.front().kind);
+  contents.text = plan.sentence;
+  for (const ExpectedCurve& curve : plan.curves) {
+    contents.curves.push_back(
+        {curve.label, curve.p, plan.time_s, curve.um, std::vector<double>(plan.time_s.size(), plan.sigma_um)});
+  }
+  if (!plan.curves.empty()) contents.apart = apart_of(plan);
+  for (const Column& column : data.series.columns) {
+    if (column.role != Role::measured || column.name == target) contents.columns_to_log.push_back(column.name);
+  }
+  contents.options.title = contents.title;
+  if (options.plan.max_rpm > 0.0) contents.options.max_rpm = options.plan.max_rpm;
+  if (options.ballbar_mm > 0.0) {
+    contents.options.ballbar = BallbarTest{};
+    contents.options.ballbar->radius_mm = options.ballbar_mm;
+    contents.options.ballbar->every_min = options.ballbar_every_min;
+  }
+  return contents;
+}
+
 void run(Options options) {
+  if (!options.out.empty()) expect_plan_folder(options.out);
   for (const std::string& what : options.can) {
     options.plan.can_load = options.plan.can_load || what == "load";
     options.plan.can_room = options.plan.can_room || what == "room";
@@ -112,6 +159,12 @@ void run(Options options) {
   } else {
     print_text(plan, data, model.targets.front());
   }
+  if (options.out.empty() || plan.tests.empty()) {
+    if (!options.out.empty()) stderr_line("no test is proposed: nothing was written to " + options.out);
+    return;
+  }
+  write_plan(options.out, contents_of(plan, options, data, model.targets.front()));
+  stderr_line(fmt::format("wrote {}: schedule.csv, programs for four controls, checklist.txt, plan.svg", options.out));
 }
 
 }  // namespace
@@ -133,6 +186,17 @@ void add_plan(CLI::App& app) {
       ->type_name("WHAT")
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"load", "room", "coolant"}));
+  command->add_option("--out", options->out, "a new folder: schedule, programs of the machine, check list, picture")
+      ->type_name("FOLDER");
+  command
+      ->add_option("--ballbar", options->ballbar_mm,
+                   "drive a ballbar test between the speeds, with a bar of this length")
+      ->type_name("MM")
+      ->check(number_within(10.0, 1000.0));
+  command->add_option("--every", options->ballbar_every_min, "minutes between the ballbar tests")
+      ->type_name("MIN")
+      ->capture_default_str()
+      ->check(number_within(1.0, 1440.0));
   command->add_option("--seed", options->plan.search.seed, "of the random draws; the same seed gives the same result")
       ->type_name("N")
       ->check(number_within(0, kLargestSeed));

@@ -13,6 +13,7 @@
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/number_text.hpp"
+#include "ballbar/series/runs.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "predict/predict_batch.hpp"
@@ -130,7 +131,7 @@ void run(const Options& options) {
   inputs.emplace_back(options.model.model);
   expect_no_input(options.out, inputs);
   Series series;
-  series.time_s = other.series.time_s;
+  series.time_s = one_after_another(other.series.time_s);
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     const std::vector<FittedParameter> parameters =
         has_free(model) ? fit_of(options.model, model, data, target).parameters : held_parameters(model);
@@ -156,6 +157,9 @@ void run(const Options& options) {
                summary(series.columns).text(table_width()));
   }
   for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
+  if (other.series.runs.size() > 1 && !options.out.empty()) {
+    fmt::print(stderr, "times go on from run to run, one right after another\n");
+  }
 }
 
 }  // namespace

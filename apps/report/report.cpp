@@ -14,7 +14,9 @@
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
+#include "ballbar/formats/sessions/runs_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/series/runs.hpp"
 #include "batches/batches.hpp"
 #include "commands.hpp"
 #include "diagnose/diagnosis_report.hpp"
@@ -130,6 +132,19 @@ void add_series(Made& made, const Series& series, const Options& options) {
   made.json["signals"].push_back(signals_part(file_name(path), series));
 }
 
+// Each run's signals; the model is of them together.
+void add_runs(Made& made, const Options& options) {
+  const std::vector<fs::path> paths(options.model.data.begin(), options.model.data.end());
+  const ModelData data = open_model_data(paths, {}, options.model.max_gap_s.value_or(kUsualGap_s));
+  made.json["title"] = data.title;
+  made.files.insert(made.files.end(), data.files.begin(), data.files.end());
+  const std::vector<RowRange> runs = runs_of(data.series.time_s);
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    const std::string name = run < data.series.runs.size() ? file_name(data.series.runs[run].name) : std::string();
+    made.json["signals"].push_back(signals_part(name, rows_of(data.series, runs[run])));
+  }
+}
+
 void add_comparison(Made& made, const Options& options) {
   ComparedDriftOptions drifts{.a = options.model.data.front(), .b = options.compare, .probes = options.probes};
   const ComparedDrifts both = compared_drifts_of(drifts);
@@ -233,13 +248,21 @@ Made made_of(const Options& options) {
   made.json["signals"] = Json::array();
   const bool has_model = !options.model.model.empty();
   const bool of_batches = has_model && is_batch_model(options.model.model);
-  const bool of_recordings = options.model.data.size() > 1 || is_recording_file(options.model.data.front());
+  const bool of_recordings = is_recording_file(options.model.data.front());
   expect_use(options, of_recordings, of_batches);
   if (of_recordings) {
     if (!options.compare.empty())
       throw Error("--compare: expected a session or a series to compare, found recordings.");
     if (of_batches) throw Error(options.model.model + ": expected a series to predict, found recordings.");
     add_recordings(made, options);
+    if (has_model || options.diagnose) add_model(made, options);
+    return made;
+  }
+  if (options.model.data.size() > 1 || lists_runs(options.model.data.front())) {
+    if (!options.compare.empty())
+      throw Error("--compare: expected one session or series to compare, found several runs.");
+    if (of_batches) throw Error(options.model.model + ": expected one series to predict, found several runs.");
+    add_runs(made, options);
     if (has_model || options.diagnose) add_model(made, options);
     return made;
   }

@@ -9,6 +9,7 @@
 #include "ballbar/fit/model_part.hpp"
 #include "ballbar/fit/regime_stretches.hpp"
 #include "ballbar/series/folds.hpp"
+#include "ballbar/series/runs.hpp"
 #include "ballbar/units.hpp"
 #include "report/report_parts.hpp"
 #include "terminal/json_number.hpp"
@@ -127,7 +128,10 @@ Json check_part(const ResidualReport& residual_report, const Model& model, const
   Json json = json_of(residual_report);
   json["level"] = model.level == Level::recording ? "recording" : "series";
   json["floor_text"] = floor_text(fit);
-  Json series{{"time_s", bulk(fit.time_s)},
+  const bool is_series = model.level == Level::series;
+  Series drawn = data.series;
+  if (is_series) drawn.time_s = one_after_another(data.series.time_s);
+  Json series{{"time_s", bulk(is_series ? at_rows(drawn.time_s, fit.row) : fit.time_s)},
               {"measured_um", bulk(fit.measured_um)},
               {"predicted_um", bulk(fit.predicted_um)},
               {"residual_um", bulk(fit.residual_um)}};
@@ -138,14 +142,14 @@ Json check_part(const ResidualReport& residual_report, const Model& model, const
         {{"effect", label_of(model.terms[t])}, {"values_um", bulk(fit.contribution_um[t])}});
   }
   series["inputs"] = inputs_of(fit, data);
-  series["regimes"] = model.level == Level::series ? regimes_of(data.series) : Json::array();
+  series["regimes"] = is_series ? regimes_of(drawn) : Json::array();
   json["series"] = std::move(series);
   // Between the tests as well, where a session's signals go on.
-  if (model.level == Level::series && fit.row.size() < data.series.time_s.size()) {
-    json["curve"] = {{"time_s", bulk(data.series.time_s)},
+  if (is_series && fit.row.size() < data.series.time_s.size()) {
+    json["curve"] = {{"time_s", bulk(drawn.time_s)},
                      {"predicted_um", bulk(predict(model, fit.parameters, data.series).predicted_um)}};
   }
-  json["steps"] = model.level == Level::series ? steps_of(fit, model, data.series) : Json::array();
+  json["steps"] = is_series ? steps_of(fit, model, data.series) : Json::array();
   return json;
 }
 

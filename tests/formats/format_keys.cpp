@@ -65,9 +65,11 @@ std::string body_text() {
 
 std::string keys_text(std::string_view name) {
   if (name == "session.toml") return text_of(session_keys());
+  if (name == "runs") return text_of(runs_keys());
   if (name == "ballbar log") return text_of(log_keys());
   if (name == "b5r") return text_of(b5r_keys());
   if (name == "series") return text_of(series_keys());
+  if (name == "schedule") return text_of(schedule_keys());
   if (name == "recipe") return text_of(recipe_keys());
   if (name == "model .toml") return text_of(model_keys());
   if (name == "history") return text_of(history_keys());
@@ -167,7 +169,7 @@ bool defaults_hold() {
 }
 
 constexpr std::string_view kBegin = "<!-- keys of ", kBeginEnd = " -->\n", kEnd = "<!-- end of keys -->";
-constexpr std::size_t kTables = 11;
+constexpr std::size_t kTables = 13;
 
 int held(const std::filesystem::path& path, bool update) {
   const std::string page = read_bytes(path, kLargestText);

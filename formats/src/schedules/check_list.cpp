@@ -32,7 +32,9 @@ std::string order_text(const Dwell& before, const Dwell& now) {
   const auto beside = [](double difference_K) {
     return difference_K == 0.0 ? std::string("as in the data so far") : fmt::format("{:+.4g} K", difference_K);
   };
-  if (now.load != before.load) add(fmt::format("load {:.4g} times that of the data", now.load));
+  if (now.load != before.load) {
+    add(now.load == 1.0 ? "load as in the data so far" : fmt::format("load {:.4g} times that of the data", now.load));
+  }
   if (now.room_K != before.room_K) add("room " + beside(now.room_K));
   if (now.coolant_K != before.coolant_K) add("coolant " + beside(now.coolant_K));
   return text;
@@ -55,11 +57,29 @@ std::string timetable(const Schedule& schedule) {
   return out + fmt::format("  {:>9}  end\n", clock_text(begin_s));
 }
 
+// What comes on top of the schedule.
+std::string on_top_text(const Schedule& schedule, const ProgramOptions& options) {
+  std::size_t stops = 0, circles = 0;
+  for (const steps::Step& step : steps::steps_of(schedule, options)) {
+    if (std::holds_alternative<steps::Stop>(step)) ++stops;
+    if (std::holds_alternative<steps::Circle>(step)) ++circles;
+  }
+  const auto counted = [](std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  if (stops == 0) return "the program runs through without a stop";
+  const std::string stops_text = counted(stops, "stop") + " for the operator";
+  // A test is a circle either way.
+  if (circles > 0) return fmt::format("{} and {} come on top", stops_text, counted(circles / 2, "ballbar test"));
+  return stops_text + (stops == 1 ? " comes on top" : " come on top");
+}
+
 }  // namespace
 
 std::string check_list(const Schedule& schedule, const ProgramOptions& options,
                        const std::vector<std::string>& columns_to_log, std::string_view title) {
   expect_schedule(schedule);
+  steps::expect_options(schedule, options);
   const std::optional<BallbarTest>& test = options.ballbar;
   double highest_rpm = 0.0;
   for (const Dwell& dwell : schedule.dwells) highest_rpm = std::max(highest_rpm, dwell.speed_rpm);
@@ -68,13 +88,14 @@ std::string check_list(const Schedule& schedule, const ProgramOptions& options,
   std::string out = title.empty() ? "Check list of a thermal test\n" : one_line(title) + "\n";
   const auto item = [&](std::string_view text) { out += fmt::format("[ ] {}\n", text); };
 
-  out += fmt::format("{} in all; the stops for the operator{} come on top.\n\nBefore\n",
-                     duration_text(duration_s(schedule)), test ? " and the ballbar tests" : "");
+  out += fmt::format("{} in all; {}.\n\nBefore\n", duration_text(duration_s(schedule)), on_top_text(schedule, options));
   item(schedule.starts_warm ? "The machine still moves from what it did before: begin within minutes of its end."
                             : "The machine has been at rest for a night, powered, in the room of the test.");
   item(fmt::format("The tool in the spindle may turn at {} rpm; guards and door are closed while it turns.",
                    grouped_text(std::round(highest_rpm))));
-  item("Clearances are checked: dry run of the program with the spindle's override at its lowest.");
+  item(test ? "Clearances are checked: axes move in the ballbar tests alone, first with the override of the feed "
+              "turned down."
+            : "Clearances are checked; no axis moves in the program.");
   if (test) {
     item(
         fmt::format("The zero of the workpiece (G54, preset) is the centre of the fixed ball; X{:.4g} Y0 can be "

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ballbar/error.hpp"
+
 namespace ballbar::steps {
 namespace {
 
@@ -86,10 +88,15 @@ void head(Steps& steps, const Schedule& schedule, const ProgramOptions& options)
 std::string setting(const Dwell& before, const Dwell& now) {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "SET " : ", ") + what; };
-  if (now.load != before.load) add(fmt::format("LOAD {:.4g} TIMES", now.load));
+  if (now.load != before.load) add(now.load == 1.0 ? "LOAD AS BEFORE" : fmt::format("LOAD {:.4g} TIMES", now.load));
   if (now.room_K != before.room_K) add("ROOM " + difference_text(now.room_K));
   if (now.coolant_K != before.coolant_K) add("COOLANT " + difference_text(now.coolant_K));
   return text;
+}
+
+void expect_in(std::string_view what, double value, double lowest, double highest) {
+  if (value >= lowest && value <= highest) return;
+  throw Error(fmt::format("A program's {}: expected {} to {}, found {}.", what, lowest, highest, value));
 }
 
 }  // namespace
@@ -110,6 +117,30 @@ std::string plain_text(std::string_view text, std::size_t most) {
   }
   while (plain.ends_with(' ')) plain.pop_back();
   return plain;
+}
+
+void expect_options(const Schedule& schedule, const ProgramOptions& options) {
+  expect_in("O number", options.number, 1, 9999);
+  if (options.range_m) expect_in("M function of the spindle's range", *options.range_m, 40, 49);
+  if (options.ballbar) {
+    const BallbarTest& test = *options.ballbar;
+    expect_in("radius in mm", test.radius_mm, 10.0, 2000.0);
+    expect_in("feed in mm/min", test.feed_mm_per_min, 1.0, 50000.0);
+    expect_in("way of feeding in, in mm", test.feed_in_mm, 0.1, 10.0);
+    if (test.every_min != 0.0) expect_in("minutes between two tests", test.every_min, 1.0, 44640.0);
+  }
+  if (!options.max_rpm) return;
+  double begin_s = 0.0;
+  for (std::size_t i = 0; i < schedule.dwells.size(); ++i) {
+    const Dwell& dwell = schedule.dwells[i];
+    if (!(whole_rpm(dwell.speed_rpm) <= *options.max_rpm)) {
+      throw Error(
+          fmt::format("Dwell {} of the schedule, from {:.4g} min: expected at most {} rpm, the highest that the "
+                      "machine may turn, found {} rpm.",
+                      i + 1, begin_s / 60.0, *options.max_rpm, dwell.speed_rpm));
+    }
+    begin_s += dwell.duration_s;
+  }
 }
 
 std::vector<Step> steps_of(const Schedule& schedule, const ProgramOptions& options) {

@@ -33,7 +33,10 @@ struct Circle {  // a full one about zero, from and to x_mm, Y = 0
 };
 using Step = std::variant<Comment, Turn, Rest, Orient, Wait, Stop, Line, Circle>;
 
-// `options` and `schedule` are checked.
+// Throws Error where an option is not what it may be, or a dwell is above max_rpm.
+void expect_options(const Schedule& schedule, const ProgramOptions& options);
+
+// `schedule` and `options` are checked.
 std::vector<Step> steps_of(const Schedule& schedule, const ProgramOptions& options);
 
 // Letters, digits and "+-.,=" in capitals, all else blanks, of which never two follow; at most `most` characters.

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
-#include "ballbar/error.hpp"
 #include "ballbar/formats/schedules/schedule_csv.hpp"
 #include "schedules/program_steps.hpp"
 
@@ -145,35 +143,6 @@ std::string program_name(const std::string& name) {
   return plain.substr(0, 20);
 }
 
-void expect_in(std::string_view what, double value, double lowest, double highest) {
-  if (value >= lowest && value <= highest) return;
-  throw Error(fmt::format("A program's {}: expected {} to {}, found {}.", what, lowest, highest, value));
-}
-
-void expect_options(const Schedule& schedule, const ProgramOptions& options) {
-  expect_in("O number", options.number, 1, 9999);
-  if (options.range_m) expect_in("M function of the spindle's range", *options.range_m, 40, 49);
-  if (options.ballbar) {
-    const BallbarTest& test = *options.ballbar;
-    expect_in("radius in mm", test.radius_mm, 10.0, 2000.0);
-    expect_in("feed in mm/min", test.feed_mm_per_min, 1.0, 50000.0);
-    expect_in("way of feeding in, in mm", test.feed_in_mm, 0.1, 10.0);
-    if (test.every_min != 0.0) expect_in("minutes between two tests", test.every_min, 1.0, 44640.0);
-  }
-  if (!options.max_rpm) return;
-  double begin_s = 0.0;
-  for (std::size_t i = 0; i < schedule.dwells.size(); ++i) {
-    const Dwell& dwell = schedule.dwells[i];
-    if (!(steps::whole_rpm(dwell.speed_rpm) <= *options.max_rpm)) {
-      throw Error(
-          fmt::format("Dwell {} of the schedule, from {:.4g} min: expected at most {} rpm, the highest that the "
-                      "machine may turn, found {} rpm.",
-                      i + 1, begin_s / 60.0, *options.max_rpm, dwell.speed_rpm));
-    }
-    begin_s += dwell.duration_s;
-  }
-}
-
 struct Control {
   Dialect dialect;
   std::string_view name, file_name;
@@ -197,7 +166,7 @@ std::string_view file_name_of(Dialect dialect) { return control_of(dialect).file
 
 std::string spindle_program(const Schedule& schedule, Dialect dialect, const ProgramOptions& options) {
   expect_schedule(schedule);
-  expect_options(schedule, options);
+  steps::expect_options(schedule, options);
   return control_of(dialect).print(steps::steps_of(schedule, options), program_name(options.name), options);
 }
 

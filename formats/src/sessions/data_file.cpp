@@ -10,6 +10,8 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/series/drift_files.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
+#include "ballbar/formats/sessions/runs_toml.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/series/merged_series.hpp"
 #include "ballbar/series/runs.hpp"
 
@@ -118,8 +120,30 @@ ModelData data_of_drift(const std::filesystem::path& path, const DriftOptions& o
   return data;
 }
 
-ModelData data_of_runs(const std::vector<std::filesystem::path>& paths, const DriftOptions& options, double max_gap_s,
-                       std::span<const Reader> readers) {
+// A file that lists runs stands for them.
+std::vector<RunOfMachine> listed(const std::vector<std::filesystem::path>& paths, std::span<const Reader> readers,
+                              std::string& title) {
+  std::vector<RunOfMachine> runs;
+  for (const std::filesystem::path& path : paths) {
+    if (!lists_runs(path, readers)) {
+      runs.push_back({path.string(), std::nullopt});
+      continue;
+    }
+    const RunList list = read_run_list(read_bytes(path, kLargestText), path.string());
+    if (paths.size() == 1) title = list.title;
+    for (const RunOfMachine& run : list.runs) runs.push_back({(path.parent_path() / run.file).string(), run.start});
+  }
+  return runs;
+}
+
+ModelData data_of_runs(const std::vector<RunOfMachine>& listed_runs, const std::string& title, const DriftOptions& options,
+                       double max_gap_s, std::span<const Reader> readers) {
+  const std::vector<std::filesystem::path> paths = [&] {
+    std::vector<std::filesystem::path> all;
+    all.reserve(listed_runs.size());
+    for (const RunOfMachine& run : listed_runs) all.emplace_back(run.file);
+    return all;
+  }();
   expect_once(paths);
   ModelData data;
   std::vector<Series> runs;
@@ -136,7 +160,11 @@ ModelData data_of_runs(const std::vector<std::filesystem::path>& paths, const Dr
   Stacked all = stacked(runs, names);
   data.series = std::move(all.series);
   data.remarks.insert(data.remarks.end(), all.remarks.begin(), all.remarks.end());
-  data.title = fmt::format("{} runs, {}", paths.size(), fmt::join(names, ", "));
+  for (std::size_t run = 0; run < data.series.runs.size(); ++run) {
+    if (listed_runs[run].start) data.series.runs[run].start = *listed_runs[run].start;
+  }
+  data.title =
+      fmt::format("{} runs, {}", paths.size(), title.empty() ? fmt::format("{}", fmt::join(names, ", ")) : title);
   data.targets = measured_names(data.series);
   return data;
 }
@@ -149,8 +177,10 @@ ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const
   if (reader != nullptr && std::holds_alternative<ReadRecordings>(reader->read)) {
     return data_of_recordings(paths, readers);
   }
-  if (paths.size() == 1) return data_of_drift(paths.front(), options, max_gap_s, readers);
-  return data_of_runs(paths, options, max_gap_s, readers);
+  std::string title;
+  const std::vector<RunOfMachine> runs = listed(paths, readers, title);
+  if (runs.size() == 1) return data_of_drift(runs.front().file, options, max_gap_s, readers);
+  return data_of_runs(runs, title, options, max_gap_s, readers);
 }
 
 }  // namespace ballbar

@@ -26,6 +26,7 @@ std::span<const Reader> known_readers() {
       readers::kB5r,
       readers::kBallbarLog,
       readers::kSession,
+      readers::kRuns,
       readers::kModel,
       readers::kSeries,
       readers::kSchedule,

@@ -8,6 +8,7 @@ namespace ballbar::readers {
 extern const Reader kB5r;
 extern const Reader kBallbarLog;
 extern const Reader kSession;
+extern const Reader kRuns;
 extern const Reader kModel;
 extern const Reader kSeries;
 extern const Reader kSchedule;

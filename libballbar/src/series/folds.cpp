@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ballbar/series/runs.hpp"
 #include "ballbar/series/speed_steps.hpp"
 
 namespace ballbar {
@@ -11,17 +12,6 @@ constexpr std::size_t kMostFolds = 12;
 constexpr std::size_t kParts = 5;  // of a record: no cycle is longer
 constexpr std::size_t kPartsOfASweep = 4;
 constexpr double kNowhere = 1e-12;  // share of a column's square that is none
-
-// Runs one right after another.
-std::vector<double> without_pauses(std::vector<double> time_s) {
-  double offset_s = 0.0, last_s = time_s.empty() ? 0.0 : time_s.front();
-  for (double& time : time_s) {
-    if (time + offset_s < last_s) offset_s = last_s - time;
-    time += offset_s;
-    last_s = time;
-  }
-  return time_s;
-}
 
 std::vector<std::size_t> parts_of(const std::vector<double>& time_s, const std::vector<std::size_t>& rows,
                                   std::size_t parts) {
@@ -119,7 +109,7 @@ std::vector<std::size_t> folds_of(const Series& data, const std::vector<std::siz
   }
   const auto speed = std::find_if(data.columns.begin(), data.columns.end(),
                                   [](const Column& column) { return column.role == Role::speed; });
-  if (speed == data.columns.end()) return parts_of(without_pauses(data.time_s), rows, kParts);
+  if (speed == data.columns.end()) return parts_of(one_after_another(data.time_s), rows, kParts);
   return none_too_long(stretches_of(data, *speed, rows));
 }
 

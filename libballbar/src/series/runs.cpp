@@ -149,6 +149,19 @@ std::vector<double> unrolled(std::span<const double> time_s) {
   return result;
 }
 
+std::vector<double> one_after_another(std::span<const double> time_s) {
+  std::vector<double> result(time_s.begin(), time_s.end());
+  double offset_s = 0.0;
+  for (std::size_t row = 1; row < result.size(); ++row) {
+    if (time_s[row] < time_s[row - 1]) {
+      const double step_s = row > 1 && time_s[row - 1] > time_s[row - 2] ? time_s[row - 1] - time_s[row - 2] : 1.0;
+      offset_s = result[row - 1] + step_s - time_s[row];
+    }
+    result[row] = time_s[row] + offset_s;
+  }
+  return result;
+}
+
 Stacked stacked(const std::vector<Series>& runs, const std::vector<std::string>& names) {
   Stacked result;
   if (runs.size() == 1) {

@@ -10,17 +10,17 @@ namespace {
 TEST(check_list, whole) {
   const Schedule schedule{.dwells = {{.duration_s = 1800.0},
                                      {.duration_s = 5400.0, .speed_rpm = 12000.0, .load = 1.5, .room_K = 3.0},
-                                     {.duration_s = 90.0, .speed_rpm = 3000.0, .load = 1.5}},
+                                     {.duration_s = 90.0, .speed_rpm = 3000.0}},
                           .reading_s = 30.0};
   EXPECT_EQ(
       check_list(schedule, {.ballbar = BallbarTest{.every_min = 20.0}}, {"T_room_degC", "speed_rpm"}, "Which\nof two"),
       R"(Which of two
-2 h 2 min in all; the stops for the operator and the ballbar tests come on top.
+2 h 2 min in all; 19 stops for the operator and 8 ballbar tests come on top.
 
 Before
 [ ] The machine has been at rest for a night, powered, in the room of the test.
 [ ] The tool in the spindle may turn at 12 000 rpm; guards and door are closed while it turns.
-[ ] Clearances are checked: dry run of the program with the spindle's override at its lowest.
+[ ] Clearances are checked: axes move in the ballbar tests alone, first with the override of the feed turned down.
 [ ] The zero of the workpiece (G54, preset) is the centre of the fixed ball; X101.5 Y0 can be reached.
 [ ] Bar of 100 mm, calibrated, at the room's temperature; feed 1000 mm/min, XY, CCW then CW.
 [ ] The clocks of the machine, of the loggers and of the ballbar's computer agree to a few seconds.
@@ -36,7 +36,7 @@ During: hours and minutes since the start
   from h:mm   for h:mm       rpm  to set by hand
        0:00       0:30      rest
        0:30       1:30     12000  load 1.5 times that of the data, room +3 K
-       2:00    0:01:30      3000  room as in the data so far
+       2:00    0:01:30      3000  load as in the data so far, room as in the data so far
     2:01:30  end
 
 [ ] Start the loggers, wait for ten readings at rest, start the program, write down the time of day: ______
@@ -57,7 +57,7 @@ After
 TEST(check_list, warm_and_without_a_bar) {
   const std::string text = check_list({.dwells = {{.duration_s = 60.0}}, .starts_warm = true}, {}, {}, "");
   EXPECT_TRUE(text.starts_with(
-      "Check list of a thermal test\n1 min in all; the stops for the operator come on top.\n\nBefore\n"
+      "Check list of a thermal test\n1 min in all; the program runs through without a stop.\n\nBefore\n"
       "[ ] The machine still moves from what it did before: begin within minutes of its end.\n"))
       << text;
   EXPECT_EQ(text.find("bar is off"), std::string::npos);

@@ -130,7 +130,7 @@ TEST(spindle_program, the_words_of_each_control) {
   };
   const std::string program = body(Dialect::fanuc);
   EXPECT_EQ(program, R"(%
-O8100 (WARMUP)
+O1100 (WARMUP)
 G21
 G17 G90 G94 G40
 G54

@@ -53,30 +53,8 @@ double start_and_stop(double hours) {
   if (std::fmod(hours, 3.0) >= 1.5 || hours == 0.0) return 0.0;
   return hours < 3.0 ? 5000.0 : 3000.0;
 }
-double start_once(double hours) { return hours > 0.0 ? 5000.0 : 0.0; }
-double wandering_room(double hours) { return 20.0 + std::sin(hours / 0.9); }
 double rising_room(double hours) { return 20.0 + 0.2 * hours; }
-
-std::vector<double> values_of(const Term& term, const std::vector<double>& parameters, const Series& data) {
-  EffectRows rows{data.time_s, {}};
-  for (const std::string& name : term.columns) rows.inputs.emplace_back(find_column(data, name)->values);
-  std::vector<double> values(data.time_s.size());
-  term.effect->evaluate(rows, parameters.data(), values.data(), nullptr);
-  return values;
-}
-
-void add_target(Series& data, std::vector<double> values, double sigma_um, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> noise(0.0, sigma_um);
-  for (double& value : values) value += noise(random);
-  data.columns.push_back({"z_um", Role::measured, std::move(values)});
-}
-
-Model empty_model() {
-  Model model;
-  model.targets = {"z_um"};
-  return model;
-}
+double wandering_room(double hours) { return 20.0 + std::sin(hours / 0.9); }
 
 // The competitors fitted alone, all of them equivalent, the likeliest first.
 Diagnosis undecided(const Model& model, const Series& data, const std::vector<Term>& competitors) {
@@ -216,49 +194,8 @@ TEST(next_test, both_directions_are_not_asked_again) {
   }
 }
 
-// chi^2 of the target by constants of both runs and the term, its first shape searched over a fine grid.
-double chi2(const Term& term, const std::vector<const Series*>& runs, double sigma_um) {
-  Eigen::Index n = 0;
-  for (const Series* run : runs) n += static_cast<Eigen::Index>(run->time_s.size());
-  double least = std::numeric_limits<double>::infinity();
-  const bool has_shape = term.effect->parameters.size() > 1;
-  for (double tau_s = 60.0; tau_s < 1e5; tau_s *= 1.05) {
-    Eigen::MatrixXd x = Eigen::MatrixXd::Zero(n, 3);
-    Eigen::VectorXd y(n);
-    Eigen::Index row = 0;
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-      std::vector<double> parameters{1.0};
-      if (has_shape) parameters.push_back(tau_s);
-      while (parameters.size() < term.effect->parameters.size()) {
-        parameters.push_back(term.effect->parameters[parameters.size()].start);
-      }
-      const std::vector<double> values = values_of(term, parameters, *runs[r]);
-      const std::vector<double>& target = find_column(*runs[r], "z_um")->values;
-      for (std::size_t i = 0; i < values.size(); ++i, ++row) {
-        x(row, static_cast<Eigen::Index>(r)) = 1.0;
-        x(row, 2) = values[i];
-        y[row] = target[i];
-      }
-    }
-    least = std::min(least, (y - x * x.colPivHouseholderQr().solve(y)).squaredNorm());
-    if (!has_shape) break;
-  }
-  return least / (sigma_um * sigma_um);
-}
-
 // Data and test are simulated from the truth, with the housing that the machine would really have; the competitors are
 // fitted to both by an exhaustive search. d scatters by 1.
-
-// The text with its numbers of d struck out.
-std::string without_d(std::string text) {
-  for (std::size_t at = text.find("d = "); at != std::string::npos; at = text.find("d = ", at + 4)) {
-    std::size_t end = at + 4;
-    while (end < text.size() && (std::isdigit(static_cast<unsigned char>(text[end])) || text[end] == '.')) ++end;
-    if (text[end - 1] == '.') --end;
-    text.replace(at + 4, end - at - 4, "#");
-  }
-  return text;
-}
 
 // Two sensors side by side.
 
@@ -294,23 +231,6 @@ TEST(next_test, another_radius_is_that_of_a_bar_there_is) {
 // The load goes with the only speed: either may heat. Twice the load at the same speed tells them apart.
 
 // One effect of a room, weak in the data: a step of the room would show it again.
-
-// Names of the tests, all numbers checked to be numbers.
-std::vector<std::string> names_of(const Model& model, const Series& data, const std::vector<Term>& competitors) {
-  std::vector<std::string> names;
-  double last = std::numeric_limits<double>::infinity();
-  for (const NextTest& test : next_tests(model, data, undecided(model, data, competitors))) {
-    EXPECT_TRUE(std::isfinite(test.separation) && std::isfinite(test.separation_so_far)) << test.name;
-    EXPECT_GE(test.separation, test.separation_so_far * 0.999) << test.name;
-    EXPECT_LE(test.separation, last);
-    EXPECT_GT(test.duration_s, 0.0);
-    EXPECT_FALSE(test.text.empty());
-    last = test.separation;
-    names.push_back(test.name);
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 // 17 readings, 20 min apart, of 5 h of signals every 4 s; the model is there already.
 

@@ -11,13 +11,11 @@
 namespace ballbar::next_test {
 
 Joined joined(const Model& model, const std::vector<Series>& runs) {
-  if (runs.size() == 1) return {runs.front(), model};
   std::vector<std::string> names;
-  names.reserve(runs.size());
-  for (std::size_t k = 0; k < runs.size(); ++k) names.push_back(fmt::format("run {}", k + 1));
-  Joined result{stacked(runs, names).series, {}};
-  result.model = with_run_terms(model, result.data);
-  return result;
+  for (std::size_t run = 0; run < runs.size(); ++run) names.push_back(fmt::format("run {}", run + 1));
+  Series data = stacked(runs, names).series;
+  Model with = with_run_terms(without_run_terms(model), data);
+  return {std::move(data), std::move(with)};
 }
 
 std::optional<Design> plan_of(const Joined& joined, const Diagnosis&, double hours, double max_rpm,

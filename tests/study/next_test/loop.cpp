@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -32,12 +34,22 @@ Stage judged_stage(const verdicts::Bench& bench, const Joined& joined, Diagnosis
   return stage;
 }
 
+double highest_rpm(const Series& data) {
+  double highest = 0.0;
+  for (const Column& column : data.columns) {
+    if (column.role != Role::speed) continue;
+    for (const double rpm : column.values) highest = std::max(highest, std::abs(rpm));
+  }
+  return highest;
+}
+
 std::optional<Design> designed(const Joined& joined, const Diagnosis& found, const LoopOptions& options,
                                std::uint64_t seed) {
+  const double max_rpm = options.max_rpm > 0.0 ? options.max_rpm : highest_rpm(joined.data);
   const double nothing = std::numeric_limits<double>::quiet_NaN();
-  if (options.plan == "design") return plan_of(joined, found, options.hours, options.max_rpm, seed);
-  if (options.plan == "staircase") return Design{staircase(options.hours, options.max_rpm, seed), nothing};
-  for (FixedPlan& plan : fixed_plans(joined.data, options.hours, options.max_rpm)) {
+  if (options.plan == "design") return plan_of(joined, found, options.hours, max_rpm, seed);
+  if (options.plan == "staircase") return Design{staircase(options.hours, max_rpm, seed), nothing};
+  for (FixedPlan& plan : fixed_plans(joined.data, options.hours, max_rpm)) {
     if (plan.name == options.plan) return Design{std::move(plan.schedule), nothing};
   }
   throw std::runtime_error("expected design, staircase, fixed or the name of a plan, found " + options.plan);

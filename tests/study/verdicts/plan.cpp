@@ -162,9 +162,10 @@ Track followed(const Track& set, double time_constant_s) {
 
 }  // namespace
 
-Plan rich_plan(Chance& chance) {
+Plan rich_plan(Chance& chance, double hours) {
   Plan plan;
-  plan.span_s = seconds(chance.between(5.0, 12.0) * kHour_s);
+  const double drawn_hours = chance.between(5.0, 12.0);
+  plan.span_s = seconds((hours > 0.0 ? hours : drawn_hours) * kHour_s);
   const std::size_t length = plan.span_s + kAfter_s;
   plan[Quantity::speed] = random_speed(length, chance);
   plan[Quantity::load] = random_load(plan[Quantity::speed], chance);

@@ -22,8 +22,8 @@ constexpr std::array<std::array<const char*, kQuantities + 1>, 4> kNames{{
 }};
 constexpr std::array kRoles{Role::speed, Role::load, Role::ambient, Role::coolant, Role::housing, Role::bearing};
 
-Plan drawn_plan(Course course, Chance& chance) {
-  switch (course) {
+Plan drawn_plan(const Recipe& recipe, Chance& chance) {
+  switch (recipe.course) {
     case Course::poor:
       return poor_plan(chance);
     case Course::one_speed:
@@ -31,7 +31,7 @@ Plan drawn_plan(Course course, Chance& chance) {
     case Course::rich:
       break;
   }
-  return rich_plan(chance);
+  return rich_plan(chance, recipe.hours);
 }
 
 Scatter drawn_scatter(Noise noise, Chance& chance) {
@@ -85,7 +85,7 @@ std::vector<double> fake_temperature(const Plan& plan, const std::vector<double>
 
 Scene drawn_scene(const Recipe& recipe, Chance& chance) {
   Scene scene;
-  scene.plan = drawn_plan(recipe.course, chance);
+  scene.plan = drawn_plan(recipe, chance);
   scene.conventions = drawn_conventions(recipe, chance);
   scene.scatter = drawn_scatter(recipe.noise, chance);
   scene.time_s = rows_of(scene.plan, scene.conventions.row_s);

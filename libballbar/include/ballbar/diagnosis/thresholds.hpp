@@ -115,6 +115,16 @@ inline constexpr double kCredible = 0.95;      // share of the posterior in a cr
 inline constexpr double kMinor = 0.05;         // of the RMSE
 inline constexpr std::size_t kMostShown = 12;  // candidates
 
+// A run that is followed.
+inline constexpr std::size_t kFirstLook = 64;       // values of the target
+inline constexpr double kLookGrowth = 13.0 / 12.0;  // values of a look, of those of the look before
+inline constexpr std::size_t kMostLooks = 100;      // the last at 177 000 values
+inline constexpr double kFalselyDecided = 0.02;     // of runs in which nothing is hidden, at most; of what is decided
+inline constexpr std::size_t kLooksToDecide = 3;    // in a row that say the same
+inline constexpr double kTwinNow = 0.1;             // P of a rival that no reading tells from the first
+inline constexpr double kTwinMoves = 0.2;           // ln of the odds of both, over the last half of the values
+inline constexpr double kForecastSigmas = 2.0;      // of ln of odds, forecast to the planned end
+
 // Effects of a model.
 inline constexpr double kDropTest = 0.05;           // P that one is not needed, below which it is
 inline constexpr double kDropTestOfErrors = 0.001;  // p of chi^2, the same of errors of the axes

@@ -26,6 +26,9 @@ Series rows_of(const Series& data, const RowRange& range);
 // Times that go on from run to run, each a day after the longest: for what only has to draw or to count.
 std::vector<double> unrolled(std::span<const double> time_s);
 
+// Times with one run right after another, for a picture or a file: a run begins a step of the clock after the last row.
+std::vector<double> one_after_another(std::span<const double> time_s);
+
 // A machine that stood less than this since the run before begins warm.
 inline constexpr double kRest_s = 8.0 * 3600.0;
 

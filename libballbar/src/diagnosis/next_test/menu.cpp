@@ -113,7 +113,7 @@ void move(std::vector<Dwell>& dwells, double every_h, double Dwell::*what, doubl
   dwells = std::move(cut);
 }
 
-struct Kind {
+struct TestKind {
   std::string name, doing;
   std::vector<Dwell> (*speeds)(double hours, double max_rpm);
   bool moved = false;
@@ -121,7 +121,7 @@ struct Kind {
 
 std::vector<Dwell> at_rest(double hours, double) { return {{hours * kHour_s, 0.0}}; }
 
-std::vector<Kind> kinds_of(double max_rpm, const MenuLimits& limits) {
+std::vector<TestKind> kinds_of(double max_rpm, const MenuLimits& limits) {
   std::string moved;
   const auto add = [&](bool can, std::string_view phrase) {
     if (can) moved += fmt::format("{}{}", moved.empty() ? "" : ", ", phrase);
@@ -129,7 +129,7 @@ std::vector<Kind> kinds_of(double max_rpm, const MenuLimits& limits) {
   add(limits.room, fmt::format("the room {:g} K warmer and back", kRoomStep_K));
   add(limits.coolant, fmt::format("the coolant {:g} K warmer and back", kCoolantStep_K));
   add(limits.load && max_rpm > 0.0, fmt::format("{:g} times the load and back", kLoadStep));
-  std::vector<Kind> kinds;
+  std::vector<TestKind> kinds;
   if (max_rpm > 0.0) {
     const std::string up_to = fmt::format("up to {} rpm", grouped_text(max_rpm));
     kinds.push_back({"random speeds", "speeds that change every 10 min to 2 h, " + up_to, random_speeds});
@@ -162,7 +162,7 @@ std::vector<MenuItem> menu_of(const Series& data, const std::string& target, con
   }
   lengths_h.push_back(limits.most_hours);
   std::vector<MenuItem> menu;
-  for (const Kind& kind : kinds_of(max_rpm, limits)) {
+  for (const TestKind& kind : kinds_of(max_rpm, limits)) {
     for (const double hours : lengths_h) {
       MenuItem item{kind.name, kind.doing, hours, {kind.speeds(hours, max_rpm), 0.0, false}};
       if (kind.moved && limits.room) move(item.schedule.dwells, hours / 4.0, &Dwell::room_K, kRoomStep_K, 0.0);

@@ -20,6 +20,7 @@
 #include "diagnosis/next_test/menu.hpp"
 #include "diagnosis/next_test/planned_inputs.hpp"
 #include "diagnosis/next_test/truths.hpp"
+#include "diagnosis/verdict/diagnosis_at.hpp"
 #include "numerics/random_streams.hpp"
 #include "series/resolution.hpp"
 
@@ -30,6 +31,7 @@ constexpr std::size_t kScreened = 8;  // truths for a first look at a test
 constexpr std::size_t kTruths = 24;   // for what is promised
 constexpr std::size_t kKindsKept = 2;
 constexpr std::size_t kSurrogatesSimulated = 50;
+constexpr std::size_t kSlowStride = 6;       // of the covariances with a slow curve one in so many
 constexpr std::size_t kRowsSimulated = 500;  // of the target that each diagnosis weighs
 
 Model without_unknown(const Model& model, const Series& data) {
@@ -56,18 +58,26 @@ Series with_run(const Series& data, const Series& run) {
 }
 
 struct Outcome {
-  bool right = false, wrong = false;
+  bool right = false, part = false, wrong = false;
 };
 
-Outcome outcome_of(const std::vector<BoundEffect>& truth, bool slow, const Diagnosis& found) {
+// What needs nothing but time is never named: a truth is told where all the rest of it is.
+Outcome outcome_of(const std::vector<BoundEffect>& truth, const Diagnosis& found,
+                   const std::vector<BoundEffect>& known) {
   const auto is_in = [](const std::vector<BoundEffect>& all, const BoundEffect& one) {
     return std::find(all.begin(), all.end(), one) != all.end();
   };
   Outcome outcome;
-  for (const BoundEffect& named : found.named) outcome.wrong = outcome.wrong || !is_in(truth, named);
-  const bool all =
-      std::all_of(truth.begin(), truth.end(), [&](const BoundEffect& one) { return is_in(found.named, one); });
-  outcome.right = !outcome.wrong && all && (!truth.empty() || slow);
+  bool more = false;
+  for (const BoundEffect& named : found.named) {
+    outcome.wrong = outcome.wrong || !is_in(truth, named);
+    more = more || !is_in(known, named);
+  }
+  const bool all = std::all_of(truth.begin(), truth.end(), [&](const BoundEffect& one) {
+    return one.effect->time_only || is_in(found.named, one);
+  });
+  outcome.right = !outcome.wrong && all;
+  outcome.part = !outcome.wrong && (all || more);
   return outcome;
 }
 
@@ -85,8 +95,11 @@ class Design {
     truths_.emplace(weighed_);
     planned_ = std::make_unique<PlannedInputs>(data_, target_);
     resolution_um_ = resolution_of(find_column(data_, target_)->values);
+    covariances_ = simulated_covariances();
   }
 
+  // What the data at hand name already.
+  void know(const std::vector<BoundEffect>& named) { named_now_ = named; }
   bool can_draw() const { return truths_.has_value(); }
   const Weighed& posterior() const { return weighed_; }
   const Truths& truths() const { return *truths_; }
@@ -108,6 +121,7 @@ class Design {
     const auto n = static_cast<double>(truths.size());
     for (const Outcome& one : outcomes) {
       result.p_right += one.right ? 1.0 / n : 0.0;
+      result.p_part += one.part ? 1.0 / n : 0.0;
       result.p_wrong += one.wrong ? 1.0 / n : 0.0;
     }
     // Of Laplace's estimate, so that 24 of 24 is no certainty.
@@ -127,6 +141,28 @@ class Design {
   }
 
  private:
+  // Those that the data make likely, and a few with a slow curve, so that a simulated run may find one.
+  std::vector<Covariance> simulated_covariances() const {
+    std::vector<Covariance> chosen;
+    std::size_t slow = 0;
+    for (const Covariance& one : weighed_.problem->covariances) {
+      const bool is_likely =
+          std::any_of(weighed_.posterior.points.begin(), weighed_.posterior.points.end(), [&](const Point& point) {
+            const Covariance& there = point.covariance;
+            return there.white == one.white && there.time_s == one.time_s && there.slow == one.slow &&
+                   there.slow_time_s == one.slow_time_s;
+          });
+      if (is_likely || (one.slow > 0.0 && slow++ % kSlowStride == 0)) chosen.push_back(one);
+    }
+    // Those that are left share the whole, without and with a slow curve.
+    double without = 0.0, with = 0.0;
+    for (const Covariance& one : chosen) (one.slow > 0.0 ? with : without) += 1.0;
+    for (Covariance& one : chosen) {
+      one.log_prior = std::log(one.slow > 0.0 ? kPriorOfDiscrepancy / with : (1.0 - kPriorOfDiscrepancy) / without);
+    }
+    return chosen;
+  }
+
   Outcome outcome(const Schedule& schedule, const Truth& truth, std::mt19937_64& random) const {
     const Series all = with_run(data_, simulated(schedule, truth, random));
     DiagnosisOptions how;
@@ -135,8 +171,8 @@ class Design {
     how.surrogates = kSurrogatesSimulated;
     how.most_rows = kRowsSimulated;
     try {
-      const Diagnosis found = diagnose(with_run_terms(model_, all), all, target_index_, how);
-      return outcome_of(truths_->effects_of(truth), truth.slow, found);
+      const Diagnosis found = diagnosis_at(with_run_terms(model_, all), all, target_index_, how, covariances_);
+      return outcome_of(truths_->effects_of(truth), found, named_now_);
     } catch (const Error&) {
       return {};  // a run that cannot be diagnosed decides nothing
     }
@@ -151,10 +187,13 @@ class Design {
   std::optional<Truths> truths_;
   std::unique_ptr<PlannedInputs> planned_;
   double resolution_um_ = 0.0;
+  std::vector<Covariance> covariances_;
+  std::vector<BoundEffect> named_now_;
 };
 
 bool is_better(const ExpectedTest& a, const ExpectedTest& b) {
   if (a.p_right != b.p_right) return a.p_right > b.p_right;
+  if (a.p_part != b.p_part) return a.p_part > b.p_part;
   if (a.p_wrong != b.p_wrong) return a.p_wrong < b.p_wrong;
   return a.hours < b.hours;
 }
@@ -185,21 +224,22 @@ std::vector<ExpectedTest> tests_of(const Design& design, const std::vector<MenuI
   }
   std::stable_sort(longest.begin(), longest.end(), is_better);
   for (std::size_t k = 0; k < longest.size(); ++k) {
-    if (longest[k].p_right > 0.0 && k < kKindsKept) {
-      const std::vector<const MenuItem*>& items = kinds[longest[k].kind];
-      for (std::size_t i = 0; i + 1 < items.size(); ++i) {
-        design.tell(fmt::format("simulating {:g} h of {}", items[i]->hours, items[i]->kind));
-        all.push_back(design.expected(*items[i], few));
-      }
-    }
+    // Where hours are enough, fewer may be: as long as they are.
+    const std::vector<const MenuItem*>& items = kinds[longest[k].kind];
+    bool enough = k < kKindsKept && longest[k].p_right >= kSureEnough;
     all.push_back(std::move(longest[k]));
+    for (std::size_t i = items.size() - 1; i-- > 0 && enough;) {
+      design.tell(fmt::format("simulating {:g} h of {}", items[i]->hours, items[i]->kind));
+      all.push_back(design.expected(*items[i], few));
+      enough = all.back().p_right >= kSureEnough;
+    }
   }
   // What is promised comes from other truths than the choice; where it falls short the next is looked at as well.
   const std::vector<Truth> fresh = design.drawn(kTruths, 1);
   std::set<std::size_t> promised;
   for (int round = 0; round < 2; ++round) {
     const std::size_t best = chosen(all);
-    if (!(all[best].p_right > 0.0) || !promised.insert(best).second) break;
+    if (!(all[best].p_part > 0.0) || !promised.insert(best).second) break;
     design.tell(fmt::format("simulating {:g} h of {} with {} truths", all[best].hours, all[best].kind, kTruths));
     const auto item = std::find_if(menu.begin(), menu.end(), [&](const MenuItem& one) {
       return one.kind == all[best].kind && one.hours == all[best].hours;
@@ -262,11 +302,14 @@ std::string sentence_of(const TestPlan& plan, const TestPlanOptions& options) {
   }
   const ExpectedTest& best = plan.tests.front();
   std::string text = fmt::format(
-      "Run {:g} h from cold: {}. It would name what is missing in {} of cases (± {:.0f}, {} simulated), and "
-      "something wrong in {}.",
-      best.hours, best.doing, percent(best.p_right), 100.0 * best.p_right_sigma, best.truths, percent(best.p_wrong));
-  if (best.p_right < kSureEnough)
+      "Run {:g} h from cold: {}. It would name all that is missing in {} of cases (± {:.0f}, {} "
+      "simulated)",
+      best.hours, best.doing, percent(best.p_right), 100.0 * best.p_right_sigma, best.truths);
+  if (best.p_part > best.p_right) text += fmt::format(", at least some of it in {}", percent(best.p_part));
+  text += fmt::format(", and something wrong in {}.", percent(best.p_wrong));
+  if (best.p_right < kSureEnough) {
     text += fmt::format(" No test of up to {:g} h reaches {}.", options.most_hours, percent(kSureEnough));
+  }
   for (const SensorToAdd& sensor : plan.sensors) {
     text += fmt::format(" A temperature sensor {} would raise it to {} in the same run.", sensor.place,
                         percent(sensor.p_right));
@@ -280,7 +323,7 @@ TestPlan test_plan(const Model& model, const Series& data, std::size_t target, c
   TestPlan plan;
   // Columns that read the same are one: which of them it is, no test can tell.
   const Alike alike = alike_columns_of(data, model);
-  const Design design(model, alike.data, target, options);
+  Design design(model, alike.data, target, options);
   if (!design.can_draw()) {
     plan.sentence = "The data have too few values, or do not move: nothing can be planned from them.";
     return plan;
@@ -290,6 +333,7 @@ TestPlan test_plan(const Model& model, const Series& data, std::size_t target, c
   how.search = options.search;
   how.search.progress = {};
   const Diagnosis now = diagnose(with_run_terms(without_run_terms(model), alike.data), alike.data, target, how);
+  design.know(now.named);
   plan.inseparable = inseparable_effects(now, alike);
   plan.verdict = now.verdict;
   const bool is_all_named = now.verdict == Verdict::named && now.probable.empty() && now.equivalent.empty();
@@ -297,7 +341,7 @@ TestPlan test_plan(const Model& model, const Series& data, std::size_t target, c
   if (!is_all_named && now.verdict != Verdict::nothing && now.verdict != Verdict::untestable) {
     MenuLimits limits{options.most_hours, options.max_rpm, options.can_load, options.can_room, options.can_coolant};
     plan.tests = tests_of(design, menu_of(alike.data, model.targets.at(target), limits));
-    if (!plan.tests.empty() && !(plan.tests.front().p_right >= kLeastPromise)) plan.tests.clear();
+    if (!plan.tests.empty() && !(plan.tests.front().p_part >= kLeastPromise)) plan.tests.clear();
   }
   if (!plan.tests.empty()) add_curves(design, plan, options.search.seed);
   plan.sentence = sentence_of(plan, options);

@@ -62,14 +62,14 @@ Columns decays(const std::vector<double>& time_s) {
   return columns;
 }
 
-struct Solved {
+struct SolvedGains {
   Eigen::VectorXd gains;
   double square = 0.0;  // sum of squares that is left
 };
 
 // Least squares with gains >= 0 in the columns after the first `free` ones, coordinate by coordinate. The first column
 // is ones. Damped by the square of each column about its mean, but for the ones.
-Solved solved(const Eigen::MatrixXd& x, const Eigen::VectorXd& y, Eigen::Index free) {
+SolvedGains solved(const Eigen::MatrixXd& x, const Eigen::VectorXd& y, Eigen::Index free) {
   const Eigen::Index m = x.cols() - 1;
   const Eigen::RowVectorXd mean = x.rightCols(m).colwise().mean();
   const double level = y.mean();
@@ -93,7 +93,7 @@ Solved solved(const Eigen::MatrixXd& x, const Eigen::VectorXd& y, Eigen::Index f
     }
     if (moved <= 1e-6 * gains.cwiseAbs().maxCoeff()) break;
   }
-  Solved result;
+  SolvedGains result;
   result.gains.resize(m + 1);
   result.gains.tail(m) = gains.cwiseQuotient(scale);
   result.gains[0] = level - mean.dot(result.gains.tail(m));
@@ -140,7 +140,7 @@ std::vector<Forecast> forecasts_of(const Drives& drives, const std::vector<std::
         const Eigen::MatrixXd drive = matrix_of(bases[e], rows).rightCols(best.gains.size() - 1);
         Eigen::MatrixXd x(y.size(), free.cols() + drive.cols());
         x << free, drive;
-        const Solved found = solved(x, y, free.cols());
+        const SolvedGains found = solved(x, y, free.cols());
         const double r2 = 1.0 - found.square / alone;
         if (!(1.0 - r2 < kClearly * (1.0 - best.r2)) || !found.gains.allFinite()) continue;
         best.exponent = kExponents[e];

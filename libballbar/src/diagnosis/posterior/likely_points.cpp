@@ -16,10 +16,9 @@ constexpr double kLeastOfRichest = -30.0;  // ln of the prior that the richest m
 constexpr double kPriceOfGain = 3.0;       // ln, about that of d
 
 std::vector<Point> points_of_grid(const Problem& problem) {
-  const std::vector<Covariance> grid = covariance_grid(problem.time_s, problem.model.level == Level::series);
   std::vector<Point> points;
-  points.reserve(grid.size());
-  for (const Covariance& one : grid)
+  points.reserve(problem.covariances.size());
+  for (const Covariance& one : problem.covariances)
     points.push_back({one, CovarianceFilter(one, problem.time_s, problem.relative_variance)});
   return points;
 }

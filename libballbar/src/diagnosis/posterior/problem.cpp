@@ -187,6 +187,10 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   problem->log_prior_of_shape = log_priors_of_shapes(problem->library);
   problem->own = own_of(model);
   problem->terms = options.signatures.terms;
+  problem->covariances = options.covariances;
+  if (problem->covariances.empty()) {
+    problem->covariances = covariance_grid(problem->time_s, model.level == Level::series);
+  }
   return problem;
 }
 

@@ -51,13 +51,15 @@ struct Problem {
   std::vector<double> log_prior;           // of each family: effects alike, columns of an effect alike
   std::vector<double> log_prior_of_shape;  // of each signature in its family: alike, but half where it acts at once
   std::vector<OwnParameter> own;
+  std::vector<Covariance> covariances;
   std::vector<Term> terms;  // given in the place of the catalogue's: what they hold is held
 };
 
 struct ProblemOptions {
   SignatureOptions signatures;
   Catalogue catalogue;
-  std::size_t most_rows = 1000;  // values of the target
+  std::size_t most_rows = 1000;         // values of the target
+  std::vector<Covariance> covariances;  // looked at; none: all of covariance_grid
 };
 
 // Row by row what the logs leave open of jumps: rows strictly inside the time of a jump; wide: those at its ends as

@@ -10,7 +10,9 @@
 #include "diagnosis/posterior/set_at.hpp"
 #include "diagnosis/posterior/weighed.hpp"
 #include "diagnosis/signatures/detectability.hpp"
+#include "diagnosis/verdict/diagnosis_at.hpp"
 #include "diagnosis/verdict/fitted_set.hpp"
+#include "diagnosis/verdict/gains_by_run.hpp"
 #include "diagnosis/verdict/probabilities.hpp"
 #include "diagnosis/verdict/sentence.hpp"
 #include "diagnosis/verdict/tested_member.hpp"
@@ -42,9 +44,11 @@ Noise noise_of(const Covariance& covariance, double variance) {
 
 class Decision {
  public:
-  Decision(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options)
+  Decision(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
+           const std::vector<Covariance>& covariances)
       : model_(model), options_(options) {
     ProblemOptions how;
+    how.covariances = covariances;
     how.catalogue = options.search.catalogue;
     how.signatures.motion = options.search.motion;
     how.signatures.without = options.search.without;
@@ -120,6 +124,7 @@ class Decision {
     p_ = probabilities_of(problem(), posterior());
     result_.p_nothing = p_.nothing;
     result_.p_discrepancy = p_.discrepancy;
+    result_.log_bayes_factor = p_.log_bayes_factor;
     if (model_.level == Level::series) result_.drivers = drivers_of(posterior(), problem(), p_.column);
     for (std::size_t f = 0; f < problem().effects; ++f) {
       if (p_.family[f] >= 0.01) result_.effects.push_back({family(f).bound, p_.family[f]});
@@ -128,6 +133,7 @@ class Decision {
                      [](const EffectProbability& a, const EffectProbability& b) { return a.p > b.p; });
     best_ = &posterior().sets.front();
     at_ = set_at(problem(), posterior(), *best_);
+    result_.gains_by_run = gains_by_run(problem(), posterior(), *best_, at_);
     const Covariance& covariance = posterior().points[best_->point].covariance;
     result_.noise = noise_of(covariance, at_.variance);
     for (const EffectSet& set : posterior().sets) {
@@ -193,6 +199,10 @@ class Decision {
         std::vector<BoundEffect> group;
         for (const std::size_t f : groups[m]) group.push_back(family(f).bound);
         d.equivalent.push_back(std::move(group));
+      }
+      for (const GainByRun& gain : d.gains_by_run) {
+        if (gain.effect == one.label)
+          d.reasons.push_back(fmt::format("{}: its gain differs from run to run.", one.label));
       }
       for (const std::string& doubt : one.doubts) d.reasons.push_back(fmt::format("{}: {}.", one.label, doubt));
     }
@@ -290,7 +300,12 @@ std::string_view name_of(Verdict verdict) {
 }
 
 Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options) {
-  return Decision(model, data, target, options).run();
+  return diagnosis_at(model, data, target, options, {});
+}
+
+Diagnosis diagnosis_at(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
+                       const std::vector<Covariance>& covariances) {
+  return Decision(model, data, target, options, covariances).run();
 }
 
 }  // namespace ballbar

@@ -25,6 +25,18 @@ std::vector<const EffectSet*> credible_sets(const Posterior& posterior) {
   return sets;
 }
 
+// The sets' priors taken off again; a slow discrepancy counts on both sides.
+double log_bayes_factor_of(const Problem& problem, const Posterior& posterior) {
+  std::vector<double> something, none;
+  something.reserve(posterior.sets.size());
+  none.reserve(posterior.sets.size());
+  for (const EffectSet& set : posterior.sets)
+    (set.own == 0 && set.families.empty() ? none : something).push_back(set.log_weight);
+  if (something.empty()) return 0.0;
+  const double p_none = kPriorOfSize[0] * (problem.own.empty() ? 1.0 : 1.0 - kPriorOfOwn);
+  return log_sum(something) - log_sum(none) - std::log((1.0 - p_none) / p_none);
+}
+
 }  // namespace
 
 Probabilities probabilities_of(const Problem& problem, const Posterior& posterior) {
@@ -48,6 +60,7 @@ Probabilities probabilities_of(const Problem& problem, const Posterior& posterio
     if (!driven && !set.families.empty()) result.time_alone += p;
     for (const std::string& column : columns) result.column[column] += without_slow;
   }
+  result.log_bayes_factor = log_bayes_factor_of(problem, posterior);
   return result;
 }
 

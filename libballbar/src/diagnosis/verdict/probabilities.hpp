@@ -16,6 +16,7 @@ struct Probabilities {
   std::map<std::string, double> column;  // that drives an effect
   std::vector<double> own;
   double nothing = 0.0, discrepancy = 0.0, time_alone = 0.0;
+  double log_bayes_factor = 0.0;  // of any effect or other value against none of them
 };
 
 Probabilities probabilities_of(const Problem& problem, const Posterior& posterior);

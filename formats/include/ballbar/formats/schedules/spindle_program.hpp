@@ -44,7 +44,7 @@ struct BallbarTest {
 struct ProgramOptions {
   std::string name = "WARMUP";  // of the program: its letters and digits, in capitals
   std::string title;            // a comment
-  int number = 8100;            // Fanuc's O number, 1 to 9999
+  int number = 1100;            // Fanuc's O number, 1 to 9999
   std::optional<BallbarTest> ballbar;
   std::optional<double> max_rpm;
   std::optional<int> range_m;  // M function of the spindle's range, 40 to 49; LinuxCNC has none

@@ -38,6 +38,7 @@ struct ExpectedTest {
   Schedule schedule;
   std::size_t truths = 0;  // simulated
   double p_right = 0.0;    // share of them that are named and nothing else
+  double p_part = 0.0;     // share in which some of it is named that is not named now, and nothing else
   double p_wrong = 0.0;    // share in which another effect is named
   double p_right_sigma = 0.0;
 };

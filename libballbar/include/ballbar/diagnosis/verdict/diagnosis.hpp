@@ -66,6 +66,14 @@ struct OwnValue {
   double p = 0.0;
 };
 
+// A gain of the model, or of the best set, that is another one from run to run: a machine that changed.
+struct GainByRun {
+  std::string effect;               // label
+  std::string parameter, unit;      // "gain_um_per_K", "um/K"
+  double p = 1.0;                   // of chances that say so if it were one
+  std::vector<double> gain, sigma;  // of each run
+};
+
 struct Diagnosis {
   std::string target;
   Fit base;
@@ -75,8 +83,12 @@ struct Diagnosis {
   std::vector<Driver> drivers;                       // from P = 0.5, the most probable first
   std::vector<OwnValue> own;                         // from P = 0.05
   std::vector<EffectProbability> effects;            // from P = 0.01
+  std::vector<GainByRun> gains_by_run;               // of several runs, those that differ
   double p_nothing = 1.0;                            // no effect, no other value, no discrepancy
   double p_discrepancy = 0.0;
+  // ln of how much more likely the readings are with any effect or other value than with none, whatever the
+  // discrepancy: its exponential is at most 1 on average where none is hidden.
+  double log_bayes_factor = 0.0;
   double discrepancy_um = 0.0;        // its standard deviation, where it is most likely
   Noise noise;                        // beside the best set
   std::vector<Candidate> candidates;  // the best set first, then by P; at most 12

@@ -1,0 +1,78 @@
+#include "diagnose/follow_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "ballbar/diagnosis/thresholds.hpp"
+#include "terminal/json_number.hpp"
+#include "terminal/terminal_table.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kHypotheses = 3;
+constexpr double kLeastShown = 0.05;  // P
+
+std::string hypotheses_text(const Look& look) {
+  if (!look.fault.empty()) return "not diagnosed: " + look.fault;
+  std::vector<std::string> texts;
+  for (const Hypothesis& one : look.hypotheses) {
+    if (texts.size() < kHypotheses && one.p >= kLeastShown) {
+      texts.push_back(fmt::format("{:.2f} {}", one.p, one_line(one.label)));
+    }
+  }
+  return texts.empty() ? "-" : fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string_view word_of(Outcome outcome) { return outcome == Outcome::undecidable ? "stop" : name_of(outcome); }
+
+}  // namespace
+
+void print_follow_heading(const std::string& name, const std::string& target) {
+  fmt::print("{}\n{}\n\n", name, target);
+  fmt::print("{:>8}  {:>6}  {:>9}  {:>7}  {:<7}  {}\n", "hours", "values", "P nothing", "ln B", "so far",
+             "P of the most probable");
+  std::fflush(stdout);
+}
+
+void print_look(const FollowState& state, bool json) {
+  const Look& look = state.looks.back();
+  if (json) {
+    nlohmann::ordered_json row{{"hours", number(look.hours)}, {"values", look.values}};
+    row["verdict"] =
+        look.fault.empty() ? nlohmann::ordered_json(name_of(look.verdict)) : nlohmann::ordered_json(nullptr);
+    row["p_nothing"] = number(look.p_nothing);
+    row["log_bayes_factor"] = number(look.log_bayes_factor);
+    row["hypotheses"] = nlohmann::ordered_json::array();
+    for (const Hypothesis& one : look.hypotheses)
+      row["hypotheses"].push_back({{"label", one.label}, {"p", number(one.p)}});
+    row["outcome"] = name_of(state.outcome);
+    row["why_stop"] = look.why_stop;
+    row["fault"] = look.fault;
+    fmt::print("{}\n", row.dump());
+  } else {
+    fmt::print("{:>8.2f}  {:>6}  {:>9.2f}  {:>7}  {:<7}  {}\n", look.hours, look.values, look.p_nothing,
+               fixed(look.log_bayes_factor, 1), word_of(state.outcome), hypotheses_text(look));
+  }
+  std::fflush(stdout);
+}
+
+void print_outcome(const FollowState& state, const NextStep& next, bool json) {
+  if (json) {
+    nlohmann::ordered_json row{{"outcome", name_of(state.outcome)}, {"decided", state.decided},
+                               {"sentence", outcome_text(state)},   {"error", error_text()},
+                               {"command", next.command},           {"hint", next.hint}};
+    fmt::print("{}\n", row.dump());
+    return;
+  }
+  fmt::print("{}{}", state.looks.empty() ? "" : "\n", wrapped(outcome_text(state)));
+  if (!next.command.empty()) fmt::print("\n{}\n", next.command);
+  if (!next.hint.empty()) fmt::print("\n{}", wrapped(next.hint));
+  fmt::print("\n{}", wrapped(error_text() + " ln B: ln of that ratio."));
+}
+
+}  // namespace ballbar

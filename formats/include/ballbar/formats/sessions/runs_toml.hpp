@@ -1,0 +1,39 @@
+// The runs of one machine, a file that lists them, such as `machine.toml`.
+//
+//   format = "ballbar-runs 1"
+//   title = "spindle 2"
+//   [[run]]
+//   file = "monday.csv"
+//   [[run]]
+//   file = "tuesday"      # a session
+//   starts = "warm"
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ballbar/formats/text/reader.hpp"
+#include "ballbar/series/series.hpp"
+
+namespace ballbar {
+
+struct RunOfMachine {
+  std::string file;               // a series or a session, inside the folder of the list
+  std::optional<RunStart> start;  // nothing: told by the clocks and the first speed
+};
+
+struct RunList {
+  std::string title;
+  std::vector<RunOfMachine> runs;  // at least one, at most 1000
+};
+
+// `name` stands in messages. Throws Error with name:line:column.
+RunList read_run_list(std::string_view bytes, std::string_view name);
+
+// Whether the file is such a list.
+bool lists_runs(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
+
+}  // namespace ballbar

@@ -1,0 +1,90 @@
+#include "diagnosis/verdict/gains_by_run.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/series/runs.hpp"
+#include "diagnosis/posterior/variant.hpp"
+#include "numerics/orthonormal.hpp"
+#include "numerics/tails.hpp"
+
+namespace ballbar {
+namespace {
+
+// A white column whose coefficient is a gain.
+struct GainColumn {
+  std::string effect, parameter, unit;
+  Eigen::Index column = 0;  // of the line, then of the members
+  double scale = 1.0;       // um of the gain for a coefficient of 1
+};
+
+std::vector<GainColumn> gain_columns(const Problem& problem, const Posterior& posterior, const EffectSet& set,
+                                     const SetAt& at) {
+  std::vector<GainColumn> gains;
+  const Variant& variant = posterior.variants[set.variant];
+  const BaseColumns base = problem.base_model->at(variant.parameters, free_of(problem, variant.own));
+  for (std::size_t k = 0; k < base.columns.size(); ++k) {
+    const BaseColumn& column = base.columns[k];
+    if (column.kind != BaseColumn::Kind::gain) continue;
+    const Term& term = problem.model.terms[problem.base_model->term_of(column.parameter)];
+    if (term.effect->rules.of_set_up) continue;
+    const Parameter& parameter = problem.base_model->parameter(column.parameter);
+    gains.push_back({label_of(term), parameter.name, parameter.unit, static_cast<Eigen::Index>(k), column.scale});
+  }
+  for (std::size_t m = 0; m < set.signatures.size(); ++m) {
+    const Signature& signature = problem.library.signatures[set.signatures[m]];
+    const BoundEffect& bound = problem.library.families[signature.family].bound;
+    if (at.width[m] != 1) continue;  // of several gains each tells nothing alone
+    for (const Parameter& parameter : bound.effect->parameters) {
+      if (parameter.kind != ParameterKind::gain) continue;
+      gains.push_back({label_of(bound), parameter.name, parameter.unit, at.white_line.cols() + at.first[m],
+                       1.0 / problem.deviation[signature.first]});
+    }
+  }
+  return gains;
+}
+
+}  // namespace
+
+std::vector<GainByRun> gains_by_run(const Problem& problem, const Posterior& posterior, const EffectSet& set,
+                                    const SetAt& at) {
+  std::vector<GainByRun> differ;
+  const std::vector<RowRange> runs = runs_of(problem.time_s);
+  if (problem.model.level != Level::series || runs.size() < 2) return differ;
+  Eigen::MatrixXd all(at.white_line.rows(), at.white_line.cols() + at.white_members.cols());
+  all << at.white_line, at.white_members;
+  const std::vector<GainColumn> gains = gain_columns(problem, posterior, set, at);
+  const auto count = static_cast<Eigen::Index>(runs.size());
+  for (const GainColumn& gain : gains) {
+    Eigen::MatrixXd apart = Eigen::MatrixXd::Zero(all.rows(), count);
+    for (Eigen::Index r = 0; r < count; ++r) {
+      const RowRange& run = runs[static_cast<std::size_t>(r)];
+      const auto begin = static_cast<Eigen::Index>(run.begin), n = static_cast<Eigen::Index>(run.end - run.begin);
+      apart.col(r).segment(begin, n) = all.col(gain.column).segment(begin, n);
+    }
+    Eigen::MatrixXd x(all.rows(), all.cols() - 1 + count);
+    x << all.leftCols(gain.column), all.rightCols(all.cols() - gain.column - 1), apart;
+    const double together = freed(at.white_y, orthonormal(all)).squaredNorm();
+    const double each = freed(at.white_y, orthonormal(x)).squaredNorm();
+    const double p = chi2_upper_tail((together - each) / at.variance, runs.size() - 1);
+    if (!(p < kSameGain / static_cast<double>(gains.size()))) continue;
+    const Eigen::VectorXd scale = x.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+    Eigen::MatrixXd gram = scale.asDiagonal() * (x.transpose() * x) * scale.asDiagonal();
+    gram.diagonal().array() += 1e-12;
+    const Eigen::LLT<Eigen::MatrixXd> factor(gram);
+    const Eigen::VectorXd solution =
+        scale.asDiagonal() * factor.solve(scale.asDiagonal() * (x.transpose() * at.white_y));
+    const Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(x.cols(), x.cols()));
+    GainByRun found{gain.effect, gain.parameter, gain.unit, p, {}, {}};
+    for (Eigen::Index r = 0; r < count; ++r) {
+      const Eigen::Index k = x.cols() - count + r;
+      found.gain.push_back(gain.scale * solution[k]);
+      found.sigma.push_back(gain.scale * scale[k] * std::sqrt(at.variance * inverse(k, k)));
+    }
+    differ.push_back(std::move(found));
+  }
+  return differ;
+}
+
+}  // namespace ballbar
