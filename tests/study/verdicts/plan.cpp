@@ -219,8 +219,10 @@ Plan plan_under(const Schedule& schedule, const Plan& first, Chance& chance) {
   load.assign(first[Quantity::load].begin() + from, first[Quantity::load].begin() + to);
   room_K.assign(plan.before_s, 0.0);
   coolant_K.assign(plan.before_s, 0.0);
+  // Nobody starts a program and a logger at the same second.
+  const double late_s = std::floor(chance.between(0.0, schedule.reading_s > 0.0 ? schedule.reading_s : 60.0));
   for (std::size_t i = 0; i < plan.span_s + kAfter_s; ++i) {
-    const Dwell& dwell = dwell_at(schedule, static_cast<double>(i));
+    const Dwell& dwell = dwell_at(schedule, std::max(0.0, static_cast<double>(i) - late_s));
     speed.push_back(dwell.speed_rpm);
     load.push_back(dwell.speed_rpm > 0.0 ? dwell.load * (cut_W + at_idle_W(dwell.speed_rpm)) : 0.0);
     room_K.push_back(dwell.room_K);

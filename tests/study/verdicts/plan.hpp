@@ -58,7 +58,8 @@ Plan one_speed_plan(Chance& chance);
 
 // The same machine on another day, as the schedule says: from a cold start, or behind what it did before. The room has
 // the same mean and swing, at another time of day with doors and a wandering of its own. The load while it turns is the
-// mean of the cuts that it had, times what the schedule says. A room or a coolant that is moved follows within minutes.
+// mean of the cuts that it had, times what the schedule says. It begins up to a reading late. A room or a coolant that
+// is moved follows within minutes.
 Plan plan_under(const Schedule& schedule, const Plan& first, Chance& chance);
 
 }  // namespace ballbar::verdicts
