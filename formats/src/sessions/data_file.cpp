@@ -129,7 +129,7 @@ std::vector<RunOfMachine> listed(const std::vector<std::filesystem::path>& paths
       runs.push_back({path.string(), std::nullopt});
       continue;
     }
-    const RunList list = read_run_list(read_bytes(path, kLargestText), path.string());
+    const RunsOfMachine list = read_run_list(read_bytes(path, kLargestText), path.string());
     if (paths.size() == 1) title = list.title;
     for (const RunOfMachine& run : list.runs) runs.push_back({(path.parent_path() / run.file).string(), run.start});
   }

@@ -36,14 +36,14 @@ constinit const Reader readers::kRuns = {
     .is_yours = [](std::string_view head) { return format_name(head) == "ballbar-runs"; },
 };
 
-RunList read_run_list(std::string_view bytes, std::string_view name) {
+RunsOfMachine read_run_list(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);
   const TomlSource source = parse_toml(text.bytes, name);
   const TomlTable root = root_of(source);
   const std::string_view formats[] = {kFormat};
   if (!choice_index(root, "format", formats)) fail_missing(root, "format");
   expect_keys(root, kRootKeys);
-  RunList result;
+  RunsOfMachine result;
   result.title = string(root, "title").value_or("");
   const std::string_view starts[] = {"rest", "warm"};
   for (const TomlTable& table : subtables(root, "run")) {

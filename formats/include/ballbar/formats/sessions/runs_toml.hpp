@@ -25,13 +25,13 @@ struct RunOfMachine {
   std::optional<RunStart> start;  // nothing: told by the clocks and the first speed
 };
 
-struct RunList {
+struct RunsOfMachine {
   std::string title;
   std::vector<RunOfMachine> runs;  // at least one, at most 1000
 };
 
 // `name` stands in messages. Throws Error with name:line:column.
-RunList read_run_list(std::string_view bytes, std::string_view name);
+RunsOfMachine read_run_list(std::string_view bytes, std::string_view name);
 
 // Whether the file is such a list.
 bool lists_runs(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
