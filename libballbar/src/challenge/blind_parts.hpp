@@ -61,13 +61,14 @@ Workshop workshop_of(Plan kind, Random& random);
 
 // A plan that follows a schedule: from 0 on, behind `before_s` of the first plan where it starts warm; a row every
 // reading_s (0: as often as before). The load is the mean one that the first plan has at that speed, in proportion
-// between speeds and beyond them, times the stretch's. Without a room. Throws Error for a schedule that is too short.
+// between speeds and beyond them, times the stretch's. The speeds change up to a row late: nobody starts a program and
+// a logger at the same second. Without a room. Throws Error for a schedule that is too short.
 struct Day {
   DutyPlan plan;
   ThermalClock clock;
   double before_s = 0.0;
 };
-Day day_under(const Schedule& schedule, const DutyPlan& first, const ThermalClock& clock);
+Day day_under(const Schedule& schedule, const DutyPlan& first, const ThermalClock& clock, Random& random);
 
 // The same shop floor on another day. The room has its mean and its day's swing, at another time of day, with a
 // wandering of its own.

@@ -66,7 +66,7 @@ Series next_run(BlindKind kind, std::uint64_t seed, const Schedule& schedule, st
 
 Series next_run(const VirtualSpindle& machine, const Schedule& schedule, std::uint64_t seed, std::uint64_t number) {
   blind::Random random = simulation::stream_of(seed, simulation::Stream::blind_run, number);
-  blind::Day day = blind::day_under(schedule, machine.plan, machine.clock);
+  blind::Day day = blind::day_under(schedule, machine.plan, machine.clock, random);
   if (!machine.plan.room_time_s.empty()) {
     const double from_s = blind::between(random, 0.0, 2.0 * 86400.0);
     constexpr double kEach_s = 600.0;

@@ -100,8 +100,9 @@ double load_at_W(const DutyPlan& plan, double speed_rpm) {
   return load_W(*below) + share * (load_W(*above) - load_W(*below));
 }
 
-// What the schedule says, behind `before_s` of what the first run did.
-DutyPlan duty_of(const Schedule& schedule, const DutyPlan& first, double before_s) {
+// What the schedule says, behind `before_s` of what the first run did; its first stretch is longer by `late_s`, the
+// last one shorter.
+DutyPlan duty_of(const Schedule& schedule, const DutyPlan& first, double before_s, double late_s) {
   DutyPlan plan;
   const bool has_load = !first.load_W.empty();
   const auto add = [&](double time_s, double speed_rpm, double load_W, double coolant_K) {
@@ -116,8 +117,11 @@ DutyPlan duty_of(const Schedule& schedule, const DutyPlan& first, double before_
   double time_s = before_s;
   for (const Dwell& dwell : schedule.dwells) {
     const double load_W = has_load ? dwell.load * load_at_W(first, dwell.speed_rpm) : 0.0;
-    if (dwell.duration_s > 0.0) add(time_s, dwell.speed_rpm, load_W, dwell.coolant_K);
+    const double begin_s = time_s > before_s ? time_s + late_s : time_s;
     time_s += dwell.duration_s;
+    if (dwell.duration_s > 0.0 && begin_s < before_s + duration_s(schedule)) {
+      add(begin_s, dwell.speed_rpm, load_W, dwell.coolant_K);
+    }
   }
   plan.end_s = time_s;
   return plan;
@@ -159,7 +163,7 @@ Workshop workshop_of(Plan kind, Random& random) {
   return workshop;
 }
 
-Day day_under(const Schedule& schedule, const DutyPlan& first, const ThermalClock& clock) {
+Day day_under(const Schedule& schedule, const DutyPlan& first, const ThermalClock& clock, Random& random) {
   Day day;
   day.clock.interval_s = schedule.reading_s > 0.0 ? schedule.reading_s : clock.interval_s;
   day.clock.step_s = std::clamp(day.clock.interval_s, 30.0, kInterval_s.back());
@@ -170,12 +174,12 @@ Day day_under(const Schedule& schedule, const DutyPlan& first, const ThermalCloc
   if (schedule.starts_warm) {
     day.before_s = std::floor((first.end_s - first.time_s.front()) / day.clock.interval_s) * day.clock.interval_s;
   }
-  day.plan = duty_of(schedule, first, day.before_s);
+  day.plan = duty_of(schedule, first, day.before_s, between(random, 0.0, day.clock.interval_s));
   return day;
 }
 
 AnotherRun workshop_under(const Schedule& schedule, const Workshop& first, Random& random) {
-  Day day = day_under(schedule, first.plan, first.clock);
+  Day day = day_under(schedule, first.plan, first.clock, random);
   AnotherRun another{{}, day.before_s};
   Workshop& run = another.workshop;
   run.kind = first.kind;

@@ -76,11 +76,11 @@ BlindSet blind_set(BlindKind kind, std::uint64_t seed, const Catalogue& catalogu
 // The set's machine once more, under a schedule: the same base model, hidden effects and spindle, from a cold start, or
 // behind the set's own run where the schedule starts warm. The room has the same mean and day's swing at another time
 // of day, moved as the schedule says; the load is the mean one that the set had at that speed, in proportion between
-// its speeds and beyond them, times what the schedule says. Rows every reading_s (0: as in the set), times from 0 on,
-// the columns of the set in their order; the noise is of the same kind, of the set-up a new offset within 20 um.
-// Effects of the catalogue start anew with the run's (warm: the set's) first row, as a model does. The same kind, seed,
-// schedule and number give the same run. Throws Error for a schedule shorter than reading_s, and for what no spindle
-// does.
+// its speeds and beyond them, times what the schedule says. Speeds change up to a row late. Rows every reading_s (0: as
+// in the set), times from 0 on, the columns of the set in their order; the noise is of the same kind, of the set-up a
+// new offset within 20 um. Effects of the catalogue start anew with the run's (warm: the set's) first row, as a model
+// does. The same kind, seed, schedule and number give the same run. Throws Error for a schedule shorter than reading_s,
+// and for what no spindle does.
 Series next_run(BlindKind kind, std::uint64_t seed, const Schedule& schedule, std::uint64_t number,
                 const Catalogue& catalogue = built_in_catalogue());
 
