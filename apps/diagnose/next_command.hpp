@@ -14,8 +14,8 @@ namespace ballbar {
 // it. Empty where there is nothing to add, or no way to type it.
 std::string next_command(const ModelOptions& options, const Diagnosis& found);
 
-// "ballbar plan run.csv --model model.toml --target y_um": the test that would decide. Empty where all is named, or there
-// is nothing to decide.
+// "ballbar plan run.csv --model model.toml --target y_um": the test that would decide. Empty where all is named, or
+// there is nothing to decide.
 std::string plan_command(const ModelOptions& options, const Diagnosis& found);
 
 // "ballbar add 'expansion(T_room_degC)' run.csv --model model.toml --target y_um": what saves what was tried.

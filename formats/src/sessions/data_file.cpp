@@ -122,7 +122,7 @@ ModelData data_of_drift(const std::filesystem::path& path, const DriftOptions& o
 
 // A file that lists runs stands for them.
 std::vector<RunOfMachine> listed(const std::vector<std::filesystem::path>& paths, std::span<const Reader> readers,
-                              std::string& title) {
+                                 std::string& title) {
   std::vector<RunOfMachine> runs;
   for (const std::filesystem::path& path : paths) {
     if (!lists_runs(path, readers)) {
@@ -136,8 +136,8 @@ std::vector<RunOfMachine> listed(const std::vector<std::filesystem::path>& paths
   return runs;
 }
 
-ModelData data_of_runs(const std::vector<RunOfMachine>& listed_runs, const std::string& title, const DriftOptions& options,
-                       double max_gap_s, std::span<const Reader> readers) {
+ModelData data_of_runs(const std::vector<RunOfMachine>& listed_runs, const std::string& title,
+                       const DriftOptions& options, double max_gap_s, std::span<const Reader> readers) {
   const std::vector<std::filesystem::path> paths = [&] {
     std::vector<std::filesystem::path> all;
     all.reserve(listed_runs.size());

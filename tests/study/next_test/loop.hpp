@@ -20,8 +20,8 @@ struct Cell {
 std::vector<Cell> cells();
 
 struct LoopOptions {
-  double hours = 12.0;  // of a test at most
-  double max_rpm = 0.0;  // 0: the highest of the data
+  double hours = 12.0;          // of a test at most
+  double max_rpm = 0.0;         // 0: the highest of the data
   std::size_t stages = 1;       // tests at most
   std::string plan = "design";  // or "staircase", or the name of a fixed plan
   verdicts::Places places = verdicts::Places::machine;

@@ -3,9 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include <algorithm>
+#include <numeric>
 #include <random>
 
 #include "../made_recordings.hpp"
