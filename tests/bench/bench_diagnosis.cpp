@@ -1,12 +1,15 @@
 // One diagnosis: 1333 rows of 5 inputs, 6669 rows of 16 temperatures and a speed, 5000 rows of 6 inputs; with the rows
-// that a diagnosis weighs (1000), and with all of them.
+// that a diagnosis weighs (1000), and with all of them; three runs of 1500 rows. The design of the next test.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <random>
 #include <string>
 
+#include "ballbar/diagnosis/next_test/test_plan.hpp"
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/model/run_terms.hpp"
+#include "ballbar/series/runs.hpp"
 
 namespace {
 
@@ -65,10 +68,15 @@ Series of_temperatures(std::size_t n) {
   return data;
 }
 
-void diagnosed(benchmark::State& state, const Series& data, bool all) {
+Model believed() {
   Model model;
   model.targets = {"x_um"};
   model.terms = {term_of("speed_heating", {"speed_rpm"})};
+  return model;
+}
+
+void diagnosed(benchmark::State& state, const Series& data, bool all) {
+  const Model model = with_run_terms(believed(), data);
   DiagnosisOptions options;
   if (all) options.most_rows = data.time_s.size();
   Diagnosis found;
@@ -91,9 +99,27 @@ void diagnosis_5000_rows(benchmark::State& state) { diagnosed(state, made(5000),
 
 void diagnosis_5000_rows_all(benchmark::State& state) { diagnosed(state, made(5000), true); }
 
+// Three parts of one record, each from its own zero.
+Series three_runs() {
+  const Series all = made(4500);
+  std::vector<Series> runs;
+  for (std::size_t run = 0; run < 3; ++run) runs.push_back(rows_of(all, {1500 * run, 1500 * (run + 1)}));
+  return stacked(runs, {"one", "two", "three"}).series;
+}
+
+void diagnosis_three_runs_of_1500_rows(benchmark::State& state) { diagnosed(state, three_runs(), false); }
+
+void test_plan_of_12_h(benchmark::State& state) {
+  const Series data = made(700);
+  const Model model = believed();
+  for (auto _ : state) benchmark::DoNotOptimize(test_plan(model, data, 0, {}));
+}
+
 BENCHMARK(diagnosis_1333_rows_5_inputs)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 BENCHMARK(diagnosis_6669_rows_16_temperatures)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 BENCHMARK(diagnosis_5000_rows)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+BENCHMARK(diagnosis_three_runs_of_1500_rows)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+BENCHMARK(test_plan_of_12_h)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime()->Iterations(1);
 BENCHMARK(diagnosis_5000_rows_all)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 
 }  // namespace

@@ -127,6 +127,25 @@ TEST(test_plan, a_plan_of_changing_speeds_decides_what_one_speed_left_open) {
   EXPECT_EQ(again.sentence, plan.sentence) << "the same seed, the same plan";
 }
 
+// Beside a model that has one of two temperatures, their difference and the other one alone are the same.
+TEST(test_plan, what_the_model_makes_alike_is_said) {
+  Series data = one_speed(false);
+  std::vector<double> bearing(data.time_s.size()), heat(data.time_s.size());
+  for (std::size_t i = 0; i < heat.size(); ++i) heat[i] = find_column(data, "speed_rpm")->values[i] > 0.0 ? 12.0 : 0.0;
+  low_pass(
+      data.time_s, [&](std::size_t i) { return heat[i]; }, 600.0, bearing.data());
+  for (std::size_t i = 0; i < heat.size(); ++i) {
+    data.columns[3].values[i] += 1.2 * bearing[i];
+    bearing[i] = std::round(10.0 * (20.0 + bearing[i])) / 10.0;
+  }
+  data.columns.insert(data.columns.begin(), {"T_bearing_degC", Role::bearing, bearing});
+  Model model = constant();
+  model.terms = {term_of("expansion", {"T_housing_degC"})};
+  const TestPlan plan = test_plan(model, data, 0, {.most_hours = 4.0});
+  ASSERT_FALSE(plan.inseparable.empty()) << plan.sentence;
+  EXPECT_NE(plan.sentence.find("beside this model they add the same"), std::string::npos) << plan.sentence;
+}
+
 TEST(test_plan, recordings_are_refused) {
   Model model = constant();
   model.level = Level::recording;

@@ -21,6 +21,7 @@
 #include "diagnosis/next_test/planned_inputs.hpp"
 #include "diagnosis/next_test/truths.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
+#include "numerics/orthonormal.hpp"
 #include "numerics/random_streams.hpp"
 #include "series/resolution.hpp"
 
@@ -32,6 +33,8 @@ constexpr std::size_t kTruths = 24;   // for what is promised
 constexpr std::size_t kKindsKept = 2;
 constexpr std::size_t kSurrogatesSimulated = 50;
 constexpr const char* kAddedSensor = "T_added_degC";
+constexpr double kInQuestion = 0.05;         // P of an effect
+constexpr double kTheSame = 0.9999;          // |cosine| of what two effects add beside the model
 constexpr double kWorthASensor = 0.1;        // P(right) that it adds
 constexpr std::size_t kSlowStride = 6;       // of the covariances with a slow curve one in so many
 constexpr std::size_t kRowsSimulated = 500;  // of the target that each diagnosis weighs
@@ -321,6 +324,45 @@ void add_curves(const Design& design, TestPlan& plan, std::uint64_t seed) {
   }
 }
 
+// Effects in question that add the same in any test, as far as the model beside them is free: a difference of two
+// temperatures and one of them, where the model has the other.
+void add_alike_beside_model(const Design& design, const Diagnosis& now, const Schedule& schedule, std::uint64_t seed,
+                            TestPlan& plan) {
+  std::mt19937_64 random = simulation::stream_of(seed, simulation::Stream::signal, 8);
+  const Series run = design.planned().under(schedule, random);
+  struct Curve {
+    BoundEffect effect;
+    Eigen::VectorXd um;
+    Eigen::MatrixXd basis;  // of the model
+  };
+  std::vector<Curve> curves;
+  const Posterior& posterior = design.posterior().posterior;
+  for (std::size_t s = 0; s < posterior.sets.size(); ++s) {
+    const std::vector<BoundEffect> effects = design.truths().effects_of({s, false});
+    if (effects.size() != 1 || posterior.sets[s].own != 0 || effects.front().effect->time_only) continue;
+    const auto known = std::find_if(now.effects.begin(), now.effects.end(), [&](const EffectProbability& one) {
+      return one.bound == effects.front() && one.p >= kInQuestion;
+    });
+    if (known == now.effects.end()) continue;
+    const Eigen::MatrixXd slopes = design.truths().model_slopes({s, false}, run);
+    curves.push_back({effects.front(), design.truths().member_um({s, false}, 0, run), orthonormal(slopes)});
+  }
+  for (std::size_t a = 0; a < curves.size(); ++a) {
+    std::vector<BoundEffect> group{curves[a].effect};
+    const Eigen::VectorXd own = freed(curves[a].um, curves[a].basis);
+    for (std::size_t b = 0; b < curves.size(); ++b) {
+      if (a == b) continue;
+      const Eigen::VectorXd other = freed(curves[b].um, curves[a].basis);
+      const double both = own.norm() * other.norm();
+      if (both > 0.0 && std::abs(own.dot(other)) > kTheSame * both) group.push_back(curves[b].effect);
+    }
+    const bool is_new = std::none_of(plan.inseparable.begin(), plan.inseparable.end(), [&](const auto& one) {
+      return std::find(one.begin(), one.end(), curves[a].effect) != one.end();
+    });
+    if (group.size() > 1 && is_new) plan.inseparable.push_back(std::move(group));
+  }
+}
+
 // Reads what heats, and no temperature: the way of its heat is what a thermometer would show.
 bool is_unseen_heat(const BoundEffect& bound) {
   if (bound.columns.empty() || bound.effect->time_only) return false;
@@ -352,9 +394,11 @@ std::string inseparable_text(const std::vector<std::vector<BoundEffect>>& groups
   std::string text;
   for (const std::vector<BoundEffect>& group : groups) {
     std::vector<std::string> labels;
+    labels.reserve(group.size());
     for (const BoundEffect& one : group) labels.push_back(label_of(one));
-    text += fmt::format("{}No test can tell {} apart: their columns read the same.", text.empty() ? "" : " ",
-                        fmt::join(labels, " and "));
+    const bool is_twin = group[0].effect == group[1].effect && group[0].columns.size() == 1;
+    text += fmt::format("{}No test can tell {} apart: {}.", text.empty() ? "" : " ", fmt::join(labels, " and "),
+                        is_twin ? "their columns read the same" : "beside this model they add the same");
   }
   return text;
 }
@@ -366,7 +410,7 @@ std::string sentence_of(const TestPlan& plan, const TestPlanOptions& options) {
   if (plan.verdict == Verdict::nothing)
     return "By the data at hand nothing is missing: there is nothing to decide." + behind;
   if (plan.tests.empty()) {
-    if (!apart.empty()) return apart + " Put one of the sensors elsewhere; no test is proposed.";
+    if (!apart.empty()) return apart + " No test is proposed.";
     return fmt::format("No test of up to {:g} h on the menu would decide; none is proposed.", options.most_hours);
   }
   const ExpectedTest& best = plan.tests.front();
@@ -408,8 +452,11 @@ TestPlan test_plan(const Model& model, const Series& data, std::size_t target, c
   const bool is_all_named = now.verdict == Verdict::named && now.probable.empty() && now.equivalent.empty();
   plan.is_decided = is_all_named && plan.inseparable.empty();
   if (!is_all_named && now.verdict != Verdict::nothing && now.verdict != Verdict::untestable) {
-    MenuLimits limits{options.most_hours, options.max_rpm, options.can_load, options.can_room, options.can_coolant};
-    plan.tests = tests_of(design, menu_of(alike.data, model.targets.at(target), limits));
+    const MenuLimits limits{options.most_hours, options.max_rpm, options.can_load, options.can_room,
+                            options.can_coolant};
+    const std::vector<MenuItem> menu = menu_of(alike.data, model.targets.at(target), limits);
+    add_alike_beside_model(design, now, menu.front().schedule, options.search.seed, plan);
+    plan.tests = tests_of(design, menu);
     if (!plan.tests.empty() && !(plan.tests.front().p_part >= kLeastPromise)) plan.tests.clear();
   }
   if (!plan.tests.empty()) {

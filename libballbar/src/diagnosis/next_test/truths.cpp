@@ -120,6 +120,23 @@ Eigen::VectorXd Truths::member_um(const Truth& truth, std::size_t member, const 
   return added_um(truth, run, [&](std::size_t t) { return t == first + member; });
 }
 
+Eigen::MatrixXd Truths::model_slopes(const Truth& truth, const Series& run) const {
+  const FittedSet& set = fitted(truth.set).set;
+  Model model = weighed_.problem->model;
+  std::size_t count = 1;
+  for (const Term& term : model.terms) count += term.settings.size();
+  Eigen::VectorXd parameters(static_cast<Eigen::Index>(count));
+  for (std::size_t k = 0; k < count; ++k) parameters[static_cast<Eigen::Index>(k)] = set.parameters[k].value;
+  std::vector<std::size_t> rows(run.time_s.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
+  Eigen::MatrixXd slopes;
+  ModelRows(model, run, rows).sum(parameters, &slopes);
+  for (std::size_t k = 1; k < count; ++k) {
+    if (set.parameters[k].state == ParameterState::held) slopes.col(static_cast<Eigen::Index>(k)).setZero();
+  }
+  return slopes;
+}
+
 // The sum of some terms of the model with the set.
 Eigen::VectorXd Truths::added_um(const Truth& truth, const Series& run,
                                  const std::function<bool(std::size_t)>& is_wanted) const {

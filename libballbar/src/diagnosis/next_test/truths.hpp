@@ -33,6 +33,9 @@ class Truths {
   // What one effect of the set adds, the model left out.
   Eigen::VectorXd member_um(const Truth& truth, std::size_t member, const Series& run) const;
 
+  // By the parameters of the model about those of the set, n by its parameters: what the model can make of a curve.
+  Eigen::MatrixXd model_slopes(const Truth& truth, const Series& run) const;
+
   // With noise, rounded as the target is.
   std::vector<double> readings_um(const Truth& truth, const Series& run, double resolution_um,
                                   std::mt19937_64& random) const;

@@ -60,7 +60,7 @@ struct TestPlan {
   Verdict verdict = Verdict::nothing;                 // of the data at hand
   bool is_decided = false;                            // they already name it
   std::vector<ExpectedTest> tests;                    // the chosen one first, then by P(right); empty: none is proposed
-  std::vector<std::vector<BoundEffect>> inseparable;  // effects that no test can tell apart: their columns are one
+  std::vector<std::vector<BoundEffect>> inseparable;  // effects that no test can tell apart
   std::vector<double> time_s;                         // of the curves
   std::vector<ExpectedCurve> curves;                  // of the chosen test, the most probable first
   double sigma_um = 0.0;                              // of a reading
