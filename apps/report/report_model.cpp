@@ -82,6 +82,7 @@ Json steps_of(const Fit& fit, const Model& model, const Series& data) {
 // Of each candidate what it adds that the model cannot make: where it joins, the model's own parameters give way.
 void add_curves(Json& candidates, const std::vector<Candidate>& found, const Fit& fit, const Series& data) {
   std::vector<std::vector<double>> curves;
+  curves.reserve(found.size());
   for (const Candidate& candidate : found) curves.push_back(curve_of(candidate, fit, data));
   const std::vector<std::vector<double>> made = model_parts_um(fit, curves);
   for (std::size_t i = 0; i < found.size(); ++i) {

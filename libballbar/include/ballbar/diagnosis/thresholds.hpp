@@ -131,6 +131,7 @@ inline constexpr double kDropTestOfErrors = 0.001;  // p of chi^2, the same of e
 
 // The next test.
 inline constexpr double kSureEnough = 0.95;            // P(right) of a test from which no longer one is looked for
+inline constexpr double kSureOfNothing = 0.8;          // P of nothing from which no test is looked for
 inline constexpr double kLeastPromise = 0.1;           // P(right) below which none is proposed
 inline constexpr std::size_t kCurvesShown = 6;         // hypotheses
 inline constexpr double kUseless = 1.0;                // d

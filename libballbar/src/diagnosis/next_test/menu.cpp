@@ -175,37 +175,4 @@ std::vector<MenuItem> menu_of(const Series& data, const std::string& target, con
   return menu;
 }
 
-std::vector<MenuItem> handbook_of(const Series& data, const std::string& target, const MenuLimits& limits) {
-  const double full = highest_rpm(data, limits), reading_s = reading_s_of(data, target);
-  const auto h = [](double hours, double rpm) { return Dwell{hours * kHour_s, rpm}; };
-  std::vector<MenuItem> items;
-  const auto add = [&](std::string name, std::vector<Dwell> dwells) {
-    MenuItem item{name, name, 0.0, {std::move(dwells), reading_s, false}};
-    item.hours = duration_s(item.schedule) / kHour_s;
-    items.push_back(std::move(item));
-  };
-  add("at rest", {h(3, 0)});
-  if (full > 0.0) {
-    add("standstill from warm", {h(1, full), h(2, 0)});
-    add("one stop and go", {h(1, 0), h(1, full), h(1, 0)});
-    add("another speed", {h(2, rounded_rpm(0.5 * full)), h(1, 0)});
-    std::vector<Dwell> three, two;
-    for (int k = 0; k < 3; ++k) three.insert(three.end(), {h(2.0 / 3.0, full), h(2.0 / 3.0, 0)});
-    for (int k = 0; k < 6; ++k) two.insert(two.end(), {h(1.0 / 6.0, full), h(1.0 / 6.0, 0)});
-    two.insert(two.end(), {h(1, full), h(1, 0)});
-    add("three cycles", std::move(three));
-    add("two dwell lengths", std::move(two));
-  }
-  const auto stepped = [&](bool can, const char* name, double Dwell::*what, double on) {
-    if (!can) return;
-    Dwell first = h(2, full), second = h(2, full);
-    second.*what = on;
-    add(name, {first, second});
-  };
-  stepped(limits.room, "room step", &Dwell::room_K, kRoomStep_K);
-  stepped(limits.coolant, "coolant step", &Dwell::coolant_K, kCoolantStep_K);
-  stepped(limits.load && full > 0.0, "load step", &Dwell::load, kLoadStep);
-  return items;
-}
-
 }  // namespace ballbar

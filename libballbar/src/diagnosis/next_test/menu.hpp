@@ -26,7 +26,4 @@ struct MenuItem {
 // Of a machine whose data have no speed, only what stands beside it: the room, the coolant.
 std::vector<MenuItem> menu_of(const Series& data, const std::string& target, const MenuLimits& limits);
 
-// The ten tests of 2.7 to 4 h that a handbook would propose: what a design is compared with.
-std::vector<MenuItem> handbook_of(const Series& data, const std::string& target, const MenuLimits& limits);
-
 }  // namespace ballbar

@@ -67,21 +67,26 @@ struct Told {
 };
 
 // What needs nothing but time is never named: a truth is told where all the rest of it is.
-Told told_of(const std::vector<BoundEffect>& truth, const Diagnosis& found, const std::vector<BoundEffect>& known) {
+// Of nothing that nothing is said, of a value that the model holds that it is told.
+Told told_of(const Truths& truths, const Truth& truth, const Diagnosis& found, const std::vector<BoundEffect>& known) {
   const auto is_in = [](const std::vector<BoundEffect>& all, const BoundEffect& one) {
     return std::find(all.begin(), all.end(), one) != all.end();
   };
+  const std::vector<BoundEffect> effects = truths.effects_of(truth);
   Told told;
   bool more = false;
   for (const BoundEffect& named : found.named) {
-    told.wrong = told.wrong || !is_in(truth, named);
+    told.wrong = told.wrong || !is_in(effects, named);
     more = more || !is_in(known, named);
   }
-  const bool all = std::all_of(truth.begin(), truth.end(), [&](const BoundEffect& one) {
+  const bool own = std::any_of(found.own.begin(), found.own.end(), [](const OwnValue& one) { return one.p >= kNamed; });
+  const bool all = std::all_of(effects.begin(), effects.end(), [&](const BoundEffect& one) {
     return one.effect->time_only || is_in(found.named, one);
   });
-  told.right = !told.wrong && all;
-  told.part = !told.wrong && (all || more);
+  const bool is_said =
+      truths.is_nothing(truth) ? found.verdict == Verdict::nothing : own == truths.has_other_value(truth);
+  told.right = !told.wrong && all && is_said;
+  told.part = !told.wrong && !truths.is_nothing(truth) && (told.right || more);
   return told;
 }
 
@@ -150,9 +155,9 @@ class Design {
         std::vector<BoundEffect> named;
         for (const BoundEffect& one : found.named)
           named.push_back(one.columns.size() == 1 && one.columns.front() == kAddedSensor ? place.front() : one);
-        Diagnosis as_named;
+        Diagnosis as_named = found;
         as_named.named = std::move(named);
-        right[k] = told_of(truths_->effects_of(truths[k]), as_named, {}).right ? 1 : 0;
+        right[k] = told_of(*truths_, truths[k], as_named, {}).right ? 1 : 0;
       } catch (const Error&) {
         right[k] = 0;
       }
@@ -219,7 +224,7 @@ class Design {
     const DiagnosisOptions how = simulated_options();
     try {
       const Diagnosis found = diagnosis_at(with_run_terms(model_, all), all, target_index_, how, covariances_);
-      return told_of(truths_->effects_of(truth), found, named_now_);
+      return told_of(*truths_, truth, found, named_now_);
     } catch (const Error&) {
       return {};  // a run that cannot be diagnosed decides nothing
     }
@@ -407,14 +412,16 @@ std::string sentence_of(const TestPlan& plan, const TestPlanOptions& options) {
   const std::string apart = inseparable_text(plan.inseparable);
   const std::string behind = apart.empty() ? "" : " " + apart;
   if (plan.is_decided) return "The data at hand decide: no further test is needed." + behind;
-  if (plan.verdict == Verdict::nothing)
+  const bool is_nothing = plan.verdict == Verdict::nothing;
+  if (is_nothing && plan.p_nothing >= kSureOfNothing)
     return "By the data at hand nothing is missing: there is nothing to decide." + behind;
   if (plan.tests.empty()) {
     if (!apart.empty()) return apart + " No test is proposed.";
     return fmt::format("No test of up to {:g} h on the menu would decide; none is proposed.", options.most_hours);
   }
   const ExpectedTest& best = plan.tests.front();
-  std::string text = fmt::format(
+  std::string text = is_nothing ? fmt::format("Nothing is found yet, P of nothing {:.2f}. ", plan.p_nothing) : "";
+  text += fmt::format(
       "Run {:g} h from cold: {}. It would name all that is missing in {} of cases (± {:.0f}, {} "
       "simulated)",
       best.hours, best.doing, percent(best.p_right), 100.0 * best.p_right_sigma, best.truths);
@@ -451,7 +458,9 @@ TestPlan test_plan(const Model& model, const Series& data, std::size_t target, c
   plan.verdict = now.verdict;
   const bool is_all_named = now.verdict == Verdict::named && now.probable.empty() && now.equivalent.empty();
   plan.is_decided = is_all_named && plan.inseparable.empty();
-  if (!is_all_named && now.verdict != Verdict::nothing && now.verdict != Verdict::untestable) {
+  plan.p_nothing = now.p_nothing;
+  const bool is_open = now.verdict == Verdict::nothing ? now.p_nothing < kSureOfNothing : !is_all_named;
+  if (is_open && now.verdict != Verdict::untestable) {
     const MenuLimits limits{options.most_hours, options.max_rpm, options.can_load, options.can_room,
                             options.can_coolant};
     const std::vector<MenuItem> menu = menu_of(alike.data, model.targets.at(target), limits);

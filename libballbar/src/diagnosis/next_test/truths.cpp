@@ -76,7 +76,7 @@ std::vector<Truth> Truths::drawn(std::size_t count, std::mt19937_64& random) con
     const EffectSet& set = posterior.sets[s];
     const double slow = weight_of(posterior, set.log_weight_slow), whole = weight_of(posterior, set.log_weight);
     const auto add = [&](bool is_slow, double weight) {
-      if (!(weight > 1e-6) || (set.families.empty() && set.own == 0 && !is_slow)) return;
+      if (!(weight > 1e-6)) return;
       all.push_back({{s, is_slow}, weight});
       sum += weight;
     };
@@ -108,6 +108,10 @@ std::vector<BoundEffect> Truths::effects_of(const Truth& truth) const {
     effects.push_back(weighed_.problem->library.families[f].bound);
   }
   return effects;
+}
+
+bool Truths::is_nothing(const Truth& truth) const {
+  return !truth.slow && !has_other_value(truth) && weighed_.posterior.sets[truth.set].families.empty();
 }
 
 Eigen::VectorXd Truths::drift_um(const Truth& truth, const Series& run) const {

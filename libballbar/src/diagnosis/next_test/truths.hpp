@@ -22,10 +22,12 @@ class Truths {
   // Refers to it.
   explicit Truths(const Weighed& weighed);
 
-  // Truths of about the posterior's weights, as even as so many can be; none where nothing is missing.
+  // Truths of about the posterior's weights, as even as so many can be.
   std::vector<Truth> drawn(std::size_t count, std::mt19937_64& random) const;
 
   std::vector<BoundEffect> effects_of(const Truth& truth) const;
+  bool is_nothing(const Truth& truth) const;  // no effect, no other value of the model, no slow curve
+  bool has_other_value(const Truth& truth) const { return weighed_.posterior.sets[truth.set].own > 0; }
 
   // On the rows of one run, without noise; what is of a set-up left out.
   Eigen::VectorXd drift_um(const Truth& truth, const Series& run) const;

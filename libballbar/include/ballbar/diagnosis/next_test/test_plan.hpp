@@ -57,7 +57,8 @@ struct SensorToAdd {
 };
 
 struct TestPlan {
-  Verdict verdict = Verdict::nothing;                 // of the data at hand
+  Verdict verdict = Verdict::nothing;  // of the data at hand
+  double p_nothing = 0.0;
   bool is_decided = false;                            // they already name it
   std::vector<ExpectedTest> tests;                    // the chosen one first, then by P(right); empty: none is proposed
   std::vector<std::vector<BoundEffect>> inseparable;  // effects that no test can tell apart
