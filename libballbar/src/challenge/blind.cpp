@@ -54,13 +54,6 @@ Model usual_model(std::string target, const Catalogue& catalogue, Random& random
   return model;
 }
 
-// The same effect with the same shapes in another run.
-blind::Adds again(Injection injection) {
-  return [injection = std::move(injection)](const Workshop& run, Random&) {
-    return blind::added_by(injection, run.logged);
-  };
-}
-
 BoundEffect bound_of(const Term& term) { return {term.effect.get(), term.columns}; }
 
 // A constant and 5 to 30 um of every effect.
@@ -71,7 +64,7 @@ std::vector<double> clean_of(const Model& model, const Series& logged, std::vect
     const std::vector<double> signal = signal_of(injection, logged);
     const double scale = blind::between(random, 5.0, 30.0) / range_of(signal);
     for (std::size_t i = 0; i < clean.size(); ++i) clean[i] += scale * signal[i];
-    sources.push_back({again(injection), scale});
+    sources.push_back({blind::again(injection, logged), scale});
   }
   return clean;
 }
@@ -139,11 +132,12 @@ std::optional<Hidden> twin_effect(Twins twins, const Catalogue& catalogue, const
   }
   Injection injection = blind::drawn_injection(bound, logged, random);
   if (twins != Twins::room) {
-    return Hidden{label_of(bound), bound, {}, signal_of(injection, logged), again(injection)};
+    return Hidden{label_of(bound), bound, {}, signal_of(injection, logged), blind::again(injection, logged)};
   }
   // The room does not move: the same as the other temperature alone.
   const BoundEffect alone = of("lagged_expansion", {"T_front_degC"});
-  return Hidden{label_of(bound), bound, {}, signal_of({alone, injection.parameters}, logged), again(injection)};
+  return Hidden{
+      label_of(bound), bound, {}, signal_of({alone, injection.parameters}, logged), blind::again(injection, logged)};
 }
 
 // What the model makes with these parameters, in another run; without its constant.

@@ -151,11 +151,16 @@ Injection drawn_injection(const BoundEffect& bound, const Series& logged, Random
   return injection;
 }
 
-std::vector<double> added_by(const Injection& injection, const Series& logged) {
-  const BoundInputs inputs = inputs_of(*injection.bound.effect, injection.bound.columns, logged);
-  std::vector<double> values(logged.time_s.size());
-  injection.bound.effect->evaluate(inputs.rows, injection.parameters.data(), values.data(), nullptr);
-  return values;
+Adds again(Injection injection, const Series& logged) {
+  std::vector<double> zero;
+  for (const std::string& column : injection.bound.columns) zero.push_back(find_column(logged, column)->values.front());
+  return [injection = std::move(injection), zero = std::move(zero)](const Workshop& run, Random&) {
+    BoundInputs inputs = inputs_of(*injection.bound.effect, injection.bound.columns, run.logged);
+    inputs.rows.zero = zero;
+    std::vector<double> values(run.logged.time_s.size());
+    injection.bound.effect->evaluate(inputs.rows, injection.parameters.data(), values.data(), nullptr);
+    return values;
+  };
 }
 
 std::optional<Hidden> drawn_effect(const Catalogue& catalogue, const Model& model, const Series& logged,
@@ -176,8 +181,7 @@ std::optional<Hidden> drawn_effect(const Catalogue& catalogue, const Model& mode
     return std::nullopt;  // a threshold of a signal that never rises
   }
   std::vector<double> signal = signal_of(injection, logged);
-  const auto again = [injection](const Workshop& run, Random&) { return added_by(injection, run.logged); };
-  return Hidden{label_of(bound), bound, {}, std::move(signal), again};
+  return Hidden{label_of(bound), bound, {}, std::move(signal), again(injection, logged)};
 }
 
 Hidden drawn_outsider(const Series& sensors, Random& random) {

@@ -90,11 +90,11 @@ std::vector<double> noise_um(std::size_t n, const Scatter& scatter, Random& rand
 // Usual shapes of the effect on these rows (Parameter::usual_on), gains 1 or -1.
 Injection drawn_injection(const BoundEffect& bound, const Series& logged, Random& random);
 
-// What it adds, um, one a row of what is logged.
-std::vector<double> added_by(const Injection& injection, const Series& logged);
-
-// What adds to the target in any run of a shop floor.
+// What adds to the target in any run of a shop floor, um, one a row of what is logged.
 using Adds = std::function<std::vector<double>(const Workshop& run, Random& random)>;
+
+// An effect that is drawn on `logged`, in another run: places of a temperature stay where they were.
+Adds again(Injection injection, const Series& logged);
 
 struct Hidden {
   std::string what;

@@ -22,6 +22,7 @@ void Evaluate::operator()(const EffectRows& rows, const double* at, double* valu
     throw Error("expected an effect that states how many parameters it has (Evaluate::parameters), found none.");
   }
   EffectRows own = rows;
+  for (const std::span<const double> input : rows.inputs) own.zero.push_back(input.front());
   for (const RowRange& range : runs_of(rows.time_s)) {
     const std::size_t n = range.end - range.begin;
     own.time_s = rows.time_s.subspan(range.begin, n);

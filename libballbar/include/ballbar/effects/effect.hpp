@@ -32,8 +32,15 @@ enum class ParameterKind { gain, shape };
 struct EffectRows {
   std::span<const double> time_s;  // rising; of several runs (runs.hpp) in each
   std::vector<std::span<const double>> inputs;
-  std::size_t run = 0;  // number of the run that these rows are of
+  std::size_t run = 0;         // number of the run that these rows are of
+  std::vector<double> zero{};  // of several runs: each input in the first row of the first; else none
 };
+
+// What an input is counted from where something happens at a place of it: its first value, of several runs that of the
+// first, because the place is one of the machine.
+inline double zero_of(const EffectRows& rows, std::size_t input) {
+  return rows.zero.empty() ? rows.inputs[input][0] : rows.zero[input];
+}
 
 // What a shape says.
 enum class ShapeOf {

@@ -1,7 +1,8 @@
 // Several runs of one machine as one series: stacked, the time of each from 0 again.
 //
 // Where `time_s` falls, another run begins. What has a memory (the filters of effects, noise) begins there anew, and a
-// model has an offset for each run (run_terms.hpp), because a set-up is never made twice alike.
+// model has an offset for each run (run_terms.hpp), because a set-up is never made twice alike. What happens at a place
+// of a temperature (a kink, a viscosity) is counted from the first row of the first run, as the machine is one.
 #pragma once
 
 #include <cstddef>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "diagnosis/posterior/set_at.hpp"
 #include "model/model_rows.hpp"
@@ -45,7 +46,26 @@ void add_slow(double sigma, double time_constant_s, const std::vector<double>& t
   }
 }
 
+std::vector<std::size_t> rows_behind(const Series& placed, const Series& run) {
+  std::vector<std::size_t> rows(run.time_s.size());
+  std::iota(rows.begin(), rows.end(), placed.time_s.size() - run.time_s.size());
+  return rows;
+}
+
 }  // namespace
+
+// The run behind the first rows of the data: what a place of a temperature is counted from.
+Series Truths::behind_the_data(const Series& run) const {
+  const Series& data = weighed_.problem->logged.series;
+  Series placed = run;
+  placed.time_s.insert(placed.time_s.begin(), {run.time_s.front(), run.time_s.front() + 1.0});
+  for (Column& column : placed.columns) {
+    const Column* known = find_column(data, column.name);
+    const double first = known != nullptr ? known->values.front() : column.values.front();
+    column.values.insert(column.values.begin(), 2, first);
+  }
+  return placed;
+}
 
 Truths::Truths(const Weighed& weighed) : weighed_(weighed) {}
 
@@ -131,10 +151,9 @@ Eigen::MatrixXd Truths::model_slopes(const Truth& truth, const Series& run) cons
   for (const Term& term : model.terms) count += term.settings.size();
   Eigen::VectorXd parameters(static_cast<Eigen::Index>(count));
   for (std::size_t k = 0; k < count; ++k) parameters[static_cast<Eigen::Index>(k)] = set.parameters[k].value;
-  std::vector<std::size_t> rows(run.time_s.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
+  const Series placed = behind_the_data(run);
   Eigen::MatrixXd slopes;
-  ModelRows(model, run, rows).sum(parameters, &slopes);
+  ModelRows(model, placed, rows_behind(placed, run)).sum(parameters, &slopes);
   for (std::size_t k = 1; k < count; ++k) {
     if (set.parameters[k].state == ParameterState::held) slopes.col(static_cast<Eigen::Index>(k)).setZero();
   }
@@ -145,9 +164,9 @@ Eigen::MatrixXd Truths::model_slopes(const Truth& truth, const Series& run) cons
 Eigen::VectorXd Truths::added_um(const Truth& truth, const Series& run,
                                  const std::function<bool(std::size_t)>& is_wanted) const {
   const FittedSet& set = fitted(truth.set).set;
-  std::vector<std::size_t> rows(run.time_s.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
-  const ModelRows all(set.model, run, rows);
+  const Series placed = behind_the_data(run);
+  const std::vector<std::size_t> rows = rows_behind(placed, run);
+  const ModelRows all(set.model, placed, rows);
   std::vector<double> parameters;
   parameters.reserve(set.parameters.size());
   for (const FittedParameter& one : set.parameters) parameters.push_back(one.value);

@@ -51,6 +51,7 @@ class Truths {
     double variance = 0.0;
   };
   const Fitted& fitted(std::size_t set) const;
+  Series behind_the_data(const Series& run) const;
   Eigen::VectorXd added_um(const Truth& truth, const Series& run,
                            const std::function<bool(std::size_t)>& is_wanted) const;
 

@@ -11,7 +11,7 @@ struct PreloadLoss {
   template <class T>
   T operator()(const EffectRows& rows, std::size_t i, const T* p, T*) const {
     const std::span<const double> signal = rows.inputs[0];
-    const T beyond = (signal[i] - signal[0]) - p[1];
+    const T beyond = (signal[i] - zero_of(rows, 0)) - p[1];
     return beyond > T(0.0) ? p[0] * beyond : T(0.0);
   }
 };

@@ -13,7 +13,7 @@ struct ViscosityFeedback {
   T operator()(const EffectRows& rows, std::size_t i, const T* p, T* kept) const {
     using std::exp;
     const std::span<const double> temperature = rows.inputs[1];
-    const T friction = std::abs(rows.inputs[0][i]) / 1000.0 * exp(-p[2] * (temperature[i] - temperature[0]));
+    const T friction = std::abs(rows.inputs[0][i]) / 1000.0 * exp(-p[2] * (temperature[i] - zero_of(rows, 1)));
     return low_pass_at(rows, i, friction, p[1], false, kept) * p[0];
   }
 };
