@@ -15,7 +15,6 @@ constexpr ExplainedTerm kTerms[] = {
     {"2 ln B", "2 ln of how much more likely the readings are with an effect than without: 0 is even, 10 is 150 to 1."},
     {"P", "Probability of what is said, 0 to 1; 0.98 is 49 to 1."},
     {"p", "Share of pure noise that would show as much as was seen, or more; small: it is not noise."},
-    {"R2", "Share of the movement that is explained, 1: all of it."},
     {"RMSE", "Size of what a model leaves, in um: root of the mean square of measured less modelled."},
     {"autocorrelation", "How alike readings are some steps apart, -1 to 1; 0: nothing is remembered."},
     {"bias", "Mean of what a model leaves: how far it is off to one side."},
