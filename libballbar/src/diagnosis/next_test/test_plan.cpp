@@ -319,6 +319,7 @@ void add_curves(const Design& design, TestPlan& plan, std::uint64_t seed) {
     const Truth truth{s, false};
     const std::vector<BoundEffect> effects = design.truths().effects_of(truth);
     std::vector<std::string> labels;
+    labels.reserve(effects.size());
     for (const BoundEffect& one : effects) labels.push_back(label_of(one));
     const Eigen::VectorXd drift = design.truths().drift_um(truth, run);
     plan.curves.push_back({labels.empty() ? "nothing of the catalogue" : fmt::format("{}", fmt::join(labels, " + ")),
@@ -416,6 +417,13 @@ std::string sentence_of(const TestPlan& plan, const TestPlanOptions& options) {
   if (is_nothing && plan.p_nothing >= kSureOfNothing)
     return "By the data at hand nothing is missing: there is nothing to decide." + behind;
   if (plan.tests.empty()) {
+    if (is_nothing) {
+      return fmt::format(
+                 "Nothing is found, P of nothing {:.2f}; no test of up to {:g} h on the menu would find what may be "
+                 "there.",
+                 plan.p_nothing, options.most_hours) +
+             behind;
+    }
     if (!apart.empty()) return apart + " No test is proposed.";
     return fmt::format("No test of up to {:g} h on the menu would decide; none is proposed.", options.most_hours);
   }
