@@ -54,7 +54,7 @@ ResidualReport residual_report_of(const ModelOptions& options, const Model& mode
 
 std::string heading(const Fit& fit) {
   const std::vector<double> time_s = one_after_another(fit.time_s);
-  const std::size_t runs = std::is_sorted(fit.time_s.begin(), fit.time_s.end()) ? 1 : runs_of(fit.time_s).size();
+  const std::size_t runs = runs_of(fit.time_s).size();
   return fmt::format("{}, {} values over {}{}", fit.target, fit.residual_um.size(),
                      duration_text(time_s.back() - time_s.front()), runs > 1 ? fmt::format(" in {} runs", runs) : "");
 }

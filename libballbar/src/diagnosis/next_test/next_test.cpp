@@ -74,38 +74,9 @@ double separation(const Orders& orders, Holds holds) {
   return std::min(orders.a_true, orders.b_true);
 }
 
-// Columns of the pair that the list has.
-std::vector<std::size_t> listed(const std::vector<std::string>& list, const UndecidedPairs& question,
-                                const Pair& pair) {
-  std::vector<std::size_t> result;
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    for (const std::size_t competitor : {pair.a, pair.b}) {
-      const std::vector<std::string>& columns = question.candidates.competitors[competitor].bound.columns;
-      if (std::find(columns.begin(), columns.end(), list[k]) == columns.end()) continue;
-      if (result.empty() || result.back() != k) result.push_back(k);
-    }
-  }
-  return result;
-}
-
 std::string d_text(double d) {
   if (d > 1000.0) return "d above 1000";
   return d >= 99.95 ? fmt::format("d = {:.0f}", d) : fmt::format("d = {:.1f}", d);
-}
-
-std::string interval_text(const Series& all, const std::string& target) {
-  std::vector<double> gaps_s;
-  double last_s = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<double>& values = find_column(all, target)->values;
-  for (std::size_t row = 0; row < values.size(); ++row) {
-    if (std::isnan(values[row])) continue;
-    if (!std::isnan(last_s)) gaps_s.push_back(all.time_s[row] - last_s);
-    last_s = all.time_s[row];
-  }
-  if (gaps_s.empty()) return {};
-  const auto middle = gaps_s.begin() + static_cast<std::ptrdiff_t>(gaps_s.size() / 2);
-  std::nth_element(gaps_s.begin(), middle, gaps_s.end());
-  return fmt::format(", readings every {} as now", duration_text(*middle));
 }
 
 struct RatedTest {
@@ -133,8 +104,8 @@ std::string pair_text(const UndecidedPairs& question, const Pair& pair, Holds ho
   return fmt::format("tell {} from {}", a, b);
 }
 
-std::string text_of(const UndecidedPairs& question, const RatedTest& rated, const std::string& interval) {
-  std::string text = rated.test.name + ": " + rated.test.doing + interval + ".";
+std::string text_of(const UndecidedPairs& question, const RatedTest& rated) {
+  std::string text = rated.test.name + ": " + rated.test.doing + ".";
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   const Pair& hardest = question.pairs[rated.hardest];
   const double d = rated.smallest;
@@ -147,15 +118,6 @@ std::string text_of(const UndecidedPairs& question, const RatedTest& rated, cons
   } else {
     text += fmt::format(" Of {} pairs of candidates it would settle {} (d of 7.5 or more); the hardest is to {}: {}",
                         question.pairs.size(), rated.settled, pair, outcome);
-  }
-  std::vector<std::string> predicted, unknown;
-  for (const std::size_t k : listed(rated.test.forecast_columns, question, hardest)) {
-    predicted.push_back(rated.test.forecast[k]);
-  }
-  for (const std::size_t k : listed(rated.test.unknown, question, hardest)) unknown.push_back(rated.test.unknown[k]);
-  if (!predicted.empty()) text += fmt::format(" Predicted as in the data: {}.", fmt::join(predicted, ", "));
-  if (!unknown.empty()) {
-    text += fmt::format(" What {} would do in it is not known, so that nothing is promised.", fmt::join(unknown, ", "));
   }
   return text;
 }
@@ -205,8 +167,7 @@ std::vector<NextTest> next_tests(const Model& model, const Series& all, const Di
     rated.test = std::move(test);
     for (std::size_t k = 0; k < question.pairs.size(); ++k) {
       const Pair& pair = question.pairs[k];
-      const bool known = listed(rated.test.unknown, question, pair).empty();
-      const Orders orders = known ? orders_of(together, places, pair) : so_far[k];
+      const Orders orders = orders_of(together, places, pair);
       const Holds held = holds(orders, question, pair);
       const double d = separation(orders, held);
       if (d >= kIdentifiable) ++rated.settled;
@@ -219,9 +180,8 @@ std::vector<NextTest> next_tests(const Model& model, const Series& all, const Di
     if (std::isfinite(rated.smallest)) tests.push_back(std::move(rated));
   }
   std::stable_sort(tests.begin(), tests.end(), better);
-  const std::string interval = model.level == Level::series ? interval_text(all, diagnosis.target) : std::string();
   for (const RatedTest& rated : tests) {
-    std::string text = text_of(question, rated, interval);
+    std::string text = text_of(question, rated);
     if (result.empty() && rated.smallest < kUseless) {
       text = fmt::format("None on the list would tell all of them apart: the best ({}) reaches {}, 5 is needed.",
                          rated.test.name, d_text(rated.smallest));

@@ -1,12 +1,11 @@
-// The experiment that would tell the remaining candidates apart, and how well.
+// The circles that would tell the remaining candidates of a diagnosis of recordings apart, and how well; of a drift:
+// test_plan.hpp.
 //
-// A menu of tests a shop can do (standstill, stop and go, another speed, two dwell lengths, several cycles, a step of
-// the room or of the coolant, the same again with the set-up untouched or new; on recordings the other direction, other
-// feeds, another radius) is predicted: temperatures follow speed and room as they did in the data, every candidate
-// adds what it was fitted to. What depends on time alone goes on where the set-up is untouched - a settling is over, a
-// drift drifts on; a test begins 12 h after the data - and starts again where it is new. Old and new data are whitened
-// by the noise (that of the fit with the best set) and freed of the model, of a new constant and of the other candidate
-// with its gains and shapes; what is left of one candidate,
+// A menu of tests (the same again with the set-up untouched or new, the other direction, other feeds, another radius)
+// is predicted: every candidate adds what it was fitted to. What depends on time alone goes on where the set-up is
+// untouched - a test begins 12 h after the data - and starts again where it is new. Old and new data are whitened by
+// the noise (that of the fit with the best set) and freed of the model, of a new circle and of the other candidate with
+// its gains and shapes; what is left of one candidate,
 //
 //   d = |(I - P) W g|,
 //
@@ -14,8 +13,7 @@
 // The separation of a pair is the smaller d of both orders; where one with more parameters can imitate the other
 // whatever is done (an expansion is a lag of nothing), that of the order which can be seen. The separation of a test is
 // the smallest of all pairs; the test with the largest is proposed, or, where none reaches 5, the one that settles most
-// pairs. A pair that reads a column which follows neither speed nor room (R2 < 0.5) is promised no more than the data
-// have already. A response of the room that the data hardly show is promised too small rather than too large.
+// pairs.
 //
 // Against chi^2 of simulated tests d is right within a factor of 1.5. 1334 rows and 4 competitors: 0.06 s.
 #pragma once

@@ -72,8 +72,4 @@ struct TestPlan {
 // A drift series, of one run or several (runs.hpp). Throws Error as diagnose does, and for recordings.
 TestPlan test_plan(const Model& model, const Series& data, std::size_t target, const TestPlanOptions& options);
 
-// Of one test: what the diagnosis of the data and a run of this schedule would be, by so many truths.
-ExpectedTest expected_of(const Model& model, const Series& data, std::size_t target, const Schedule& schedule,
-                         std::size_t truths, const TestPlanOptions& options);
-
 }  // namespace ballbar

@@ -1,0 +1,210 @@
+#include "diagnosis/next_test/simulated_tests.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/model/run_terms.hpp"
+#include "ballbar/numerics/parallel.hpp"
+#include "ballbar/series/runs.hpp"
+#include "diagnosis/verdict/diagnosis_at.hpp"
+#include "numerics/random_streams.hpp"
+#include "series/resolution.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kSurrogatesSimulated = 50;
+constexpr const char* kAddedSensor = "T_added_degC";
+constexpr std::size_t kSlowStride = 6;       // of the covariances with a slow curve one in so many
+constexpr std::size_t kRowsSimulated = 500;  // of the target that each diagnosis weighs
+
+// Without what is of the set-up of the data at hand.
+Model of_a_drift(const Model& model, const Series& data) {
+  if (model.level == Level::series) return without_run_terms(model);
+  throw Error(
+      fmt::format("expected a drift series to plan a run for, found recordings of {} readings.", data.time_s.size()));
+}
+
+// The rows of a run behind those of the data, columns by their names.
+Series with_run(const Series& data, const Series& run) {
+  Series all = data;
+  const double begin_s = data.time_s.empty() ? 0.0 : data.time_s.front();
+  if (runs_of(data.time_s).size() < 2) {
+    for (double& time_s : all.time_s) time_s -= begin_s;
+    all.runs = {{"data", RunStart::rest}};
+  }
+  all.time_s.insert(all.time_s.end(), run.time_s.begin(), run.time_s.end());
+  for (Column& column : all.columns) {
+    const std::vector<double>& values = find_column(run, column.name)->values;
+    column.values.insert(column.values.end(), values.begin(), values.end());
+  }
+  all.runs.push_back({"test", RunStart::rest});
+  return all;
+}
+
+// 5 K from its least to its largest, read to 0.1 K.
+std::vector<double> thermometer(const Eigen::VectorXd& heat, std::mt19937_64& random) {
+  const double low = heat.minCoeff(), range = std::max(1e-12, heat.maxCoeff() - low);
+  std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(heat.size()));
+  for (const double one : heat) {
+    const double kelvin = 5.0 * (one - low) / range + 0.03 * simulation::normal(random);
+    values.push_back(0.1 * std::round(10.0 * (20.0 + kelvin)));
+  }
+  return values;
+}
+
+}  // namespace
+
+SimulatedTests::SimulatedTests(const Model& model, const Series& data, std::size_t target,
+                               const TestPlanOptions& options)
+    : model_(of_a_drift(model, data)),
+      options_(options),
+      data_(data),
+      target_(model.targets.at(target)),
+      target_index_(target) {
+  ProblemOptions how;
+  how.catalogue = options.search.catalogue;
+  how.signatures.without = options.search.without;
+  tell("weighing the data at hand");
+  weighed_ = weighed(with_run_terms(model_, data_), data_, target, how);
+  if (weighed_.largest == 0 || weighed_.is_still) return;
+  truths_.emplace(weighed_);
+  planned_ = std::make_unique<PlannedInputs>(data_, target_);
+  resolution_um_ = resolution_of(find_column(data_, target_)->values);
+  covariances_ = simulated_covariances();
+}
+
+std::vector<Truth> SimulatedTests::drawn(std::size_t count, std::uint64_t stage) const {
+  std::mt19937_64 random = simulation::stream_of(options_.search.seed, simulation::Stream::signal, 100 + stage);
+  return truths_->drawn(count, random);
+}
+
+ExpectedTest SimulatedTests::expected(const MenuItem& item, const std::vector<Truth>& truths) const {
+  std::vector<Told> outcomes(truths.size());
+  in_parallel(truths.size(), [&](std::size_t k) {
+    std::mt19937_64 random = simulation::stream_of(options_.search.seed, simulation::Stream::signal, 1000 + k);
+    outcomes[k] = told_by(item.schedule, truths[k], random);
+  });
+  ExpectedTest result{item.kind, item.doing, item.hours, item.schedule, truths.size()};
+  const auto n = static_cast<double>(truths.size());
+  for (const Told& one : outcomes) {
+    result.p_right += one.right ? 1.0 / n : 0.0;
+    result.p_part += one.part ? 1.0 / n : 0.0;
+    result.p_wrong += one.wrong ? 1.0 / n : 0.0;
+  }
+  // Of Laplace's estimate, so that 24 of 24 is no certainty.
+  const double p = (result.p_right * n + 1.0) / (n + 2.0);
+  result.p_right_sigma = std::sqrt(p * (1.0 - p) / (n + 3.0));
+  return result;
+}
+
+double SimulatedTests::p_right_with_sensor(const Schedule& schedule, std::size_t set,
+                                           const std::vector<Truth>& truths) const {
+  const std::vector<BoundEffect> place = truths_->effects_of({set, false});
+  static_cast<void>(truths_->sigma_um({set, false}));  // fitted before the threads ask for it
+  std::vector<char> right(truths.size(), 0);
+  in_parallel(truths.size(), [&](std::size_t k) {
+    std::mt19937_64 random = simulation::stream_of(options_.search.seed, simulation::Stream::signal, 1000 + k);
+    Series run = simulated(schedule, truths[k], random);
+    run.columns.push_back(
+        {kAddedSensor, Role::structure, thermometer(truths_->member_um({set, false}, 0, run), random)});
+    try {
+      const Diagnosis found = diagnosis_at(model_, run, target_index_, simulated_options(), covariances_);
+      std::vector<BoundEffect> named;
+      for (const BoundEffect& one : found.named)
+        named.push_back(one.columns.size() == 1 && one.columns.front() == kAddedSensor ? place.front() : one);
+      Diagnosis as_named = found;
+      as_named.named = std::move(named);
+      right[k] = told_of(truths[k], as_named, {}).right ? 1 : 0;
+    } catch (const Error&) {
+      right[k] = 0;
+    }
+  });
+  return static_cast<double>(std::count(right.begin(), right.end(), 1)) / static_cast<double>(truths.size());
+}
+
+void SimulatedTests::tell(const std::string& step) const {
+  if (options_.search.progress) options_.search.progress(step);
+}
+
+Series SimulatedTests::simulated(const Schedule& schedule, const Truth& truth, std::mt19937_64& random) const {
+  Series run = planned_->under(schedule, random);
+  run.columns.push_back({target_, Role::measured, truths_->readings_um(truth, run, resolution_um_, random)});
+  return run;
+}
+
+// Those that the data make likely, and a few with a slow curve, so that a simulated run may find one.
+std::vector<Covariance> SimulatedTests::simulated_covariances() const {
+  std::vector<Covariance> chosen;
+  std::size_t slow = 0;
+  for (const Covariance& one : weighed_.problem->covariances) {
+    const bool is_likely =
+        std::any_of(weighed_.posterior.points.begin(), weighed_.posterior.points.end(), [&](const Point& point) {
+          const Covariance& there = point.covariance;
+          return there.white == one.white && there.time_s == one.time_s && there.slow == one.slow &&
+                 there.slow_time_s == one.slow_time_s;
+        });
+    if (is_likely || (one.slow > 0.0 && slow++ % kSlowStride == 0)) chosen.push_back(one);
+  }
+  // Those that are left share the whole, without and with a slow curve.
+  double without = 0.0, with = 0.0;
+  for (const Covariance& one : chosen) (one.slow > 0.0 ? with : without) += 1.0;
+  for (Covariance& one : chosen) {
+    one.log_prior = std::log(one.slow > 0.0 ? kPriorOfDiscrepancy / with : (1.0 - kPriorOfDiscrepancy) / without);
+  }
+  return chosen;
+}
+
+DiagnosisOptions SimulatedTests::simulated_options() const {
+  DiagnosisOptions how;
+  how.search = options_.search;
+  how.search.progress = {};
+  how.surrogates = kSurrogatesSimulated;
+  how.most_rows = kRowsSimulated;
+  return how;
+}
+
+// What needs nothing but time is never named: a truth is told where all the rest of it is.
+// Of nothing that nothing is said, of a value that the model holds that it is told.
+SimulatedTests::Told SimulatedTests::told_of(const Truth& truth, const Diagnosis& found,
+                                             const std::vector<BoundEffect>& known) const {
+  const auto is_in = [](const std::vector<BoundEffect>& all, const BoundEffect& one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+  };
+  const std::vector<BoundEffect> effects = truths_->effects_of(truth);
+  Told told;
+  bool more = false;
+  for (const BoundEffect& named : found.named) {
+    told.wrong = told.wrong || !is_in(effects, named);
+    more = more || !is_in(known, named);
+  }
+  const bool own = std::any_of(found.own.begin(), found.own.end(), [](const OwnValue& one) { return one.p >= kNamed; });
+  const bool all = std::all_of(effects.begin(), effects.end(), [&](const BoundEffect& one) {
+    return one.effect->time_only || is_in(found.named, one);
+  });
+  const bool is_said =
+      truths_->is_nothing(truth) ? found.verdict == Verdict::nothing : own == truths_->has_other_value(truth);
+  told.right = !told.wrong && all && is_said;
+  told.part = !told.wrong && !truths_->is_nothing(truth) && (told.right || more);
+  return told;
+}
+
+SimulatedTests::Told SimulatedTests::told_by(const Schedule& schedule, const Truth& truth,
+                                             std::mt19937_64& random) const {
+  const Series all = with_run(data_, simulated(schedule, truth, random));
+  const DiagnosisOptions how = simulated_options();
+  try {
+    const Diagnosis found = diagnosis_at(with_run_terms(model_, all), all, target_index_, how, covariances_);
+    return told_of(truth, found, named_now_);
+  } catch (const Error&) {
+    return {};  // a run that cannot be diagnosed decides nothing
+  }
+}
+
+}  // namespace ballbar

@@ -1,0 +1,67 @@
+// Tests that nobody has run, simulated on what may be true, each with the diagnosis that would come of it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "ballbar/diagnosis/next_test/test_plan.hpp"
+#include "diagnosis/next_test/menu.hpp"
+#include "diagnosis/next_test/planned_inputs.hpp"
+#include "diagnosis/next_test/truths.hpp"
+
+namespace ballbar {
+
+class SimulatedTests {
+ public:
+  // Refers to data and options. Throws Error for recordings.
+  SimulatedTests(const Model& model, const Series& data, std::size_t target, const TestPlanOptions& options);
+
+  // What the data at hand name already.
+  void know(const std::vector<BoundEffect>& named) { named_now_ = named; }
+
+  bool can_draw() const { return truths_.has_value(); }  // the others want it
+  const Posterior& posterior() const { return weighed_.posterior; }
+  const Truths& truths() const { return *truths_; }
+  const PlannedInputs& planned() const { return *planned_; }
+
+  // The same truths at each stage of a design.
+  std::vector<Truth> drawn(std::size_t count, std::uint64_t stage) const;
+
+  // A whole diagnosis of each truth.
+  ExpectedTest expected(const MenuItem& item, const std::vector<Truth>& truths) const;
+
+  // P(right) of the run alone with a thermometer where an effect's heat goes: it shows that heat, whether it moves
+  // anything or not. To name an effect of its column is then to name that effect.
+  double p_right_with_sensor(const Schedule& schedule, std::size_t set, const std::vector<Truth>& truths) const;
+
+  void tell(const std::string& step) const;
+
+ private:
+  struct Told {
+    bool right = false, part = false, wrong = false;
+  };
+  Told told_of(const Truth& truth, const Diagnosis& found, const std::vector<BoundEffect>& known) const;
+  Told told_by(const Schedule& schedule, const Truth& truth, std::mt19937_64& random) const;
+  Series simulated(const Schedule& schedule, const Truth& truth, std::mt19937_64& random) const;
+  std::vector<Covariance> simulated_covariances() const;
+  DiagnosisOptions simulated_options() const;
+
+  Model model_;
+  const TestPlanOptions& options_;
+  const Series& data_;
+  std::string target_;
+  std::size_t target_index_;
+  Weighed weighed_;
+  std::optional<Truths> truths_;
+  std::unique_ptr<PlannedInputs> planned_;
+  double resolution_um_ = 0.0;
+  std::vector<Covariance> covariances_;
+  std::vector<BoundEffect> named_now_;
+};
+
+}  // namespace ballbar
