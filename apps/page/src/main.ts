@@ -16,7 +16,7 @@ const files_of = (files: readonly string[]): HTMLElement => {
     { class: "files", tabindex: "0" },
     ...files.flatMap((file) => [element("bdi", {}, file), " "]),
   );
-  return files.length <= 3 ? list : element("details", {}, element("summary", {}, `From ${files.length} files`), list);
+  return files.length <= 3 ? list : element("details", { class: "files-of" }, element("summary", {}, `From ${files.length} files`), list);
 };
 
 const header_of = (report: Report): HTMLElement =>

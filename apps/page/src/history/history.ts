@@ -9,12 +9,12 @@ const kNext: Next = { label: "List every quantity", text: "", command: command_o
 
 // The columns of the table: quantity, unit, last, change, sigmas, a year, tolerance, met.
 const quantity_sentence = ({ rows }: HistoryGroup, name: string): string => {
-  const [, unit, last, change, sigmas, a_year, , met] = rows.find(([quantity]) => quantity === name) ?? [];
+  const [, unit, last, change, sigmas, a_year, tolerance, met] = rows.find(([quantity]) => quantity === name) ?? [];
   if (last === undefined) return `${rows.length} quantities`;
   const told = (text: string | undefined): text is string => text !== undefined && text !== "" && text !== "-";
   const changed = told(change) ? `, ${change.replace(" *", "")} since the test before (${sigmas} sigmas)` : "";
   const trend = told(a_year) ? `, ${a_year.replace(" *", "")} a year` : "";
-  return `${name} ${last} ${unit}${changed}${trend}${told(met) ? `; meets its tolerance: ${met}` : ""}.`;
+  return `${name} ${last} ${unit}${changed}${trend}${/\d{4}-/.test(met ?? "") ? `; it meets its tolerance ${tolerance} at ${met}` : ""}.`;
 };
 
 // A date first, then a change, then a trend that is marked.
@@ -61,7 +61,7 @@ export const history_sections = ({ history }: Report): Section[] => {
         ]
       : []),
     ...(skipped.length > 0
-      ? [{ id: "skipped", heading: "Skipped files", result: `${skipped.length} files`, sentences: [], tables: [], pictures: [], lists: [{ title: "Why", items: skipped }] }]
+      ? [{ id: "skipped", heading: "Skipped files", result: `${skipped.length} ${skipped.length === 1 ? "file" : "files"}`, sentences: [], tables: [], pictures: [], lists: [{ title: "Why", items: skipped }] }]
       : []),
   ];
 };

@@ -24,7 +24,7 @@ const choose_axis = (checked: Checked, picture: string): TextTable["choose"] => 
 
 const result_of = ({ rmse_um, floor_um, parameters }: Checked): string => {
   const floor = rmse_um !== null && floor_um ? `, ${shown(rmse_um / floor_um, 1)} times the floor` : "";
-  return `RMSE ${shown(rmse_um, 3)} µm${floor}; ${parameters.length} parameters`;
+  return `RMSE ${shown(rmse_um, 3)} µm${floor}; ${parameters.length} ${parameters.length === 1 ? "parameter" : "parameters"}`;
 };
 
 const diagnose_next = (report: Report, { target }: Checked): Next => {
