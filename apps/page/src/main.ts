@@ -19,10 +19,10 @@ const files_of = (files: readonly string[]): HTMLElement => {
   return files.length <= 3 ? list : element("details", { class: "files-of" }, element("summary", {}, `From ${files.length} files`), list);
 };
 
-const header_of = (report: Report): HTMLElement =>
+const header_of = (report: Report, wide: boolean): HTMLElement =>
   element(
     "header",
-    {},
+    wide ? { class: "wide" } : {},
     text_in("h1", report.title),
     files_of(report.files),
     element("p", { class: "made" }, `Made by ${report.made_by} on ${report.made_on}.`),
@@ -49,7 +49,7 @@ const open = (report: Report): Shared => {
     section.first && figure ? [{ first: section.first, figure, proof }] : [],
   );
   const main = element("main", {}, ...first_screen(proved, report.summary, shared), ...made.map((one) => one.element));
-  document.body.append(contents_of(all, appearance(shared)), header_of(report), main, voice);
+  document.body.append(contents_of(all, appearance(shared)), header_of(report, first[0]?.beside !== undefined), main, voice);
   // What is on the screen is drawn at once; the rest when it comes near.
   for (const { figure } of proved) figure.draw_now();
   return shared;

@@ -155,7 +155,7 @@ export const errors_picture = (tests: readonly ErrorTest[]): Picture => {
   return {
     name: kErrors_picture,
     title: "Errors on the circle",
-    caption: "Each reading about the circle fitted to all runs, magnified; dashed, the chosen error.",
+    caption: "About the circle fitted to all runs; dashed, the chosen error.",
     about:
       "An error chosen in the table (a click, or ↑ ↓) draws its curve about the dark ring; “without it” (Space) takes that " +
       "curve off the readings.",

@@ -5,7 +5,7 @@ import type { RadialScale } from "./magnification";
 import type { Look } from "../picture";
 import { measured } from "./recording_curves";
 import type { Num, Recording } from "../report";
-import { colours, shown } from "../drawing/theme";
+import { colours, kNarrow_px, shown } from "../drawing/theme";
 
 export const kFitted = "fitted circle and its centre";
 export const kExtremes = "largest and least radius";
@@ -78,7 +78,8 @@ export const extreme_marks = (
     const i = nearest_reading(angles, at_deg);
     const radial = measured(recording, centred)[i];
     if (radial === undefined || radial === null) return [];
-    const text = `${least ? "least" : "largest"} ${value_um > 0 ? "+" : ""}${shown(value_um, 2)}`;
+    const value = `${value_um > 0 ? "+" : ""}${shown(value_um, 2)}`;
+    const text = `${least ? "least" : "largest"} ${value}${alone ? "" : `, ${recording.direction}`}`;
     return [
       mark(kExtremes, colour, {
         symbol: "triangle",
@@ -87,7 +88,7 @@ export const extreme_marks = (
         data: [
           {
             value: [radial, within_turn(angles[i] ?? 0)],
-            label: named(alone ? text : `${text}, ${recording.direction}`, colour, look, side_of(at_deg, least)),
+            label: named(look.width_px < kNarrow_px ? value : text, colour, look, side_of(at_deg, least)),
           },
         ],
       }),
