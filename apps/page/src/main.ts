@@ -7,6 +7,9 @@ import { section_of } from "./page/section";
 import { sections_of } from "./sections";
 import { shared_by_figures, type Shared } from "./page/shared";
 import { embedded } from "./source";
+import { engine_in } from "./engine";
+import { live_page } from "./live/live_page";
+import { open_live } from "./live/open_live";
 
 // A session has a file or two a test; a list that long is opened if wanted.
 const files_of = (files: readonly string[]): HTMLElement => {
@@ -47,26 +50,43 @@ const summary_of = (report: Report): HTMLElement =>
     ...report.summary.map((text) => text_in("p", text)),
   );
 
-const open = (report: Report): Shared => {
-  const voice = element("div", { class: "voice", role: "status", "aria-live": "polite" });
-  const shared = shared_by_figures(voice);
+const voice = element("div", { class: "voice", role: "status", "aria-live": "polite" });
+
+// `by_hand`: of a live page, what stands for the first screen.
+const open = (report: Report, shared: Shared, theme: HTMLElement, by_hand: HTMLElement | null): HTMLElement[] => {
   const sections = sections_of(report);
   const parts = sections.map((section) => section_of(section, shared));
-  const main = element("main", {}, summary_of(report), ...parts);
+  const main = element("main", {}, ...(by_hand ? [by_hand] : []), summary_of(report), ...parts);
   const short = sections[0]?.beside !== undefined;
-  document.body.append(contents_of(sections, appearance(shared)), header_of(report, short), main, voice);
-  // What is on the screen is drawn at once; the rest when it comes near.
+  return [contents_of(sections, theme), header_of(report, short), main];
+};
+
+// What is on the screen is drawn at once; the rest when it comes near.
+const draw_first = (shared: Shared): void => {
   for (const figure of shared.figures.values()) {
     if (figure.element.getBoundingClientRect().top < innerHeight) figure.draw_now();
   }
-  return shared;
+};
+
+// For reading values back, as the tests of the page do.
+const ready = (shared: Pick<Shared, "figures">): void => {
+  Object.defineProperty(window, "ballbar", { value: shared });
+  document.documentElement.dataset["ready"] = "1";
 };
 
 try {
-  const shared = open(embedded(document).report());
-  // For reading values back, as the tests of the page do.
-  Object.defineProperty(window, "ballbar", { value: Object.freeze({ figures: shared.figures }) });
-  document.documentElement.dataset["ready"] = "1";
+  const engine = engine_in(document);
+  const source = embedded(document);
+  document.body.append(voice);
+  if (engine) {
+    const page = live_page(voice, source.holds() ? source.report() : null, open, draw_first);
+    void open_live(engine, page).then(() => ready({ get figures() { return page.shared().figures; } }));
+  } else {
+    const shared = shared_by_figures(voice);
+    document.body.append(...open(source.report(), shared, appearance(shared), null));
+    draw_first(shared);
+    ready({ figures: shared.figures });
+  }
 } catch (error) {
   document.body.append(element("p", { role: "alert" }, `This page cannot be shown: ${String(error)}`));
   throw error;

@@ -1,0 +1,66 @@
+// The page below the live part: drawn anew for each report, in the place of the one before.
+import { appearance } from "../page/appearance";
+import { element } from "../elements/elements";
+import type { Loop } from "./loop";
+import type { LivePage } from "./open_live";
+import type { Report } from "../report";
+import { shared_by_figures, type Shared } from "../page/shared";
+
+type Open = (report: Report, shared: Shared, theme: HTMLElement, by_hand: HTMLElement | null) => HTMLElement[];
+
+export const live_page = (
+  voice: HTMLElement,
+  given: Report | null,
+  open: Open,
+  draw_first: (shared: Shared) => void,
+): LivePage & { shared(): Shared } => {
+  const place = element("div", { class: "live-report" });
+  document.body.append(place);
+  let shared = shared_by_figures(voice);
+  // One that stays, of whatever report is drawn.
+  const state: Shared = {
+    get figures() {
+      return shared.figures;
+    },
+    dark: () => shared.dark(),
+    time_window: () => shared.time_window(),
+    time_whole: () => shared.time_whole(),
+    add: (figure) => shared.add(figure),
+    nth: (kind) => shared.nth(kind),
+    see_time: (window) => shared.see_time(window),
+    hover_time: (x) => shared.hover_time(x),
+    look: (dark) => shared.look(dark),
+    say: (text) => shared.say(text),
+  };
+  const theme = appearance(state);
+
+  const open_folds = (): Set<string> =>
+    new Set([...place.querySelectorAll("section[id]:has(> details[open])")].map(({ id }) => id));
+
+  return {
+    state,
+    shared: () => state,
+    given,
+    show(report: Report, loop: Loop | null) {
+      const folds = open_folds();
+      const { dark, window } = { dark: shared.dark(), window: shared.time_window() };
+      const focused = document.activeElement;
+      const scroll = scrollY;
+      shared = shared_by_figures(voice);
+      shared.look(dark);
+      shared.see_time(window);
+      place.replaceChildren(...open(report, state, theme, loop?.element ?? null));
+      const figure = loop?.figure();
+      if (figure) shared.add(figure);
+      for (const id of folds) for (const fold of document.getElementById(id)?.querySelectorAll(":scope > details") ?? []) fold.setAttribute("open", "");
+      draw_first(shared);
+      scrollTo({ top: scroll, behavior: "instant" });
+      if (focused instanceof HTMLElement && focused.isConnected) focused.focus({ preventScroll: true });
+    },
+    clear() {
+      shared = shared_by_figures(voice);
+      place.replaceChildren(theme);
+    },
+    page_with: () => "",
+  };
+};
