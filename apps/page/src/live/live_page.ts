@@ -33,6 +33,7 @@ export const live_page = (
     say: (text) => shared.say(text),
   };
   const theme = appearance(state);
+  place.append(theme);
 
   const open_folds = (): Set<string> =>
     new Set([...place.querySelectorAll("section[id]:has(> details[open])")].map(({ id }) => id));

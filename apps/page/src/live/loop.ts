@@ -139,14 +139,16 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const target_label = element("label", { class: "choice" }, element("span", {}, words.explained), target_choice);
   target_label.hidden = targets.length < 2;
 
+  const asked = element("div", {}, element("h3", {}, words.what_moves), element("p", { class: "about" }, words.what_moves_about));
   const hand = element(
     "div",
     { class: "hand" },
+    asked,
     fall.element,
     element("div", { class: "buttons" }, target_label, search, undo, redo, back),
     posterior.element,
     candidates.element,
-    element("h3", {}, words.model),
+    element("h3", { class: "of-model" }, words.model),
     list.element,
     plan.element,
   );
@@ -210,6 +212,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       report = next;
       const checked = of_target(next.check?.targets, subject.target);
       all.classList.toggle("no-model", !checked);
+      asked.hidden = checked !== undefined;
       if (checked) {
         if (subject.target === "" && targets.length > 1) subject = { ...subject, target: checked.target };
         target_choice.value = checked.target;
@@ -246,6 +249,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         forth.length = 0;
         subject = { ...subject, model };
         await model_changed();
+        undo.focus({ preventScroll: true }); // the button that was pressed is gone
         say(added.rows.at(-1)?.sentence ?? "");
       }),
     undo: () =>

@@ -198,15 +198,23 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
     else leave("");
   };
 
+  // What was kept is of other files: either it is gone on with, or it goes.
+  const anew = async (): Promise<void> => {
+    leave_tour();
+    if (intake.held().length > 0) return;
+    place.querySelector(".kept")?.remove();
+    await store?.clear().catch(() => undefined);
+  };
   const take = (dropped: readonly Dropped[]): void =>
     void attempt(async () => {
-      leave_tour();
       if (dropped.length === 0) return tell(words.nothing_in_it);
+      await anew();
       await came((await intake.take(dropped)).map(({ path }) => path));
     });
 
   const open_sample = (sample: Sample): Promise<void> =>
     attempt(async () => {
+      await anew();
       const held = await intake.sample(sample);
       const kinds = new Set(held.filter(({ path }) => sample.data.includes(path)).map(({ kind }) => kind));
       const kind = kinds.has("recording") ? "recordings" : kinds.has("series") ? "series" : "session";
