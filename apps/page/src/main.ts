@@ -1,14 +1,15 @@
-// The page: conclusions first, then the sections.
+// The page: the verdict and what proves it, then the sections, folded.
 import { appearance } from "./page/appearance";
 import { element, text_in } from "./elements/elements";
+import { first_screen, type Proved } from "./page/first_screen";
 import type { Section } from "./picture";
 import type { Report } from "./report";
+import { ranked_sections } from "./sections";
 import { section_of } from "./page/section";
-import { sections_of } from "./sections";
 import { shared_by_figures, type Shared } from "./page/shared";
 import { embedded } from "./source";
 import { engine_in } from "./engine";
-import { live_page } from "./live/live_page";
+import { live_page, type Open } from "./live/live_page";
 import { open_live } from "./live/open_live";
 
 // A session has a file or two a test; a list that long is opened if wanted.
@@ -18,14 +19,13 @@ const files_of = (files: readonly string[]): HTMLElement => {
     { class: "files", tabindex: "0" },
     ...files.flatMap((file) => [element("bdi", {}, file), " "]),
   );
-  return files.length <= 3 ? list : element("details", {}, element("summary", {}, `From ${files.length} files`), list);
+  return files.length <= 3 ? list : element("details", { class: "files-of" }, element("summary", {}, `From ${files.length} files`), list);
 };
 
-// Short above a section that is to be seen on the first screen.
-const header_of = (report: Report, short: boolean): HTMLElement =>
+const header_of = (report: Report): HTMLElement =>
   element(
     "header",
-    short ? { class: "short" } : {},
+    {},
     text_in("h1", report.title),
     files_of(report.files),
     element("p", { class: "made" }, `Made by ${report.made_by} on ${report.made_on}.`),
@@ -43,29 +43,28 @@ const contents_of = (sections: readonly Section[], theme: HTMLElement): HTMLElem
     theme,
   );
 
-const summary_of = (report: Report): HTMLElement =>
-  element(
-    "section",
-    { class: "summary", "aria-label": "Summary" },
-    ...report.summary.map((text) => text_in("p", text)),
-  );
-
 const voice = element("div", { class: "voice", role: "status", "aria-live": "polite" });
 
-// `by_hand`: of a live page, what stands for the first screen.
-const open = (report: Report, shared: Shared, theme: HTMLElement, by_hand: HTMLElement | null): HTMLElement[] => {
-  const sections = sections_of(report);
-  const parts = sections.map((section) => section_of(section, shared));
-  const main = element("main", {}, ...(by_hand ? [by_hand] : []), summary_of(report), ...parts);
-  const short = sections[0]?.beside !== undefined;
-  return [contents_of(sections, theme), header_of(report, short), main];
-};
-
-// What is on the screen is drawn at once; the rest when it comes near.
-const draw_first = (shared: Shared): void => {
-  for (const figure of shared.figures.values()) {
-    if (figure.element.getBoundingClientRect().top < innerHeight) figure.draw_now();
-  }
+// `by_hand`: of a live page, what stands on the first screen; `proves`: it does so in the place of the report's own.
+const open: Open = (report, shared, theme, by_hand) => {
+  const { first, all } = ranked_sections(report);
+  const own = !by_hand?.proves;
+  const made = all.map((section) => ({ section, ...section_of(section, own && first.includes(section), shared) }));
+  const proved = made.flatMap(({ section, figure, proof }): Proved[] =>
+    section.first && figure ? [{ first: section.first, figure, proof }] : [],
+  );
+  const main = element(
+    "main",
+    {},
+    ...(own ? first_screen(proved, report.summary, shared) : []),
+    ...(by_hand ? [by_hand.element] : []),
+    ...made.map((one) => one.element),
+  );
+  return {
+    parts: [contents_of(all, theme), header_of(report), main],
+    // What is on the screen is drawn at once; the rest when it comes near.
+    draw: () => proved.forEach(({ figure }) => figure.draw_now()),
+  };
 };
 
 // For reading values back, as the tests of the page do.
@@ -79,13 +78,14 @@ try {
   const source = embedded(document);
   document.body.append(voice);
   if (engine) {
-    const page = live_page(voice, source.holds() ? source.report() : null, open, draw_first);
-    void open_live(engine, page).then(() => ready({ get figures() { return page.shared().figures; } }));
+    const page = live_page(voice, source.holds() ? source.report() : null, open);
+    void open_live(engine, page).then(() => ready(page.shared));
   } else {
     const shared = shared_by_figures(voice);
-    document.body.append(...open(source.report(), shared, appearance(shared), null));
-    draw_first(shared);
-    ready({ figures: shared.figures });
+    const { parts, draw } = open(source.report(), shared, appearance(shared), null);
+    document.body.append(...parts);
+    draw();
+    ready(Object.freeze({ figures: shared.figures }));
   }
 } catch (error) {
   document.body.append(element("p", { role: "alert" }, `This page cannot be shown: ${String(error)}`));

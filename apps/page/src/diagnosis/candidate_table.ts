@@ -39,11 +39,12 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
   const ranked = ranked_candidates(found);
   const decimals = decimals_of(found.rmse_um);
   const named = set_name(found);
-  const star = named === null ? "" : ` * ${named}, each beside the others.`;
+  const star = named === null ? "" : `* ${named}, each beside the others. `;
   const surrogates = named === null ? "" : "surrogates are tried against those with *; ";
   return {
-    title:
-      `Candidates.${star} P: that it is missing. 2 ln B: 2 ln of how much more likely the readings are with it; 10 is ` +
+    title: "Candidates",
+    about:
+      `${star}P: that it is missing. 2 ln B: 2 ln of how much more likely the readings are with it; 10 is ` +
       `150 to 1. RMSE with it; held out: ${left_out} left out, before and after; ${surrogates}not told from: rows, and ` +
       "effects without one.",
     heading: [

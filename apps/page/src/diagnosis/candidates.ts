@@ -91,19 +91,22 @@ export const candidates_picture = (
     };
   };
 
-  const part = "that part of each which the model cannot make by parameters of its own";
+  const part = "that part which the model cannot make by parameters of its own";
   const drawn_set =
     best.length > 0
-      ? `, and over it what the effects of ${named} (*) would add: ${part}. Candidates without * belong to other sets, ` +
-        "each beside the rest of its own."
-      : `. No effect was found, and none is drawn at first; of a candidate is drawn what it would add: ${part}.`;
+      ? `Of each effect of ${named} (*) is drawn ${part}. Candidates without * belong to other sets, each beside the rest ` +
+        "of its own."
+      : `No effect was found, and none is drawn at first; of a candidate is drawn ${part}.`;
   const list = all.map(({ key, name: label }) => ({ value: key, label }));
   return {
     name,
     title: "Candidates over the residual",
+    caption:
+      best.length > 0
+        ? "Measured less model, and over it what the candidates would add."
+        : "Measured less model, and over it what a chosen candidate would add.",
     about:
-      `What is measured less what the model says${drawn_set} One chosen from the list or in the table is drawn broad ` +
-      `and pale${all.some((one) => one.alone) ? "; dotted, what is left with it taken off, where it is a set by itself" : ""}.`,
+      `${drawn_set} One chosen from the list or in the table is drawn broad and pale${all.some((one) => one.alone) ? "; dotted, what is left with it taken off, where it is a set by itself" : ""}.`,
     height_px: 400,
     zoom: over_angle ? "own" : "time",
     choices: [

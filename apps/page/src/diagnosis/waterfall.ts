@@ -12,6 +12,7 @@ import { axis, base, colours, legend, shown, tooltip } from "../drawing/theme";
 export interface Fall {
   name: string;
   title: string;
+  caption: string;
   about: string;
   steps: readonly Step[];
 }
@@ -135,6 +136,7 @@ const numbers = ({ steps }: Fall): Numbers => ({
 export const waterfall = (fall: Fall): Picture => ({
   name: fall.name,
   title: fall.title,
+  caption: fall.caption,
   about: fall.about,
   height_px: 340,
   zoom: "none",

@@ -73,10 +73,11 @@ export const fit_picture = (now: () => Now): Picture => {
     const series = drawn["series"];
     return { ...drawn, series: [...(Array.isArray(series) ? series : []), ...lines] };
   };
-  const { title, about, zoom, choices } = picture();
+  const { title, caption, about, zoom, choices } = picture();
   return {
     name: kFit_picture,
     title,
+    caption,
     about,
     height_px: 430,
     zoom,

@@ -1,7 +1,7 @@
 // The loop with the hand: what a model leaves, its effects under sliders, what may be missing, and a step forth and back.
 import { candidate_list } from "./candidate_list";
 import type { Catalogue } from "./catalogue";
-import { added_by, type Subject } from "./commands";
+import { added_by, words_of, type Subject } from "./commands";
 import { button, element } from "../elements/elements";
 import { fall_shown } from "./fall";
 import { fit_picture, type Now } from "./fit_picture";
@@ -34,6 +34,7 @@ export interface Loop {
   element: HTMLElement;
   subject(): Subject;
   figure(): Figure | null;
+  proves(): boolean; // whether it has the picture that the first screen needs
   show(report: Report): void;
   search(): Promise<void>;
   add(effects: readonly string[]): Promise<void>;
@@ -63,6 +64,10 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const say = (text: string): void => {
     sentence.textContent = text;
   };
+  // What to do next, where the program proposes a step.
+  const next = button("", "", () => loop.act(found?.command ?? ""));
+  next.className = "act";
+  next.hidden = true;
   const place = element("div", { class: "picture" });
   const fall = fall_shown();
   const posterior = posterior_bars();
@@ -152,7 +157,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     list.element,
     plan.element,
   );
-  const all = element("section", { class: "live-loop wide", id: "loop", "aria-label": words.loop }, sentence, element("div", { class: "by-hand" }, place, hand));
+  const all = element("section", { class: "live-loop wide", id: "loop", "aria-label": words.loop }, element("div", { class: "verdict" }, sentence, next), element("div", { class: "by-hand" }, place, hand));
 
   const now = (): Now => ({
     report: report as Report,
@@ -190,10 +195,20 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
 
   const show_diagnosis = (of_it: Diagnosed | undefined): void => {
     found = of_it && of_it.not_diagnosed === undefined ? of_it : null;
+    const effects = found?.command.startsWith("ballbar add ") ? added_by(found.command, subject) : [];
+    next.hidden = effects.length === 0;
+    next.textContent = words.add_named(effects.map((effect) => plain(effect, 60)).join(", "));
+    next.title = found?.command ?? "";
     if (!found) return candidates.clear();
     candidates.show(found);
     plan.show(found);
   };
+
+  const tried = (effect: string): Promise<void> =>
+    attempt(async () => {
+      say(words.searching);
+      say(await runs.try(subject, effect));
+    });
 
   const model_changed = async (): Promise<void> => {
     const was = fitted;
@@ -208,6 +223,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     element: all,
     subject: () => subject,
     figure: () => made?.figure ?? null,
+    proves: () => fitted !== null,
     show(next) {
       report = next;
       const checked = of_target(next.check?.targets, subject.target);
@@ -272,13 +288,17 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         say(words.redone);
       }),
     act(command) {
+      const [verb, ...rest] = words_of(command);
       const effects = added_by(command, subject);
-      if (effects.length === 0) {
-        if (!/^ballbar plan /.test(command)) return false;
-        plan.open();
-        return true;
-      }
-      void loop.add(effects);
+      const target = rest[rest.indexOf("--target") + 1];
+      if (verb === "add" && effects.length > 0) void loop.add(effects);
+      else if (verb === "try" && effects.length > 0) void tried(effects[0] ?? "");
+      else if (verb === "plan") plan.open();
+      else if (verb === "diagnose") {
+        if (rest.includes("--target") && target !== undefined && targets.includes(target)) subject = { ...subject, target };
+        target_choice.value = subject.target;
+        void loop.search();
+      } else return false;
       return true;
     },
     diagnosed: () => found,

@@ -27,6 +27,7 @@ export interface LivePage {
   state: PageState; // of the page as it is drawn now
   show(report: Report, loop: Loop | null): void; // in the place of the one before; a loop stands for the first screen
   clear(): void;
+  on_command(act: (command: string) => void): void; // what a button does that says a command
   given: Report | null; // with which the page was made
   page_with(report: Report, files: readonly { path: string; bytes: Uint8Array }[]): string;
 }
@@ -273,6 +274,10 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
     dropped_of,
   });
   place.append(head.element);
+
+  page.on_command((command) => {
+    if (!loop?.act(command)) tell(words.for_terminal(command));
+  });
 
   const draw_head = (): void => {
     start.hidden = true;

@@ -1,6 +1,6 @@
 // What is asked of the program about what is looked at, and what it answers: the report, the search, a step forth and
 // back.
-import { add_words, report_words, search_words, set_words, type Setting, type Subject } from "./commands";
+import { add_words, report_words, search_words, set_words, try_words, type Setting, type Subject } from "./commands";
 import type { Engine, Ran } from "../engine";
 import type { Report } from "../report";
 import type { Work } from "./work";
@@ -29,6 +29,7 @@ export interface Runs {
   search(subject: Subject, progress: (line: string) => void): Promise<Report>;
   set(subject: Subject, settings: readonly Setting[]): Promise<Report>;
   add(subject: Subject, effects: readonly string[], model: string): Promise<Added>;
+  try(subject: Subject, effect: string): Promise<string>; // what it would change
   undo(model: string): Promise<void>;
   free_name(folder: string, name: string): Promise<string>;
 }
@@ -39,6 +40,8 @@ export const runs_with = (engine: Engine, work: Work): Runs => ({
   set: async (subject, settings) => answer_of(await work.run(set_words(subject, settings), { what: words.moving })),
   add: async (subject, effects, model) =>
     answer_of(await work.run(add_words(subject, effects, model), { what: words.adding(effects.join(", ")) })),
+  try: async (subject, effect) =>
+    answer_of<{ sentence: string }>(await work.run(try_words(subject, effect), { what: words.trying(effect) })).sentence,
   async undo(model) {
     const ran = await work.run(["undo", "--model", model], { what: words.undoing });
     if (ran.status !== 0) throw new Refused(sentence_of(ran));

@@ -11,6 +11,7 @@ export const words = {
   searching: "Searching what is missing",
   moving: "Computing with the new values",
   adding: (effect: string): string => `Adding ${effect}`,
+  trying: (effect: string): string => `Trying ${effect}`,
   undoing: "Taking back",
   taking: (name: string, part: number, whole: number): string => `Taking ${name}, ${part} of ${whole}`,
   checking: (name: string): string => `Reading ${name}`,
@@ -97,6 +98,8 @@ export const words = {
   may_be_missing: "What may be missing",
   more_candidates: (count: number): string => `${count} more`,
   candidate: (p: string, amplitude: string, rmse: string): string => `P ${p}, ${amplitude} µm, RMSE ${rmse} µm`,
+  add_named: (effects: string): string => `Add ${effects}`,
+  for_terminal: (command: string): string => `This step is one for a terminal: ${command}`,
   add_title: (effect: string): string => `Add ${effect} to the model`,
   // next test
   next_test: "The next test",

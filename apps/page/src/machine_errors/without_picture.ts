@@ -84,9 +84,8 @@ export const without_picture = (tests: readonly ErrorTest[]): Picture => {
   return {
     name: kWithout_picture,
     title: "Without some of the errors",
-    about:
-      "The readings about the fitted circle as they would be if errors were mended: what is switched off below is taken " +
-      "off the readings, several at once.",
+    caption: "The readings as they would be if the errors that are switched off were mended.",
+    about: "About the circle fitted to all runs, magnified. Several errors can be off at once.",
     height_px: 440,
     zoom: "none",
     choices: test_choice(tests),
