@@ -8,7 +8,7 @@ import { ranked_sections } from "./sections";
 import { section_of } from "./page/section";
 import { shared_by_figures, type Shared } from "./page/shared";
 import { embedded } from "./source";
-import { engine_in } from "./engine";
+import { engine_of } from "./engine";
 import { live_page, type Open } from "./live/live_page";
 import { open_live } from "./live/open_live";
 
@@ -74,7 +74,7 @@ const ready = (shared: Pick<Shared, "figures">): void => {
 };
 
 try {
-  const engine = engine_in(document);
+  const engine = engine_of(document);
   const source = embedded(document);
   document.body.append(voice);
   if (engine) {

@@ -18,7 +18,8 @@ export interface Intake {
   take(dropped: readonly Dropped[]): Promise<Held[]>;
   sample(sample: Sample): Promise<Held[]>;
   again(kept: Kept): Promise<void>; // what the browser kept
-  carried(page: Held): Promise<{ read: ReportFile; held: Held[] }>; // the files that a report page carries
+  // The files that a report page carries, and which words of a command they are.
+  carried(page: Held): Promise<{ read: ReportFile; held: Held[]; data: string[]; model: string }>;
   written(path: string): Promise<void>; // by the program: kept with the rest
   clear(): Promise<void>;
 }
@@ -37,26 +38,26 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
     held = [...held.filter((other) => other.path !== path), one];
     return one;
   };
-  const fits = async (file: Blob): Promise<{ fits: boolean; left: number }> => {
+  const fits = (file: Blob): { fits: boolean; left: number } => {
     if (file.size <= kSmall) return { fits: true, left: Infinity };
-    const { used, most } = await engine.memory();
+    const { used, most } = engine.memory();
     return { fits: kNeed * file.size <= most - used, left: most - used };
   };
-  const put = async (path: string, name: string, file: Blob): Promise<Held> => {
-    const { fits: room, left } = await fits(file);
+  const put = async (path: string, name: string, file: Blob, share: (of_it: number) => void): Promise<Held> => {
+    const { fits: room, left } = fits(file);
     if (!room) {
       const one: Held = { path, name, bytes: file.size, kind: "other", head: "" };
       held = [...held, one];
       faults.set(path, words.too_big(plain(name, 80), words.size(file.size), words.size(Math.max(0, left))));
       return one;
     }
-    await engine.put(path, file);
+    await engine.put(path, file, (bytes) => share(bytes / file.size));
     return hold(path, name, file);
   };
   const put_all = async (files: readonly { path: string; name: string; file: Blob }[]): Promise<Held[]> => {
     const taken: Held[] = [];
     for (const [k, { path, name, file }] of files.entries()) {
-      taken.push(await work.during(words.taking(plain(name, 60), k + 1, files.length), () => put(path, name, file)));
+      taken.push(await work.during(words.taking(plain(name, 60), k + 1, files.length), (share) => put(path, name, file, share)));
     }
     return taken;
   };
@@ -77,10 +78,14 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
       for (const { path, name, file } of files) if (!faults.has(path)) await keep(path, name, file);
       return taken;
     },
-    async sample({ files }) {
-      const blobs = files.map(({ path, bytes }) => ({ path, name: path, file: new Blob([new Uint8Array(bytes)]) }));
+    async sample({ name, files }) {
+      const blobs = files.map(({ path, text }) => ({
+        path: `${name}/${path}`,
+        name: path,
+        file: new Blob([Uint8Array.from(text, (sign) => sign.charCodeAt(0))]),
+      }));
       const taken = await put_all(blobs);
-      for (const { path, name, file } of blobs) await keep(path, name, file);
+      for (const one of blobs) await keep(one.path, one.name, one.file);
       return taken;
     },
     async again({ files }) {
@@ -101,7 +106,10 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
       }));
       const taken = await put_all(files);
       for (const { path, name, file } of files) await keep(path, name, file);
-      return { read, held: taken };
+      const put_as = new Map(read.files.map(({ path }, k) => [path, paths[k] ?? ""]));
+      // A word may be a folder of these files.
+      const word = (path: string): string => put_as.get(path) ?? `${folder}/${path.replace(/\/$/, "")}`;
+      return { read, held: taken, data: taken.length === 0 ? [] : read.data.map(word), model: read.model === "" ? "" : word(read.model) };
     },
     async written(path) {
       const file = new Blob([new Uint8Array(await engine.get(path))]);

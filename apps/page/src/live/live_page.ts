@@ -3,6 +3,7 @@ import { appearance } from "../page/appearance";
 import { element } from "../elements/elements";
 import type { LivePage } from "./open_live";
 import type { Report } from "../report";
+import { report_page } from "../shell";
 import { shared_by_figures, type Shared } from "../page/shared";
 
 export type Open = (
@@ -66,6 +67,6 @@ export const live_page = (voice: HTMLElement, given: Report | null, open: Open):
       shared = shared_by_figures(voice);
       place.replaceChildren(theme);
     },
-    page_with: () => "",
+    page_with: (report, inside) => report_page(document, report, inside),
   };
 };

@@ -13,7 +13,7 @@ import type { PageState } from "../figure/page_state";
 import type { Candidate, Checked, Diagnosed, Report } from "../report";
 import { Refused, type Runs } from "./subject_runs";
 import { slid } from "./slid";
-import { Stopped, type Work } from "./work";
+import { Interrupted, type Work } from "./work";
 import { plain } from "../drawing/text";
 import { words } from "./words";
 
@@ -102,7 +102,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       const checked = of_target(answer.check?.targets, subject.target);
       if (checked && of_fit === fitted && list.moved()) base = { ...checked, floor_um: of_fit.floor_um };
     } catch (error) {
-      if (!(error instanceof Stopped)) say(String(error instanceof Error ? error.message : error));
+      if (!(error instanceof Interrupted)) say(String(error instanceof Error ? error.message : error));
     }
     running = false;
     draw();
@@ -179,7 +179,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     try {
       await work_of();
     } catch (error) {
-      say(error instanceof Stopped ? words.stopped(error.message) : error instanceof Refused ? error.message : words.failed(String(error)));
+      say(error instanceof Interrupted ? words.stopped(error.message) : error instanceof Refused ? error.message : words.failed(String(error)));
     } finally {
       all.removeAttribute("aria-busy");
       update();
@@ -260,7 +260,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         work.stop(); // a search of the model before
         candidate = null;
         const folder = (subject.data[0] ?? "").replace(/\/[^/]*$/, "");
-        const model = subject.model || (await runs.free_name(folder, "model.toml"));
+        const model = subject.model || runs.free_name(folder, "model.toml");
         const added = await runs.add(subject, effects, model);
         forth.length = 0;
         subject = { ...subject, model };

@@ -100,7 +100,9 @@ export const model_list = (catalogue: Catalogue, changed: (key: string) => void)
         ({ one, slider }) => slider.value() !== one.value && !is_scaled(checked, one, this.gains()),
       );
       if (!unscaled) return [];
-      return [...sliders.values()].map(({ one, slider }) => ({
+      // Circles of recordings are fitted to what is left in any case.
+      const named = [...sliders.values()].filter(({ one }) => checked.level === "series" || catalogue.parameter(one.effect ?? "", one.name));
+      return named.map(({ one, slider }) => ({
         effect: one.effect ?? "",
         parameter: one.name,
         value: slider.value(),

@@ -4,6 +4,7 @@ import { plan_words, type Subject } from "./commands";
 import { dropped_of, type Dropped } from "./dropped_files";
 import { button, element } from "../elements/elements";
 import type { Engine, Sample } from "../engine";
+import type { Held } from "./file_kinds";
 import { folder_as_session, groups_of, type Group } from "./groups";
 import { head_bar } from "./head_bar";
 import { intake_of } from "./intake";
@@ -14,12 +15,13 @@ import type { PageState } from "../figure/page_state";
 import type { Report } from "../report";
 import { saves_of } from "./saves";
 import { shelf_of } from "./shelf";
+import type { Inside } from "../shell";
 import { start_of } from "./start";
 import { answer_of, Refused, runs_with } from "./subject_runs";
 import { targets_in } from "./targets";
 import { tour } from "./tour";
 import { tour_steps } from "./tour_steps";
-import { Stopped, work_with } from "./work";
+import { Interrupted, work_with } from "./work";
 import { words } from "./words";
 
 // What the page does for it.
@@ -29,7 +31,7 @@ export interface LivePage {
   clear(): void;
   on_command(act: (command: string) => void): void; // what a button does that says a command
   given: Report | null; // with which the page was made
-  page_with(report: Report, files: readonly { path: string; bytes: Uint8Array }[]): string;
+  page_with(report: Report, inside: Inside | null): string; // a page of a report, as a file
 }
 
 export const open_live = async (engine: Engine, page: LivePage): Promise<void> => {
@@ -48,7 +50,7 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
   const place = element("div", { class: "live" });
   document.body.prepend(place);
   const reason = (error: unknown): string =>
-    error instanceof Stopped ? words.stopped(error.message) : error instanceof Refused || error instanceof DOMException ? error.message : words.failed(error instanceof Error ? error.message : String(error));
+    error instanceof Interrupted ? words.stopped(error.message) : error instanceof Refused || error instanceof DOMException ? error.message : words.failed(error instanceof Error ? error.message : String(error));
   const attempt = async (act: () => Promise<void>): Promise<void> => {
     tell("");
     try {
@@ -99,9 +101,9 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
 
   const plan = async (of: Subject, hours: number): Promise<PlannedFiles | string> => {
     try {
-      const folder = await runs.free_name("plans", "plan");
+      const folder = runs.free_name("plans", "plan");
       const planned = answer_of<Planned>(await work.run(plan_words(of, hours, folder), { what: words.planning }));
-      const paths = (await engine.list()).map(({ path }) => path).filter((path) => path.replace(/^\//, "").startsWith(`${folder}/`));
+      const paths = engine.list().flatMap(({ path }) => (path.startsWith(`${folder}/`) ? [path] : []));
       const files = await Promise.all(paths.map(async (path) => ({ name: path.slice(path.lastIndexOf("/") + 1), bytes: await engine.get(path) })));
       return { plan: planned, files };
     } catch (error) {
@@ -168,13 +170,20 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
       }
     });
 
+  const carried_group = (page_group: Group, files: readonly Held[], data: readonly string[]): Group => {
+    const [first] = files.filter(({ path }) => data.includes(path));
+    const kind = first?.kind === "recording" ? "recordings" : first?.kind === "series" ? "series" : first?.kind === "runs" ? "runs" : "session";
+    const made = { key: data.join("\n"), title: page_group.title, kind, data, files, models: files.filter((one) => one.kind === "model") } as const;
+    groups_of_samples.set(made.key, made);
+    return made;
+  };
+
   const open_page = async (group: Group): Promise<void> => {
     const [file] = group.files;
     if (!file) return;
     try {
-      const { read, held } = await intake.carried(file);
-      const [inner] = groups_of(held);
-      if (inner) return await open(inner);
+      const { read, held, data, model } = await intake.carried(file);
+      if (data.length > 0) return await open(carried_group(group, held, data), { model });
       subject = { group, data: [], model: "", target: "", compared: "" };
       report = read.report;
       loop = null;
@@ -217,17 +226,18 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
     attempt(async () => {
       await anew();
       const held = await intake.sample(sample);
-      const kinds = new Set(held.filter(({ path }) => sample.data.includes(path)).map(({ kind }) => kind));
+      const data = sample.data.map((word) => `${sample.name}/${word}`);
+      const kinds = new Set(held.filter(({ path }) => data.includes(path)).map(({ kind }) => kind));
       const kind = kinds.has("recording") ? "recordings" : kinds.has("series") ? "series" : "session";
       const models = held.filter((one) => one.kind === "model");
-      const group: Group = { key: sample.data.join("\n"), title: sample.name, kind, data: sample.data, files: held, models };
-      samples.set(group.key, group);
-      await open(group, { model: sample.model ?? "" });
+      const group: Group = { key: data.join("\n"), title: sample.name, kind, data, files: held, models };
+      groups_of_samples.set(group.key, group);
+      await open(group, { model: sample.model === undefined ? "" : `${sample.name}/${sample.model}` });
     });
-  const samples = new Map<string, Group>();
+  const groups_of_samples = new Map<string, Group>();
 
   const groups_now = (): Group[] => {
-    const of_samples = [...samples.values()];
+    const of_samples = [...groups_of_samples.values()];
     const files = new Set(of_samples.flatMap((group) => group.files.map(({ path }) => path)));
     return [...of_samples, ...groups_of(intake.held().filter(({ path }) => !files.has(path)))];
   };
@@ -258,7 +268,7 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
     leave_tour();
     work.stop();
     await intake.clear();
-    samples.clear();
+    groups_of_samples.clear();
     leave("");
   };
 
@@ -310,9 +320,10 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
     tell(why);
   };
 
-  const hidden_effect = engine.samples.find(({ name }) => name === "hidden-effect");
+  const samples = await engine.samples();
+  const hidden_effect = samples.find(({ name }) => name === "hidden-effect");
   const start = start_of({
-    samples: engine.samples,
+    samples,
     take,
     sample: (sample) => void open_sample(sample),
     tour: hidden_effect ? () => take_tour(hidden_effect) : null,

@@ -19,7 +19,11 @@ const is_carried = (one: unknown): one is Carried =>
 export interface ReportFile {
   report: Report;
   files: Carried[];
+  data: string[]; // words for DATA, among the files
+  model: string; // "": none
 }
+
+const texts = (list: unknown): string[] => (Array.isArray(list) ? list.filter((one) => typeof one === "string") : []);
 
 // Throws Error, with what is wrong.
 export const read_report_file = (text: string): ReportFile => {
@@ -35,7 +39,13 @@ export const read_report_file = (text: string): ReportFile => {
   if (typeof report !== "object" || report === null || !("format" in report) || report.format !== "ballbar-report 1") {
     throw new Error(words.no_report);
   }
-  return { report: report as Report, files: Array.isArray(files) ? files.filter(is_carried) : [] };
+  const inside = (typeof files === "object" && files !== null ? files : {}) as Record<string, unknown>;
+  return {
+    report: report as Report,
+    files: Array.isArray(inside["files"]) ? inside["files"].filter(is_carried) : [],
+    data: texts(inside["data"]),
+    model: typeof inside["model"] === "string" ? inside["model"] : "",
+  };
 };
 
 export const bytes_of_base64 = (base64: string): Uint8Array => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));

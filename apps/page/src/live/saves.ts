@@ -2,6 +2,7 @@
 import type { Subject } from "./commands";
 import { button, element } from "../elements/elements";
 import type { Report } from "../report";
+import type { Inside } from "../shell";
 import { save } from "./save";
 import { plain, slug } from "../drawing/text";
 import { words } from "./words";
@@ -9,7 +10,7 @@ import { words } from "./words";
 export interface SavesOf {
   subject(): Subject | null;
   report(): Report | null;
-  page_with(report: Report, files: readonly { path: string; bytes: Uint8Array }[]): string; // files: none in it
+  page_with(report: Report, inside: Inside | null): string;
   bytes_of(path: string): Promise<Uint8Array>;
   table_of(subject: Subject): Promise<Uint8Array | string>; // of the drift, or why not
   fault(text: string): void;
@@ -19,6 +20,13 @@ export interface Saves {
   element: HTMLElement;
   renew(): void;
 }
+
+// In pieces: a call takes only so many arguments.
+const base64_of = (bytes: Uint8Array): string => {
+  let signs = "";
+  for (let at = 0; at < bytes.length; at += 32768) signs += String.fromCharCode(...bytes.subarray(at, at + 32768));
+  return btoa(signs);
+};
 
 const last = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
 
@@ -33,9 +41,11 @@ export const saves_of = (of: SavesOf): Saves => {
       act().catch((error: unknown) => of.fault(words.not_saved(String(error instanceof Error ? error.message : error))));
     });
 
-  const files_of = async (subject: Subject): Promise<{ path: string; bytes: Uint8Array }[]> => {
-    const paths = [...new Set([...subject.group.files.map(({ path }) => path), ...(subject.model === "" ? [] : [subject.model])])];
-    return Promise.all(paths.map(async (path) => ({ path, bytes: await of.bytes_of(path) })));
+  // Paths as they are here: dropped on this page again, the files go into a folder of their own.
+  const inside_of = async ({ group, data, model }: Subject): Promise<Inside> => {
+    const paths = [...new Set([...group.files.map(({ path }) => path), ...(model === "" ? [] : [model])])];
+    const files = await Promise.all(paths.map(async (path) => ({ path, base64: base64_of(await of.bytes_of(path)) })));
+    return { files, data: [...data], ...(model === "" ? {} : { model }) };
   };
 
   return {
@@ -46,12 +56,12 @@ export const saves_of = (of: SavesOf): Saves => {
       box.hidden = !report;
       if (!report) return menu.replaceChildren();
       const entries = [
-        entry(words.save_report, words.save_report_title, async () => save(`${name()}.html`, html(of.page_with(report, [])))),
+        entry(words.save_report, words.save_report_title, async () => save(`${name()}.html`, html(of.page_with(report, null)))),
       ];
       if (subject && subject.group.files.length > 0) {
         entries.push(
           entry(words.save_all, words.save_all_title, async () =>
-            save(`${name()}-with-files.html`, html(of.page_with(report, await files_of(subject)))),
+            save(`${name()}-with-files.html`, html(of.page_with(report, await inside_of(subject)))),
           ),
         );
       }

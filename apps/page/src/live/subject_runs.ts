@@ -31,7 +31,7 @@ export interface Runs {
   add(subject: Subject, effects: readonly string[], model: string): Promise<Added>;
   try(subject: Subject, effect: string): Promise<string>; // what it would change
   undo(model: string): Promise<void>;
-  free_name(folder: string, name: string): Promise<string>;
+  free_name(folder: string, name: string): string;
 }
 
 export const runs_with = (engine: Engine, work: Work): Runs => ({
@@ -46,8 +46,8 @@ export const runs_with = (engine: Engine, work: Work): Runs => ({
     const ran = await work.run(["undo", "--model", model], { what: words.undoing });
     if (ran.status !== 0) throw new Refused(sentence_of(ran));
   },
-  async free_name(folder, name) {
-    const taken = new Set((await engine.list()).map(({ path }) => path.replace(/^\//, "")));
+  free_name(folder, name) {
+    const taken = new Set(engine.list().map(({ path }) => path));
     const [stem = name, ending = ""] = name.split(/(?=\.[a-z]+$)/);
     let free = `${folder}/${name}`;
     for (let number = 2; taken.has(free); ++number) free = `${folder}/${stem}-${number}${ending}`;

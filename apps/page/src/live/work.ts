@@ -1,6 +1,6 @@
 // Commands one after the other, with their progress, and a button and a key that stop them. Work that is soon done shows
 // nothing.
-import type { Engine, Ran } from "../engine";
+import { Stopped, type Engine, type Ran } from "../engine";
 import { button, element } from "../elements/elements";
 import { words } from "./words";
 
@@ -13,13 +13,14 @@ export interface Job {
 
 export interface Work {
   readonly element: HTMLElement;
-  run(command: readonly string[], job: Job): Promise<Ran>; // throws Stopped, or what the engine threw
-  during<T>(what: string, work: () => Promise<T>): Promise<T>; // of work that cannot be stopped
+  run(command: readonly string[], job: Job): Promise<Ran>; // throws Interrupted, or what the engine threw
+  during<T>(what: string, work: (share: (of_it: number) => void) => Promise<T>): Promise<T>; // of work that cannot be stopped
   stop(): void;
   busy(): boolean;
 }
 
-export class Stopped extends Error {}
+// With what was being done.
+export class Interrupted extends Error {}
 
 // "12 of 40"
 const share_of = (line: string): number | null => {
@@ -72,17 +73,15 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
         const mine = new AbortController();
         stopping = mine;
         const hide = show(what, true);
-        const stopped = new Promise<never>((_, fail) =>
-          mine.signal.addEventListener("abort", () => fail(new Stopped(what))),
-        );
-        stopped.catch(() => undefined);
         const told = (line: string): void => {
           const share = share_of(line);
           if (share !== null) bar.value = share;
           progress?.(line);
         };
         try {
-          return await Promise.race([engine.run(command, { progress: told, stop: mine.signal }), stopped]);
+          return await engine.run(command, { progress: told, stop: mine.signal });
+        } catch (error) {
+          throw error instanceof Stopped ? new Interrupted(what) : error;
         } finally {
           stopping = null;
           hide();
@@ -92,7 +91,7 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
       queued(async () => {
         const hide = show(what, false);
         try {
-          return await work();
+          return await work((share) => (bar.value = share));
         } finally {
           hide();
         }
