@@ -5,6 +5,7 @@ import { clamped, plain, slug } from "../drawing/text";
 import { minutes } from "../drawing/theme";
 import { time_curves, type TimeCurve } from "./time_curves";
 import { split_name, words } from "../drawing/units";
+import { named, t } from "../texts/texts";
 
 interface Signal {
   column: Column;
@@ -17,11 +18,20 @@ interface Kind {
   quantity: string;
 }
 
-// By unit.
-const kinds: ReadonlyMap<string, Kind> = new Map([
-  ["degC", { name: "temperatures", title: "Temperatures", quantity: "temperature" }],
-  ["rpm", { name: "speed", title: "Speed", quantity: "speed" }],
-]);
+const kind_of = (unit: string): Kind => {
+  switch (unit) {
+    case "degC":
+      return { name: "temperatures", title: t.drift_temperatures, quantity: t.drift_quantity_temperature };
+    case "rpm":
+      return { name: "speed", title: t.drift_speed, quantity: t.drift_quantity_speed };
+    default:
+      return {
+        name: `signals-${slug(unit)}`,
+        title: t.drift_signals_in({ unit: clamped(unit, 20) }),
+        quantity: t.drift_quantity_signal,
+      };
+  }
+};
 
 // A column of a measured quantity, such as a displacement of a plain series.
 const measured = ({ column }: Signal): boolean => column.role === "measured";
@@ -30,9 +40,10 @@ const measured = ({ column }: Signal): boolean => column.role === "measured";
 const told_roles = ["ambient", "coolant", "bearing", "housing", "bar"];
 
 const label_of = ({ name, role }: Column): string => {
-  const quantity = words(split_name(name).quantity);
+  const { quantity } = split_name(name);
   const told = told_roles.includes(role) && !quantity.includes(role);
-  return plain(told ? `${clamped(quantity, 40)} (${role})` : quantity, 64);
+  const read = words(quantity);
+  return plain(told ? t.drift_with_role({ name: clamped(read, 40), role: named(t.roles, role) }) : read, 64);
 };
 
 const curves_of = (signals: readonly Signal[]): TimeCurve[] =>
@@ -62,9 +73,9 @@ export const measured_pictures = (signals: readonly Signal[], whole_min: Range):
   [...grouped(signals.filter(measured))].map(([unit, of]) =>
     time_curves({
       name: unit === "um" ? "measured" : `measured-${slug(unit)}`,
-      title: unit === "um" ? "Measured displacements" : `Measured, ${clamped(unit, 20)}`,
+      title: unit === "um" ? t.drift_measured_displacements : t.drift_measured_in({ unit: clamped(unit, 20) }),
       about: "The measured columns as the file has them.",
-      quantity: unit === "um" ? "displacement" : "measured",
+      quantity: unit === "um" ? t.drift_quantity_displacement : t.drift_quantity_measured,
       unit,
       curves: curves_of(of),
       whole_min,
@@ -74,13 +85,8 @@ export const measured_pictures = (signals: readonly Signal[], whole_min: Range):
 
 export const signal_pictures = (signals: readonly Signal[], whole_min: Range): Picture[] =>
   [...grouped(signals.filter((signal) => !measured(signal)))].map(([unit, of]) => {
-    const kind = kinds.get(unit) ?? {
-      name: `signals-${slug(unit)}`,
-      title: `Signals in ${clamped(unit, 20)}`,
-      quantity: "signal",
-    };
     return time_curves({
-      ...kind,
+      ...kind_of(unit),
       about: `Recorded beside the drift${unit === "rpm" ? "; a value holds until the next one" : ""}.`,
       unit,
       curves: curves_of(of),
