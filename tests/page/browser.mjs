@@ -41,10 +41,25 @@ export const opened = async (browser, file, options = {}) => {
 
 export const figure = (page, name) => page.locator(`figure[data-picture="${name}"]`);
 
-// Scrolled to and drawn.
+// All sections, or one of them.
+export const unfold = (page, id = "") =>
+  page.evaluate((id) => {
+    for (const one of document.querySelectorAll(id === "" ? "details.folded" : `#${id} > details.folded`)) one.open = true;
+  }, id);
+
+// Unfolded, scrolled to and drawn.
 export const seen = async (page, name) => {
   await page.evaluate(async (name) => {
     const one = window.ballbar.figures.get(name);
+    const folded = one.element.closest("details.folded");
+    if (folded) folded.open = true;
+    // Of another target: chosen on the first screen.
+    const panel = one.element.closest(".panel");
+    if (panel?.hidden) {
+      const select = document.querySelector(".first > .choice select");
+      select.value = String([...document.querySelectorAll(".panel")].indexOf(panel));
+      select.dispatchEvent(new Event("change", { bubbles: true }));
+    }
     one.element.scrollIntoView({ block: "center", behavior: "instant" });
     const frame = () => new Promise(requestAnimationFrame);
     for (let k = 0; k < 600 && !one.chart(); ++k) await frame();

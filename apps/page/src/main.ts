@@ -1,10 +1,11 @@
-// The page: conclusions first, then the sections.
+// The page: the verdict and what proves it, then the sections, folded.
 import { appearance } from "./page/appearance";
 import { element, text_in } from "./elements/elements";
+import { first_screen, type Proved } from "./page/first_screen";
 import type { Section } from "./picture";
 import type { Report } from "./report";
+import { ranked_sections } from "./sections";
 import { section_of } from "./page/section";
-import { sections_of } from "./sections";
 import { shared_by_figures, type Shared } from "./page/shared";
 import { embedded } from "./source";
 
@@ -15,14 +16,13 @@ const files_of = (files: readonly string[]): HTMLElement => {
     { class: "files", tabindex: "0" },
     ...files.flatMap((file) => [element("bdi", {}, file), " "]),
   );
-  return files.length <= 3 ? list : element("details", {}, element("summary", {}, `From ${files.length} files`), list);
+  return files.length <= 3 ? list : element("details", { class: "files-of" }, element("summary", {}, `From ${files.length} files`), list);
 };
 
-// Short above a section that is to be seen on the first screen.
-const header_of = (report: Report, short: boolean): HTMLElement =>
+const header_of = (report: Report): HTMLElement =>
   element(
     "header",
-    short ? { class: "short" } : {},
+    {},
     text_in("h1", report.title),
     files_of(report.files),
     element("p", { class: "made" }, `Made by ${report.made_by} on ${report.made_on}.`),
@@ -40,25 +40,18 @@ const contents_of = (sections: readonly Section[], theme: HTMLElement): HTMLElem
     theme,
   );
 
-const summary_of = (report: Report): HTMLElement =>
-  element(
-    "section",
-    { class: "summary", "aria-label": "Summary" },
-    ...report.summary.map((text) => text_in("p", text)),
-  );
-
 const open = (report: Report): Shared => {
   const voice = element("div", { class: "voice", role: "status", "aria-live": "polite" });
   const shared = shared_by_figures(voice);
-  const sections = sections_of(report);
-  const parts = sections.map((section) => section_of(section, shared));
-  const main = element("main", {}, summary_of(report), ...parts);
-  const short = sections[0]?.beside !== undefined;
-  document.body.append(contents_of(sections, appearance(shared)), header_of(report, short), main, voice);
+  const { first, all } = ranked_sections(report);
+  const made = all.map((section) => ({ section, ...section_of(section, first.includes(section), shared) }));
+  const proved = made.flatMap(({ section, figure, proof }): Proved[] =>
+    section.first && figure ? [{ first: section.first, figure, proof }] : [],
+  );
+  const main = element("main", {}, ...first_screen(proved, report.summary, shared), ...made.map((one) => one.element));
+  document.body.append(contents_of(all, appearance(shared)), header_of(report), main, voice);
   // What is on the screen is drawn at once; the rest when it comes near.
-  for (const figure of shared.figures.values()) {
-    if (figure.element.getBoundingClientRect().top < innerHeight) figure.draw_now();
-  }
+  for (const { figure } of proved) figure.draw_now();
   return shared;
 };
 

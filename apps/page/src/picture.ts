@@ -37,6 +37,8 @@ export interface Toggle {
   colour: (dark: boolean) => string;
   mark: "line" | "dashed" | "dotted" | "dot" | "band" | "bar";
   on: boolean; // at first
+  quiet?: boolean; // off at first on the page, where a click brings it; a file drawn without the page has it
+  group?: string; // heading of those that are switched together; all toggles of a picture have one, or none
 }
 
 // The numbers behind a picture: what is saved as CSV, read out, and taken for the statistics of a stretch. The first
@@ -48,8 +50,10 @@ export interface Numbers {
 export interface Picture {
   name: string; // of its file: "drift", "recording-1"
   title: string;
-  about: string; // what is seen, a sentence or two; also what a reader hears who does not see
+  caption: string; // what is seen, on one line: at most about 90 characters
+  about: string; // the rest, behind a button; also what a reader hears who does not see. Empty: the caption says it all
   height_px: number;
+  rows_of_text?: boolean; // as high on a narrow screen: it would not be readable lower
   // "time": x is time in minutes, and the window is shared by all such pictures; "own": zooms by itself.
   zoom: "time" | "own" | "none";
   choices: readonly Choice[];
@@ -61,6 +65,7 @@ export interface Picture {
 // A table of text, shown below the sentences.
 export interface TextTable {
   title: string;
+  about?: string; // what the columns mean, behind a button
   heading: readonly string[];
   rows: readonly (readonly string[])[];
   // Rows that, hovered or focused, choose something in a picture of the same section.
@@ -96,9 +101,27 @@ export interface Told {
   tables: readonly TextTable[];
 }
 
+// What to do next: a command to paste.
+export interface Next {
+  label: string; // of its button, a few words
+  text: string; // a sentence beside it; empty: none
+  command: string;
+}
+
+// What a section has for the first screen, if it is the one with most to say.
+export interface First {
+  picture: string; // of the section: what proves the verdict
+  kind: string; // of what several sections can be chosen there: "Target"
+  label: string; // of this one: "y_um"
+  told: (chosen: State["chosen"]) => { verdict: string; next: Next }; // of what is chosen in the picture
+}
+
 export interface Section {
   id: string;
   heading: string;
+  result: string; // what is in it, on one line with its number: stands beside the heading while the section is folded
+  says?: number; // how much it has to say among sections of its kind, 0 where it is left out; see sections.ts
+  first?: First;
   sentences: readonly string[];
   command?: string; // to copy, below the first sentence
   above?: readonly TextTable[]; // tables above the pictures

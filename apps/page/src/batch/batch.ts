@@ -2,7 +2,8 @@
 import { prediction_picture } from "./batch_prediction";
 import { range_picture } from "./batch_range";
 import { weights_picture } from "./batch_weights";
-import type { Section } from "../picture";
+import { command_of, data_files } from "../drawing/command";
+import type { Next, Section } from "../picture";
 import type { BatchPart, Report } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
@@ -25,6 +26,12 @@ const agreement = (batch: BatchPart): string[] => {
   return [t.batch_agreement({ rmse, percent: shown((100 * within) / n, 0) })];
 };
 
+const next_of = (report: Report): Next => ({
+  label: "Save the prediction",
+  text: "",
+  command: command_of("predict", data_files(report), ["--model", report.files.find((file) => file.endsWith(".json")) ?? "model.json", "--out", "predicted.csv"]),
+});
+
 export const batch_section = (report: Report): Section[] => {
   const { batch } = report;
   if (!batch) return [];
@@ -34,6 +41,16 @@ export const batch_section = (report: Report): Section[] => {
     {
       id: "batch",
       heading: `${plain(batch.target, 60)} predicted by batches`,
+      result: [...agreement(batch), `${batch.batches.length} batches`][0] ?? "",
+      first: {
+        picture: "batch",
+        kind: "",
+        label: "",
+        told: () => ({
+          verdict: batch.warnings[0] ?? agreement(batch)[0] ?? `${plain(batch.target, 60)} by ${batch.method}.`,
+          next: next_of(report),
+        }),
+      },
       sentences: [
         `${plain(batch.target, 60)} by ${batch.method}, ${batch.batches.length} batches.`,
         ...agreement(batch),

@@ -105,10 +105,10 @@ export const prediction_picture = (batch: BatchPart): Picture => {
   return {
     name: "batch",
     title: "Predicted by batches",
-    about: measured_um
-      ? "The deviation that the batches predict for this job, with its 95 % interval, and what was measured; below, " +
-        "measured less predicted with the same interval about zero."
-      : "The deviation that the batches predict for this job, with its 95 % interval. Nothing was measured beside it.",
+    caption: measured_um
+      ? "What the batches predict for this job, and what was measured; below, the difference."
+      : "What the batches predict for this job, with its 95 % interval; nothing was measured.",
+    about: measured_um ? "The 95 % interval is drawn about the prediction, and below about zero." : "",
     height_px: measured_um ? 480 : 340,
     zoom: "time",
     choices: [],

@@ -77,9 +77,10 @@ export const range_picture = (batch: BatchPart): Picture => {
   return {
     name: "batch-range",
     title: "Like the batches it was trained on",
+    caption: "Above 1 the model extrapolates.",
     about:
       "Hotelling's T² says how far out a row of temperatures lies, Q how unlike all rows of training it is, both over " +
-      "the largest in training. Above 1 the model extrapolates.",
+      "the largest in training.",
     height_px: 280,
     zoom: "time",
     choices: [],

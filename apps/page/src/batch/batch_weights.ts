@@ -10,7 +10,8 @@ const kLabel_px = 46; // that a name needs, lying
 export const weights_picture = ({ batches }: BatchPart): Picture => ({
   name: "batch-weights",
   title: "How much each batch counts",
-  about: "The weight of each batch in the regression; 1 counts fully.",
+  caption: "The weight of each batch in the regression; 1 counts fully.",
+  about: "",
   height_px: 240,
   zoom: "none",
   choices: [],

@@ -1,8 +1,9 @@
 // Two drift series compared: where they agree, and whether their uncertainty explains the rest.
 import { comparison_picture } from "./comparison_picture";
-import type { Section, TextTable } from "../picture";
+import { command_of, data_files } from "../drawing/command";
+import type { Next, Section, TextTable } from "../picture";
 import type { ComparePart, ComparedAxis, Num, Report } from "../report";
-import { clamped } from "../drawing/text";
+import { clamped, slug } from "../drawing/text";
 import { minutes, shown } from "../drawing/theme";
 import { whole_min } from "../drawing/time_axis";
 import { unit_shown, words } from "../drawing/units";
@@ -115,15 +116,44 @@ const sentences_of = (compare: ComparePart): string[] => [
   ...compare.remarks,
 ];
 
+// Where all agree, the axis that moves most proves it best.
+const most_moved = (axes: readonly [string, ComparedAxis][]): [string, ComparedAxis] | undefined => {
+  const range = ([, axis]: [string, ComparedAxis]): number => {
+    const values = axis.points.flatMap((point) => point[`a_${unit_of(axis)}`] ?? []);
+    return Math.max(0, ...values) - Math.min(0, ...values);
+  };
+  return [...axes].sort((a, b) => range(b) - range(a))[0];
+};
+
+const next_of = (report: Report): Next => ({
+  label: "Find what makes it drift",
+  text: "",
+  command: command_of("report", data_files(report).slice(0, 1), ["--diagnose", "--out", "page.html"]),
+});
+
 export const comparison_section = (report: Report): Section[] => {
   const { compare } = report;
   if (!compare) return [];
   const axes = Object.entries(compare.axes);
+  const telling = axes.find(([, { agreement }]) => agreement === "disagrees") ?? most_moved(axes);
   const whole = whole_min(axes.map(([, axis]) => axis.points.map((point) => minutes(point.time_s))));
   return [
     {
       id: "comparison",
       heading: "Comparison",
+      result: axes.map(([name, { agreement }]) => `${words(name)} ${agreement}`).join(", "),
+      // Of a drift's own probes it is a check; another drift is what the reader asked for.
+      says: report.five_probe && axes.every(([, { agreement }]) => agreement !== "disagrees") ? 0 : 10,
+      ...(telling
+        ? {
+            first: {
+              picture: `comparison-${slug(telling[0])}`,
+              kind: "",
+              label: "",
+              told: () => ({ verdict: compare.conclusion, next: next_of(report) }),
+            },
+          }
+        : {}),
       sentences: sentences_of(compare),
       tables: [...statistics_tables(axes), ...budget_table(axes)],
       pictures: axes.map(([name, axis], k) =>

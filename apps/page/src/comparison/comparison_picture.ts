@@ -140,8 +140,9 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
   return {
     name: `comparison-${slug(name)}`,
     title: `Comparison in ${quantity}`,
+    caption: verdict(axis),
     about:
-      `${verdict(axis)} Above: both as changes since the same time. ` +
+      "Above: both as changes since the same time. " +
       `Below: A less B${has_sigma ? ", and twice the standard deviation of the difference around zero" : ""}.` +
       (axis.deviation ? " Shaded: the stretch of the largest disagreement." : ""),
     height_px: kHeight_px,
@@ -165,7 +166,7 @@ const twice = (value: Num): Num => (value === null ? null : 2 * value);
 
 const verdict = (axis: ComparedAxis): string => {
   if (axis.agreement === "cannot tell") return "Whether A and B agree cannot be told from these data.";
-  const within = `${String(axis["within_2_sigma"])} of ${String(axis["samples"])} samples are within two standard deviations`;
+  const within = `${String(axis["within_2_sigma"])} of ${String(axis["samples"])} samples are within two sigma`;
   return axis.agreement === "agrees"
     ? `A and B agree within their uncertainty: ${within}.`
     : `A and B disagree beyond their uncertainty: ${within}.`;

@@ -40,13 +40,10 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
   const ranked = ranked_candidates(found);
   const decimals = decimals_of(found.rmse_um);
   const named = set_name(found);
-  const star = named === null ? "" : ` * ${named === "best" ? t.diagnosis_best_set_label : t.diagnosis_closest_set_label}, each beside the others.`;
-  const surrogates = named === null ? "" : "surrogates are tried against those with *; ";
+  const star = named === null ? [] : [named === "best" ? t.diagnosis_star_best : t.diagnosis_star_closest];
   return {
-    title:
-      `Candidates.${star} P: that it is missing. 2 ln B: 2 ln of how much more likely the readings are with it; 10 is ` +
-      `150 to 1. RMSE with it; held out: ${left_out} left out, before and after; ${surrogates}not told from: rows, and ` +
-      "effects without one.",
+    title: t.diagnosis_candidates,
+    about: [...star, t.diagnosis_columns({ left_out, surrogates: named !== null })].join(" "),
     heading: [
       t.diagnosis_no, t.diagnosis_one_candidate, t.diagnosis_amplitude, "P", "2 ln B", t.diagnosis_rmse,
       t.diagnosis_held_out, t.diagnosis_beats, t.diagnosis_not_told_from,

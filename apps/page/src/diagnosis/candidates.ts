@@ -94,19 +94,15 @@ export const candidates_picture = (
     };
   };
 
-  const part = "that part of each which the model cannot make by parameters of its own";
-  const drawn_set =
-    best.length > 0
-      ? `, and over it what the effects of ${named === "best" ? t.diagnosis_best_set_label : t.diagnosis_closest_set_label} (*) would add: ${part}. Candidates without * belong to other sets, ` +
-        "each beside the rest of its own."
-      : `. No effect was found, and none is drawn at first; of a candidate is drawn what it would add: ${part}.`;
+  const of_set = named === "best" ? t.diagnosis_candidates_best : t.diagnosis_candidates_closest;
+  const drawn_set = best.length > 0 ? of_set : t.diagnosis_candidates_none;
+  const one_chosen = all.some((one) => one.alone) ? t.diagnosis_candidates_chosen_alone : t.diagnosis_candidates_chosen;
   const list = all.map(({ key, name: label }) => ({ value: key, label }));
   return {
     name,
-    title: "Candidates over the residual",
-    about:
-      `What is measured less what the model says${drawn_set} One chosen from the list or in the table is drawn broad ` +
-      `and pale${all.some((one) => one.alone) ? "; dotted, what is left with it taken off, where it is a set by itself" : ""}.`,
+    title: t.diagnosis_candidates_title,
+    caption: best.length > 0 ? t.diagnosis_candidates_caption : t.diagnosis_candidates_caption_none,
+    about: `${drawn_set} ${one_chosen}`,
     height_px: 400,
     zoom: over_angle ? "own" : "time",
     choices: [

@@ -4,7 +4,8 @@ import { candidates_picture } from "./candidates";
 import { coherence_picture } from "./coherence";
 import { no_evidence, no_evidence_of_several, not_known } from "./falls";
 import { ledger_steps } from "./ledger_steps";
-import type { Picture, Section } from "../picture";
+import type { Next, Picture, Section } from "../picture";
+import { command_of, data_files } from "../drawing/command";
 import { posterior_table } from "./posterior_table";
 import { best_set, set_name } from "./ranking";
 import type { Candidate, Checked, Diagnosed, Num, Report } from "../report";
@@ -12,6 +13,7 @@ import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import type { Step } from "./step";
 import { waterfall } from "./waterfall";
+import { with_without_picture } from "./with_without";
 import { t } from "../texts/texts";
 
 const sentences_of = (found: Diagnosed): string[] => {
@@ -113,16 +115,48 @@ const fall_picture = (report: Report, found: Diagnosed, name: string): Picture[]
       name,
       title:
         effects > 0 && !accepted ? t.diagnosis_fall_title_closest : t.diagnosis_fall_title,
+      caption: t.diagnosis_falling,
       about: `${first}${hollow}${not_known(steps, effects <= 1)}${left_out}`,
       steps,
     }),
   ];
 };
 
+// "named: lagged_expansion(T_room_degC), P 0.99; RMSE 0.553 → 0.210 µm"
+const result_of = (found: Diagnosed): string => {
+  if (found.not_diagnosed !== undefined) return "not diagnosed";
+  const best = best_set(found);
+  const set = best.length === 0 ? "" : `: ${best.map(({ label }) => plain(label, 50)).join(", ")}`;
+  const after = best.length === 0 ? "" : ` → ${shown(found.rmse_after_um, 3)}`;
+  return `${found.verdict}${set}; RMSE ${shown(found.rmse_um, 3)}${after} µm`;
+};
+
+// What is found is more than what is open, and that more than nothing; then the larger fall.
+const says_of = (found: Diagnosed): number => {
+  if (found.not_diagnosed !== undefined) return -20; // below the models
+  const certain = { named: 6, probable: 5, equivalent: 5, driver: 4, unexplained: 3, nothing: 2, untestable: 1 };
+  const fall = found.rmse_um && found.rmse_after_um !== null ? 1 - found.rmse_after_um / found.rmse_um : 0;
+  return certain[found.verdict] + Math.min(0.9, Math.max(0, fall));
+};
+
+const next_of = (report: Report, found: Diagnosed): Next => {
+  if (found.command !== "") {
+    const tried = found.command.startsWith("ballbar try ");
+    return { label: tried ? "Try the closest" : "Add it to the model", text: found.hint, command: found.command };
+  }
+  const model = report.files.find((file) => file.endsWith(".toml") && file !== "session.toml");
+  const options = [...(model ? ["--model", model] : []), "--target", found.target];
+  return found.verdict === "nothing"
+    ? { label: "See where the model fails", text: "", command: command_of("check", data_files(report), options) }
+    : { label: "Plan the test that decides", text: found.hint, command: command_of("plan", data_files(report), options) };
+};
+
 const section_of = (report: Report, found: Diagnosed, checked: Checked | undefined, number: string): Section => {
   const section = {
     id: `diagnosis${number}`,
     heading: `What the model of ${plain(found.target, 60)} lacks`,
+    result: result_of(found),
+    says: says_of(found),
   };
   if (found.not_diagnosed !== undefined) {
     return { ...section, sentences: [found.not_diagnosed], tables: [], pictures: [] };
@@ -136,7 +170,18 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
     command: found.command,
     above: found.verdict === "untestable" ? [] : [posterior_table(found)],
     tables: found.candidates.length > 0 ? [candidate_table(found, left_out, chooses)] : [],
+    ...(checked
+      ? {
+          first: {
+            picture: `with-without${number}`,
+            kind: "Target",
+            label: plain(found.target, 60),
+            told: () => ({ verdict: found.sentence, next: next_of(report, found) }),
+          },
+        }
+      : {}),
     pictures: [
+      ...(checked ? [with_without_picture(report, checked, found, `with-without${number}`)] : []),
       ...(checked ? [candidates_picture(report, checked, found, over_residual)] : []),
       ...fall_picture(report, found, `fall${number}`),
       ...(found.coherence && found.coherence.effects.length > 1

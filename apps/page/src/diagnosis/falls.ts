@@ -2,9 +2,10 @@
 import type { Num } from "../report";
 import { surrogate_um, type Step } from "./step";
 
+export const falling = "The error from step to step; a fall alone is no evidence.";
+
 export const no_evidence =
-  "A falling error alone is no evidence: what counts is that it falls below the line of the best surrogate, a random " +
-  "curve as smooth that has no cause.";
+  "What counts is that it falls below the line of the best surrogate, a random curve as smooth that has no cause.";
 
 // Of `effects` that come together. The best surrogate of one of them begins at what the others leave, of which the RMSE
 // is not told.
@@ -13,7 +14,7 @@ export const no_evidence_of_several = (effects: number, best_surrogate_fall: Num
     ? `: it took up to ${(100 * best_surrogate_fall).toFixed(0)} % off the RMSE that they leave`
     : "";
   return (
-    "A falling error alone is no evidence: a random curve as smooth that has no cause lowers it too. Such a surrogate " +
+    "A random curve as smooth that has no cause lowers it too. Such a surrogate " +
     `stood in the place of one of the ${effects} effects, beside the others${up_to}. How low that is is not known, and ` +
     "no line is drawn."
   );

@@ -77,7 +77,8 @@ export const forecast_curves = (ledger: LedgerPart, target: string, name: string
   return {
     name,
     title: `Errors and forecasts of ${plain(target, 60)} from revision to revision`,
-    about: honest,
+    caption: honest,
+    about: "",
     height_px: 340,
     zoom: "none",
     choices: [],

@@ -1,5 +1,5 @@
 // The story of a model: one row a revision, what it changed, what it bought, and whether the data demanded it.
-import { no_evidence, not_known } from "./falls";
+import { falling, no_evidence, not_known } from "./falls";
 import { forecast_curves, has_forecasts } from "./forecast_curves";
 import { ledger_steps, targets_of } from "./ledger_steps";
 import type { Picture, Section, TextTable } from "../picture";
@@ -51,7 +51,8 @@ const table_of = ({ rows }: LedgerPart, several: boolean): TextTable => {
   const told = figures.filter(({ key }) => rows.some((row) => typeof row[key] === "number"));
   const figure = (value: Num | undefined, percent = false): Num => (typeof value === "number" ? (percent ? 100 : 1) * value : null);
   return {
-    title: `Revisions.${told.map(({ about }) => (about ? ` ${about()}` : "")).join("")}`,
+    title: t.diagnosis_revisions,
+    about: told.flatMap(({ about }) => (about ? [about()] : [])).join(" "),
     heading: [
       t.diagnosis_revision, t.diagnosis_change, ...(several ? [t.diagnosis_target] : []), t.diagnosis_parameters,
       t.diagnosis_rmse, t.diagnosis_times_floor, t.diagnosis_left_out_um, ...told.map(({ name }) => name()),
@@ -82,6 +83,7 @@ const falls = (ledger: LedgerPart, target: string, name: string): Picture => {
   return waterfall({
     name,
     title: `Error of ${plain(target, 60)} from revision to revision`,
+    caption: falling,
     about: `${no_evidence}${several}${not_known(steps, !untold)}`,
     steps,
   });
@@ -97,6 +99,12 @@ const pictures_of = (ledger: LedgerPart, target: string, number: string): Pictur
   ];
 };
 
+const result_of = ({ rows }: LedgerPart): string => {
+  const [first, last] = [rows[0], rows.at(-1)];
+  const fall = first && last && first.target === last.target ? `; RMSE ${shown(first.rmse_um, 3)} → ${shown(last.rmse_um, 3)} µm` : "";
+  return `${rows.length} ${rows.length === 1 ? "revision" : "revisions"}${fall}`;
+};
+
 export const ledger_section = (report: Report): Section[] => {
   const { ledger } = report;
   if (!ledger || ledger.rows.length === 0) return [];
@@ -106,6 +114,7 @@ export const ledger_section = (report: Report): Section[] => {
     {
       id: "ledger",
       heading: "What each revision bought",
+      result: result_of(ledger),
       sentences: ledger.rows.map((row) => row.sentence),
       tables: [table_of(ledger, several)],
       pictures: targets.flatMap((target, k) => pictures_of(ledger, target, several ? `-${k + 1}` : "")),

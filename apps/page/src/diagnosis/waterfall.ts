@@ -13,6 +13,7 @@ import { t } from "../texts/texts";
 export interface Fall {
   name: string;
   title: string;
+  caption: string;
   about: string;
   steps: readonly Step[];
 }
@@ -136,6 +137,7 @@ const numbers = ({ steps }: Fall): Numbers => ({
 export const waterfall = (fall: Fall): Picture => ({
   name: fall.name,
   title: fall.title,
+  caption: fall.caption,
   about: fall.about,
   height_px: 340,
   zoom: "none",

@@ -67,3 +67,6 @@ export const slug = (text: string): string =>
 
 // A sentence that begins with this name or phrase.
 export const capital = (text: string): string => text.slice(0, 1).toUpperCase() + text.slice(1);
+
+// Up to the first full stop that another sentence follows; numbers and names go on after theirs.
+export const first_sentence = (text: string): string => /^.*?[.!?](?=\s+\p{Lu})/su.exec(text)?.[0] ?? text;

@@ -1,13 +1,13 @@
-// The drift of the spindle over time, and what was recorded beside it.
+// The drift of the spindle over time.
 import { axes_of_points, axes_of_probes, axis_curve, type DriftAxis } from "./drift_axes";
-import { largest_table, points_table } from "./drift_tables";
-import type { Picture, Range, Section, TextTable } from "../picture";
+import { largest_of, largest_table, points_table } from "./drift_tables";
+import { command_of, data_files } from "../drawing/command";
+import type { First, Picture, Range, Section, TextTable } from "../picture";
 import type { DriftPart, ProbesPart, Report } from "../report";
-import { measured_pictures, signal_pictures, signals_of } from "./signals";
+import { whole_of } from "./signals";
 import { capital } from "../drawing/text";
 import { minutes, shown } from "../drawing/theme";
 import { time_curves } from "./time_curves";
-import { whole_min } from "../drawing/time_axis";
 import { words } from "../drawing/units";
 
 const span_min = (axes: readonly DriftAxis[]): number => {
@@ -33,7 +33,8 @@ const drift_picture = (axes: readonly DriftAxis[], whole: Range): Picture =>
   time_curves({
     name: "drift",
     title: "Drift of the spindle",
-    about: "The position of the spindle relative to the table, test by test, less that of the reference test.",
+    caption: "The spindle relative to the table, test by test, less the reference test; ± one sigma.",
+    about: "",
     quantity: "drift",
     unit: "um",
     curves: axes.map(axis_curve),
@@ -44,9 +45,9 @@ const drift_picture = (axes: readonly DriftAxis[], whole: Range): Picture =>
 const probe_pictures = (axes: readonly DriftAxis[], whole: Range): Picture[] => {
   const picture = (name: string, title: string, quantity: string, unit: string): Picture[] => {
     const curves = axes.filter((axis) => axis.unit === unit).map(axis_curve);
-    const about = "From the five probes on the bar, less the readings at the reference time.";
+    const caption = "From the five probes on the bar, less the readings at the reference time.";
     return curves.length > 0
-      ? [time_curves({ name, title, about, quantity, unit, curves, whole_min: whole, height_px: 320 })]
+      ? [time_curves({ name, title, caption, about: "", quantity, unit, curves, whole_min: whole, height_px: 320 })]
       : [];
   };
   return [
@@ -55,39 +56,50 @@ const probe_pictures = (axes: readonly DriftAxis[], whole: Range): Picture[] => 
   ];
 };
 
+const result_of = (axes: readonly DriftAxis[]): string => {
+  const largest = largest_of(axes);
+  return largest === null ? "" : `largest ${largest.text} at ${largest.at_text}`;
+};
+
+const first_of = (report: Report, axes: readonly DriftAxis[], picture: string): First => ({
+  picture,
+  kind: "",
+  label: "",
+  told: () => ({
+    verdict: `The largest drift is ${largest_of(axes)?.text ?? "–"}, at ${largest_of(axes)?.at_text ?? "–"}.`,
+    next: {
+      label: "Find what makes it drift",
+      text: "",
+      command: command_of("report", data_files(report).slice(0, 1), ["--diagnose", "--out", "page.html"]),
+    },
+  }),
+});
+
 export const drift_section = (report: Report): Section[] => {
   const { drift, five_probe } = report;
-  const signals = signals_of(report);
   const points = drift ? axes_of_points(drift) : [];
   const probes = five_probe ? axes_of_probes(five_probe) : [];
-  if (points.length + probes.length + signals.length === 0) return [];
+  if (points.length + probes.length === 0) return [];
 
-  const clocks = new Set([...points, ...probes, ...signals].map(({ time_min }) => time_min));
-  const whole = whole_min([...clocks]);
+  const whole = whole_of(report);
+  const main = points.length > 0 ? points : probes.filter(({ unit }) => unit === "um");
   const tables: TextTable[] = [
     ...(points.length > 0 ? [largest_table("Largest drift", points), points_table(points)] : []),
     ...(probes.length > 0 ? [largest_table("Largest drift by five probes", probes)] : []),
   ];
+  const pictures = [...(points.length > 0 ? [drift_picture(points, whole)] : []), ...probe_pictures(probes, whole)];
   return [
     {
       id: "drift",
-      heading:
-        drift || five_probe
-          ? "Drift"
-          : signals.some(({ column }) => column.role === "measured")
-            ? "Measured"
-            : "Signals",
+      heading: "Drift",
+      result: result_of(main),
+      ...(pictures[0] ? { first: first_of(report, main, pictures[0].name) } : {}),
       sentences: [
         ...(drift ? drift_sentences(drift, points) : []),
         ...(five_probe ? probes_sentences(five_probe, probes) : []),
       ],
       tables,
-      pictures: [
-        ...(points.length > 0 ? [drift_picture(points, whole)] : []),
-        ...probe_pictures(probes, whole),
-        ...measured_pictures(signals, whole),
-        ...signal_pictures(signals, whole),
-      ],
+      pictures,
     },
   ];
 };

@@ -18,6 +18,28 @@ const text = (axis: DriftAxis, value: Num | undefined, row: number): string => {
 
 const label = (axis: DriftAxis): string => `${words(axis.name)}, ${unit_shown(axis.unit)}`;
 
+export interface Largest {
+  text: string; // "31.72 ± 0.01 µm in y"
+  at_text: string; // "124 min"
+}
+
+// Of the drift itself, in all axes of one unit.
+export const largest_of = (axes: readonly DriftAxis[]): Largest | null => {
+  let found: { axis: DriftAxis; row: number; size: number } | null = null;
+  for (const axis of axes.filter((one) => one.main)) {
+    axis.values.forEach((value, row) => {
+      if (number(value) && Math.abs(value) > (found?.size ?? -1)) found = { axis, row, size: Math.abs(value) };
+    });
+  }
+  const largest = found as { axis: DriftAxis; row: number } | null;
+  if (!largest) return null;
+  const { axis, row } = largest;
+  return {
+    text: `${text(axis, axis.values[row], row)} ${unit_shown(axis.unit)} in ${words(axis.name)}`,
+    at_text: `${shown(axis.time_min[row])} min`,
+  };
+};
+
 const largest_row = (axis: DriftAxis): string[] => {
   let at = -1;
   let least = Infinity;

@@ -4,10 +4,11 @@ import type { Column, Report } from "../report";
 import { clamped, plain, slug } from "../drawing/text";
 import { minutes } from "../drawing/theme";
 import { time_curves, type TimeCurve } from "./time_curves";
+import { whole_min } from "../drawing/time_axis";
 import { split_name, words } from "../drawing/units";
 import { named, t } from "../texts/texts";
 
-interface Signal {
+export interface Signal {
   column: Column;
   time_min: readonly number[];
 }
@@ -57,11 +58,49 @@ const curves_of = (signals: readonly Signal[]): TimeCurve[] =>
     on: true,
   }));
 
+const kFew = 8; // curves that can be told apart, and need no groups
+
+// By role, in this order; then those that have another.
+const roles = ["structure", "ambient", "coolant", "bearing", "mean_point", "housing", "bar", "load"];
+const place_of = (role: string): number => (roles.includes(role) ? roles.indexOf(role) : roles.length);
+
+// Columns that the diagnosis of any target finds behind what is missing.
+const named_columns = ({ diagnose }: Report): Set<string> =>
+  new Set(
+    (diagnose?.targets ?? []).flatMap((found) => {
+      if (found.not_diagnosed !== undefined) return [];
+      const bounds = found.named.length > 0 ? found.named : [...found.probable, ...found.equivalent.flat()];
+      return [...bounds.flatMap(({ columns }) => Object.values(columns)), ...found.drivers.slice(0, 1).map(({ column }) => column)];
+    }),
+  );
+
+// Many in groups: those of the verdict in front and on, the others by their role, and where there are such, off at first.
+const grouped_by_role = (curves: readonly TimeCurve[], signals: readonly Signal[], named: ReadonlySet<string>): TimeCurve[] => {
+  if (curves.length <= kFew) return [...curves];
+  const some = curves.some(({ key }) => named.has(key));
+  return curves
+    .map((one, k) => {
+      const { role } = signals[k]?.column ?? { role: "" };
+      const front = named.has(one.key);
+      const group = front ? "named by the diagnosis" : words(plain(role, 30)) || "other";
+      return { ...one, group, quiet: some && !front, place: front ? -1 : place_of(role) };
+    })
+    .sort((a, b) => a.place - b.place);
+};
+
 const grouped = (signals: readonly Signal[]): Map<string, Signal[]> => {
   const groups = new Map<string, Signal[]>();
   for (const signal of signals) groups.set(signal.column.unit, [...(groups.get(signal.column.unit) ?? []), signal]);
   return groups;
 };
+
+// Of all that a page has over time outside of a model, so that its pictures stand below one another.
+export const whole_of = (report: Report): Range =>
+  whole_min([
+    ...(report.drift ? [report.drift.points.map(({ time_s }) => minutes(time_s))] : []),
+    ...(report.five_probe ? [report.five_probe.time_s.map(minutes)] : []),
+    ...report.signals.map(({ time_s }) => time_s.map(minutes)),
+  ]);
 
 export const signals_of = (report: Report): Signal[] =>
   report.signals.flatMap(({ time_s, columns }) => {
@@ -74,7 +113,8 @@ export const measured_pictures = (signals: readonly Signal[], whole_min: Range):
     time_curves({
       name: unit === "um" ? "measured" : `measured-${slug(unit)}`,
       title: unit === "um" ? t.drift_measured_displacements : t.drift_measured_in({ unit: clamped(unit, 20) }),
-      about: "The measured columns as the file has them.",
+      caption: t.drift_measured_caption,
+      about: "",
       quantity: unit === "um" ? t.drift_quantity_displacement : t.drift_quantity_measured,
       unit,
       curves: curves_of(of),
@@ -83,13 +123,14 @@ export const measured_pictures = (signals: readonly Signal[], whole_min: Range):
     }),
   );
 
-export const signal_pictures = (signals: readonly Signal[], whole_min: Range): Picture[] =>
+export const signal_pictures = (report: Report, signals: readonly Signal[], whole_min: Range): Picture[] =>
   [...grouped(signals.filter((signal) => !measured(signal)))].map(([unit, of]) => {
     return time_curves({
       ...kind_of(unit),
-      about: `Recorded beside the drift${unit === "rpm" ? "; a value holds until the next one" : ""}.`,
+      caption: unit === "rpm" ? t.drift_speed_caption : t.drift_signals_caption,
+      about: "",
       unit,
-      curves: curves_of(of),
+      curves: grouped_by_role(curves_of(of), of, named_columns(report)),
       whole_min,
       step: unit === "rpm",
       height_px: unit === "rpm" ? 200 : 280,

@@ -23,11 +23,14 @@ export interface TimeCurve {
   colour: number; // of the set of colours
   dash: number; // of the set of dashes
   on: boolean;
+  quiet?: boolean; // as of a toggle
+  group?: string;
 }
 
 export interface TimeCurves {
   name: string;
   title: string;
+  caption: string;
   about: string;
   quantity: string; // "drift"
   unit: string; // as files spell it
@@ -39,7 +42,9 @@ export interface TimeCurves {
 
 const mark_of = (dash: number): Toggle["mark"] => (dash === 0 ? "line" : dash === 2 ? "dotted" : "dashed");
 
-const toggle_of = ({ key, label, colour, dash, on }: TimeCurve): Toggle => ({
+const toggle_of = ({ key, label, colour, dash, on, quiet, group }: TimeCurve): Toggle => ({
+  ...(quiet ? { quiet } : {}),
+  ...(group === undefined ? {} : { group }),
   key,
   label,
   colour: (dark) => curve_colour(colour, dark),
@@ -74,6 +79,7 @@ export const time_curves = (of: TimeCurves): Picture => {
   return {
     name: of.name,
     title: of.title,
+    caption: of.caption,
     about: of.about,
     height_px: of.height_px ?? 300,
     zoom: "time",

@@ -1,6 +1,7 @@
 // Tables of the page. Columns of numbers are aligned at their ends.
 import type { TextTable } from "../picture";
 import { button, element, text_in } from "./elements";
+import { explained } from "./explained";
 
 const kRows = 200; // at first; a longer table is a slow page
 
@@ -14,7 +15,7 @@ const numeric_columns = (rows: readonly (readonly string[])[], columns: number):
     (_, k) => rows.length > 0 && rows.slice(0, kRows).every((row) => numeric.test(row[k] ?? "")),
   );
 
-export interface TableOf extends Pick<TextTable, "title" | "heading" | "rows" | "bars"> {
+export interface TableOf extends Pick<TextTable, "title" | "about" | "heading" | "rows" | "bars"> {
   row?: (made: HTMLTableRowElement, index: number) => void;
 }
 
@@ -25,7 +26,16 @@ const bar_in = (cell: Element | undefined, share: number): void => {
   cell.style.setProperty("--share", String(Math.min(1, Math.max(0, share))));
 };
 
-export const table_of = ({ title, heading, rows, bars, row }: TableOf): HTMLElement => {
+let explained_tables = 0;
+
+const caption_of = (title: string, about: string): HTMLElement => {
+  if (about === "") return element("caption", {}, title);
+  explained_tables += 1;
+  const { button: more, note } = explained(`about-table-${explained_tables}`, title, about);
+  return element("caption", {}, title, " ", more, note);
+};
+
+export const table_of = ({ title, about = "", heading, rows, bars, row }: TableOf): HTMLElement => {
   const numbers = numeric_columns(rows, heading.length);
   const kind = (k: number): Record<string, string> => (numbers[k] ? { class: "number" } : {});
   const cell = (tag: "td" | "th", text: string, k: number): HTMLElement => {
@@ -46,7 +56,7 @@ export const table_of = ({ title, heading, rows, bars, row }: TableOf): HTMLElem
     }
   };
   append(0, kRows);
-  const table = element("table", {}, element("caption", {}, title), element("thead", {}, head), body);
+  const table = element("table", {}, caption_of(title, about), element("thead", {}, head), body);
   // Scrolled by its keys when it has the focus; where its rows can have it, that is no stop of its own.
   const stop: Record<string, string> = row && rows.length > 0 ? {} : { tabindex: "0" };
   const scroll = element("div", { class: "table", ...stop, role: "group", "aria-label": title }, table);

@@ -1,5 +1,5 @@
 // What of a picture can be chosen and switched off. The switches are its legend.
-import { element } from "../elements/elements";
+import { button, element } from "../elements/elements";
 import { mark_of } from "./mark";
 import type { Choice, Picture, State, Toggle } from "../picture";
 import { clamped } from "../drawing/text";
@@ -32,10 +32,39 @@ const switch_of = (toggle: Toggle, state: State, change: (on: boolean) => void):
   );
 };
 
+type Change = (keys: readonly string[], on: boolean) => void;
+
+// Curves of one kind under its name, with buttons that switch them all.
+const group_of = (name: string, toggles: readonly Toggle[], state: State, change: Change): HTMLElement => {
+  const keys = toggles.map(({ key }) => key);
+  const all = (label: string, on: boolean): HTMLButtonElement => {
+    const made = button(label, "", () => change(keys, on));
+    made.setAttribute("aria-label", `${name}: ${label}`);
+    return made;
+  };
+  return element(
+    "div",
+    { class: "group", role: "group", "aria-label": name },
+    element("span", { class: "of" }, name),
+    all("all", true),
+    all("none", false),
+    ...toggles.map((toggle) => switch_of(toggle, state, (on) => change([toggle.key], on))),
+  );
+};
+
+const switches_of = (toggles: readonly Toggle[], state: State, change: Change): HTMLElement[] => {
+  const names = [...new Set(toggles.flatMap(({ group }) => group ?? []))];
+  return names.length > 0
+    ? names.map((name) => group_of(name, toggles.filter(({ group }) => group === name), state, change))
+    : toggles.map((toggle) => switch_of(toggle, state, (on) => change([toggle.key], on)));
+};
+
+const used_by_key = (legend: HTMLElement): HTMLElement[] => [...legend.querySelectorAll<HTMLElement>("input, button")];
+
 export const controls_of = (
   picture: Picture,
   choose: (key: string, value: string) => void,
-  change: (key: string, on: boolean) => void,
+  change: Change,
 ): Controls => {
   const choices = picture.choices.map((choice) => ({
     choice,
@@ -50,9 +79,9 @@ export const controls_of = (
     const now = JSON.stringify([state.look.dark, toggles, toggles.map((toggle) => state.hidden.has(toggle.key))]);
     if (now === shown) return;
     shown = now;
-    const focused = [...legend.children].findIndex((one) => one.contains(document.activeElement));
-    legend.replaceChildren(...toggles.map((toggle) => switch_of(toggle, state, (on) => change(toggle.key, on))));
-    legend.children[focused]?.querySelector("input")?.focus();
+    const focused = used_by_key(legend).findIndex((one) => one === document.activeElement);
+    legend.replaceChildren(...switches_of(toggles, state, change));
+    used_by_key(legend)[focused]?.focus();
   };
   const all = element("div", { class: "controls" }, ...choices.map(({ label }) => label), legend);
   return { element: all, update };

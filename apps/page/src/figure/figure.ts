@@ -3,10 +3,11 @@ import { canvas_of, chart_in, px_at, x_at, x_extent, type Chart } from "./charts
 import { controls_of } from "./controls";
 import { next_row, row_said } from "./cursor";
 import { button, element } from "../elements/elements";
+import { explained } from "../elements/explained";
 import { save_csv, save_png, save_svg } from "./files";
 import { kKeys, listen_to_keys } from "./keyboard";
 import { numbers_table } from "./numbers_table";
-import type { Numbers, Picture, Range, State } from "../picture";
+import type { Numbers, Picture, Range, State, Toggle } from "../picture";
 import { listen_to_pointer } from "./pointer";
 import type { PageState } from "./page_state";
 import { drawn, initial_state, stilled } from "./still";
@@ -15,6 +16,14 @@ import type { View } from "./view";
 
 const kPaper_px = 680; // the width between the margins of a sheet
 const kPaper_pixels = 2; // of the canvas for one of the page, in print
+const kLowest_px = 300;
+
+// On a narrow screen a picture is hardly higher than wide: there the rest would be blank, or a curve all too steep.
+const height_at = ({ height_px, rows_of_text }: Picture, width_px: number): number =>
+  rows_of_text ? height_px : Math.min(height_px, Math.max(kLowest_px, width_px + 10));
+
+// On the page some curves wait until they are wanted.
+const off_at_first = ({ on, quiet }: Toggle): boolean => !on || quiet === true;
 
 export interface Figure {
   readonly picture: Picture;
@@ -35,7 +44,11 @@ export interface Figure {
 }
 
 export const figure_of = (picture: Picture, page: PageState): Figure => {
-  let state = initial_state(picture, page.dark(), 0);
+  const at_first = initial_state(picture, page.dark(), 0);
+  let state: State = {
+    ...at_first,
+    hidden: new Set(picture.toggles(at_first).filter(off_at_first).map(({ key }) => key)),
+  };
   let chart: Chart | null = null;
   let whole: Range | null = null;
   let whole_for = ""; // the choices that `whole` belongs to
@@ -61,8 +74,11 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     class: "chart",
     tabindex: "0",
     role: picture.zoom === "none" ? "img" : "application",
-    "aria-label": `${picture.title}. ${picture.about}`,
-    ...(picture.zoom === "none" ? {} : { "aria-describedby": `${picture.name}-keys` }),
+    "aria-label": `${picture.title}. ${picture.caption}`,
+    "aria-describedby": [
+      ...(picture.about === "" ? [] : [`${picture.name}-about`]),
+      ...(picture.zoom === "none" ? [] : [`${picture.name}-keys`]),
+    ].join(" "),
   });
   box.style.height = `${picture.height_px}px`;
   const line = element("div", { class: "line", "aria-hidden": "true" });
@@ -99,17 +115,19 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     // Curves that were not there before are on or off as they are at first.
     const hidden = new Set([
       ...state.hidden,
-      ...toggles.filter((one) => !known.has(one.key) && !one.on).map((one) => one.key),
+      ...toggles.filter((one) => !known.has(one.key) && off_at_first(one)).map((one) => one.key),
     ]);
     known = new Set([...known, ...toggles.map((toggle) => toggle.key)]);
     row = null;
     change({ chosen, hidden });
   };
 
-  const turn = (key: string, on: boolean): void => {
+  const turn = (keys: readonly string[], on: boolean): void => {
     const hidden = new Set(state.hidden);
-    if (on) hidden.delete(key);
-    else hidden.add(key);
+    for (const key of keys) {
+      if (on) hidden.delete(key);
+      else hidden.add(key);
+    }
     change({ hidden });
   };
 
@@ -146,13 +164,15 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     const width_px = box.clientWidth;
     if (width_px === 0) return;
     stale = false;
+    const height_px = height_at(picture, width_px);
     state = {
       ...state,
       window: window_now(),
-      look: { dark: page.dark(), width_px, height_px: picture.height_px, still: false },
+      look: { dark: page.dark(), width_px, height_px, still: false },
     };
-    chart ??= chart_in(canvas, width_px, picture.height_px);
-    if (chart.getWidth() !== width_px) chart.resize({ width: width_px, height: picture.height_px });
+    box.style.height = `${height_px}px`;
+    chart ??= chart_in(canvas, width_px, height_px);
+    if (chart.getWidth() !== width_px) chart.resize({ width: width_px, height: height_px });
     learn_whole(chart);
     chart.clear(); // what is drawn depends on the state alone, not on what was drawn before
     chart.setOption(drawn(picture, state), { notMerge: true });
@@ -187,7 +207,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     const x = all.columns[0]?.values[row];
     if (typeof x === "number" && chart && whole) {
       view.hover(x);
-      chart.dispatchAction({ type: "showTip", x: px_at(chart, x), y: 0.3 * picture.height_px });
+      chart.dispatchAction({ type: "showTip", x: px_at(chart, x), y: 0.3 * state.look.height_px });
     }
     page.say(row_said(all, row));
   };
@@ -213,12 +233,13 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     button("PNG", "Save the picture as an image (.png)", () => save_png(picture, state)),
     button("CSV", "Save the numbers as a table (.csv)", () => save_csv(picture, state)),
   );
-  const heading = element(
-    "figcaption",
-    {},
-    element("h3", {}, picture.title),
-    element("p", { class: "about" }, picture.about),
-  );
+  const caption = element("p", { class: "caption" }, picture.caption);
+  const heading = element("figcaption", {}, element("h3", {}, picture.title), caption);
+  if (picture.about !== "") {
+    const { button: more, note } = explained(`${picture.name}-about`, picture.title, picture.about);
+    caption.append(" ", more);
+    heading.append(note);
+  }
   const all = element("figure", { "data-picture": picture.name }, heading, tools, controls.element, box);
   if (picture.zoom !== "none") {
     all.append(element("p", { class: "hint", id: `${picture.name}-keys` }, kKeys), panel.element);
@@ -232,7 +253,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     chart: () => chart,
     whole: () => whole,
     choose,
-    turn,
+    turn: (key, on) => turn([key], on),
     watch(changed) {
       watching.push(changed);
       changed(state);

@@ -1,7 +1,7 @@
 // Several pictures in one file, one below the other, under the conclusions of their report; below each stands what is
 // seen in it.
 import type { Picture } from "../picture";
-import { escaped, initial_state, kCaption_px, svg_file } from "./still";
+import { escaped, initial_state, kCaption_px, svg_file, told_of } from "./still";
 import { micrometres, wrapped } from "../drawing/text";
 import { colours, font } from "../drawing/theme";
 
@@ -42,7 +42,7 @@ export const sheet = (sentences: readonly string[], pictures: readonly Picture[]
     ...pictures.flatMap((picture) => [
       gap(kBetween_px),
       picture_part(picture, width_px),
-      paragraph(picture.about, width_px, faint),
+      paragraph(told_of(picture), width_px, faint),
     ]),
     gap(kMargin_px),
   ];

@@ -44,6 +44,9 @@ export const caption_of = (picture: Picture, state: State): string => {
   return clamped([picture.title, ...chosen].join(", "), 110);
 };
 
+// What is seen, whole.
+export const told_of = ({ caption, about }: Picture): string => (about === "" ? caption : `${caption} ${about}`);
+
 export const escaped = (text: string): string => text.replace(/[&<>"']/g, (letter) => `&#${letter.charCodeAt(0)};`);
 
 // A light SVG file of this size, caption included.
@@ -54,7 +57,7 @@ export const svg_file = (picture: Picture, state: State, width_px: number, heigh
   const drawing = svg_of(drawn(picture, paper), width_px, height_px - kCaption_px);
   return (
     `<svg xmlns="http://www.w3.org/2000/svg" width="${width_px}" height="${height_px}" viewBox="0 0 ${width_px} ${height_px}" role="img">` +
-    `<title>${title}</title><desc>${escaped(clamped(picture.about, 1000))}</desc>` +
+    `<title>${title}</title><desc>${escaped(clamped(told_of(picture), 1000))}</desc>` +
     `<rect width="${width_px}" height="${height_px}" fill="${ink.paper}"/>` +
     `<text x="12" y="23" font-family="${escaped(font)}" font-size="16" font-weight="600" fill="${ink.ink}">${title}</text>` +
     `${drawing.replace("<svg ", `<svg y="${kCaption_px}" `)}</svg>\n`

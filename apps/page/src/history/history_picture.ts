@@ -145,9 +145,10 @@ export const history_picture = (group: HistoryGroup, k: number): Picture => {
   return {
     name: `history-${k + 1}`,
     title: plain(group.label, 80),
+    caption: "One quantity over the tests, with its trend and its tolerance; ± one sigma.",
     about:
-      "One quantity over the tests. Bars are one standard deviation of the fit; the shaded width is one of the trend, " +
-      "with the scatter of the tests about it. The line across is the tolerance.",
+      "Bars are one standard deviation of the fit; the shaded width is one of the trend, with the scatter of the tests " +
+      "about it. The line across is the tolerance.",
     height_px: 360,
     zoom: "own",
     choices: [

@@ -156,9 +156,10 @@ export const errors_picture = (tests: readonly ErrorTest[]): Picture => {
   return {
     name: kErrors_picture,
     title: "Errors on the circle",
+    caption: "Each reading about the circle fitted to all runs, magnified; dashed, the chosen error.",
     about:
-      "Each reading about the circle fitted to all runs, magnified. An error chosen in the table (a click, or ↑ ↓) draws its " +
-      "curve about the dark ring; “without it” (Space) takes that curve off the readings.",
+      "An error chosen in the table (a click, or ↑ ↓) draws its curve about the dark ring; “without it” (Space) takes that " +
+      "curve off the readings.",
     height_px: 440,
     zoom: "none",
     choices: [...test_choice(tests), error_choice(tests)],

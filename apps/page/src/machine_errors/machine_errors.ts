@@ -3,7 +3,9 @@ import { error_tests, type ErrorTest } from "./error_curves";
 import { error_name, unit_shown } from "./error_names";
 import { circle_table, errors_table, stated_table } from "./error_tables";
 import { errors_picture, kErrors_picture } from "./errors_picture";
-import type { Section, Told } from "../picture";
+import { command_of } from "../drawing/command";
+import { capital } from "../drawing/text";
+import type { First, Section, Told } from "../picture";
 import { ranked_errors } from "./ranked_errors";
 import type { Report } from "../report";
 import { shown } from "../drawing/theme";
@@ -42,6 +44,28 @@ const told_of = (test: ErrorTest, alone: boolean): Told => {
   };
 };
 
+const result_of = (tests: readonly ErrorTest[]): string => {
+  const values = tests.map(({ part }) => part.circularity_um).filter((value) => value !== null);
+  const [least, most] = [Math.min(...values), Math.max(...values)].map((value) => shown(value, 2));
+  const circularity = values.length === 0 ? "" : `circularity ${least === most ? least : `${least} to ${most}`} µm, `;
+  return `${circularity}${tests.length === 1 ? "what is left, remedies and tolerances" : `${tests.length} tests`}`;
+};
+
+// The largest error is mended, and the test made again.
+const told_first = ({ part, recordings }: ErrorTest): ReturnType<First["told"]> => {
+  const largest = ranked_errors(part).find(({ first }) => first.rank !== null && first.remedy);
+  const name = largest ? error_name(largest.effect, recordings[0]?.plane) : "";
+  const without = largest ? ` Without it ${shown(largest.first.circularity_without_um, 2)} µm are left.` : "";
+  return {
+    verdict: part.conclusion === "" ? `Circularity ${shown(part.circularity_um, 2)} µm.` : part.conclusion,
+    next: {
+      label: "Test again, and compare",
+      text: largest ? `${capital(name)}: ${largest.first.remedy ?? ""}${without}` : "",
+      command: command_of("history", ["."], ["--out", "history.html"]),
+    },
+  };
+};
+
 export const machine_errors_section = (report: Report): Section[] => {
   const tests = error_tests(report);
   const [first] = tests;
@@ -50,6 +74,13 @@ export const machine_errors_section = (report: Report): Section[] => {
     {
       id: "machine-errors",
       heading: "Errors of the machine",
+      result: result_of(tests),
+      first: {
+        picture: kErrors_picture,
+        kind: "",
+        label: "",
+        told: ({ test }) => told_first(tests.find(({ value }) => value === test) ?? first),
+      },
       sentences: [],
       tables: [],
       pictures: [errors_picture(tests)],

@@ -95,9 +95,8 @@ export const mean_point_picture = ({ states, best }: MeanPointPart): Picture => 
   return {
     name: "mean-point",
     title: "Temperature along the spindle",
-    about:
-      "Dashed: the mean over the whole length. Dots: where the temperature is its mean, the places for a sensor." +
-      (best ? " The upright line: the one place that serves all states best." : ""),
+    caption: "Dashed: the mean over the whole length. Dots: where it is met, the places for a sensor.",
+    about: best ? "The upright line is the one place that serves all states best." : "",
     height_px: 440,
     zoom: "own",
     choices: [],

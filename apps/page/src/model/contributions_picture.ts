@@ -183,11 +183,10 @@ export const contributions_picture = (
   return {
     name,
     title: "What each effect adds",
-    about:
-      (over_angle
-        ? "Each effect's part of the deviation, stacked: "
-        : "Each effect counted from its value at the start, stacked: ") +
-      "what raises the model goes up from zero, what lowers it goes down. Up less down is the model, the line.",
+    caption: over_angle
+      ? "Each effect's part of the deviation, stacked; the line is the model."
+      : "Each effect since the start, stacked; the line is the model.",
+    about: "What raises the model goes up from zero, what lowers it goes down. Up less down is the model.",
     height_px: 420,
     zoom: over_angle ? "own" : "time",
     choices: recording_choice(report, strands, false),

@@ -3,12 +3,14 @@ import { against_choice } from "./against_axes";
 import { contributions_picture } from "./contributions_picture";
 import { model_fit_picture } from "./model_fit_picture";
 import { parameter_table, sigma_notes, step_table, where_table, worst_first } from "./model_tables";
-import type { Picture, Section, TextTable } from "../picture";
+import type { Next, Picture, Section, TextTable } from "../picture";
+import { command_of, data_files } from "../drawing/command";
 import { residual_against_picture } from "./residual_against_picture";
 import type { Checked, Report } from "../report";
 import { steps_picture } from "./steps_picture";
 import { strands_of } from "../drawing/strands";
 import { plain, slug } from "../drawing/text";
+import { shown } from "../drawing/theme";
 
 // A row of the table of misfits chooses the axis that it speaks of.
 const choose_axis = (checked: Checked, picture: string): TextTable["choose"] => {
@@ -18,6 +20,20 @@ const choose_axis = (checked: Checked, picture: string): TextTable["choose"] => 
     return values.find((value) => value.column === column)?.value ?? initial;
   });
   return { picture, key: "against", values: named };
+};
+
+const result_of = ({ rmse_um, floor_um, parameters }: Checked): string => {
+  const floor = rmse_um !== null && floor_um ? `, ${shown(rmse_um / floor_um, 1)} times the floor` : "";
+  return `RMSE ${shown(rmse_um, 3)} µm${floor}; ${parameters.length} ${parameters.length === 1 ? "parameter" : "parameters"}`;
+};
+
+const diagnose_next = (report: Report, { target }: Checked): Next => {
+  const model = report.files.find((file) => file.endsWith(".toml") && file !== "session.toml");
+  return {
+    label: "Find what it lacks",
+    text: "",
+    command: command_of("diagnose", data_files(report), [...(model ? ["--model", model] : []), "--target", target]),
+  };
 };
 
 const section_of = (report: Report, checked: Checked, id: string): Section => {
@@ -34,6 +50,13 @@ const section_of = (report: Report, checked: Checked, id: string): Section => {
   return {
     id,
     heading: `Model of ${plain(checked.target, 60)}`,
+    result: result_of(checked),
+    first: {
+      picture: `${id}-fit`,
+      kind: "Target",
+      label: plain(checked.target, 60),
+      told: () => ({ verdict: checked.sentences[0] ?? result_of(checked), next: diagnose_next(report, checked) }),
+    },
     sentences: [...checked.sentences, checked.floor_text, ...checked.remarks].filter((sentence) => sentence !== ""),
     tables: [
       ...where_table(checked, choose_axis(checked, against)),

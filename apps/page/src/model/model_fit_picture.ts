@@ -212,9 +212,9 @@ export const model_fit_picture = (
   return {
     name,
     title: "Measured, model, residual",
+    caption: "Above, measured (points) and the model (line); below, measured less model.",
     about:
-      `Above, what was measured (points${series.sigma_um ? ", bars of one sigma" : ""}) and the model (line). Below, measured less model; ` +
-      "the dashed lines are the floor, about what noise alone would leave." +
+      `${series.sigma_um ? "Bars are one sigma. " : ""}The dashed lines are the floor, about what noise alone would leave.` +
       (series.regimes.length > 0 ? " The shades are the regimes of the speed." : ""),
     height_px: 500,
     zoom: over_angle ? "own" : "time",

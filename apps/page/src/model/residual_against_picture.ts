@@ -210,9 +210,10 @@ export const residual_against_picture = (
   return {
     name,
     title: "Residual against",
+    caption: "Measured less model against a column of the data, with its median and quartiles.",
     about:
-      "Measured less model against a column of the data. The line is the median and the band the middle half of the rows in " +
-      "bins that hold equally many: where it leaves zero, the model lacks something that goes with this column. " +
+      "The line is the median and the band the middle half of the rows in bins that hold equally many: where it leaves zero, " +
+      "the model lacks something that goes with this column. " +
       (checked.level === "recording"
         ? "The directions have marks of their own: play and lag part them."
         : "Heating and cooling have marks of their own: what comes and goes at another pace than the model says parts them.") +

@@ -36,10 +36,10 @@ export const steps_picture = (checked: Checked, name: string): Picture => {
   return {
     name,
     title: "Step response",
+    caption: "What each effect answers to a step of its input from the least to the largest value.",
     about:
-      "What each effect of the model answers when its input steps at 0 min from the least to the largest value in the data " +
-      "and stays there; its other inputs stay at their median. The height is what the step adds, the way there how slowly " +
-      "it comes.",
+      "The input steps at 0 min and stays there; the others stay at their median. The height is what the step adds, the way " +
+      "there how slowly it comes.",
     height_px: 360,
     zoom: "own",
     choices: [],

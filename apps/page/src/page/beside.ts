@@ -14,7 +14,7 @@ export const beside_figure = (
   figure: Figure,
   { key, told }: Beside,
   made_table: (table: TextTable) => HTMLElement,
-): HTMLElement[] => {
+): [HTMLElement, HTMLElement] => {
   const beside = element("div");
   const below = element("div");
   const made = new Map<string, { beside: HTMLElement; below: HTMLElement }>();

@@ -1,8 +1,10 @@
-// Parts of a section that are folded until they are wanted: by a click, by a link to the section, or on paper.
+// Parts of the page that are folded until they are wanted: by a click or a key, by a link to them, or on paper. What is
+// folded now is folded again when the page is opened the next time.
 import { element } from "../elements/elements";
 
-export const folded = (id: string, parts: readonly HTMLElement[]): HTMLDetailsElement => {
-  const made = element("details", {}, element("summary", {}, "Pictures and tables"), ...parts);
+// id: of what a link may name.
+export const folded = (id: string, head: readonly (Node | string)[], parts: readonly Node[]): HTMLDetailsElement => {
+  const made = element("details", { class: "folded" }, element("summary", {}, ...head), ...parts);
   const meant = (link: string | null | undefined): void => {
     if (link === `#${id}`) made.open = true;
   };

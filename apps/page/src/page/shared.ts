@@ -7,13 +7,12 @@ import type { Range } from "../picture";
 export interface Shared extends PageState {
   readonly figures: ReadonlyMap<string, Figure>;
   add(figure: Figure): void;
-  nth(kind: string): number; // section of this kind, from 1
   look(dark: boolean): void;
+  act?: (command: string) => void; // does what a command says; where it is not there, commands are copied
 }
 
 export const shared_by_figures = (voice: HTMLElement): Shared => {
   const figures = new Map<string, Figure>();
-  const kinds = new Map<string, number>();
   let dark = false;
   let time_window: Range | null = null;
   const over_time = (): Figure[] => [...figures.values()].filter((figure) => figure.picture.zoom === "time");
@@ -28,11 +27,6 @@ export const shared_by_figures = (voice: HTMLElement): Shared => {
     },
     add(figure) {
       figures.set(figure.picture.name, figure);
-    },
-    nth(kind) {
-      const count = (kinds.get(kind) ?? 0) + 1;
-      kinds.set(kind, count);
-      return count;
     },
     see_time(window) {
       time_window = window;

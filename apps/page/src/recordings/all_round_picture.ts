@@ -12,9 +12,10 @@ import { t } from "../texts/texts";
 export const all_round_picture = (groups: readonly Group[]): Picture => ({
   name: "tests-circle",
   title: "All tests on the circle",
+  caption: "The same figure of every test, magnified, coloured from the first test to the last.",
   about:
-    "The same figure of every test, magnified on one circle, coloured and widening from the first test to the last. What " +
-    "moves from curve to curve is drift; what all have in common is the machine's, or the set-up's.",
+    "The lines widen from the first test to the last. What moves from curve to curve is drift; what all have in common is " +
+    "the machine's, or the set-up's.",
   height_px: 560,
   zoom: "none",
   choices: [

@@ -131,11 +131,11 @@ export const circle_picture = (groups: readonly Group[]): Picture => {
   return {
     name: "recording-circle",
     title: "Deviation on the circle",
+    caption: "Each reading less the nominal length, magnified, about the circle of that length (dark ring).",
     about:
-      "Each reading of the bar less its nominal length, drawn outwards or inwards from the circle of the nominal length " +
-      "(the dark ring) and magnified; the angle runs counter-clockwise from the plane's first axis. The fitted circle and " +
-      "the way to its centre are drawn in the same magnification. About its own centre, the circle's shape alone is left. " +
-      "What an effect of the model adds is drawn about the dark ring.",
+      "The angle runs counter-clockwise from the plane's first axis. The fitted circle and the way to its centre are drawn " +
+      "in the same magnification. About its own centre, the circle's shape alone is left. What an effect of the model adds " +
+      "is drawn about the dark ring.",
     height_px: 560,
     zoom: "none",
     choices: [

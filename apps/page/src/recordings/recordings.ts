@@ -3,7 +3,10 @@ import { all_round_picture } from "./all_round_picture";
 import { all_unrolled_picture } from "./all_unrolled_picture";
 import { axial_picture } from "./axial_picture";
 import { circle_picture } from "./circle_picture";
-import type { Picture, Section } from "../picture";
+import { command_of, data_files } from "../drawing/command";
+import { capital } from "../drawing/text";
+import { shown } from "../drawing/theme";
+import type { Next, Picture, Section } from "../picture";
 import { is_axial, is_circle, pairs_and_singles, pairs_of, repeated } from "./recording_groups";
 import { recording_tables } from "./recording_tables";
 import type { Recording, Report } from "../report";
@@ -12,6 +15,20 @@ import { unrolled_picture } from "./unrolled_picture";
 const kFewest_tests = 3; // that are worth a picture of all
 
 const each = (recordings: readonly Recording[]): string[] => recordings.map((_, k) => String(k));
+
+// "10 recordings, circularity 4.62 to 5.13 µm"
+const result_of = (recordings: readonly Recording[]): string => {
+  const known = recordings.map(({ circularity_um }) => circularity_um ?? null).filter((value) => value !== null);
+  const count = `${recordings.length} ${recordings.length === 1 ? "recording" : "recordings"}`;
+  const [least, most] = [Math.min(...known), Math.max(...known)].map((value) => shown(value, 2));
+  return known.length === 0 ? count : `${count}, circularity ${least === most ? least : `${least} to ${most}`} µm`;
+};
+
+const next_of = (report: Report): Next => ({
+  label: "Find the errors behind it",
+  text: "",
+  command: command_of("diagnose", data_files(report)),
+});
 
 export const recordings_section = (report: Report): Section[] => {
   const { fit } = report;
@@ -37,5 +54,25 @@ export const recordings_section = (report: Report): Section[] => {
         ? { picture: "axial", key: "recording", values: each(axial) }
         : undefined,
   });
-  return [{ id: "recordings", heading: "Recordings", sentences: fit.remarks, tables, pictures }];
+  const [first] = pictures;
+  return [
+    {
+      id: "recordings",
+      heading: "Recordings",
+      result: result_of(fit.recordings),
+      ...(first
+        ? {
+            first: {
+              picture: first.name,
+              kind: "",
+              label: "",
+              told: () => ({ verdict: capital(result_of(fit.recordings)), next: next_of(report) }),
+            },
+          }
+        : {}),
+      sentences: fit.remarks,
+      tables,
+      pictures,
+    },
+  ];
 };

@@ -57,10 +57,8 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
   return {
     name: "recording-unrolled",
     title: "Deviation against the angle",
-    about:
-      "Above, each reading of the bar less its nominal length against the angle, with the circle fitted to it. Below, what " +
-      "the circle leaves: each reading less the fitted circle. With the effects of a model switched on, what each adds is " +
-      "drawn below too.",
+    caption: "Above, each reading less the nominal length, and the fitted circle; below, what it leaves.",
+    about: "With the effects of a model switched on, what each adds is drawn below too.",
     height_px: 460,
     zoom: "own",
     choices: [

@@ -1,0 +1,183 @@
+// What was measured, the model as it is and with what it lacks; below, what either leaves. It proves the verdict.
+import { curve } from "../drawing/curve";
+import { hover_text } from "../drawing/hover";
+import type { Numbers, Picture, State, Toggle } from "../picture";
+import { best_set, set_name } from "./ranking";
+import { chosen_strands, recording_choice } from "../recordings/recording_names";
+import type { Checked, Diagnosed, Num, Report } from "../report";
+import { points_of, strands_of, type Strand } from "../drawing/strands";
+import { plain } from "../drawing/text";
+import { base, colours, curve_colour, legend, shown, tooltip } from "../drawing/theme";
+import { time_axis, whole_min } from "../drawing/time_axis";
+import { two_grids, x_axis } from "../drawing/two_grids";
+import { angle_limits } from "../recordings/unrolled_picture";
+
+type Series = Record<string, unknown>;
+
+const sum = (columns: readonly (readonly Num[])[]): Num[] =>
+  (columns[0] ?? []).map((_, i) =>
+    columns.reduce((total: Num, column) => {
+      const value = column[i] ?? null;
+      return total === null || value === null ? null : total + value;
+    }, 0),
+  );
+
+const difference = (a: readonly Num[], b: readonly Num[]): Num[] =>
+  a.map((value, i) => {
+    const other = b[i] ?? null;
+    return value === null || other === null ? null : value - other;
+  });
+
+// "with lagged_expansion(T_room_degC)"
+const set_text = (found: Diagnosed): string => {
+  const labels = best_set(found).map(({ label }) => plain(label, 44));
+  const set = labels.length <= 2 ? labels.join(" and ") : `${labels.length} effects`;
+  return set_name(found) === "best" ? `with ${set}` : `with ${set}, not accepted`;
+};
+
+const rmse = (value: Num): string => (value === null ? "" : `, RMSE ${shown(value, 3)} µm`);
+
+export const with_without_picture = (report: Report, checked: Checked, found: Diagnosed, name: string): Picture => {
+  const over_angle = checked.level === "recording";
+  const strands = strands_of(checked);
+  const { measured_um, predicted_um, residual_um } = checked.series;
+  const best = best_set(found);
+  const with_um = best.length > 0 ? sum([predicted_um, found.refit_um, ...best.map(({ curve_um }) => curve_um)]) : null;
+  const left_um = with_um ? difference(measured_um, with_um) : null;
+  const toggles: Toggle[] = [
+    { key: "measured", label: "measured", colour: (dark) => curve_colour(0, dark), mark: "dot", on: true },
+    {
+      key: "without",
+      label: `model${rmse(found.rmse_um)}`,
+      colour: (dark) => curve_colour(1, dark),
+      mark: with_um ? "dashed" : "line",
+      on: true,
+    },
+    ...(with_um
+      ? [
+          {
+            key: "with",
+            label: `${set_text(found)}${rmse(found.rmse_after_um)}`,
+            colour: (dark: boolean) => curve_colour(2, dark),
+            mark: "line",
+            on: true,
+          } as const,
+        ]
+      : []),
+  ];
+  const seen = (chosen: State["chosen"]): Strand[] => chosen_strands(strands, chosen);
+
+  const draw = (state: State): Series => {
+    const { look, window, hidden } = state;
+    const drawn_strands = seen(state.chosen);
+    const x = over_angle
+      ? x_axis(look, "angle, °", window, angle_limits(drawn_strands.flatMap((strand) => strand.x)))
+      : time_axis(look, window ?? whole_min(strands.map((strand) => strand.x)));
+    const grids = two_grids(look, x, "deviation, µm", "residual, µm", 0.4);
+    const points = (values: readonly Num[]): [number, Num][] =>
+      points_of(drawn_strands, values, window, grids.width_px / Math.max(1, drawn_strands.length));
+    const below = { xAxisIndex: 1, yAxisIndex: 1 };
+    const lines = (toggle: Toggle | undefined, values: readonly Num[], left: readonly Num[], z: number): Series[] => {
+      if (!toggle || hidden.has(toggle.key)) return [];
+      const colour = toggle.colour(look.dark);
+      const dash = toggle.mark === "dashed" ? "dashed" : "solid";
+      return [
+        curve(toggle.label, colour, dash, 2, points(values), { z }),
+        curve(toggle.label, colour, dash, 1.3, points(left), { ...below, z, hover_name: `left, ${toggle.label}` }),
+      ];
+    };
+    const dots = points(measured_um);
+    const [measured, without, with_set] = toggles;
+    const zero = {
+      type: "line",
+      name: "",
+      data: [],
+      silent: true,
+      ...below,
+      markLine: {
+        silent: true,
+        symbol: "none",
+        label: { show: false },
+        lineStyle: { color: colours(look.dark).faint, type: "solid", width: 1 },
+        data: [{ yAxis: 0 }],
+      },
+    };
+    const drawn: Series[] = [
+      ...(measured && !hidden.has(measured.key)
+        ? [
+            {
+              type: "scatter",
+              name: measured.label,
+              data: dots,
+              symbolSize: dots.length <= 60 ? 8 : dots.length <= 400 ? 5 : 3,
+              itemStyle: { color: measured.colour(look.dark), opacity: dots.length > 400 ? 0.6 : 0.9 },
+              emphasis: { disabled: true },
+              z: 2,
+            },
+          ]
+        : []),
+      ...lines(without, predicted_um, residual_um, 3),
+      ...(with_um && left_um ? lines(with_set, with_um, left_um, 4) : []),
+    ];
+    return {
+      ...base(look),
+      grid: grids.grid,
+      xAxis: grids.xAxis,
+      yAxis: grids.yAxis,
+      axisPointer: grids.axisPointer,
+      legend: legend(state, toggles),
+      tooltip: {
+        ...tooltip(look),
+        trigger: "axis",
+        formatter: hover_text({
+          drawn,
+          x: 0,
+          y: 1,
+          head: (at) => (over_angle ? `${shown(at, 1)}°` : `${shown(at, 1)} min`),
+          unit: "µm",
+        }),
+      },
+      series: [zero, ...drawn],
+    };
+  };
+
+  const numbers = ({ chosen }: State): Numbers => {
+    const strands_now = seen(chosen);
+    const rows = strands_now.flatMap((strand) => strand.rows);
+    const column = (values: readonly Num[]): Num[] => rows.map((i) => values[i] ?? null);
+    return {
+      columns: [
+        { name: over_angle ? "angle_deg" : "time_min", values: strands_now.flatMap((strand) => strand.x) },
+        ...(over_angle
+          ? [{ name: "recording", values: strands_now.flatMap(({ rows: of, recording }) => of.map(() => recording)) }]
+          : []),
+        { name: "measured_um", values: column(measured_um) },
+        { name: "model_um", values: column(predicted_um) },
+        { name: "residual_um", values: column(residual_um) },
+        ...(with_um && left_um
+          ? [
+              { name: "with_um", values: column(with_um) },
+              { name: "residual_with_um", values: column(left_um) },
+            ]
+          : []),
+      ],
+    };
+  };
+
+  return {
+    name,
+    title: with_um ? "With and without what is missing" : "Measured and model",
+    caption: with_um
+      ? "Above, measured, and the model without and with it; below, what either leaves."
+      : "Above, measured and the model; below, what it leaves. Nothing was found missing.",
+    about: with_um
+      ? "With it the model's own parameters give way, as they would when it is added. RMSE is of all rows."
+      : "RMSE is of all rows.",
+    height_px: 440,
+    zoom: over_angle ? "own" : "time",
+    choices: recording_choice(report, strands, true),
+    toggles: () => toggles,
+    draw,
+    numbers,
+  };
+};

@@ -1,0 +1,58 @@
+// What was measured and recorded, as the files have it: raw data.
+import { command_of, data_files } from "../drawing/command";
+import type { First, Section } from "../picture";
+import type { Report } from "../report";
+import { measured_pictures, signal_pictures, signals_of, whole_of, type Signal } from "./signals";
+import { shown } from "../drawing/theme";
+
+const counted = (n: number, one: string, many: string): string[] => (n === 0 ? [] : [`${n} ${n === 1 ? one : many}`]);
+
+// "5 measured columns, 16 temperatures, 1 speed over 1664 min"
+const result_of = (signals: readonly Signal[], span_min: number): string => {
+  const measured = signals.filter(({ column }) => column.role === "measured").length;
+  const rest = signals.filter(({ column }) => column.role !== "measured");
+  const of = (unit: string): number => rest.filter(({ column }) => column.unit === unit).length;
+  const [warm, speeds] = [of("degC"), of("rpm")];
+  const all = [
+    ...counted(measured, "measured column", "measured columns"),
+    ...counted(warm, "temperature", "temperatures"),
+    ...counted(speeds, "speed", "speeds"),
+    ...counted(rest.length - warm - speeds, "other signal", "other signals"),
+  ];
+  return `${all.join(", ")} over ${shown(span_min, 0)} min`;
+};
+
+export const signals_section = (report: Report): Section[] => {
+  const signals = signals_of(report);
+  if (signals.length === 0) return [];
+  const whole = whole_of(report);
+  const pictures = [...measured_pictures(signals, whole), ...signal_pictures(report, signals, whole)];
+  const measured = signals.some(({ column }) => column.role === "measured");
+  const result = result_of(signals, (whole[1] - whole[0]) / 1.03);
+  const first = (picture: string): First => ({
+    picture,
+    kind: "",
+    label: "",
+    told: () => ({
+      verdict: `${result}.`,
+      next: {
+        label: measured ? "Find what makes it drift" : "See what is in it",
+        text: "",
+        command: measured
+          ? command_of("report", data_files(report), ["--diagnose", "--out", "page.html"])
+          : command_of("preflight", data_files(report)),
+      },
+    }),
+  });
+  return [
+    {
+      id: "signals",
+      heading: measured ? "Measured, and signals" : "Signals",
+      result,
+      ...(pictures[0] ? { first: first(pictures[0].name) } : {}),
+      sentences: [],
+      tables: [],
+      pictures,
+    },
+  ];
+};
