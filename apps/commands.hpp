@@ -33,5 +33,6 @@ void add_select(CLI::App& app);
 void add_meanpoint(CLI::App& app);
 void add_report(CLI::App& app);
 void add_compensate(CLI::App& app);
+void add_page(CLI::App& app);
 
 }  // namespace ballbar::commands

@@ -6,6 +6,7 @@
 # build                         the least to read, fit, report and diagnose
 # page images mat blind hal     a component each, built where its packages are: the page of `ballbar report`; pictures;
 #                               .mat files; sealed blind tests; LinuxCNC
+# tool                          the whole program as a page, apps/page/build-tool.sh
 # test bench check              what the developers need besides
 #
 # Installs what is missing; where nothing is, no package tool is called and no rights are needed.
@@ -18,6 +19,9 @@ command -v node >/dev/null && command -v npm >/dev/null && page= || page='nodejs
 images='libopencv-imgproc-dev libspng-dev libjpeg62-turbo-dev'
 mat=libmatio-dev
 blind=libssl-dev
+# The headers and the sources of what build links; the compiler comes with its own standard library.
+tool='emscripten dpkg-dev make cmake libeigen3-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libboost-dev
+  libfast-float-dev'
 hal='linuxcnc-uspace linuxcnc-uspace-dev'
 test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium'
 bench='libbenchmark-dev python3 python3-numpy python3-scipy python3-sklearn'
@@ -31,13 +35,14 @@ for group in "$@"; do
     images) wanted="$wanted $images" ;;
     mat) wanted="$wanted $mat" ;;
     blind) wanted="$wanted $blind" ;;
+    tool) wanted="$wanted $tool" ;;
     hal) wanted="$wanted $hal" ;;
     test) wanted="$wanted $test" ;;
     bench) wanted="$wanted $bench" ;;
     check) wanted="$wanted $check" ;;
     *)
-      echo "install-packages.sh: no group '$group'; the groups are build, page, images, mat, blind, hal, test, bench," \
-        "check" >&2
+      echo "install-packages.sh: no group '$group'; the groups are build, page, images, mat, blind, tool, hal, test," \
+        "bench, check" >&2
       exit 2
       ;;
   esac

@@ -1,104 +1,17 @@
-// `ballbar COMMAND`: exit 0 done, 1 the input is at fault, 2 the command line is at fault.
-#include <fmt/core.h>
+// `ballbar COMMAND` as a process.
 #include <glog/logging.h>
 #include <malloc.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <exception>
-#include <initializer_list>
-#include <iostream>
 #include <string>
 #include <vector>
 
-#include "commands.hpp"
-#include "shell/completion.hpp"
-#include "shell/file_command.hpp"
-#include "shell/help.hpp"
-#include "shell/man_page.hpp"
-#include "shell/renamed_options.hpp"
-#include "shell/usage_fault.hpp"
-#include "terminal/option_checks.hpp"
-#include "terminal/stderr_line.hpp"
-
-namespace {
-
-using AddCommand = void (*)(CLI::App&);
-
-// Commands under a heading of the help.
-void add_group(CLI::App& app, const char* heading, std::initializer_list<AddCommand> commands) {
-  for (const AddCommand add : commands) add(app);
-  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    if (command->get_group() == "Subcommands") command->group(heading);
-  }
-}
-
-void add_commands(CLI::App& app) {
-  using namespace ballbar::commands;
-  add_group(app, "Measure", {add_fit, add_drift, add_compare});
-  add_group(app, "Logs of others", {add_import, add_merge});
-  add_group(app, "Follow", {add_history});
-  add_group(app, "Look", {add_report});
-  add_group(app, "Model", {add_effects, add_terms, add_preflight, add_check});
-  add_group(app, "Diagnose", {add_diagnose, add_plan, add_try, add_add, add_undo, add_ledger, add_inject});
-  add_group(app, "Train", {add_train, add_select});
-  add_group(app, "Predict", {add_predict});
-  add_group(app, "Compensate", {add_compensate});
-  add_group(app, "Place a sensor", {add_meanpoint});
-  add_group(app, "Simulate", {add_simulate});
-  add_group(app, "Challenge", {add_blind});
-  add_group(app, "Shell", {ballbar::add_help_command, ballbar::add_completion_command, ballbar::add_man_command});
-}
-
-// The work, from the words of the command line.
-void run(CLI::App& app, const std::vector<std::string>& words) {
-  std::vector<std::string> line = ballbar::with_names_of_now(ballbar::with_command(words, app));
-  std::reverse(line.begin(), line.end());  // as CLI11 takes them
-  app.parse(std::move(line));
-}
-
-}  // namespace
+#include "program.hpp"
 
 int main(int argc, char** argv) {
   // Matrices of some 100 kB come and go: the memory stays with the process instead of being asked for anew each time.
   mallopt(M_MMAP_THRESHOLD, 64 << 20);
   mallopt(M_TRIM_THRESHOLD, 256 << 20);
   FLAGS_minloglevel = google::GLOG_FATAL;  // of the solver: what it says stands in the results
-  CLI::App app{"Ballbar logs to thermal drift of the spindle."};
-  app.name("ballbar");
-  app.require_subcommand(1);
-  ballbar::set_help(app);
-  app.set_version_flag("--version", "ballbar " BALLBAR_VERSION, "print the version");
-  ballbar::add_page_option(app);
-  app.footer(
-      "ballbar FILE... without a command does what the file is for: the errors of a ballbar test, the drift of a "
-      "session,\n"
-      "the verdict on a series; with --page [FILE] as a page. ballbar help COMMAND lists the options of a command.");
-  add_commands(app);
-  ballbar::expect_values(app);
-  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  try {
-    run(app, words);
-  } catch (const CLI::CallForVersion& version) {
-    fmt::print("{}\n", version.what());
-  } catch (const CLI::Success&) {
-    const CLI::App* command = &app;
-    while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
-    ballbar::print_help(ballbar::help_of(*command));
-  } catch (const CLI::ParseError& error) {
-    ballbar::error_line(ballbar::usage_fault(app, error, words));
-    return 2;
-  } catch (const std::exception& error) {  // ballbar::Error; out of memory, a full disk
-    ballbar::error_line(error.what());
-    return 1;
-  }
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {
-    ballbar::error_line(
-        fmt::format("the results could not be written to the standard output: {}", std::strerror(errno)));
-    return 1;
-  }
-  return 0;
+  return ballbar::program({argv + std::min(argc, 1), argv + argc});
 }

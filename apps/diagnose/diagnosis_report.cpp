@@ -3,7 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "ballbar/diagnosis/verdict/search_options.hpp"
 #include "diagnose/next_command.hpp"
+#include "terminal/json_number.hpp"
 #include "terminal/progress.hpp"
 
 namespace ballbar {
@@ -39,6 +44,22 @@ std::string not_searched_text(const Diagnosis& found) {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
+namespace {
+
+constexpr std::size_t kShownSoFar = 12;
+
+// For a page, which draws it.
+void show_so_far(const std::vector<ProbableSoFar>& effects) {
+  nlohmann::json posterior = nlohmann::json::array();
+  for (std::size_t k = 0; k < std::min(effects.size(), kShownSoFar); ++k) {
+    posterior.push_back({{"label", label_of(effects[k].bound)}, {"p", number(effects[k].p)}});
+  }
+  const nlohmann::json so_far{{"posterior", std::move(posterior)}};
+  show_progress(so_far.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+}  // namespace
+
 DiagnosisReport diagnosis_report_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
                                     const ModelData& data) {
   const ProgressLine line;
@@ -55,6 +76,7 @@ DiagnosisReport diagnosis_report_of(const ModelOptions& options, const DiagnoseO
   how.most_rows = how_to.most_rows;
   how.where = worst_place(diagnosis_report.residual_report.fit, diagnosis_report.residual_report.where);
   how.search.progress = tell;
+  if (how_to.progress && progress_is_taken()) how.search.so_far = show_so_far;
   diagnosis_report.surrogates = how.surrogates;
   diagnosis_report.diagnosis = diagnose(model, data.series, 0, how);
   if (model.level == Level::series) diagnosis_report.plan_command = plan_command(options, diagnosis_report.diagnosis);

@@ -124,7 +124,7 @@ std::string history_page(const std::string& title, const TestFiles& files,
   part["skipped"] = Json::array();
   for (const SkippedTest& test : files.skipped) part["skipped"].push_back(test.sentence);
   report["history"] = std::move(part);
-  return page_of(report);
+  return page_of(report, nullptr);
 }
 
 }  // namespace ballbar

@@ -13,6 +13,7 @@
 #include "ballbar/model/run_terms.hpp"
 #include "ballbar/model/target_columns.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "model/held_values.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
@@ -95,6 +96,12 @@ void add_also_input(CLI::App& command, ModelOptions& options) {
 void add_fit_options(CLI::App& command, ModelOptions& options) {
   command.add_flag("--robust", options.robust, "discount outlying values (Tukey's biweight)");
   command.add_flag("--white", options.white, "ordinary least squares: no memory in the noise");
+  command
+      .add_option("--set", options.set,
+                  "hold a parameter at a value, such as 'lagged_expansion(T9_degC).tau_s=3600', and fit the others; may "
+                  "be repeated")
+      ->type_name("EFFECT.PARAMETER=VALUE")
+      ->allow_extra_args(false);
 }
 
 ModelData open_data(const ModelOptions& options) {
@@ -132,7 +139,7 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
     if (data.motion) with_source(options.model, [&] { expect_acts(model, *data.motion); });
     if (model.level == Level::recording) model = with_circles(std::move(model), data.series);
   }
-  model = with_run_terms(std::move(model), data.series);
+  model = with_held_values(with_run_terms(std::move(model), data.series), options.set);
   choose_targets(model, options);
   if (model.targets.empty())
     throw Error(fmt::format("{}: expected a measured column to explain, found none.", data.title));

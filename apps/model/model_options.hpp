@@ -22,6 +22,7 @@ struct ModelOptions {
   std::string model;                    // file
   std::vector<std::string> target;      // instead of the model's own
   std::vector<std::string> also_input;  // targets that effects may read
+  std::vector<std::string> set;         // parameters held: with_held_values()
   std::optional<double> max_gap_s;
   bool robust = false;
   bool white = false;
@@ -35,7 +36,7 @@ void add_max_gap(CLI::App& command, std::optional<double>& max_gap_s);
 // --also-input, for the commands that look for effects.
 void add_also_input(CLI::App& command, ModelOptions& options);
 
-// --robust and --white, for the commands that print the fit.
+// --robust, --white and --set, for the commands that print the fit.
 void add_fit_options(CLI::App& command, ModelOptions& options);
 
 constexpr double kUsualGap_s = 600.0;

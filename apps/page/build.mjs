@@ -1,4 +1,4 @@
-// Bundles the page: node build.mjs OUT_DIR writes page.js, pictures.js and page.css there.
+// Bundles the page: node build.mjs OUT_DIR writes page.js, pictures.js, worker.js and page.css there.
 import { build } from "esbuild";
 import { readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -18,6 +18,7 @@ const common = {
   target: "es2020",
   legalComments: "eof",
   charset: "ascii",
+  loader: { ".html": "text" },
   logLevel: "warning",
 };
 // The licences under which a page may hold the chart library and its parts, with every page.
@@ -28,4 +29,5 @@ const footer = { js: ["/*!", ...notices, "*/"].join("\n") };
 const script = { ...common, footer, format: "iife", define: { "process.env.NODE_ENV": '"production"' } };
 await build({ ...script, entryPoints: [join(here, "src/main.ts")], outfile: join(out, "page.js") });
 await build({ ...script, entryPoints: [join(here, "src/pictures.ts")], outfile: join(out, "pictures.js") });
+await build({ ...common, format: "iife", entryPoints: [join(here, "src/worker.ts")], outfile: join(out, "worker.js") });
 await build({ ...common, entryPoints: [join(here, "src/page.css")], outfile: join(out, "page.css") });

@@ -22,11 +22,12 @@ const literal = (bytes) => {
   return lines.join("\n");
 };
 
-const assets = { kScript: "page.js", kStyle: "page.css", kPictures: "pictures.js" };
+const assets = { kScript: "page.js", kStyle: "page.css", kPictures: "pictures.js", kShell: "src/page.html" };
+const ends = { kScript: /<\/script|<!--/i, kStyle: /<\/style/i }; // would end their own element in the page
 let text = '// Made by embed.mjs.\n#include "page/page_assets.hpp"\n\nnamespace ballbar::page {\n';
 for (const [name, file] of Object.entries(assets)) {
   const bytes = readFileSync(join(folder, file));
-  if (/<\/(script|style)/i.test(bytes)) throw new Error(`${file} would end its own element in the page`);
+  if (ends[name]?.test(bytes)) throw new Error(`${file} would end its own element in the page`);
   const hash = createHash("sha256").update(bytes).digest("base64");
   text += `const std::string_view ${name}(\n${literal(bytes)},\n    ${bytes.length});\n`;
   text += `const std::string_view ${name}Hash("sha256-${hash}");\n`;

@@ -2,6 +2,6 @@
 
 namespace ballbar::page {
 
-const std::string_view kScript, kScriptHash, kStyle, kStyleHash, kPictures, kPicturesHash;
+const std::string_view kScript, kScriptHash, kStyle, kStyleHash, kPictures, kPicturesHash, kShell, kShellHash;
 
 }  // namespace ballbar::page

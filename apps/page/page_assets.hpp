@@ -9,5 +9,6 @@ namespace ballbar::page {
 extern const std::string_view kScript, kScriptHash;  // of the page
 extern const std::string_view kStyle, kStyleHash;
 extern const std::string_view kPictures, kPicturesHash;  // draws the same pictures in node, without a page
+extern const std::string_view kShell, kShellHash;        // page.html, with marks to fill in
 
 }  // namespace ballbar::page

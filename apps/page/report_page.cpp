@@ -6,6 +6,8 @@
 
 #include <cstdlib>
 #include <ctime>
+#include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "ballbar/error.hpp"
@@ -86,6 +88,20 @@ Json drawn(const std::string& option, std::string_view function, const std::stri
   return answer;
 }
 
+// Each @MARK@ of the text once; what is put in is not looked at.
+std::string filled(std::string_view text, const std::map<std::string, std::string, std::less<>>& marks) {
+  std::string page;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t mark = text.find('@', at);
+    page += text.substr(at, mark - at);
+    if (mark == std::string_view::npos) break;
+    const std::size_t end = text.find('@', mark + 1);
+    page += marks.at(std::string(text.substr(mark + 1, end - mark - 1)));
+    at = end + 1;
+  }
+  return page;
+}
+
 }  // namespace
 
 void expect_page(std::string_view option) {
@@ -102,17 +118,20 @@ std::string page_date() {
   return fmt::format("{:%F}", stated != nullptr ? fmt::gmtime(now) : fmt::localtime(now));
 }
 
-std::string page_of(const Json& report) {
-  return fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src '{}'; style-src '{}'; "
-      "img-src data: blob:; base-uri 'none'; form-action 'none'\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"generator\" content=\"{}\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n"
-      "<noscript>This report draws its pictures by JavaScript, which is switched off here.</noscript>\n"
-      "<script type=\"application/json\" id=\"report\">{}</script>\n<script>{}</script>\n</body>\n</html>\n",
-      page::kScriptHash, page::kStyleHash, as_html(report["made_by"].get<std::string>()), as_html(title_of(report)),
-      page::kStyle, as_script(report), page::kScript);
+std::string page_of(const Json& report, const Json& inside) {
+  const auto carried = [](std::string_view id, const Json& json) {
+    return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, as_script(json));
+  };
+  return filled(page::kShell,
+                {{"SCRIPT_HASH", std::string(page::kScriptHash)},
+                 {"STYLE_HASH", std::string(page::kStyleHash)},
+                 {"ENGINE_SCRIPTS", ""},
+                 {"ENGINE_WORKERS", ""},
+                 {"MADE_BY", as_html(report["made_by"].get<std::string>())},
+                 {"TITLE", as_html(title_of(report))},
+                 {"STYLE", std::string(page::kStyle)},
+                 {"CARRIED", carried("report", report) + (inside.is_null() ? "" : carried("files", inside))},
+                 {"SCRIPT", std::string(page::kScript)}});
 }
 
 std::vector<NamedPicture> pictures_of(const Json& report, const PictureOptions& options) {

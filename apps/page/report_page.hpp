@@ -17,8 +17,9 @@ void expect_page(std::string_view option = {});
 std::string page_date();
 
 // Nothing of the data becomes markup, and the page's content security policy lets nothing run or load but its own
-// script.
-std::string page_of(const nlohmann::ordered_json& report);
+// script. inside: the files that the report was made of (files_inside()), so that a page with the engine goes on with
+// them; null: none.
+std::string page_of(const nlohmann::ordered_json& report, const nlohmann::ordered_json& inside);
 
 struct NamedPicture {
   std::string name, title, svg;

@@ -28,6 +28,7 @@
 #include "page/report_page.hpp"
 #include "predict/predict_batch.hpp"
 #include "programs/child_process.hpp"
+#include "report/report_inside.hpp"
 #include "report/report_parts.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
@@ -57,6 +58,7 @@ struct Options {
   bool json = false;
   PictureOptions pictures;
   bool open = false;
+  bool without_files = false;
 };
 
 // A report as it grows, with all files that it is made of.
@@ -357,6 +359,17 @@ void expect_out(const Options& options) {
   if (options.format != Format::json) expect_page();
 }
 
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+std::string html_of(const Made& made, const Options& options) {
+  if (options.without_files) return page_of(made.json, nullptr);
+  const Json inside = files_inside(made.files, options.model.data, options.model.model);
+  if (inside.is_null() && !made.files.empty()) {
+    stderr_line(fmt::format("the files are more than {} MB and not in the page", kMostInside >> 20));
+  }
+  return page_of(made.json, inside);
+}
+
 void run(Options options) {
   options.format = format_of(options);
   expect_out(options);
@@ -376,15 +389,12 @@ void run(Options options) {
     return result;
   }();
   if (options.json) {
-    fmt::print("{}\n", made.json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    fmt::print("{}\n", text_of(made.json));
     return;
   }
   expect_no_input({options.out}, made.files);
   if (options.format == Format::svg) return write_pictures(made.json, options);
-  const bool page = options.format == Format::html;
-  const std::string bytes =
-      page ? page_of(made.json) : made.json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-  write_bytes(options.out, bytes);
+  write_bytes(options.out, options.format == Format::html ? html_of(made, options) : text_of(made.json) + "\n");
   for (const Json& sentence : made.json["summary"]) fmt::print("{}", wrapped(sentence.get<std::string>()));
   fmt::print(stderr, "wrote {}\n", options.out);
   if (options.open && !started({"xdg-open", fs::absolute(options.out).string()})) {
@@ -425,6 +435,8 @@ void add_report(CLI::App& app) {
   command->add_option("--width", options->pictures.width_px, "of --format svg, in pixels; default 900")
       ->type_name("PX")
       ->check(CLI::Range(300, 4000).description(""));
+  command->add_flag("--without-files", options->without_files,
+                    "a page that does not hold the files it was made of, with which `ballbar page` goes on");
   command->add_flag("--open", options->open, "open the page in a browser");
   add_five_probe_options(*command, options->probes);
   command->footer(

@@ -1,5 +1,5 @@
-// How far a command is: one line on the terminal, which the next one replaces. Nothing is written where standard error
-// is no terminal, and nothing ever to standard output.
+// How far a command is: one line, which the next one replaces. On a terminal it is shown there, and nothing is written
+// where standard error is none; in a page it goes to whom the page names. Nothing ever to standard output.
 #pragma once
 
 #include <string_view>
@@ -7,6 +7,11 @@
 namespace ballbar {
 
 void show_progress(std::string_view line);  // empty: takes the line away
+
+// From now on lines go to `taker`, and as they come.
+void send_progress_to(void (*taker)(std::string_view line));
+// Whether somebody takes lines that are not for reading: JSON, with what is known so far.
+bool progress_is_taken();
 
 // Takes the line away when a command ends, by an error too.
 struct ProgressLine {

@@ -52,7 +52,7 @@ page = source / "apps/page/src"
 imports = {}
 for path in page.rglob("*.ts"):
     names = re.findall(r'(?:from|import) "(\.[^"]*)"', path.read_text(encoding="utf-8"))
-    imports[path.resolve()] = {(path.parent / f"{name}.ts").resolve() for name in names if not name.endswith(".css")}
+    imports[path.resolve()] = {(path.parent / f"{name}.ts").resolve() for name in names if not name.endswith((".css", ".html"))}
 try:
     graphlib.TopologicalSorter(imports).prepare()
 except graphlib.CycleError as error:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -32,9 +33,14 @@ void in_parallel(std::size_t count, const std::function<void(std::size_t)>& part
   };
   {
     const std::size_t cores = inside ? 1 : std::max(1U, std::thread::hardware_concurrency());
-    std::vector<std::jthread> helpers;
-    for (std::size_t k = 1; k < std::min({count, cores, kMostThreads}); ++k) helpers.emplace_back(work);
+    std::vector<std::thread> helpers;
+    try {
+      for (std::size_t k = 1; k < std::min({count, cores, kMostThreads}); ++k) helpers.emplace_back(work);
+    } catch (const std::system_error&) {
+      // No thread to be had, as in a page: those that there are do it.
+    }
     work();
+    for (std::thread& helper : helpers) helper.join();
   }
   for (const std::exception_ptr& one : thrown) {
     if (one) std::rethrow_exception(one);

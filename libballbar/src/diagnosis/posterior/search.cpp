@@ -195,21 +195,29 @@ bool relinearise(Search& search) {
 
 }  // namespace
 
-Posterior posterior_of(Problem& problem, std::size_t largest_set, std::vector<std::size_t> wanted) {
+Posterior posterior_of(Problem& problem, std::size_t largest_set, std::vector<std::size_t> wanted,
+                       const std::function<void(const SetTable&)>& weighed) {
   std::sort(wanted.begin(), wanted.end());
   Search search{problem, largest_set, {0, std::move(wanted)}, {}, {}};
   SetTable& table = search.table;
   table.variants.push_back(variant_at(problem, 0, parameters_of_fit(problem)));
   table.points = likely_points(problem, table.variants.front(), largest_set);
   // The model about where it is most likely at the likeliest covariance, then about where the best sets have it.
+  const auto tell = [&] {
+    if (weighed) weighed(table);
+  };
   weigh_singles(problem, table, 0);
+  tell();
   settle(search);
+  tell();
   const std::size_t settled = table.variants.size() - 1;
   weigh_pairs_and_triples(search, settled);
   weigh_wanted(problem, table, settled, search.wanted);
+  tell();
   add_own(search);
   for (int round = 0; round < kRelinearised; ++round) {
     if (!relinearise(search)) break;
+    tell();
   }
   return summed(problem, std::move(table));
 }

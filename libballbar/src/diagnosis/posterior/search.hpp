@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "diagnosis/posterior/posterior.hpp"
@@ -10,7 +11,9 @@
 namespace ballbar {
 
 // wanted: a set of families that is weighed whatever its weight; empty: none.
-// Shapes of strong effects between the points of the grid are added to the library.
-Posterior posterior_of(Problem& problem, std::size_t largest_set, std::vector<std::size_t> wanted = {});
+// Shapes of strong effects between the points of the grid are added to the library. weighed: told of the table whenever
+// more sets are in it; may be empty.
+Posterior posterior_of(Problem& problem, std::size_t largest_set, std::vector<std::size_t> wanted = {},
+                       const std::function<void(const SetTable&)>& weighed = {});
 
 }  // namespace ballbar

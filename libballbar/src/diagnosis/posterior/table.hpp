@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "diagnosis/posterior/problem.hpp"
@@ -14,7 +15,11 @@ namespace ballbar {
 struct SetKey {
   std::size_t own = 0;                // as Variant::own
   std::vector<std::size_t> families;  // rising
-  auto operator<=>(const SetKey&) const = default;
+
+  friend bool operator<(const SetKey& left, const SetKey& right) {
+    return std::tie(left.own, left.families) < std::tie(right.own, right.families);
+  }
+  friend bool operator==(const SetKey&, const SetKey&) = default;
 };
 
 // A set at one covariance and variant, its shapes summed.

@@ -8,6 +8,8 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/posterior/search.hpp"
@@ -70,10 +72,32 @@ bool weigh_down_outliers(Problem& problem, const SetAt& at) {
   return any;
 }
 
+// Each effect in the sets with it.
+std::vector<ProbableSoFar> probable_so_far(const Problem& problem, const SetTable& table) {
+  std::vector<std::pair<double, const SetKey*>> sets;
+  double largest = kLogZero, total = 0.0;
+  for (const auto& [key, at] : table.sets) {
+    sets.emplace_back(log_weight_of(at), &key);
+    largest = std::max(largest, sets.back().first);
+  }
+  std::vector<ProbableSoFar> effects;
+  for (std::size_t f = 0; f < problem.effects; ++f) effects.push_back({problem.library.families[f].bound, 0.0});
+  for (const auto& [weight, key] : sets) {
+    if (!key->families.empty() && key->families.back() >= problem.effects) continue;  // of any form: a rival
+    const double p = std::exp(weight - largest);
+    total += p;
+    for (const std::size_t f : key->families) effects[f].p += p;
+  }
+  for (ProbableSoFar& one : effects) one.p /= total;
+  std::stable_sort(effects.begin(), effects.end(),
+                   [](const ProbableSoFar& left, const ProbableSoFar& right) { return left.p > right.p; });
+  return effects;
+}
+
 }  // namespace
 
 Weighed weighed(const Model& model, const Series& data, std::size_t target, const ProblemOptions& options,
-                const std::vector<BoundEffect>& wanted, const std::function<void(std::string_view)>& tell) {
+                const std::vector<BoundEffect>& wanted, const Told& told) {
   Weighed result;
   result.problem = problem_of(model, data, target, options);
   Problem& problem = *result.problem;
@@ -88,15 +112,20 @@ Weighed weighed(const Model& model, const Series& data, std::size_t target, cons
   if (result.largest == 0 || result.is_still) return result;
   std::set<const Effect*> effects;
   for (std::size_t f = 0; f < problem.effects; ++f) effects.insert(problem.library.families[f].bound.effect);
-  if (tell) tell(fmt::format("weighing {} shapes of {} effects", problem.library.signatures.size(), effects.size()));
-  result.posterior = posterior_of(problem, result.largest, families);
+  const auto tell = [&](std::string_view step) {
+    if (told.step) told.step(step);
+  };
+  std::function<void(const SetTable&)> tell_so_far;
+  if (told.so_far) tell_so_far = [&](const SetTable& table) { told.so_far(probable_so_far(problem, table)); };
+  tell(fmt::format("weighing {} shapes of {} effects", problem.library.signatures.size(), effects.size()));
+  result.posterior = posterior_of(problem, result.largest, families, tell_so_far);
   const SetAt at = set_at(problem, result.posterior, result.posterior.sets.front());
   const bool late = model.level == Level::series && has_late_clock(problem, result.posterior, at);
   if (late) free_rows_at_jumps(problem, true);
   const bool outliers = weigh_down_outliers(problem, at);
   if (!late && !outliers) return result;
-  if (tell) tell(late ? "weighing again without the rows at changes of an input" : "weighing again, outliers less");
-  result.posterior = posterior_of(problem, result.largest, families);
+  tell(late ? "weighing again without the rows at changes of an input" : "weighing again, outliers less");
+  result.posterior = posterior_of(problem, result.largest, families, tell_so_far);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ballbar/diagnosis/verdict/search_options.hpp"
 #include "diagnosis/posterior/posterior.hpp"
 
 namespace ballbar {
@@ -19,12 +20,16 @@ struct Weighed {
   bool is_still = false;    // the readings do not move: there is nothing to weigh
 };
 
+// Who is told how far the weighing is; each may be empty.
+struct Told {
+  std::function<void(std::string_view step)> step;
+  std::function<void(const std::vector<ProbableSoFar>&)> so_far;
+};
+
 // Where clocks prove late, or readings lie far from the others, once more without what that spoils. wanted: a set that
 // is weighed in any case. Throws Error as fit does.
-Weighed weighed(
-    const Model& model, const Series& data, std::size_t target, const ProblemOptions& options,
-    const std::vector<BoundEffect>& wanted = {},
-    const std::function<void(std::string_view)>& tell = [](std::string_view) {});
+Weighed weighed(const Model& model, const Series& data, std::size_t target, const ProblemOptions& options,
+                const std::vector<BoundEffect>& wanted = {}, const Told& told = {});
 
 // The family of the library; nothing: it has none.
 std::optional<std::size_t> family_of(const Problem& problem, const BoundEffect& bound);

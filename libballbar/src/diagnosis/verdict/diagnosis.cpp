@@ -53,7 +53,7 @@ class Decision {
     how.signatures.motion = options.search.motion;
     how.signatures.without = options.search.without;
     how.most_rows = options.most_rows;
-    weighed_ = weighed(model, data, target, how, {}, options.search.progress);
+    weighed_ = weighed(model, data, target, how, {}, {options.search.progress, options.search.so_far});
     result_.base = problem().base;
     result_.target = problem().base.target;
     result_.where = options.where;

@@ -1,0 +1,78 @@
+#include "model/held_values.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <system_error>
+
+#include "ballbar/error.hpp"
+#include "ballbar/nearest_name.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::string_view kConstant = "constant";
+constexpr std::string_view kConstantParameter = "constant_um";
+
+struct HeldValue {
+  std::string effect, parameter;
+  double value = 0.0;
+};
+
+// The last point is that between effect and parameter: a formula may hold others.
+HeldValue held_value_of(const std::string& setting) {
+  const std::size_t equals = setting.rfind('=');
+  const std::size_t point = setting.rfind('.', equals == std::string::npos ? 0 : equals);
+  if (equals == std::string::npos || point == std::string::npos || point == 0 || point + 1 == equals) {
+    throw Error(fmt::format("--set: expected EFFECT.PARAMETER=VALUE, found {}.", in_quotes(setting)));
+  }
+  HeldValue held{setting.substr(0, point), setting.substr(point + 1, equals - point - 1)};
+  const char* const end = setting.data() + setting.size();
+  const auto [stop, error] = std::from_chars(setting.data() + equals + 1, end, held.value);
+  if (error != std::errc() || stop != end || !std::isfinite(held.value)) {
+    throw Error(fmt::format("--set: expected a number behind the sign =, found {}.", in_quotes(setting)));
+  }
+  return held;
+}
+
+void hold(Model& model, const HeldValue& held) {
+  std::vector<std::string> labels, names;
+  if (model.level == Level::series) labels.emplace_back(kConstant);
+  for (Term& term : model.terms) {
+    labels.push_back(label_of(term));
+    if (labels.back() != held.effect) continue;
+    for (std::size_t k = 0; k < term.settings.size(); ++k) {
+      names.emplace_back(term.effect->parameters[k].name);
+      if (names.back() != held.parameter) continue;
+      term.settings[k].held = true;
+      term.settings[k].start = held.value;
+      return;
+    }
+    break;
+  }
+  if (held.effect == kConstant && model.level == Level::series) {
+    if (held.parameter == kConstantParameter) {
+      model.constant_um = held.value;
+      return;
+    }
+    names.emplace_back(kConstantParameter);
+  }
+  const bool known = !names.empty();
+  const std::string& found = known ? held.parameter : held.effect;
+  const std::vector<std::string>& all = known ? names : labels;
+  const std::vector<std::string_view> choices(all.begin(), all.end());
+  throw Error(fmt::format("--set: expected {} of the model, found {}; the nearest is {}.",
+                          known ? "a parameter of " + held.effect : "an effect", in_quotes(found),
+                          nearest_name(found, choices)));
+}
+
+}  // namespace
+
+Model with_held_values(Model model, const std::vector<std::string>& settings) {
+  for (const std::string& setting : settings) hold(model, held_value_of(setting));
+  return model;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,15 @@
+// `--set EFFECT.PARAMETER=VALUE`: the model with a parameter held at another value.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ballbar/model/model.hpp"
+
+namespace ballbar {
+
+// settings: "lagged_expansion(T9_degC).tau_s=3600", "constant.constant_um=0"; the effect as `check` prints it.
+// Throws Error for text of another form, and for an effect or a parameter that the model has not, with the nearest.
+Model with_held_values(Model model, const std::vector<std::string>& settings);
+
+}  // namespace ballbar

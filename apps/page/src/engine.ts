@@ -1,0 +1,197 @@
+// The program itself, compiled to WebAssembly, in a worker: commands as on a terminal, on files in memory. Where the
+// page carries it, a person can drop files on the page and work with them.
+import type { Answer, Question } from "./worker";
+
+// What a command printed. status: 0 done, 1 the input is at fault, 2 the command line is at fault.
+export interface Ran {
+  status: number;
+  out: string;
+  err: string;
+}
+
+export interface Watch {
+  progress?: (line: string) => void; // text, or JSON where it begins with a brace; empty: no longer
+  stop?: AbortSignal;
+}
+
+export interface Sample {
+  name: string; // of its folder
+  title: string;
+  files: { path: string; text: string }[]; // a sign a byte
+  data: string[]; // the words for DATA
+  model?: string;
+}
+
+export interface Engine {
+  ready: Promise<void>;
+  samples: () => Promise<readonly Sample[]>;
+  // "ballbar" is not among the words. Rejects with Stopped when stopped, and with Failed when the module gave up.
+  run(words: readonly string[], watch?: Watch): Promise<Ran>;
+  put(path: string, bytes: Uint8Array | Blob, read?: (bytes: number) => void): Promise<void>; // folders are made
+  get(path: string): Promise<Uint8Array>;
+  list(): readonly { path: string; bytes: number }[];
+  remove(path: string): Promise<void>;
+  memory(): { used: number; most: number }; // bytes of the module
+}
+
+export class Stopped extends Error {}
+export class Failed extends Error {}
+
+const kMostMemory = 2 ** 32; // as the module is linked
+const kPiece = 8 << 20;
+
+const bytes_of_base64 = (text: string): Uint8Array<ArrayBuffer> => {
+  const signs = atob(text.trim());
+  const bytes = new Uint8Array(signs.length);
+  for (let k = 0; k < signs.length; ++k) bytes[k] = signs.charCodeAt(k);
+  return bytes;
+};
+
+const unpacked = async (text: string): Promise<ArrayBuffer> => {
+  const stream = new Blob([bytes_of_base64(text)]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(stream).arrayBuffer();
+};
+
+const carried = (page: Document, id: string): string | null => page.getElementById(id)?.textContent ?? null;
+
+interface Waiting {
+  done: (answer: Answer) => void;
+  failed: (error: Error) => void;
+  progress: ((line: string) => void) | undefined;
+}
+
+// A worker, and the questions that it has not answered.
+class Link {
+  private readonly worker: Worker;
+  private readonly waiting = new Map<number, Waiting>();
+  private next = 0;
+
+  constructor(url: string, module: WebAssembly.Module) {
+    this.worker = new Worker(url);
+    this.worker.onmessage = ({ data }: MessageEvent<Answer>) => {
+      const one = this.waiting.get(data.id);
+      if (data.kind === "progress") return one?.progress?.(data.line);
+      this.waiting.delete(data.id);
+      if (data.kind === "failed") one?.failed(new Failed(data.why));
+      else one?.done(data);
+    };
+    this.worker.onerror = (event) => {
+      event.preventDefault();
+      this.end(new Failed(event.message));
+    };
+    this.worker.postMessage({ kind: "start", module });
+  }
+
+  ask(question: Question, give: Transferable[] = [], progress?: (line: string) => void): Promise<Answer> {
+    const id = ++this.next;
+    return new Promise((done, failed) => {
+      this.waiting.set(id, { done, failed, progress });
+      this.worker.postMessage({ ...question, id }, give);
+    });
+  }
+
+  end(why: Error): void {
+    this.worker.terminate();
+    for (const one of this.waiting.values()) one.failed(why);
+    this.waiting.clear();
+  }
+}
+
+class InWorker implements Engine {
+  ready: Promise<void>;
+  private readonly files = new Map<string, Uint8Array | Blob>(); // as the worker has them, for the next one
+  private link: Promise<Link>;
+  private readonly start: () => Promise<Link>;
+  private heap = 0;
+
+  constructor(private readonly page: Document) {
+    const url = URL.createObjectURL(new Blob([carried(page, "engine-worker") ?? ""], { type: "text/javascript" }));
+    const module = unpacked(carried(page, "engine") ?? "").then((bytes) => WebAssembly.compile(bytes));
+    this.start = async () => new Link(url, await module);
+    this.link = this.start();
+    this.ready = this.link.then(async (link) => {
+      await link.ask({ kind: "wait" });
+    });
+  }
+
+  async samples(): Promise<readonly Sample[]> {
+    const text = carried(this.page, "samples");
+    return text ? (JSON.parse(new TextDecoder().decode(await unpacked(text))) as Sample[]) : [];
+  }
+
+  async run(words: readonly string[], { progress, stop }: Watch = {}): Promise<Ran> {
+    if (stop?.aborted) throw new Stopped();
+    const link = await this.link;
+    const end = (): void => this.anew(link, new Stopped());
+    stop?.addEventListener("abort", end, { once: true });
+    try {
+      const answer = await link.ask({ kind: "run", words: [...words] }, [], progress);
+      if (answer.kind !== "ran") throw new Failed("the engine gave no answer");
+      for (const { path, bytes } of answer.changed) this.files.set(path, bytes);
+      for (const path of answer.gone) this.files.delete(path);
+      this.heap = answer.heap;
+      return { status: answer.status, out: answer.out, err: answer.err };
+    } catch (error) {
+      if (error instanceof Failed) this.anew(link, error);
+      throw error;
+    } finally {
+      stop?.removeEventListener("abort", end);
+    }
+  }
+
+  async put(path: string, bytes: Uint8Array | Blob, read?: (bytes: number) => void): Promise<void> {
+    this.files.set(path, bytes);
+    await this.hand_over(await this.link, path, bytes, read);
+  }
+
+  async get(path: string): Promise<Uint8Array> {
+    const file = this.files.get(path);
+    if (!file) throw new Error(`no file ${path}`);
+    return file instanceof Blob ? new Uint8Array(await file.arrayBuffer()) : file;
+  }
+
+  list(): readonly { path: string; bytes: number }[] {
+    return [...this.files].map(([path, file]) => ({ path, bytes: file instanceof Blob ? file.size : file.length }));
+  }
+
+  async remove(path: string): Promise<void> {
+    this.files.delete(path);
+    await (await this.link).ask({ kind: "remove", path });
+  }
+
+  memory(): { used: number; most: number } {
+    return { used: this.heap, most: kMostMemory };
+  }
+
+  // A large file goes over in pieces: no second copy of it is made here.
+  private async hand_over(
+    link: Link,
+    path: string,
+    file: Uint8Array | Blob,
+    read?: (bytes: number) => void,
+  ): Promise<void> {
+    if (!(file instanceof Blob)) {
+      const bytes = file.slice();
+      await link.ask({ kind: "put", path, at: 0, bytes, size: bytes.length }, [bytes.buffer]);
+      return;
+    }
+    for (let at = 0; at === 0 || at < file.size; at += kPiece) {
+      const bytes = new Uint8Array(await file.slice(at, at + kPiece).arrayBuffer());
+      await link.ask({ kind: "put", path, at, bytes, size: file.size }, [bytes.buffer]);
+      read?.(Math.min(file.size, at + kPiece));
+    }
+  }
+
+  // Ends a worker, and begins another with the same files.
+  private anew(old: Link, why: Error): void {
+    old.end(why);
+    this.heap = 0;
+    this.link = this.start().then(async (link) => {
+      for (const [path, file] of this.files) await this.hand_over(link, path, file);
+      return link;
+    });
+  }
+}
+
+// Nothing where the page carries none.
+export const engine_of = (page: Document): Engine | null => (carried(page, "engine") ? new InWorker(page) : null);

@@ -1,0 +1,132 @@
+// The worker of the engine: its own bundle, put behind the module's script. It knows files and commands, no page.
+
+export type Question =
+  | { kind: "wait" }
+  | { kind: "run"; words: string[] }
+  | { kind: "put"; path: string; at: number; bytes: Uint8Array; size: number }
+  | { kind: "remove"; path: string };
+
+export type Answer = { id: number } & (
+  | { kind: "done" }
+  | { kind: "progress"; line: string }
+  | { kind: "failed"; why: string }
+  | {
+      kind: "ran";
+      status: number;
+      out: string;
+      err: string;
+      changed: { path: string; bytes: Uint8Array<ArrayBuffer> }[];
+      gone: string[];
+      heap: number;
+    }
+);
+
+interface FileStream {
+  fd: number;
+}
+interface FileSystem {
+  mkdirTree(path: string): void;
+  chdir(path: string): void;
+  open(path: string, flags: string): FileStream;
+  write(stream: FileStream, bytes: Uint8Array, offset: number, length: number, position: number, own?: boolean): number;
+  close(stream: FileStream): void;
+  readFile(path: string): Uint8Array<ArrayBuffer>;
+  writeFile(path: string, bytes: Uint8Array, options: { canOwn: boolean }): void;
+  unlink(path: string): void;
+  readdir(path: string): string[];
+  stat(path: string): { mode: number; size: number; mtime: Date; ino: number };
+  isDir(mode: number): boolean;
+}
+interface Module {
+  FS: FileSystem;
+  HEAP8: Int8Array;
+  ccall(name: string, returns: string, types: string[], values: string[]): number;
+}
+interface Options {
+  instantiateWasm(
+    imports: WebAssembly.Imports,
+    made: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void,
+  ): object;
+  progress(line: string): void;
+}
+declare const ballbar_engine: (options: Options) => Promise<Module>;
+
+const kHome = "/files";
+const kOut = "/run/out";
+const kErr = "/run/err";
+
+let module: Promise<Module>;
+let running = 0; // the id of the question
+
+const answer = (one: Answer, give: Transferable[] = []): void => postMessage(one, { transfer: give });
+
+const started = async (compiled: WebAssembly.Module): Promise<Module> => {
+  const made = await ballbar_engine({
+    instantiateWasm(imports, done) {
+      void WebAssembly.instantiate(compiled, imports).then((instance) => done(instance, compiled));
+      return {};
+    },
+    progress: (line) => answer({ id: running, kind: "progress", line }),
+  });
+  for (const folder of [kHome, "/run", "/tmp"]) made.FS.mkdirTree(folder);
+  made.FS.chdir(kHome);
+  return made;
+};
+
+// Each file below the folder, with a mark that another content has not.
+const marks_of = (fs: FileSystem, folder: string, marks = new Map<string, string>()): Map<string, string> => {
+  for (const name of fs.readdir(folder)) {
+    if (name === "." || name === "..") continue;
+    const path = `${folder}/${name}`;
+    const { mode, size, mtime, ino } = fs.stat(path);
+    if (fs.isDir(mode)) marks_of(fs, path, marks);
+    else marks.set(path, `${ino} ${size} ${mtime.getTime()}`);
+  }
+  return marks;
+};
+
+const own_name = (path: string): string => path.slice(kHome.length + 1);
+
+const run = (made: Module, id: number, words: string[]): void => {
+  const { FS } = made;
+  const before = marks_of(FS, kHome);
+  const status = made.ccall("ballbar_run", "number", ["string", "string", "string"], [JSON.stringify(words), kOut, kErr]);
+  const text = (path: string): string => new TextDecoder().decode(FS.readFile(path));
+  const after = marks_of(FS, kHome);
+  const changed = [...after]
+    .filter(([path, mark]) => before.get(path) !== mark)
+    .map(([path]) => ({ path: own_name(path), bytes: FS.readFile(path) }));
+  const gone = [...before.keys()].filter((path) => !after.has(path)).map(own_name);
+  const give = changed.map(({ bytes }) => bytes.buffer);
+  answer({ id, kind: "ran", status, out: text(kOut), err: text(kErr), changed, gone, heap: made.HEAP8.length }, give);
+};
+
+const put = (fs: FileSystem, { path, at, bytes, size }: Question & { kind: "put" }): void => {
+  const place = `${kHome}/${path}`;
+  fs.mkdirTree(place.slice(0, place.lastIndexOf("/")));
+  if (at === 0 && bytes.length === size) return fs.writeFile(place, bytes, { canOwn: true });
+  const stream = fs.open(place, at === 0 ? "w" : "r+");
+  fs.write(stream, bytes, 0, bytes.length, at);
+  fs.close(stream);
+};
+
+const done = (made: Module, question: Question & { id: number }): void => {
+  const { id } = question;
+  if (question.kind === "run") return run(made, id, question.words);
+  if (question.kind === "put") put(made.FS, question);
+  if (question.kind === "remove") made.FS.unlink(`${kHome}/${question.path}`);
+  answer({ id, kind: "done" });
+};
+
+onmessage = ({ data }: MessageEvent<({ id: number } & Question) | { kind: "start"; module: WebAssembly.Module }>) => {
+  if (data.kind === "start") {
+    module = started(data.module);
+    return;
+  }
+  module
+    .then((made) => {
+      running = data.id;
+      done(made, data);
+    })
+    .catch((error: unknown) => answer({ id: data.id, kind: "failed", why: String(error) }));
+};

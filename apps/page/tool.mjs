@@ -1,0 +1,50 @@
+// node tool.mjs MADE ENGINE SAMPLE_RUNS VERSION OUT: the page of build.mjs in the folder MADE and the module in the
+// folder ENGINE as one file, OUT.
+import { createHash } from "node:crypto";
+import { readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { gzipSync } from "node:zlib";
+
+const [made, engine, sample_runs, version, out] = process.argv.slice(2);
+if (!out) {
+  console.error("usage: node tool.mjs MADE ENGINE SAMPLE_RUNS VERSION OUT");
+  process.exit(2);
+}
+
+const text_of = (file, encoding = "utf8") => readFileSync(file, encoding);
+const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString("base64");
+const hash = (text) => `sha256-${createHash("sha256").update(text).digest("base64")}`;
+
+// Of each sample run the files that its first use reads; "*.csv" are all of the folder.
+const named = (folder, pattern) =>
+  pattern.startsWith("*") ? readdirSync(folder).filter((name) => name.endsWith(pattern.slice(1))).sort() : [pattern];
+const samples = JSON.parse(text_of(new URL("engine/samples.json", import.meta.url))).map((sample) => {
+  const folder = join(sample_runs, sample.name);
+  const paths = sample.files.flatMap((pattern) => named(folder, pattern));
+  return { ...sample, files: paths.map((path) => ({ path, text: text_of(join(folder, path), "latin1") })) };
+});
+
+const script = text_of(join(made, "page.js"));
+const style = text_of(join(made, "page.css"));
+const worker = text_of(join(engine, "engine.js")) + "\n" + text_of(join(made, "worker.js"));
+for (const text of [script, worker, style.replace(/<\/style/i, "</script")]) {
+  if (/<\/script|<!--/i.test(text)) throw new Error("a script or style would end its own element in the page");
+}
+const carried = (id, text) => `<script type="text/plain" id="${id}">${text}</script>\n`;
+const marks = {
+  SCRIPT_HASH: hash(script),
+  STYLE_HASH: hash(style),
+  ENGINE_SCRIPTS: " 'wasm-unsafe-eval' blob:",
+  ENGINE_WORKERS: "; worker-src blob:; connect-src 'none'",
+  MADE_BY: `ballbar ${version}`,
+  TITLE: "ballbar",
+  STYLE: style,
+  SCRIPT: script,
+  CARRIED:
+    carried("engine", packed(readFileSync(join(engine, "engine.wasm")))) +
+    carried("engine-worker", worker) +
+    carried("samples", packed(JSON.stringify(samples))),
+};
+const page = text_of(new URL("src/page.html", import.meta.url)).replace(/@([A-Z_]+)@/g, (_, name) => marks[name]);
+writeFileSync(out, page);
+console.log(`${out}: ${(page.length / 1e6).toFixed(2)} MB`);
