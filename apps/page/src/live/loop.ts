@@ -14,7 +14,7 @@ import type { Candidate, Checked, Diagnosed, Report } from "../report";
 import { Refused, type Runs } from "./subject_runs";
 import { slid } from "./slid";
 import { Interrupted, type Work } from "./work";
-import { plain } from "../drawing/text";
+import { micrometres, plain } from "../drawing/text";
 import { words } from "./words";
 
 export interface LoopOf {
@@ -62,7 +62,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
 
   const sentence = element("p", { class: "said", role: "status", "aria-live": "polite" });
   const say = (text: string): void => {
-    sentence.textContent = text;
+    sentence.textContent = micrometres(text);
   };
   // What to do next, where the program proposes a step.
   const next = button("", "", () => loop.act(found?.command ?? ""));
@@ -228,6 +228,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       report = next;
       const checked = of_target(next.check?.targets, subject.target);
       all.classList.toggle("no-model", !checked);
+      all.classList.toggle("wide", checked !== undefined);
       asked.hidden = checked !== undefined;
       if (checked) {
         if (subject.target === "" && targets.length > 1) subject = { ...subject, target: checked.target };
@@ -236,6 +237,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         list.renew(checked);
         figure_now(checked);
         draw();
+        if (sentence.textContent === "") say(checked.sentences[0] ?? "");
       }
       show_diagnosis(of_target(next.diagnose?.targets, subject.target));
       of.changed(next, subject);
@@ -266,7 +268,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         subject = { ...subject, model };
         await model_changed();
         undo.focus({ preventScroll: true }); // the button that was pressed is gone
-        say(added.rows.at(-1)?.sentence ?? "");
+        say(added.revisions.at(-1)?.sentence ?? "");
       }),
     undo: () =>
       attempt(async () => {
@@ -294,7 +296,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       if (verb === "add" && effects.length > 0) void loop.add(effects);
       else if (verb === "try" && effects.length > 0) void tried(effects[0] ?? "");
       else if (verb === "plan") plan.open();
-      else if (verb === "diagnose") {
+      else if (verb === "diagnose" || (verb === "report" && rest.includes("--diagnose"))) {
         if (rest.includes("--target") && target !== undefined && targets.includes(target)) subject = { ...subject, target };
         target_choice.value = subject.target;
         void loop.search();
