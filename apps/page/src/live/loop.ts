@@ -42,6 +42,7 @@ export interface Loop {
   redo(): Promise<void>;
   act(command: string): boolean; // whether it did what the command line says
   diagnosed(): Diagnosed | null; // of the model as it is
+  to_optimum(): void;
   first_slider(effect: string): ReturnType<ReturnType<typeof model_list>["slider"]>;
 }
 
@@ -115,11 +116,12 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     draw();
     void computed();
   });
-  const back = button(words.to_optimum, words.to_optimum_title, () => {
+  const to_optimum = (): void => {
     list.back();
     base = fitted;
     draw();
-  });
+  };
+  const back = button(words.to_optimum, words.to_optimum_title, to_optimum);
 
   const candidates = candidate_list(
     (one) => void loop.add([one.label]),
@@ -304,6 +306,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       return true;
     },
     diagnosed: () => found,
+    to_optimum,
     first_slider: (effect) => list.slider(effect),
   };
   return loop;
