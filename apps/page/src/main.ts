@@ -22,10 +22,10 @@ const files_of = (files: readonly string[]): HTMLElement => {
   return files.length <= 3 ? list : element("details", { class: "files-of" }, element("summary", {}, `From ${files.length} files`), list);
 };
 
-const header_of = (report: Report): HTMLElement =>
+const header_of = (report: Report, wide: boolean): HTMLElement =>
   element(
     "header",
-    {},
+    wide ? { class: "wide" } : {},
     text_in("h1", report.title),
     files_of(report.files),
     element("p", { class: "made" }, `Made by ${report.made_by} on ${report.made_on}.`),
@@ -61,7 +61,7 @@ const open: Open = (report, shared, theme, by_hand) => {
     ...made.map((one) => one.element),
   );
   return {
-    parts: [contents_of(all, theme), header_of(report), main],
+    parts: [contents_of(all, theme), header_of(report, first[0]?.beside !== undefined), main],
     // What is on the screen is drawn at once; the rest when it comes near.
     draw: () => proved.forEach(({ figure }) => figure.draw_now()),
   };

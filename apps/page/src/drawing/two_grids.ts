@@ -1,6 +1,6 @@
 // Two drawings one above the other that share the x axis: a curve, and below it what is left of it.
 import type { Look } from "../picture";
-import { axis, colours, shown } from "./theme";
+import { axis, colours, kNarrow_px } from "./theme";
 
 export interface TwoGrids {
   grid: Record<string, unknown>[];
@@ -33,14 +33,15 @@ export const x_axis = (
   const round = !("max" in all) || "interval" in all;
   const label = {
     ...(common["axisLabel"] as Record<string, unknown>),
-    formatter: (value: number) => shown(value),
     ...(window
       ? { showMinLabel: false, showMaxLabel: false }
       : round
         ? {}
         : { showMinLabel: all["min"] === 0, showMaxLabel: false }),
   };
-  return { ...common, ...(window ? { min: window[0], max: window[1] } : all), axisLabel: label };
+  const step = all["interval"];
+  const fewer = typeof step === "number" && look.width_px < kNarrow_px ? { interval: 3 * step } : {};
+  return { ...common, ...(window ? { min: window[0], max: window[1] } : { ...all, ...fewer }), axisLabel: label };
 };
 
 export const two_grids = (

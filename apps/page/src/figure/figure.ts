@@ -20,7 +20,7 @@ const kLowest_px = 300;
 
 // On a narrow screen a picture is hardly higher than wide: there the rest would be blank, or a curve all too steep.
 const height_at = ({ height_px, rows_of_text }: Picture, width_px: number): number =>
-  rows_of_text ? height_px : Math.min(height_px, Math.max(kLowest_px, width_px + 10));
+  rows_of_text ? height_px : Math.min(height_px, Math.max(kLowest_px, width_px + 40));
 
 // On the page some curves wait until they are wanted.
 const off_at_first = ({ on, quiet }: Toggle): boolean => !on || quiet === true;
