@@ -5,6 +5,7 @@ import type { Numbers, Picture, State } from "../picture";
 import type { Diagnosed, Num } from "../report";
 import { plain } from "../drawing/text";
 import { axis, base, colours, kNarrow_px, shown, tooltip } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 const kAlike = 0.95; // as in the diagnosis
 const kLetter_px = 7;
@@ -62,8 +63,8 @@ const drawing = ({ effects, values }: Coherence, { look }: State): Record<string
       trigger: "item",
       formatter: (one: { value?: unknown }) => {
         const [j, i, value] = Array.isArray(one.value) ? (one.value as number[]) : [];
-        const told = (value ?? 0) > kAlike ? "\nmay be taken for each other" : "";
-        return `${names[i ?? 0] ?? ""}\nimitated by ${names[j ?? 0] ?? ""}\n|cos| ${shown(value, 3)}${told}`;
+        const told = (value ?? 0) > kAlike ? `\n${t.diagnosis_may_be_taken}` : "";
+        return `${names[i ?? 0] ?? ""}\n${t.diagnosis_imitated_by({ effect: names[j ?? 0] ?? "" })}\n|cos| ${shown(value, 3)}${told}`;
       },
     },
     visualMap: {
@@ -77,7 +78,7 @@ const drawing = ({ effects, values }: Coherence, { look }: State): Record<string
       top: 8,
       itemWidth: 12,
       itemHeight: 160,
-      text: roomy ? ["1: the same curve", "0: nothing in common"] : ["1", "0"],
+      text: roomy ? [t.diagnosis_same_curve, t.diagnosis_nothing_common] : ["1", "0"],
       textStyle: { color: c.ink },
       inRange: { color: scale(look.dark) },
     },

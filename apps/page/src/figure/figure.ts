@@ -37,6 +37,7 @@ export interface Figure {
   see(window: Range | null): void;
   select(stretch: Range | null): void;
   point(x: number | null): void; // a line at this place
+  renew(): void; // what it draws is another by now
   redraw(): void; // with the next frame, or once it is near the screen
   draw_now(): void;
   print(): void; // a drawing for paper is added
@@ -261,6 +262,10 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     see,
     select,
     point,
+    renew() {
+      numbers = null;
+      figure.redraw();
+    },
     redraw() {
       stale = true;
       if (near && awaited === 0) awaited = requestAnimationFrame(draw_now);
