@@ -11,6 +11,7 @@ import { named, t } from "../texts/texts";
 export interface Signal {
   column: Column;
   time_min: readonly number[];
+  run: string; // its file, where another has a column of this name; else empty
 }
 
 interface Kind {
@@ -40,19 +41,19 @@ const measured = ({ column }: Signal): boolean => column.role === "measured";
 // Roles that say more than the name and the unit do.
 const told_roles = ["ambient", "coolant", "bearing", "housing", "bar"];
 
-const label_of = ({ name, role }: Column): string => {
+const label_of = ({ column: { name, role }, run }: Signal): string => {
   const { quantity } = split_name(name);
   const told = told_roles.includes(role) && !quantity.includes(role);
-  const read = words(quantity);
+  const read = words(quantity) + (run === "" ? "" : `, ${clamped(run, 24)}`);
   return plain(told ? t.drift_with_role({ name: clamped(read, 40), role: named(t.roles, role) }) : read, 64);
 };
 
 const curves_of = (signals: readonly Signal[]): TimeCurve[] =>
-  signals.map(({ column, time_min }, k) => ({
-    key: column.name,
-    label: label_of(column),
-    time_min,
-    values: column.values,
+  signals.map((signal, k) => ({
+    key: signal.run === "" ? signal.column.name : `${slug(signal.run)}_${signal.column.name}`,
+    label: label_of(signal),
+    time_min: signal.time_min,
+    values: signal.column.values,
     colour: k % 8,
     dash: Math.floor(k / 8),
     on: true,
@@ -74,15 +75,17 @@ const named_columns = ({ diagnose }: Report): Set<string> =>
     }),
   );
 
-// Many in groups: those of the verdict in front and on, the others by their role, and where there are such, off at first.
+// Many in groups: those of the verdict in front and on, the others by their run or role, and where there are such, off at
+// first.
 const grouped_by_role = (curves: readonly TimeCurve[], signals: readonly Signal[], named: ReadonlySet<string>): TimeCurve[] => {
   if (curves.length <= kFew) return [...curves];
-  const some = curves.some(({ key }) => named.has(key));
+  const some = signals.some(({ column }) => named.has(column.name));
   return curves
     .map((one, k) => {
-      const { role } = signals[k]?.column ?? { role: "" };
-      const front = named.has(one.key);
-      const group = front ? "named by the diagnosis" : words(plain(role, 30)) || "other";
+      const { column, run } = signals[k] ?? { column: { name: "", role: "" }, run: "" };
+      const { role } = column;
+      const front = named.has(column.name);
+      const group = front ? "named by the diagnosis" : plain(run, 40) || words(plain(role, 30)) || "other";
       return { ...one, group, quiet: some && !front, place: front ? -1 : place_of(role) };
     })
     .sort((a, b) => a.place - b.place);
@@ -102,11 +105,15 @@ export const whole_of = (report: Report): Range =>
     ...report.signals.map(({ time_s }) => time_s.map(minutes)),
   ]);
 
-export const signals_of = (report: Report): Signal[] =>
-  report.signals.flatMap(({ time_s, columns }) => {
+// Several runs have columns of the same names.
+export const signals_of = (report: Report): Signal[] => {
+  const names = report.signals.flatMap(({ columns }) => columns.map(({ name }) => name));
+  const several = new Set(names).size < names.length;
+  return report.signals.flatMap(({ source, time_s, columns }, k) => {
     const time_min = time_s.map(minutes);
-    return columns.map((column) => ({ column, time_min }));
+    return columns.map((column) => ({ column, time_min, run: several ? `${k + 1}: ${source}` : "" }));
   });
+};
 
 export const measured_pictures = (signals: readonly Signal[], whole_min: Range): Picture[] =>
   [...grouped(signals.filter(measured))].map(([unit, of]) =>

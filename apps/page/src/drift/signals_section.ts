@@ -3,7 +3,9 @@ import { command_of, data_files } from "../drawing/command";
 import type { First, Section } from "../picture";
 import type { Report } from "../report";
 import { measured_pictures, signal_pictures, signals_of, whole_of, type Signal } from "./signals";
+import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
+import { split_name, words } from "../drawing/units";
 
 const counted = (n: number, one: string, many: string): string[] => (n === 0 ? [] : [`${n} ${n === 1 ? one : many}`]);
 
@@ -22,19 +24,39 @@ const result_of = (signals: readonly Signal[], span_min: number): string => {
   return `${all.join(", ")} over ${shown(span_min, 0)} min`;
 };
 
+// "y changes most: by 31.7 µm, from -0.2 to 31.5"
+const most_moved = (signals: readonly Signal[]): string | null => {
+  let most: { signal: Signal; least: number; largest: number } | null = null;
+  for (const signal of signals) {
+    let [least, largest] = [Infinity, -Infinity];
+    for (const value of signal.column.values) {
+      if (value === null) continue;
+      least = Math.min(least, value);
+      largest = Math.max(largest, value);
+    }
+    if (largest > least && largest - least > (most ? most.largest - most.least : 0)) most = { signal, least, largest };
+  }
+  if (!most) return null;
+  const { signal, least, largest } = most;
+  const { quantity, unit } = split_name(signal.column.name);
+  const [range, from, to] = [largest - least, least, largest].map((value) => shown(Number(value.toPrecision(3))));
+  return `${words(plain(quantity, 40))} changes most: by ${range} ${unit}, from ${from} to ${to}.`;
+};
+
 export const signals_section = (report: Report): Section[] => {
   const signals = signals_of(report);
   if (signals.length === 0) return [];
   const whole = whole_of(report);
   const pictures = [...measured_pictures(signals, whole), ...signal_pictures(report, signals, whole)];
   const measured = signals.some(({ column }) => column.role === "measured");
+  const moved = most_moved(signals.filter(({ column }) => column.role === "measured"));
   const result = result_of(signals, (whole[1] - whole[0]) / 1.03);
   const first = (picture: string): First => ({
     picture,
     kind: "",
     label: "",
     told: () => ({
-      verdict: `${result}.`,
+      verdict: moved ?? `${result}.`,
       next: {
         label: measured ? "Find what makes it drift" : "See what is in it",
         text: "",

@@ -18,7 +18,7 @@ export const mean_point_section = ({ mean_point }: Report): Section[] =>
             label: "",
             told: () => ({
               verdict: mean_point.conclusion,
-              next: { label: "See the expansion it tells", text: "", command: command_of("effects", ["mean_point_expansion"]) },
+              next: { label: "See the effect it serves", text: "", command: command_of("effects", ["expansion"]) },
             }),
           },
           sentences: [mean_point.conclusion],
