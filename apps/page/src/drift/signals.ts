@@ -11,7 +11,7 @@ import { named, t } from "../texts/texts";
 export interface Signal {
   column: Column;
   time_min: readonly number[];
-  run: string; // its file, where another has a column of this name; else empty
+  run: { number: number; source: string } | null; // where another file has a column of this name
 }
 
 interface Kind {
@@ -44,13 +44,13 @@ const told_roles = ["ambient", "coolant", "bearing", "housing", "bar"];
 const label_of = ({ column: { name, role }, run }: Signal): string => {
   const { quantity } = split_name(name);
   const told = told_roles.includes(role) && !quantity.includes(role);
-  const read = words(quantity) + (run === "" ? "" : `, ${clamped(run, 24)}`);
+  const read = words(quantity) + (run ? ` (${run.number})` : "");
   return plain(told ? t.drift_with_role({ name: clamped(read, 40), role: named(t.roles, role) }) : read, 64);
 };
 
 const curves_of = (signals: readonly Signal[]): TimeCurve[] =>
   signals.map((signal, k) => ({
-    key: signal.run === "" ? signal.column.name : `${slug(signal.run)}_${signal.column.name}`,
+    key: signal.run ? `run${signal.run.number}_${signal.column.name}` : signal.column.name,
     label: label_of(signal),
     time_min: signal.time_min,
     values: signal.column.values,
@@ -77,15 +77,16 @@ const named_columns = ({ diagnose }: Report): Set<string> =>
 
 // Many in groups: those of the verdict in front and on, the others by their run or role, and where there are such, off at
 // first.
-const grouped_by_role = (curves: readonly TimeCurve[], signals: readonly Signal[], named: ReadonlySet<string>): TimeCurve[] => {
-  if (curves.length <= kFew) return [...curves];
+const in_groups = (curves: readonly TimeCurve[], signals: readonly Signal[], named: ReadonlySet<string>): TimeCurve[] => {
+  if (curves.length <= kFew && !signals.some(({ run }) => run)) return [...curves];
   const some = signals.some(({ column }) => named.has(column.name));
   return curves
     .map((one, k) => {
-      const { column, run } = signals[k] ?? { column: { name: "", role: "" }, run: "" };
+      const { column, run } = signals[k] ?? { column: { name: "", role: "" }, run: null };
       const { role } = column;
       const front = named.has(column.name);
-      const group = front ? "named by the diagnosis" : plain(run, 40) || words(plain(role, 30)) || "other";
+      const file = run ? `${run.number}: ${plain(run.source, 40)}` : "";
+      const group = front ? "named by the diagnosis" : file || words(plain(role, 30)) || "other";
       return { ...one, group, quiet: some && !front, place: front ? -1 : place_of(role) };
     })
     .sort((a, b) => a.place - b.place);
@@ -111,11 +112,11 @@ export const signals_of = (report: Report): Signal[] => {
   const several = new Set(names).size < names.length;
   return report.signals.flatMap(({ source, time_s, columns }, k) => {
     const time_min = time_s.map(minutes);
-    return columns.map((column) => ({ column, time_min, run: several ? `${k + 1}: ${source}` : "" }));
+    return columns.map((column) => ({ column, time_min, run: several ? { number: k + 1, source } : null }));
   });
 };
 
-export const measured_pictures = (signals: readonly Signal[], whole_min: Range): Picture[] =>
+export const measured_pictures = (report: Report, signals: readonly Signal[], whole_min: Range): Picture[] =>
   [...grouped(signals.filter(measured))].map(([unit, of]) =>
     time_curves({
       name: unit === "um" ? "measured" : `measured-${slug(unit)}`,
@@ -124,7 +125,7 @@ export const measured_pictures = (signals: readonly Signal[], whole_min: Range):
       about: "",
       quantity: unit === "um" ? t.drift_quantity_displacement : t.drift_quantity_measured,
       unit,
-      curves: curves_of(of),
+      curves: in_groups(curves_of(of), of, named_columns(report)),
       whole_min,
       height_px: 360,
     }),
@@ -137,7 +138,7 @@ export const signal_pictures = (report: Report, signals: readonly Signal[], whol
       caption: unit === "rpm" ? t.drift_speed_caption : t.drift_signals_caption,
       about: "",
       unit,
-      curves: grouped_by_role(curves_of(of), of, named_columns(report)),
+      curves: in_groups(curves_of(of), of, named_columns(report)),
       whole_min,
       step: unit === "rpm",
       height_px: unit === "rpm" ? 200 : 280,

@@ -47,7 +47,7 @@ export const signals_section = (report: Report): Section[] => {
   const signals = signals_of(report);
   if (signals.length === 0) return [];
   const whole = whole_of(report);
-  const pictures = [...measured_pictures(signals, whole), ...signal_pictures(report, signals, whole)];
+  const pictures = [...measured_pictures(report, signals, whole), ...signal_pictures(report, signals, whole)];
   const measured = signals.some(({ column }) => column.role === "measured");
   const moved = most_moved(signals.filter(({ column }) => column.role === "measured"));
   const result = result_of(signals, (whole[1] - whole[0]) / 1.03);
