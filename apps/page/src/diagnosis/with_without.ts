@@ -32,7 +32,8 @@ const difference = (a: readonly Num[], b: readonly Num[]): Num[] =>
 const set_text = (found: Diagnosed): string => {
   const labels = best_set(found).map(({ label }) => plain(label, 44));
   const set = labels.length <= 2 ? labels.join(" and ") : `${labels.length} effects`;
-  return set_name(found) === "best" ? `with ${set}` : `with ${set}, not accepted`;
+  if (set_name(found) !== "best") return `with ${set}, not accepted`;
+  return found.verdict === "equivalent" ? `with ${set}, one of several` : `with ${set}`;
 };
 
 const rmse = (value: Num): string => (value === null ? "" : `, RMSE ${shown(value, 3)} µm`);
