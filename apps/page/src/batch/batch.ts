@@ -7,6 +7,7 @@ import type { Next, Section } from "../picture";
 import type { BatchPart, Report } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 // As `ballbar predict` says it.
 const agreement = (batch: BatchPart): string[] => {
@@ -22,7 +23,7 @@ const agreement = (batch: BatchPart): string[] => {
   });
   if (n === 0) return [];
   const rmse = shown(Math.sqrt(squares / n), 2);
-  return [`Measured less predicted: RMSE ${rmse} um, ${((100 * within) / n).toFixed(0)} % within the 95 % interval.`];
+  return [t.batch_agreement({ rmse, percent: shown((100 * within) / n, 0) })];
 };
 
 const next_of = (report: Report): Next => ({
@@ -57,8 +58,8 @@ export const batch_section = (report: Report): Section[] => {
       ],
       tables: [
         {
-          title: "Batches of the regression",
-          heading: ["batch", "weight"],
+          title: t.batch_table,
+          heading: [t.batch_one, t.batch_weight],
           rows: batch.batches.map(({ name, weight }) => [name, shown(weight, 2)]),
         },
       ],

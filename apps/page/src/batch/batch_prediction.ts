@@ -9,20 +9,23 @@ import { sigma_band, type Uncertain } from "../drawing/sigma_marks";
 import { axis, base, colours, curve_colour, legend, minutes, shown, tooltip } from "../drawing/theme";
 import { time_axis, whole_min } from "../drawing/time_axis";
 import { two_grids } from "../drawing/two_grids";
+import { t } from "../texts/texts";
 
 type Series = Record<string, unknown>;
 
-const toggle_of = (key: string, label: string, colour: number, mark: Toggle["mark"]): Toggle => ({
+const toggle_of = (key: string, label: () => string, colour: number, mark: Toggle["mark"]): Toggle => ({
   key,
-  label,
+  get label() {
+    return label();
+  },
   colour: (dark) => curve_colour(colour, dark),
   mark,
   on: true,
 });
-const predicted = toggle_of("predicted", "predicted", 0, "line");
-const interval = toggle_of("interval", "95 % interval", 0, "band");
-const measured = toggle_of("measured", "measured", 1, "dashed");
-const residual = toggle_of("residual", "measured less predicted", 1, "line");
+const predicted = toggle_of("predicted", () => t.batch_predicted, 0, "line");
+const interval = toggle_of("interval", () => t.batch_interval, 0, "band");
+const measured = toggle_of("measured", () => t.measured, 1, "dashed");
+const residual = toggle_of("residual", () => t.batch_measured_less, 1, "line");
 
 const difference = (a: readonly Num[], b: readonly Num[]): Num[] =>
   a.map((value, i) => {
@@ -70,11 +73,11 @@ export const prediction_picture = (batch: BatchPart): Picture => {
     const one_grid = {
       grid: { left: kLeft_px, right: kRight_px, top: top_px(look, toggles.map((one) => one.label)), bottom: kBottom_px },
       xAxis: x,
-      yAxis: axis(look, "deviation, µm", "y"),
+      yAxis: axis(look, t.deviation_axis, "y"),
     };
     return {
       ...base(look),
-      ...(below.length > 0 ? two_grids(look, x, "deviation, µm", "difference, µm") : one_grid),
+      ...(below.length > 0 ? two_grids(look, x, t.deviation_axis, t.batch_difference_axis) : one_grid),
       legend: legend(state, toggles),
       tooltip: {
         ...tooltip(look),

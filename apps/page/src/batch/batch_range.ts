@@ -8,9 +8,26 @@ import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
 import type { BatchPart, Num } from "../report";
 import { axis, base, colours, curve_colour, legend, minutes, shown, tooltip } from "../drawing/theme";
 import { time_axis, whole_min } from "../drawing/time_axis";
+import { t } from "../texts/texts";
 
-const T2: Toggle = { key: "T2", label: "T²: how far out", colour: (dark) => curve_colour(0, dark), mark: "line", on: true };
-const Q: Toggle = { key: "Q", label: "Q: how unlike", colour: (dark) => curve_colour(1, dark), mark: "dashed", on: true };
+const T2: Toggle = {
+  key: "T2",
+  get label() {
+    return t.batch_T2;
+  },
+  colour: (dark) => curve_colour(0, dark),
+  mark: "line",
+  on: true,
+};
+const Q: Toggle = {
+  key: "Q",
+  get label() {
+    return t.batch_Q;
+  },
+  colour: (dark) => curve_colour(1, dark),
+  mark: "dashed",
+  on: true,
+};
 
 // No curve, but a line across, so that it is there whatever is switched off.
 const limit = (colour: string): Record<string, unknown> => ({
@@ -22,7 +39,7 @@ const limit = (colour: string): Record<string, unknown> => ({
   markLine: {
     symbol: "none",
     silent: true,
-    label: { position: "insideEndTop", formatter: "largest in training", color: colour },
+    label: { position: "insideEndTop", formatter: t.batch_largest_in_training, color: colour },
     lineStyle: { color: colour, type: "solid", width: 1.2 },
     data: [{ yAxis: 1 }],
   },
@@ -49,7 +66,7 @@ export const range_picture = (batch: BatchPart): Picture => {
       },
       xAxis: time_axis(look, window ?? whole),
       yAxis: {
-        ...axis(look, "share of the largest", "y"),
+        ...axis(look, t.batch_share_axis, "y"),
         scale: false,
         min: 0,
         max: ({ max }: { max: number }) => (max > 1 ? null : 1.2),

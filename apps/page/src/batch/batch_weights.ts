@@ -3,6 +3,7 @@ import type { Picture, State } from "../picture";
 import type { BatchPart } from "../report";
 import { plain } from "../drawing/text";
 import { axis, base, colours, curve_colour, shown, tooltip } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 const kLabel_px = 46; // that a name needs, lying
 
@@ -31,11 +32,11 @@ export const weights_picture = ({ batches }: BatchPart): Picture => ({
         axisTick: { show: false },
         axisLabel: { color: c.ink, rotate: lying ? 0 : 55, hideOverlap: true },
       },
-      yAxis: { ...axis(look, "weight", "y"), scale: false, min: 0 },
+      yAxis: { ...axis(look, t.batch_weight, "y"), scale: false, min: 0 },
       series: [
         {
           type: "bar",
-          name: "weight",
+          name: t.batch_weight,
           barMaxWidth: 36,
           color: curve_colour(0, look.dark),
           data: batches.map(({ weight }) => weight),

@@ -8,6 +8,7 @@ import { minutes, shown } from "../drawing/theme";
 import { whole_min } from "../drawing/time_axis";
 import { unit_shown, words } from "../drawing/units";
 import { decimals_for, with_sigma } from "../drawing/with_sigma";
+import { named, t } from "../texts/texts";
 
 const number = (axis: ComparedAxis, key: string): Num => {
   const value = axis[key];
@@ -22,8 +23,8 @@ export const unit_of = (axis: ComparedAxis): string => {
 // Percent, of a share.
 const percent = (share: Num): string => (share === null ? "–" : shown(100 * share, 2));
 
-// A row of the table: what, and how it reads for an axis whose lengths are in `unit`. "UNIT" stands for that.
-type Row = [string, (axis: ComparedAxis, unit: string) => string];
+// A row of the table: what, and how it reads for an axis whose lengths are in `unit`, which is written so.
+type Row = [(written: string) => string, (axis: ComparedAxis, unit: string) => string];
 
 const length =
   (name: string): Row[1] =>
@@ -38,26 +39,29 @@ const lag = (axis: ComparedAxis): string => {
 };
 
 const rows: readonly Row[] = [
-  ["verdict", (axis) => axis.agreement],
-  ["samples within 2 sigma", (axis) => `${shown(number(axis, "within_2_sigma"))} of ${shown(number(axis, "samples"))}`],
-  ["mean relative deviation, %", (axis) => percent(number(axis, "mean_relative_deviation"))],
-  ["expected from sigma alone, %", (axis) => percent(number(axis, "expected_relative_deviation"))],
+  [() => t.comparison_verdict, (axis) => named(t.agreement, axis.agreement)],
   [
-    "share explained by sigma, %",
+    () => t.comparison_within,
+    (axis) => t.n_of_all({ n: shown(number(axis, "within_2_sigma")), all: shown(number(axis, "samples")) }),
+  ],
+  [() => t.comparison_mean_relative, (axis) => percent(number(axis, "mean_relative_deviation"))],
+  [() => t.comparison_expected, (axis) => percent(number(axis, "expected_relative_deviation"))],
+  [
+    () => t.comparison_explained,
     (axis) => shown(number(axis, "explained_share") === null ? null : 100 * (number(axis, "explained_share") ?? 0), 0),
   ],
-  ["mean deviation, % of the range", (axis) => percent(number(axis, "range_normalised_mean_deviation"))],
-  ["RMSE, UNIT", length("rmse")],
-  ["largest deviation, UNIT", length("max")],
+  [() => t.comparison_of_range, (axis) => percent(number(axis, "range_normalised_mean_deviation"))],
+  [(unit) => t.comparison_rmse({ unit }), length("rmse")],
+  [(unit) => t.comparison_largest({ unit }), length("max")],
   [
-    "largest deviation at, min",
+    () => t.comparison_largest_at,
     (axis) => shown(number(axis, "max_at_s") === null ? null : minutes(number(axis, "max_at_s") ?? 0)),
   ],
-  ["bias, UNIT", length("bias")],
-  ["95 % limits of agreement, low, UNIT", length("loa_low")],
-  ["95 % limits of agreement, high, UNIT", length("loa_high")],
-  ["correlation", (axis) => shown(number(axis, "correlation"), 4)],
-  ["lag of best agreement, min", lag],
+  [(unit) => t.comparison_bias({ unit }), length("bias")],
+  [(unit) => t.comparison_limits_low({ unit }), length("loa_low")],
+  [(unit) => t.comparison_limits_high({ unit }), length("loa_high")],
+  [() => t.comparison_correlation, (axis) => shown(number(axis, "correlation"), 4)],
+  [() => t.comparison_lag, lag],
 ];
 
 // One table, or one a unit.
@@ -67,9 +71,9 @@ const statistics_tables = (axes: readonly [string, ComparedAxis][]): TextTable[]
     const of_unit = axes.filter(([, axis]) => unit_of(axis) === unit);
     const written = unit_shown(unit);
     return {
-      title: units.length > 1 ? `How well they agree, in ${written}` : "How well they agree",
+      title: units.length > 1 ? t.comparison_how_well_in({ unit: written }) : t.comparison_how_well,
       heading: ["", ...of_unit.map(([name]) => words(name))],
-      rows: rows.map(([label, text]) => [label.replace("UNIT", written), ...of_unit.map(([, axis]) => text(axis, unit))]),
+      rows: rows.map(([label, text]) => [label(written), ...of_unit.map(([, axis]) => text(axis, unit))]),
     };
   });
 };
@@ -94,8 +98,11 @@ const budget_table = (axes: readonly [string, ComparedAxis][]): TextTable[] => {
   };
   return [
     {
-      title: "One standard deviation of a difference, and its share of the variance",
-      heading: ["source", ...axes.map(([name, axis]) => `${words(name)}, ${unit_shown(unit_of(axis))}`)],
+      title: t.comparison_budget,
+      heading: [
+        t.comparison_source,
+        ...axes.map(([name, axis]) => t.model_in_unit({ name: words(name), unit: unit_shown(unit_of(axis)) })),
+      ],
       rows: sources.map((source) => [source, ...axes.map(([, axis]) => cell(source, axis))]),
     },
   ];
@@ -135,8 +142,8 @@ export const comparison_section = (report: Report): Section[] => {
       id: "comparison",
       heading: "Comparison",
       result: axes.map(([name, { agreement }]) => `${words(name)} ${agreement}`).join(", "),
-      // Of a drift's own probes it is a check; another drift is what the reader asked for.
-      says: report.five_probe && axes.every(([, { agreement }]) => agreement !== "disagrees") ? 0 : 10,
+      // Of a drift with its own probes it is a check; another drift is what the reader asked for.
+      says: report.drift && report.five_probe && axes.every(([, { agreement }]) => agreement !== "disagrees") ? 0 : 10,
       ...(telling
         ? {
             first: {

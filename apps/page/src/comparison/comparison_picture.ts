@@ -11,6 +11,7 @@ import { plain, slug } from "../drawing/text";
 import { base, curve_colour, legend, minutes, tooltip } from "../drawing/theme";
 import { time_axis, value_axis } from "../drawing/time_axis";
 import { unit_shown, words } from "../drawing/units";
+import { t } from "../texts/texts";
 
 const kHeight_px = 440;
 const kMarked = 300; // points of a; more are a line
@@ -27,7 +28,9 @@ export interface Compared {
 
 const band_of_sigma: Toggle = {
   key: "sigma",
-  label: "± 2 standard deviations",
+  get label() {
+    return t.comparison_sigma_band;
+  },
   colour: (dark) => (dark ? "#9aa3ad" : "#5c6670"),
   mark: "band",
   on: true,
@@ -60,9 +63,9 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
   const place = place_of(name, k);
   const has_sigma = sigma.some((value) => value !== null);
   const toggles: Toggle[] = [
-    { key: "a", label: `A: ${plain(a, 60)}`, colour: (dark) => curve_colour(place, dark), mark: "dot", on: true },
-    { key: "b", label: `B: ${plain(b, 60)}`, colour: (dark) => curve_colour(place + 3, dark), mark: "line", on: true },
-    { key: "difference", label: "A less B", colour: (dark) => curve_colour(place, dark), mark: "dashed", on: true },
+    { key: "a", label: t.comparison_curve({ which: "A", name: plain(a, 60) }), colour: (dark) => curve_colour(place, dark), mark: "dot", on: true },
+    { key: "b", label: t.comparison_curve({ which: "B", name: plain(b, 60) }), colour: (dark) => curve_colour(place + 3, dark), mark: "line", on: true },
+    { key: "difference", label: t.comparison_a_less_b, colour: (dark) => curve_colour(place, dark), mark: "dashed", on: true },
     ...(has_sigma ? [band_of_sigma] : []),
   ];
 
@@ -127,8 +130,8 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
       tooltip: { ...tooltip(state.look), trigger: "axis", formatter: reading_in(written) },
       xAxis: [upper_time, { ...time, gridIndex: 1 }],
       yAxis: [
-        value_axis(state.look, `${quantity}, ${written}`),
-        { ...value_axis(state.look, `A − B, ${written}`), gridIndex: 1, splitNumber: 3 },
+        value_axis(state.look, t.model_in_unit({ name: quantity, unit: written })),
+        { ...value_axis(state.look, t.comparison_difference_axis({ unit: written })), gridIndex: 1, splitNumber: 3 },
       ],
       series: [...upper(state), ...lower(state)],
     };

@@ -1,9 +1,10 @@
 // The curves of the picture of candidates: the residual, the best set, and the candidate that is chosen.
 import { curve, type Dash } from "../drawing/curve";
 import type { Toggle } from "../picture";
-import { kBest, type Ranked } from "./ranking";
+import type { Ranked, SetName } from "./ranking";
 import type { Num } from "../report";
 import { colours, curve_colour, dashes } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 // A candidate with what it adds that the model cannot make.
 export interface Shown extends Ranked {
@@ -45,7 +46,7 @@ const sum = (columns: readonly (readonly Num[])[]): Num[] =>
 export const residual_curve = (residual_um: readonly Num[], below: boolean): Curve => ({
   toggle: {
     key: "residual",
-    label: "measured less model",
+    label: t.diagnosis_measured_less_model,
     colour: (dark) => (below ? colours(dark).faint : curve_colour(1, dark)),
     mark: "line",
     on: true,
@@ -59,7 +60,7 @@ const dash_of = (k: number): Dash => dashes[1 + (k % (dashes.length - 1))] ?? "d
 
 // The set that is drawn, by the name that it may have: where it has several effects their sum, which is what stands for
 // the residual, and each of them. What the model gives way by counts once, with the set.
-export const best_curves = (best: readonly Shown[], refit_um: readonly Num[], named: string): Curve[] => {
+export const best_curves = (best: readonly Shown[], refit_um: readonly Num[], named: SetName): Curve[] => {
   const strong = (label: string, values_um: readonly Num[]): Curve => ({
     toggle: { key: "best", label, colour: (dark) => curve_colour(1, dark), mark: "line", on: true },
     values_um,
@@ -68,7 +69,7 @@ export const best_curves = (best: readonly Shown[], refit_um: readonly Num[], na
   const [only, ...others] = best;
   if (!only) return [];
   if (others.length === 0) {
-    const label = named === kBest ? only.name : `${only.name}: ${named}`;
+    const label = named === "best" ? only.name : t.diagnosis_only({ effect: only.name, set: t.diagnosis_closest_set_label });
     return [strong(label, sum([only.values_um, refit_um]))];
   }
   const each = best.map(
@@ -84,7 +85,7 @@ export const best_curves = (best: readonly Shown[], refit_um: readonly Num[], na
       series: lined(dash_of(k), 1.4),
     }),
   );
-  const label = named === kBest ? `${named} together` : named;
+  const label = named === "best" ? t.diagnosis_best_set_together : t.diagnosis_closest_set_label;
   return [strong(label, sum([refit_um, ...best.map((one) => one.values_um)])), ...each];
 };
 
@@ -94,14 +95,14 @@ export const chosen_curves = (one: Shown, residual_um: readonly Num[], refit_um:
   const colour = (dark: boolean): string => curve_colour(0, dark);
   return [
     {
-      toggle: { key: "chosen", label: `chosen: ${one.name}`, colour, mark: "band", on: true },
+      toggle: { key: "chosen", label: t.diagnosis_chosen({ effect: one.name }), colour, mark: "band", on: true },
       values_um: with_refit,
       series: highlighted,
     },
     ...(one.alone
       ? [
           {
-            toggle: { key: "without", label: "left with the chosen one taken off", colour, mark: "dotted" as const, on: true },
+            toggle: { key: "without", label: t.diagnosis_left_without, colour, mark: "dotted" as const, on: true },
             values_um: difference(residual_um, with_refit),
             series: lined("dotted", 1.1),
           },

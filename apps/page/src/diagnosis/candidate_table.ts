@@ -3,9 +3,10 @@
 import type { TextTable } from "../picture";
 import { ranked_candidates, set_name, type Ranked } from "./ranking";
 import type { Candidate, Diagnosed, Num } from "../report";
-import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { with_sigma } from "../drawing/with_sigma";
+import { t } from "../texts/texts";
+import { typed_name } from "../machine_errors/error_names";
 
 // Two digits of the RMSE, at least hundredths.
 const decimals_of = (rmse_um: Num): number =>
@@ -16,7 +17,7 @@ const change = (before: Num, after: Num, decimals: number): string =>
 
 // Surrogates are tried against the effects of the best set, where they can be.
 const surrogates_text = ({ beats_surrogates, in_best_set }: Candidate): string =>
-  beats_surrogates === null ? (in_best_set ? "not tested" : "–") : beats_surrogates ? "yes" : "no";
+  beats_surrogates === null ? (in_best_set ? t.diagnosis_not_tested : "–") : beats_surrogates ? t.yes : t.no;
 
 const kTold = 6; // numbers in a cell
 
@@ -29,7 +30,7 @@ const not_told_from = (one: Ranked, all: readonly Ranked[]): string => {
     .sort((a, b) => a - b)
     .slice(0, kTold);
   const more = labels.length - rows.length;
-  return [...rows.map(String), ...(more > 0 ? [`${more} more`] : [])].join(", ") || "–";
+  return [...rows.map(String), ...(more > 0 ? [t.diagnosis_more({ more })] : [])].join(", ") || "–";
 };
 
 const choosing = (picture: string | null, ranked: readonly Ranked[]): Pick<TextTable, "choose"> =>
@@ -39,22 +40,19 @@ export const candidate_table = (found: Diagnosed, left_out: string, picture: str
   const ranked = ranked_candidates(found);
   const decimals = decimals_of(found.rmse_um);
   const named = set_name(found);
-  const star = named === null ? "" : `* ${named}, each beside the others. `;
-  const surrogates = named === null ? "" : "surrogates are tried against those with *; ";
+  const star = named === null ? [] : [named === "best" ? t.diagnosis_star_best : t.diagnosis_star_closest];
   return {
-    title: "Candidates",
-    about:
-      `${star}P: that it is missing. 2 ln B: 2 ln of how much more likely the readings are with it; 10 is ` +
-      `150 to 1. RMSE with it; held out: ${left_out} left out, before and after; ${surrogates}not told from: rows, and ` +
-      "effects without one.",
+    title: t.diagnosis_candidates,
+    about: [...star, t.diagnosis_columns({ left_out, surrogates: named !== null })].join(" "),
     heading: [
-      "no.", "candidate", "amplitude, µm", "P", "2 ln B", "RMSE, µm", "held out, µm", "beats surrogates", "not told from",
+      t.diagnosis_no, t.diagnosis_one_candidate, t.diagnosis_amplitude, "P", "2 ln B", t.diagnosis_rmse,
+      t.diagnosis_held_out, t.diagnosis_beats, t.diagnosis_not_told_from,
     ],
     rows: ranked.map((one, k) => {
       const c = one.candidate;
       return [
         `${k + 1}${one.starred ? "*" : ""}`,
-        plain(c.label, 60),
+        typed_name(c.label, 90),
         with_sigma(c.amplitude_um, c.amplitude_sigma_um, decimals),
         shown(c.p, 2),
         shown(c.likelihood_ratio, 0),

@@ -5,7 +5,7 @@ import { best_curves, chosen_curves, residual_curve, type Curve, type Shown } fr
 import { hover_text } from "../drawing/hover";
 import type { Numbers, Picture, State } from "../picture";
 import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
-import { kBest, ranked_candidates, set_name } from "./ranking";
+import { ranked_candidates, set_name } from "./ranking";
 import { chosen_strands, recording_choice } from "../recordings/recording_names";
 import type { Checked, Diagnosed, Num, Report } from "../report";
 import { points_of, strands_of, type Strand } from "../drawing/strands";
@@ -13,6 +13,7 @@ import { plain } from "../drawing/text";
 import { axis, base, legend, shown, tooltip } from "../drawing/theme";
 import { time_axis, whole_min } from "../drawing/time_axis";
 import { x_axis } from "../drawing/two_grids";
+import { t } from "../texts/texts";
 
 export const candidates_picture = (
   report: Report,
@@ -26,7 +27,7 @@ export const candidates_picture = (
   const ranked = ranked_candidates(found);
   const all = ranked.map((one): Shown => ({ ...one, values_um: one.candidate.curve_um }));
   const best = all.filter((one) => one.starred);
-  const named = set_name(found) ?? kBest;
+  const named = set_name(found) ?? "best";
   const fixed = [
     residual_curve(checked.series.residual_um, best.length > 0),
     ...best_curves(best, refit_um, named),
@@ -42,7 +43,7 @@ export const candidates_picture = (
   const angles = strands.flatMap((strand) => [strand.x[0] ?? 0, strand.x.at(-1) ?? 0]);
   const turn = { min: 10 * Math.floor(Math.min(...angles) / 10), max: 10 * Math.ceil(Math.max(...angles) / 10) };
   const x_axis_of = ({ look, window }: State): Record<string, unknown> =>
-    whole ? time_axis(look, window ?? whole) : x_axis(look, "angle, °", window, turn);
+    whole ? time_axis(look, window ?? whole) : x_axis(look, t.angle_axis, window, turn);
 
   const draw = (state: State): Record<string, unknown> => {
     const { look, window, chosen, hidden } = state;
@@ -55,8 +56,10 @@ export const candidates_picture = (
       ),
     );
     // Of recordings drawn together the nearest point is read, whichever it belongs to.
-    const whose = seen(chosen).length > 1 ? ", one of the recordings" : "";
-    const head = (at: number): string => (over_angle ? `${shown(at, 1)}°${whose}` : `${shown(at, 1)} min`);
+    const head = (at: number): string => {
+      if (!over_angle) return `${shown(at, 1)} min`;
+      return seen(chosen).length > 1 ? t.diagnosis_one_of_recordings({ at: shown(at, 1) }) : `${shown(at, 1)}°`;
+    };
     return {
       ...base(look),
       grid: {
@@ -72,7 +75,7 @@ export const candidates_picture = (
         formatter: hover_text({ drawn: series, x: 0, y: 1, head, unit: "µm" }),
       },
       xAxis: x_axis_of(state),
-      yAxis: axis(look, "deviation, µm", "y"),
+      yAxis: axis(look, t.deviation_axis, "y"),
       series,
     };
   };
@@ -91,27 +94,20 @@ export const candidates_picture = (
     };
   };
 
-  const part = "that part which the model cannot make by parameters of its own";
-  const drawn_set =
-    best.length > 0
-      ? `Of each effect of ${named} (*) is drawn ${part}. Candidates without * belong to other sets, each beside the rest ` +
-        "of its own."
-      : `No effect was found, and none is drawn at first; of a candidate is drawn ${part}.`;
+  const of_set = named === "best" ? t.diagnosis_candidates_best : t.diagnosis_candidates_closest;
+  const drawn_set = best.length > 0 ? of_set : t.diagnosis_candidates_none;
+  const one_chosen = all.some((one) => one.alone) ? t.diagnosis_candidates_chosen_alone : t.diagnosis_candidates_chosen;
   const list = all.map(({ key, name: label }) => ({ value: key, label }));
   return {
     name,
-    title: "Candidates over the residual",
-    caption:
-      best.length > 0
-        ? "Measured less model, and over it what the candidates would add."
-        : "Measured less model, and over it what a chosen candidate would add.",
-    about:
-      `${drawn_set} One chosen from the list or in the table is drawn broad and pale${all.some((one) => one.alone) ? "; dotted, what is left with it taken off, where it is a set by itself" : ""}.`,
+    title: t.diagnosis_candidates_title,
+    caption: best.length > 0 ? t.diagnosis_candidates_caption : t.diagnosis_candidates_caption_none,
+    about: `${drawn_set} ${one_chosen}`,
     height_px: 400,
     zoom: over_angle ? "own" : "time",
     choices: [
       ...(list.length > 0
-        ? [{ key: "candidate", label: "Candidate", values: [{ value: "", label: "none" }, ...list], initial: "" }]
+        ? [{ key: "candidate", label: t.diagnosis_candidate, values: [{ value: "", label: t.none }, ...list], initial: "" }]
         : []),
       ...recording_choice(report, strands, true),
     ],

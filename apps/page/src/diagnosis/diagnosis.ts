@@ -2,18 +2,19 @@
 import { candidate_table } from "./candidate_table";
 import { candidates_picture } from "./candidates";
 import { coherence_picture } from "./coherence";
-import { falling, no_evidence, no_evidence_of_several, not_known } from "./falls";
+import { no_evidence, no_evidence_of_several, not_known } from "./falls";
 import { ledger_steps } from "./ledger_steps";
 import type { Next, Picture, Section } from "../picture";
 import { command_of, data_files } from "../drawing/command";
 import { posterior_table } from "./posterior_table";
-import { best_set, kBest, set_name } from "./ranking";
+import { best_set, set_name } from "./ranking";
 import type { Candidate, Checked, Diagnosed, Num, Report } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import type { Step } from "./step";
 import { waterfall } from "./waterfall";
 import { with_without_picture } from "./with_without";
+import { t } from "../texts/texts";
 
 const sentences_of = (found: Diagnosed): string[] => {
   const reasons =
@@ -33,12 +34,16 @@ const by_reason = (untestable: Diagnosed["untestable"]): string[] => {
 
 const lists_of = (found: Diagnosed): NonNullable<Section["lists"]> =>
   [
-    { title: "Not testable here", items: by_reason(found.untestable) },
+    { title: t.diagnosis_untestable, items: by_reason(found.untestable) },
     {
-      title: "Not searched",
+      title: t.diagnosis_not_searched,
       items: found.not_searched.map(
         (one) =>
-          `${one.effect} on ${one.choices_of_columns - one.searched} of ${one.choices_of_columns} choices of columns`,
+          t.diagnosis_not_searched_one({
+            effect: one.effect,
+            left: one.choices_of_columns - one.searched,
+            all: one.choices_of_columns,
+          }),
       ),
     },
   ].filter(({ items }) => items.length > 0);
@@ -60,10 +65,10 @@ const best_surrogate_fall = (best: readonly Candidate[]): Num =>
 // From the model as it is, with its history where a ledger leads to it, to the set that is drawn.
 const fall_steps = (found: Diagnosed, history: readonly Step[]): Step[] => {
   const best = best_set(found);
-  const named = set_name(found) ?? kBest;
+  const accepted = set_name(found) !== "closest";
   const now: Step = {
-    label: "the model now",
-    short: "now",
+    label: t.diagnosis_now,
+    short: t.diagnosis_now_short,
     rmse_um: found.rmse_um,
     from_um: null,
     floor_um: found.floor_um,
@@ -74,8 +79,8 @@ const fall_steps = (found: Diagnosed, history: readonly Step[]): Step[] => {
   const left_out = best.map((candidate) => candidate.held_out_after_um);
   const proposed: Step[] = best.length === 0 ? [] : [
     {
-      label: named === kBest ? `with ${kBest}` : named,
-      short: named === kBest ? "best set" : "not accepted",
+      label: accepted ? t.diagnosis_with_best : t.diagnosis_closest_set_label,
+      short: accepted ? t.diagnosis_best_short : t.diagnosis_closest_short,
       rmse_um: found.rmse_after_um,
       from_um: found.rmse_um,
       floor_um: found.floor_um,
@@ -93,12 +98,12 @@ const fall_picture = (report: Report, found: Diagnosed, name: string): Picture[]
   const steps = fall_steps(found, history.steps);
   if (steps.length < 2) return [];
   const effects = best_set(found).length;
-  const named = set_name(found) ?? kBest;
+  const accepted = set_name(found) !== "closest";
   const first = effects > 1 ? no_evidence_of_several(effects, best_surrogate_fall(best_set(found))) : no_evidence;
   const hollow =
     effects === 0
       ? " No effect was found, and none is proposed."
-      : ` The hollow bar is ${named === kBest ? "" : `${named}: it is `}not in the model. Whether an effect beats the ` +
+      : ` The hollow bar is ${accepted ? "" : `${t.diagnosis_closest_set_label}: it is `}not in the model. Whether an effect beats the ` +
         "surrogates is judged with the memory of the noise, in the table.";
   const left_out =
     history.last_um === null
@@ -109,10 +114,8 @@ const fall_picture = (report: Report, found: Diagnosed, name: string): Picture[]
     waterfall({
       name,
       title:
-        effects > 0 && named !== kBest
-          ? `How far the error would fall with ${named}`
-          : "How far the error falls",
-      caption: falling,
+        effects > 0 && !accepted ? t.diagnosis_fall_title_closest : t.diagnosis_fall_title,
+      caption: t.diagnosis_falling,
       about: `${first}${hollow}${not_known(steps, effects <= 1)}${left_out}`,
       steps,
     }),
@@ -160,7 +163,7 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
   }
   const over_residual = `candidates${number}`;
   const chooses = checked ? over_residual : null;
-  const left_out = checked?.level === "recording" ? "recordings, or quarters of their sweeps," : "cycles";
+  const left_out = checked?.level === "recording" ? t.diagnosis_left_out_recordings : t.diagnosis_left_out_cycles;
   return {
     ...section,
     sentences: sentences_of(found),

@@ -9,6 +9,7 @@ import { x_axis } from "../drawing/two_grids";
 import { revision_before } from "./ledger_steps";
 import type { Picture, State, Toggle } from "../picture";
 import type { LedgerPart, LedgerRow, Num } from "../report";
+import { named, t } from "../texts/texts";
 
 export const honest = "A falling error is honest where forecasts fall too, and below those with a surrogate.";
 
@@ -17,9 +18,11 @@ interface Figure extends Toggle {
   dash: Dash;
   symbol: string;
 }
-const figure = (key: Figure["key"], label: string, k: number, mark: "line" | "dashed" | "dotted", symbol: string): Figure => ({
+const figure = (key: Figure["key"], label: () => string, k: number, mark: "line" | "dashed" | "dotted", symbol: string): Figure => ({
   key,
-  label,
+  get label() {
+    return label();
+  },
   colour: (dark) => curve_colour(k, dark),
   mark,
   dash: mark === "line" ? "solid" : mark,
@@ -28,9 +31,9 @@ const figure = (key: Figure["key"], label: string, k: number, mark: "line" | "da
 });
 // Colour and dashes of a surrogate as in the waterfall.
 const figures = [
-  figure("rmse_um", "rows fitted", 0, "dotted", "circle"),
-  figure("forecast_um", "forecasts", 2, "line", "diamond"),
-  figure("surrogate_forecast_um", "forecasts with a surrogate", 1, "dashed", "triangle"),
+  figure("rmse_um", () => t.diagnosis_rows_fitted, 0, "dotted", "circle"),
+  figure("forecast_um", () => t.diagnosis_forecasts_curve, 2, "line", "diamond"),
+  figure("surrogate_forecast_um", () => t.diagnosis_forecasts_surrogate, 1, "dashed", "triangle"),
 ];
 
 const known = (row: LedgerRow, key: Figure["key"] | "discrepancy_um"): Num => row[key] ?? null;
@@ -49,7 +52,7 @@ export const forecast_curves = (ledger: LedgerPart, target: string, name: string
     });
   const head = (revision: number): string => {
     const row = rows.find((one) => one.revision === revision);
-    return row ? `${row.revision} ${plain(row.change, 60)}, ${plain(row.verdict, 30)}` : "";
+    return row ? `${row.revision} ${plain(row.change, 60)}, ${plain(named(t.verdicts, row.verdict), 30)}` : "";
   };
   const draw = (state: State): Record<string, unknown> => {
     const { look, window, hidden } = state;
@@ -64,10 +67,10 @@ export const forecast_curves = (ledger: LedgerPart, target: string, name: string
       legend: legend(state, figures),
       tooltip: { ...tooltip(look), trigger: "axis", formatter: hover_text({ drawn, x: 0, y: 1, head, unit: "µm" }) },
       xAxis: {
-        ...x_axis(look, "revision", window, { min: Math.min(...revisions) - 0.5, max: Math.max(...revisions) + 0.5 }),
+        ...x_axis(look, t.diagnosis_revision, window, { min: Math.min(...revisions) - 0.5, max: Math.max(...revisions) + 0.5 }),
         minInterval: 1,
       },
-      yAxis: { ...axis(look, "RMSE, µm", "y"), min: 0 },
+      yAxis: { ...axis(look, t.diagnosis_rmse, "y"), min: 0 },
       series: drawn,
     };
   };

@@ -7,44 +7,43 @@ import type { LedgerPart, LedgerRow, Num, Report } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { waterfall } from "./waterfall";
+import { named, t } from "../texts/texts";
 
 // Figures that only some ledgers have, and what the title says of them: none that no row has, for they only take room.
 interface Figure {
   key: "likelihood_ratio" | "threshold" | "best_surrogate_fall" | "forecast_um" | "surrogate_forecast_um" | "discrepancy_um";
-  name: string;
+  name: () => string;
   decimals: number;
   percent?: boolean; // of a share
-  about?: string;
+  about?: () => string;
 }
 const figures: Figure[] = [
   {
     key: "likelihood_ratio",
-    name: "2 ln B",
+    name: () => "2 ln B",
     decimals: 1,
-    about: " 2 ln B: 2 ln of how much more likely the readings are with the change, of errors of axes chi².",
+    about: () => t.diagnosis_likelihood_about,
   },
-  { key: "threshold", name: "counts from", decimals: 1 },
+  { key: "threshold", name: () => t.diagnosis_counts_from, decimals: 1 },
   {
     key: "best_surrogate_fall",
-    name: "best surrogate's fall, %",
+    name: () => t.diagnosis_surrogate_fall,
     decimals: 0,
     percent: true,
-    about: " The fall of the best surrogate is in the RMSE.",
+    about: () => t.diagnosis_surrogate_fall_about,
   },
-  { key: "forecast_um", name: "forecasts, µm", decimals: 3, about: " Forecasts: RMSE of rows forecast from earlier ones alone." },
+  { key: "forecast_um", name: () => t.diagnosis_forecasts, decimals: 3, about: () => t.diagnosis_forecasts_about },
   {
     key: "surrogate_forecast_um",
-    name: "with surrogate, µm",
+    name: () => t.diagnosis_with_surrogate,
     decimals: 3,
-    about: " With surrogate: the same with one in the place of the effect.",
+    about: () => t.diagnosis_with_surrogate_about,
   },
   {
     key: "discrepancy_um",
-    name: "slow curve, µm",
+    name: () => t.diagnosis_slow_curve,
     decimals: 3,
-    about:
-      " Slow curve: standard deviation of the discrepancy that is left. Driver known: what drives it is known, its form is " +
-      "empirical; empirical: it predicts, no cause is claimed.",
+    about: () => t.diagnosis_slow_curve_about,
   },
 ];
 
@@ -52,11 +51,12 @@ const table_of = ({ rows }: LedgerPart, several: boolean): TextTable => {
   const told = figures.filter(({ key }) => rows.some((row) => typeof row[key] === "number"));
   const figure = (value: Num | undefined, percent = false): Num => (typeof value === "number" ? (percent ? 100 : 1) * value : null);
   return {
-    title: "Revisions",
-    about: told.map(({ about }) => about ?? "").join("").trim(),
+    title: t.diagnosis_revisions,
+    about: told.flatMap(({ about }) => (about ? [about()] : [])).join(" "),
     heading: [
-      "revision", "change", ...(several ? ["target"] : []), "parameters", "RMSE, µm", "× floor", "left out, µm",
-      ...told.map(({ name }) => name), "verdict",
+      t.diagnosis_revision, t.diagnosis_change, ...(several ? [t.diagnosis_target] : []), t.diagnosis_parameters,
+      t.diagnosis_rmse, t.diagnosis_times_floor, t.diagnosis_left_out_um, ...told.map(({ name }) => name()),
+      t.diagnosis_row_verdict,
     ],
     rows: rows.map((row) => [
       String(row.revision),
@@ -67,7 +67,7 @@ const table_of = ({ rows }: LedgerPart, several: boolean): TextTable => {
       shown(row.times_floor, 2),
       shown(row.held_out_um, 3),
       ...told.map(({ key, decimals, percent }) => shown(figure(row[key], percent), decimals)),
-      row.verdict,
+      named(t.verdicts, row.verdict),
     ]),
   };
 };

@@ -4,6 +4,8 @@ import type { TextTable } from "../picture";
 import type { Diagnosed, Num } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
+import { t } from "../texts/texts";
+import { typed_name } from "../machine_errors/error_names";
 
 const kEffects = 8; // shown
 const kLeast = 0.05; // P of an effect that is shown
@@ -16,28 +18,28 @@ interface Row {
 const three_digits = (value: Num): string => (value === null ? "–" : shown(Number(value.toPrecision(3))));
 
 const own_text = ({ effect, parameter, unit, held, fitted, low, high }: Diagnosed["own"][number]): string => {
-  const range = `${three_digits(fitted)} (${three_digits(low)} to ${three_digits(high)})${unit === "1" ? "" : ` ${unit}`}`;
-  return `the ${parameter} of ${plain(effect, 60)} is not ${shown(held)}; it would be ${range}`;
+  const range = `${three_digits(fitted)} (${t.several_from_to({ from: three_digits(low), to: three_digits(high) })})${unit === "1" ? "" : ` ${unit}`}`;
+  return t.diagnosis_own({ parameter, effect: plain(effect, 60), held: shown(held), range });
 };
 
 const rows_of = (found: Diagnosed): Row[] => [
   ...found.effects
     .filter(({ p }, k) => k < kEffects && (p ?? 0) >= kLeast)
-    .map(({ label, p }) => ({ what: `${plain(label, 60)} is missing`, p })),
-  ...found.drivers.map(({ column, p }) => ({ what: `${plain(column, 60)} drives what is missing, in whatever form`, p })),
+    .map(({ label, p }) => ({ what: t.diagnosis_is_missing({ effect: typed_name(label, 90) }), p })),
+  ...found.drivers.map(({ column, p }) => ({ what: t.diagnosis_drives({ column: plain(column, 60) }), p })),
   ...found.own.map((own) => ({ what: own_text(own), p: own.p })),
   {
-    what: `a slow curve without a cause is left${(found.discrepancy_um ?? 0) > 0 ? `, of ${three_digits(found.discrepancy_um)} µm` : ""}`,
+    what: t.diagnosis_slow({ size: (found.discrepancy_um ?? 0) > 0 ? three_digits(found.discrepancy_um) : "" }),
     p: found.p_discrepancy,
   },
-  { what: "nothing is missing", p: found.p_nothing },
+  { what: t.diagnosis_nothing, p: found.p_nothing },
 ];
 
 export const posterior_table = (found: Diagnosed): TextTable => {
   const rows = rows_of(found);
   return {
-    title: "P of each, from 0 to 1. Several may be true at once.",
-    heading: ["what", "P"],
+    title: t.diagnosis_posterior_title,
+    heading: [t.diagnosis_what, "P"],
     rows: rows.map(({ what, p }) => [what, shown(p, 2)]),
     bars: { column: 0, shares: rows.map(({ p }) => p) },
   };

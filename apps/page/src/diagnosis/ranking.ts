@@ -11,20 +11,22 @@ export interface Ranked {
   name: string; // short, to be written beside a curve: "1* lagged_expansion(T_room_degC)"
 }
 
-// What the set that is drawn may be called; null: none is, for nothing was found.
-export const set_name = ({ verdict }: Diagnosed): string | null => {
+// The set that is drawn: the best one, or the closest that the catalogue comes, which is not accepted.
+export type SetName = "best" | "closest";
+
+// null: none is, for nothing was found.
+export const set_name = ({ verdict }: Diagnosed): SetName | null => {
   switch (verdict) {
     case "nothing":
       return null;
     case "named":
     case "probable":
     case "equivalent":
-      return kBest;
+      return "best";
     default:
-      return "the closest that the catalogue comes, not accepted";
+      return "closest";
   }
 };
-export const kBest = "the best set";
 
 export const best_set = (found: Diagnosed): Candidate[] =>
   set_name(found) === null ? [] : found.candidates.filter((candidate) => candidate.in_best_set);

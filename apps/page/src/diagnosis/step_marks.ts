@@ -3,25 +3,28 @@
 import type { Look, Toggle } from "../picture";
 import { surrogate_um, type Step } from "./step";
 import { colours, curve_colour, font, shown } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 // Parts of the place of a step: of the bar, and of the marks over it.
 export const kBar = 0.56;
 const kMark = 0.8;
 export const kRoomy_px = 110; // place of a step from which its name is written below it
 
-const toggle = (key: string, label: string, colour: number, mark: Toggle["mark"]): Toggle => ({
+const toggle = (key: string, label: () => string, colour: number | null, mark: Toggle["mark"]): Toggle => ({
   key,
-  label,
-  colour: (dark) => curve_colour(colour, dark),
+  get label() {
+    return label();
+  },
+  colour: (dark) => (colour === null ? colours(dark).faint : curve_colour(colour, dark)),
   mark,
   on: true,
 });
 export const toggles = {
-  rmse: toggle("rmse", "RMSE", 0, "bar"),
-  fall: { ...toggle("fall", "fall from the step before", 0, "band"), colour: (dark: boolean) => colours(dark).faint },
-  surrogate: toggle("surrogate", "the best surrogate", 1, "dashed"),
-  floor: toggle("floor", "floor", 2, "dotted"),
-  held_out: toggle("held_out", "left out", 3, "dot"),
+  rmse: toggle("rmse", () => "RMSE", 0, "bar"),
+  fall: toggle("fall", () => t.diagnosis_fall_from, null, "band"),
+  surrogate: toggle("surrogate", () => t.diagnosis_best_surrogate, 1, "dashed"),
+  floor: toggle("floor", () => t.diagnosis_floor, 2, "dotted"),
+  held_out: toggle("held_out", () => t.diagnosis_left_out, 3, "dot"),
 };
 
 // "#0072b2" with an opacity.
@@ -109,7 +112,7 @@ export const surrogate = (api: Api, k: number, step: Step, look: Look): Drawn[] 
           type: "text",
           silent: true,
           style: {
-            text: `best surrogate −${(100 * (step.surrogate_fall ?? 0)).toFixed(0)} %`,
+            text: t.diagnosis_surrogate_percent({ percent: shown(100 * (step.surrogate_fall ?? 0), 0) }),
             x: right,
             y: y - 4,
             align: "right",

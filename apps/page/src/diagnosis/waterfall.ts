@@ -8,6 +8,7 @@ import { surrogate_um, type Step } from "./step";
 import { bar, kBar, surrogate, fall, floor, kRoomy_px, toggles, type Api, type Drawn } from "./step_marks";
 import { plain } from "../drawing/text";
 import { axis, base, colours, legend, shown, tooltip } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 export interface Fall {
   name: string;
@@ -31,13 +32,13 @@ const present = (steps: readonly Step[]): Toggle[] => {
 
 const told = (step: Step): string => {
   const row = (what: string, value: Num): string[] => (value === null ? [] : [`${what} ${shown(value, 3)} µm`]);
-  const percent = step.surrogate_fall === null ? "" : ` −${(100 * step.surrogate_fall).toFixed(0)} %:`;
+  const percent = step.surrogate_fall === null ? "" : shown(100 * step.surrogate_fall, 0);
   return [
     plain(step.label, 60),
     ...row("RMSE", step.rmse_um),
-    ...row(`best surrogate${percent}`, surrogate_um(step)),
-    ...row("floor", step.floor_um),
-    ...row("left out", step.held_out_um),
+    ...row(t.diagnosis_surrogate_percent_of({ percent }), surrogate_um(step)),
+    ...row(t.diagnosis_floor, step.floor_um),
+    ...row(t.diagnosis_left_out, step.held_out_um),
   ].join("\n");
 };
 
@@ -99,7 +100,7 @@ const drawing = ({ steps }: Fall, state: State): Record<string, unknown> => {
           place_px > kRoomy_px ? plain(steps[k]?.label ?? "", 70).replaceAll("(", " (") : (steps[k]?.short ?? ""),
       },
     },
-    yAxis: { ...axis(look, "RMSE, µm", "y"), min: 0, max: round_up(most * 1.08, [1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8]) },
+    yAxis: { ...axis(look, t.diagnosis_rmse, "y"), min: 0, max: round_up(most * 1.08, [1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8]) },
     series: [
       ...by_hand(toggles.fall, fall, 1),
       ...by_hand(toggles.rmse, bar, 2),

@@ -2,7 +2,7 @@
 import { curve } from "../drawing/curve";
 import { hover_text } from "../drawing/hover";
 import type { Numbers, Picture, State, Toggle } from "../picture";
-import { best_set, kBest, set_name } from "./ranking";
+import { best_set, set_name } from "./ranking";
 import { chosen_strands, recording_choice } from "../recordings/recording_names";
 import type { Checked, Diagnosed, Num, Report } from "../report";
 import { points_of, strands_of, type Strand } from "../drawing/strands";
@@ -32,7 +32,8 @@ const difference = (a: readonly Num[], b: readonly Num[]): Num[] =>
 const set_text = (found: Diagnosed): string => {
   const labels = best_set(found).map(({ label }) => plain(label, 44));
   const set = labels.length <= 2 ? labels.join(" and ") : `${labels.length} effects`;
-  return set_name(found) === kBest ? `with ${set}` : `with ${set}, not accepted`;
+  if (set_name(found) !== "best") return `with ${set}, not accepted`;
+  return found.verdict === "equivalent" ? `with ${set}, one of several` : `with ${set}`;
 };
 
 const rmse = (value: Num): string => (value === null ? "" : `, RMSE ${shown(value, 3)} µm`);

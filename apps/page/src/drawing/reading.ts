@@ -1,6 +1,7 @@
 // What stands beside the pointer over a picture of time: when, and of each curve the value with its uncertainty.
 import { shown } from "./theme";
 import { decimals_for, with_sigma } from "./with_sigma";
+import { t } from "../texts/texts";
 
 interface Item {
   seriesName?: string;
@@ -29,6 +30,6 @@ export const reading_in =
     );
     const time_min = items[0] ? place(items[0], 0) : null;
     if (time_min === null) return "";
-    const rest = items.length > kLines ? [`and ${items.length - kLines} more`] : [];
+    const rest = items.length > kLines ? [t.hover_more({ more: items.length - kLines })] : [];
     return [`${shown(time_min)} min`, ...items.slice(0, kLines).map((item) => line_of(item, unit)), ...rest].join("\n");
   };

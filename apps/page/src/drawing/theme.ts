@@ -2,6 +2,7 @@
 // people with any kind of colour vision; curves differ in their dashes as well.
 import type { EChartsCoreOption } from "echarts/core";
 import type { Look, State, Toggle } from "../picture";
+import { with_decimal_sign } from "../texts/texts";
 
 export interface Colours {
   paper: string;
@@ -46,12 +47,17 @@ export const regime_colour = (regime: string, dark: boolean): string => {
 export const font = "system-ui, -apple-system, 'Segoe UI', 'Liberation Sans', sans-serif";
 
 // A value with as many digits as five significant ones need, never in powers of ten within reason.
-export const shown = (value: number | null | undefined, decimals?: number): string => {
-  if (value === null || value === undefined || !Number.isFinite(value)) return "–";
-  if (decimals !== undefined) return value.toFixed(decimals).replace(/^-(0(?:\.0*)?)$/, "$1");
+export const digits = (value: number | null): string => {
+  if (value === null) return "–";
   const size = Math.abs(value);
   if (size !== 0 && (size >= 1e7 || size < 1e-5)) return value.toExponential(3);
   return String(Number(value.toPrecision(5)));
+};
+
+// A value with the decimal sign of the language: for whoever reads, not for files.
+export const shown = (value: number | null | undefined, decimals?: number): string => {
+  if (value === null || value === undefined || !Number.isFinite(value)) return "–";
+  return with_decimal_sign(decimals === undefined ? digits(value) : value.toFixed(decimals).replace(/^-(0(?:\.0*)?)$/, "$1"));
 };
 
 export const base = (look: Look): EChartsCoreOption => ({
@@ -72,7 +78,7 @@ export const axis = (look: Look, name: string, place: "x" | "y"): Record<string,
     scale: true,
     axisLine: { show: true, onZero: false, lineStyle: { color: c.faint } },
     axisTick: { show: true, lineStyle: { color: c.faint } },
-    axisLabel: { color: c.ink, hideOverlap: true },
+    axisLabel: { color: c.ink, hideOverlap: true, formatter: (at: number) => shown(at) },
     splitLine: { show: true, lineStyle: { color: c.grid } },
     minorSplitLine: { show: false },
   };

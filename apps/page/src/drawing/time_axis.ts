@@ -1,6 +1,7 @@
 // The axis of time that all pictures of a section have in common, so that they stand below one another.
 import type { Look, Range } from "../picture";
-import { axis, shown } from "./theme";
+import { axis } from "./theme";
+import { t } from "../texts/texts";
 
 // From the first to the last time of all clocks, with a little room for the marks at the ends.
 export const whole_min = (clocks_min: readonly (readonly number[])[]): Range => {
@@ -12,23 +13,20 @@ export const whole_min = (clocks_min: readonly (readonly number[])[]): Range => 
   return [from - room, to + room];
 };
 
-const label = (look: Look): Record<string, unknown> => ({
-  ...(axis(look, "", "x")["axisLabel"] as Record<string, unknown>),
-  formatter: (value: number) => shown(value),
-});
-
-export const time_axis = (look: Look, shown_min: Range): Record<string, unknown> => ({
-  ...axis(look, "time, min", "x"),
-  min: shown_min[0],
-  max: shown_min[1],
-  splitLine: { show: false },
-  // The ends of a window are no round numbers.
-  axisLabel: { ...label(look), showMinLabel: false, showMaxLabel: false },
-});
+export const time_axis = (look: Look, shown_min: Range): Record<string, unknown> => {
+  const common = axis(look, t.time_axis, "x");
+  return {
+    ...common,
+    min: shown_min[0],
+    max: shown_min[1],
+    splitLine: { show: false },
+    // The ends of a window are no round numbers.
+    axisLabel: { ...(common["axisLabel"] as Record<string, unknown>), showMinLabel: false, showMaxLabel: false },
+  };
+};
 
 // The other axis, whose labels are as wide as the room beside the plot.
 export const value_axis = (look: Look, name: string): Record<string, unknown> => ({
   ...axis(look, name, "y"),
   nameMoveOverlap: false,
-  axisLabel: label(look),
 });

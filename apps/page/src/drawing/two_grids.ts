@@ -1,6 +1,6 @@
 // Two drawings one above the other that share the x axis: a curve, and below it what is left of it.
 import type { Look } from "../picture";
-import { axis, colours, kNarrow_px, shown } from "./theme";
+import { axis, colours, kNarrow_px } from "./theme";
 
 export interface TwoGrids {
   grid: Record<string, unknown>[];
@@ -33,7 +33,6 @@ export const x_axis = (
   const round = !("max" in all) || "interval" in all;
   const label = {
     ...(common["axisLabel"] as Record<string, unknown>),
-    formatter: (value: number) => shown(value),
     ...(window
       ? { showMinLabel: false, showMaxLabel: false }
       : round

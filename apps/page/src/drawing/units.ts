@@ -1,4 +1,5 @@
 // Units as people write them. Files spell them in ASCII at the end of a column's name: "T_room_degC".
+import { named, t } from "../texts/texts";
 
 const written = new Map(
   Object.entries({
@@ -35,5 +36,5 @@ export const split_name = (name: string): { quantity: string; unit: string } => 
   return { quantity: name, unit: "" };
 };
 
-// Words, for reading: "radius_change" is "radius change".
-export const words = (name: string): string => name.replaceAll("_", " ");
+// Words, for reading: "radius_change" is "radius change"; what files have as well is said in the language of the page.
+export const words = (name: string): string => named(t.quantities, name).replaceAll("_", " ");

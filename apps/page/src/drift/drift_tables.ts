@@ -5,12 +5,13 @@ import type { Num } from "../report";
 import { shown } from "../drawing/theme";
 import { unit_shown, words } from "../drawing/units";
 import { decimals_for, with_sigma } from "../drawing/with_sigma";
+import { t } from "../texts/texts";
 
 const number = (value: Num | undefined): value is number => typeof value === "number";
 
 const text = (axis: DriftAxis, value: Num | undefined, row: number): string => {
   const sigma = axis.sigma?.[row];
-  if (row === axis.reference && axis.sigma && value === 0 && !sigma) return "reference";
+  if (row === axis.reference && axis.sigma && value === 0 && !sigma) return t.drift_reference;
   const decimals = Math.min(3, decimals_for(value, sigma || axis.sigma?.find((one) => one) || null));
   return sigma === undefined ? shown(value, decimals) : with_sigma(value, sigma, decimals);
 };
@@ -64,13 +65,13 @@ const largest_row = (axis: DriftAxis): string[] => {
 
 export const largest_table = (title: string, axes: readonly DriftAxis[]): TextTable => ({
   title,
-  heading: ["axis", "largest drift", "at, min", "range, most less least", "at the end"],
+  heading: [t.drift_axis, t.drift_largest, t.drift_at_min, t.drift_range, t.drift_at_end],
   rows: axes.filter((axis) => axis.main).map(largest_row),
 });
 
 export const points_table = (axes: readonly DriftAxis[]): TextTable => ({
-  title: "Drift, test by test; ± is one standard deviation",
-  heading: ["time, min", ...axes.map(label)],
+  title: t.drift_points_title,
+  heading: [t.time_axis, ...axes.map(label)],
   rows: (axes[0]?.time_min ?? []).map((time_min, row) => [
     shown(time_min),
     ...axes.map((axis) => text(axis, axis.values[row], row)),

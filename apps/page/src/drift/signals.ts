@@ -6,6 +6,7 @@ import { minutes } from "../drawing/theme";
 import { time_curves, type TimeCurve } from "./time_curves";
 import { whole_min } from "../drawing/time_axis";
 import { split_name, words } from "../drawing/units";
+import { named, t } from "../texts/texts";
 
 export interface Signal {
   column: Column;
@@ -18,11 +19,20 @@ interface Kind {
   quantity: string;
 }
 
-// By unit.
-const kinds: ReadonlyMap<string, Kind> = new Map([
-  ["degC", { name: "temperatures", title: "Temperatures", quantity: "temperature" }],
-  ["rpm", { name: "speed", title: "Speed", quantity: "speed" }],
-]);
+const kind_of = (unit: string): Kind => {
+  switch (unit) {
+    case "degC":
+      return { name: "temperatures", title: t.drift_temperatures, quantity: t.drift_quantity_temperature };
+    case "rpm":
+      return { name: "speed", title: t.drift_speed, quantity: t.drift_quantity_speed };
+    default:
+      return {
+        name: `signals-${slug(unit)}`,
+        title: t.drift_signals_in({ unit: clamped(unit, 20) }),
+        quantity: t.drift_quantity_signal,
+      };
+  }
+};
 
 // A column of a measured quantity, such as a displacement of a plain series.
 const measured = ({ column }: Signal): boolean => column.role === "measured";
@@ -31,9 +41,10 @@ const measured = ({ column }: Signal): boolean => column.role === "measured";
 const told_roles = ["ambient", "coolant", "bearing", "housing", "bar"];
 
 const label_of = ({ name, role }: Column): string => {
-  const quantity = words(split_name(name).quantity);
+  const { quantity } = split_name(name);
   const told = told_roles.includes(role) && !quantity.includes(role);
-  return plain(told ? `${clamped(quantity, 40)} (${role})` : quantity, 64);
+  const read = words(quantity);
+  return plain(told ? t.drift_with_role({ name: clamped(read, 40), role: named(t.roles, role) }) : read, 64);
 };
 
 const curves_of = (signals: readonly Signal[]): TimeCurve[] =>
@@ -53,13 +64,13 @@ const kFew = 8; // curves that can be told apart, and need no groups
 const roles = ["structure", "ambient", "coolant", "bearing", "mean_point", "housing", "bar", "load"];
 const place_of = (role: string): number => (roles.includes(role) ? roles.indexOf(role) : roles.length);
 
-// Columns that the diagnosis of any target finds behind what is missing.
+// Columns that the verdict of any target names.
 const named_columns = ({ diagnose }: Report): Set<string> =>
   new Set(
     (diagnose?.targets ?? []).flatMap((found) => {
       if (found.not_diagnosed !== undefined) return [];
-      const bounds = found.named.length > 0 ? found.named : [...found.probable, ...found.equivalent.flat()];
-      return [...bounds.flatMap(({ columns }) => Object.values(columns)), ...found.drivers.slice(0, 1).map(({ column }) => column)];
+      const driver = found.verdict === "driver" ? found.drivers.slice(0, 1).map(({ column }) => column) : [];
+      return [...[...found.named, ...found.probable].flatMap(({ columns }) => Object.values(columns)), ...driver];
     }),
   );
 
@@ -101,10 +112,10 @@ export const measured_pictures = (signals: readonly Signal[], whole_min: Range):
   [...grouped(signals.filter(measured))].map(([unit, of]) =>
     time_curves({
       name: unit === "um" ? "measured" : `measured-${slug(unit)}`,
-      title: unit === "um" ? "Measured displacements" : `Measured, ${clamped(unit, 20)}`,
-      caption: "The measured columns as the file has them.",
+      title: unit === "um" ? t.drift_measured_displacements : t.drift_measured_in({ unit: clamped(unit, 20) }),
+      caption: t.drift_measured_caption,
       about: "",
-      quantity: unit === "um" ? "displacement" : "measured",
+      quantity: unit === "um" ? t.drift_quantity_displacement : t.drift_quantity_measured,
       unit,
       curves: curves_of(of),
       whole_min,
@@ -114,14 +125,9 @@ export const measured_pictures = (signals: readonly Signal[], whole_min: Range):
 
 export const signal_pictures = (report: Report, signals: readonly Signal[], whole_min: Range): Picture[] =>
   [...grouped(signals.filter((signal) => !measured(signal)))].map(([unit, of]) => {
-    const kind = kinds.get(unit) ?? {
-      name: `signals-${slug(unit)}`,
-      title: `Signals in ${clamped(unit, 20)}`,
-      quantity: "signal",
-    };
     return time_curves({
-      ...kind,
-      caption: `Recorded beside the drift${unit === "rpm" ? "; a value holds until the next one" : ""}.`,
+      ...kind_of(unit),
+      caption: unit === "rpm" ? t.drift_speed_caption : t.drift_signals_caption,
       about: "",
       unit,
       curves: grouped_by_role(curves_of(of), of, named_columns(report)),

@@ -10,6 +10,7 @@ import { sigma_band, sigma_bars, type Uncertain } from "../drawing/sigma_marks";
 import { base, curve_colour, dashes, legend, tooltip } from "../drawing/theme";
 import { time_axis, value_axis } from "../drawing/time_axis";
 import { unit_shown } from "../drawing/units";
+import { t } from "../texts/texts";
 
 const kMarked = 150; // points; of more the marks would hide the curve
 
@@ -99,7 +100,7 @@ export const time_curves = (of: TimeCurves): Picture => {
       },
       tooltip: { ...tooltip(state.look), trigger: "axis", formatter: reading_in(unit) },
       xAxis: time_axis(state.look, state.window ?? of.whole_min),
-      yAxis: value_axis(state.look, `${of.quantity}, ${unit}`),
+      yAxis: value_axis(state.look, t.model_in_unit({ name: of.quantity, unit })),
       series: seen(state).flatMap((one) => series_of(one, state, of.step ?? false)),
     }),
     numbers: (state) =>

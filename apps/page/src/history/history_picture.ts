@@ -8,11 +8,29 @@ import { sigma_band, sigma_bars, type Uncertain } from "../drawing/sigma_marks";
 import { plain } from "../drawing/text";
 import { axis, base, colours, curve_colour, legend, tooltip } from "../drawing/theme";
 import { x_axis } from "../drawing/two_grids";
+import { t } from "../texts/texts";
+import { typed_name } from "../machine_errors/error_names";
 
 type Series = Record<string, unknown>;
 
-const kTests: Toggle = { key: "tests", label: "tests", colour: (dark) => curve_colour(0, dark), mark: "dot", on: true };
-const kTrend: Toggle = { key: "trend", label: "trend", colour: (dark) => curve_colour(1, dark), mark: "line", on: true };
+const kTests: Toggle = {
+  key: "tests",
+  get label() {
+    return t.history_tests;
+  },
+  colour: (dark) => curve_colour(0, dark),
+  mark: "dot",
+  on: true,
+};
+const kTrend: Toggle = {
+  key: "trend",
+  get label() {
+    return t.history_trend;
+  },
+  colour: (dark) => curve_colour(1, dark),
+  mark: "line",
+  on: true,
+};
 
 const uncertain = (year: readonly number[], values: readonly Num[], sigmas: readonly Num[]): Uncertain[] =>
   year.map((at, i) => [at, values[i] ?? null, sigmas[i] ?? null]);
@@ -34,7 +52,7 @@ const tolerance = (limits: readonly number[], colour: string): Series => ({
   markLine: {
     symbol: "none",
     silent: true,
-    label: { position: "insideEndTop", formatter: "tolerance", color: colour },
+    label: { position: "insideEndTop", formatter: t.history_tolerance, color: colour },
     lineStyle: { color: colour, type: "solid", width: 1.4 },
     data: limits.map((limit) => ({ yAxis: limit })),
   },
@@ -98,9 +116,9 @@ export const history_picture = (group: HistoryGroup, k: number): Picture => {
         trigger: "axis",
         formatter: hover_text({ drawn, x: 0, y: 1, head: date_of, unit }),
       },
-      xAxis: x_axis(look, "year", window, ends_of(quantity)),
+      xAxis: x_axis(look, t.history_year_axis, window, ends_of(quantity)),
       yAxis: {
-        ...axis(look, `${plain(quantity.name, 40)}, ${unit}`, "y"),
+        ...axis(look, t.model_in_unit({ name: typed_name(quantity.name, 60), unit }), "y"),
         min: ({ min }: { min: number }) => (limits.some((limit) => limit < min) ? Math.min(...limits) * 1.05 : null),
         max: ({ max }: { max: number }) => (limits.some((limit) => limit > max) ? Math.max(...limits) * 1.05 : null),
       },
@@ -136,8 +154,8 @@ export const history_picture = (group: HistoryGroup, k: number): Picture => {
     choices: [
       {
         key: "quantity",
-        label: "Quantity",
-        values: quantities.map(({ name }) => ({ value: name, label: name })),
+        label: t.history_quantity,
+        values: quantities.map(({ name }) => ({ value: name, label: typed_name(name, 120) })),
         initial: group.first,
       },
     ],

@@ -38,7 +38,7 @@ export const candidate_list = (
       with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, Math.min(3, decimals)),
       `${shown(rmse_um, 2)} → ${shown(candidate.rmse_after_um, 2)}`,
     );
-    const row = element("li", {}, plus, bar, name, element("span", { class: "told" }, told));
+    const row = element("li", {}, plus, bar, name, element("span", { class: "figures" }, told));
     row.addEventListener("pointerenter", () => look(candidate));
     row.addEventListener("pointerleave", () => look(null));
     row.addEventListener("focusin", () => look(candidate));

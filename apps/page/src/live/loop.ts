@@ -14,7 +14,7 @@ import type { Candidate, Checked, Diagnosed, Report } from "../report";
 import { Refused, type Runs } from "./subject_runs";
 import { slid } from "./slid";
 import { Interrupted, type Work } from "./work";
-import { plain } from "../drawing/text";
+import { micrometres, plain } from "../drawing/text";
 import { words } from "./words";
 
 export interface LoopOf {
@@ -42,6 +42,7 @@ export interface Loop {
   redo(): Promise<void>;
   act(command: string): boolean; // whether it did what the command line says
   diagnosed(): Diagnosed | null; // of the model as it is
+  to_optimum(): void;
   first_slider(effect: string): ReturnType<ReturnType<typeof model_list>["slider"]>;
 }
 
@@ -62,7 +63,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
 
   const sentence = element("p", { class: "said", role: "status", "aria-live": "polite" });
   const say = (text: string): void => {
-    sentence.textContent = text;
+    sentence.textContent = micrometres(text);
   };
   // What to do next, where the program proposes a step.
   const next = button("", "", () => loop.act(found?.command ?? ""));
@@ -115,11 +116,12 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     draw();
     void computed();
   });
-  const back = button(words.to_optimum, words.to_optimum_title, () => {
+  const to_optimum = (): void => {
     list.back();
     base = fitted;
     draw();
-  });
+  };
+  const back = button(words.to_optimum, words.to_optimum_title, to_optimum);
 
   const candidates = candidate_list(
     (one) => void loop.add([one.label]),
@@ -228,6 +230,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       report = next;
       const checked = of_target(next.check?.targets, subject.target);
       all.classList.toggle("no-model", !checked);
+      all.classList.toggle("wide", checked !== undefined);
       asked.hidden = checked !== undefined;
       if (checked) {
         if (subject.target === "" && targets.length > 1) subject = { ...subject, target: checked.target };
@@ -236,6 +239,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         list.renew(checked);
         figure_now(checked);
         draw();
+        if (sentence.textContent === "") say(checked.sentences[0] ?? "");
       }
       show_diagnosis(of_target(next.diagnose?.targets, subject.target));
       of.changed(next, subject);
@@ -266,7 +270,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         subject = { ...subject, model };
         await model_changed();
         undo.focus({ preventScroll: true }); // the button that was pressed is gone
-        say(added.rows.at(-1)?.sentence ?? "");
+        say(added.revisions.at(-1)?.sentence ?? "");
       }),
     undo: () =>
       attempt(async () => {
@@ -294,7 +298,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       if (verb === "add" && effects.length > 0) void loop.add(effects);
       else if (verb === "try" && effects.length > 0) void tried(effects[0] ?? "");
       else if (verb === "plan") plan.open();
-      else if (verb === "diagnose") {
+      else if (verb === "diagnose" || (verb === "report" && rest.includes("--diagnose"))) {
         if (rest.includes("--target") && target !== undefined && targets.includes(target)) subject = { ...subject, target };
         target_choice.value = subject.target;
         void loop.search();
@@ -302,6 +306,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       return true;
     },
     diagnosed: () => found,
+    to_optimum,
     first_slider: (effect) => list.slider(effect),
   };
   return loop;

@@ -54,7 +54,10 @@ export const model_list = (catalogue: Catalogue, changed: (key: string) => void)
     element: list,
     renew(checked) {
       fitted = checked;
-      const free = checked.parameters.filter(({ value }) => value !== null);
+      // Circles of recordings are fitted to what is left in any case.
+      const free = checked.parameters.filter(
+        ({ value, effect, name }) => value !== null && (checked.level === "series" || catalogue.parameter(effect ?? "", name)),
+      );
       const now = JSON.stringify(free.map(key_of));
       if (now === shape) {
         for (const one of free) {
@@ -100,9 +103,10 @@ export const model_list = (catalogue: Catalogue, changed: (key: string) => void)
         ({ one, slider }) => slider.value() !== one.value && !is_scaled(checked, one, this.gains()),
       );
       if (!unscaled) return [];
-      // Circles of recordings are fitted to what is left in any case.
-      const named = [...sliders.values()].filter(({ one }) => checked.level === "series" || catalogue.parameter(one.effect ?? "", one.name));
-      return named.map(({ one, slider }) => ({
+      // One stays free, for a fit has to have something to fit; its curve is then scaled as well.
+      const free = [...sliders.values()].find(({ one }) => one.state !== "held" && is_scaled(checked, one, this.gains()));
+      const held = [...sliders.values()].filter((each) => each !== free);
+      return held.map(({ one, slider }) => ({
         effect: one.effect ?? "",
         parameter: one.name,
         value: slider.value(),

@@ -286,7 +286,7 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
   place.append(head.element);
 
   page.on_command((command) => {
-    if (!loop?.act(command)) tell(words.for_terminal(command));
+    if (!loop?.act(command)) tell(command.startsWith("ballbar history ") ? words.test_again : words.for_terminal(command));
   });
 
   const draw_head = (): void => {

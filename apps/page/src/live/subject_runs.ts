@@ -21,7 +21,7 @@ export const answer_of = <T>(ran: Ran): T => {
 };
 
 export interface Added {
-  rows: { sentence: string }[];
+  revisions: { sentence: string }[];
 }
 
 export interface Runs {

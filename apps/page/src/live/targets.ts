@@ -17,7 +17,7 @@ export const targets_in = (report: Report): string[] => {
     ranges.set(name, largest - least);
   };
   for (const name of Object.keys(report.drift?.points[0] ?? {})) {
-    if (/^[xyz]_um$/.test(name)) hold(name, report.drift?.points.map((point) => point[name] ?? null) ?? []);
+    if (axis.test(name) && !/sigma|correction|change|shift/.test(name)) hold(name, report.drift?.points.map((point) => point[name] ?? null) ?? []);
   }
   if (ranges.size === 0) {
     for (const { columns } of report.signals) {

@@ -16,7 +16,7 @@ const slide = async (loop: Loop | null, effect: string): Promise<void> => {
     slider.move(value * (1 - 0.5 * Math.sin((Math.PI * k) / kSlide_frames)));
     await frame();
   }
-  slider.move(value);
+  loop?.to_optimum();
 };
 
 export const tour_steps = ({ loop, saves }: { loop: () => Loop | null; saves: HTMLElement }): Step[] => {

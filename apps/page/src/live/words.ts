@@ -99,6 +99,7 @@ export const words = {
   more_candidates: (count: number): string => `${count} more`,
   candidate: (p: string, amplitude: string, rmse: string): string => `P ${p}, ${amplitude} µm, RMSE ${rmse} µm`,
   add_named: (effects: string): string => `Add ${effects}`,
+  test_again: "When the machine was tested again, drop the new file here too.",
   for_terminal: (command: string): string => `This step is one for a terminal: ${command}`,
   add_title: (effect: string): string => `Add ${effect} to the model`,
   // next test

@@ -1,15 +1,37 @@
-// Names of the errors as a machinist reads them: "backlash_a_pos" in the plane ZX is "backlash Z +". Of several
-// in one text each.
+// Names of the errors as a machinist reads them: "backlash_a_pos" in the plane ZX is "backlash Z +", in the language of
+// the page. Of several in one text each.
 import { axes_of_plane } from "../drawing/angles";
 import { plain } from "../drawing/text";
+import { language, named, t } from "../texts/texts";
 
 export const error_name = (name: string, plane: string | undefined, most = 60): string => {
   const [a, b] = axes_of_plane(plane);
-  const words: Record<string, string> = { a, b, pos: "+", neg: "−" };
-  const read = (word: string): string => (Object.hasOwn(words, word) ? (words[word] ?? word) : word);
-  const operators = { "-": " less ", "+": " plus " } as const;
-  const spaced = name.replace(/(?<=\w)[-+](?=\w)/g, (one) => operators[one as keyof typeof operators]);
-  return plain(spaced.replace(/\w*_\w*/g, (one) => one.split("_").map(read).join(" ")), most);
+  const places: Record<string, string> = { a, b, pos: "+", neg: "−", fwd: "→", rev: "←" };
+  // What it is, and where: the axis, the side.
+  const read = (one: string): string => {
+    const [, whole = one, number] = /^(.*)_of_recording_(\d+)$/.exec(one) ?? [];
+    const parts = whole.split("_");
+    const what = parts.filter((part) => !Object.hasOwn(places, part)).join("_");
+    const where = parts.flatMap((part) => (Object.hasOwn(places, part) ? [places[part] ?? ""] : []));
+    const read_name = [named(t.effects, what).replaceAll("_", " "), ...where].join(" ");
+    return number === undefined ? read_name : t.errors_of_recording({ name: read_name, number });
+  };
+  const is_name = (word: string): boolean => word.includes("_") || Object.hasOwn(t.effects, word);
+  const operators = { "-": ` ${t.errors_less} `, "+": ` ${t.errors_plus} ` } as const;
+  // Names first, so that no word of an operator is taken for one.
+  const parts = name.split(/(?<=\w)([-+])(?=\w)/);
+  const spaced = parts.map((part, k) =>
+    k % 2 === 1 ? operators[part as keyof typeof operators] : part.replace(/[a-z]\w*/g, (word) => (is_name(word) ? read(word) : word)),
+  );
+  return plain(spaced.join(""), most);
+};
+
+// A name that is typed into commands, "lagged_expansion(T_room_degC)" or "backlash_a_pos". On a page that is not in
+// English it stands after what it means.
+export const typed_name = (typed: string, most: number): string => {
+  const id = /^\w+/.exec(typed)?.[0] ?? "";
+  const name = error_name(id, undefined);
+  return plain(language === "en" || name === id.replaceAll("_", " ") ? typed : `${name}: ${typed}`, most);
 };
 
 // "um/m" as pictures write it.

@@ -8,6 +8,7 @@ import type { MachineErrorRow } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { decimals_for, with_sigma } from "../drawing/with_sigma";
+import { named, t } from "../texts/texts";
 
 const decimals_of = (row: MachineErrorRow): number => Math.min(4, decimals_for(row.value, row.sigma));
 
@@ -17,7 +18,7 @@ const stored_value = (row: MachineErrorRow): string => shown(row.stored, Math.mi
 const stored = (row: MachineErrorRow): string =>
   row.stored === null || row.stored_rank === null ? stored_value(row) : `${stored_value(row)} (${row.stored_rank})`;
 
-const yes_no = (value: boolean | null): string => (value === null ? "–" : value ? "yes" : "no");
+const yes_no = (value: boolean | null): string => (value === null ? "–" : value ? t.yes : t.no);
 
 // What belongs to the effect stands in the first of its rows.
 const cells_of = ({ first, rows }: RankedError, plane: string | undefined): string[][] =>
@@ -30,7 +31,7 @@ const cells_of = ({ first, rows }: RankedError, plane: string | undefined): stri
       : [
           shown(first.individual_circularity_um, 2),
           shown(first.share_percent, 1),
-          first.rank === null ? "not significant" : String(first.rank),
+          first.rank === null ? t.errors_not_significant : String(first.rank),
         ]),
     stored(row),
     ...(k > 0 ? ["", ""] : [yes_no(first.predicts_other_run), shown(first.circularity_without_um, 2)]),
@@ -43,8 +44,11 @@ export const errors_table = ({ part, recordings }: ErrorTest): TextTable => {
   const plane = recordings[0]?.plane;
   const most = Math.max(1e-9, ...ranked.map(({ first }) => first.share_percent ?? 0));
   return {
-    title: "Ranked by the circularity that each makes alone (IC)",
-    heading: ["error", "value", "unit", "IC µm", "share %", "rank", "stored (rank)", "predicts other run", "G without µm"],
+    title: t.errors_table_title,
+    heading: [
+      t.errors_one, t.value, t.unit, "IC µm", t.errors_share, t.errors_rank, t.errors_stored_rank, t.errors_predicts,
+      t.errors_g_without,
+    ],
     rows: ranked.flatMap((one) => cells_of(one, plane)),
     choose: {
       picture: kErrors_picture,
@@ -67,8 +71,8 @@ export const circle_table = ({ part, recordings }: ErrorTest): TextTable[] => {
   if (rows.length === 0) return [];
   return [
     {
-      title: "Set-up and scale, not ranked",
-      heading: ["", "value", "unit", "stored"],
+      title: t.errors_set_up,
+      heading: ["", t.value, t.unit, t.errors_stored],
       rows: rows.map((row) => [
         error_name(row.name, recordings[0]?.plane),
         with_sigma(row.value, row.sigma, decimals_of(row)),
@@ -82,13 +86,13 @@ export const circle_table = ({ part, recordings }: ErrorTest): TextTable[] => {
 const stated_text = (key: string, value: string | number): string[] => {
   if (key === "started_s" && typeof value === "number") {
     const started = new Date(1000 * value); // on the machine's own clock
-    return ["started", Number.isNaN(started.getTime()) ? "–" : started.toISOString().slice(0, 16).replace("T", " ")];
+    return [t.stated.started, Number.isNaN(started.getTime()) ? "–" : started.toISOString().slice(0, 16).replace("T", " ")];
   }
   const [name, unit] = /^(.*)_mm_per_min$/.test(key) ? [key.slice(0, -"_mm_per_min".length), " mm/min"] : [key, ""];
-  return [plain(name.replaceAll("_", " "), 60), `${typeof value === "number" ? shown(value) : plain(value, 200)}${unit}`];
+  return [plain(named(t.stated, name).replaceAll("_", " "), 60), `${typeof value === "number" ? shown(value) : plain(value, 200)}${unit}`];
 };
 
 export const stated_table = ({ part }: ErrorTest): TextTable[] => {
   const rows = Object.entries(part.file ?? {}).map(([key, value]) => stated_text(key, value));
-  return rows.length === 0 ? [] : [{ title: "What the file states", heading: ["", ""], rows }];
+  return rows.length === 0 ? [] : [{ title: t.errors_stated, heading: ["", ""], rows }];
 };

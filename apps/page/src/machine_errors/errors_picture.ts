@@ -12,12 +12,12 @@ import type { Num, Recording } from "../report";
 import { round_option, type RoundCurve } from "../recordings/round";
 import { plain } from "../drawing/text";
 import { colours, curve_colour, font, legend, shown } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 const kStretches = 720; // of a turn, four points each
 
 export const kErrors_picture = "machine-errors";
 export const kWithout = "without";
-const kWithout_label = "without it";
 
 interface Drawn {
   name: string; // of its direction, or of the recording where directions are several times there
@@ -31,7 +31,7 @@ export const trace_styles = (recordings: readonly Recording[]): Drawn[] => {
   const each_once = new Set(directions).size === directions.length;
   const labels = labels_of(recordings);
   return recordings.map((recording, k) => ({
-    name: each_once ? (recording.direction ?? "circle") : (labels[k] ?? ""),
+    name: each_once ? (recording.direction ?? t.recordings_circle) : (labels[k] ?? ""),
     colour: each_once ? direction_colour(recording) : (dark) => curve_colour([0, 1, 5, 7, 3][k % 5] ?? 0, dark),
     dash: recording.direction === "CW" ? [7, 2] : "solid",
     mark: recording.direction === "CW" ? "dashed" : "line",
@@ -43,7 +43,7 @@ const label_of = (test: ErrorTest, error: string): string => error_name(error, t
 const toggles_of = (test: ErrorTest, error: string): Toggle[] => [
   ...trace_styles(test.recordings).map(({ name, colour, mark }, k): Toggle => ({
     key: `trace${k}`,
-    label: `measured, ${name}`,
+    label: t.measured_of({ which: name }),
     colour,
     mark,
     on: true,
@@ -52,7 +52,7 @@ const toggles_of = (test: ErrorTest, error: string): Toggle[] => [
     ? []
     : ([
         { key: "error", label: label_of(test, error), colour: (dark) => effect_colour(0, dark), mark: "dashed", on: true },
-        { key: kWithout, label: kWithout_label, colour: (dark) => curve_colour(2, dark), mark: "line", on: false },
+        { key: kWithout, label: t.errors_without, colour: (dark) => curve_colour(2, dark), mark: "line", on: false },
       ] satisfies Toggle[])),
 ];
 
@@ -75,7 +75,7 @@ const curves_of = (test: ErrorTest, error: string, state: State): RoundCurve[] =
       ...(on(`trace${k}`)
         ? [
             drawn(about_circle(test, k), {
-              name: `measured, ${name}`,
+              name: t.measured_of({ which: name }),
               colour: style.colour(dark),
               dash,
               width_px: 1.4,
@@ -86,8 +86,8 @@ const curves_of = (test: ErrorTest, error: string, state: State): RoundCurve[] =
       ...(without && on(`trace${k}`)
         ? [
             drawn(without_error(test, error, k), {
-              name: kWithout_label,
-              hover_name: `${kWithout_label}, ${name}`,
+              name: t.errors_without,
+              hover_name: t.errors_without_of({ which: name }),
               colour: curve_colour(2, dark),
               dash,
               width_px: 1.6,
@@ -98,7 +98,7 @@ const curves_of = (test: ErrorTest, error: string, state: State): RoundCurve[] =
         ? [
             drawn(curve, {
               name: label_of(test, error),
-              hover_name: `${label_of(test, error)}, ${name}`,
+              hover_name: t.errors_curve_of({ error: label_of(test, error), which: name }),
               colour: effect_colour(0, dark),
               dash: dash === "solid" ? "dashed" : "dotted",
               width_px: 2.2,
@@ -112,8 +112,9 @@ const curves_of = (test: ErrorTest, error: string, state: State): RoundCurve[] =
 // How far from round it is, and would be.
 const circularity_note = (test: ErrorTest, error: string): string => {
   const first = ranked_errors(test.part).find(({ effect }) => effect === error)?.first;
-  const lines = [`circularity ${shown(test.part.circularity_um, 2)} µm`];
-  if (first) lines.push(`without ${label_of(test, error)}: ${shown(first.circularity_without_um, 2)} µm`);
+  const lines = [t.errors_circularity({ value: shown(test.part.circularity_um, 2) })];
+  const without = first?.circularity_without_um;
+  if (first) lines.push(t.errors_circularity_without({ error: label_of(test, error), value: shown(without, 2) }));
   return lines.join("\n");
 };
 
@@ -124,7 +125,7 @@ export const test_choice = (tests: readonly ErrorTest[]): Choice[] => {
     const name = names[k] ?? "";
     return { value, label: names.indexOf(name) === names.lastIndexOf(name) ? name : `${name} (${k + 1})` };
   });
-  return [{ key: "test", label: "Test", values, initial: values[0]?.value ?? "" }];
+  return [{ key: "test", label: t.errors_test, values, initial: values[0]?.value ?? "" }];
 };
 
 // Of all tests, in the order of the first that has it.
@@ -136,8 +137,8 @@ const error_choice = (tests: readonly ErrorTest[]): Choice => {
   const largest = tests[0] ? ranked_errors(tests[0].part)[0] : undefined;
   return {
     key: "error",
-    label: "Error",
-    values: [{ value: "", label: "none" }, ...[...all].map(([value, label]) => ({ value, label }))],
+    label: t.errors_error,
+    values: [{ value: "", label: t.none }, ...[...all].map(([value, label]) => ({ value, label }))],
     initial: largest && largest.first.rank !== null ? largest.effect : "",
   };
 };

@@ -9,6 +9,7 @@ import type { MeanPointPart, MeanPointState, Num } from "../report";
 import { plain } from "../drawing/text";
 import { axis, base, colours, curve_colour, legend, shown, tooltip } from "../drawing/theme";
 import { time_limits, x_axis } from "../drawing/two_grids";
+import { t } from "../texts/texts";
 
 type Series = Record<string, unknown>;
 
@@ -30,7 +31,7 @@ const best_place = (x_mm: number, colour: string): Series => ({
   markLine: {
     symbol: "none",
     silent: true,
-    label: { formatter: `best place, ${shown(x_mm, 2)} mm`, color: colour },
+    label: { formatter: t.mean_point_best({ at: shown(x_mm, 2) }), color: colour },
     lineStyle: { color: colour, type: "solid", width: 2 },
     data: [{ xAxis: x_mm }],
   },
@@ -85,8 +86,8 @@ export const mean_point_picture = ({ states, best }: MeanPointPart): Picture => 
         trigger: "axis",
         formatter: hover_text({ drawn: series, x: 0, y: 1, head: (at) => `${shown(at, 1)} mm`, unit: "°C" }),
       },
-      xAxis: x_axis(look, "x, mm", window, whole),
-      yAxis: axis(look, "temperature, °C", "y"),
+      xAxis: x_axis(look, t.mean_point_x_axis, window, whole),
+      yAxis: axis(look, t.mean_point_axis, "y"),
       series: [...series, ...(best ? [best_place(best.x_mm, colours(look.dark).ink)] : [])],
     };
   };

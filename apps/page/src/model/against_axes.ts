@@ -4,6 +4,7 @@ import type { Checked, Num } from "../report";
 import { plain } from "../drawing/text";
 import { minutes } from "../drawing/theme";
 import { split_name, unit_shown, words } from "../drawing/units";
+import { t } from "../texts/texts";
 
 export interface AgainstAxis {
   value: string; // of the choice
@@ -34,19 +35,19 @@ const axes_of = (checked: Checked): AgainstAxis[] => {
         value: `input${k}`,
         label: name,
         column: column.name,
-        name: written ? `${name}, ${written}` : name,
+        name: written ? t.model_in_unit({ name, unit: written }) : name,
         unit: written,
         values: column.values,
       };
     });
   return [
-    { value: "time", label: "time", column: "time", name: `time, ${unit}`, unit, values: time },
+    { value: "time", label: t.model_time, column: "time", name: t.model_time_in({ unit }), unit, values: time },
     ...columns,
     {
       value: "model",
-      label: "what the model says",
+      label: t.model_says,
       column: "model_um",
-      name: "model, µm",
+      name: t.model_axis,
       unit: "µm",
       values: series.predicted_um,
     },

@@ -14,6 +14,7 @@ import { plain } from "../drawing/text";
 import { axis, base, colours, curve_colour, dashes, font, legend, shown, tooltip } from "../drawing/theme";
 import { time_limits, x_axis } from "../drawing/two_grids";
 import { angle_limits } from "../recordings/unrolled_picture";
+import { t } from "../texts/texts";
 
 const kName_px = 12; // size of the names in the bands
 
@@ -94,7 +95,7 @@ export const contributions_picture = (
     return stack;
   };
   const toggles = (chosen: State["chosen"]): Toggle[] => [
-    { key: "model", label: "model", colour: (dark) => curve_colour(1, dark), mark: "line", on: true },
+    { key: "model", label: t.model, colour: (dark) => curve_colour(1, dark), mark: "line", on: true },
     ...(stack_for(chosen)?.parts ?? []).map((part): Toggle => ({
       key: part.key,
       label: part.label,
@@ -126,17 +127,19 @@ export const contributions_picture = (
     const least_um = (1.3 * kName_px * reach_um) / Math.max(100, look.height_px - 120); // that a name needs
     const at = places.map((place) => x[place] ?? NaN);
     const names = parts.flatMap((part, k) => {
-      const text = plain(part.label, 34);
+      const text = plain(part.label, Math.min(34, Math.floor(width / (kName_px * 0.6))));
       // The ends of a name may stand out of a band that is narrow there.
       const wide = 0.6 * ((text.length * kName_px * 0.6) / width) * (all[1] - all[0]);
       const up = place_for_name(at, ups[k]?.inner ?? [], ups[k]?.outer ?? [], all, wide);
       const down = place_for_name(at, downs[k]?.outer ?? [], downs[k]?.inner ?? [], all, wide);
       const place = (up?.height ?? 0) >= (down?.height ?? 0) ? up : down;
-      return place && place.height > least_um ? [name_at(text, place, look)] : [];
+      if (!place || place.height <= least_um) return [];
+      const half = ((text.length * kName_px * 0.6) / width) * (all[1] - all[0]) * 0.5;
+      return [name_at(text, { ...place, x: Math.min(Math.max(place.x, all[0] + half), all[1] - half) }, look)];
     });
     const model = places.map((place): Point => [x[place] ?? NaN, stack.model_um[place] ?? null]);
     const series: Record<string, unknown>[] = [...ups, ...downs].map((half) => half.series);
-    if (!hidden.has("model")) series.push(curve("model", curve_colour(1, look.dark), "solid", 2.4, model, { z: 4 }));
+    if (!hidden.has("model")) series.push(curve(t.model, curve_colour(1, look.dark), "solid", 2.4, model, { z: 4 }));
     series.push({
       type: "scatter",
       name: "",
@@ -150,13 +153,13 @@ export const contributions_picture = (
       name: part.label,
       data: places.map((place) => [x[place] ?? NaN, part.values_um[place] ?? null]),
     }));
-    const drawn = [...(hidden.has("model") ? [] : [{ name: "model", data: model }]), ...values];
+    const drawn = [...(hidden.has("model") ? [] : [{ name: t.model, data: model }]), ...values];
     const unit = over_angle ? "°" : "min";
     return {
       ...base(look),
       grid: { left: 64, right: 20, top: look.still ? 64 : 14, bottom: 48 },
-      xAxis: x_axis(look, over_angle ? "angle, °" : "time, min", window, over_angle ? angle_limits(x) : time_limits(x)),
-      yAxis: axis(look, over_angle ? "added, µm" : "added since the start, µm", "y"),
+      xAxis: x_axis(look, over_angle ? t.angle_axis : t.time_axis, window, over_angle ? angle_limits(x) : time_limits(x)),
+      yAxis: axis(look, over_angle ? t.model_added_axis : t.model_added_since_axis, "y"),
       legend: legend(state, toggles(state.chosen)),
       tooltip: {
         ...tooltip(look),
@@ -174,7 +177,7 @@ export const contributions_picture = (
       columns: [
         { name: over_angle ? "angle_deg" : "time_min", values: stack.strand.x },
         { name: "model_um", values: stack.model_um },
-        ...stack.parts.map((part) => ({ name: `${part.label}_um`, values: part.values_um })),
+        ...stack.parts.map((part) => ({ name: `${part.name}_um`, values: part.values_um })),
       ],
     };
   };

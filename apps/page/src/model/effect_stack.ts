@@ -4,9 +4,11 @@ import type { Checked, Num } from "../report";
 import type { Strand } from "../drawing/strands";
 import { plain } from "../drawing/text";
 import { curve_colour } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 export interface Part {
   key: string;
+  name: string; // in a file
   label: string;
   values_um: readonly Num[]; // at the strand's rows
   colour: (dark: boolean) => string;
@@ -50,7 +52,8 @@ export const stack_of = (checked: Checked, strand: Strand): Stack => {
   const labels = labels_once(series.contributions.map(({ effect }) => plain(effect, 60)));
   const parts = [...columns, rest].map((values_um, k): Part => ({
     key: `part${k}`,
-    label: labels[k] ?? "constant",
+    name: labels[k] ?? "constant",
+    label: labels[k] ?? t.model_constant,
     values_um,
     colour: colour_of(k),
   }));

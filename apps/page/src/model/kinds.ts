@@ -1,25 +1,28 @@
 // What a row of a checked series belongs to: the machine heats or cools, or, of recordings, the direction.
 import type { Checked, Num } from "../report";
 import { curve_colour, colours } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 export interface Kind {
-  name: string; // with its mark, so that a legend shows more than a colour
+  key: string;
+  name: () => string; // with its mark, so that a legend shows more than a colour
   colour: (dark: boolean) => string;
   symbol: string;
   rotate: number; // of the symbol, deg
 }
 
-const heating: Kind = { name: "heating ▲", colour: (dark) => curve_colour(1, dark), symbol: "triangle", rotate: 0 };
-const cooling: Kind = { name: "cooling ▼", colour: (dark) => curve_colour(0, dark), symbol: "triangle", rotate: 180 };
-const steady: Kind = { name: "steady ●", colour: (dark) => curve_colour(2, dark), symbol: "circle", rotate: 0 };
+const heating: Kind = { key: "heating", name: () => t.model_heating, colour: (dark) => curve_colour(1, dark), symbol: "triangle", rotate: 0 };
+const cooling: Kind = { key: "cooling", name: () => t.model_cooling, colour: (dark) => curve_colour(0, dark), symbol: "triangle", rotate: 180 };
+const steady: Kind = { key: "steady", name: () => t.model_steady, colour: (dark) => curve_colour(2, dark), symbol: "circle", rotate: 0 };
 const unknown: Kind = {
-  name: "neither is known ◆",
+  key: "unknown",
+  name: () => t.model_neither,
   colour: (dark) => colours(dark).faint,
   symbol: "diamond",
   rotate: 0,
 };
-const ccw: Kind = { name: "CCW ●", colour: (dark) => curve_colour(0, dark), symbol: "circle", rotate: 0 };
-const cw: Kind = { name: "CW ▲", colour: (dark) => curve_colour(1, dark), symbol: "triangle", rotate: 0 };
+const ccw: Kind = { key: "CCW", name: () => "CCW ●", colour: (dark) => curve_colour(0, dark), symbol: "circle", rotate: 0 };
+const cw: Kind = { key: "CW", name: () => "CW ▲", colour: (dark) => curve_colour(1, dark), symbol: "triangle", rotate: 0 };
 const all_kinds = [heating, cooling, steady, unknown, ccw, cw];
 
 const of_regime = new Map([

@@ -11,21 +11,22 @@ import { base, colours, curve_colour, legend, minutes, shown, tooltip } from "..
 import { time_limits, two_grids, x_axis } from "../drawing/two_grids";
 import { angle_limits } from "../recordings/unrolled_picture";
 import { ways_of, type Way } from "./ways";
+import { t } from "../texts/texts";
 
 const kMost_bars = 400; // error bars drawn, beyond them they are a blur
 
 const toggles_of = (checked: Checked, ways: readonly Way[]): Toggle[] => [
   ...ways.map(({ suffix, measured }): Toggle => ({
     key: `measured${suffix}`,
-    label: `measured${suffix}`,
+    label: `${t.measured}${suffix}`,
     colour: (dark) => curve_colour(measured, dark),
     mark: "dot",
     on: true,
   })),
-  { key: "model", label: "model", colour: (dark) => curve_colour(1, dark), mark: "line", on: true },
+  { key: "model", label: t.model, colour: (dark) => curve_colour(1, dark), mark: "line", on: true },
   ...ways.map(({ suffix, residual, dash }): Toggle => ({
     key: `residual${suffix}`,
-    label: `residual${suffix}`,
+    label: `${t.residual}${suffix}`,
     colour: (dark) => curve_colour(residual, dark),
     mark: dash === "solid" ? "line" : "dashed",
     on: true,
@@ -35,7 +36,7 @@ const toggles_of = (checked: Checked, ways: readonly Way[]): Toggle[] => [
     : [
         {
           key: "floor",
-          label: "± floor",
+          label: t.model_floor_band,
           colour: (dark: boolean) => colours(dark).faint,
           mark: "dashed",
           on: true,
@@ -87,9 +88,9 @@ export const model_fit_picture = (
     const all = over_angle ? angle_limits(seen.flatMap((strand) => strand.x)) : time_limits(seen[0]?.x ?? []);
     const grids = two_grids(
       look,
-      x_axis(look, over_angle ? "angle, °" : "time, min", window, all),
-      "deviation, µm",
-      "residual, µm",
+      x_axis(look, over_angle ? t.angle_axis : t.time_axis, window, all),
+      t.deviation_axis,
+      t.residual_axis,
     );
     const width = grids.width_px / Math.max(1, seen.length);
     const below = { xAxisIndex: 1, yAxisIndex: 1 };
@@ -112,11 +113,11 @@ export const model_fit_picture = (
           emphasis: { disabled: true },
           z: few ? 5 : 3,
         };
-        drawn.push({ type: "scatter", name: `measured${way.suffix}`, data: measured, ...look_of });
+        drawn.push({ type: "scatter", name: `${t.measured}${way.suffix}`, data: measured, ...look_of });
         const bars = way.strands.flatMap((strand) => error_bars(strand, checked, window));
         if (bars.length > 0)
           drawn.push(
-            curve("error bars", colour(way.measured), "solid", 1.2, bars, {
+            curve(t.model_error_bars, colour(way.measured), "solid", 1.2, bars, {
               silent: true,
               z: 2,
               tooltip: { show: false },
@@ -127,16 +128,16 @@ export const model_fit_picture = (
         const between =
           checked.curve && curve_min ? decimated(curve_min, checked.curve.predicted_um, window, width) : null;
         drawn.push(
-          curve("model", colour(1), "solid", 2, between ?? points(series.predicted_um), {
+          curve(t.model, colour(1), "solid", 2, between ?? points(series.predicted_um), {
             z: 4,
-            hover_name: `model${way.suffix}`,
+            hover_name: `${t.model}${way.suffix}`,
           }),
         );
       }
       if (!hidden.has(`residual${way.suffix}`)) {
         const marks = few ? { showSymbol: true, symbol: "diamond", symbolSize: 6 } : {};
         drawn.push(
-          curve(`residual${way.suffix}`, colour(way.residual), way.dash, few ? 1.2 : 1, points(series.residual_um), {
+          curve(`${t.residual}${way.suffix}`, colour(way.residual), way.dash, few ? 1.2 : 1, points(series.residual_um), {
             ...below,
             z: 3,
             ...marks,
@@ -147,7 +148,7 @@ export const model_fit_picture = (
     const floor = hidden.has("floor") ? null : checked.floor_um;
     const marks = [
       line_at(0, "solid", c.faint, ""),
-      ...(floor === null ? [] : [line_at(floor, "dashed", c.ink, "floor"), line_at(-floor, "dashed", c.ink, "")]),
+      ...(floor === null ? [] : [line_at(floor, "dashed", c.ink, t.model_floor), line_at(-floor, "dashed", c.ink, "")]),
     ];
     // Its points, which are not drawn, keep the floor within the axis.
     const start = window?.[0] ?? seen[0]?.x[0] ?? 0;
@@ -158,7 +159,7 @@ export const model_fit_picture = (
             [start, -floor],
             [start, floor],
           ];
-    const lines = curve("± floor", c.faint, "dashed", 0, reach, {
+    const lines = curve(t.model_floor_band, c.faint, "dashed", 0, reach, {
       ...below,
       silent: true,
       tooltip: { show: false },

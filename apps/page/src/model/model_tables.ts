@@ -5,6 +5,8 @@ import { plain } from "../drawing/text";
 import { minutes, shown } from "../drawing/theme";
 import { unit_shown } from "../drawing/units";
 import { decimals_for, with_sigma } from "../drawing/with_sigma";
+import { named, t, with_decimal_sign } from "../texts/texts";
+import { typed_name } from "../machine_errors/error_names";
 
 const kMost_rows = 20;
 
@@ -12,9 +14,18 @@ type Misfit = Checked["where"][number];
 
 const percent = (share: number | null): string => (share === null ? "–" : shown(100 * share, 0));
 
+// "angle, CCW", or a column; a regime, or from where to where: "30 deg".
+const place_name = (what: string): string => what.split(", ").map((part) => named(t.places, part)).join(", ");
+const end_name = (end: string): string => with_decimal_sign(named(t.regimes, end).replace(/ deg$/, "°"));
+
 const misfit_row = (misfit: Misfit): string[] => [
-  plain(misfit.what, 50),
-  plain(misfit.from === misfit.to ? misfit.from : `${misfit.from} to ${misfit.to}`, 60),
+  plain(place_name(misfit.what), 50),
+  plain(
+    misfit.from === misfit.to
+      ? end_name(misfit.from)
+      : t.several_from_to({ from: end_name(misfit.from), to: end_name(misfit.to) }),
+    60,
+  ),
   String(misfit.n),
   with_sigma(misfit.bias_um, misfit.bias_sigma_um, decimals_for(misfit.bias_um, misfit.bias_sigma_um)),
   shown(misfit.rmse_um, 3),
@@ -30,12 +41,12 @@ export const where_table = (checked: Checked, choose: TextTable["choose"]): Text
   if (rows.length === 0) return [];
   const title =
     rows.length < checked.where.length
-      ? `Where it fails: the ${rows.length} worst of ${checked.where.length}`
-      : "Where it fails, worst first";
+      ? t.model_where_worst({ rows: rows.length, all: checked.where.length })
+      : t.model_where_title;
   return [
     {
       title,
-      heading: ["by", "where", "rows", "bias µm", "RMSE µm", "% of the misfit"],
+      heading: [t.model_by, t.model_where, t.model_rows, t.model_bias, "RMSE µm", t.model_share],
       rows,
       ...(choose ? { choose } : {}),
     },
@@ -46,11 +57,11 @@ const parameter_row = (one: Parameter): string[] => {
   const decimals = decimals_for(one.value, one.sigma);
   const held = one.state !== undefined && one.state !== "free";
   return [
-    plain(one.effect ?? "–", 60),
+    typed_name(one.effect ?? "–", 90),
     plain(one.name, 60),
     held && one.sigma === null ? shown(one.value) : with_sigma(one.value, one.sigma, decimals),
     unit_shown(plain(one.unit, 20)).replace(/\bum\b/g, "µm"),
-    plain(one.state ?? "", 20),
+    plain(named(t.states, one.state ?? ""), 20),
   ];
 };
 
@@ -59,8 +70,8 @@ export const parameter_table = (checked: Checked): TextTable[] =>
     ? []
     : [
         {
-          title: "Parameters, ± one sigma",
-          heading: ["effect", "parameter", "value", "unit", "state"],
+          title: t.model_parameters_title,
+          heading: [t.model_effect, t.model_parameter, t.value, t.unit, t.model_state],
           rows: checked.parameters.map(parameter_row),
         },
       ];
@@ -70,9 +81,7 @@ export const sigma_notes = (report: Report, checked: Checked): NonNullable<Secti
   const circles = report.fit?.recordings.some(({ kind }) => kind === "circle") ?? false;
   const sigmas = checked.parameters.some(({ sigma }) => sigma !== null);
   if (checked.level !== "recording" || !circles || !sigmas) return [];
-  const note =
-    "These sigmas are by the noise model of the diagnosis, so that they differ from those in the table of circles.";
-  return [{ title: "About the sigmas of the parameters", items: [note] }];
+  return [{ title: t.model_sigmas_title, items: [t.model_sigmas_note] }];
 };
 
 // When an answer has made 63.2 % of its way to the end of the picture: the time constant of a body that follows by itself,
@@ -89,12 +98,14 @@ export const step_table = (checked: Checked): TextTable[] =>
     ? []
     : [
         {
-          title: "Answers to a step of the input",
-          heading: ["effect", "input", "from", "to", "unit", "at the end of the picture µm", "63 % of that after min"],
+          title: t.model_steps_table,
+          heading: [
+            t.model_effect, t.model_input, t.from, t.to, t.unit, t.model_at_the_end, t.model_after,
+          ],
           rows: checked.steps.map((step) => {
             const after_s = way_made_s(step.time_s, step.response_um);
             return [
-              plain(step.effect, 60),
+              typed_name(step.effect, 90),
               plain(step.input, 40),
               shown(step.from),
               shown(step.to),

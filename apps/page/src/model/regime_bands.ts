@@ -3,6 +3,7 @@ import type { Toggle } from "../picture";
 import type { Checked } from "../report";
 import { plain } from "../drawing/text";
 import { minutes, regime_colour } from "../drawing/theme";
+import { named, t } from "../texts/texts";
 
 type Regimes = Checked["series"]["regimes"];
 
@@ -15,7 +16,7 @@ const stronger = (regime: string, dark: boolean, alpha: number): string =>
 export const regime_toggles = (regimes: Regimes): Toggle[] =>
   regime_names(regimes).map((regime) => ({
     key: `regime ${regime}`,
-    label: plain(regime, 40),
+    label: plain(named(t.regimes, regime), 40),
     colour: (dark) => stronger(regime, dark, 1),
     mark: "band",
     on: true,
@@ -33,7 +34,7 @@ export const regime_bands = (
     .flatMap((regime) =>
       Array.from({ length: grids }, (_, grid) => ({
         type: "line",
-        name: plain(regime, 40),
+        name: plain(named(t.regimes, regime), 40),
         data: [],
         silent: true,
         xAxisIndex: grid,

@@ -12,13 +12,13 @@ import { plain } from "../drawing/text";
 import { axis, base, colours, legend, minutes, shown, tooltip } from "../drawing/theme";
 import { subsampled_rows } from "../drawing/subsampled_rows";
 import { x_axis } from "../drawing/two_grids";
+import { t } from "../texts/texts";
 
 const kMost_points = 4000;
 const kMost_of_trend = 50000;
 const kBins = 12;
 const kBins_of_a_turn = 36;
 const kFewest_bins = 3; // that make a trend
-const kTrend = "median and quartiles";
 
 // Few values, as a speed has: marks that would hide each other stand side by side, by kind and then by row.
 const kFew_values = 12;
@@ -63,11 +63,11 @@ export const residual_against_picture = (
     return kinds;
   };
   const enough_for_trend = series.time_s.length >= kFewest_bins * kFewest_in_bin;
-  const trend: Toggle = { key: "trend", label: kTrend, colour: (dark) => colours(dark).ink, mark: "line", on: true };
+  const trend: Toggle = { key: "trend", label: t.model_trend, colour: (dark) => colours(dark).ink, mark: "line", on: true };
   const toggles = (chosen: State["chosen"]): Toggle[] => [
     ...kinds_for(axis_of(chosen)).kinds.map((kind): Toggle => ({
-      key: kind.name,
-      label: kind.name,
+      key: kind.key,
+      label: kind.name(),
       colour: kind.colour,
       mark: "dot",
       on: true,
@@ -96,12 +96,12 @@ export const residual_against_picture = (
     const side_by_side = few_values(against.values, drawn);
     const size = drawn.length <= 60 ? 10 : drawn.length <= 400 ? 7 : 5;
     const clouds = kinds.flatMap((kind, k) =>
-      hidden.has(kind.name)
+      hidden.has(kind.key)
         ? []
         : [
             {
               type: "scatter",
-              name: kind.name,
+              name: kind.name(),
               symbol: kind.symbol,
               symbolRotate: kind.rotate,
               symbolSize: size,
@@ -132,7 +132,7 @@ export const residual_against_picture = (
       const quiet = { silent: true, tooltip: { show: false }, stack: `quartiles ${key}`, stackStrategy: "all", z: 3 };
       return [
         curve(
-          "lower quartile",
+          t.model_lower_quartile,
           colour,
           "solid",
           0,
@@ -140,7 +140,7 @@ export const residual_against_picture = (
           quiet,
         ),
         curve(
-          "upper quartile",
+          t.model_upper_quartile,
           colour,
           "solid",
           0,
@@ -148,7 +148,7 @@ export const residual_against_picture = (
           { ...quiet, areaStyle: { color: colour, opacity: 0.13 } },
         ),
         curve(
-          kTrend,
+          t.model_trend,
           colour,
           "solid",
           2.2,
@@ -157,7 +157,7 @@ export const residual_against_picture = (
         ),
       ];
     };
-    const on = kinds.map((_, k) => k).filter((k) => !hidden.has(kinds[k]?.name ?? ""));
+    const on = kinds.map((_, k) => k).filter((k) => !hidden.has(kinds[k]?.key ?? ""));
     const apart = checked.level === "recording" ? on.map((k) => [k]) : [on];
     const trend = hidden.has("trend") ? [] : apart.flatMap((places) => trend_of(places, places.join(), c.ink));
     const zero = {
@@ -174,19 +174,19 @@ export const residual_against_picture = (
       },
     };
     const row_text = (row: number): string =>
-      checked.level === "recording" ? "" : `\nat ${shown(minutes(series.time_s[row] ?? 0), 1)} min`;
+      checked.level === "recording" ? "" : `\n${t.model_at_min({ minutes: shown(minutes(series.time_s[row] ?? 0), 1) })}`;
     return {
       ...base(look),
       grid: { left: 64, right: 20, top: look.still ? 64 : 14, bottom: 48 },
       xAxis: x_axis(look, against.name, window, room_around(rows, against.values)),
-      yAxis: axis(look, "residual, µm", "y"),
+      yAxis: axis(look, t.residual_axis, "y"),
       legend: legend(state, toggles(state.chosen)),
       tooltip: {
         ...tooltip(look),
         trigger: "item",
         formatter: (hovered: { seriesName?: string; value?: unknown }) => {
           const [x, y, row] = Array.isArray(hovered.value) ? (hovered.value as number[]) : [];
-          return `${against.name}  ${shown(x)}\nresidual  ${shown(y, 3)} µm\n${hovered.seriesName ?? ""}${row_text(row ?? 0)}`;
+          return `${against.name}  ${shown(x)}\n${t.residual}  ${shown(y, 3)} µm\n${hovered.seriesName ?? ""}${row_text(row ?? 0)}`;
         },
       },
       series: [zero, ...clouds, ...trend],
@@ -202,7 +202,7 @@ export const residual_against_picture = (
       columns: [
         { name: column, values: rows.map((row) => against.values[row] ?? null) },
         { name: "residual_um", values: rows.map((row) => series.residual_um[row] ?? null) },
-        { name: "kind", values: rows.map((row) => kinds[of_row[row] ?? 0]?.name ?? "") },
+        { name: "kind", values: rows.map((row) => kinds[of_row[row] ?? 0]?.key ?? "") },
       ],
     };
   };
@@ -223,7 +223,7 @@ export const residual_against_picture = (
     height_px: 440,
     zoom: "own",
     choices: [
-      { key: "against", label: "Against", values: axes.map(({ value, label }) => ({ value, label })), initial },
+      { key: "against", label: t.model_against, values: axes.map(({ value, label }) => ({ value, label })), initial },
       ...recording_choice(report, strands, true),
     ],
     toggles: ({ chosen }) => toggles(chosen),

@@ -3,26 +3,28 @@ import { curve } from "../drawing/curve";
 import { decimated } from "../drawing/decimate";
 import { hover_text } from "../drawing/hover";
 import type { Picture, Toggle } from "../picture";
-import type { Checked } from "../report";
+import type { Checked, Num } from "../report";
 import { plain } from "../drawing/text";
-import { axis, base, colours, curve_colour, dashes, legend, minutes, shown, tooltip } from "../drawing/theme";
+import { axis, base, colours, curve_colour, dashes, digits, legend, minutes, shown, tooltip } from "../drawing/theme";
 import { unit_shown } from "../drawing/units";
 import { x_axis } from "../drawing/two_grids";
+import { t } from "../texts/texts";
 
 type Step = Checked["steps"][number];
 
-const name_of = (step: Step): string =>
-  `${plain(step.effect, 50)}: ${plain(step.input, 40)} ${shown(step.from)} → ${shown(step.to)} ${unit_shown(plain(step.unit, 20))}`;
+const name_of = (step: Step, number: (value: Num) => string): string =>
+  `${plain(step.effect, 50)}: ${plain(step.input, 40)} ${number(step.from)} → ${number(step.to)} ${unit_shown(plain(step.unit, 20))}`;
 
 // One of a name twice, as two steps in time, would be one in the legend.
-const names_of = (steps: readonly Step[]): string[] => {
-  const names = steps.map(name_of);
+const names_of = (steps: readonly Step[], number: (value: Num) => string): string[] => {
+  const names = steps.map((step) => name_of(step, number));
   return names.map((name, k) => (names.indexOf(name) === k ? name : `${name} (${k + 1})`));
 };
 
 export const steps_picture = (checked: Checked, name: string): Picture => {
   const { steps } = checked;
-  const names = names_of(steps);
+  const names = names_of(steps, shown);
+  const names_in_files = names_of(steps, digits);
   const toggles = steps.map((_, k): Toggle => ({
     key: `step${k}`,
     label: names[k] ?? "",
@@ -66,8 +68,8 @@ export const steps_picture = (checked: Checked, name: string): Picture => {
       return {
         ...base(look),
         grid: { left: 64, right: 20, top: look.still ? 64 : 14, bottom: 48 },
-        xAxis: x_axis(look, "time after the step, min", window, { min: "dataMin", max: "dataMax" }),
-        yAxis: axis(look, "added, µm", "y"),
+        xAxis: x_axis(look, t.model_steps_axis, window, { min: "dataMin", max: "dataMax" }),
+        yAxis: axis(look, t.model_added_axis, "y"),
         legend: legend(state, toggles),
         tooltip: {
           ...tooltip(look),
@@ -86,7 +88,7 @@ export const steps_picture = (checked: Checked, name: string): Picture => {
         return {
           columns: [
             { name: "time_min", values: times[0] ?? [] },
-            ...steps.map((step, k) => ({ name: `${names[k]}_um`, values: step.response_um })),
+            ...steps.map((step, k) => ({ name: `${names_in_files[k]}_um`, values: step.response_um })),
           ],
         };
       }
@@ -94,7 +96,7 @@ export const steps_picture = (checked: Checked, name: string): Picture => {
         columns: [
           { name: "time_min", values: times.flat() },
           { name: "response_um", values: steps.flatMap((step) => step.response_um) },
-          { name: "effect", values: steps.flatMap((step, k) => step.time_s.map(() => names[k] ?? "")) },
+          { name: "effect", values: steps.flatMap((step, k) => step.time_s.map(() => names_in_files[k] ?? "")) },
         ],
       };
     },

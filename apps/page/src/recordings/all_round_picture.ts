@@ -1,5 +1,5 @@
 // All tests of one kind on the circle: how it grows and wanders from the first test to the last.
-import { bar_of_tests, extent_of_tests, quantities, subsampled, tests_of, toggles_of_tests } from "./all_tests";
+import { bar_of_tests, extent_of_tests, quantity_choice, subsampled, tests_of, toggles_of_tests } from "./all_tests";
 import { magnifications, radial_scale } from "./magnification";
 import type { Picture } from "../picture";
 import { group_choice, type Group } from "./recording_groups";
@@ -7,6 +7,7 @@ import { round_option } from "./round";
 import { sequence_colour } from "../drawing/sequence_colour";
 import { test_numbers } from "./test_numbers";
 import { legend } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 export const all_round_picture = (groups: readonly Group[]): Picture => ({
   name: "tests-circle",
@@ -18,14 +19,14 @@ export const all_round_picture = (groups: readonly Group[]): Picture => ({
   height_px: 560,
   zoom: "none",
   choices: [
-    group_choice(groups, "group", "Figure"),
-    quantities,
+    group_choice(groups, "group", t.recordings_figure),
+    quantity_choice("deviation"),
     {
       key: "magnification",
-      label: "Magnification",
+      label: t.recordings_magnification,
       values: [
-        { value: "", label: "automatic" },
-        ...magnifications.map((m) => ({ value: String(m), label: `${m} times` })),
+        { value: "", label: t.recordings_automatic },
+        ...magnifications.map((m) => ({ value: String(m), label: t.recordings_times({ times: m }) })),
       ],
       initial: "",
     },

@@ -8,6 +8,7 @@ import { labels_of, type Group } from "./recording_groups";
 import type { Num, Recording } from "../report";
 import { sequence_bar, sequence_colour } from "../drawing/sequence_colour";
 import { colours, font, minutes, shown } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 export const kStretches = 180; // of a recording, up to four points each
 export const kMost_toggles = 24;
@@ -38,16 +39,16 @@ export const times_named = (recordings: readonly Recording[]): string[] => {
   return known ? times.map((time) => `${shown(minutes(time ?? 0), 0)} min`) : labels_of(recordings);
 };
 
-export const quantities: Choice = {
+export const quantity_choice = (initial: "deviation" | "change"): Choice => ({
   key: "quantity",
-  label: "Drawn",
+  label: t.recordings_drawn,
   values: [
-    { value: "deviation", label: "deviation from the nominal circle" },
-    { value: "change", label: "change since the first test" },
-    { value: "residual", label: "residual, each about its own centre" },
+    { value: "deviation", label: t.recordings_deviation },
+    { value: "change", label: t.recordings_change },
+    { value: "residual", label: t.recordings_residual },
   ],
-  initial: "deviation",
-};
+  initial,
+});
 
 // Of a curve at other angles, on whatever turn, by straight lines between readings; null outside of them and in a gap of
 // more than 5 deg.

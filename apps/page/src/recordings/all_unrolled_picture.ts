@@ -1,5 +1,5 @@
 // All tests of one kind against the angle.
-import { bar_of_tests, kStretches, quantities, subsampled, tests_of, toggles_of_tests } from "./all_tests";
+import { bar_of_tests, kStretches, quantity_choice, subsampled, tests_of, toggles_of_tests } from "./all_tests";
 import { curve, type Point } from "../drawing/curve";
 import { hover_text } from "../drawing/hover";
 import type { Picture } from "../picture";
@@ -9,12 +9,10 @@ import { test_numbers } from "./test_numbers";
 import { axis, base, legend, shown, tooltip } from "../drawing/theme";
 import { x_axis } from "../drawing/two_grids";
 import { angle_limits } from "./unrolled_picture";
+import { t } from "../texts/texts";
 
-const named: Record<string, string> = {
-  deviation: "deviation, µm",
-  change: "change since the first test, µm",
-  residual: "residual, µm",
-};
+const axis_name = (quantity: string | undefined): string =>
+  quantity === "change" ? t.recordings_change_axis : quantity === "residual" ? t.residual_axis : t.deviation_axis;
 
 export const all_unrolled_picture = (groups: readonly Group[]): Picture => ({
   name: "tests-unrolled",
@@ -26,8 +24,8 @@ export const all_unrolled_picture = (groups: readonly Group[]): Picture => ({
   height_px: 400,
   zoom: "own",
   choices: [
-    group_choice(groups, "group", "Figure"),
-    { ...quantities, initial: "change" },
+    group_choice(groups, "group", t.recordings_figure),
+    quantity_choice("change"),
   ],
   toggles: ({ chosen }) => toggles_of_tests(tests_of(groups, chosen)),
   draw: (state) => {
@@ -45,8 +43,8 @@ export const all_unrolled_picture = (groups: readonly Group[]): Picture => ({
     return {
       ...base(look),
       grid: { left: 64, right: 20, top, bottom: 48 },
-      xAxis: x_axis(look, "angle, °", window, angle_limits(tests.flatMap((test) => test.angle_deg))),
-      yAxis: axis(look, named[state.chosen["quantity"] ?? ""] ?? "deviation, µm", "y"),
+      xAxis: x_axis(look, t.angle_axis, window, angle_limits(tests.flatMap((test) => test.angle_deg))),
+      yAxis: axis(look, axis_name(state.chosen["quantity"]), "y"),
       legend: legend(state, toggles_of_tests(tests)),
       tooltip: {
         ...tooltip(look),

@@ -9,6 +9,7 @@ import type { Num, Recording } from "../report";
 import { sequence_bar, sequence_colour } from "../drawing/sequence_colour";
 import { axis, base, colours, curve_colour, font, legend, minutes, shown, tooltip } from "../drawing/theme";
 import { x_axis } from "../drawing/two_grids";
+import { t } from "../texts/texts";
 
 interface Axial {
   key: string;
@@ -63,8 +64,8 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
         ? [
             {
               key: "recording",
-              label: "Recording",
-              values: [{ value: "", label: "all tests" }, ...labels.map((label, k) => ({ value: String(k), label }))],
+              label: t.recording,
+              values: [{ value: "", label: t.recordings_all_tests }, ...labels.map((label, k) => ({ value: String(k), label }))],
               initial: "",
             },
           ]
@@ -96,7 +97,7 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
                 ];
           return [
             curve(one.name, colour, "solid", many ? 1 + one.place : 1.4, points),
-            curve("mean", many ? colour : curve_colour(1, dark), "dashed", 1.4, level, {
+            curve(t.recordings_mean, many ? colour : curve_colour(1, dark), "dashed", 1.4, level, {
               silent: true,
               tooltip: { show: false },
             }),
@@ -106,8 +107,8 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
       return {
         ...base(look),
         grid: { left: 64, right: 20, top, bottom: 48 },
-        xAxis: x_axis(look, "time since the recording began, s", window),
-        yAxis: axis(look, "deviation, µm", "y"),
+        xAxis: x_axis(look, t.recordings_time_axis, window),
+        yAxis: axis(look, t.deviation_axis, "y"),
         legend: legend(state, toggles(state.chosen)),
         tooltip: {
           ...tooltip(look),

@@ -6,9 +6,7 @@ import type { Look } from "../picture";
 import { measured } from "./recording_curves";
 import type { Num, Recording } from "../report";
 import { colours, kNarrow_px, shown } from "../drawing/theme";
-
-export const kFitted = "fitted circle and its centre";
-export const kExtremes = "largest and least radius";
+import { t } from "../texts/texts";
 
 const mark = (name: string, colour: string, more: Record<string, unknown>): Record<string, unknown> => ({
   type: "scatter",
@@ -42,15 +40,15 @@ export const centre_mark = (
   if (typeof a !== "number" || typeof b !== "number") return [];
   const end = [scale.middle_um + Math.hypot(a, b), within_turn((Math.atan2(b, a) * 180) / Math.PI)];
   if ((end[0] ?? 0) > scale.outside_um) return [];
-  const text = `centre ${shown(a, 1)}, ${shown(b, 1)} µm`;
+  const text = t.recordings_centre({ a: shown(a, 1), b: shown(b, 1) });
   return [
-    curve(kFitted, colour, "solid", 1.2, [[scale.middle_um, 0], end], {
+    curve(t.recordings_fitted_and_centre, colour, "solid", 1.2, [[scale.middle_um, 0], end], {
       coordinateSystem: "polar",
       silent: true,
       tooltip: { show: false },
       z: 5,
     }),
-    mark(kFitted, colour, {
+    mark(t.recordings_fitted_and_centre, colour, {
       symbol: "diamond",
       symbolSize: 9,
       data: [{ value: end, label: named(text, colour, look, b > 0 ? "top" : "bottom") }],
@@ -79,16 +77,22 @@ export const extreme_marks = (
     const radial = measured(recording, centred)[i];
     if (radial === undefined || radial === null) return [];
     const value = `${value_um > 0 ? "+" : ""}${shown(value_um, 2)}`;
-    const text = `${least ? "least" : "largest"} ${value}${alone ? "" : `, ${recording.direction}`}`;
+    const text = least ? t.recordings_least({ value }) : t.recordings_largest({ value });
+    const direction = recording.direction ?? "";
     return [
-      mark(kExtremes, colour, {
+      mark(t.recordings_extremes, colour, {
         symbol: "triangle",
         symbolRotate: least ? 180 : 0,
         symbolSize: 10,
         data: [
           {
             value: [radial, within_turn(angles[i] ?? 0)],
-            label: named(look.width_px < kNarrow_px ? value : text, colour, look, side_of(at_deg, least)),
+            label: named(
+              look.width_px < kNarrow_px ? value : alone ? text : t.recordings_of_direction({ text, direction }),
+              colour,
+              look,
+              side_of(at_deg, least),
+            ),
           },
         ],
       }),

@@ -1,6 +1,6 @@
 // The picture that every user of a ballbar knows: the deviation, magnified, on a circle.
 import { within_turn } from "../drawing/angles";
-import { centre_mark, extreme_marks, kExtremes, kFitted } from "./circle_marks";
+import { centre_mark, extreme_marks } from "./circle_marks";
 import { magnifications, radial_scale } from "./magnification";
 import type { Picture, State, Toggle } from "../picture";
 import { effects_of, fitted_at, kept_readings, measured, picked, recording_numbers } from "./recording_curves";
@@ -10,10 +10,12 @@ import type { Num, Recording } from "../report";
 import { round_option, type RoundCurve } from "./round";
 import { plain } from "../drawing/text";
 import { colours, curve_colour, dashes, legend } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 const kStretches = 720; // of a turn, four points each
 
-const trace_name = (recording: Recording): string => `measured, ${recording.direction ?? "circle"}`;
+const trace_name = (recording: Recording): string => 
+  t.measured_of({ which: recording.direction ?? t.recordings_circle });
 
 const toggles_of = (recordings: readonly Recording[], centred: boolean): Toggle[] => [
   ...recordings.map((recording, k): Toggle => ({
@@ -28,7 +30,7 @@ const toggles_of = (recordings: readonly Recording[], centred: boolean): Toggle[
     : [
         {
           key: "fitted",
-          label: kFitted,
+          label: t.recordings_fitted_and_centre,
           colour: (dark: boolean) => curve_colour(2, dark),
           mark: "dashed",
           on: true,
@@ -36,7 +38,7 @@ const toggles_of = (recordings: readonly Recording[], centred: boolean): Toggle[
       ]),
   {
     key: "extremes",
-    label: kExtremes,
+    label: t.recordings_extremes,
     colour: (dark) => (recordings.length > 1 ? colours(dark).ink : curve_colour(3, dark)),
     mark: "dot",
     on: true,
@@ -84,7 +86,7 @@ const curves_of = (recordings: readonly Recording[], state: State, centred: bool
     const curves: RoundCurve[] = [];
     if (on("fitted") && !centred) {
       curves.push({
-        name: kFitted,
+        name: t.recordings_fitted_and_centre,
         colour: curve_colour(2, dark),
         dash: "dashed",
         width_px: 1.5,
@@ -137,22 +139,22 @@ export const circle_picture = (groups: readonly Group[]): Picture => {
     height_px: 560,
     zoom: "none",
     choices: [
-      group_choice(groups, "recording", "Recording"),
+      group_choice(groups, "recording", t.recording),
       {
         key: "from",
-        label: "Drawn from",
+        label: t.recordings_drawn_from,
         values: [
-          { value: "nominal", label: "the nominal circle, as measured" },
-          { value: "fitted", label: "the fitted circle, about its own centre" },
+          { value: "nominal", label: t.recordings_from_nominal },
+          { value: "fitted", label: t.recordings_from_fitted },
         ],
         initial: "nominal",
       },
       {
         key: "magnification",
-        label: "Magnification",
+        label: t.recordings_magnification,
         values: [
-          { value: "", label: "automatic" },
-          ...magnifications.map((m) => ({ value: String(m), label: `${m} times` })),
+          { value: "", label: t.recordings_automatic },
+          ...magnifications.map((m) => ({ value: String(m), label: t.recordings_times({ times: m }) })),
         ],
         initial: "",
       },

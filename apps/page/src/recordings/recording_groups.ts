@@ -2,6 +2,7 @@
 import type { Choice } from "../picture";
 import type { FitPart, Recording } from "../report";
 import { plain } from "../drawing/text";
+import { t } from "../texts/texts";
 
 export interface Group {
   value: string; // of a choice
@@ -45,8 +46,8 @@ export const pairs_of = ({ recordings, pairs }: FitPart): [Recording, Recording]
 const name_of_pair = (a: Recording, b: Recording): string => {
   const [name, other] = [a, b].map(({ label }) => plain(label, 60).replace(/[,\s]*(CCW|CW)$/, ""));
   return name === other
-    ? `${name}, ${a.direction} and ${b.direction}`
-    : `${plain(a.label, 60)} and ${plain(b.label, 60)}`;
+    ? t.recordings_both_ways({ name: name ?? "", a: a.direction ?? "", b: b.direction ?? "" })
+    : t.recordings_two({ a: plain(a.label, 60), b: plain(b.label, 60) });
 };
 
 // The two directions of a test together first, because their difference shows play and lag; then each recording alone.
@@ -65,20 +66,24 @@ export const pairs_and_singles = (
   return [...both_ways, ...one_by_one(recordings)];
 };
 
+const figure_of = (recording: Recording): string => {
+  const { plane, direction, arc_deg } = recording;
+  if (!is_circle(recording)) return t.recordings_axial;
+  const arc = (arc_deg ?? 360) > 359 ? "" : String(Math.round(arc_deg ?? 0)); // none: a full turn
+  return t.recordings_repeated({ plane: plane ?? "?", direction: direction ?? "?", arc_deg: arc });
+};
+
 // Recordings of one kind, plane and direction: the same figure, test after test. In the order of their times.
 export const repeated = (recordings: readonly Recording[], at_least: number): Group[] => {
   const groups = new Map<string, Recording[]>();
   for (const recording of recordings) {
-    const { plane, direction, arc_deg } = recording;
-    const key = is_circle(recording)
-      ? `${plane ?? "?"} plane, ${direction ?? "?"}, ${(arc_deg ?? 360) > 359 ? "full turn" : `arc of ${Math.round(arc_deg ?? 0)}°`}`
-      : "axial";
+    const key = figure_of(recording);
     groups.set(key, [...(groups.get(key) ?? []), recording]);
   }
   return [...groups]
     .filter(([, of]) => of.length >= at_least)
-    .map(([key, of]) => ({
-      value: plain(key, 60),
+    .map(([key, of], k) => ({
+      value: String(k),
       label: plain(key, 60),
       of: [...of].sort((a, b) => (a.time_s ?? 0) - (b.time_s ?? 0)),
     }));

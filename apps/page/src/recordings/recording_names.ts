@@ -3,6 +3,7 @@ import type { Choice } from "../picture";
 import { is_circle, labels_of } from "./recording_groups";
 import type { Num, Report } from "../report";
 import type { Strand } from "../drawing/strands";
+import { t } from "../texts/texts";
 
 const kMost_together = 4; // recordings drawn over each other at first
 
@@ -10,7 +11,7 @@ const kMost_together = 4; // recordings drawn over each other at first
 export const recording_name = (report: Report, strands: readonly Strand[], recording: Num): string => {
   const circles = report.fit?.recordings.filter(is_circle) ?? [];
   const label = circles.length >= strands.length ? labels_of(circles)[recording ?? -1] : undefined;
-  return label ?? `recording ${(recording ?? 0) + 1}`;
+  return label ?? t.recordings_numbered({ number: (recording ?? 0) + 1 });
 };
 
 export const recording_choice = (report: Report, strands: readonly Strand[], together: boolean): Choice[] => {
@@ -19,9 +20,9 @@ export const recording_choice = (report: Report, strands: readonly Strand[], tog
     value: String(recording),
     label: recording_name(report, strands, recording),
   }));
-  const all = together ? [{ value: "", label: "all of them" }] : [];
+  const all = together ? [{ value: "", label: t.recordings_all }] : [];
   const initial = together && strands.length <= kMost_together ? "" : (each[0]?.value ?? "");
-  return [{ key: "recording", label: "Recording", values: [...all, ...each], initial }];
+  return [{ key: "recording", label: t.recording, values: [...all, ...each], initial }];
 };
 
 export const chosen_strands = (strands: readonly Strand[], chosen: Readonly<Record<string, string>>): Strand[] =>

@@ -5,6 +5,7 @@ import type { FitPart, Num, Recording, Result } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { with_sigma } from "../drawing/with_sigma";
+import { named, t } from "../texts/texts";
 
 const scaled = (value: Num | undefined, by: number): Num => (typeof value === "number" ? value * by : null);
 
@@ -21,8 +22,11 @@ const circle_row = (label: string, one: Recording): string[] => [
 ];
 
 const circles_table = (circles: readonly Recording[], choose: TextTable["choose"]): TextTable => ({
-  title: "Circles",
-  heading: ["recording", "plane", "arc °", "readings", "centre A µm", "centre B µm", "radius mm", "G µm", "rms µm"],
+  title: t.recordings_circles,
+  heading: [
+    t.recordings_one, t.recordings_plane, t.recordings_arc, t.recordings_readings, t.recordings_centre_a,
+    t.recordings_centre_b, t.recordings_radius, "G µm", t.recordings_rms,
+  ],
   rows: labels_of(circles).map((label, k) => circle_row(label, circles[k] as Recording)),
   ...(choose ? { choose } : {}),
 });
@@ -35,8 +39,8 @@ const axial_row = (label: string, one: Recording): string[] => [
 ];
 
 const axial_table = (axial: readonly Recording[], choose: TextTable["choose"]): TextTable => ({
-  title: "Axial recordings",
-  heading: ["recording", "readings", "length mm", "rms µm"],
+  title: t.recordings_axials,
+  heading: [t.recordings_one, t.recordings_readings, t.recordings_length, t.recordings_rms],
   rows: labels_of(axial).map((label, k) => axial_row(label, axial[k] as Recording)),
   ...(choose ? { choose } : {}),
 });
@@ -47,7 +51,7 @@ const full_labels = (rows: readonly Result[]): string[] => {
   return rows.map(({ label }) => {
     if (!/^\s/.test(label)) above = label.trim();
     const full = /^\s/.test(label) ? `${above.replace(/ \S+$/, "")} ${label.trim()}` : label;
-    return plain(full, 60).replace(/\bum\b/g, "µm");
+    return named(t.results, plain(full, 60).replace(/\bum\b/g, "µm"));
   });
 };
 
@@ -65,13 +69,13 @@ const table_of = (group: readonly Results[]): TextTable => {
   const labels = full_labels(first);
   const stored = group.some(has_stored);
   const title = of_a_recording(group[0] as Results)
-    ? "Recordings, beside what the file stores"
-    : "Both directions, ISO 230-4";
+    ? t.recordings_beside_stored
+    : t.recordings_both_directions;
   const names = group.map((results) => plain(results.of, 60));
   if (group.length <= 2) {
     return {
       title,
-      heading: ["quantity", ...names.flatMap((name) => (stored ? [name, "stored"] : [name]))],
+      heading: [t.recordings_quantity, ...names.flatMap((name) => (stored ? [name, t.recordings_stored] : [name]))],
       rows: labels.map((label, k) => [
         label,
         ...group.flatMap((results) => {
@@ -84,7 +88,7 @@ const table_of = (group: readonly Results[]): TextTable => {
   }
   return {
     title,
-    heading: ["", ...labels.flatMap((label) => (stored ? [label, "stored"] : [label]))],
+    heading: ["", ...labels.flatMap((label) => (stored ? [label, t.recordings_stored] : [label]))],
     rows: group.map((results, k) => [
       names[k] ?? "",
       ...results.rows.flatMap((row) => {

@@ -8,6 +8,7 @@ import { free_angle_deg, type RadialScale } from "./magnification";
 import type { Look } from "../picture";
 import type { Num } from "../report";
 import { base, colours, font, kNarrow_px, shown, tooltip } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 export interface RoundCurve {
   name: string;
@@ -97,9 +98,9 @@ export const round_option = (
     };
   });
   const note = [
-    `magnified ${shown(scale.magnification)} times`,
-    `rings every ${shown(scale.ring_step_um)} µm`,
-    ...(beyond > 0 ? ["part of the curve is beyond the middle:", "choose less magnification"] : []),
+    t.recordings_magnified({ times: shown(scale.magnification) }),
+    t.recordings_rings({ step: shown(scale.ring_step_um) }),
+    ...(beyond > 0 ? [t.recordings_beyond, t.recordings_less_magnification] : []),
   ].join("\n");
   const angles = curves.filter((one) => !one.beside).flatMap((one) => one.angle_deg);
   return {

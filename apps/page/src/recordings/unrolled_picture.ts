@@ -10,9 +10,11 @@ import type { Num, Recording } from "../report";
 import { plain } from "../drawing/text";
 import { base, colours, curve_colour, dashes, legend, shown, tooltip } from "../drawing/theme";
 import { two_grids, x_axis } from "../drawing/two_grids";
+import { t } from "../texts/texts";
 
 const dash_of = (recording: Recording): Dash => (recording.direction === "CW" ? [7, 2] : "solid");
-const name_of = (recording: Recording): string => `measured, ${recording.direction ?? "circle"}`;
+const name_of = (recording: Recording): string => 
+  t.measured_of({ which: recording.direction ?? t.recordings_circle });
 
 const toggles_of = (recordings: readonly Recording[]): Toggle[] => [
   ...recordings.map((recording, k): Toggle => ({
@@ -22,7 +24,7 @@ const toggles_of = (recordings: readonly Recording[]): Toggle[] => [
     mark: recording.direction === "CW" ? "dashed" : "line",
     on: true,
   })),
-  { key: "fitted", label: "fitted circle", colour: (dark) => curve_colour(2, dark), mark: "dashed", on: true },
+  { key: "fitted", label: t.recordings_fitted_circle, colour: (dark) => curve_colour(2, dark), mark: "dashed", on: true },
   ...effects_of(recordings).map((effect, k): Toggle => ({
     key: `effect ${effect}`,
     label: plain(effect, 60),
@@ -60,7 +62,7 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
     height_px: 460,
     zoom: "own",
     choices: [
-      group_choice(groups, "recording", "Recording"),
+      group_choice(groups, "recording", t.recording),
     ],
     toggles: ({ chosen }) => toggles_of(chosen_of(chosen)),
     draw: (state) => {
@@ -68,8 +70,8 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
       const recordings = chosen_of(state.chosen);
       const on = (key: string): boolean => !state.hidden.has(key);
       const angles = unwrapped_together(recordings.map((recording) => recording.trace?.angle_deg ?? []));
-      const x = x_axis(look, "angle, °", window, angle_limits(angles.flat()));
-      const grids = two_grids(look, x, "deviation, µm", "residual, µm", 0.4);
+      const x = x_axis(look, t.angle_axis, window, angle_limits(angles.flat()));
+      const grids = two_grids(look, x, t.deviation_axis, t.residual_axis, 0.4);
       const seen = window ? Math.max(0.05, (window[1] - window[0]) / 360) : 1;
       const stretches = grids.width_px / seen;
       const below = { xAxisIndex: 1, yAxisIndex: 1 };
@@ -93,19 +95,19 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
                 line(name_of(recording), trace.deviation_um, colour, dash_of(recording), 1.4),
                 line(name_of(recording), trace.residual_um, colour, dash_of(recording), 1.2, {
                   ...below,
-                  hover_name: `residual, ${recording.direction ?? "circle"}`,
+                  hover_name: t.residual_of({ which: recording.direction ?? t.recordings_circle }),
                 }),
               ]
             : []),
           ...(on("fitted")
             ? [
                 line(
-                  "fitted circle",
+                  t.recordings_fitted_circle,
                   trace.fitted_um,
                   curve_colour(2, look.dark),
                   recordings.length > 1 && k > 0 ? "dotted" : "dashed",
                   1.6,
-                  recordings.length > 1 ? { hover_name: `fitted circle, ${recording.direction}` } : {},
+                  recordings.length > 1 ? { hover_name: t.recordings_fitted_circle_of({ which: recording.direction ?? "" }) } : {},
                 ),
               ]
             : []),

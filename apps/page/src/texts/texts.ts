@@ -1,0 +1,51 @@
+// The language of the page. `t.some_key` is what it says there, now; nothing else on the page is written in a language.
+// The files of the languages have the same keys, which the compiler checks.
+import { de } from "./de";
+import { en, type Texts } from "./en";
+import { zh } from "./zh";
+
+export type Language = "en" | "de" | "zh";
+
+const spoken: Readonly<Record<Language, Texts>> = { en, de, zh };
+
+// As each calls itself, for the choice of one.
+export const languages: readonly { language: Language; name: string }[] = [
+  { language: "en", name: "English" },
+  { language: "de", name: "Deutsch" },
+  { language: "zh", name: "中文" },
+];
+
+export let language: Language = "en";
+export let t: Texts = en;
+
+// From now on; what was written before stays as it is.
+export const speak = (now: Language): void => {
+  language = now;
+  t = spoken[now];
+};
+
+// The first that a browser asks for and that is known: "de-CH" is "de".
+export const language_of = (asked: readonly string[]): Language => {
+  for (const tag of asked) {
+    const found = languages.find((one) => one.language === tag.split("-")[0]?.toLowerCase());
+    if (found) return found.language;
+  }
+  return "en";
+};
+
+// A sentence of the program, which is English on every page and marked as such where it is shown.
+export interface Quoted {
+  readonly english: string;
+}
+export type Said = string | Quoted;
+
+export const english = (text: string): Quoted => ({ english: text });
+export const said_text = (said: Said): string => (typeof said === "string" ? said : said.english);
+
+// A name of the program by a glossary of the language; one that it does not have stays as it is.
+export const named = (glossary: Readonly<Record<string, string>>, name: string): string =>
+  Object.hasOwn(glossary, name) ? (glossary[name] ?? name) : name;
+
+// Numbers within a text, "12.01 ± 0.04", with the decimal sign of the language.
+export const with_decimal_sign = (text: string): string =>
+  t.decimal_sign === "." ? text : text.replace(/(?<=\d)\.(?=\d)/g, t.decimal_sign);
