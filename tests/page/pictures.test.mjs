@@ -21,12 +21,12 @@ const comparison = ["comparison-x", "comparison-y", "comparison-z"];
 const cases = [
   ["two-arcs", two_arcs, ["drift", "five-probe", "five-probe-tilt", "speed", "temperatures", ...comparison, ...recordings, ...all_tests, ...model("y_um"), ...diagnosis]],
   ["spindle-rotation", (name) => report(name, of_run("spindle-rotation-huang2022")), ["drift", "speed", "temperatures", ...recordings, ...all_tests, "axial"]],
-  ["b5r", (name) => report(name, of_run("qc20-style-b5r", "00.b5r"), "--diagnose"), ["machine-errors", ...recordings, ...model("deviation_um").slice(0, 3)]],
-  ["b5r-folder", (name) => report(name, of_run("qc20-style-b5r")), ["machine-errors", "drift", ...recordings, ...all_tests]],
+  ["b5r", (name) => report(name, of_run("qc20-style-b5r", "00.b5r"), "--diagnose"), ["machine-errors", "machine-errors-without", ...recordings, ...model("deviation_um").slice(0, 3)]],
+  ["b5r-folder", (name) => report(name, of_run("qc20-style-b5r")), ["machine-errors", "machine-errors-without", "drift", ...recordings, ...all_tests]],
   [
     "errors",
     async (name) => with_errors(name, await report(`${name}-of`, of_run("qc20-style-b5r"))),
-    ["machine-errors", "drift", ...recordings, ...all_tests],
+    ["machine-errors", "machine-errors-without", "drift", ...recordings, ...all_tests],
   ],
   ["five-probe", (name) => report(name, of_run("two-arcs-he2015", "five-probe.csv")), ["five-probe", "five-probe-tilt", "measured"]],
   ["hidden-effect", hidden_effect, ["measured", "speed", "temperatures", ...model("y_um"), ...diagnosis, "ledger"]],

@@ -1,5 +1,7 @@
 # `ballbar` as a module for a page: build-engine.sh
 room(ballbar page/engine engine)
+find_library(ZLIB_OF_ZIP z REQUIRED)
+target_link_libraries(ballbar PRIVATE ${ZLIB_OF_ZIP})
 set_target_properties(ballbar PROPERTIES OUTPUT_NAME engine SUFFIX .js)
 target_link_options(ballbar PRIVATE -fwasm-exceptions -O2 --no-entry
   -sMODULARIZE=1 -sEXPORT_NAME=ballbar_engine -sENVIRONMENT=worker,node -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB

@@ -1,6 +1,8 @@
 // The program in a page: a worker calls it again and again, with files in memory.
 #include <emscripten.h>
+#include <spawn.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -20,6 +22,16 @@ EM_JS(void, tell_progress, (const char* text, int length), {
 // clang-format on
 
 }  // namespace
+
+// What the program asks a system for, and a page has not: other programs, and files without a name.
+extern "C" int posix_spawnp(pid_t*, const char*, const posix_spawn_file_actions_t*, const posix_spawnattr_t*,
+                            char* const*, char* const*) {
+  return ENOENT;
+}
+extern "C" int memfd_create(const char*, unsigned) {
+  errno = ENOSYS;
+  return -1;
+}
 
 // Runs `ballbar WORDS...`. words: a JSON array of strings. The standard output goes to the file `out`, standard error
 // to `err`. Returns the exit status.

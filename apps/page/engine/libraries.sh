@@ -1,8 +1,8 @@
 #!/bin/sh
-# libraries.sh MADE JOBS: what ballbar is linked with, compiled by emscripten from Debian's source packages into
+# libraries.sh MADE JOBS FLAGS: what ballbar is linked with, compiled by emscripten from Debian's source packages into
 # MADE/prefix; what is nothing but headers is taken from where Debian installs it. A library that is there stays.
 set -eu
-made=$1 jobs=$2
+made=$1 jobs=$2 flags=$3
 prefix=$made/prefix sources=$made/sources
 mkdir -p "$prefix/include" "$prefix/lib/cmake" "$sources"
 export NODE_PATH=/usr/share/nodejs
@@ -30,7 +30,7 @@ list_sources() {
 # The folder of a source package, unpacked. apt has checked what it brings; the signature of its uploader is not needed.
 unpacked() {
   if [ ! -d "$sources/$1" ]; then
-    list_sources
+    list_sources >&2
     (cd "$sources" && apt_source source --download-only "$1" && dpkg-source --no-check -x "$1"_*.dsc "$1.new") >&2
     mv "$sources/$1.new" "$sources/$1"
   fi
@@ -46,9 +46,9 @@ built() {
   folder=$(unpacked "$package")
   {
     emcmake cmake -S "$folder" -B "$made/$name" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" \
-      -DCMAKE_FIND_ROOT_PATH="$prefix" -DBUILD_SHARED_LIBS=OFF -DCMAKE_CXX_FLAGS='-fwasm-exceptions -DMAX_LOG_LEVEL=-3' "$@"
-    cmake --build "$made/$name" -j "$jobs"
-    cmake --install "$made/$name"
+      -DCMAKE_FIND_ROOT_PATH="$prefix" -DBUILD_SHARED_LIBS=OFF -DCMAKE_CXX_FLAGS="$flags -DMAX_LOG_LEVEL=-3" \
+      -DCMAKE_CXX_FLAGS_RELEASE='-O2 -DNDEBUG' "$@" &&
+      cmake --build "$made/$name" -j "$jobs" && cmake --install "$made/$name"
   } >"$made/$name.log" 2>&1 || {
     tail -n 40 "$made/$name.log" >&2
     exit 1
@@ -70,6 +70,17 @@ headers tomlplusplus tomlplusplus::tomlplusplus toml++
 headers CLI11 CLI11::CLI11 CLI
 ln -sfn /usr/include/boost "$prefix/include/boost"
 ln -sfn /usr/include/fast_float "$prefix/include/fast_float"
+
+# Eigen has vectors by the names of SSE2, but takes who knows them for a PC: hints to the allocation of its registers go,
+# and a header that is included with the others, of which nothing is used.
+if [ ! -d "$prefix/share/eigen3" ]; then
+  cp -R /usr/include/eigen3 "$prefix/include/"
+  sed -i 's/#if EIGEN_GNUC_AT_LEAST(6,0) && defined(EIGEN_VECTORIZE_SSE)/#if 0/' \
+    "$prefix/include/eigen3/Eigen/src/Core/products/GeneralBlockPanelKernel.h"
+  : >"$prefix/include/mmintrin.h"
+  mkdir -p "$prefix/share/eigen3"
+  cp -R /usr/share/eigen3/cmake "$prefix/share/eigen3/"
+fi
 
 built pugixml pugixml
 built fmt fmtlib -DFMT_TEST=OFF -DFMT_DOC=OFF
@@ -101,4 +112,4 @@ set(Threads_FOUND TRUE)
 END
 built ceres ceres-solver -DCMAKE_MODULE_PATH="$made/modules" -DMINIGLOG=ON -DSUITESPARSE=OFF -DCXSPARSE=OFF -DLAPACK=OFF \
   -DEIGENSPARSE=ON -DBUILD_TESTING=OFF -DBUILD_EXAMPLES=OFF -DBUILD_BENCHMARKS=OFF -DSCHUR_SPECIALIZATIONS=OFF \
-  -DCERES_THREADING_MODEL=NO_THREADS -DEigen3_DIR=/usr/share/eigen3/cmake
+  -DCERES_THREADING_MODEL=NO_THREADS -DEigen3_DIR="$prefix/share/eigen3/cmake"

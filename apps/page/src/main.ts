@@ -6,8 +6,11 @@ import type { Section } from "./picture";
 import type { Report } from "./report";
 import { ranked_sections } from "./sections";
 import { section_of } from "./page/section";
-import { shared_by_figures, type Shared } from "./page/shared";
+import { shared_by_figures } from "./page/shared";
 import { embedded } from "./source";
+import { engine_of } from "./engine";
+import { live_page, type Open } from "./live/live_page";
+import { open_live } from "./live/open_live";
 
 // A session has a file or two a test; a list that long is opened if wanted.
 const files_of = (files: readonly string[]): HTMLElement => {
@@ -19,10 +22,10 @@ const files_of = (files: readonly string[]): HTMLElement => {
   return files.length <= 3 ? list : element("details", { class: "files-of" }, element("summary", {}, `From ${files.length} files`), list);
 };
 
-const header_of = (report: Report): HTMLElement =>
+const header_of = (report: Report, wide: boolean): HTMLElement =>
   element(
     "header",
-    {},
+    wide ? { class: "wide" } : {},
     text_in("h1", report.title),
     files_of(report.files),
     element("p", { class: "made" }, `Made by ${report.made_by} on ${report.made_on}.`),
@@ -40,26 +43,50 @@ const contents_of = (sections: readonly Section[], theme: HTMLElement): HTMLElem
     theme,
   );
 
-const open = (report: Report): Shared => {
-  const voice = element("div", { class: "voice", role: "status", "aria-live": "polite" });
-  const shared = shared_by_figures(voice);
+const voice = element("div", { class: "voice", role: "status", "aria-live": "polite" });
+
+// `by_hand`: of a live page, what stands on the first screen; `proves`: it does so in the place of the report's own.
+const open: Open = (report, shared, theme, by_hand) => {
   const { first, all } = ranked_sections(report);
-  const made = all.map((section) => ({ section, ...section_of(section, first.includes(section), shared) }));
+  const own = !by_hand?.proves;
+  const made = all.map((section) => ({ section, ...section_of(section, own && first.includes(section), shared) }));
   const proved = made.flatMap(({ section, figure, proof }): Proved[] =>
     section.first && figure ? [{ first: section.first, figure, proof }] : [],
   );
-  const main = element("main", {}, ...first_screen(proved, report.summary, shared), ...made.map((one) => one.element));
-  document.body.append(contents_of(all, appearance(shared)), header_of(report), main, voice);
-  // What is on the screen is drawn at once; the rest when it comes near.
-  for (const { figure } of proved) figure.draw_now();
-  return shared;
+  const main = element(
+    "main",
+    {},
+    ...(own ? first_screen(proved, report.summary, shared) : []),
+    ...(by_hand ? [by_hand.element] : []),
+    ...made.map((one) => one.element),
+  );
+  return {
+    parts: [contents_of(all, theme), header_of(report, first[0]?.beside !== undefined), main],
+    // What is on the screen is drawn at once; the rest when it comes near.
+    draw: () => proved.forEach(({ figure }) => figure.draw_now()),
+  };
+};
+
+// For reading values back, as the tests of the page do.
+const ready = (shared: object): void => {
+  Object.defineProperty(window, "ballbar", { value: shared });
+  document.documentElement.dataset["ready"] = "1";
 };
 
 try {
-  const shared = open(embedded(document).report());
-  // For reading values back, as the tests of the page do.
-  Object.defineProperty(window, "ballbar", { value: Object.freeze({ figures: shared.figures }) });
-  document.documentElement.dataset["ready"] = "1";
+  const engine = engine_of(document);
+  const source = embedded(document);
+  document.body.append(voice);
+  if (engine) {
+    const page = live_page(voice, source.holds() ? source.report() : null, open);
+    void open_live(engine, page).then(() => ready(page.shared));
+  } else {
+    const shared = shared_by_figures(voice);
+    const { parts, draw } = open(source.report(), shared, appearance(shared), null);
+    document.body.append(...parts);
+    draw();
+    ready(Object.freeze({ figures: shared.figures }));
+  }
 } catch (error) {
   document.body.append(element("p", { role: "alert" }, `This page cannot be shown: ${String(error)}`));
   throw error;

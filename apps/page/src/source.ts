@@ -1,13 +1,14 @@
-// Where the page's data come from, and the only place that knows. Today they are embedded in the page. Later the
-// library, compiled to WebAssembly, can answer `try` and `add` through this interface too.
+// Where the data of a page come from that `report` wrote: embedded in it. A live page asks the program (live).
 import type { Report } from "./report";
 import { t } from "./texts/texts";
 
 export interface Source {
+  holds(): boolean;
   report(): Report;
 }
 
 export const embedded = (page: Document): Source => ({
+  holds: () => page.getElementById("report") !== null,
   report() {
     const text = page.getElementById("report")?.textContent;
     if (!text) throw new Error(t.page_no_data);

@@ -153,8 +153,8 @@ export const comparison_section = (report: Report): Section[] => {
       id: "comparison",
       heading: t.comparison,
       result: axes.map(([name, { agreement }]) => `${words(name)} ${named(t.agreement, agreement)}`).join(", "),
-      // Of a drift's own probes it is a check; another drift is what the reader asked for.
-      says: report.five_probe && axes.every(([, { agreement }]) => agreement !== "disagrees") ? 0 : 10,
+      // Of a drift with its own probes it is a check; another drift is what the reader asked for.
+      says: report.drift && report.five_probe && axes.every(([, { agreement }]) => agreement !== "disagrees") ? 0 : 10,
       ...(telling
         ? {
             first: {

@@ -4,10 +4,12 @@
 import type { Numbers, Picture, State } from "../picture";
 import type { Diagnosed, Num } from "../report";
 import { plain } from "../drawing/text";
-import { axis, base, colours, shown, tooltip } from "../drawing/theme";
+import { axis, base, colours, kNarrow_px, shown, tooltip } from "../drawing/theme";
 import { t } from "../texts/texts";
 
 const kAlike = 0.95; // as in the diagnosis
+const kLetter_px = 7;
+const kNumber_px = 19; // of two digits, with room to the next
 const kWritten = 14; // effects, up to which there is room for numbers in the cells
 
 // From light to dark in one hue on paper, from dark to light on a dark page: strong always stands out, and lightness
@@ -22,12 +24,15 @@ type Coherence = NonNullable<Diagnosed["coherence"]>;
 const drawing = ({ effects, values }: Coherence, { look }: State): Record<string, unknown> => {
   const c = colours(look.dark);
   const names = effects.map((effect) => plain(effect, 44));
-  const margin_px = Math.min(Math.max(200, 0.32 * look.width_px), 24 + 7 * Math.max(0, ...names.map((name) => name.length)));
+  const most_px = look.width_px < kNarrow_px ? 0.44 * look.width_px : Math.max(200, 0.32 * look.width_px);
+  const margin_px = Math.min(most_px, 24 + kLetter_px * Math.max(0, ...names.map((name) => name.length)));
   const cell_px = (look.width_px - margin_px - 24) / Math.max(1, effects.length);
   const written = effects.length <= kWritten && cell_px > 30;
   // With little room the columns bear the numbers of the rows.
   const numbered = cell_px < 44;
-  const rows = numbered ? names.map((name, k) => `${name}  ${k + 1}`) : names;
+  // Beside a narrow matrix there is room for the beginnings of the names.
+  const letters = look.width_px < kNarrow_px ? Math.floor((margin_px - 24) / kLetter_px) - 2 : 44;
+  const rows = numbered ? names.map((name, k) => `${plain(name, letters)}  ${k + 1}`) : names;
   const columns = numbered ? names.map((_, k) => String(k + 1)) : names;
   const roomy = look.width_px > 640;
   const strong = (value: Num, i: number, j: number): boolean => value !== null && i !== j && value > kAlike;
@@ -77,7 +82,7 @@ const drawing = ({ effects, values }: Coherence, { look }: State): Record<string
       textStyle: { color: c.ink },
       inRange: { color: scale(look.dark) },
     },
-    xAxis: { ...category("x", columns), axisLabel: { color: c.ink, rotate: numbered ? 0 : 40, interval: 0 } },
+    xAxis: { ...category("x", columns), axisLabel: { color: c.ink, rotate: numbered ? 0 : 40, interval: cell_px < kNumber_px ? 1 : 0 } },
     yAxis: { ...category("y", rows), inverse: true, axisLabel: { color: c.ink, interval: 0 } },
     series: [
       {

@@ -35,7 +35,8 @@ const set_text = (found: Diagnosed): string => {
   const [a = "", b = ""] = labels;
   const set =
     labels.length > 2 ? t.diagnosis_effects({ n: labels.length }) : labels.length === 2 ? t.diagnosis_two({ a, b }) : a;
-  return set_name(found) === "best" ? t.diagnosis_with({ set }) : t.diagnosis_with_not_accepted({ set });
+  if (set_name(found) !== "best") return t.diagnosis_with_not_accepted({ set });
+  return found.verdict === "equivalent" ? t.diagnosis_with_one_of_several({ set }) : t.diagnosis_with({ set });
 };
 
 const with_rmse = (curve: string, rmse_um: Num): string =>

@@ -93,6 +93,9 @@ export const tooltip = (look: Look): Record<string, unknown> => ({
   textStyle: { color: colours(look.dark).ink, fontSize: 12, fontFamily: font },
 });
 
+// Wide: less, as on a phone, and labels are shortened or fewer.
+export const kNarrow_px = 480;
+
 // The marks of a legend; without these ECharts puts a dot on every line.
 const icons: Record<Toggle["mark"], string | undefined> = {
   line: "path://M0,0h24v2h-24z",

@@ -1,6 +1,6 @@
 // Two drawings one above the other that share the x axis: a curve, and below it what is left of it.
 import type { Look } from "../picture";
-import { axis, colours } from "./theme";
+import { axis, colours, kNarrow_px } from "./theme";
 
 export interface TwoGrids {
   grid: Record<string, unknown>[];
@@ -39,7 +39,9 @@ export const x_axis = (
         ? {}
         : { showMinLabel: all["min"] === 0, showMaxLabel: false }),
   };
-  return { ...common, ...(window ? { min: window[0], max: window[1] } : all), axisLabel: label };
+  const step = all["interval"];
+  const fewer = typeof step === "number" && look.width_px < kNarrow_px ? { interval: 3 * step } : {};
+  return { ...common, ...(window ? { min: window[0], max: window[1] } : { ...all, ...fewer }), axisLabel: label };
 };
 
 export const two_grids = (

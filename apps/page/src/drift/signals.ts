@@ -64,13 +64,13 @@ const kFew = 8; // curves that can be told apart, and need no groups
 const roles = ["structure", "ambient", "coolant", "bearing", "mean_point", "housing", "bar", "load"];
 const place_of = (role: string): number => (roles.includes(role) ? roles.indexOf(role) : roles.length);
 
-// Columns that the diagnosis of any target finds behind what is missing.
+// Columns that the verdict of any target names.
 const named_columns = ({ diagnose }: Report): Set<string> =>
   new Set(
     (diagnose?.targets ?? []).flatMap((found) => {
       if (found.not_diagnosed !== undefined) return [];
-      const bounds = found.named.length > 0 ? found.named : [...found.probable, ...found.equivalent.flat()];
-      return [...bounds.flatMap(({ columns }) => Object.values(columns)), ...found.drivers.slice(0, 1).map(({ column }) => column)];
+      const driver = found.verdict === "driver" ? found.drivers.slice(0, 1).map(({ column }) => column) : [];
+      return [...[...found.named, ...found.probable].flatMap(({ columns }) => Object.values(columns)), ...driver];
     }),
   );
 

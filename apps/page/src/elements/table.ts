@@ -31,10 +31,10 @@ const bar_in = (cell: Element | undefined, share: number): void => {
 let explained_tables = 0;
 
 const caption_of = (title: string, about: string): HTMLElement => {
-  if (about === "") return element("caption", {}, title);
+  if (about === "") return element("caption", {}, element("span", { class: "stays" }, title));
   explained_tables += 1;
   const { button: more, note } = explained(`about-table-${explained_tables}`, title, about);
-  return element("caption", {}, title, " ", more, note);
+  return element("caption", {}, element("div", { class: "stays" }, title, " ", more, note));
 };
 
 export const table_of = ({ title, about = "", heading, rows, bars, row }: TableOf): HTMLElement => {

@@ -21,7 +21,7 @@ const kLowest_px = 300;
 
 // On a narrow screen a picture is hardly higher than wide: there the rest would be blank, or a curve all too steep.
 const height_at = ({ height_px, rows_of_text }: Picture, width_px: number): number =>
-  rows_of_text ? height_px : Math.min(height_px, Math.max(kLowest_px, width_px + 10));
+  rows_of_text ? height_px : Math.min(height_px, Math.max(kLowest_px, width_px + 40));
 
 // On the page some curves wait until they are wanted.
 const off_at_first = ({ on, quiet }: Toggle): boolean => !on || quiet === true;
@@ -38,6 +38,7 @@ export interface Figure {
   see(window: Range | null): void;
   select(stretch: Range | null): void;
   point(x: number | null): void; // a line at this place
+  renew(): void; // what it draws is another by now
   redraw(): void; // with the next frame, or once it is near the screen
   draw_now(): void;
   print(): void; // a drawing for paper is added
@@ -262,6 +263,10 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     see,
     select,
     point,
+    renew() {
+      numbers = null;
+      figure.redraw();
+    },
     redraw() {
       stale = true;
       if (near && awaited === 0) awaited = requestAnimationFrame(draw_now);

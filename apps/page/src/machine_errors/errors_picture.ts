@@ -26,7 +26,7 @@ interface Drawn {
   mark: Toggle["mark"];
 }
 
-const drawn_of = (recordings: readonly Recording[]): Drawn[] => {
+export const trace_styles = (recordings: readonly Recording[]): Drawn[] => {
   const directions = recordings.map(({ direction }) => direction);
   const each_once = new Set(directions).size === directions.length;
   const labels = labels_of(recordings);
@@ -41,7 +41,7 @@ const drawn_of = (recordings: readonly Recording[]): Drawn[] => {
 const label_of = (test: ErrorTest, error: string): string => error_name(error, test.recordings[0]?.plane);
 
 const toggles_of = (test: ErrorTest, error: string): Toggle[] => [
-  ...drawn_of(test.recordings).map(({ name, colour, mark }, k): Toggle => ({
+  ...trace_styles(test.recordings).map(({ name, colour, mark }, k): Toggle => ({
     key: `trace${k}`,
     label: t.measured_of({ which: name }),
     colour,
@@ -60,7 +60,7 @@ const curves_of = (test: ErrorTest, error: string, state: State): RoundCurve[] =
   const { dark } = state.look;
   const on = (key: string): boolean => !state.hidden.has(key);
   const without = error !== "" && on(kWithout);
-  const styles = drawn_of(test.recordings);
+  const styles = trace_styles(test.recordings);
   return test.recordings.flatMap((recording, k) => {
     const style = styles[k];
     const angles = recording.trace?.angle_deg ?? [];
@@ -118,7 +118,7 @@ const circularity_note = (test: ErrorTest, error: string): string => {
   return lines.join("\n");
 };
 
-const test_choice = (tests: readonly ErrorTest[]): Choice[] => {
+export const test_choice = (tests: readonly ErrorTest[]): Choice[] => {
   if (tests.length < 2) return [];
   const names = tests.map(({ recordings: [first] }) => plain(`${first?.test}, ${first?.plane}`, 60));
   const values = tests.map(({ value }, k) => {

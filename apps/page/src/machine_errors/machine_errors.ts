@@ -3,6 +3,7 @@ import { error_tests, type ErrorTest } from "./error_curves";
 import { error_name, unit_shown } from "./error_names";
 import { circle_table, errors_table, stated_table } from "./error_tables";
 import { errors_picture, kErrors_picture } from "./errors_picture";
+import { without_picture } from "./without_picture";
 import { command_of } from "../drawing/command";
 import { capital } from "../drawing/text";
 import type { Section, Told, ToldFirst } from "../picture";
@@ -120,7 +121,7 @@ export const machine_errors_section = (report: Report): Section[] => {
       },
       sentences: [],
       tables: [],
-      pictures: [errors_picture(tests)],
+      pictures: [errors_picture(tests), without_picture(tests)],
       beside: {
         picture: kErrors_picture,
         key: "test",

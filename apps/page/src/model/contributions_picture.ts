@@ -127,13 +127,15 @@ export const contributions_picture = (
     const least_um = (1.3 * kName_px * reach_um) / Math.max(100, look.height_px - 120); // that a name needs
     const at = places.map((place) => x[place] ?? NaN);
     const names = parts.flatMap((part, k) => {
-      const text = plain(part.label, 34);
+      const text = plain(part.label, Math.min(34, Math.floor(width / (kName_px * 0.6))));
       // The ends of a name may stand out of a band that is narrow there.
       const wide = 0.6 * ((text.length * kName_px * 0.6) / width) * (all[1] - all[0]);
       const up = place_for_name(at, ups[k]?.inner ?? [], ups[k]?.outer ?? [], all, wide);
       const down = place_for_name(at, downs[k]?.outer ?? [], downs[k]?.inner ?? [], all, wide);
       const place = (up?.height ?? 0) >= (down?.height ?? 0) ? up : down;
-      return place && place.height > least_um ? [name_at(text, place, look)] : [];
+      if (!place || place.height <= least_um) return [];
+      const half = ((text.length * kName_px * 0.6) / width) * (all[1] - all[0]) * 0.5;
+      return [name_at(text, { ...place, x: Math.min(Math.max(place.x, all[0] + half), all[1] - half) }, look)];
     });
     const model = places.map((place): Point => [x[place] ?? NaN, stack.model_um[place] ?? null]);
     const series: Record<string, unknown>[] = [...ups, ...downs].map((half) => half.series);

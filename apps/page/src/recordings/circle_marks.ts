@@ -5,7 +5,7 @@ import type { RadialScale } from "./magnification";
 import type { Look } from "../picture";
 import { measured } from "./recording_curves";
 import type { Num, Recording } from "../report";
-import { colours, shown } from "../drawing/theme";
+import { colours, kNarrow_px, shown } from "../drawing/theme";
 import { t } from "../texts/texts";
 
 const mark = (name: string, colour: string, more: Record<string, unknown>): Record<string, unknown> => ({
@@ -87,7 +87,12 @@ export const extreme_marks = (
         data: [
           {
             value: [radial, within_turn(angles[i] ?? 0)],
-            label: named(alone ? text : t.recordings_of_direction({ text, direction }), colour, look, side_of(at_deg, least)),
+            label: named(
+              look.width_px < kNarrow_px ? value : alone ? text : t.recordings_of_direction({ text, direction }),
+              colour,
+              look,
+              side_of(at_deg, least),
+            ),
           },
         ],
       }),

@@ -7,7 +7,7 @@ import { hover_text } from "../drawing/hover";
 import { free_angle_deg, type RadialScale } from "./magnification";
 import type { Look } from "../picture";
 import type { Num } from "../report";
-import { base, colours, font, shown, tooltip } from "../drawing/theme";
+import { base, colours, font, kNarrow_px, shown, tooltip } from "../drawing/theme";
 import { t } from "../texts/texts";
 
 export interface RoundCurve {
@@ -65,11 +65,11 @@ const rings = (scale: RadialScale, at_deg: number, look: Look, radius_px: number
   return [nominal, names].map((series) => ({ ...series, coordinateSystem: "polar" }));
 };
 
-const axis_name = (angle: number, plane: string | undefined): string => {
+const axis_name = (angle: number, plane: string | undefined, narrow: boolean): string => {
   const [a, b] = axes_of_plane(plane);
   const names: Record<number, string> = { 0: `+${a}`, 90: `+${b}`, 180: `−${a}`, 270: `−${b}` };
   const name = names[angle];
-  return angle === 360 ? "" : name ? `${name}  ${angle}°` : `${angle}°`;
+  return angle === 360 ? "" : name ? (narrow ? name : `${name}  ${angle}°`) : `${angle}°`;
 };
 
 export const round_option = (
@@ -81,7 +81,8 @@ export const round_option = (
 ): Record<string, unknown> => {
   const c = colours(look.dark);
   const top = look.still ? 64 : 8;
-  const radius = Math.max(40, Math.min(look.width_px / 2 - 66, (look.height_px - top - 8) / 2 - 26));
+  const narrow = look.width_px < kNarrow_px;
+  const radius = Math.max(40, Math.min(look.width_px / 2 - (narrow ? 42 : 66), (look.height_px - top - 8) / 2 - 26));
   let beyond = 0;
   const lines = curves.map((one) => {
     const data = one.angle_deg.map((angle, i) => {
@@ -114,7 +115,7 @@ export const round_option = (
       clockwise: false,
       axisLine: { lineStyle: { color: c.grid } },
       axisTick: { show: false },
-      axisLabel: { color: c.ink, margin: 10, formatter: (angle: number) => axis_name(angle, plane) },
+      axisLabel: { color: c.ink, margin: 10, formatter: (angle: number) => axis_name(angle, plane, narrow) },
       splitLine: { show: true, lineStyle: { color: c.grid } },
     },
     radiusAxis: {

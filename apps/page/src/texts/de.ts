@@ -161,8 +161,7 @@ export const de: Texts = {
   // machine_errors
   errors: "Fehler der Maschine",
   errors_picture_title: "Fehler auf dem Kreis",
-  errors_picture_caption:
-    "Jeder Messwert um den Ausgleichskreis aller Läufe, vergrößert; gestrichelt der gewählte Fehler.",
+  errors_picture_caption: "Um den Ausgleichskreis aller Läufe; gestrichelt der gewählte Fehler.",
   errors_picture_about:
     "Ein in der Tabelle gewählter Fehler (Klick oder ↑ ↓) zeichnet seine Kurve um den dunklen Ring; „ohne ihn“ (Leertaste) zieht sie von den Messwerten ab.",
   errors_without: "ohne ihn",
@@ -542,6 +541,7 @@ export const de: Texts = {
   diagnosis_result: ({ verdict, set, rmse }) => `${verdict}${set === "" ? "" : `: ${set}`}; RMSE ${rmse} µm`,
   diagnosis_with: ({ set }) => `mit ${set}`,
   diagnosis_with_not_accepted: ({ set }) => `mit ${set}, nicht angenommen`,
+  diagnosis_with_one_of_several: ({ set }) => `mit ${set}, eine von mehreren`,
   diagnosis_two: ({ a, b }) => `${a} und ${b}`,
   diagnosis_effects: ({ n }) => `${n} Effekten`,
   diagnosis_with_rmse: ({ curve, rmse }) => `${curve}, RMSE ${rmse} µm`,

@@ -164,7 +164,7 @@ export const en = {
   // machine_errors
   errors: "Errors of the machine",
   errors_picture_title: "Errors on the circle",
-  errors_picture_caption: "Each reading about the circle fitted to all runs, magnified; dashed, the chosen error.",
+  errors_picture_caption: "About the circle fitted to all runs; dashed, the chosen error.",
   errors_picture_about:
     "An error chosen in the table (a click, or ↑ ↓) draws its curve about the dark ring; “without it” (Space) takes that curve off the readings.",
   errors_without: "without it",
@@ -548,6 +548,7 @@ export const en = {
     ({ verdict, set, rmse }: { verdict: string; set: string; rmse: string }) => `${verdict}${set === "" ? "" : `: ${set}`}; RMSE ${rmse} µm`,
   diagnosis_with: ({ set }: { set: string }) => `with ${set}`,
   diagnosis_with_not_accepted: ({ set }: { set: string }) => `with ${set}, not accepted`,
+  diagnosis_with_one_of_several: ({ set }: { set: string }) => `with ${set}, one of several`,
   diagnosis_two: ({ a, b }: { a: string; b: string }) => `${a} and ${b}`,
   diagnosis_effects: ({ n }: { n: number }) => `${n} effects`,
   diagnosis_with_rmse: ({ curve, rmse }: { curve: string; rmse: string }) => `${curve}, RMSE ${rmse} µm`,

@@ -154,7 +154,7 @@ export const zh: Texts = {
   // machine_errors
   errors: "机床误差",
   errors_picture_title: "圆上的误差",
-  errors_picture_caption: "各读数绕全部行程的拟合圆，放大显示；虚线为所选误差。",
+  errors_picture_caption: "绕全部行程的拟合圆；虚线为所选误差。",
   errors_picture_about: "在表中选择误差（点击或 ↑ ↓）即在深色圆环周围绘出其曲线；“去除后”（空格键）将其从读数中扣除。",
   errors_without: "去除后",
   errors_without_of: ({ which }) => `去除后，${which}`,
@@ -506,6 +506,7 @@ export const zh: Texts = {
   diagnosis_result: ({ verdict, set, rmse }) => `${verdict}${set === "" ? "" : `：${set}`}；RMSE ${rmse} µm`,
   diagnosis_with: ({ set }) => `加入 ${set}`,
   diagnosis_with_not_accepted: ({ set }) => `加入 ${set}（未接受）`,
+  diagnosis_with_one_of_several: ({ set }) => `加入 ${set}（多种可能之一）`,
   diagnosis_two: ({ a, b }) => `${a} 与 ${b}`,
   diagnosis_effects: ({ n }) => `${n} 个效应`,
   diagnosis_with_rmse: ({ curve, rmse }) => `${curve}，RMSE ${rmse} µm`,

@@ -1,0 +1,127 @@
+// Files as they come in: to the engine under safe paths, and to what the browser keeps; one that will not fit is told and
+// left out.
+import { safe_paths, type Dropped } from "./dropped_files";
+import type { Engine, Sample } from "../engine";
+import { head_of, kind_of, type Held } from "./file_kinds";
+import type { Kept, Store } from "./kept_files";
+import { bytes_of_base64, read_report_file, type ReportFile } from "./report_file";
+import type { Work } from "./work";
+import { plain } from "../drawing/text";
+import { words } from "./words";
+
+const kNeed = 4; // times its size that a file takes, at most, once it is read and drawn
+const kSmall = 1e6; // bytes that always fit
+
+export interface Intake {
+  held(): readonly Held[];
+  faults(): Map<string, string>; // by path
+  take(dropped: readonly Dropped[]): Promise<Held[]>;
+  sample(sample: Sample): Promise<Held[]>;
+  again(kept: Kept): Promise<void>; // what the browser kept
+  // The files that a report page carries, and which words of a command they are.
+  carried(page: Held): Promise<{ read: ReportFile; held: Held[]; data: string[]; model: string }>;
+  written(path: string): Promise<void>; // by the program: kept with the rest
+  clear(): Promise<void>;
+}
+
+export const intake_of = (engine: Engine, work: Work, store: Store | null): Intake => {
+  let held: Held[] = [];
+  let drops = 0;
+  const faults = new Map<string, string>();
+
+  const keep = async (path: string, name: string, file: Blob): Promise<void> => {
+    await store?.put(path, name, file).catch(() => undefined); // full: then a reload loses it
+  };
+  const hold = async (path: string, name: string, file: Blob): Promise<Held> => {
+    const head = await head_of(file);
+    const one: Held = { path, name, bytes: file.size, kind: kind_of(name, head), head };
+    held = [...held.filter((other) => other.path !== path), one];
+    return one;
+  };
+  const fits = (file: Blob): { fits: boolean; left: number } => {
+    if (file.size <= kSmall) return { fits: true, left: Infinity };
+    const { used, most } = engine.memory();
+    return { fits: kNeed * file.size <= most - used, left: most - used };
+  };
+  const put = async (path: string, name: string, file: Blob, share: (of_it: number) => void): Promise<Held> => {
+    const { fits: room, left } = fits(file);
+    if (!room) {
+      const one: Held = { path, name, bytes: file.size, kind: "other", head: "" };
+      held = [...held, one];
+      faults.set(path, words.too_big(plain(name, 80), words.size(file.size), words.size(Math.max(0, left))));
+      return one;
+    }
+    await engine.put(path, file, (bytes) => share(bytes / file.size));
+    return hold(path, name, file);
+  };
+  const put_all = async (files: readonly { path: string; name: string; file: Blob }[]): Promise<Held[]> => {
+    const taken: Held[] = [];
+    for (const [k, { path, name, file }] of files.entries()) {
+      taken.push(await work.during(words.taking(plain(name, 60), k + 1, files.length), (share) => put(path, name, file, share)));
+    }
+    return taken;
+  };
+
+  return {
+    held: () => held,
+    faults: () => faults,
+    async take(dropped) {
+      do ++drops;
+      while (held.some(({ path }) => path.startsWith(`files-${drops}/`)));
+      const paths = safe_paths(
+        dropped.map(({ name }) => name),
+        `files-${drops}`,
+        new Set(held.map(({ path }) => path)),
+      );
+      const files = dropped.map(({ name, file }, k) => ({ path: paths[k] ?? "", name, file }));
+      const taken = await put_all(files);
+      for (const { path, name, file } of files) if (!faults.has(path)) await keep(path, name, file);
+      return taken;
+    },
+    async sample({ name, files }) {
+      const blobs = files.map(({ path, text }) => ({
+        path: `${name}/${path}`,
+        name: path,
+        file: new Blob([Uint8Array.from(text, (sign) => sign.charCodeAt(0))]),
+      }));
+      const taken = await put_all(blobs);
+      for (const one of blobs) await keep(one.path, one.name, one.file);
+      return taken;
+    },
+    async again({ files }) {
+      await put_all(files);
+    },
+    async carried(page) {
+      const read = read_report_file(new TextDecoder().decode(await engine.get(page.path)));
+      const folder = page.path.replace(/\.[^./]*$/, "");
+      const paths = safe_paths(
+        read.files.map(({ path }) => path),
+        folder,
+        new Set(held.map(({ path }) => path)),
+      );
+      const files = read.files.map(({ path, base64 }, k) => ({
+        path: paths[k] ?? "",
+        name: path,
+        file: new Blob([new Uint8Array(bytes_of_base64(base64))]),
+      }));
+      const taken = await put_all(files);
+      for (const { path, name, file } of files) await keep(path, name, file);
+      const put_as = new Map(read.files.map(({ path }, k) => [path, paths[k] ?? ""]));
+      // A word may be a folder of these files.
+      const word = (path: string): string => put_as.get(path) ?? `${folder}/${path.replace(/\/$/, "")}`;
+      return { read, held: taken, data: taken.length === 0 ? [] : read.data.map(word), model: read.model === "" ? "" : word(read.model) };
+    },
+    async written(path) {
+      const file = new Blob([new Uint8Array(await engine.get(path))]);
+      const name = held.find((one) => one.path === path)?.name ?? path;
+      await hold(path, name, file);
+      await keep(path, name, file);
+    },
+    async clear() {
+      for (const { path } of held) if (!faults.has(path)) await engine.remove(path).catch(() => undefined);
+      held = [];
+      faults.clear();
+      await store?.clear().catch(() => undefined);
+    },
+  };
+};

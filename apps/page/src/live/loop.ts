@@ -1,0 +1,313 @@
+// The loop with the hand: what a model leaves, its effects under sliders, what may be missing, and a step forth and back.
+import { candidate_list } from "./candidate_list";
+import type { Catalogue } from "./catalogue";
+import { added_by, words_of, type Subject } from "./commands";
+import { button, element } from "../elements/elements";
+import { fall_shown } from "./fall";
+import { fit_picture, type Now } from "./fit_picture";
+import { figure_of, type Figure } from "../figure/figure";
+import { model_list } from "./model_list";
+import { next_test } from "./next_test";
+import { posterior_bars } from "./posterior_bars";
+import type { PageState } from "../figure/page_state";
+import type { Candidate, Checked, Diagnosed, Report } from "../report";
+import { Refused, type Runs } from "./subject_runs";
+import { slid } from "./slid";
+import { Interrupted, type Work } from "./work";
+import { micrometres, plain } from "../drawing/text";
+import { words } from "./words";
+
+export interface LoopOf {
+  subject: Subject;
+  targets: readonly string[]; // to choose from
+  runs: Runs;
+  work: Work;
+  catalogue: Catalogue;
+  page: PageState;
+  bytes_of(path: string): Promise<Uint8Array>;
+  put(path: string, bytes: Uint8Array): Promise<void>;
+  plan: Parameters<typeof next_test>[0]["plan"];
+  changed(report: Report, subject: Subject): void; // the page below is to be drawn anew
+}
+
+export interface Loop {
+  element: HTMLElement;
+  subject(): Subject;
+  figure(): Figure | null;
+  proves(): boolean; // whether it has the picture that the first screen needs
+  show(report: Report): void;
+  search(): Promise<void>;
+  add(effects: readonly string[]): Promise<void>;
+  undo(): Promise<void>;
+  redo(): Promise<void>;
+  act(command: string): boolean; // whether it did what the command line says
+  diagnosed(): Diagnosed | null; // of the model as it is
+  to_optimum(): void;
+  first_slider(effect: string): ReturnType<ReturnType<typeof model_list>["slider"]>;
+}
+
+const of_target = <T extends { target: string }>(targets: readonly T[] | undefined, target: string): T | undefined =>
+  targets?.find((one) => one.target === target) ?? targets?.[0];
+
+export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, ...of }: LoopOf): Loop => {
+  let subject = first;
+  let report: Report | null = null;
+  let fitted: Checked | null = null; // as the program fitted it
+  let base: Checked | null = null; // as the program computed it with the sliders as they were
+  let drawn: Checked | null = null; // as it is drawn
+  let before: Checked | null = null;
+  let candidate: Candidate | null = null;
+  let found: Diagnosed | null = null;
+  let made: { figure: Figure; rows: number } | null = null;
+  const forth: Uint8Array[] = []; // models that were taken back, the last one first to come again
+
+  const sentence = element("p", { class: "said", role: "status", "aria-live": "polite" });
+  const say = (text: string): void => {
+    sentence.textContent = micrometres(text);
+  };
+  // What to do next, where the program proposes a step.
+  const next = button("", "", () => loop.act(found?.command ?? ""));
+  next.className = "act";
+  next.hidden = true;
+  const place = element("div", { class: "picture" });
+  const fall = fall_shown();
+  const posterior = posterior_bars();
+
+  const draw = (): void => {
+    if (!base || !fitted) return;
+    drawn = slid(base, list.values(), list.gains());
+    const moved = list.moved();
+    fall.show({ before: moved ? fitted.rmse_um : (before?.rmse_um ?? null), now: drawn.rmse_um, floor: drawn.floor_um, moved });
+    list.draw(drawn);
+    back.disabled = !moved;
+    made?.figure.renew();
+  };
+
+  // One run at a time; of what was moved meanwhile the last counts.
+  let running = false;
+  let again = false;
+  const computed = async (): Promise<void> => {
+    const settings = list.settings();
+    if (settings.length === 0 || !fitted) {
+      base = fitted;
+      return draw();
+    }
+    if (running) {
+      again = true;
+      return;
+    }
+    running = true;
+    const of_fit = fitted;
+    try {
+      const answer = await runs.set(subject, settings);
+      const checked = of_target(answer.check?.targets, subject.target);
+      if (checked && of_fit === fitted && list.moved()) base = { ...checked, floor_um: of_fit.floor_um };
+    } catch (error) {
+      if (!(error instanceof Interrupted)) say(String(error instanceof Error ? error.message : error));
+    }
+    running = false;
+    draw();
+    if (again) {
+      again = false;
+      await computed();
+    }
+  };
+  const list = model_list(catalogue, () => {
+    draw();
+    void computed();
+  });
+  const to_optimum = (): void => {
+    list.back();
+    base = fitted;
+    draw();
+  };
+  const back = button(words.to_optimum, words.to_optimum_title, to_optimum);
+
+  const candidates = candidate_list(
+    (one) => void loop.add([one.label]),
+    (one) => {
+      candidate = one;
+      made?.figure.renew();
+    },
+  );
+  const undo = button(words.undo, words.undo_title, () => void loop.undo());
+  const redo = button(words.redo, words.redo_title, () => void loop.redo());
+  const search = button(words.search, words.search_title, () => void loop.search());
+  const plan = next_test({ plan: of.plan, subject: () => subject });
+
+  const target_choice = element("select");
+  for (const target of targets) target_choice.add(new Option(plain(target, 60), target));
+  target_choice.value = subject.target;
+  target_choice.addEventListener("change", () => {
+    subject = { ...subject, target: target_choice.value };
+    before = null;
+    if (subject.model !== "") void attempt(async () => loop.show(await runs.report(subject)));
+  });
+  const target_label = element("label", { class: "choice" }, element("span", {}, words.explained), target_choice);
+  target_label.hidden = targets.length < 2;
+
+  const asked = element("div", {}, element("h3", {}, words.what_moves), element("p", { class: "about" }, words.what_moves_about));
+  const hand = element(
+    "div",
+    { class: "hand" },
+    asked,
+    fall.element,
+    element("div", { class: "buttons" }, target_label, search, undo, redo, back),
+    posterior.element,
+    candidates.element,
+    element("h3", { class: "of-model" }, words.model),
+    list.element,
+    plan.element,
+  );
+  const all = element("section", { class: "live-loop wide", id: "loop", "aria-label": words.loop }, element("div", { class: "verdict" }, sentence, next), element("div", { class: "by-hand" }, place, hand));
+
+  const now = (): Now => ({
+    report: report as Report,
+    checked: (drawn ?? fitted) as Checked,
+    before: list.moved() ? fitted : before,
+    candidate,
+  });
+  // The same picture as long as it has the same rows, so that its zoom and its switches stay.
+  const figure_now = (checked: Checked): void => {
+    const rows = checked.series.time_s.length;
+    if (made?.rows === rows) return made.figure.renew();
+    made = { figure: figure_of(fit_picture(now), page), rows };
+    place.replaceChildren(made.figure.element);
+    made.figure.redraw();
+  };
+
+  const attempt = async (work_of: () => Promise<void>): Promise<void> => {
+    all.setAttribute("aria-busy", "true");
+    try {
+      await work_of();
+    } catch (error) {
+      say(error instanceof Interrupted ? words.stopped(error.message) : error instanceof Refused ? error.message : words.failed(String(error)));
+    } finally {
+      all.removeAttribute("aria-busy");
+      update();
+    }
+  };
+
+  const update = (): void => {
+    const revisions = report?.ledger?.rows.filter(({ target }) => target === subject.target || subject.target === "").length ?? 0;
+    undo.disabled = revisions < 2;
+    redo.disabled = forth.length === 0;
+    search.disabled = work.busy();
+  };
+
+  const show_diagnosis = (of_it: Diagnosed | undefined): void => {
+    found = of_it && of_it.not_diagnosed === undefined ? of_it : null;
+    const effects = found?.command.startsWith("ballbar add ") ? added_by(found.command, subject) : [];
+    next.hidden = effects.length === 0;
+    next.textContent = words.add_named(effects.map((effect) => plain(effect, 60)).join(", "));
+    next.title = found?.command ?? "";
+    if (!found) return candidates.clear();
+    candidates.show(found);
+    plan.show(found);
+  };
+
+  const tried = (effect: string): Promise<void> =>
+    attempt(async () => {
+      say(words.searching);
+      say(await runs.try(subject, effect));
+    });
+
+  const model_changed = async (): Promise<void> => {
+    const was = fitted;
+    loop.show(await runs.report(subject));
+    before = was && fitted && was.series.time_s.length === fitted.series.time_s.length ? was : null;
+    draw();
+    update();
+    void loop.search();
+  };
+
+  const loop: Loop = {
+    element: all,
+    subject: () => subject,
+    figure: () => made?.figure ?? null,
+    proves: () => fitted !== null,
+    show(next) {
+      report = next;
+      const checked = of_target(next.check?.targets, subject.target);
+      all.classList.toggle("no-model", !checked);
+      all.classList.toggle("wide", checked !== undefined);
+      asked.hidden = checked !== undefined;
+      if (checked) {
+        if (subject.target === "" && targets.length > 1) subject = { ...subject, target: checked.target };
+        target_choice.value = checked.target;
+        fitted = base = drawn = checked;
+        list.renew(checked);
+        figure_now(checked);
+        draw();
+        if (sentence.textContent === "") say(checked.sentences[0] ?? "");
+      }
+      show_diagnosis(of_target(next.diagnose?.targets, subject.target));
+      of.changed(next, subject);
+      update();
+    },
+    search: () =>
+      attempt(async () => {
+        const of_subject = subject;
+        candidates.clear();
+        search.disabled = true;
+        try {
+          const answer = await runs.search(subject, (line) => posterior.tell(line));
+          if (of_subject !== subject) return;
+          loop.show(answer);
+          say(found?.sentence ?? "");
+        } finally {
+          posterior.clear();
+        }
+      }),
+    add: (effects) =>
+      attempt(async () => {
+        work.stop(); // a search of the model before
+        candidate = null;
+        const folder = (subject.data[0] ?? "").replace(/\/[^/]*$/, "");
+        const model = subject.model || runs.free_name(folder, "model.toml");
+        const added = await runs.add(subject, effects, model);
+        forth.length = 0;
+        subject = { ...subject, model };
+        await model_changed();
+        undo.focus({ preventScroll: true }); // the button that was pressed is gone
+        say(added.revisions.at(-1)?.sentence ?? "");
+      }),
+    undo: () =>
+      attempt(async () => {
+        if (undo.disabled) return;
+        work.stop();
+        const now_model = await of.bytes_of(subject.model);
+        await runs.undo(subject.model);
+        forth.push(now_model);
+        await model_changed();
+        say(words.undone);
+      }),
+    redo: () =>
+      attempt(async () => {
+        const model = forth.pop();
+        if (!model) return;
+        work.stop();
+        await of.put(subject.model, model);
+        await model_changed();
+        say(words.redone);
+      }),
+    act(command) {
+      const [verb, ...rest] = words_of(command);
+      const effects = added_by(command, subject);
+      const target = rest[rest.indexOf("--target") + 1];
+      if (verb === "add" && effects.length > 0) void loop.add(effects);
+      else if (verb === "try" && effects.length > 0) void tried(effects[0] ?? "");
+      else if (verb === "plan") plan.open();
+      else if (verb === "diagnose" || (verb === "report" && rest.includes("--diagnose"))) {
+        if (rest.includes("--target") && target !== undefined && targets.includes(target)) subject = { ...subject, target };
+        target_choice.value = subject.target;
+        void loop.search();
+      } else return false;
+      return true;
+    },
+    diagnosed: () => found,
+    to_optimum,
+    first_slider: (effect) => list.slider(effect),
+  };
+  return loop;
+};

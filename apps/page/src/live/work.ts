@@ -1,0 +1,103 @@
+// Commands one after the other, with their progress, and a button and a key that stop them. Work that is soon done shows
+// nothing.
+import { Stopped, type Engine, type Ran } from "../engine";
+import { button, element } from "../elements/elements";
+import { words } from "./words";
+
+const kSoon_ms = 300;
+
+export interface Job {
+  what: string; // "Searching what is missing"
+  progress?: (line: string) => void;
+}
+
+export interface Work {
+  readonly element: HTMLElement;
+  run(command: readonly string[], job: Job): Promise<Ran>; // throws Interrupted, or what the engine threw
+  during<T>(what: string, work: (share: (of_it: number) => void) => Promise<T>): Promise<T>; // of work that cannot be stopped
+  stop(): void;
+  busy(): boolean;
+}
+
+// With what was being done.
+export class Interrupted extends Error {}
+
+// "12 of 40"
+const share_of = (line: string): number | null => {
+  const [, part, whole] = /(\d+) of (\d+)/.exec(line) ?? [];
+  return part !== undefined && whole !== undefined && Number(whole) > 0 ? Number(part) / Number(whole) : null;
+};
+
+export const work_with = (engine: Engine, say: (text: string) => void): Work => {
+  const text = element("span", { class: "what" });
+  const bar = element("progress", { max: "1" });
+  const stop = button(words.stop, words.stop_title, () => stopping?.abort());
+  const shown = element("div", { class: "live-work" }, text, bar, stop);
+  shown.hidden = true;
+  let stopping: AbortController | null = null;
+  let last: Promise<unknown> = Promise.resolve();
+  let waiting = 0;
+
+  const show = (what: string, can_stop: boolean): (() => void) => {
+    const began = performance.now();
+    text.textContent = what;
+    bar.removeAttribute("value");
+    bar.setAttribute("aria-label", what);
+    stop.hidden = !can_stop;
+    const soon = setTimeout(() => {
+      shown.hidden = false;
+      say(what);
+    }, kSoon_ms);
+    const clock = setInterval(() => {
+      text.textContent = words.since(what, (performance.now() - began) / 1000);
+    }, 1000);
+    return () => {
+      clearTimeout(soon);
+      clearInterval(clock);
+      shown.hidden = true;
+    };
+  };
+
+  // Each waits for the one before, whatever became of it.
+  const queued = <T>(work: () => Promise<T>): Promise<T> => {
+    ++waiting;
+    const mine = last.then(work, work).finally(() => --waiting);
+    last = mine.catch(() => undefined);
+    return mine;
+  };
+
+  const made: Work = {
+    element: shown,
+    run: (command, { what, progress }) =>
+      queued(async () => {
+        const mine = new AbortController();
+        stopping = mine;
+        const hide = show(what, true);
+        const told = (line: string): void => {
+          const share = share_of(line);
+          if (share !== null) bar.value = share;
+          progress?.(line);
+        };
+        try {
+          return await engine.run(command, { progress: told, stop: mine.signal });
+        } catch (error) {
+          throw error instanceof Stopped ? new Interrupted(what) : error;
+        } finally {
+          stopping = null;
+          hide();
+        }
+      }),
+    during: (what, work) =>
+      queued(async () => {
+        const hide = show(what, false);
+        try {
+          return await work((share) => (bar.value = share));
+        } finally {
+          hide();
+        }
+      }),
+    stop: () => stopping?.abort(),
+    busy: () => waiting > 0,
+  };
+  return made;
+};

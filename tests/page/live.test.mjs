@@ -1,0 +1,249 @@
+// The page with the program in it, worked by hand: what is dropped, added, moved, taken back, saved and kept.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { basename, join } from "node:path";
+import { after, before, test } from "node:test";
+import { launched, opened } from "./browser.mjs";
+import { folder, json_of, of_run, program } from "./reports.mjs";
+
+const tool = process.env.BALLBAR_HTML;
+if (!tool) throw new Error("expected BALLBAR_HTML in the environment: the page with the program in it");
+
+let browser;
+before(async () => {
+  browser = await launched();
+});
+after(() => browser.close());
+
+const kLong = 120_000; // ms, for a search on a busy machine
+
+const live = (options = {}) => opened(browser, tool, { viewport: { width: 1400, height: 900 }, acceptDownloads: true, ...options });
+
+// As if they were dropped: { name: text or bytes }, without folders.
+const drop = (page, files) =>
+  page.evaluate((files) => {
+    const transfer = new DataTransfer();
+    for (const [name, content] of files) {
+      transfer.items.add(new File([typeof content === "string" ? content : new Uint8Array(content)], name));
+    }
+    for (const type of ["dragenter", "dragover", "drop"]) {
+      document.body.dispatchEvent(new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true }));
+    }
+  }, Object.entries(files));
+
+const dropped = (page, ...paths) => drop(page, Object.fromEntries(paths.map((path) => [basename(path), [...readFileSync(path)]])));
+
+const idle = (page) => page.waitForFunction(() => document.querySelector(".live-work").hidden, null, { timeout: kLong });
+// Work may follow on work.
+const at_rest = async (page) => {
+  for (let k = 0; k < 3; ++k) {
+    await idle(page);
+    await page.waitForTimeout(400);
+  }
+  await idle(page);
+};
+const rmse = async (page) => Number(/RMSE ([\d.]+)/.exec(await page.textContent(".live-fall .rmse"))?.[1]);
+const candidates = (page) => page.waitForSelector(".live-candidates .plus", { timeout: kLong });
+const sample = async (page, name) => {
+  await page.getByRole("button", { name, exact: true }).click();
+  await page.waitForSelector(".live-report main", { timeout: kLong });
+};
+const told = (page) => page.textContent(".live-told");
+const saved = async (page, name) => {
+  if (!(await page.locator(".live-saves").evaluate((one) => one.open))) await page.click(".live-saves > summary");
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name, exact: true }).click()]);
+  const path = join(folder, `${Date.now()}-${download.suggestedFilename()}`);
+  await download.saveAs(path);
+  return path;
+};
+
+test("a .b5r that is dropped: the ranked table, equal to the program's", async () => {
+  const { page, wrong, close } = await live();
+  const file = of_run("qc20-style-b5r", "00.b5r");
+  await dropped(page, file);
+  await page.waitForSelector('figure[data-picture="machine-errors"]', { timeout: kLong });
+  const first = json_of("report", file).machine_errors[0].errors.filter(({ rank }) => rank === 1)[0];
+  const row = await page.locator(".side-by-side tbody tr").first().innerText();
+  assert.match(row, new RegExp(first.value.toFixed(3).replace(".", "\\.")));
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("add, the error falls; undo, redo: as the program does it", async () => {
+  const { page, wrong, close } = await live();
+  await sample(page, "hidden-effect");
+  await candidates(page);
+  const copy = join(folder, "add");
+  cpSync(of_run("hidden-effect", "01"), copy, { recursive: true });
+  const [data, model] = [join(copy, "data.csv"), join(copy, "model.toml")];
+  const before = json_of("check", data, "--model", model).rmse_um;
+  assert.equal((await rmse(page)).toFixed(2), before.toFixed(2));
+  assert.match(await page.textContent(".live-candidates li"), /lagged_expansion\(T_room_degC\)/);
+  await page.locator(".live-candidates .plus").first().click();
+  await page.waitForFunction(() => /before/.test(document.querySelector(".live-fall").textContent), null, { timeout: kLong });
+  execFileSync(program, ["add", "lagged_expansion(T_room_degC)", data, "--model", model], { stdio: "ignore" });
+  const after = json_of("check", data, "--model", model).rmse_um;
+  assert.equal((await rmse(page)).toFixed(3), after.toFixed(3));
+  assert.match(await page.textContent(".live-loop .said"), /The data support lagged_expansion\(T_room_degC\)/);
+  assert.ok(await page.$("#ledger"), "the ledger has a section");
+  await page.keyboard.press("Control+z");
+  await page.waitForFunction((was) => !document.querySelector(".live-fall .rmse").textContent.includes(was), after.toFixed(3), { timeout: kLong });
+  assert.equal((await rmse(page)).toFixed(2), before.toFixed(2));
+  await page.keyboard.press("Control+y");
+  await page.waitForFunction((now) => document.querySelector(".live-fall .rmse").textContent.includes(now), after.toFixed(3), { timeout: kLong });
+  await at_rest(page);
+  const kept = await saved(page, "Model (.toml)");
+  // Data by their names there and here; another processor rounds otherwise in the last digits.
+  const history = (path) =>
+    readFileSync(path, "utf8").replace(/data = .*/g, "").replace(/= (-?\d+\.\d+)$/gm, (_, number) => `= ${Number(number).toPrecision(9)}`);
+  assert.equal(history(kept), history(model));
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("sliders: a gain scales at once, a time constant by the program; back to the optimum", async () => {
+  const { page, wrong, close } = await live();
+  await sample(page, "hidden-effect");
+  await candidates(page);
+  const optimum = await rmse(page);
+  const [data, model] = [of_run("hidden-effect", "01", "data.csv"), of_run("hidden-effect", "01", "model.toml")];
+  const fitted = json_of("check", data, "--model", model);
+  const of = (parameters, name) => parameters.find((one) => one.name === name).value;
+  // Of the program: with these values, and with the constant where it was, which --set leaves free.
+  const expected_rmse = (parameter, value) => {
+    const set = fitted.parameters
+      .filter(({ name }) => name !== "constant_um")
+      .flatMap((one) => ["--set", `${one.effect}.${one.name}=${one.name === parameter ? value : one.value}`]);
+    const { series, parameters } = json_of("report", data, "--model", model, "--no-diagnosis", ...set).check.targets[0];
+    const shift = of(fitted.parameters, "constant_um") - of(parameters, "constant_um");
+    return Math.sqrt(series.residual_um.reduce((sum, one) => sum + (one - shift) ** 2, 0) / series.residual_um.length);
+  };
+  for (const parameter of ["gain_um_per_K", "time_constant_s"]) {
+    const label = parameter === "gain_um_per_K" ? "gain" : "time constant";
+    const slider = page.locator(`.slider:has(.name:text-is("${label}")) input`);
+    await slider.focus();
+    for (let k = 0; k < 12; ++k) await page.keyboard.press("ArrowRight");
+    await at_rest(page);
+    const value = Number(await slider.inputValue());
+    const expected = expected_rmse(parameter, value);
+    assert.ok(expected > optimum, `${expected} of ${parameter} = ${value}`);
+    assert.equal((await rmse(page)).toFixed(2), expected.toFixed(2), parameter);
+    assert.match(await slider.getAttribute("aria-valuetext"), /^[\d.]+ (µm\/K|s)$/);
+    await page.getByRole("button", { name: "Back to the optimum" }).click();
+    assert.equal(await rmse(page), optimum);
+  }
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("a search is cancelled by Escape, and the page goes on", async () => {
+  const { page, wrong, close } = await live();
+  await sample(page, "hidden-effect");
+  await page.waitForFunction(() => /Searching/.test(document.querySelector(".live-work").textContent) && !document.querySelector(".live-work").hidden, null, { timeout: kLong });
+  await page.keyboard.press("Escape");
+  await page.waitForFunction(() => /Stopped/.test(document.querySelector(".live-loop .said").textContent), null, { timeout: 5000 });
+  assert.equal(await page.locator(".live-candidates .plus").count(), 0);
+  await page.getByRole("button", { name: "Find what is missing" }).click();
+  await candidates(page);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("a broken file is told where it is, and the rest is shown", async () => {
+  const { page, wrong, close } = await live();
+  const sound = readFileSync(of_run("qc20-style-b5r", "00.b5r"), "utf8");
+  await drop(page, { "a.b5r": sound, "broken.b5r": sound.slice(0, 3000), "noise.bin": "\u0000\u0001what is this" });
+  await page.waitForSelector('figure[data-picture="machine-errors"]', { timeout: kLong });
+  const faults = await page.locator(".live-files .faulty").allInnerTexts();
+  assert.equal(faults.length, 2, faults.join("\n"));
+  assert.match(faults.find((one) => one.startsWith("broken.b5r")), /expected/);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("hostile names are text, and stay below their folder", async () => {
+  const { page, wrong, close } = await live();
+  const text = readFileSync(of_run("qc20-style-b5r", "00.b5r"), "utf8");
+  const names = ["<img src=x onerror=alert(1)>.b5r", "--out=x.b5r", "..\\..\\etc.b5r", "\u202Egnp.b5r", `${"N".repeat(3000)}.b5r`, "a\u0000b.b5r"];
+  await drop(page, Object.fromEntries(names.map((name) => [name, text])));
+  await page.waitForSelector('figure[data-picture="machine-errors"]', { timeout: kLong });
+  assert.equal(await page.locator(".live-files li").count(), names.length);
+  assert.equal(await page.locator("img").count(), 0);
+  assert.equal(await told(page), "");
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("a folder with a session: two files of one name in different folders are both kept", async () => {
+  const { page, wrong, close } = await live();
+  const run = join(folder, "folder");
+  mkdirSync(run);
+  cpSync(of_run("two-arcs-he2015"), join(run, "one"), { recursive: true });
+  cpSync(of_run("spindle-rotation-huang2022"), join(run, "two"), { recursive: true });
+  await page.locator("input[webkitdirectory]").first().setInputFiles(run);
+  await page.waitForSelector(".live-report main", { timeout: kLong });
+  const groups = await page.locator(".live-shelf .groups button").allInnerTexts();
+  assert.equal(groups.filter((one) => /SIMULATED/.test(one)).length, 2, groups.join("; "));
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("reload: continue where it was, with the model as it was; delete", async () => {
+  const { page, wrong, close } = await live();
+  await sample(page, "hidden-effect");
+  await candidates(page);
+  await page.locator(".live-candidates .plus").first().click();
+  await page.waitForFunction(() => /before/.test(document.querySelector(".live-fall").textContent), null, { timeout: kLong });
+  await at_rest(page);
+  const was = await rmse(page);
+  await page.reload();
+  await page.waitForSelector("html[data-ready]", { state: "attached" });
+  await page.getByRole("button", { name: /^Continue where you were: 2 files/ }).click();
+  await page.waitForSelector(".live-fall .rmse:not(:empty)", { timeout: kLong });
+  assert.equal(await rmse(page), was);
+  await at_rest(page);
+  await page.reload();
+  await page.waitForSelector("html[data-ready]", { state: "attached" });
+  await page.getByRole("button", { name: "Delete", exact: true }).click();
+  await page.waitForFunction(() => /Deleted/.test(document.querySelector(".live-told").textContent));
+  await page.reload();
+  await page.waitForSelector("html[data-ready]", { state: "attached" });
+  assert.equal(await page.getByRole("button", { name: /^Continue/ }).count(), 0);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("a report page with its files: saved, and live again where it is dropped", async () => {
+  const { page, wrong, close } = await live();
+  await sample(page, "hidden-effect");
+  await candidates(page);
+  const path = await saved(page, "Report page with the files (.html)");
+  const alone = await opened(browser, path);
+  assert.ok(await alone.page.$("#model-y_um"), "it is a report of its own");
+  assert.deepEqual(alone.wrong, []);
+  await alone.close();
+  await page.getByRole("button", { name: "Close", exact: true }).click();
+  await dropped(page, path);
+  await page.waitForSelector(".live-fall .rmse:not(:empty)", { timeout: kLong });
+  await candidates(page);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("the tour, by keyboard alone; Escape leaves it", async () => {
+  const { page, wrong, close } = await live();
+  await page.getByRole("button", { name: "A tour of one minute" }).focus();
+  await page.keyboard.press("Enter");
+  await page.waitForSelector(".live-tour", { timeout: kLong });
+  for (let step = 1; step <= 5; ++step) {
+    await page.waitForFunction((step) => document.querySelector(".live-tour .note").textContent.startsWith(`Step ${step} `), step, { timeout: kLong });
+    await page.keyboard.press("Enter");
+  }
+  await page.waitForFunction(() => document.querySelector(".live-tour .note").textContent.startsWith("Step 6 "), null, { timeout: kLong });
+  assert.match(await page.textContent(".live-fall"), /before 1\.360/);
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator(".live-tour").count(), 0);
+  assert.deepEqual(wrong, []);
+  await close();
+});
