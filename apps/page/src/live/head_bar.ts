@@ -6,7 +6,7 @@ import { button, element } from "../elements/elements";
 import type { Group } from "./groups";
 import { choosing } from "./start";
 import { plain } from "../drawing/text";
-import { words } from "./words";
+import { t } from "../texts/texts";
 
 export interface HeadOf {
   take(files: readonly Dropped[]): void;
@@ -55,9 +55,9 @@ export const head_bar = ({ take, close, undo, redo, stop, saves, work, told, dro
     element(
       "div",
       { class: "buttons" },
-      choosing(words.add_files, words.add_files_title, false, take),
+      choosing(t.live_add_files, t.live_add_files_title, false, take),
       saves,
-      button(words.start_over, words.start_over_title, close),
+      button(t.live_close, t.live_close_title, close),
     ),
   );
   bar.hidden = true;
@@ -100,18 +100,18 @@ export const head_bar = ({ take, close, undo, redo, stop, saves, work, told, dro
       if (!subject) return;
       const { models } = subject.group;
       if (models.length > 0) {
-        const values = [["", words.no_model], ...models.map(({ path, name }) => [path, name.slice(name.lastIndexOf("/") + 1)] as const)] as const;
+        const values = [["", t.live_no_model], ...models.map(({ path, name }) => [path, name.slice(name.lastIndexOf("/") + 1)] as const)] as const;
         const own = subject.model !== "" && !models.some(({ path }) => path === subject.model) ? [[subject.model, subject.model] as const] : [];
-        choices.append(choice(words.model_of, [...values, ...own], subject.model, (model) => choose({ model })));
+        choices.append(choice(t.live_model_of, [...values, ...own], subject.model, (model) => choose({ model })));
       }
       if (folder !== "") {
         const as_session = subject.data[0] === folder;
-        const values = [["", words.as_tests], [folder, words.as_session]] as const;
-        choices.append(choice(words.view, values, as_session ? folder : "", (value) => choose({ data: value === "" ? subject.group.data : [value], model: "" })));
+        const values = [["", t.live_as_tests], [folder, t.live_as_session]] as const;
+        choices.append(choice(t.live_view, values, as_session ? folder : "", (value) => choose({ data: value === "" ? subject.group.data : [value], model: "" })));
       }
       if (compared.length > 0 && (subject.group.kind === "session" || subject.group.kind === "series")) {
-        const values = [["", words.nothing] as const, ...compared.map(({ data, title }) => [data[0] ?? "", title] as const)];
-        choices.append(choice(words.compare_with, values, subject.compared, (value) => choose({ compared: value })));
+        const values = [["", t.live_nothing] as const, ...compared.map(({ data, title }) => [data[0] ?? "", title] as const)];
+        choices.append(choice(t.live_compare_with, values, subject.compared, (value) => choose({ compared: value })));
       }
     },
   };

@@ -14,6 +14,7 @@ import type { Planned, PlannedFiles } from "./next_test";
 import type { PageState } from "../figure/page_state";
 import type { Report } from "../report";
 import { saves_of } from "./saves";
+import { ago_spoken } from "./spoken";
 import { shelf_of } from "./shelf";
 import type { Inside } from "../shell";
 import { start_of } from "./start";
@@ -22,7 +23,7 @@ import { targets_in } from "./targets";
 import { tour } from "./tour";
 import { tour_steps } from "./tour_steps";
 import { Interrupted, work_with } from "./work";
-import { words } from "./words";
+import { t } from "../texts/texts";
 
 // What the page does for it.
 export interface LivePage {
@@ -50,7 +51,7 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
   const place = element("div", { class: "live" });
   document.body.prepend(place);
   const reason = (error: unknown): string =>
-    error instanceof Interrupted ? words.stopped(error.message) : error instanceof Refused || error instanceof DOMException ? error.message : words.failed(error instanceof Error ? error.message : String(error));
+    error instanceof Interrupted ? t.live_stopped({ what: error.message }) : error instanceof Refused || error instanceof DOMException ? error.message : t.live_failed({ why: error instanceof Error ? error.message : String(error) });
   const attempt = async (act: () => Promise<void>): Promise<void> => {
     tell("");
     try {
@@ -72,7 +73,7 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
     page_with: page.page_with,
     bytes_of: (path) => engine.get(path),
     async table_of({ data }) {
-      const ran = await work.run(["drift", ...data, "--out", "drift.csv"], { what: words.reading });
+      const ran = await work.run(["drift", ...data, "--out", "drift.csv"], { what: t.live_reading });
       return ran.status === 0 ? engine.get("drift.csv") : ran.err;
     },
     fault: tell,
@@ -81,7 +82,7 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
   // What the program says of a file alone; "": nothing against it.
   const fault_of = async (path: string): Promise<string> => {
     try {
-      answer_of(await work.run(["report", path, "--json"], { what: words.checking(path) }));
+      answer_of(await work.run(["report", path, "--json"], { what: t.live_checking({ name: path }) }));
       return "";
     } catch (error) {
       if (error instanceof Refused) return error.message;
@@ -102,7 +103,7 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
   const plan = async (of: Subject, hours: number): Promise<PlannedFiles | string> => {
     try {
       const folder = runs.free_name("plans", "plan");
-      const planned = answer_of<Planned>(await work.run(plan_words(of, hours, folder), { what: words.planning }));
+      const planned = answer_of<Planned>(await work.run(plan_words(of, hours, folder), { what: t.live_planning }));
       const paths = engine.list().flatMap(({ path }) => (path.startsWith(`${folder}/`) ? [path] : []));
       const files = await Promise.all(paths.map(async (path) => ({ name: path.slice(path.lastIndexOf("/") + 1), bytes: await engine.get(path) })));
       return { plan: planned, files };
@@ -217,7 +218,7 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
   };
   const take = (dropped: readonly Dropped[]): void =>
     void attempt(async () => {
-      if (dropped.length === 0) return tell(words.nothing_in_it);
+      if (dropped.length === 0) return tell(t.live_nothing_in_it);
       await anew();
       await came((await intake.take(dropped)).map(({ path }) => path));
     });
@@ -286,7 +287,7 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
   place.append(head.element);
 
   page.on_command((command) => {
-    if (!loop?.act(command)) tell(command.startsWith("ballbar history ") ? words.test_again : words.for_terminal(command));
+    if (!loop?.act(command)) tell(command.startsWith("ballbar history ") ? t.live_test_again : t.live_for_terminal({ command }));
   });
 
   const draw_head = (): void => {
@@ -336,7 +337,7 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
     draw_head();
   }
   if (!store) {
-    start.append(element("p", { class: "note" }, words.not_kept));
+    start.append(element("p", { class: "note" }, t.live_not_kept));
     return;
   }
   const kept = await store.kept().catch(() => null);
@@ -344,13 +345,13 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
   const offer = element(
     "div",
     { class: "kept buttons" },
-    button(words.continue_with(kept.files.length, words.ago((Date.now() - kept.state.when) / 60_000)), "", () => {
+    button(t.live_continue_with({ files: kept.files.length, ago: ago_spoken(Date.now() - kept.state.when) }), "", () => {
       offer.remove();
       void again(kept);
     }),
-    button(words.delete_kept, words.delete_title, () => {
+    button(t.live_delete_kept, t.live_delete_title, () => {
       offer.remove();
-      void store.clear().then(() => tell(words.deleted));
+      void store.clear().then(() => tell(t.live_deleted));
     }),
   );
   start.querySelector("h1")?.after(offer);
