@@ -56,12 +56,11 @@ const result_of = (tests: readonly ErrorTest[]): string => {
 const told_first = ({ part, recordings }: ErrorTest): ReturnType<First["told"]> => {
   const largest = ranked_errors(part).find(({ first }) => first.rank !== null && first.remedy);
   const name = largest ? error_name(largest.effect, recordings[0]?.plane) : "";
-  const without = largest ? ` Without it ${shown(largest.first.circularity_without_um, 2)} µm are left.` : "";
   return {
     verdict: part.conclusion === "" ? `Circularity ${shown(part.circularity_um, 2)} µm.` : part.conclusion,
     next: {
       label: "Test again, and compare",
-      text: largest ? `${capital(name)}: ${largest.first.remedy ?? ""}${without}` : "",
+      text: largest ? `${capital(name)}: ${largest.first.remedy ?? ""}` : "",
       command: command_of("history", ["."], ["--out", "history.html"]),
     },
   };
