@@ -123,7 +123,8 @@ std::string page_of(const Json& report, const Json& inside) {
     return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, as_script(json));
   };
   return filled(page::kShell,
-                {{"SCRIPT_HASH", std::string(page::kScriptHash)},
+                {{"CHARSET", "utf-8"},
+                 {"SCRIPT_HASH", std::string(page::kScriptHash)},
                  {"STYLE_HASH", std::string(page::kStyleHash)},
                  {"ENGINE_SCRIPTS", ""},
                  {"ENGINE_WORKERS", ""},

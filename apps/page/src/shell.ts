@@ -33,6 +33,7 @@ export const report_page = (page: Document, report: Report, inside: Inside | nul
   const policy = page.querySelector("meta[http-equiv]")?.getAttribute("content") ?? "";
   const hash = (kind: string): string => new RegExp(`${kind}-src '(sha256-[^']+)'`).exec(policy)?.[1] ?? "";
   return filled({
+    CHARSET: "utf-8",
     SCRIPT_HASH: hash("script"),
     STYLE_HASH: hash("style"),
     ENGINE_SCRIPTS: "",

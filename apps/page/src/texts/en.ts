@@ -203,8 +203,6 @@ export const en = {
   errors_conclusion_none:
     ({ circularity }: { circularity: string }) => `The circularity is ${circularity} µm, and no error of the axes stands out of the noise.`,
   errors_next: "Test again, and compare",
-  errors_next_text:
-    ({ error, remedy, without }: { error: string; remedy: string; without: string }) => `${error}: ${remedy} Without it ${without} µm are left.`,
 
   // drift
   drift: "Drift",

@@ -190,7 +190,6 @@ export const zh: Texts = {
     ({ circularity, error, alone, without }) => `圆度为 ${circularity} µm；仅${error}就造成 ${alone} µm，明显高于噪声${without === "" ? "" : `；去除后剩余 ${without} µm`}。`,
   errors_conclusion_none: ({ circularity }) => `圆度为 ${circularity} µm，没有轴误差高于噪声。`,
   errors_next: "再次测试并比较",
-  errors_next_text: ({ error, remedy, without }) => `${error}：${remedy}去除后剩余 ${without} µm。`,
 
   // drift
   drift: "漂移",
