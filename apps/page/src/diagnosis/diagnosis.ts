@@ -23,7 +23,7 @@ const sentences_of = (found: Diagnosed): Said[] => {
     english(found.sentence),
     t.diagnosis_verdict({ verdict: named(t.verdicts, found.verdict) }),
     ...(found.hint === "" ? [] : [english(found.hint)]),
-    ...(found.next_test_text === "" ? [] : [english(`To decide: ${found.next_test_text}`)]),
+    ...(found.next_test_text === "" ? [] : [english(found.next_test_text, t.diagnosis_to_decide)]),
     ...(reasons ? [t.diagnosis_why, ...found.reasons.map((reason) => english(`– ${reason}`))] : []),
   ];
 };

@@ -19,7 +19,7 @@ const kRemedies = 3;
 const remedy_said = (error: string, effect: string, remedy: string): Said => {
   const what = effect.replace(/_[ab]$/, "");
   const known = language !== "en" && Object.hasOwn(t.remedies, what);
-  return known ? t.errors_remedy({ error, remedy: named(t.remedies, what) }) : english(`${error}: ${remedy}`);
+  return known ? t.errors_remedy({ error, remedy: named(t.remedies, what) }) : english(remedy, `${error}:`);
 };
 
 // In English the program's own sentences.

@@ -200,6 +200,13 @@ export const de: Texts = {
   errors_conclusion_none:
     ({ circularity }) => `Die Kreisformabweichung beträgt ${circularity} µm, und kein Fehler der Achsen ragt aus dem Rauschen.`,
   errors_next: "Erneut prüfen und vergleichen",
+  errors_these: ({ n }) => `diese ${n}`,
+  errors_off_title: "Ohne einige der Fehler",
+  errors_off_caption: "Die Messwerte, wie sie wären, wenn die ausgeschalteten Fehler behoben wären.",
+  errors_off_about:
+    "Um den Ausgleichskreis aller Läufe, vergrößert. Mehrere Fehler können zugleich ausgeschaltet sein.",
+  errors_off: ({ which }) => `ohne, ${which}`,
+  errors_of_size: ({ error, value }) => `${error}, ${value} µm`,
 
   // drift
   drift: "Drift",
@@ -397,7 +404,7 @@ export const de: Texts = {
   diagnosis_lacks: ({ target }) => `Was dem Modell von ${target} fehlt`,
   diagnosis_verdict: ({ verdict }) => `Befund: ${verdict}.`,
   diagnosis_why: "Warum es nicht oder nicht ganz benannt ist:",
-  diagnosis_to_decide: ({ test }) => `Zur Entscheidung: ${test}`,
+  diagnosis_to_decide: "Zur Entscheidung:",
   diagnosis_untestable: "Hier nicht prüfbar",
   diagnosis_not_searched: "Nicht durchsucht",
   diagnosis_not_searched_one: ({ effect, left, all }) => `${effect} auf ${left} von ${all} Spaltenwahlen`,
