@@ -11,7 +11,7 @@ import { ranked_errors } from "./ranked_errors";
 import type { Report } from "../report";
 import { shown } from "../drawing/theme";
 import { decimals_for } from "../drawing/with_sigma";
-import { english, language, named, t, type Said } from "../texts/texts";
+import { english, english_after, language, named, t, type Said } from "../texts/texts";
 
 const kRemedies = 3;
 
@@ -19,7 +19,7 @@ const kRemedies = 3;
 const remedy_said = (error: string, effect: string, remedy: string): Said => {
   const what = effect.replace(/_[ab]$/, "");
   const known = language !== "en" && Object.hasOwn(t.remedies, what);
-  return known ? t.errors_remedy({ error, remedy: named(t.remedies, what) }) : english(remedy, `${error}:`);
+  return known ? t.errors_remedy({ error, remedy: named(t.remedies, what) }) : english_after(`${error}:`, remedy);
 };
 
 // In English the program's own sentences.

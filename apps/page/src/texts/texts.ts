@@ -49,7 +49,8 @@ export interface Quoted {
 }
 export type Said = string | Quoted;
 
-export const english = (text: string, before = ""): Quoted => ({ english: text, before });
+export const english = (text: string): Quoted => ({ before: "", english: text });
+export const english_after = (before: string, text: string): Quoted => ({ before, english: text });
 export const said_text = (said: Said): string =>
   typeof said === "string" ? said : [said.before, said.english].filter((part) => part !== "").join(" ");
 
