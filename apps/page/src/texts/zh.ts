@@ -190,7 +190,12 @@ export const zh: Texts = {
     ({ circularity, error, alone, without }) => `圆度为 ${circularity} µm；仅${error}就造成 ${alone} µm，明显高于噪声${without === "" ? "" : `；去除后剩余 ${without} µm`}。`,
   errors_conclusion_none: ({ circularity }) => `圆度为 ${circularity} µm，没有轴误差高于噪声。`,
   errors_next: "再次测试并比较",
-  errors_next_text: ({ error, remedy }) => `${error}：${remedy}`,
+  errors_these: ({ n }) => `这 ${n} 项`,
+  errors_off_title: "去除部分误差",
+  errors_off_caption: "关闭的误差修复后读数将如何。",
+  errors_off_about: "绕全部行程的拟合圆，放大显示。可同时关闭多个误差。",
+  errors_off: ({ which }) => `去除后，${which}`,
+  errors_of_size: ({ error, value }) => `${error}，${value} µm`,
 
   // drift
   drift: "漂移",
@@ -379,7 +384,7 @@ export const zh: Texts = {
   diagnosis_lacks: ({ target }) => `${target} 的模型缺少什么`,
   diagnosis_verdict: ({ verdict }) => `结论：${verdict}。`,
   diagnosis_why: "未能（完全）确定的原因：",
-  diagnosis_to_decide: ({ test }) => `判定方法：${test}`,
+  diagnosis_to_decide: "判定方法：",
   diagnosis_untestable: "此处无法检验",
   diagnosis_not_searched: "未搜索",
   diagnosis_not_searched_one: ({ effect, left, all }) => `${effect}：${all} 种列组合中的 ${left} 种`,
