@@ -4,15 +4,57 @@ import type { Texts } from "./en";
 export const de: Texts = {
   // page
   page_contents: "Inhalt",
-  page_summary: "Zusammenfassung",
   page_language: "Sprache",
   page_from_files: ({ files }) => `Aus ${files} Dateien`,
   page_made: ({ by, on }) => `Erstellt von ${by} am ${on}.`,
   page_cannot_be_shown: ({ why }) => `Diese Seite kann nicht gezeigt werden: ${why}`,
+  page_no_data: "Die Seite enthält keine Daten: Das Element mit der id report fehlt oder ist leer.",
+  page_no_report: ({ format }) => `Die Daten der Seite sind kein ballbar-report 1: ${format}.`,
   page_light: "Hell",
   page_dark: "Dunkel",
   page_light_or_dark: "Helle oder dunkle Seite",
-  page_folded: "Bilder und Tabellen",
+  page_verdict: "Befund",
+  page_one_more: "Eine weitere Schlussfolgerung",
+  page_more: ({ n }) => `${n} weitere Schlussfolgerungen`,
+  page_copied: "✓ Kopiert: in ein Terminal einfügen",
+  page_press_to_copy: "Mit Strg+C kopieren",
+  page_copies: "Kopiert den Befehl",
+
+  // figure
+  figure_select: "Abschnitt wählen",
+  figure_select_title: "Statistik eines Teils des Bildes: drücken, dann ziehen; oder mit Umschalttaste ziehen",
+  figure_show_all: "Alles zeigen",
+  figure_show_all_title: "Zoom aufheben (0 oder Doppelklick)",
+  figure_svg_title: "Bild als Zeichnung speichern (.svg)",
+  figure_png_title: "Bild als Rastergrafik speichern (.png)",
+  figure_csv_title: "Zahlen als Tabelle speichern (.csv)",
+  figure_keys:
+    "Strg+Rad, + − Zoom · Ziehen, ← → verschieben · 0, Doppelklick alles · Umschalt+Ziehen wählt Abschnitt · , . Werte lesen",
+  figure_curves: "Kurven",
+  figure_all: "alle",
+  figure_group_all: ({ group, all }) => `${group}: ${all}`,
+  figure_group_none: "keine",
+  figure_numbers: "Die Zahlen hinter diesem Bild",
+  figure_first_rows: ({ shown, rows }) => `Die ersten ${shown} von ${rows} Zeilen; die CSV-Datei hat alle.`,
+  figure_rows: ({ rows }) => `${rows} Zeilen.`,
+  figure_mean: "Mittelwert",
+  figure_deviation: "Standardabweichung",
+  figure_least: "kleinster",
+  figure_largest: "größter",
+  figure_change: "Änderung, erster bis letzter",
+  figure_stretch: ({ quantity, from, to, unit }) => `${quantity} von ${from} bis ${to} ${unit}`,
+  figure_stretch_empty: ({ stretch }) => `${stretch}: keine Werte.`,
+  figure_from: "Von",
+  figure_to: "bis",
+  figure_zoom: "Darauf zoomen",
+  figure_zoom_title: "Nur diesen Abschnitt zeigen",
+  figure_clear: "Aufheben",
+  figure_clear_title: "Abschnitt aufheben (Escape)",
+  figure_how_to_select: "Über das Bild ziehen oder Anfang und Ende eingeben.",
+
+  // elements
+  elements_about: ({ title }) => `Erläuterung: ${title}`,
+  elements_all_rows: ({ rows }) => `Alle ${rows} Zeilen zeigen`,
 
   // numbers
   decimal_sign: ",",
@@ -112,12 +154,14 @@ export const de: Texts = {
   recordings_quantity: "Größe",
   recordings_beside_stored: "Messläufe, daneben die in der Datei gespeicherten Werte",
   recordings_both_directions: "Beide Richtungen, ISO 230-4",
+  recordings_count: ({ n }) => `${n} ${n === 1 ? "Messlauf" : "Messläufe"}`,
+  recordings_result: ({ count, circularity }) => `${count}, Kreisformabweichung ${circularity} µm`,
+  recordings_next: "Die Fehler dahinter finden",
 
   // machine_errors
   errors: "Fehler der Maschine",
   errors_picture_title: "Fehler auf dem Kreis",
-  errors_picture_caption:
-    "Jeder Messwert um den Ausgleichskreis aller Läufe, vergrößert; gestrichelt der gewählte Fehler.",
+  errors_picture_caption: "Um den Ausgleichskreis aller Läufe; gestrichelt der gewählte Fehler.",
   errors_picture_about:
     "Ein in der Tabelle gewählter Fehler (Klick oder ↑ ↓) zeichnet seine Kurve um den dunklen Ring; „ohne ihn“ (Leertaste) zieht sie von den Messwerten ab.",
   errors_without: "ohne ihn",
@@ -148,6 +192,15 @@ export const de: Texts = {
   errors_less: "minus",
   errors_plus: "plus",
   errors_of_recording: ({ name, number }) => `${name} von Messlauf ${number}`,
+  errors_result:
+    ({ circularity, tests }) => `${circularity === "" ? "" : `Kreisformabweichung ${circularity} µm, `}${tests === 1 ? "Rest, Abhilfe und Toleranzen" : `${tests} Prüfungen`}`,
+  errors_circularity_is: ({ value }) => `Kreisformabweichung ${value} µm.`,
+  errors_conclusion:
+    ({ circularity, error, alone, without }) => `Die Kreisformabweichung beträgt ${circularity} µm; ${error} allein verursacht ${alone} µm, klar über dem Rauschen${without === "" ? "" : `; ohne diesen Fehler blieben ${without} µm`}.`,
+  errors_conclusion_none:
+    ({ circularity }) => `Die Kreisformabweichung beträgt ${circularity} µm, und kein Fehler der Achsen ragt aus dem Rauschen.`,
+  errors_next: "Erneut prüfen und vergleichen",
+  errors_next_text: ({ error, remedy }) => `${error}: ${remedy}`,
 
   // drift
   drift: "Drift",
@@ -187,6 +240,20 @@ export const de: Texts = {
   drift_signals_caption: "Neben der Drift aufgezeichnet.",
   drift_speed_caption: "Neben der Drift aufgezeichnet; ein Wert gilt bis zum nächsten.",
   drift_with_role: ({ name, role }) => `${name} (${role})`,
+  drift_result: ({ largest, at }) => `größte ${largest} bei ${at}`,
+  drift_verdict: ({ largest, at }) => `Die größte Drift beträgt ${largest}, bei ${at}.`,
+  drift_in_axis: ({ value, unit, axis }) => `${value} ${unit} in ${axis}`,
+  drift_next: "Die Ursache der Drift finden",
+  drift_named_group: "von der Diagnose benannt",
+  drift_other_group: "andere",
+  drift_count_measured: ({ n }) => `${n} ${n === 1 ? "gemessene Spalte" : "gemessene Spalten"}`,
+  drift_count_temperatures: ({ n }) => `${n} ${n === 1 ? "Temperatur" : "Temperaturen"}`,
+  drift_count_speeds: ({ n }) => `${n} ${n === 1 ? "Drehzahl" : "Drehzahlen"}`,
+  drift_count_others: ({ n }) => `${n} ${n === 1 ? "weiteres Signal" : "weitere Signale"}`,
+  drift_signals_result: ({ counts, minutes }) => `${counts} über ${minutes} min`,
+  drift_sentence: ({ text }) => `${text}.`,
+  drift_signals_next: "Ansehen, was darin steckt",
+  drift_measured_and_signals: "Gemessenes und Signale",
 
   // comparison
   comparison: "Vergleich",
@@ -230,6 +297,9 @@ export const de: Texts = {
     disagrees: "weicht ab",
     "cannot tell": "nicht zu entscheiden",
   },
+  comparison_agree_in: ({ axes }) => `A und B stimmen in ${axes} innerhalb ihrer Unsicherheit überein.`,
+  comparison_disagree_in:
+    ({ axes, agreeing }) => `A und B weichen in ${axes} über ihre Unsicherheit hinaus ab${agreeing === "" ? "" : ` und stimmen in ${agreeing} überein`}.`,
 
   // model
   model_of: ({ target }) => `Modell von ${target}`,
@@ -462,6 +532,39 @@ export const de: Texts = {
     untestable: "nicht prüfbar",
     nothing: "nichts fehlt",
   },
+  diagnosis_target_choice: "Zielgröße",
+  diagnosis_next_try: "Das Nächstliegende versuchen",
+  diagnosis_next_add: "Ins Modell aufnehmen",
+  diagnosis_next_where: "Ansehen, wo das Modell versagt",
+  diagnosis_next_plan: "Die entscheidende Prüfung planen",
+  diagnosis_not_diagnosed: "nicht diagnostiziert",
+  diagnosis_result: ({ verdict, set, rmse }) => `${verdict}${set === "" ? "" : `: ${set}`}; RMSE ${rmse} µm`,
+  diagnosis_with: ({ set }) => `mit ${set}`,
+  diagnosis_with_not_accepted: ({ set }) => `mit ${set}, nicht angenommen`,
+  diagnosis_with_one_of_several: ({ set }) => `mit ${set}, eine von mehreren`,
+  diagnosis_two: ({ a, b }) => `${a} und ${b}`,
+  diagnosis_effects: ({ n }) => `${n} Effekten`,
+  diagnosis_with_rmse: ({ curve, rmse }) => `${curve}, RMSE ${rmse} µm`,
+  diagnosis_left: ({ curve }) => `Rest, ${curve}`,
+  diagnosis_with_without_title: "Mit und ohne das Fehlende",
+  diagnosis_measured_title: "Gemessen und Modell",
+  diagnosis_with_without_caption: "Oben gemessen und das Modell ohne und mit ihm; unten, was beide übrig lassen.",
+  diagnosis_measured_caption: "Oben gemessen und das Modell; unten, was es übrig lässt. Es fehlt nichts Erkennbares.",
+  diagnosis_with_without_about:
+    "Mit ihm geben die eigenen Parameter des Modells nach, wie sie es beim Aufnehmen täten. Der RMSE gilt für alle Zeilen.",
+  diagnosis_measured_about: "Der RMSE gilt für alle Zeilen.",
+  diagnosis_says_named: ({ target, effects }) => `Dem Modell von ${target} fehlt: ${effects}.`,
+  diagnosis_says_probable: ({ target, effects }) => `Dem Modell von ${target} fehlt wahrscheinlich: ${effects}.`,
+  diagnosis_says_effect: ({ effect, size, p }) => `${effect}${size === "" ? "" : `, ${size} µm`} (P ${p})`,
+  diagnosis_says_own: ({ own, p }) => `Im Modell: ${own} (P ${p}).`,
+  diagnosis_says_driver:
+    ({ target, column, p }) => `${column} treibt etwas, das dem Modell von ${target} fehlt (P ${p}); die Form ist offen.`,
+  diagnosis_says_equivalent:
+    ({ target, effects, p }) => `Dem Modell von ${target} fehlt etwas (P ${p}); die Daten können nicht entscheiden, was davon: ${effects}.`,
+  diagnosis_says_unexplained:
+    ({ target, size, p }) => `Dem Modell von ${target} fehlt etwas, das kein Effekt des Katalogs erklärt${size === "" ? "" : `, eine langsame Kurve von etwa ${size} µm`} (P ${p}).`,
+  diagnosis_says_untestable: "Diese Daten hätten einen fehlenden Effekt nicht zeigen können.",
+  diagnosis_says_nothing: ({ target, p }) => `Dem Modell von ${target} fehlt nichts, was diese Daten zeigen (P ${p}).`,
 
   // batch
   batch_heading: ({ target }) => `${target}, aus Losen vorhergesagt`,
@@ -489,6 +592,9 @@ export const de: Texts = {
     "Hotellings T² sagt, wie weit außen eine Zeile von Temperaturen liegt, Q, wie unähnlich sie allen Zeilen des Trainings ist, beide bezogen auf den Größtwert im Training.",
   batch_weights_title: "Wie viel jedes Los zählt",
   batch_weights_caption: "Das Gewicht jedes Loses in der Regression; 1 zählt voll.",
+  batch_count: ({ n }) => `${n} Lose`,
+  batch_by_method: ({ target, method }) => `${target} mit ${method}.`,
+  batch_next: "Vorhersage speichern",
 
   // mean_point
   mean_point: "Mittelwertpunkt",
@@ -499,6 +605,11 @@ export const de: Texts = {
   mean_point_caption:
     "Gestrichelt: Mittelwert über die ganze Länge. Punkte: wo er erreicht wird, die Stellen für einen Sensor.",
   mean_point_about_best: "Die senkrechte Linie ist die eine Stelle, die allen Zuständen am besten dient.",
+  mean_point_result: ({ at }) => `${at} mm dienen allen Zuständen am besten`,
+  mean_point_states: ({ n }) => `${n} Zustände`,
+  mean_point_says_best: ({ at }) => `Ein Sensor bei x = ${at} mm dient allen Zuständen am besten.`,
+  mean_point_says: ({ mean, places }) => `Die mittlere Temperatur, ${mean} °C, wird bei x = ${places} mm erreicht.`,
+  mean_point_next: "Die Ausdehnung ansehen, die er anzeigt",
 
   // history
   history_tests: "Prüfungen",
@@ -514,6 +625,19 @@ export const de: Texts = {
   history_from: "aus",
   history_skipped: "Übersprungene Dateien",
   history_why: "Warum",
+  history_count: ({ n }) => `${n} Größen`,
+  history_files: ({ n }) => `${n} ${n === 1 ? "Datei" : "Dateien"}`,
+  history_says: ({ name, last, unit, changed, trend, met }) => `${name} ${last} ${unit}${changed}${trend}${met}.`,
+  history_says_changed: ({ change, sigmas }) => `, ${change} seit der Prüfung davor (${sigmas} Sigma)`,
+  history_says_trend: ({ a_year }) => `, ${a_year} pro Jahr`,
+  history_says_met: ({ tolerance, met }) => `; die Toleranz ${tolerance} wird erreicht: ${met}`,
+  history_not_within: ({ years }) => `nicht innerhalb von ${years} Jahren`,
+  history_to: ({ limit }) => `bis ${limit}`,
+  history_at_least: ({ limit }) => `ab ${limit}`,
+  history_span: ({ at, from, to }) => `${at} (${from} bis ${to})`,
+  history_open: "offen",
+  history_tests_kind: "Prüfungen",
+  history_next: "Alle Größen auflisten",
   history_headings: {
     quantity: "Größe",
     unit: "Einheit",
@@ -528,6 +652,8 @@ export const de: Texts = {
     "no trend": "kein Trend",
     "beyond it": "überschritten",
     planes: "Ebenen",
+    squareness: "Rechtwinkligkeit",
+    scale: "Maßstab",
   },
 
   // glossary: names that files and the program have, by the words they stand under there
@@ -678,6 +804,18 @@ export const de: Texts = {
     "radial deviation F min, CCW µm": "Radialabweichung F min, CCW µm",
     "radial deviation F max, CW µm": "Radialabweichung F max, CW µm",
     "radial deviation F min, CW µm": "Radialabweichung F min, CW µm",
+  },
+  remedies: {
+    backlash: "Mutter und Lager einstellen oder ersetzen; die Spielkompensation der Steuerung verdeckt es nur.",
+    cubic_error: "Beide Achsen über ihren Weg messen und die Tabelle der Spindelsteigungsfehler erneuern; Geradheit prüfen.",
+    cyclic_error: "Lagerung und Ausrichtung der Gewindespindel, Kupplung und Befestigung des Gebers prüfen.",
+    lateral_play: "Leisten oder Vorspannung der Führungen einstellen; Schmierung und Verschleiß prüfen.",
+    reversal_spike: "Reibkompensation der Steuerung (Quadrantenfehlerkompensation); Schmierung und Vorspannung der Führungen.",
+    scale_mismatch: "Steigungskompensation oder Längenmaßstäbe; Temperatur, Reckung und Lagerung der Gewindespindel prüfen.",
+    servo_mismatch: "Verstärkungen der Lageregelkreise angleichen: die nacheilende Achse höher, die andere niedriger.",
+    sin_4_theta: "Lageregelkreise beider Achsen beim Vorschub der Prüfung abstimmen, mit Vorsteuerung und Reibkompensation.",
+    squareness: "Führungen ausrichten oder Rechtwinkligkeitskompensation eingeben; zuerst Nivellierung und Fundament prüfen.",
+    straightness: "Maschine nivellieren, Klemmung und Belastung der Führungen prüfen, Bett temperieren lassen.",
   },
 
   // live: work
