@@ -50,7 +50,7 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
       say(what);
     }, kSoon_ms);
     const clock = setInterval(() => {
-      text.textContent = t.live_since({ what, seconds: (performance.now() - began) / 1000 });
+      text.textContent = t.live_since({ what, seconds: Math.round((performance.now() - began) / 1000) });
     }, 1000);
     return () => {
       clearTimeout(soon);
