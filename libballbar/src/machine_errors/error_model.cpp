@@ -228,7 +228,9 @@ std::vector<std::string> undetermined(const Eigen::MatrixXd& normal, const Error
     std::vector<std::size_t> order(columns.columns.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto loading = [&](std::size_t i) { return std::abs(direction[static_cast<Eigen::Index>(i)]); };
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return loading(a) > loading(b); });
+    // What is alike but for rounding stays in the order of the columns, whatever computer rounds.
+    const auto place = [&](std::size_t i) { return std::llround(1e6 * loading(i)); };
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place(a) > place(b); });
     std::vector<std::string> names;
     for (const std::size_t i : order) {
       if (loading(i) < kLoading * loading(order.front())) break;

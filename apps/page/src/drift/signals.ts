@@ -6,7 +6,7 @@ import { minutes } from "../drawing/theme";
 import { time_curves, type TimeCurve } from "./time_curves";
 import { whole_min } from "../drawing/time_axis";
 import { split_name, words } from "../drawing/units";
-import { named, t } from "../texts/texts";
+import { named as named_of, t } from "../texts/texts";
 
 export interface Signal {
   column: Column;
@@ -45,7 +45,7 @@ const label_of = ({ column: { name, role }, run }: Signal): string => {
   const { quantity } = split_name(name);
   const told = told_roles.includes(role) && !quantity.includes(role);
   const read = words(quantity) + (run ? ` (${run.number})` : "");
-  return plain(told ? t.drift_with_role({ name: clamped(read, 40), role: named(t.roles, role) }) : read, 64);
+  return plain(told ? t.drift_with_role({ name: clamped(read, 40), role: named_of(t.roles, role) }) : read, 64);
 };
 
 const curves_of = (signals: readonly Signal[]): TimeCurve[] =>
@@ -86,7 +86,8 @@ const in_groups = (curves: readonly TimeCurve[], signals: readonly Signal[], nam
       const { role } = column;
       const front = named.has(column.name);
       const file = run ? `${run.number}: ${plain(run.source, 40)}` : "";
-      const group = front ? "named by the diagnosis" : file || words(plain(role, 30)) || "other";
+      const by_role = words(named_of(t.roles, plain(role, 30))) || t.drift_other_group;
+      const group = front ? t.drift_named_group : file || by_role;
       return { ...one, group, quiet: some && !front, place: front ? -1 : place_of(role) };
     })
     .sort((a, b) => a.place - b.place);
