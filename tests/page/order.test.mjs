@@ -144,7 +144,9 @@ for (const [name, , picture] of cases) {
 }
 
 test("unfolded by a key, by a link, and on paper", async () => {
-  const { page, wrong, close } = await opened(browser, await pages.get("two arcs with a model"), { viewport: wide });
+  // Without smooth scrolling, which a busy machine may not bring to its end.
+  const still = { viewport: wide, reducedMotion: "reduce" };
+  const { page, wrong, close } = await opened(browser, await pages.get("two arcs with a model"), still);
   const open = (id) => page.evaluate((id) => document.querySelector(`#${id} > details`).open, id);
   const chart_of = (name) => page.evaluate((name) => window.ballbar.figures.get(name).chart() !== null, name);
   assert.deepEqual([await open("drift"), await chart_of("drift")], [false, false]);
