@@ -12,7 +12,7 @@ const shown_arguments = { axis: [1], value_axis: [1], x_axis: [1], two_grids: [2
 const from_third = new Set(["element"]); // what an element holds
 
 // Symbols and units are the same in all languages.
-const symbol = /^(?:[\s\d.,:;()|/±−+*°→↑↓≡×%<>?=–…·]|µm|mm|min|deg|rpm|µrad|ppm|RMSE|RMS|CCW|CW|IC|SVG|PNG|CSV|ISO|ln|[A-Z](?![A-Za-z])|[a-z](?![A-Za-z])|[▲▼●◆])*$/;
+export const symbol = /^(?:[\s\d.,:;()|/±−+*°→↑↓≡×%<>?=–…·]|µm|mm|min|deg|rpm|µrad|ppm|RMSE|RMS|CCW|CW|IC|SVG|PNG|CSV|ISO|ln|[A-Z](?![A-Za-z])|[a-z](?![A-Za-z])|[▲▼●◆])*$/;
 
 const names_only = (node) => {
   const { parent } = node;
@@ -49,7 +49,7 @@ const is_shown = (node) => {
   return false;
 };
 
-const text_of = (node) => (ts.isTemplateExpression(node) ? [node.head.text, ...node.templateSpans.map((one) => one.literal.text)].join(" … ") : node.text);
+const text_of = (node) => (ts.isTemplateExpression(node) ? [node.head.text, ...node.templateSpans.map((one) => one.literal.text)].join("0") : node.text);
 
 // Of a text of TypeScript: [{ line, text }].
 export const literals_in = (text, name = "file.ts") => {
@@ -59,9 +59,9 @@ export const literals_in = (text, name = "file.ts") => {
     const literal = ts.isStringLiteral(node) || ts.isNoSubstitutionTemplateLiteral(node) || ts.isTemplateExpression(node);
     if (literal && !names_only(node)) {
       const said = text_of(node);
-      const phrase = /[A-Za-z]{2,}[,.:;]? +[A-Za-z(]|^[A-Z][a-z]+|[^\x00-\x7f]/.test(said);
+      const phrase = /[A-Za-z]{2,}[,.:;]? +[A-Za-z(]|\s[A-Za-z]{2,}(\s|$)|^[A-Z][a-z]+|[^\x00-\x7f]/.test(said);
       const word = /[A-Za-z]{2}/.test(said) && is_shown(node);
-      if ((phrase || word) && !symbol.test(said.replaceAll("…", " "))) {
+      if ((phrase || word) && !symbol.test(said)) {
         found.push({ line: source.getLineAndCharacterOfPosition(node.getStart()).line + 1, text: said });
       }
     }
