@@ -44,6 +44,7 @@ export interface Figure {
   draw_now(): void;
   print(): void; // a drawing for paper is added
   printed(): void; // and taken away
+  leave(): void; // the page goes on without it
 }
 
 export const figure_of = (picture: Picture, page: PageState): Figure => {
@@ -287,6 +288,10 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     printed() {
       paper?.remove();
       paper = null;
+    },
+    leave() {
+      chart?.dispose();
+      chart = null;
     },
   };
   new IntersectionObserver(

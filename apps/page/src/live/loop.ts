@@ -7,11 +7,12 @@ import { fall_shown } from "./fall";
 import { fit_picture, type Now } from "./fit_picture";
 import { figure_of, type Figure } from "../figure/figure";
 import { model_list } from "./model_list";
-import { next_test } from "./next_test";
+import { next_test, type NextTestOf } from "./next_test";
 import { posterior_bars } from "./posterior_bars";
 import type { PageState } from "../figure/page_state";
 import type { Candidate, Checked, Diagnosed, Report } from "../report";
-import { Refused, type Runs } from "./subject_runs";
+import { reason } from "./reason";
+import type { Runs } from "./subject_runs";
 import { slid } from "./slid";
 import { Interrupted, type Work } from "./work";
 import { micrometres, plain } from "../drawing/text";
@@ -26,7 +27,7 @@ export interface LoopOf {
   page: PageState;
   bytes_of(path: string): Promise<Uint8Array>;
   put(path: string, bytes: Uint8Array): Promise<void>;
-  plan: Parameters<typeof next_test>[0]["plan"];
+  plan: NextTestOf["plan"];
   changed(report: Report, subject: Subject): void; // the page below is to be drawn anew
 }
 
@@ -104,7 +105,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       const checked = of_target(answer.check?.targets, subject.target);
       if (checked && of_fit === fitted && list.moved()) base = { ...checked, floor_um: of_fit.floor_um };
     } catch (error) {
-      if (!(error instanceof Interrupted)) say(String(error instanceof Error ? error.message : error));
+      if (!(error instanceof Interrupted)) say(reason(error));
     }
     running = false;
     draw();
@@ -182,7 +183,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     try {
       await work_of();
     } catch (error) {
-      say(error instanceof Interrupted ? t.live_stopped({ what: error.message }) : error instanceof Refused ? error.message : t.live_failed({ why: String(error) }));
+      say(reason(error));
     } finally {
       all.removeAttribute("aria-busy");
       update();

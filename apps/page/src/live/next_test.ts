@@ -43,15 +43,13 @@ const tests_table = (tests: Planned["tests"]): HTMLElement =>
     ]),
   });
 
-export const next_test = ({
-  plan,
-  subject,
-  took_ms,
-}: {
+export interface NextTestOf {
   plan: (subject: Subject, hours: number) => Promise<PlannedFiles | string>; // or why not
   subject: () => Subject;
   took_ms: () => number; // the last search; 0: there was none
-}): NextTest => {
+}
+
+export const next_test = ({ plan, subject, took_ms }: NextTestOf): NextTest => {
   const hours = element("select");
   for (const one of kHours) hours.add(new Option(t.live_hours({ count: one }), String(one)));
   hours.value = "12";

@@ -17,6 +17,7 @@ export interface Work {
   during<T>(what: string, work: (share: (of_it: number) => void) => Promise<T>): Promise<T>; // of work that cannot be stopped
   stop(): void;
   busy(): boolean;
+  rewrite(): void; // in another language
 }
 
 // With what was being done.
@@ -49,7 +50,7 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
       say(what);
     }, kSoon_ms);
     const clock = setInterval(() => {
-      text.textContent = t.live_since({ what, seconds: (performance.now() - began) / 1000 });
+      text.textContent = t.live_since({ what, seconds: Math.round((performance.now() - began) / 1000) });
     }, 1000);
     return () => {
       clearTimeout(soon);
@@ -98,6 +99,10 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
       }),
     stop: () => stopping?.abort(),
     busy: () => waiting > 0,
+    rewrite() {
+      stop.textContent = t.live_stop;
+      stop.title = t.live_stop_title;
+    },
   };
   return made;
 };
