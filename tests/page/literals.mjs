@@ -5,20 +5,27 @@ import ts from "typescript";
 
 // Where any word would be read, be it as short as "none".
 const shown_properties = new Set([
-  "about", "caption", "formatter", "head", "heading", "hover_name", "items", "kind", "label", "quantity", "result", "sentences",
+  "about", "caption", "formatter", "head", "heading", "hover_name", "items", "label", "quantity", "result", "sentences",
   "short", "text", "title", "verdict", "what", "aria-label", "placeholder", "alt",
 ]);
 const shown_arguments = { axis: [1], value_axis: [1], x_axis: [1], two_grids: [2, 3], curve: [0], button: [0, 1], text_in: [1], group_choice: [2], toggle_of: [1], Option: [0], sequence_bar: [0, 1] };
 const from_third = new Set(["element"]); // what an element holds
 
 // Symbols and units are the same in all languages.
-export const symbol = /^(?:[\s\d.,:;()|/±−+*°→↑↓≡×%<>?=–…·]|µm|mm|min|deg|rpm|µrad|ppm|RMSE|RMS|CCW|CW|IC|SVG|PNG|CSV|ISO|ln|[A-Z](?![A-Za-z])|[a-z](?![A-Za-z])|[▲▼●◆])*$/;
+export const symbol = /^(?:[\s\d.,:;()|/±−+*°→↑↓≡×%<>?=–…·]|µm|mm|min|deg|rpm|µrad|ppm|RMSE|RMS|kB|MB|CCW|CW|IC|SVG|PNG|CSV|ISO|ln|[A-Z](?![A-Za-z])|[a-z](?![A-Za-z])|[▲▼●◆])*$/;
+
+const looks = new Set(["querySelector", "querySelectorAll", "closest", "matches", "startsWith", "endsWith", "includes", "replaceAll"]);
 
 const names_only = (node) => {
   const { parent } = node;
   if (ts.isImportDeclaration(parent) || ts.isLiteralTypeNode(parent) || ts.isCaseClause(parent)) return true;
   if (ts.isElementAccessExpression(parent)) return true;
-  if (ts.isPropertyAssignment(parent) && parent.name === node) return true;
+  if (ts.isPropertyAssignment(parent)) {
+    const name = parent.name.text ?? "";
+    if (parent.name === node || name === "class" || name === "className") return true;
+  }
+  // Selectors, and what a text is looked through for.
+  if (ts.isCallExpression(parent) && looks.has(parent.expression.getText().split(".").at(-1))) return parent.arguments[0] === node;
   if (ts.isBinaryExpression(parent)) return /^[!=]==$/.test(parent.operatorToken.getText()) || parent.operatorToken.getText() === "in";
   return false;
 };
