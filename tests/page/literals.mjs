@@ -5,20 +5,27 @@ import ts from "typescript";
 
 // Where any word would be read, be it as short as "none".
 const shown_properties = new Set([
-  "about", "caption", "formatter", "head", "heading", "hover_name", "items", "kind", "label", "quantity", "result", "sentences",
+  "about", "caption", "formatter", "head", "heading", "hover_name", "items", "label", "quantity", "result", "sentences",
   "short", "text", "title", "verdict", "what", "aria-label", "placeholder", "alt",
 ]);
 const shown_arguments = { axis: [1], value_axis: [1], x_axis: [1], two_grids: [2, 3], curve: [0], button: [0, 1], text_in: [1], group_choice: [2], toggle_of: [1], Option: [0], sequence_bar: [0, 1] };
 const from_third = new Set(["element"]); // what an element holds
 
 // Symbols and units are the same in all languages.
-const symbol = /^(?:[\s\d.,:;()|/±−+*°→↑↓≡×%<>?=–…·]|µm|mm|min|deg|rpm|µrad|ppm|RMSE|RMS|CCW|CW|IC|SVG|PNG|CSV|ISO|ln|[A-Z](?![A-Za-z])|[a-z](?![A-Za-z])|[▲▼●◆])*$/;
+export const symbol = /^(?:[\s\d.,:;()|/±−+*°→↑↓≡×%<>?=–…·]|µm|mm|min|deg|rpm|µrad|ppm|RMSE|RMS|kB|MB|CCW|CW|IC|SVG|PNG|CSV|ISO|ln|[A-Z](?![A-Za-z])|[a-z](?![A-Za-z])|[▲▼●◆])*$/;
+
+const looks = new Set(["querySelector", "querySelectorAll", "closest", "matches", "startsWith", "endsWith", "includes", "replaceAll"]);
 
 const names_only = (node) => {
   const { parent } = node;
   if (ts.isImportDeclaration(parent) || ts.isLiteralTypeNode(parent) || ts.isCaseClause(parent)) return true;
   if (ts.isElementAccessExpression(parent)) return true;
-  if (ts.isPropertyAssignment(parent) && parent.name === node) return true;
+  if (ts.isPropertyAssignment(parent)) {
+    const name = parent.name.text ?? "";
+    if (parent.name === node || name === "class" || name === "className") return true;
+  }
+  // Selectors, and what a text is looked through for.
+  if (ts.isCallExpression(parent) && looks.has(parent.expression.getText().split(".").at(-1))) return parent.arguments[0] === node;
   if (ts.isBinaryExpression(parent)) return /^[!=]==$/.test(parent.operatorToken.getText()) || parent.operatorToken.getText() === "in";
   return false;
 };
@@ -49,7 +56,7 @@ const is_shown = (node) => {
   return false;
 };
 
-const text_of = (node) => (ts.isTemplateExpression(node) ? [node.head.text, ...node.templateSpans.map((one) => one.literal.text)].join(" … ") : node.text);
+const text_of = (node) => (ts.isTemplateExpression(node) ? [node.head.text, ...node.templateSpans.map((one) => one.literal.text)].join("0") : node.text);
 
 // Of a text of TypeScript: [{ line, text }].
 export const literals_in = (text, name = "file.ts") => {
@@ -59,9 +66,9 @@ export const literals_in = (text, name = "file.ts") => {
     const literal = ts.isStringLiteral(node) || ts.isNoSubstitutionTemplateLiteral(node) || ts.isTemplateExpression(node);
     if (literal && !names_only(node)) {
       const said = text_of(node);
-      const phrase = /[A-Za-z]{2,}[,.:;]? +[A-Za-z(]|^[A-Z][a-z]+|[^\x00-\x7f]/.test(said);
+      const phrase = /[A-Za-z]{2,}[,.:;]? +[A-Za-z(]|\s[A-Za-z]{2,}(\s|$)|^[A-Z][a-z]+|[^\x00-\x7f]/.test(said);
       const word = /[A-Za-z]{2}/.test(said) && is_shown(node);
-      if ((phrase || word) && !symbol.test(said.replaceAll("…", " "))) {
+      if ((phrase || word) && !symbol.test(said)) {
         found.push({ line: source.getLineAndCharacterOfPosition(node.getStart()).line + 1, text: said });
       }
     }

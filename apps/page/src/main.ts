@@ -98,7 +98,7 @@ try {
     show();
     when_spoken(() => {
       const bring_back = kept_view(shared);
-      for (const figure of shared.figures.values()) figure.chart()?.dispose();
+      for (const figure of shared.figures.values()) figure.leave();
       shared = shared_by_figures(voice);
       show();
       bring_back(shared);

@@ -23,7 +23,7 @@ export const error_name = (name: string, plane: string | undefined, most = 60): 
   const spaced = parts.map((part, k) =>
     k % 2 === 1 ? operators[part as keyof typeof operators] : part.replace(/[a-z]\w*/g, (word) => (is_name(word) ? read(word) : word)),
   );
-  return plain(spaced.join(""), most);
+  return plain(spaced.join("").replaceAll(" with ", ` ${t.errors_with} `), most);
 };
 
 // A name that is typed into commands, "lagged_expansion(T_room_degC)" or "backlash_a_pos". On a page that is not in
@@ -31,7 +31,8 @@ export const error_name = (name: string, plane: string | undefined, most = 60): 
 export const typed_name = (typed: string, most: number): string => {
   const id = /^\w+/.exec(typed)?.[0] ?? "";
   const name = error_name(id, undefined);
-  return plain(language === "en" || name === id.replaceAll("_", " ") ? typed : `${name}: ${typed}`, most);
+  if (language === "en" || name === id.replaceAll("_", " ")) return plain(typed, most);
+  return plain(typed === id ? `${name} (${typed})` : `${name}, ${typed}`, most);
 };
 
 // "um/m" as pictures write it.

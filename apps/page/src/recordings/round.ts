@@ -28,7 +28,7 @@ const rings = (scale: RadialScale, at_deg: number, look: Look, radius_px: number
   const c = colours(look.dark);
   const whole_turn = Array.from({ length: 121 }, (_, k) => 3 * k);
   const nominal = curve(
-    "nominal",
+    "",
     c.faint,
     "solid",
     1.5,

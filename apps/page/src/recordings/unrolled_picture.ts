@@ -127,7 +127,7 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
           }),
         ];
       });
-      const zero = curve("zero", c.faint, "solid", 0, [], {
+      const zero = curve("", c.faint, "solid", 0, [], {
         ...below,
         silent: true,
         markLine: {

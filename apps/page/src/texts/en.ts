@@ -194,6 +194,7 @@ export const en = {
   errors_prior: "Assumed before the readings (prior)",
   errors_less: "less",
   errors_plus: "plus",
+  errors_with: "with",
   errors_of_recording: ({ name, number }: { name: string; number: string }) => `${name} of recording ${number}`,
   errors_result:
     ({ circularity, tests }: { circularity: string; tests: number }) => `${circularity === "" ? "" : `circularity ${circularity} µm, `}${tests === 1 ? "what is left, remedies and tolerances" : `${tests} tests`}`,
@@ -212,7 +213,6 @@ export const en = {
 
   // drift
   drift: "Drift",
-  drift_measured: "Measured",
   drift_signals: "Signals",
   drift_picture_title: "Drift of the spindle",
   drift_picture_caption: "The spindle relative to the table, test by test, less the reference test; ± one sigma.",
@@ -392,7 +392,9 @@ export const en = {
   states: {
     free: "free",
     held: "held",
-    fixed: "fixed",
+    "on lower bound": "on lower bound",
+    "on upper bound": "on upper bound",
+    undetermined: "undetermined",
   },
   places: {
     angle: "angle",
@@ -414,9 +416,6 @@ export const en = {
   diagnosis_not_searched: "Not searched",
   diagnosis_not_searched_one:
     ({ effect, left, all }: { effect: string; left: number; all: number }) => `${effect} on ${left} of ${all} choices of columns`,
-  diagnosis_best_set: "the best set",
-  diagnosis_closest_set: "the closest that the catalogue comes, not accepted",
-  diagnosis_best_set_label: "the best set",
   diagnosis_closest_set_label: "the closest that the catalogue comes, not accepted",
   diagnosis_best_set_together: "the best set together",
   diagnosis_only: ({ effect, set }: { effect: string; set: string }) => `${effect}: ${set}`,
@@ -476,7 +475,6 @@ export const en = {
   diagnosis_the_floor: "the floor",
   diagnosis_the_surrogate: "what a surrogate would have bought",
   diagnosis_the_left_out: "the error of what was left out",
-  diagnosis_list_sign: ";",
   diagnosis_fall_none: "No effect was found, and none is proposed.",
   diagnosis_fall_hollow:
     "The hollow bar is not in the model. Whether an effect beats the surrogates is judged with the memory of the noise, in the table.",
@@ -778,6 +776,8 @@ export const en = {
     servo_mismatch: "servo mismatch",
     sin_4_theta: "sin 4 theta",
     cubic_error: "cubic error",
+    cubic_error_along: "cubic error along",
+    cubic_error_across: "cubic error across",
     dynamic_contraction: "dynamic contraction",
     backlash: "backlash",
     reversal_spike: "reversal spike",
@@ -799,14 +799,15 @@ export const en = {
     machine: "machine",
     operator: "operator",
     started: "started",
+    ballbar: "ballbar",
     serial_number: "serial number",
-    ballbar_model: "ballbar model",
     last_calibrated: "last calibrated",
-    software_title: "software title",
+    test: "test",
+    software: "software",
     software_version: "software version",
-    feed: "feed",
-    title: "title",
     comment: "comment",
+    calibrator_serial_number: "calibrator serial number",
+    programmed_feed: "programmed feed",
   },
   results: {
     "centre A µm": "centre A µm",

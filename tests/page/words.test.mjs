@@ -1,0 +1,190 @@
+// What the page says in each language: complete, in no other place than the texts, and on the page itself.
+import assert from "node:assert/strict";
+import { readFileSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { drawn, figure, launched, opened, saved, seen } from "./browser.mjs";
+import { literals_in, literals_of, symbol } from "./literals.mjs";
+import { hidden_effect, history, json_of, of_run, report, two_arcs } from "./reports.mjs";
+import { source, texts, told } from "./texts.mjs";
+
+const { en, de, zh } = await texts();
+const others = { de, zh };
+
+const flat = (all) =>
+  Object.entries(all).flatMap(([key, entry]) =>
+    typeof entry === "object" ? Object.entries(entry).map(([name, one]) => [`${key}.${name}`, one]) : [[key, entry]],
+  );
+
+// Words that are the same in another language.
+const same = new Set([
+  ...["drift", "drift_axis_quantity", "model_parameter", "model_result", "page_language", "history_trend", "live_redo"],
+  ...["quantities.trend", "quantities.radial", "quantities.axial", "recordings_axial", "effects.oval", "states.free"],
+  ...["quantities.test", "places.quadrant", "diagnosis_revision", "diagnosis_floor", "roles.event", "errors_plus", "drift_in_axis", "live_save_drift", "quantities.sigma"],
+]);
+
+test("texts: the same keys and arguments in all languages", () => {
+  for (const [language, all] of Object.entries(others)) {
+    assert.deepEqual(flat(all).map(([key]) => key).sort(), flat(en).map(([key]) => key).sort(), language);
+    const known = new Map(flat(all));
+    for (const [key, entry] of flat(en)) {
+      assert.deepEqual(told(known.get(key)).names, told(entry).names, `${language}: what ${key} is given`);
+    }
+  }
+});
+
+test("texts: none empty, none left in English", () => {
+  for (const [language, all] of Object.entries(others)) {
+    const known = new Map(flat(all));
+    const left = flat(en).filter(([key, entry]) => {
+      const [ours, theirs] = [told(known.get(key)).said, told(entry).said];
+      assert.notEqual(ours.trim(), "", `${language}: ${key}`);
+      const words = theirs.replace(/§\w+§/g, "");
+      return ours === theirs && !symbol.test(words) && !same.has(key);
+    });
+    assert.deepEqual(left.map(([key]) => key), [], `${language}: as in English`);
+  }
+});
+
+test("texts: each is said somewhere", () => {
+  const code = readdirSync(source, { recursive: true })
+    .filter((path) => path.endsWith(".ts") && !path.startsWith("texts/"))
+    .map((path) => readFileSync(join(source, path), "utf8"))
+    .join("\n");
+  assert.deepEqual(Object.keys(en).filter((key) => key !== "decimal_sign" && !new RegExp(`\\bt\\.${key}\\b`).test(code)), []);
+});
+
+test("glossaries: every effect, verdict and error of the machine", () => {
+  const base = (name) => name.split("_").filter((part) => !["a", "b", "pos", "neg", "fwd", "rev"].includes(part)).join("_");
+  const missing = [];
+  const expect = (glossary, name) => Object.hasOwn(en[glossary], name) || missing.push(`${glossary}: ${name}`);
+  for (const { name } of json_of("effects")) expect("effects", base(name));
+  for (const file of ["00.b5r", "03.b5r", "05.b5r"]) {
+    for (const { errors } of json_of("report", of_run("qc20-style-b5r", file)).machine_errors ?? []) {
+      for (const { name } of errors) expect("effects", base(name));
+    }
+  }
+  const verdicts = /verdict: (("\w+"( \| )?)+);/.exec(readFileSync(join(source, "report.ts"), "utf8"))?.[1] ?? "";
+  assert.ok(verdicts.split("|").length >= 7, verdicts);
+  for (const [, verdict] of verdicts.matchAll(/"(\w+)"/g)) expect("verdicts", verdict);
+  const drift = json_of("report", of_run("two-arcs-he2015"));
+  for (const { columns } of drift.signals) for (const { role } of columns) expect("roles", role);
+  assert.deepEqual(missing, []);
+});
+
+// What is no text of the page: marks, styles, what only a program reads.
+const meant = [
+  /^drawing\/(command|sequence_colour|theme)\.ts/,
+  /^figure\/(csv|files|sheet|still)\.ts/,
+  /^(boot|shell|worker)\.ts/,
+  /^engine\.ts:\d+: (the engine gave no answer|no file 0)$/,
+  /: (600 13px 0|12px 0|\(prefers-color-scheme: dark\)|first wide|ballbar (add|history) |⺀|←|→)$/,
+];
+
+test("code: what a reader sees comes from the texts alone", () => {
+  const caught = (text) => literals_in(text).map((one) => one.text);
+  assert.deepEqual(caught('element("p", {}, "none")'), ["none"]);
+  assert.deepEqual(caught("const a = { title: many ? `${n} rows` : t.one };"), ["0 rows"]);
+  assert.deepEqual(caught('axis(look, "residual", "y"); tell("Not found here");'), ["residual", "Not found here"]);
+  assert.deepEqual(caught('curve(t.model, "solid", { type: "line", name: `trace${k}` }); if (a === "Some words") b();'), []);
+  assert.deepEqual(literals_of(source).filter((one) => !meant.some((known) => known.test(one))), []);
+});
+
+// English that would be seen if a text were forgotten. Names of files and commands are not of a language.
+const english = /\b(the|and|with|without|less|each|below|above|measured|recording|readings|deviation|residual|model of|drift of|largest|least|reference|error|errors|errors of|centre|about|show|save|select|time|angle|speed|none|all)\b/i;
+
+// Of all elements that are seen and are in the page's language: text that has such words.
+const foreign_texts = (page, pattern) =>
+  page.evaluate((pattern) => {
+    const found = [];
+    for (const fold of document.querySelectorAll("details")) fold.open = true;
+    const title = document.querySelector("h1").textContent; // of a file, which may stand elsewhere too
+    const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    for (let node = walk.nextNode(); node; node = walk.nextNode()) {
+      const holder = node.parentElement;
+      if (holder.closest("[lang=en], script, style, noscript, bdi, h1, code, pre, option, .numbers")) continue;
+      const text = node.textContent.replace(title, "").replace(/\w*_\w*(\([^)]*\))?|\S+\.(csv|toml|b5r)/g, "");
+      if (new RegExp(pattern, "i").test(text)) found.push(text);
+    }
+    for (const one of document.querySelectorAll("[aria-label], [title]")) {
+      for (const name of ["aria-label", "title"]) {
+        const text = (one.getAttribute(name) ?? "").replace(/\w*_\w*/g, "");
+        if (new RegExp(pattern, "i").test(text)) found.push(`${name}: ${text}`);
+      }
+    }
+    return found;
+  }, pattern.source);
+
+let browser, pages;
+before(async () => {
+  browser = await launched();
+  pages = {
+    errors: await report("errors", of_run("qc20-style-b5r", "00.b5r")),
+    drift: await two_arcs(),
+    hidden: await hidden_effect(),
+    history: await history(),
+  };
+});
+after(() => browser.close());
+
+for (const [locale, lang] of [["de-DE", "de"], ["zh-CN", "zh-Hans"]]) {
+  test(`page: ${locale} says nothing in English that is not marked`, async () => {
+    for (const [name, file] of Object.entries(pages)) {
+      const { page, wrong, close } = await opened(browser, file, { locale });
+      assert.equal(await page.getAttribute("html", "lang"), lang, name);
+      assert.deepEqual(await foreign_texts(page, english), [], `${name} in ${locale}`);
+      assert.ok((await page.locator("[lang=en]").count()) > 0 || name === "history", `${name}: sentences of the program`);
+      assert.deepEqual(wrong, []);
+      await close();
+    }
+  });
+}
+
+test("numbers: the decimal sign of the language in table, axis and hover; a saved table keeps the point", async () => {
+  const { page, close } = await opened(browser, pages.drift, { locale: "de-DE" });
+  const box = await seen(page, "drift");
+  const section = page.locator("section#drift > details");
+  if (!(await section.evaluate((one) => one.open))) await section.locator("> summary").click();
+  await drawn(page);
+  assert.match(await page.locator("section#drift table").first().textContent(), /31,725 ± 0,015/);
+  const labels = await page.evaluate(() => {
+    const { picture, state } = window.ballbar.figures.get("drift");
+    const { yAxis, xAxis, tooltip } = picture.draw(state());
+    const items = [{ seriesName: "y", marker: "", value: [1.5, 2.25, 0.125], axisValue: 1.5 }];
+    return { y: yAxis.axisLabel.formatter(2.5), x: xAxis.axisLabel.formatter(0.25), hover: tooltip.formatter(items) };
+  });
+  assert.equal(labels.y, "2,5");
+  assert.equal(labels.x, "0,25");
+  assert.match(labels.hover, /1,5 min\ny {2}2,25 ± 0,1\d+ µm/);
+  await page.evaluate(() => window.ballbar.figures.get("drift").element.querySelector(".chart").focus());
+  await page.keyboard.press(".");
+  assert.match(await page.locator("[aria-live]").first().textContent(), /^Zeit /);
+  const file = await saved(page, "drift", "CSV");
+  const [head, ...rows] = readFileSync(file.path, "utf8").trim().split("\r\n");
+  assert.match(head, /^time_min,x_um,x_sigma_um/);
+  for (const row of rows) assert.equal(row.split(",").length, head.split(",").length, row);
+  assert.match(rows.join("\n"), /\d\.\d/);
+  assert.ok(await box.count());
+  await close();
+});
+
+test("choice: the page is written anew, with what was chosen, zoomed and unfolded", async () => {
+  const { page, wrong, close } = await opened(browser, pages.errors, { locale: "en-US" });
+  assert.equal(await page.getAttribute("html", "lang"), "en");
+  await seen(page, "machine-errors");
+  await page.evaluate(() => window.ballbar.figures.get("machine-errors").choose("error", "squareness"));
+  await page.locator("section#recordings > details > summary").click();
+  await page.getByLabel("Language").selectOption("Deutsch");
+  await drawn(page);
+  assert.equal(await page.getAttribute("html", "lang"), "de");
+  assert.equal(await page.evaluate(() => window.ballbar.figures.get("machine-errors").state().chosen.error), "squareness");
+  assert.ok(await page.locator("section#recordings > details").evaluate((one) => one.open));
+  assert.match(await page.locator(".verdict").textContent(), /^Die Kreisformabweichung beträgt 5,6 µm/);
+  assert.equal(await figure(page, "machine-errors").count(), 1);
+  await page.getByLabel("Sprache").selectOption("中文");
+  assert.match(await page.locator(".verdict").textContent(), /^圆度为 5\.6 µm/);
+  await page.getByLabel("语言").selectOption("English");
+  assert.match(await page.locator(".verdict").textContent(), /^The circularity is 5\.6 µm/);
+  assert.deepEqual(wrong, []);
+  await close();
+});
