@@ -9,6 +9,7 @@ import { kept_readings, picked, stacked_numbers } from "../recordings/recording_
 import { effect_colour } from "../recordings/recording_colours";
 import type { Num } from "../report";
 import { round_option, type RoundCurve } from "../recordings/round";
+import { t } from "../texts/texts";
 import { colours, curve_colour, font, legend, shown } from "../drawing/theme";
 
 const kStretches = 720; // of a turn, four points each
@@ -54,14 +55,15 @@ const range_of = (columns: readonly (readonly Num[])[]): number => {
 
 // Without one, as the program says; without several, what is drawn.
 const note_of = (test: ErrorTest, off: readonly RankedError[]): string => {
-  const all = `circularity ${shown(test.part.circularity_um, 2)} µm`;
+  const all = t.errors_circularity({ value: shown(test.part.circularity_um, 2) });
   const [first] = off;
   if (!first) return all;
   const left =
     off.length === 1
       ? first.first.circularity_without_um
       : range_of(test.recordings.map((_, k) => left_of(test, off, k)));
-  return `${all}\nwithout ${off.length === 1 ? label_of(test, first) : `these ${off.length}`}: ${shown(left, 2)} µm`;
+  const error = off.length === 1 ? label_of(test, first) : t.errors_these({ count: off.length });
+  return `${all}\n${t.errors_circularity_without({ error, value: shown(left, 2) })}`;
 };
 
 export const without_picture = (tests: readonly ErrorTest[]): Picture => {
@@ -76,16 +78,16 @@ export const without_picture = (tests: readonly ErrorTest[]): Picture => {
         const kept = kept_readings(values, kStretches);
         return { angle_deg: picked(angles, kept), value_um: picked(values, kept), ...as };
       };
-      const measured = { name: `measured, ${name}`, colour: colour(dark), dash, width_px: 1.4, faint: off.length > 0 };
-      const without = { name: `without, ${name}`, colour: curve_colour(2, dark), dash, width_px: 1.7 };
+      const measured = { name: t.measured_of({ which: name }), colour: colour(dark), dash, width_px: 1.4, faint: off.length > 0 };
+      const without = { name: t.errors_without_of({ which: name }), colour: curve_colour(2, dark), dash, width_px: 1.7 };
       return [drawn(about_circle(test, k), measured), ...(off.length > 0 ? [drawn(left_of(test, off, k), without)] : [])];
     });
   };
   return {
     name: kWithout_picture,
-    title: "Without some of the errors",
-    caption: "The readings as they would be if the errors that are switched off were mended.",
-    about: "About the circle fitted to all runs, magnified. Several errors can be off at once.",
+    title: t.errors_without_title,
+    caption: t.errors_without_caption,
+    about: t.errors_without_about,
     height_px: 440,
     zoom: "none",
     choices: test_choice(tests),
