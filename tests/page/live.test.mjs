@@ -324,3 +324,37 @@ test("by keyboard alone: choose, add, slide, undo, save", async () => {
   assert.deepEqual(wrong, []);
   await close();
 });
+
+test("a file that will not fit is not loaded, and it is said", async () => {
+  const { page, wrong, close } = await live();
+  await page.evaluate(() => {
+    const piece = new Blob([new Uint8Array(1 << 20)]);
+    const transfer = new DataTransfer();
+    transfer.items.add(new File(Array.from({ length: 1100 }, () => piece), "huge.csv"));
+    document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
+  });
+  await page.waitForSelector(".live-files .faulty", { timeout: kLong });
+  assert.match(await page.innerText(".live-files .faulty"), /huge\.csv[^]*was not loaded: about [\d.]+ MB/);
+  await dropped(page, of_run("qc20-style-b5r", "00.b5r"));
+  await page.waitForSelector('figure[data-picture="machine-errors"]', { timeout: kLong });
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("a million rows", async () => {
+  const { page, wrong, close } = await live();
+  const rows = ["time_s,T_room_degC,y_um"];
+  for (let i = 0; i < 1_000_000; ++i) rows.push(`${i},${(20 + 2 * Math.sin(i / 9e4)).toFixed(2)},${(3 * Math.sin(i / 9e4 - 0.5) + ((i * 7919) % 101) / 500).toFixed(3)}`);
+  const path = join(folder, "million.csv");
+  writeFileSync(path, rows.join("\n"));
+  await page.locator("input[type=file]:not([webkitdirectory])").first().setInputFiles(path);
+  await page.waitForSelector(".live-report main", { timeout: kLong });
+  assert.match(await page.innerText(".verdict"), /16666\.7|16667/);
+  await page.getByRole("button", { name: "Find what makes it drift" }).click();
+  await page.waitForFunction(() => !document.querySelector(".live-work").hidden);
+  await page.keyboard.press("Escape");
+  await idle(page);
+  assert.match(await page.textContent(".live-loop .said"), /Stopped/);
+  assert.deepEqual(wrong, []);
+  await close();
+});

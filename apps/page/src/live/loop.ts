@@ -20,6 +20,8 @@ import { english, language, said_text, t, type Said } from "../texts/texts";
 import { verdict_of } from "../diagnosis/verdict";
 import { verdict_of as verdict_of_check } from "../model/model";
 
+const kShort_ms = 60_000; // a search that is made anew by itself when the model is another
+
 export interface LoopOf {
   subject: Subject;
   targets: readonly string[]; // to choose from
@@ -223,7 +225,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     before = was && fitted && was.series.time_s.length === fitted.series.time_s.length ? was : null;
     draw();
     update();
-    void loop.search();
+    if (took_ms < kShort_ms) void loop.search();
   };
 
   const loop: Loop = {

@@ -43,6 +43,8 @@ export interface Opened {
   forget(): void;
 }
 
+const kShort_ms = 3000; // to fit
+
 // Such lie beside data, and are no data.
 const lies_beside = ({ name, head }: Held): boolean =>
   /\.(md|sh|py|svg|png|jpe?g)$|(^|\/)[A-Z]+$/i.test(name) || head.includes('"ballbar-');
@@ -146,14 +148,17 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
   };
 
   const show = async (next: Subject): Promise<void> => {
+    const began = performance.now();
     const first = await runs.report(next);
+    const took_ms = performance.now() - began;
     const its_loop = await make_loop(next, first);
     if (!its_loop) return show_alone(next, first);
     subject = next;
     report = null;
     loop = its_loop;
     loop.show(first);
-    if (next.model !== "") void loop.search();
+    // Of many rows and models the search takes minutes: then it is asked for.
+    if (next.model !== "" && took_ms < kShort_ms) void loop.search();
   };
 
   const leave = (why: string): void => {
