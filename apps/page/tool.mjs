@@ -30,24 +30,26 @@ const samples = JSON.parse(text_of(new URL("engine/samples.json", import.meta.ur
 });
 
 const script = text_of(join(made, "page.js"));
+const boot = text_of(join(made, "boot.js"));
 const style = text_of(join(made, "page.css"));
 const worker = text_of(join(engine, "engine.js")) + "\n" + text_of(join(made, "worker.js"));
-if (/[^\0-\x7f]/.test(script + worker + style)) throw new Error("expected ASCII alone");
-for (const text of [script, worker, style.replace(/<\/style/i, "</script")]) {
+if (/[^\0-\x7f]/.test(boot + script + worker + style)) throw new Error("expected ASCII alone");
+for (const text of [boot, worker, style.replace(/<\/style/i, "</script")]) {
   if (/<\/script|<!--/i.test(text)) throw new Error("a script or style would end its own element in the page");
 }
-const carried = (id, text) => `<script type="text/plain" id="${id}">${text}</script>\n`;
+const carried = (id, text, more = "") => `<script type="text/plain" id="${id}"${more}>${text}</script>\n`;
 const marks = {
   CHARSET: "windows-1252",
-  SCRIPT_HASH: hash(script),
+  SCRIPT_HASH: hash(boot),
   STYLE_HASH: hash(style),
   ENGINE_SCRIPTS: " 'wasm-unsafe-eval' blob:",
   ENGINE_WORKERS: "; worker-src blob:; connect-src 'none'",
   MADE_BY: `ballbar ${version}`,
   TITLE: "ballbar",
   STYLE: style,
-  SCRIPT: script,
+  SCRIPT: boot,
   CARRIED:
+    carried("page-script", packed(script), ` data-hash="${hash(script)}"`) +
     carried("engine", packed(readFileSync(join(engine, "engine.wasm")))) +
     carried("engine-worker", worker) +
     carried("samples", packed(JSON.stringify(samples))),

@@ -1,5 +1,6 @@
 // The program itself, compiled to WebAssembly, in a worker: commands as on a terminal, on files in memory. Where the
 // page carries it, a person can drop files on the page and work with them.
+import { unpacked } from "./packed";
 import type { Answer, Question } from "./worker";
 
 // What a command printed. status: 0 done, 1 the input is at fault, 2 the command line is at fault.
@@ -39,27 +40,6 @@ export class Failed extends Error {}
 
 const kMostMemory = 2 ** 32; // as the module is linked
 const kPiece = 8 << 20;
-
-const kEscape = 0x3d;
-const kHigh = Uint8Array.from({ length: 32 }, (_, k) => 0x80 + k); // what windows-1252 has elsewhere
-
-// The bytes that tool.mjs packed: a sign each.
-const bytes_of_signs = (text: string): Uint8Array<ArrayBuffer> => {
-  const high = new Map([...new TextDecoder("windows-1252").decode(kHigh)].map((sign, k) => [sign.charCodeAt(0), 0x80 + k]));
-  const bytes = new Uint8Array(text.length);
-  let count = 0;
-  for (let k = 0; k < text.length; ++k) {
-    const code = text.charCodeAt(k);
-    if (code === kEscape) bytes[count++] = text.charCodeAt(++k) - 64;
-    else bytes[count++] = code < 0x100 ? code : (high.get(code) ?? 0);
-  }
-  return bytes.subarray(0, count);
-};
-
-const unpacked = async (text: string): Promise<ArrayBuffer> => {
-  const stream = new Blob([bytes_of_signs(text)]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Response(stream).arrayBuffer();
-};
 
 const carried = (page: Document, id: string): string | null => page.getElementById(id)?.textContent ?? null;
 

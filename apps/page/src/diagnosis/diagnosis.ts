@@ -15,7 +15,7 @@ import type { Step } from "./step";
 import { verdict_of } from "./verdict";
 import { waterfall } from "./waterfall";
 import { with_without_picture } from "./with_without";
-import { english, named, t, type Said } from "../texts/texts";
+import { english, english_after, named, t, type Said } from "../texts/texts";
 
 const sentences_of = (found: Diagnosed): Said[] => {
   const reasons = found.reasons.length > 0 && found.verdict !== "nothing";
@@ -23,7 +23,7 @@ const sentences_of = (found: Diagnosed): Said[] => {
     english(found.sentence),
     t.diagnosis_verdict({ verdict: named(t.verdicts, found.verdict) }),
     ...(found.hint === "" ? [] : [english(found.hint)]),
-    ...(found.next_test_text === "" ? [] : [english(`To decide: ${found.next_test_text}`)]),
+    ...(found.next_test_text === "" ? [] : [english_after(t.diagnosis_to_decide, found.next_test_text)]),
     ...(reasons ? [t.diagnosis_why, ...found.reasons.map((reason) => english(`– ${reason}`))] : []),
   ];
 };

@@ -9,6 +9,8 @@ import { english, language, t, type Said } from "../texts/texts";
 const kSaid = 4; // effects in a sentence
 const kOwn = 0.5; // P of a value of the model's own that is said
 
+const kSure_driver = 0.9; // P, as in the program's sentence
+
 const same = (a: Bound, b: Bound): boolean =>
   a.effect === b.effect && JSON.stringify(a.columns) === JSON.stringify(b.columns);
 
@@ -46,8 +48,10 @@ const in_the_language = (found: Diagnosed): string => {
       return [...(effects === "" ? [] : [t.diagnosis_says_probable({ target, effects })]), ...own_said(found)].join(" ");
     }
     case "driver": {
-      const [driver] = found.drivers;
-      return t.diagnosis_says_driver({ target, column: driver?.column ?? "", p: p_text(driver?.p ?? null) });
+      const sure = found.drivers.filter((one) => (one.p ?? 0) >= kSure_driver);
+      const drivers = sure.length > 0 ? sure : found.drivers.slice(0, 1);
+      const least = Math.min(...drivers.map((one) => one.p ?? 0));
+      return t.diagnosis_says_driver({ target, column: drivers.map(({ column: name }) => name).join(", "), p: p_text(least) });
     }
     case "equivalent":
       return t.diagnosis_says_equivalent({ target, effects: effects_text(found, found.equivalent.flat()), p });

@@ -34,6 +34,7 @@ export interface Figure {
   whole(): Range | null; // the x axis without a window
   choose(key: string, value: string): void;
   turn(key: string, on: boolean): void; // a curve, on or off
+  take(state: State): void; // what another figure of this picture had chosen, switched off and zoomed
   watch(changed: (state: State) => void): void; // at once, and with every change
   see(window: Range | null): void;
   select(stretch: Range | null): void;
@@ -257,6 +258,11 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     whole: () => whole,
     choose,
     turn: (key, on) => turn([key], on),
+    take({ chosen, hidden, window, stretch }) {
+      known = new Set([...known, ...picture.toggles({ chosen }).map((toggle) => toggle.key)]);
+      panel_open = stretch !== null;
+      change({ chosen, hidden, window, stretch });
+    },
     watch(changed) {
       watching.push(changed);
       changed(state);

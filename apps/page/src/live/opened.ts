@@ -129,10 +129,11 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       plan: planned_with(engine, work, runs),
       changed(now, next) {
         if (next.model !== "" && report !== now && (report !== null || next.model !== subject?.model)) void intake.written(next.model);
+        const again = report !== null;
         report = now;
         subject = next;
         keep_state();
-        page.show(now, loop);
+        page.show(now, loop, again);
         drawn();
       },
     });
@@ -143,7 +144,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     report = first;
     loop = null;
     keep_state();
-    page.show(first, null);
+    page.show(first, null, false);
     drawn();
   };
 
@@ -240,7 +241,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     show: (given) => show_alone(null, given),
     async rewrite() {
       if (!report) return;
-      if (!loop) return page.show(report, null);
+      if (!loop) return page.show(report, null, true);
       loop = await make_loop(loop.subject(), report);
       loop?.show(report);
     },

@@ -11,19 +11,15 @@ import { ranked_errors } from "./ranked_errors";
 import type { Report } from "../report";
 import { shown } from "../drawing/theme";
 import { decimals_for } from "../drawing/with_sigma";
-import { english, language, named, t, type Said } from "../texts/texts";
+import { english, english_after, language, named, t, type Said } from "../texts/texts";
 
 const kRemedies = 3;
 
 // Of "backlash_a" that of "backlash"; one that the language does not have stays as the program says it.
-const remedy_of = (effect: string, remedy: string): string => {
-  const known = named(t.remedies, effect.replace(/_[ab]$/, ""));
-  return language === "en" || known === effect ? remedy : known;
-};
 const remedy_said = (error: string, effect: string, remedy: string): Said => {
-  const own = remedy_of(effect, remedy);
-  const said = t.errors_remedy({ error, remedy: own });
-  return own === remedy ? english(said) : said;
+  const what = effect.replace(/_[ab]$/, "");
+  const known = language !== "en" && Object.hasOwn(t.remedies, what);
+  return known ? t.errors_remedy({ error, remedy: named(t.remedies, what) }) : english_after(`${error}:`, remedy);
 };
 
 // In English the program's own sentences.
@@ -93,10 +89,7 @@ const told_first = (test: ErrorTest): ToldFirst => {
     next: {
       label: t.errors_next,
       text: largest
-        ? t.errors_next_text({
-            error: capital(error_name(largest.effect, recordings[0]?.plane)),
-            remedy: remedy_of(largest.effect, largest.first.remedy ?? ""),
-          })
+        ? remedy_said(capital(error_name(largest.effect, recordings[0]?.plane)), largest.effect, largest.first.remedy ?? "")
         : "",
       command: command_of("history", ["."], ["--out", "history.html"]),
     },

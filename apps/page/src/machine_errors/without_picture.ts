@@ -9,8 +9,8 @@ import { kept_readings, picked, stacked_numbers } from "../recordings/recording_
 import { effect_colour } from "../recordings/recording_colours";
 import type { Num } from "../report";
 import { round_option, type RoundCurve } from "../recordings/round";
-import { t } from "../texts/texts";
 import { colours, curve_colour, font, legend, shown } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 const kStretches = 720; // of a turn, four points each
 
@@ -19,7 +19,10 @@ export const kWithout_picture = "machine-errors-without";
 const key_of = (effect: string): string => `error ${effect}`;
 
 const label_of = (test: ErrorTest, { effect, first }: RankedError): string =>
-  `${error_name(effect, test.recordings[0]?.plane)}, ${shown(first.individual_circularity_um, 2)} µm`;
+  t.errors_of_size({
+    error: error_name(effect, test.recordings[0]?.plane),
+    value: shown(first.individual_circularity_um, 2),
+  });
 
 const toggles_of = (test: ErrorTest): Toggle[] =>
   ranked_errors(test.part).map((one, k): Toggle => ({
@@ -62,7 +65,7 @@ const note_of = (test: ErrorTest, off: readonly RankedError[]): string => {
     off.length === 1
       ? first.first.circularity_without_um
       : range_of(test.recordings.map((_, k) => left_of(test, off, k)));
-  const error = off.length === 1 ? label_of(test, first) : t.errors_these({ count: off.length });
+  const error = off.length === 1 ? label_of(test, first) : t.errors_these({ n: off.length });
   return `${all}\n${t.errors_circularity_without({ error, value: shown(left, 2) })}`;
 };
 
@@ -79,15 +82,15 @@ export const without_picture = (tests: readonly ErrorTest[]): Picture => {
         return { angle_deg: picked(angles, kept), value_um: picked(values, kept), ...as };
       };
       const measured = { name: t.measured_of({ which: name }), colour: colour(dark), dash, width_px: 1.4, faint: off.length > 0 };
-      const without = { name: t.errors_without_of({ which: name }), colour: curve_colour(2, dark), dash, width_px: 1.7 };
+      const without = { name: t.errors_off({ which: name }), colour: curve_colour(2, dark), dash, width_px: 1.7 };
       return [drawn(about_circle(test, k), measured), ...(off.length > 0 ? [drawn(left_of(test, off, k), without)] : [])];
     });
   };
   return {
     name: kWithout_picture,
-    title: t.errors_without_title,
-    caption: t.errors_without_caption,
-    about: t.errors_without_about,
+    title: t.errors_off_title,
+    caption: t.errors_off_caption,
+    about: t.errors_off_about,
     height_px: 440,
     zoom: "none",
     choices: test_choice(tests),

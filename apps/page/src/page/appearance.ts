@@ -1,7 +1,7 @@
 // Light or dark: as the system has it, until the reader says otherwise. Paper is always light.
 import { button } from "../elements/elements";
 import type { Shared } from "./shared";
-import { t } from "../texts/texts";
+import { t, when_spoken } from "../texts/texts";
 
 const kKey = "ballbar-theme";
 
@@ -34,6 +34,10 @@ export const appearance = (shared: Shared): HTMLButtonElement => {
   const change = button(t.page_dark, t.page_light_or_dark, () => {
     asked = shared.dark() ? "light" : "dark";
     remember(asked);
+    apply();
+  });
+  when_spoken(() => {
+    change.title = t.page_light_or_dark;
     apply();
   });
   system.addEventListener("change", apply);

@@ -167,10 +167,6 @@ export const de: Texts = {
   errors_without: "ohne ihn",
   errors_without_of: ({ which }) => `ohne ihn, ${which}`,
   errors_curve_of: ({ error, which }) => `${error}, ${which}`,
-  errors_without_title: "Ohne einige der Fehler",
-  errors_without_caption: "Die Messwerte, wie sie wären, wenn die ausgeschalteten Fehler behoben wären.",
-  errors_without_about: "Um den an alle Läufe angepassten Kreis, vergrößert. Mehrere Fehler können zugleich aus sein.",
-  errors_these: ({ count }: { count: number }) => `diese ${count}`,
   errors_circularity: ({ value }) => `Kreisformabweichung ${value} µm`,
   errors_circularity_without: ({ error, value }) => `ohne ${error}: ${value} µm`,
   errors_test: "Prüfung",
@@ -204,7 +200,13 @@ export const de: Texts = {
   errors_conclusion_none:
     ({ circularity }) => `Die Kreisformabweichung beträgt ${circularity} µm, und kein Fehler der Achsen ragt aus dem Rauschen.`,
   errors_next: "Erneut prüfen und vergleichen",
-  errors_next_text: ({ error, remedy }) => `${error}: ${remedy}`,
+  errors_these: ({ n }) => `diese ${n}`,
+  errors_off_title: "Ohne einige der Fehler",
+  errors_off_caption: "Die Messwerte, wie sie wären, wenn die ausgeschalteten Fehler behoben wären.",
+  errors_off_about:
+    "Um den Ausgleichskreis aller Läufe, vergrößert. Mehrere Fehler können zugleich ausgeschaltet sein.",
+  errors_off: ({ which }) => `ohne, ${which}`,
+  errors_of_size: ({ error, value }) => `${error}, ${value} µm`,
 
   // drift
   drift: "Drift",
@@ -338,13 +340,13 @@ export const de: Texts = {
   model_contributions_caption: "Jeder Effekt seit Beginn, gestapelt; die Linie ist das Modell.",
   model_contributions_about:
     "Was das Modell hebt, geht von null nach oben, was es senkt, nach unten. Oben minus unten ist das Modell.",
-  model_floor_band: "± Rauschgrenze",
-  model_floor: "Rauschgrenze",
+  model_floor_band: "± Grundrauschen",
+  model_floor: "Grundrauschen",
   model_error_bars: "Fehlerbalken",
   model_fit_title: "Gemessen, Modell, Residuum",
   model_fit_caption: "Oben gemessen (Punkte) und Modell (Linie); unten gemessen minus Modell.",
   model_fit_bars: "Balken sind ein Sigma.",
-  model_fit_floor: "Die gestrichelten Linien sind die Rauschgrenze, etwa was Rauschen allein übrig ließe.",
+  model_fit_floor: "Die gestrichelten Linien sind das Grundrauschen, etwa was Rauschen allein übrig ließe.",
   model_fit_regimes: "Die Schattierungen sind die Betriebszustände der Drehzahl.",
   model_where_title: "Wo es versagt, das Schlimmste zuerst",
   model_where_worst: ({ rows, all }) => `Wo es versagt: die ${rows} schlimmsten von ${all}`,
@@ -370,9 +372,9 @@ export const de: Texts = {
     "Der Eingang springt bei 0 min und bleibt; die anderen bleiben auf ihrem Median. Die Höhe ist, was der Sprung beiträgt, der Weg dorthin, wie langsam es kommt.",
   model_steps_axis: "Zeit nach dem Sprung, min",
   model_result:
-    ({ rmse, floor, parameters }) => `RMSE ${rmse} µm${floor === "" ? "" : `, das ${floor}-Fache der Rauschgrenze`}; ${parameters} Parameter`,
+    ({ rmse, floor, parameters }) => `RMSE ${rmse} µm${floor === "" ? "" : `, das ${floor}-Fache des Grundrauschens`}; ${parameters} Parameter`,
   model_leaves:
-    ({ rmse, times }) => `Das Modell lässt ${rmse} µm übrig${times === "" ? "; was ein wahres Modell mindestens übrig ließe, ist nicht bekannt" : `, das ${times}-Fache der Rauschgrenze`}.`,
+    ({ rmse, times }) => `Das Modell lässt ${rmse} µm übrig${times === "" ? "; was ein wahres Modell mindestens übrig ließe, ist nicht bekannt" : `, das ${times}-Fache des Grundrauschens`}.`,
   model_target: "Zielgröße",
   model_find: "Finden, was fehlt",
   regimes: {
@@ -402,7 +404,7 @@ export const de: Texts = {
   diagnosis_lacks: ({ target }) => `Was dem Modell von ${target} fehlt`,
   diagnosis_verdict: ({ verdict }) => `Befund: ${verdict}.`,
   diagnosis_why: "Warum es nicht oder nicht ganz benannt ist:",
-  diagnosis_to_decide: ({ test }) => `Zur Entscheidung: ${test}`,
+  diagnosis_to_decide: "Zur Entscheidung:",
   diagnosis_untestable: "Hier nicht prüfbar",
   diagnosis_not_searched: "Nicht durchsucht",
   diagnosis_not_searched_one: ({ effect, left, all }) => `${effect} auf ${left} von ${all} Spaltenwahlen`,
@@ -465,7 +467,7 @@ export const de: Texts = {
   diagnosis_no_evidence_of_several:
     ({ effects, percent }) => `Auch eine gleich glatte Zufallskurve ohne Ursache senkt ihn. Ein solches Surrogat stand an der Stelle eines der ${effects} Effekte, neben den anderen${percent === "" ? "" : `: Es nahm bis zu ${percent} % des RMSE weg, den sie übrig lassen`}. Wie tief das ist, ist nicht bekannt, und keine Linie ist gezeichnet.`,
   diagnosis_not_known: ({ missing }) => `Nicht bekannt: ${missing}.`,
-  diagnosis_the_floor: "die Rauschgrenze",
+  diagnosis_the_floor: "das Grundrauschen",
   diagnosis_the_surrogate: "was ein Surrogat gebracht hätte",
   diagnosis_the_left_out: "der Fehler des Ausgelassenen",
   diagnosis_list_sign: ";",
@@ -483,7 +485,7 @@ export const de: Texts = {
   diagnosis_surrogate_percent: ({ percent }) => `bestes Surrogat −${percent} %`,
   diagnosis_surrogate_percent_of:
     ({ percent }) => percent === "" ? "bestes Surrogat" : `bestes Surrogat −${percent} %:`,
-  diagnosis_floor: "Rauschgrenze",
+  diagnosis_floor: "Grundrauschen",
   diagnosis_left_out: "ausgelassen",
   diagnosis_posterior_title: "P für jedes, von 0 bis 1. Mehrere können zugleich wahr sein.",
   diagnosis_what: "was",
@@ -502,7 +504,7 @@ export const de: Texts = {
   diagnosis_change: "Änderung",
   diagnosis_target: "Zielgröße",
   diagnosis_parameters: "Parameter",
-  diagnosis_times_floor: "× Rauschgrenze",
+  diagnosis_times_floor: "× Grundrauschen",
   diagnosis_left_out_um: "ausgelassen, µm",
   diagnosis_row_verdict: "Befund",
   diagnosis_likelihood_about:
@@ -700,7 +702,7 @@ export const de: Texts = {
     what: "was",
     verdict: "Befund",
     step: "Schritt",
-    floor: "Rauschgrenze",
+    floor: "Grundrauschen",
     best_surrogate: "bestes Surrogat",
     left_out: "ausgelassen",
     forecast: "Vorhersage",

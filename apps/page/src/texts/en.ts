@@ -170,10 +170,6 @@ export const en = {
   errors_without: "without it",
   errors_without_of: ({ which }: { which: string }) => `without it, ${which}`,
   errors_curve_of: ({ error, which }: { error: string; which: string }) => `${error}, ${which}`,
-  errors_without_title: "Without some of the errors",
-  errors_without_caption: "The readings as they would be if the errors that are switched off were mended.",
-  errors_without_about: "About the circle fitted to all runs, magnified. Several errors can be off at once.",
-  errors_these: ({ count }: { count: number }) => `these ${count}`,
   errors_circularity: ({ value }: { value: string }) => `circularity ${value} µm`,
   errors_circularity_without: ({ error, value }: { error: string; value: string }) => `without ${error}: ${value} µm`,
   errors_test: "Test",
@@ -207,7 +203,12 @@ export const en = {
   errors_conclusion_none:
     ({ circularity }: { circularity: string }) => `The circularity is ${circularity} µm, and no error of the axes stands out of the noise.`,
   errors_next: "Test again, and compare",
-  errors_next_text: ({ error, remedy }: { error: string; remedy: string }) => `${error}: ${remedy}`,
+  errors_these: ({ n }: { n: number }) => `these ${n}`,
+  errors_off_title: "Without some of the errors",
+  errors_off_caption: "The readings as they would be if the errors that are switched off were mended.",
+  errors_off_about: "About the circle fitted to all runs, magnified. Several errors can be off at once.",
+  errors_off: ({ which }: { which: string }) => `without, ${which}`,
+  errors_of_size: ({ error, value }: { error: string; value: string }) => `${error}, ${value} µm`,
 
   // drift
   drift: "Drift",
@@ -406,7 +407,7 @@ export const en = {
   diagnosis_lacks: ({ target }: { target: string }) => `What the model of ${target} lacks`,
   diagnosis_verdict: ({ verdict }: { verdict: string }) => `Verdict: ${verdict}.`,
   diagnosis_why: "Why it is not named, or not all of it:",
-  diagnosis_to_decide: ({ test }: { test: string }) => `To decide: ${test}`,
+  diagnosis_to_decide: "To decide:",
   diagnosis_untestable: "Not testable here",
   diagnosis_not_searched: "Not searched",
   diagnosis_not_searched_one:
