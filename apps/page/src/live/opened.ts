@@ -74,7 +74,8 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     try {
       await act();
     } catch (error) {
-      tell(reason(error));
+      if (report) tell(reason(error));
+      else leave(reason(error));
     }
   };
 
