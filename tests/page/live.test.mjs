@@ -324,3 +324,103 @@ test("by keyboard alone: choose, add, slide, undo, save", async () => {
   assert.deepEqual(wrong, []);
   await close();
 });
+
+test("a file that will not fit is not loaded, and it is said", async () => {
+  const { page, wrong, close } = await live();
+  await page.evaluate(() => {
+    const piece = new Blob([new Uint8Array(1 << 20)]);
+    const transfer = new DataTransfer();
+    transfer.items.add(new File(Array.from({ length: 1100 }, () => piece), "huge.csv"));
+    document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
+  });
+  await page.waitForSelector(".live-files .faulty", { timeout: kLong });
+  assert.match(await page.innerText(".live-files .faulty"), /huge\.csv[^]*was not loaded: about [\d.]+ MB/);
+  await dropped(page, of_run("qc20-style-b5r", "00.b5r"));
+  await page.waitForSelector('figure[data-picture="machine-errors"]', { timeout: kLong });
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("a million rows", async () => {
+  const { page, wrong, close } = await live();
+  const rows = ["time_s,T_room_degC,y_um"];
+  for (let i = 0; i < 1_000_000; ++i) rows.push(`${i},${(20 + 2 * Math.sin(i / 9e4)).toFixed(2)},${(3 * Math.sin(i / 9e4 - 0.5) + ((i * 7919) % 101) / 500).toFixed(3)}`);
+  const path = join(folder, "million.csv");
+  writeFileSync(path, rows.join("\n"));
+  await page.locator("input[type=file]:not([webkitdirectory])").first().setInputFiles(path);
+  await page.waitForSelector(".live-report main", { timeout: kLong });
+  assert.match(await page.innerText(".verdict"), /16666\.7|16667/);
+  await page.getByRole("button", { name: "Find what makes it drift" }).click();
+  await page.waitForFunction(() => !document.querySelector(".live-work").hidden);
+  await page.keyboard.press("Escape");
+  await idle(page);
+  assert.match(await page.textContent(".live-loop .said"), /Stopped/);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("in another language, with what was done as it was", async () => {
+  const { page, wrong, close } = await live();
+  await page.getByRole("combobox", { name: "Language" }).selectOption("de");
+  assert.match(await page.innerText(".drop .here"), /hier ablegen/);
+  await sample(page, "hidden-effect");
+  await candidates(page);
+  await page.locator(".live-candidates .plus").first().click();
+  await page.waitForFunction(() => /vorher/.test(document.querySelector(".live-fall").textContent), null, { timeout: kLong });
+  await at_rest(page);
+  assert.match(await page.textContent(".live-fall .rmse"), /^RMSE 0,431 µm$/);
+  await page.locator(".page-tools select").selectOption("zh");
+  await page.waitForFunction(() => /噪声/.test(document.querySelector(".live-fall")?.textContent ?? ""), null, { timeout: kLong });
+  assert.match(await page.textContent(".live-model"), /lagged_expansion\(T_room_degC\)/);
+  await page.locator(".page-tools select").selectOption("en");
+  await page.getByRole("button", { name: "Undo" }).click();
+  await page.waitForFunction(() => /RMSE 1\.36/.test(document.querySelector(".live-fall").textContent), null, { timeout: kLong });
+  await at_rest(page);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+// The page as it is, with something done before its script runs.
+const live_after = async (script) => {
+  const { page, wrong, close } = await live();
+  await page.addInitScript(script);
+  await page.reload();
+  await page.waitForSelector("html[data-ready]", { state: "attached" });
+  return { page, wrong, close };
+};
+
+test("where the browser keeps nothing: it is said, and all else works", async () => {
+  const { page, wrong, close } = await live_after(() => {
+    Object.defineProperty(window, "indexedDB", { get: () => ({ open: () => { throw new DOMException("no", "SecurityError"); } }) });
+  });
+  assert.match(await page.innerText(".live-start"), /This browser keeps nothing here/);
+  await dropped(page, of_run("qc20-style-b5r", "00.b5r"));
+  await page.waitForSelector('figure[data-picture="machine-errors"]', { timeout: kLong });
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+for (const [why, said] of [["RangeError: WebAssembly.Memory(): could not allocate memory", /ran out of this tab's memory/], ["RuntimeError: unreachable", /failed and was started anew/]]) {
+  test(`the program gives up (${why.split(":")[0]}): it is said, and it goes on with the files`, async () => {
+    const { page, wrong, close } = await live_after(`{
+      const Own = window.Worker;
+      let failed = false;
+      window.Worker = class extends Own {
+        postMessage(data, give) {
+          if (data.kind === "run" && data.words[0] === "report" && !failed) {
+            failed = true;
+            this.onmessage({ data: { id: data.id, kind: "failed", why: ${JSON.stringify(why)} } });
+          } else super.postMessage(data, give);
+        }
+      };
+    }`);
+    await dropped(page, of_run("qc20-style-b5r", "00.b5r"), of_run("two-arcs-he2015", "signals.csv"));
+    await page.waitForFunction(() => document.querySelector(".live-told").textContent !== "", null, { timeout: kLong });
+    assert.match(await told(page), said);
+    await page.locator(".live-shelf .groups button", { hasText: "00.b5r" }).click();
+    await page.waitForSelector('figure[data-picture="machine-errors"]', { timeout: kLong });
+    assert.equal(await told(page), "");
+    assert.deepEqual(wrong, []);
+    await close();
+  });
+}

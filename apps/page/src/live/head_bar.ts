@@ -78,7 +78,13 @@ export const head_bar = ({ take, close, saves, work, told }: HeadOf): HeadBar =>
         const values = [["", t.live_as_tests], [folder, t.live_as_session]] as const;
         choices.append(choice(t.live_view, values, as_session ? folder : "", (value) => choose({ data: value === "" ? subject.group.data : [value], model: "" })));
       }
-      if (compared.length > 0 && (subject.group.kind === "session" || subject.group.kind === "series")) {
+      const [alone, ...others] = subject.data;
+      const runs = compared.filter((group) => group.kind === "series" && subject.group.kind === "series");
+      if (runs.length > 0 && alone !== undefined) {
+        const values = [["", t.live_nothing] as const, ...runs.map(({ data, title }) => [data[0] ?? "", title] as const)];
+        choices.append(choice(t.live_together_with, values, others[0] ?? "", (value) => choose({ data: value === "" ? [alone] : [alone, value], compared: "" })));
+      }
+      if (compared.length > 0 && others.length === 0 && (subject.group.kind === "session" || subject.group.kind === "series")) {
         const values = [["", t.live_nothing] as const, ...compared.map(({ data, title }) => [data[0] ?? "", title] as const)];
         choices.append(choice(t.live_compare_with, values, subject.compared, (value) => choose({ compared: value })));
       }

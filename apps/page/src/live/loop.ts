@@ -16,7 +16,11 @@ import type { Runs } from "./subject_runs";
 import { slid } from "./slid";
 import { Interrupted, type Work } from "./work";
 import { micrometres, plain } from "../drawing/text";
-import { t } from "../texts/texts";
+import { english, language, said_text, t, type Said } from "../texts/texts";
+import { verdict_of } from "../diagnosis/verdict";
+import { verdict_of as verdict_of_check } from "../model/model";
+
+const kShort_ms = 60_000; // a search that is made anew by itself when the model is another
 
 export interface LoopOf {
   subject: Subject;
@@ -64,8 +68,9 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const forth: Uint8Array[] = []; // models that were taken back, the last one first to come again
 
   const sentence = element("p", { class: "said", role: "status", "aria-live": "polite" });
-  const say = (text: string): void => {
-    sentence.textContent = micrometres(text);
+  const say = (said: Said): void => {
+    sentence.textContent = micrometres(said_text(said));
+    sentence.lang = typeof said === "string" ? language : "en";
   };
   // What to do next, where the program proposes a step.
   const next = button("", "", () => loop.act(found?.command ?? ""));
@@ -211,7 +216,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   const tried = (effect: string): Promise<void> =>
     attempt(async () => {
       say(t.live_searching);
-      say(await runs.try(subject, effect));
+      say(english(await runs.try(subject, effect)));
     });
 
   const model_changed = async (): Promise<void> => {
@@ -220,7 +225,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     before = was && fitted && was.series.time_s.length === fitted.series.time_s.length ? was : null;
     draw();
     update();
-    void loop.search();
+    if (took_ms < kShort_ms) void loop.search();
   };
 
   const loop: Loop = {
@@ -241,7 +246,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         list.renew(checked);
         figure_now(checked);
         draw();
-        if (sentence.textContent === "") say(checked.sentences[0] ?? "");
+        if (sentence.textContent === "") say(verdict_of_check(checked));
       }
       show_diagnosis(of_target(next.diagnose?.targets, subject.target));
       of.changed(next, subject);
@@ -258,7 +263,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
           took_ms = performance.now() - began;
           if (of_subject !== subject) return;
           loop.show(answer);
-          say(found?.sentence ?? "");
+          if (found) say(verdict_of(found));
         } finally {
           posterior.clear();
         }
@@ -274,7 +279,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         subject = { ...subject, model };
         await model_changed();
         undo.focus({ preventScroll: true }); // the button that was pressed is gone
-        say(added.revisions.at(-1)?.sentence ?? "");
+        say(english(added.revisions.at(-1)?.sentence ?? ""));
       }),
     undo: () =>
       attempt(async () => {

@@ -18,13 +18,9 @@ import { runs_with } from "./subject_runs";
 import { tour } from "./tour";
 import { tour_steps } from "./tour_steps";
 import { work_with } from "./work";
-import { t } from "../texts/texts";
+import { t, when_spoken } from "../texts/texts";
 
-export interface Live {
-  rewrite(): Promise<void>; // in another language
-}
-
-export const open_live = async (engine: Engine, page: LivePage): Promise<Live> => {
+export const open_live = async (engine: Engine, page: LivePage): Promise<void> => {
   const place = element("div", { class: "live" });
   document.body.prepend(place);
   const told = element("p", { class: "live-told", role: "alert" });
@@ -166,12 +162,10 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<Live> =
     tell(command.startsWith("ballbar history ") ? t.live_test_again : t.live_for_terminal({ command }));
   });
   if (page.given) opened.show(page.given);
-  return {
-    async rewrite() {
-      leave_tour();
-      work.rewrite();
-      write();
-      await opened.rewrite();
-    },
-  };
+  when_spoken(() => {
+    leave_tour();
+    work.rewrite();
+    write();
+    void opened.rewrite();
+  });
 };

@@ -43,6 +43,8 @@ export interface Opened {
   forget(): void;
 }
 
+const kShort_ms = 3000; // to fit
+
 // Such lie beside data, and are no data.
 const lies_beside = ({ name, head }: Held): boolean =>
   /\.(md|sh|py|svg|png|jpe?g)$|(^|\/)[A-Z]+$/i.test(name) || head.includes('"ballbar-');
@@ -72,7 +74,8 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     try {
       await act();
     } catch (error) {
-      tell(reason(error));
+      if (report) tell(reason(error));
+      else leave(reason(error));
     }
   };
 
@@ -127,10 +130,11 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       plan: planned_with(engine, work, runs),
       changed(now, next) {
         if (next.model !== "" && report !== now && (report !== null || next.model !== subject?.model)) void intake.written(next.model);
+        const again = report !== null;
         report = now;
         subject = next;
         keep_state();
-        page.show(now, loop);
+        page.show(now, loop, again);
         drawn();
       },
     });
@@ -141,19 +145,22 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     report = first;
     loop = null;
     keep_state();
-    page.show(first, null);
+    page.show(first, null, false);
     drawn();
   };
 
   const show = async (next: Subject): Promise<void> => {
+    const began = performance.now();
     const first = await runs.report(next);
+    const took_ms = performance.now() - began;
     const its_loop = await make_loop(next, first);
     if (!its_loop) return show_alone(next, first);
     subject = next;
     report = null;
     loop = its_loop;
     loop.show(first);
-    if (next.model !== "") void loop.search();
+    // Of many rows and models the search takes minutes: then it is asked for.
+    if (next.model !== "" && took_ms < kShort_ms) void loop.search();
   };
 
   const leave = (why: string): void => {
@@ -235,7 +242,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     show: (given) => show_alone(null, given),
     async rewrite() {
       if (!report) return;
-      if (!loop) return page.show(report, null);
+      if (!loop) return page.show(report, null, true);
       loop = await make_loop(loop.subject(), report);
       loop?.show(report);
     },

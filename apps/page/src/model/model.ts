@@ -29,7 +29,7 @@ const result_of = ({ rmse_um, floor_um, parameters }: Checked): string => {
 };
 
 // In English the program's own sentence.
-const verdict_of = (checked: Checked): Said => {
+export const verdict_of = (checked: Checked): Said => {
   const { rmse_um, floor_um, sentences } = checked;
   if (language === "en") return english(sentences[0] ?? result_of(checked));
   const times = rmse_um !== null && floor_um ? shown(rmse_um / floor_um, 1) : "";

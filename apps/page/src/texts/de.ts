@@ -893,6 +893,7 @@ export const de: Texts = {
   live_as_tests: "einzelne Tests",
   live_as_session: "Drift von Test zu Test",
   live_compare_with: "Vergleichen mit",
+  live_together_with: "Zusammen mit",
   live_nothing: "nichts",
 
   // live: loop

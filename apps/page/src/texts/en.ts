@@ -907,6 +907,7 @@ export const en = {
   live_as_tests: "single tests",
   live_as_session: "drift from test to test",
   live_compare_with: "Compare with",
+  live_together_with: "Together with",
   live_nothing: "nothing",
 
   // live: loop

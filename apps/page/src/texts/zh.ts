@@ -850,6 +850,7 @@ export const zh: Texts = {
   live_as_tests: "单次测试",
   live_as_session: "各次测试间的漂移",
   live_compare_with: "比较对象",
+  live_together_with: "合并",
   live_nothing: "无",
 
   // live: loop
