@@ -1,6 +1,6 @@
-// Bundles the page: node build.mjs OUT_DIR writes page.js, pictures.js, worker.js and page.css there.
+// Bundles the page: node build.mjs OUT_DIR writes page.js, pictures.js, worker.js, boot.js and page.css there.
 import { build } from "esbuild";
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -29,5 +29,15 @@ const footer = { js: ["/*!", ...notices, "*/"].join("\n") };
 const script = { ...common, footer, format: "iife", define: { "process.env.NODE_ENV": '"production"' } };
 await build({ ...script, entryPoints: [join(here, "src/main.ts")], outfile: join(out, "page.js") });
 await build({ ...script, entryPoints: [join(here, "src/pictures.ts")], outfile: join(out, "pictures.js") });
-await build({ ...common, format: "iife", entryPoints: [join(here, "src/worker.ts")], outfile: join(out, "worker.js") });
+for (const name of ["worker", "boot"]) {
+  const entryPoints = [join(here, `src/${name}.ts`)];
+  await build({ ...common, format: "iife", entryPoints, outfile: join(out, `${name}.js`) });
+}
 await build({ ...common, entryPoints: [join(here, "src/page.css")], outfile: join(out, "page.css") });
+
+// What is left of other signs stands in regular expressions, where they may be written so too.
+for (const name of ["page.js", "pictures.js"]) {
+  const escaped = (sign) => "\\u" + sign.charCodeAt(0).toString(16).padStart(4, "0");
+  const file = join(out, name);
+  writeFileSync(file, readFileSync(file, "utf8").replace(/[^\0-\x7f]/g, escaped));
+}

@@ -114,7 +114,8 @@ void expect_page(std::string_view option) {
 
 std::string page_date() {
   const char* stated = std::getenv("SOURCE_DATE_EPOCH");
-  const std::time_t now = stated != nullptr ? std::strtoll(stated, nullptr, 10) : std::time(nullptr);
+  const std::time_t now =
+      stated != nullptr ? static_cast<std::time_t>(std::strtoll(stated, nullptr, 10)) : std::time(nullptr);
   return fmt::format("{:%F}", stated != nullptr ? fmt::gmtime(now) : fmt::localtime(now));
 }
 
@@ -123,7 +124,8 @@ std::string page_of(const Json& report, const Json& inside) {
     return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, as_script(json));
   };
   return filled(page::kShell,
-                {{"SCRIPT_HASH", std::string(page::kScriptHash)},
+                {{"CHARSET", "utf-8"},
+                 {"SCRIPT_HASH", std::string(page::kScriptHash)},
                  {"STYLE_HASH", std::string(page::kStyleHash)},
                  {"ENGINE_SCRIPTS", ""},
                  {"ENGINE_WORKERS", ""},

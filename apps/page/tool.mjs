@@ -12,7 +12,12 @@ if (!out) {
 }
 
 const text_of = (file, encoding = "utf8") => readFileSync(file, encoding);
-const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString("base64");
+// Bytes as they are, a sign each, in a page whose signs are those of windows-1252: base64 would be a third more. What
+// HTML would read otherwise is a sign of equality and the byte 64 further.
+const packed = (bytes) =>
+  gzipSync(bytes, { level: 9 })
+    .toString("latin1")
+    .replace(/[\0\r<=]/g, (sign) => "=" + String.fromCharCode(sign.charCodeAt(0) + 64));
 const hash = (text) => `sha256-${createHash("sha256").update(text).digest("base64")}`;
 
 // Of each sample run the files that its first use reads; "*.csv" are all of the folder.
@@ -25,26 +30,30 @@ const samples = JSON.parse(text_of(new URL("engine/samples.json", import.meta.ur
 });
 
 const script = text_of(join(made, "page.js"));
+const boot = text_of(join(made, "boot.js"));
 const style = text_of(join(made, "page.css"));
 const worker = text_of(join(engine, "engine.js")) + "\n" + text_of(join(made, "worker.js"));
-for (const text of [script, worker, style.replace(/<\/style/i, "</script")]) {
+if (/[^\0-\x7f]/.test(boot + script + worker + style)) throw new Error("expected ASCII alone");
+for (const text of [boot, worker, style.replace(/<\/style/i, "</script")]) {
   if (/<\/script|<!--/i.test(text)) throw new Error("a script or style would end its own element in the page");
 }
-const carried = (id, text) => `<script type="text/plain" id="${id}">${text}</script>\n`;
+const carried = (id, text, more = "") => `<script type="text/plain" id="${id}"${more}>${text}</script>\n`;
 const marks = {
-  SCRIPT_HASH: hash(script),
+  CHARSET: "windows-1252",
+  SCRIPT_HASH: hash(boot),
   STYLE_HASH: hash(style),
   ENGINE_SCRIPTS: " 'wasm-unsafe-eval' blob:",
   ENGINE_WORKERS: "; worker-src blob:; connect-src 'none'",
   MADE_BY: `ballbar ${version}`,
   TITLE: "ballbar",
   STYLE: style,
-  SCRIPT: script,
+  SCRIPT: boot,
   CARRIED:
+    carried("page-script", packed(script), ` data-hash="${hash(script)}"`) +
     carried("engine", packed(readFileSync(join(engine, "engine.wasm")))) +
     carried("engine-worker", worker) +
     carried("samples", packed(JSON.stringify(samples))),
 };
 const page = text_of(new URL("src/page.html", import.meta.url)).replace(/@([A-Z_]+)@/g, (_, name) => marks[name]);
-writeFileSync(out, page);
+writeFileSync(out, page, "latin1");
 console.log(`${out}: ${(page.length / 1e6).toFixed(2)} MB`);

@@ -154,7 +154,9 @@ void run(Options options) {
     throw Error(fmt::format("expected one target to plan for, found {}; --target chooses one.", model.targets.size()));
   }
   const ProgressLine line;
-  if (!options.json) options.plan.search.progress = [](std::string_view step) { show_progress(std::string(step)); };
+  if (!options.json || progress_is_taken()) {
+    options.plan.search.progress = [](std::string_view step) { show_progress(std::string(step)); };
+  }
   const TestPlan plan =
       with_source(options.model.data.front(), [&] { return test_plan(model, data.series, 0, options.plan); });
   show_progress({});

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { drawn, figure, launched, opened, saved } from "./browser.mjs";
+import { drawn, figure, launched, opened, saved, unfold } from "./browser.mjs";
 import { drawing, polar } from "./drawing.mjs";
 import { data_of, page_with, with_errors } from "./machine_errors.mjs";
 import { of_run, report } from "./reports.mjs";
@@ -65,7 +65,8 @@ test("first screen: circle and table side by side, both whole", async () => {
   const { scrollWidth, clientWidth } = await page.locator(".side-by-side .table").evaluate(({ scrollWidth, clientWidth }) => ({ scrollWidth, clientWidth }));
   assert.ok(scrollWidth <= clientWidth, "no column is hidden");
   assert.equal(await page.locator("main > section[id]").first().getAttribute("id"), "machine-errors");
-  assert.equal(await page.locator("main .summary").textContent(), "Squareness is the largest error.");
+  assert.equal(await page.locator("main .verdict").textContent(), "Squareness is the largest error.");
+  assert.equal(await page.locator("main .why").textContent(), "Squareness: Square the axes.");
 });
 
 test("the table: by rank, what is not significant last, stored values beside", async () => {
@@ -81,6 +82,7 @@ test("the table: by rank, what is not significant last, stored values beside", a
 });
 
 test("below: what is left, remedies of the first, the prior, the set-up", async () => {
+  await unfold(page, "machine-errors");
   const text = await page.locator("#machine-errors").innerText();
   for (const said of [
     "All of them together leave 0.58 µm rms; CCW and CW repeat to 0.44 µm. Unexplained is a wave of 6 a turn.",
@@ -213,6 +215,7 @@ test("several tests: a list chooses one, and the table is its own", async () => 
   assert.ok(parts.length > 2);
   const { page: many, wrong, close } = await opened(browser, folder_file);
   await drawn(many);
+  await unfold(many, "machine-errors");
   const value = (k) => parts[k].errors.find(({ name }) => name === "centre_a").value.toFixed(3);
   const set_up = () => many.locator("#machine-errors table:visible", { hasText: "not ranked" }).innerText();
   assert.equal(await table(many).count(), 1);
@@ -252,6 +255,7 @@ test("a test of one direction, and values that are not known", async () => {
   const alone = { ...one, errors, curves, recordings: one.recordings.slice(0, 1), circle_um: one.circle_um.slice(0, 1), repeatability_um: null, left_text: "", file: undefined, tolerances: [], prior: [], undetermined: [] };
   const { page: few, wrong, close } = await opened(browser, page_with("errors-of-one", file, { ...data, machine_errors: [alone] }));
   await drawn(few);
+  await unfold(few, "machine-errors");
   assert.deepEqual(await cells(table(few).locator("tbody tr", { hasText: "squareness" })), ["squareness", "18.04 ± ?", "µm/m", "1.80", "–", "not significant", "17.63 (1)", "–", "–"]);
   const chosen = await few.evaluate((name) => window.ballbar.figures.get(name).state().chosen.error, kPicture);
   assert.equal(chosen, "", "what is not significant is not drawn at first");

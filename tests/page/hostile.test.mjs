@@ -114,8 +114,8 @@ const elements = (page) =>
         if (/^on|^srcdoc$/.test(name) || (/^(href|src|action)$/.test(name) && !value.startsWith("#"))) found.push(`${one.localName} ${name}=${value.slice(0, 100)}`);
       }
     }
-    const scripts = document.querySelectorAll("script").length;
-    return scripts === 2 ? found : [...found, `${scripts} scripts`];
+    const scripts = document.querySelectorAll("script:not([type='application/json'])").length;
+    return scripts === 1 ? found : [...found, `${scripts} scripts`];
   });
 
 const cases = [

@@ -247,3 +247,80 @@ test("the tour, by keyboard alone; Escape leaves it", async () => {
   assert.deepEqual(wrong, []);
   await close();
 });
+
+const axe = readFileSync(new URL("node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
+const faults = async (page) => {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ["violations"] }));
+  return violations.filter(({ impact }) => ["serious", "critical"].includes(impact)).map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(" | ")}`);
+};
+
+for (const colorScheme of ["light", "dark"]) {
+  test(`no serious fault for who reads otherwise, ${colorScheme}`, async () => {
+    const { page, wrong, close } = await live({ colorScheme });
+    assert.deepEqual(await faults(page), []);
+    await sample(page, "hidden-effect");
+    await candidates(page);
+    assert.deepEqual(await faults(page), []);
+    await page.locator(".live-candidates .plus").first().click();
+    await page.waitForFunction(() => /before/.test(document.querySelector(".live-fall").textContent), null, { timeout: kLong });
+    await page.locator(".slider input").first().focus();
+    await page.keyboard.press("ArrowRight");
+    await at_rest(page);
+    assert.deepEqual(await faults(page), []);
+    assert.deepEqual(wrong, []);
+    await close();
+  });
+}
+
+test("a phone: nothing runs out of the page", async () => {
+  const { page, wrong, close } = await live({ viewport: { width: 390, height: 844 } });
+  const wide = () => page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  assert.equal(await wide(), 0);
+  for (const name of ["hidden-effect", "qc20-style-b5r", "two-arcs-he2015"]) {
+    await sample(page, name);
+    await at_rest(page);
+    assert.equal(await wide(), 0, name);
+    await page.getByRole("button", { name: "Close", exact: true }).click();
+    await page.waitForSelector(".samples button:visible");
+  }
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("by keyboard alone: choose, add, slide, undo, save", async () => {
+  const { page, wrong, close } = await live();
+  const to = async (what) => {
+    for (let k = 0; k < 200; ++k) {
+      await page.keyboard.press("Tab");
+      const now = await page.evaluate(() => `${document.activeElement.getAttribute("aria-label") ?? ""}|${document.activeElement.textContent}`);
+      if (what.test(now)) return;
+    }
+    assert.fail(`no stop of the tabulator is ${what}`);
+  };
+  await to(/hidden-effect$/);
+  await page.keyboard.press("Enter");
+  await candidates(page);
+  await to(/^Add lagged_expansion\(T_room_degC\) to the model/);
+  const outline = await page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle);
+  assert.notEqual(outline, "none", "the focus is seen");
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => /before/.test(document.querySelector(".live-fall").textContent), null, { timeout: kLong });
+  await at_rest(page);
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), "Undo", "the focus went on");
+  const added = await rmse(page);
+  await to(/lagged_expansion\(T_room_degC\): gain/);
+  for (let k = 0; k < 20; ++k) await page.keyboard.press("ArrowLeft");
+  assert.ok((await rmse(page)) > added);
+  await page.keyboard.press("Control+z");
+  await page.waitForFunction(() => !/lagged_expansion\(T_room/.test(document.querySelector(".live-model").textContent), null, { timeout: kLong });
+  await at_rest(page);
+  await page.evaluate(() => document.activeElement.blur());
+  await to(/\|Save/);
+  await page.keyboard.press("Enter");
+  await to(/Model \(\.toml\)/);
+  const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Enter")]);
+  assert.equal(download.suggestedFilename(), "model.toml");
+  assert.deepEqual(wrong, []);
+  await close();
+});

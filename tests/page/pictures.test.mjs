@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { launched, opened, seen } from "./browser.mjs";
+import { launched, opened, seen, unfold } from "./browser.mjs";
 import { long_series } from "./long_series.mjs";
 import { with_errors } from "./machine_errors.mjs";
 import { batch, folder, grown, hidden_effect, history, of_run, report, two_arcs } from "./reports.mjs";
@@ -15,7 +15,7 @@ const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.mi
 const recordings = ["recording-circle", "recording-unrolled"];
 const all_tests = ["tests-circle", "tests-unrolled"];
 const model = (target) => ["fit", "residual", "effects", "steps"].map((name) => `model-${target}-${name}`);
-const diagnosis = ["candidates", "fall", "coherence"];
+const diagnosis = ["with-without", "candidates", "fall", "coherence"];
 const comparison = ["comparison-x", "comparison-y", "comparison-z"];
 
 const cases = [
@@ -175,7 +175,8 @@ const axe_faults = async (page, rules) => {
 const looked_at = async (t, name, expected) => {
   const { page, wrong, close } = await opened(browser, await pages[name]);
   try {
-    assert.deepEqual(await page.$$eval("figure[data-picture]", (all) => all.map((one) => one.dataset.picture)), expected);
+    const found = await page.$$eval("figure[data-picture]", (all) => all.map((one) => one.dataset.picture));
+    assert.deepEqual(found.sort(), [...expected].sort());
     for (const picture of expected) {
       await t.test(picture, async () => {
         await seen(page, picture);
@@ -189,6 +190,7 @@ const looked_at = async (t, name, expected) => {
       }
     });
     await t.test("accessible", async () => {
+      await unfold(page);
       await page.evaluate(axe);
       assert.deepEqual(await axe_faults(page), []);
       if (!in_the_dark.includes(name)) return;

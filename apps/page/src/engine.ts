@@ -1,5 +1,6 @@
 // The program itself, compiled to WebAssembly, in a worker: commands as on a terminal, on files in memory. Where the
 // page carries it, a person can drop files on the page and work with them.
+import { unpacked } from "./packed";
 import type { Answer, Question } from "./worker";
 
 // What a command printed. status: 0 done, 1 the input is at fault, 2 the command line is at fault.
@@ -39,18 +40,6 @@ export class Failed extends Error {}
 
 const kMostMemory = 2 ** 32; // as the module is linked
 const kPiece = 8 << 20;
-
-const bytes_of_base64 = (text: string): Uint8Array<ArrayBuffer> => {
-  const signs = atob(text.trim());
-  const bytes = new Uint8Array(signs.length);
-  for (let k = 0; k < signs.length; ++k) bytes[k] = signs.charCodeAt(k);
-  return bytes;
-};
-
-const unpacked = async (text: string): Promise<ArrayBuffer> => {
-  const stream = new Blob([bytes_of_base64(text)]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Response(stream).arrayBuffer();
-};
 
 const carried = (page: Document, id: string): string | null => page.getElementById(id)?.textContent ?? null;
 

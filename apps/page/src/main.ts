@@ -1,16 +1,18 @@
 // The page: the verdict and what proves it, then the sections, folded.
-import { appearance } from "./page/appearance";
+import { kept_view } from "./page/kept_view";
+import { page_tools } from "./page/page_tools";
 import { element, text_in } from "./elements/elements";
 import { first_screen, type Proved } from "./page/first_screen";
 import type { Section } from "./picture";
 import type { Report } from "./report";
 import { ranked_sections } from "./sections";
 import { section_of } from "./page/section";
-import { shared_by_figures } from "./page/shared";
+import { shared_by_figures, shared_now } from "./page/shared";
 import { embedded } from "./source";
 import { engine_of } from "./engine";
 import { live_page, type Open } from "./live/live_page";
 import { open_live } from "./live/open_live";
+import { language_of, speak, t, when_spoken } from "./texts/texts";
 
 // A session has a file or two a test; a list that long is opened if wanted.
 const files_of = (files: readonly string[]): HTMLElement => {
@@ -19,7 +21,7 @@ const files_of = (files: readonly string[]): HTMLElement => {
     { class: "files", tabindex: "0" },
     ...files.flatMap((file) => [element("bdi", {}, file), " "]),
   );
-  return files.length <= 3 ? list : element("details", { class: "files-of" }, element("summary", {}, `From ${files.length} files`), list);
+  return files.length <= 3 ? list : element("details", { class: "files-of" }, element("summary", {}, t.page_from_files({ files: files.length })), list);
 };
 
 const header_of = (report: Report, wide: boolean): HTMLElement =>
@@ -28,25 +30,25 @@ const header_of = (report: Report, wide: boolean): HTMLElement =>
     wide ? { class: "wide" } : {},
     text_in("h1", report.title),
     files_of(report.files),
-    element("p", { class: "made" }, `Made by ${report.made_by} on ${report.made_on}.`),
+    element("p", { class: "made" }, t.page_made({ by: report.made_by, on: report.made_on })),
   );
 
-const contents_of = (sections: readonly Section[], theme: HTMLElement): HTMLElement =>
+const contents_of = (sections: readonly Section[], tools: HTMLElement): HTMLElement =>
   element(
     "nav",
-    { "aria-label": "Contents" },
+    { "aria-label": t.page_contents },
     element(
       "ul",
       {},
       ...sections.map(({ id, heading }) => element("li", {}, element("a", { href: `#${id}` }, heading))),
     ),
-    theme,
+    tools,
   );
 
 const voice = element("div", { class: "voice", role: "status", "aria-live": "polite" });
 
 // `by_hand`: of a live page, what stands on the first screen; `proves`: it does so in the place of the report's own.
-const open: Open = (report, shared, theme, by_hand) => {
+const open: Open = (report, shared, tools, by_hand) => {
   const { first, all } = ranked_sections(report);
   const own = !by_hand?.proves;
   const made = all.map((section) => ({ section, ...section_of(section, own && first.includes(section), shared) }));
@@ -61,7 +63,7 @@ const open: Open = (report, shared, theme, by_hand) => {
     ...made.map((one) => one.element),
   );
   return {
-    parts: [contents_of(all, theme), header_of(report, first[0]?.beside !== undefined), main],
+    parts: [contents_of(all, tools), header_of(report, first[0]?.beside !== undefined), main],
     // What is on the screen is drawn at once; the rest when it comes near.
     draw: () => proved.forEach(({ figure }) => figure.draw_now()),
   };
@@ -73,6 +75,7 @@ const ready = (shared: object): void => {
   document.documentElement.dataset["ready"] = "1";
 };
 
+speak(language_of(navigator.languages));
 try {
   const engine = engine_of(document);
   const source = embedded(document);
@@ -81,13 +84,28 @@ try {
     const page = live_page(voice, source.holds() ? source.report() : null, open);
     void open_live(engine, page).then(() => ready(page.shared));
   } else {
-    const shared = shared_by_figures(voice);
-    const { parts, draw } = open(source.report(), shared, appearance(shared), null);
-    document.body.append(...parts);
-    draw();
-    ready(Object.freeze({ figures: shared.figures }));
+    const report = source.report();
+    const place = element("div", { class: "report" });
+    document.body.append(place);
+    let shared = shared_by_figures(voice);
+    const lasting = shared_now(() => shared);
+    const tools = page_tools(lasting);
+    const show = (): void => {
+      const { parts, draw } = open(report, shared, tools, null);
+      place.replaceChildren(...parts);
+      draw();
+    };
+    show();
+    when_spoken(() => {
+      const bring_back = kept_view(shared);
+      for (const figure of shared.figures.values()) figure.chart()?.dispose();
+      shared = shared_by_figures(voice);
+      show();
+      bring_back(shared);
+    });
+    ready(lasting);
   }
 } catch (error) {
-  document.body.append(element("p", { role: "alert" }, `This page cannot be shown: ${String(error)}`));
+  document.body.append(element("p", { role: "alert" }, t.page_cannot_be_shown({ why: String(error) })));
   throw error;
 }

@@ -2,6 +2,7 @@
 // that, and draws anew when it changes. The same drawing is shown on the page, saved as a file and printed.
 import type { EChartsCoreOption } from "echarts/core";
 import type { Num } from "./report";
+import type { Said } from "./texts/texts";
 
 // How it is drawn. still: for a file or paper, without controls, with a legend of its own.
 export interface Look {
@@ -84,7 +85,7 @@ export interface Choosing {
 
 export interface List {
   title: string;
-  items: readonly string[];
+  items: readonly Said[];
 }
 
 // What stands beside a picture and below both, and tells of what is chosen in the picture.
@@ -96,7 +97,7 @@ export interface Beside {
 
 export interface Told {
   beside: TextTable;
-  sentences: readonly string[]; // below, as the rest
+  sentences: readonly Said[]; // below, as the rest
   lists: readonly List[];
   tables: readonly TextTable[];
 }
@@ -104,7 +105,7 @@ export interface Told {
 // What to do next: a command to paste.
 export interface Next {
   label: string; // of its button, a few words
-  text: string; // a sentence beside it; empty: none
+  text: Said; // a sentence beside it; empty: none
   command: string;
 }
 
@@ -113,7 +114,13 @@ export interface First {
   picture: string; // of the section: what proves the verdict
   kind: string; // of what several sections can be chosen there: "Target"
   label: string; // of this one: "y_um"
-  told: (chosen: State["chosen"]) => { verdict: string; next: Next }; // of what is chosen in the picture
+  told: (chosen: State["chosen"]) => ToldFirst; // of what is chosen in the picture
+}
+
+export interface ToldFirst {
+  verdict: Said;
+  concluded?: string; // the program's own sentence, where the verdict says it in the page's words
+  next: Next;
 }
 
 export interface Section {
@@ -122,7 +129,7 @@ export interface Section {
   result: string; // what is in it, on one line with its number: stands beside the heading while the section is folded
   says?: number; // how much it has to say among sections of its kind, 0 where it is left out; see sections.ts
   first?: First;
-  sentences: readonly string[];
+  sentences: readonly Said[];
   command?: string; // to copy, below the first sentence
   above?: readonly TextTable[]; // tables above the pictures
   tables: readonly TextTable[];

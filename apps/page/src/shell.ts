@@ -30,17 +30,19 @@ export interface Inside {
 // A page of a report, with the style and the script of the page that is open.
 export const report_page = (page: Document, report: Report, inside: Inside | null): string => {
   const text = (selector: string): string => page.querySelector(selector)?.textContent ?? "";
+  const packed = page.querySelector<HTMLElement>("#page-script"); // unpacked since
   const policy = page.querySelector("meta[http-equiv]")?.getAttribute("content") ?? "";
   const hash = (kind: string): string => new RegExp(`${kind}-src '(sha256-[^']+)'`).exec(policy)?.[1] ?? "";
   return filled({
-    SCRIPT_HASH: hash("script"),
+    CHARSET: "utf-8",
+    SCRIPT_HASH: packed?.dataset["hash"] ?? hash("script"),
     STYLE_HASH: hash("style"),
     ENGINE_SCRIPTS: "",
     ENGINE_WORKERS: "",
     MADE_BY: as_html(report.made_by),
     TITLE: as_html(report.title),
     STYLE: text("head > style"),
-    SCRIPT: text("body > script:not([type])"),
+    SCRIPT: packed?.textContent ?? text("body > script:not([type])"),
     CARRIED: carried("report", report) + (inside ? carried("files", inside) : ""),
   });
 };

@@ -7,7 +7,7 @@ import type { Next, Section } from "../picture";
 import type { BatchPart, Report } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
-import { t } from "../texts/texts";
+import { english, t, type Said } from "../texts/texts";
 
 // As `ballbar predict` says it.
 const agreement = (batch: BatchPart): string[] => {
@@ -26,8 +26,14 @@ const agreement = (batch: BatchPart): string[] => {
   return [t.batch_agreement({ rmse, percent: shown((100 * within) / n, 0) })];
 };
 
+const verdict_of = (batch: BatchPart): Said => {
+  const [warning] = batch.warnings;
+  if (warning !== undefined) return english(warning);
+  return agreement(batch)[0] ?? t.batch_by_method({ target: plain(batch.target, 60), method: batch.method });
+};
+
 const next_of = (report: Report): Next => ({
-  label: "Save the prediction",
+  label: t.batch_next,
   text: "",
   command: command_of("predict", data_files(report), ["--model", report.files.find((file) => file.endsWith(".json")) ?? "model.json", "--out", "predicted.csv"]),
 });
@@ -40,21 +46,21 @@ export const batch_section = (report: Report): Section[] => {
   return [
     {
       id: "batch",
-      heading: `${plain(batch.target, 60)} predicted by batches`,
-      result: [...agreement(batch), `${batch.batches.length} batches`][0] ?? "",
+      heading: t.batch_heading({ target: plain(batch.target, 60) }),
+      result: agreement(batch)[0] ?? t.batch_count({ n: batch.batches.length }),
       first: {
         picture: "batch",
         kind: "",
         label: "",
         told: () => ({
-          verdict: batch.warnings[0] ?? agreement(batch)[0] ?? `${plain(batch.target, 60)} by ${batch.method}.`,
+          verdict: verdict_of(batch),
           next: next_of(report),
         }),
       },
       sentences: [
-        `${plain(batch.target, 60)} by ${batch.method}, ${batch.batches.length} batches.`,
+        t.batch_by({ target: plain(batch.target, 60), method: batch.method, batches: batch.batches.length }),
         ...agreement(batch),
-        ...batch.warnings,
+        ...batch.warnings.map(english),
       ],
       tables: [
         {

@@ -104,11 +104,9 @@ export const prediction_picture = (batch: BatchPart): Picture => {
 
   return {
     name: "batch",
-    title: "Predicted by batches",
-    caption: measured_um
-      ? "What the batches predict for this job, and what was measured; below, the difference."
-      : "What the batches predict for this job, with its 95 % interval; nothing was measured.",
-    about: measured_um ? "The 95 % interval is drawn about the prediction, and below about zero." : "",
+    title: t.batch_title,
+    caption: measured_um ? t.batch_caption_measured : t.batch_caption,
+    about: measured_um ? t.batch_about_measured : "",
     height_px: measured_um ? 480 : 340,
     zoom: "time",
     choices: [],

@@ -76,11 +76,9 @@ export const range_picture = (batch: BatchPart): Picture => {
   };
   return {
     name: "batch-range",
-    title: "Like the batches it was trained on",
-    caption: "Above 1 the model extrapolates.",
-    about:
-      "Hotelling's T² says how far out a row of temperatures lies, Q how unlike all rows of training it is, both over " +
-      "the largest in training.",
+    title: t.batch_range_title,
+    caption: t.batch_range_caption,
+    about: t.batch_range_about,
     height_px: 280,
     zoom: "time",
     choices: [],

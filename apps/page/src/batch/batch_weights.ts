@@ -9,8 +9,8 @@ const kLabel_px = 46; // that a name needs, lying
 
 export const weights_picture = ({ batches }: BatchPart): Picture => ({
   name: "batch-weights",
-  title: "How much each batch counts",
-  caption: "The weight of each batch in the regression; 1 counts fully.",
+  title: t.batch_weights_title,
+  caption: t.batch_weights_caption,
   about: "",
   height_px: 240,
   zoom: "none",

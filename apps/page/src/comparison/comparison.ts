@@ -8,7 +8,7 @@ import { minutes, shown } from "../drawing/theme";
 import { whole_min } from "../drawing/time_axis";
 import { unit_shown, words } from "../drawing/units";
 import { decimals_for, with_sigma } from "../drawing/with_sigma";
-import { named, t } from "../texts/texts";
+import { english, language, named, t, type Said } from "../texts/texts";
 
 const number = (axis: ComparedAxis, key: string): Num => {
   const value = axis[key];
@@ -108,12 +108,23 @@ const budget_table = (axes: readonly [string, ComparedAxis][]): TextTable[] => {
   ];
 };
 
-const sentences_of = (compare: ComparePart): string[] => [
-  compare.conclusion,
-  `A: ${compare.a}.`,
-  `B: ${compare.b}.`,
-  "A sample agrees if its difference is at most two standard deviations. Lag is positive where A is late.",
-  ...compare.remarks,
+const names_of = (axes: Record<string, ComparedAxis>, agreement: ComparedAxis["agreement"]): string =>
+  Object.entries(axes).flatMap(([name, axis]) => (axis.agreement === agreement ? [words(name)] : [])).join(", ");
+
+// In English the program's own sentences.
+const verdict_of = ({ conclusion, axes }: ComparePart): Said => {
+  if (language === "en") return english(conclusion);
+  const [agreeing, disagreeing] = [names_of(axes, "agrees"), names_of(axes, "disagrees")];
+  if (disagreeing !== "") return t.comparison_disagree_in({ axes: disagreeing, agreeing });
+  return agreeing === "" ? t.comparison_cannot_tell : t.comparison_agree_in({ axes: agreeing });
+};
+
+const sentences_of = (compare: ComparePart): Said[] => [
+  english(compare.conclusion),
+  t.comparison_series({ which: "A", name: compare.a }),
+  t.comparison_series({ which: "B", name: compare.b }),
+  t.comparison_explanation,
+  ...compare.remarks.map(english),
 ];
 
 // Where all agree, the axis that moves most proves it best.
@@ -126,7 +137,7 @@ const most_moved = (axes: readonly [string, ComparedAxis][]): [string, ComparedA
 };
 
 const next_of = (report: Report): Next => ({
-  label: "Find what makes it drift",
+  label: t.drift_next,
   text: "",
   command: command_of("report", data_files(report).slice(0, 1), ["--diagnose", "--out", "page.html"]),
 });
@@ -140,8 +151,8 @@ export const comparison_section = (report: Report): Section[] => {
   return [
     {
       id: "comparison",
-      heading: "Comparison",
-      result: axes.map(([name, { agreement }]) => `${words(name)} ${agreement}`).join(", "),
+      heading: t.comparison,
+      result: axes.map(([name, { agreement }]) => `${words(name)} ${named(t.agreement, agreement)}`).join(", "),
       // Of a drift with its own probes it is a check; another drift is what the reader asked for.
       says: report.drift && report.five_probe && axes.every(([, { agreement }]) => agreement !== "disagrees") ? 0 : 10,
       ...(telling
@@ -150,7 +161,7 @@ export const comparison_section = (report: Report): Section[] => {
               picture: `comparison-${slug(telling[0])}`,
               kind: "",
               label: "",
-              told: () => ({ verdict: compare.conclusion, next: next_of(report) }),
+              told: () => ({ verdict: verdict_of(compare), concluded: compare.conclusion, next: next_of(report) }),
             },
           }
         : {}),

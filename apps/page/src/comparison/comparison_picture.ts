@@ -139,12 +139,13 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
 
   return {
     name: `comparison-${slug(name)}`,
-    title: `Comparison in ${quantity}`,
+    title: t.comparison_title({ quantity }),
     caption: verdict(axis),
-    about:
-      "Above: both as changes since the same time. " +
-      `Below: A less B${has_sigma ? ", and twice the standard deviation of the difference around zero" : ""}.` +
-      (axis.deviation ? " Shaded: the stretch of the largest disagreement." : ""),
+    about: [
+      t.comparison_above,
+      has_sigma ? t.comparison_below_sigma : t.comparison_below,
+      ...(axis.deviation ? [t.comparison_shaded] : []),
+    ].join(" "),
     height_px: kHeight_px,
     zoom: "time",
     choices: [],
@@ -165,9 +166,7 @@ export const comparison_picture = ({ name, axis, k, unit, a, b, whole_min }: Com
 const twice = (value: Num): Num => (value === null ? null : 2 * value);
 
 const verdict = (axis: ComparedAxis): string => {
-  if (axis.agreement === "cannot tell") return "Whether A and B agree cannot be told from these data.";
-  const within = `${String(axis["within_2_sigma"])} of ${String(axis["samples"])} samples are within two sigma`;
-  return axis.agreement === "agrees"
-    ? `A and B agree within their uncertainty: ${within}.`
-    : `A and B disagree beyond their uncertainty: ${within}.`;
+  if (axis.agreement === "cannot tell") return t.comparison_cannot_tell;
+  const within = { within: String(axis["within_2_sigma"]), samples: String(axis["samples"]) };
+  return axis.agreement === "agrees" ? t.comparison_agree(within) : t.comparison_disagree(within);
 };

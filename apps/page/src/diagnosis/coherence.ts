@@ -114,12 +114,9 @@ const numbers = ({ effects, values }: Coherence): Numbers => {
 
 export const coherence_picture = (coherence: Coherence, name: string): Picture => ({
   name,
-  title: "Which effects may be taken for each other",
-  caption: "Along a row: how well each other effect imitates this one beside the model, |cos|, 0 to 1.",
-  about:
-    "Before anything is added, of typical shapes (the median over shapes), each effect with the columns named: |cos| " +
-    "between what survives of the two. A frame and ≡, above 0.95: the two may be taken for each other. Which candidates of this fit are not told apart " +
-    "stands in their table (not told from). An empty cell is the effect itself, or not known.",
+  title: t.diagnosis_coherence_title,
+  caption: t.diagnosis_coherence_caption,
+  about: t.diagnosis_coherence_about,
   height_px: Math.min(760, 190 + 34 * coherence.effects.length),
   rows_of_text: true,
   zoom: "none",

@@ -2,7 +2,7 @@
 import { candidate_table } from "./candidate_table";
 import { candidates_picture } from "./candidates";
 import { coherence_picture } from "./coherence";
-import { no_evidence, no_evidence_of_several, not_known } from "./falls";
+import { no_evidence_of_several, not_known } from "./falls";
 import { ledger_steps } from "./ledger_steps";
 import type { Next, Picture, Section } from "../picture";
 import { command_of, data_files } from "../drawing/command";
@@ -12,24 +12,27 @@ import type { Candidate, Checked, Diagnosed, Num, Report } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import type { Step } from "./step";
+import { verdict_of } from "./verdict";
 import { waterfall } from "./waterfall";
 import { with_without_picture } from "./with_without";
-import { t } from "../texts/texts";
+import { english, english_after, named, t, type Said } from "../texts/texts";
 
-const sentences_of = (found: Diagnosed): string[] => {
-  const reasons =
-    found.reasons.length > 0 && found.verdict !== "nothing"
-      ? ["Why it is not named, or not all of it:", ...found.reasons.map((reason) => `– ${reason}`)]
-      : [];
-  const next = found.next_test_text === "" ? "" : `To decide: ${found.next_test_text}`;
-  return [found.sentence, `Verdict: ${found.verdict}.`, found.hint, next, ...reasons].filter((one) => one !== "");
+const sentences_of = (found: Diagnosed): Said[] => {
+  const reasons = found.reasons.length > 0 && found.verdict !== "nothing";
+  return [
+    english(found.sentence),
+    t.diagnosis_verdict({ verdict: named(t.verdicts, found.verdict) }),
+    ...(found.hint === "" ? [] : [english(found.hint)]),
+    ...(found.next_test_text === "" ? [] : [english_after(t.diagnosis_to_decide, found.next_test_text)]),
+    ...(reasons ? [t.diagnosis_why, ...found.reasons.map((reason) => english(`– ${reason}`))] : []),
+  ];
 };
 
 // Effects with one reason together, as on the terminal.
-const by_reason = (untestable: Diagnosed["untestable"]): string[] => {
+const by_reason = (untestable: Diagnosed["untestable"]): Said[] => {
   const effects_of = new Map<string, string[]>();
   for (const { effect, why } of untestable) effects_of.set(why, [...(effects_of.get(why) ?? []), effect]);
-  return [...effects_of].map(([why, effects]) => `${effects.join(", ")}: ${why}`);
+  return [...effects_of].map(([why, effects]) => english(`${effects.join(", ")}: ${why}`));
 };
 
 const lists_of = (found: Diagnosed): NonNullable<Section["lists"]> =>
@@ -99,24 +102,24 @@ const fall_picture = (report: Report, found: Diagnosed, name: string): Picture[]
   if (steps.length < 2) return [];
   const effects = best_set(found).length;
   const accepted = set_name(found) !== "closest";
-  const first = effects > 1 ? no_evidence_of_several(effects, best_surrogate_fall(best_set(found))) : no_evidence;
-  const hollow =
-    effects === 0
-      ? " No effect was found, and none is proposed."
-      : ` The hollow bar is ${accepted ? "" : `${t.diagnosis_closest_set_label}: it is `}not in the model. Whether an effect beats the ` +
-        "surrogates is judged with the memory of the noise, in the table.";
+  const first =
+    effects > 1 ? no_evidence_of_several(effects, best_surrogate_fall(best_set(found))) : t.diagnosis_no_evidence;
+  const hollow = accepted ? t.diagnosis_fall_hollow : t.diagnosis_fall_closest;
   const left_out =
     history.last_um === null
-      ? ""
-      : ` The revisions before are not drawn: the last of the ledger has an RMSE of ${shown(history.last_um, 3)} µm, ` +
-        `other than the ${shown(found.rmse_um, 3)} µm here; the section of the ledger has them.`;
+      ? []
+      : [t.diagnosis_fall_left_out({ last: shown(history.last_um, 3), now: shown(found.rmse_um, 3) })];
   return [
     waterfall({
       name,
-      title:
-        effects > 0 && !accepted ? t.diagnosis_fall_title_closest : t.diagnosis_fall_title,
+      title: effects > 0 && !accepted ? t.diagnosis_fall_title_closest : t.diagnosis_fall_title,
       caption: t.diagnosis_falling,
-      about: `${first}${hollow}${not_known(steps, effects <= 1)}${left_out}`,
+      about: [
+        first,
+        effects === 0 ? t.diagnosis_fall_none : hollow,
+        ...not_known(steps, effects <= 1),
+        ...left_out,
+      ].join(" "),
       steps,
     }),
   ];
@@ -124,11 +127,12 @@ const fall_picture = (report: Report, found: Diagnosed, name: string): Picture[]
 
 // "named: lagged_expansion(T_room_degC), P 0.99; RMSE 0.553 → 0.210 µm"
 const result_of = (found: Diagnosed): string => {
-  if (found.not_diagnosed !== undefined) return "not diagnosed";
+  if (found.not_diagnosed !== undefined) return t.diagnosis_not_diagnosed;
   const best = best_set(found);
-  const set = best.length === 0 ? "" : `: ${best.map(({ label }) => plain(label, 50)).join(", ")}`;
+  const set = best.map(({ label }) => plain(label, 50)).join(", ");
   const after = best.length === 0 ? "" : ` → ${shown(found.rmse_after_um, 3)}`;
-  return `${found.verdict}${set}; RMSE ${shown(found.rmse_um, 3)}${after} µm`;
+  const verdict = named(t.verdicts, found.verdict);
+  return t.diagnosis_result({ verdict, set, rmse: `${shown(found.rmse_um, 3)}${after}` });
 };
 
 // What is found is more than what is open, and that more than nothing; then the larger fall.
@@ -142,24 +146,24 @@ const says_of = (found: Diagnosed): number => {
 const next_of = (report: Report, found: Diagnosed): Next => {
   if (found.command !== "") {
     const tried = found.command.startsWith("ballbar try ");
-    return { label: tried ? "Try the closest" : "Add it to the model", text: found.hint, command: found.command };
+    return { label: tried ? t.diagnosis_next_try : t.diagnosis_next_add, text: english(found.hint), command: found.command };
   }
   const model = report.files.find((file) => file.endsWith(".toml") && file !== "session.toml");
   const options = [...(model ? ["--model", model] : []), "--target", found.target];
   return found.verdict === "nothing"
-    ? { label: "See where the model fails", text: "", command: command_of("check", data_files(report), options) }
-    : { label: "Plan the test that decides", text: found.hint, command: command_of("plan", data_files(report), options) };
+    ? { label: t.diagnosis_next_where, text: "", command: command_of("check", data_files(report), options) }
+    : { label: t.diagnosis_next_plan, text: english(found.hint), command: command_of("plan", data_files(report), options) };
 };
 
 const section_of = (report: Report, found: Diagnosed, checked: Checked | undefined, number: string): Section => {
   const section = {
     id: `diagnosis${number}`,
-    heading: `What the model of ${plain(found.target, 60)} lacks`,
+    heading: t.diagnosis_lacks({ target: plain(found.target, 60) }),
     result: result_of(found),
     says: says_of(found),
   };
   if (found.not_diagnosed !== undefined) {
-    return { ...section, sentences: [found.not_diagnosed], tables: [], pictures: [] };
+    return { ...section, sentences: [english(found.not_diagnosed)], tables: [], pictures: [] };
   }
   const over_residual = `candidates${number}`;
   const chooses = checked ? over_residual : null;
@@ -174,9 +178,9 @@ const section_of = (report: Report, found: Diagnosed, checked: Checked | undefin
       ? {
           first: {
             picture: `with-without${number}`,
-            kind: "Target",
+            kind: t.diagnosis_target_choice,
             label: plain(found.target, 60),
-            told: () => ({ verdict: found.sentence, next: next_of(report, found) }),
+            told: () => ({ verdict: verdict_of(found), concluded: found.sentence, next: next_of(report, found) }),
           },
         }
       : {}),

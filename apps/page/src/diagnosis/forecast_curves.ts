@@ -11,8 +11,6 @@ import type { Picture, State, Toggle } from "../picture";
 import type { LedgerPart, LedgerRow, Num } from "../report";
 import { named, t } from "../texts/texts";
 
-export const honest = "A falling error is honest where forecasts fall too, and below those with a surrogate.";
-
 interface Figure extends Toggle {
   key: "rmse_um" | "forecast_um" | "surrogate_forecast_um";
   dash: Dash;
@@ -76,8 +74,8 @@ export const forecast_curves = (ledger: LedgerPart, target: string, name: string
   };
   return {
     name,
-    title: `Errors and forecasts of ${plain(target, 60)} from revision to revision`,
-    caption: honest,
+    title: t.diagnosis_forecasts_title({ target: plain(target, 60) }),
+    caption: t.diagnosis_honest,
     about: "",
     height_px: 340,
     zoom: "none",

@@ -1,5 +1,5 @@
 // The story of a model: one row a revision, what it changed, what it bought, and whether the data demanded it.
-import { falling, no_evidence, not_known } from "./falls";
+import { not_known } from "./falls";
 import { forecast_curves, has_forecasts } from "./forecast_curves";
 import { ledger_steps, targets_of } from "./ledger_steps";
 import type { Picture, Section, TextTable } from "../picture";
@@ -7,7 +7,7 @@ import type { LedgerPart, LedgerRow, Num, Report } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { waterfall } from "./waterfall";
-import { named, t } from "../texts/texts";
+import { english, named, t } from "../texts/texts";
 
 // Figures that only some ledgers have, and what the title says of them: none that no row has, for they only take room.
 interface Figure {
@@ -79,12 +79,12 @@ const falls = (ledger: LedgerPart, target: string, name: string): Picture => {
   const steps = ledger_steps(ledger, target);
   const rows = ledger.rows.filter((row) => row.target === target);
   const untold = rows.some((row, i) => typeof row.best_surrogate_fall === "number" && steps[i]?.surrogate_fall === null);
-  const several = untold ? " Where several effects were added at once, the line of the surrogate is not known." : "";
+  const several = untold ? [t.diagnosis_several_added] : [];
   return waterfall({
     name,
-    title: `Error of ${plain(target, 60)} from revision to revision`,
-    caption: falling,
-    about: `${no_evidence}${several}${not_known(steps, !untold)}`,
+    title: t.diagnosis_error_title({ target: plain(target, 60) }),
+    caption: t.diagnosis_falling,
+    about: [t.diagnosis_no_evidence, ...several, ...not_known(steps, !untold)].join(" "),
     steps,
   });
 };
@@ -101,8 +101,9 @@ const pictures_of = (ledger: LedgerPart, target: string, number: string): Pictur
 
 const result_of = ({ rows }: LedgerPart): string => {
   const [first, last] = [rows[0], rows.at(-1)];
-  const fall = first && last && first.target === last.target ? `; RMSE ${shown(first.rmse_um, 3)} → ${shown(last.rmse_um, 3)} µm` : "";
-  return `${rows.length} ${rows.length === 1 ? "revision" : "revisions"}${fall}`;
+  const same = first && last && first.target === last.target;
+  const fall = same ? `${shown(first.rmse_um, 3)} → ${shown(last.rmse_um, 3)}` : "";
+  return t.diagnosis_revisions_count({ rows: rows.length, fall });
 };
 
 export const ledger_section = (report: Report): Section[] => {
@@ -113,9 +114,9 @@ export const ledger_section = (report: Report): Section[] => {
   return [
     {
       id: "ledger",
-      heading: "What each revision bought",
+      heading: t.diagnosis_ledger,
       result: result_of(ledger),
-      sentences: ledger.rows.map((row) => row.sentence),
+      sentences: ledger.rows.map((row) => english(row.sentence)),
       tables: [table_of(ledger, several)],
       pictures: targets.flatMap((target, k) => pictures_of(ledger, target, several ? `-${k + 1}` : "")),
     },

@@ -17,7 +17,7 @@ interface Row {
 
 const three_digits = (value: Num): string => (value === null ? "–" : shown(Number(value.toPrecision(3))));
 
-const own_text = ({ effect, parameter, unit, held, fitted, low, high }: Diagnosed["own"][number]): string => {
+export const own_text = ({ effect, parameter, unit, held, fitted, low, high }: Diagnosed["own"][number]): string => {
   const range = `${three_digits(fitted)} (${t.several_from_to({ from: three_digits(low), to: three_digits(high) })})${unit === "1" ? "" : ` ${unit}`}`;
   return t.diagnosis_own({ parameter, effect: plain(effect, 60), held: shown(held), range });
 };

@@ -11,6 +11,7 @@ import { base, colours, curve_colour, legend, shown, tooltip } from "../drawing/
 import { time_axis, whole_min } from "../drawing/time_axis";
 import { two_grids, x_axis } from "../drawing/two_grids";
 import { angle_limits } from "../recordings/unrolled_picture";
+import { t } from "../texts/texts";
 
 type Series = Record<string, unknown>;
 
@@ -31,12 +32,15 @@ const difference = (a: readonly Num[], b: readonly Num[]): Num[] =>
 // "with lagged_expansion(T_room_degC)"
 const set_text = (found: Diagnosed): string => {
   const labels = best_set(found).map(({ label }) => plain(label, 44));
-  const set = labels.length <= 2 ? labels.join(" and ") : `${labels.length} effects`;
-  if (set_name(found) !== "best") return `with ${set}, not accepted`;
-  return found.verdict === "equivalent" ? `with ${set}, one of several` : `with ${set}`;
+  const [a = "", b = ""] = labels;
+  const set =
+    labels.length > 2 ? t.diagnosis_effects({ n: labels.length }) : labels.length === 2 ? t.diagnosis_two({ a, b }) : a;
+  if (set_name(found) !== "best") return t.diagnosis_with_not_accepted({ set });
+  return found.verdict === "equivalent" ? t.diagnosis_with_one_of_several({ set }) : t.diagnosis_with({ set });
 };
 
-const rmse = (value: Num): string => (value === null ? "" : `, RMSE ${shown(value, 3)} µm`);
+const with_rmse = (curve: string, rmse_um: Num): string =>
+  rmse_um === null ? curve : t.diagnosis_with_rmse({ curve, rmse: shown(rmse_um, 3) });
 
 export const with_without_picture = (report: Report, checked: Checked, found: Diagnosed, name: string): Picture => {
   const over_angle = checked.level === "recording";
@@ -46,10 +50,10 @@ export const with_without_picture = (report: Report, checked: Checked, found: Di
   const with_um = best.length > 0 ? sum([predicted_um, found.refit_um, ...best.map(({ curve_um }) => curve_um)]) : null;
   const left_um = with_um ? difference(measured_um, with_um) : null;
   const toggles: Toggle[] = [
-    { key: "measured", label: "measured", colour: (dark) => curve_colour(0, dark), mark: "dot", on: true },
+    { key: "measured", label: t.measured, colour: (dark) => curve_colour(0, dark), mark: "dot", on: true },
     {
       key: "without",
-      label: `model${rmse(found.rmse_um)}`,
+      label: with_rmse(t.model, found.rmse_um),
       colour: (dark) => curve_colour(1, dark),
       mark: with_um ? "dashed" : "line",
       on: true,
@@ -58,7 +62,7 @@ export const with_without_picture = (report: Report, checked: Checked, found: Di
       ? [
           {
             key: "with",
-            label: `${set_text(found)}${rmse(found.rmse_after_um)}`,
+            label: with_rmse(set_text(found), found.rmse_after_um),
             colour: (dark: boolean) => curve_colour(2, dark),
             mark: "line",
             on: true,
@@ -72,9 +76,9 @@ export const with_without_picture = (report: Report, checked: Checked, found: Di
     const { look, window, hidden } = state;
     const drawn_strands = seen(state.chosen);
     const x = over_angle
-      ? x_axis(look, "angle, °", window, angle_limits(drawn_strands.flatMap((strand) => strand.x)))
+      ? x_axis(look, t.angle_axis, window, angle_limits(drawn_strands.flatMap((strand) => strand.x)))
       : time_axis(look, window ?? whole_min(strands.map((strand) => strand.x)));
-    const grids = two_grids(look, x, "deviation, µm", "residual, µm", 0.4);
+    const grids = two_grids(look, x, t.deviation_axis, t.residual_axis, 0.4);
     const points = (values: readonly Num[]): [number, Num][] =>
       points_of(drawn_strands, values, window, grids.width_px / Math.max(1, drawn_strands.length));
     const below = { xAxisIndex: 1, yAxisIndex: 1 };
@@ -84,7 +88,7 @@ export const with_without_picture = (report: Report, checked: Checked, found: Di
       const dash = toggle.mark === "dashed" ? "dashed" : "solid";
       return [
         curve(toggle.label, colour, dash, 2, points(values), { z }),
-        curve(toggle.label, colour, dash, 1.3, points(left), { ...below, z, hover_name: `left, ${toggle.label}` }),
+        curve(toggle.label, colour, dash, 1.3, points(left), { ...below, z, hover_name: t.diagnosis_left({ curve: toggle.label }) }),
       ];
     };
     const dots = points(measured_um);
@@ -167,13 +171,9 @@ export const with_without_picture = (report: Report, checked: Checked, found: Di
 
   return {
     name,
-    title: with_um ? "With and without what is missing" : "Measured and model",
-    caption: with_um
-      ? "Above, measured, and the model without and with it; below, what either leaves."
-      : "Above, measured and the model; below, what it leaves. Nothing was found missing.",
-    about: with_um
-      ? "With it the model's own parameters give way, as they would when it is added. RMSE is of all rows."
-      : "RMSE is of all rows.",
+    title: with_um ? t.diagnosis_with_without_title : t.diagnosis_measured_title,
+    caption: with_um ? t.diagnosis_with_without_caption : t.diagnosis_measured_caption,
+    about: with_um ? t.diagnosis_with_without_about : t.diagnosis_measured_about,
     height_px: 440,
     zoom: over_angle ? "own" : "time",
     choices: recording_choice(report, strands, true),

@@ -9,33 +9,40 @@ import { capital } from "../drawing/text";
 import { minutes, shown } from "../drawing/theme";
 import { time_curves } from "./time_curves";
 import { words } from "../drawing/units";
+import { english, t, type Said } from "../texts/texts";
 
 const span_min = (axes: readonly DriftAxis[]): number => {
   const clock = axes[0]?.time_min ?? [];
   return clock.length > 0 ? (clock[clock.length - 1] as number) - (clock[0] as number) : 0;
 };
 
-const drift_sentences = (drift: DriftPart, axes: readonly DriftAxis[]): string[] => [
-  `Method: ${words(drift.method)}. ${drift.points.length} tests over ${shown(span_min(axes))} min; ` +
-    `drift is the change since the test at ${shown(minutes(drift.reference_s))} min. ` +
-    "Bars and ± are one standard deviation.",
-  ...(drift.not_cancelled ? [drift.not_cancelled] : []),
+const drift_sentences = (drift: DriftPart, axes: readonly DriftAxis[]): Said[] => [
+  t.drift_method({
+    method: words(drift.method),
+    tests: drift.points.length,
+    minutes: shown(span_min(axes)),
+    reference: shown(minutes(drift.reference_s)),
+  }),
+  ...(drift.not_cancelled ? [english(drift.not_cancelled)] : []),
 ];
 
-const probes_sentences = (probes: ProbesPart, axes: readonly DriftAxis[]): string[] => [
-  `${capital(probes.what)}: ${probes.time_s.length} readings over ${shown(span_min(axes))} min, ` +
-    `as changes since ${shown(minutes(probes.reference_s))} min. ` +
-    "The shaded width is one standard deviation to either side.",
-  ...probes.remarks,
+const probes_sentences = (probes: ProbesPart, axes: readonly DriftAxis[]): Said[] => [
+  t.drift_probes_method({
+    what: capital(probes.what),
+    readings: probes.time_s.length,
+    minutes: shown(span_min(axes)),
+    reference: shown(minutes(probes.reference_s)),
+  }),
+  ...probes.remarks.map(english),
 ];
 
 const drift_picture = (axes: readonly DriftAxis[], whole: Range): Picture =>
   time_curves({
     name: "drift",
-    title: "Drift of the spindle",
-    caption: "The spindle relative to the table, test by test, less the reference test; ± one sigma.",
+    title: t.drift_picture_title,
+    caption: t.drift_picture_caption,
     about: "",
-    quantity: "drift",
+    quantity: t.drift_axis_quantity,
     unit: "um",
     curves: axes.map(axis_curve),
     whole_min: whole,
@@ -45,20 +52,20 @@ const drift_picture = (axes: readonly DriftAxis[], whole: Range): Picture =>
 const probe_pictures = (axes: readonly DriftAxis[], whole: Range): Picture[] => {
   const picture = (name: string, title: string, quantity: string, unit: string): Picture[] => {
     const curves = axes.filter((axis) => axis.unit === unit).map(axis_curve);
-    const caption = "From the five probes on the bar, less the readings at the reference time.";
+    const caption = t.drift_probes_caption;
     return curves.length > 0
       ? [time_curves({ name, title, caption, about: "", quantity, unit, curves, whole_min: whole, height_px: 320 })]
       : [];
   };
   return [
-    ...picture("five-probe", "Drift by five probes", "drift", "um"),
-    ...picture("five-probe-tilt", "Tilt by five probes", "tilt", "urad"),
+    ...picture("five-probe", t.drift_probes_title, t.drift_axis_quantity, "um"),
+    ...picture("five-probe-tilt", t.drift_tilt_title, t.drift_tilt_quantity, "urad"),
   ];
 };
 
 const result_of = (axes: readonly DriftAxis[]): string => {
   const largest = largest_of(axes);
-  return largest === null ? "" : `largest ${largest.text} at ${largest.at_text}`;
+  return largest === null ? "" : t.drift_result({ largest: largest.text, at: largest.at_text });
 };
 
 const first_of = (report: Report, axes: readonly DriftAxis[], picture: string): First => ({
@@ -66,9 +73,9 @@ const first_of = (report: Report, axes: readonly DriftAxis[], picture: string): 
   kind: "",
   label: "",
   told: () => ({
-    verdict: `The largest drift is ${largest_of(axes)?.text ?? "–"}, at ${largest_of(axes)?.at_text ?? "–"}.`,
+    verdict: t.drift_verdict({ largest: largest_of(axes)?.text ?? "–", at: largest_of(axes)?.at_text ?? "–" }),
     next: {
-      label: "Find what makes it drift",
+      label: t.drift_next,
       text: "",
       command: command_of("report", data_files(report).slice(0, 1), ["--diagnose", "--out", "page.html"]),
     },
@@ -84,14 +91,14 @@ export const drift_section = (report: Report): Section[] => {
   const whole = whole_of(report);
   const main = points.length > 0 ? points : probes.filter(({ unit }) => unit === "um");
   const tables: TextTable[] = [
-    ...(points.length > 0 ? [largest_table("Largest drift", points), points_table(points)] : []),
-    ...(probes.length > 0 ? [largest_table("Largest drift by five probes", probes)] : []),
+    ...(points.length > 0 ? [largest_table(t.drift_largest_title, points), points_table(points)] : []),
+    ...(probes.length > 0 ? [largest_table(t.drift_largest_probes_title, probes)] : []),
   ];
   const pictures = [...(points.length > 0 ? [drift_picture(points, whole)] : []), ...probe_pictures(probes, whole)];
   return [
     {
       id: "drift",
-      heading: "Drift",
+      heading: t.drift,
       result: result_of(main),
       ...(pictures[0] ? { first: first_of(report, main, pictures[0].name) } : {}),
       sentences: [

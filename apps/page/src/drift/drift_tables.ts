@@ -16,7 +16,8 @@ const text = (axis: DriftAxis, value: Num | undefined, row: number): string => {
   return sigma === undefined ? shown(value, decimals) : with_sigma(value, sigma, decimals);
 };
 
-const label = (axis: DriftAxis): string => `${words(axis.name)}, ${unit_shown(axis.unit)}`;
+const label = (axis: DriftAxis): string => 
+  t.model_in_unit({ name: words(axis.name), unit: unit_shown(axis.unit) });
 
 export interface Largest {
   text: string; // "31.72 ± 0.01 µm in y"
@@ -35,7 +36,7 @@ export const largest_of = (axes: readonly DriftAxis[]): Largest | null => {
   if (!largest) return null;
   const { axis, row } = largest;
   return {
-    text: `${text(axis, axis.values[row], row)} ${unit_shown(axis.unit)} in ${words(axis.name)}`,
+    text: t.drift_in_axis({ value: text(axis, axis.values[row], row), unit: unit_shown(axis.unit), axis: words(axis.name) }),
     at_text: `${shown(axis.time_min[row])} min`,
   };
 };

@@ -6,7 +6,7 @@ import { minutes } from "../drawing/theme";
 import { time_curves, type TimeCurve } from "./time_curves";
 import { whole_min } from "../drawing/time_axis";
 import { split_name, words } from "../drawing/units";
-import { named, t } from "../texts/texts";
+import { named as named_of, t } from "../texts/texts";
 
 export interface Signal {
   column: Column;
@@ -44,7 +44,7 @@ const label_of = ({ name, role }: Column): string => {
   const { quantity } = split_name(name);
   const told = told_roles.includes(role) && !quantity.includes(role);
   const read = words(quantity);
-  return plain(told ? t.drift_with_role({ name: clamped(read, 40), role: named(t.roles, role) }) : read, 64);
+  return plain(told ? t.drift_with_role({ name: clamped(read, 40), role: named_of(t.roles, role) }) : read, 64);
 };
 
 const curves_of = (signals: readonly Signal[]): TimeCurve[] =>
@@ -82,7 +82,7 @@ const grouped_by_role = (curves: readonly TimeCurve[], signals: readonly Signal[
     .map((one, k) => {
       const { role } = signals[k]?.column ?? { role: "" };
       const front = named.has(one.key);
-      const group = front ? "named by the diagnosis" : words(plain(role, 30)) || "other";
+      const group = front ? t.drift_named_group : words(named_of(t.roles, plain(role, 30))) || t.drift_other_group;
       return { ...one, group, quiet: some && !front, place: front ? -1 : place_of(role) };
     })
     .sort((a, b) => a.place - b.place);

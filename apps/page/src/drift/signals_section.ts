@@ -4,8 +4,9 @@ import type { First, Section } from "../picture";
 import type { Report } from "../report";
 import { measured_pictures, signal_pictures, signals_of, whole_of, type Signal } from "./signals";
 import { shown } from "../drawing/theme";
+import { t } from "../texts/texts";
 
-const counted = (n: number, one: string, many: string): string[] => (n === 0 ? [] : [`${n} ${n === 1 ? one : many}`]);
+const counted = (n: number, text: (counted: { n: number }) => string): string[] => (n === 0 ? [] : [text({ n })]);
 
 // "5 measured columns, 16 temperatures, 1 speed over 1664 min"
 const result_of = (signals: readonly Signal[], span_min: number): string => {
@@ -14,12 +15,12 @@ const result_of = (signals: readonly Signal[], span_min: number): string => {
   const of = (unit: string): number => rest.filter(({ column }) => column.unit === unit).length;
   const [warm, speeds] = [of("degC"), of("rpm")];
   const all = [
-    ...counted(measured, "measured column", "measured columns"),
-    ...counted(warm, "temperature", "temperatures"),
-    ...counted(speeds, "speed", "speeds"),
-    ...counted(rest.length - warm - speeds, "other signal", "other signals"),
+    ...counted(measured, t.drift_count_measured),
+    ...counted(warm, t.drift_count_temperatures),
+    ...counted(speeds, t.drift_count_speeds),
+    ...counted(rest.length - warm - speeds, t.drift_count_others),
   ];
-  return `${all.join(", ")} over ${shown(span_min, 0)} min`;
+  return t.drift_signals_result({ counts: all.join(", "), minutes: shown(span_min, 0) });
 };
 
 export const signals_section = (report: Report): Section[] => {
@@ -34,9 +35,9 @@ export const signals_section = (report: Report): Section[] => {
     kind: "",
     label: "",
     told: () => ({
-      verdict: `${result}.`,
+      verdict: t.drift_sentence({ text: result }),
       next: {
-        label: measured ? "Find what makes it drift" : "See what is in it",
+        label: measured ? t.drift_next : t.drift_signals_next,
         text: "",
         command: measured
           ? command_of("report", data_files(report), ["--diagnose", "--out", "page.html"])
@@ -47,7 +48,7 @@ export const signals_section = (report: Report): Section[] => {
   return [
     {
       id: "signals",
-      heading: measured ? "Measured, and signals" : "Signals",
+      heading: measured ? t.drift_measured_and_signals : t.drift_signals,
       result,
       ...(pictures[0] ? { first: first(pictures[0].name) } : {}),
       sentences: [],

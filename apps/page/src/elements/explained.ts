@@ -1,5 +1,6 @@
 // What does not fit on one line: behind a button that opens it in place. Escape closes it.
 import { element, text_in } from "./elements";
+import { t } from "../texts/texts";
 
 export interface Explained {
   button: HTMLButtonElement;
@@ -9,7 +10,7 @@ export interface Explained {
 export const explained = (id: string, of: string, about: string): Explained => {
   const note = element("div", { class: "about", id }, text_in("p", about));
   note.hidden = true;
-  const button = element("button", { type: "button", class: "explain", "aria-label": `About: ${of}`, "aria-controls": id }, "i");
+  const button = element("button", { type: "button", class: "explain", "aria-label": t.elements_about({ title: of }), "aria-controls": id }, "i");
   const show = (open: boolean): void => {
     note.hidden = !open;
     button.setAttribute("aria-expanded", String(open));

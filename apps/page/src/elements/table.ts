@@ -2,17 +2,19 @@
 import type { TextTable } from "../picture";
 import { button, element, text_in } from "./elements";
 import { explained } from "./explained";
+import { t } from "../texts/texts";
 
 const kRows = 200; // at first; a longer table is a slow page
 
-// "12.01 ± 0.04", "0.27 → 0.08", "13 of 13", "0.016 (2 %)", "< 0.1 %", "1*"; not "8 min, XY CCW".
-const numeric = /^([<>] )?[-+−–]?\d[\d.]*(e[-+]?\d+)?\*?( ?(±|→|->|of) ?\S+)?( %| \(\d+ %\))?$|^–?$|^reference$/;
+// "12.01 ± 0.04", "0.27 → 0.08", "13 of 13", "0,016 (2 %)", "< 0.1 %", "1*"; not "8 min, XY CCW".
+const number = /^([<>] )?[-+−–]?\d[\d.,]*(e[-+]?\d+)?\*?( ?(±|→|->|of|von|\/) ?\S+)?( %| \(\d+ %\))?$|^–?$/;
+const numeric = (text: string): boolean => number.test(text) || text === t.drift_reference;
 
 // A column of numbers: no cell below the heading is anything else.
 const numeric_columns = (rows: readonly (readonly string[])[], columns: number): boolean[] =>
   Array.from(
     { length: columns },
-    (_, k) => rows.length > 0 && rows.slice(0, kRows).every((row) => numeric.test(row[k] ?? "")),
+    (_, k) => rows.length > 0 && rows.slice(0, kRows).every((row) => numeric(row[k] ?? "")),
   );
 
 export interface TableOf extends Pick<TextTable, "title" | "about" | "heading" | "rows" | "bars"> {
@@ -61,7 +63,7 @@ export const table_of = ({ title, about = "", heading, rows, bars, row }: TableO
   const stop: Record<string, string> = row && rows.length > 0 ? {} : { tabindex: "0" };
   const scroll = element("div", { class: "table", ...stop, role: "group", "aria-label": title }, table);
   if (rows.length <= kRows) return scroll;
-  const all = button(`Show all ${rows.length} rows`, "", () => {
+  const all = button(t.elements_all_rows({ rows: rows.length }), "", () => {
     append(kRows, rows.length);
     all.remove();
   });

@@ -3,6 +3,7 @@ import { button, element } from "../elements/elements";
 import { mark_of } from "./mark";
 import type { Choice, Picture, State, Toggle } from "../picture";
 import { clamped } from "../drawing/text";
+import { t } from "../texts/texts";
 
 export interface Controls {
   element: HTMLElement;
@@ -39,15 +40,15 @@ const group_of = (name: string, toggles: readonly Toggle[], state: State, change
   const keys = toggles.map(({ key }) => key);
   const all = (label: string, on: boolean): HTMLButtonElement => {
     const made = button(label, "", () => change(keys, on));
-    made.setAttribute("aria-label", `${name}: ${label}`);
+    made.setAttribute("aria-label", t.figure_group_all({ group: name, all: label }));
     return made;
   };
   return element(
     "div",
     { class: "group", role: "group", "aria-label": name },
     element("span", { class: "of" }, name),
-    all("all", true),
-    all("none", false),
+    all(t.figure_all, true),
+    all(t.figure_group_none, false),
     ...toggles.map((toggle) => switch_of(toggle, state, (on) => change([toggle.key], on))),
   );
 };
@@ -70,7 +71,7 @@ export const controls_of = (
     choice,
     ...select_of(choice, (value) => choose(choice.key, value)),
   }));
-  const legend = element("div", { class: "legend", role: "group", "aria-label": "Curves" });
+  const legend = element("div", { class: "legend", role: "group", "aria-label": t.figure_curves });
   let shown = "";
   const update = (state: State): void => {
     for (const { choice, select } of choices) select.value = state.chosen[choice.key] ?? choice.initial;

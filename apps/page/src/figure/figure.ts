@@ -5,7 +5,7 @@ import { next_row, row_said } from "./cursor";
 import { button, element } from "../elements/elements";
 import { explained } from "../elements/explained";
 import { save_csv, save_png, save_svg } from "./files";
-import { kKeys, listen_to_keys } from "./keyboard";
+import { listen_to_keys } from "./keyboard";
 import { numbers_table } from "./numbers_table";
 import type { Numbers, Picture, Range, State, Toggle } from "../picture";
 import { listen_to_pointer } from "./pointer";
@@ -13,6 +13,7 @@ import type { PageState } from "./page_state";
 import { drawn, initial_state, stilled } from "./still";
 import { stretch_panel } from "./stretch_panel";
 import type { View } from "./view";
+import { t } from "../texts/texts";
 
 const kPaper_px = 680; // the width between the margins of a sheet
 const kPaper_pixels = 2; // of the canvas for one of the page, in print
@@ -33,6 +34,7 @@ export interface Figure {
   whole(): Range | null; // the x axis without a window
   choose(key: string, value: string): void;
   turn(key: string, on: boolean): void; // a curve, on or off
+  take(state: State): void; // what another figure of this picture had chosen, switched off and zoomed
   watch(changed: (state: State) => void): void; // at once, and with every change
   see(window: Range | null): void;
   select(stretch: Range | null): void;
@@ -42,6 +44,7 @@ export interface Figure {
   draw_now(): void;
   print(): void; // a drawing for paper is added
   printed(): void; // and taken away
+  leave(): void; // the page goes on without it
 }
 
 export const figure_of = (picture: Picture, page: PageState): Figure => {
@@ -140,14 +143,14 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   );
   const table = numbers_table(picture.title, numbers_now);
   const mode = button(
-    "Select stretch",
-    "Statistics of a part of the picture: press, then drag; or drag with Shift held",
+    t.figure_select,
+    t.figure_select_title,
     () => {
       selecting = panel_open = !selecting;
       figure.redraw();
     },
   );
-  const reset = button("Show all", "Undo zoom (0, or a double click)", () => see(null));
+  const reset = button(t.figure_show_all, t.figure_show_all_title, () => see(null));
   const beside = (): void => {
     controls.update(state);
     reset.disabled = state.window === null;
@@ -230,9 +233,9 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   const tools = element("div", { class: "tools" });
   if (picture.zoom !== "none") tools.append(mode, reset);
   tools.append(
-    button("SVG", "Save the picture as a drawing (.svg)", () => save_svg(picture, state)),
-    button("PNG", "Save the picture as an image (.png)", () => save_png(picture, state)),
-    button("CSV", "Save the numbers as a table (.csv)", () => save_csv(picture, state)),
+    button("SVG", t.figure_svg_title, () => save_svg(picture, state)),
+    button("PNG", t.figure_png_title, () => save_png(picture, state)),
+    button("CSV", t.figure_csv_title, () => save_csv(picture, state)),
   );
   const caption = element("p", { class: "caption" }, picture.caption);
   const heading = element("figcaption", {}, element("h3", {}, picture.title), caption);
@@ -243,7 +246,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   }
   const all = element("figure", { "data-picture": picture.name }, heading, tools, controls.element, box);
   if (picture.zoom !== "none") {
-    all.append(element("p", { class: "hint", id: `${picture.name}-keys` }, kKeys), panel.element);
+    all.append(element("p", { class: "hint", id: `${picture.name}-keys` }, t.figure_keys), panel.element);
   }
   all.append(table.element);
 
@@ -255,6 +258,11 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     whole: () => whole,
     choose,
     turn: (key, on) => turn([key], on),
+    take({ chosen, hidden, window, stretch }) {
+      known = new Set([...known, ...picture.toggles({ chosen }).map((toggle) => toggle.key)]);
+      panel_open = stretch !== null;
+      change({ chosen, hidden, window, stretch });
+    },
     watch(changed) {
       watching.push(changed);
       changed(state);
@@ -280,6 +288,10 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     printed() {
       paper?.remove();
       paper = null;
+    },
+    leave() {
+      chart?.dispose();
+      chart = null;
     },
   };
   new IntersectionObserver(

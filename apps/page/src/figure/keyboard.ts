@@ -2,10 +2,6 @@
 import type { View } from "./view";
 import { panned, zoomed } from "./window";
 
-export const kKeys =
-  "Ctrl+wheel, + − zoom · drag, ← → move · 0, double click show all · " +
-  "Shift+drag selects a stretch · , . read the values";
-
 export const listen_to_keys = (view: View, step: (by: number) => void): void => {
   view.box.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey) return;

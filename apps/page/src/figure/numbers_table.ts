@@ -4,6 +4,7 @@ import { element } from "../elements/elements";
 import type { Numbers } from "../picture";
 import { table_of } from "../elements/table";
 import { shown } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 const kRows = 200;
 
@@ -25,7 +26,7 @@ export const numbers_table = (title: string, numbers: () => Numbers): NumbersTab
   const details = element(
     "details",
     { class: "numbers" },
-    element("summary", {}, "The numbers behind this picture"),
+    element("summary", {}, t.figure_numbers),
     body,
   );
   let shown_last: Numbers | null = null;
@@ -36,7 +37,7 @@ export const numbers_table = (title: string, numbers: () => Numbers): NumbersTab
     shown_last = all;
     const rows = rows_of(all);
     const heading = all.columns.map((column) => column.name);
-    const note = rows > kRows ? `The first ${kRows} of ${rows} rows; the CSV file has all.` : `${rows} rows.`;
+    const note = rows > kRows ? t.figure_first_rows({ shown: kRows, rows }) : t.figure_rows({ rows });
     body.replaceChildren(table_of({ title, heading, rows: rows_from(all) }), element("p", { class: "note" }, note));
   };
   details.addEventListener("toggle", update);

@@ -6,13 +6,16 @@ import { table_of } from "../elements/table";
 import { capital } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { split_name, words } from "../drawing/units";
+import { t } from "../texts/texts";
 
 export interface StretchPanel {
   element: HTMLElement;
   update(stretch: Range | null, open: boolean, numbers: () => Numbers): void;
 }
 
-const heading = ["quantity", "unit", "n", "mean", "standard deviation", "least", "largest", "change, first to last"];
+const heading = (): string[] => [
+  t.recordings_quantity, t.unit, "n", t.figure_mean, t.figure_deviation, t.figure_least, t.figure_largest, t.figure_change,
+];
 
 const table = (stretch: Range, numbers: Numbers): HTMLElement => {
   const x = split_name(numbers.columns[0]?.name ?? "");
@@ -21,8 +24,15 @@ const table = (stretch: Range, numbers: Numbers): HTMLElement => {
     const values = [one.mean, one.deviation, one.least, one.largest, one.change].map((value) => shown(value));
     return [words(quantity), unit, String(one.n), ...values];
   });
-  const title = `${capital(words(x.quantity))} from ${shown(stretch[0])} to ${shown(stretch[1])} ${x.unit}`;
-  return rows.length > 0 ? table_of({ title, heading, rows }) : element("p", { class: "note" }, `${title}: no values.`);
+  const title = t.figure_stretch({
+    quantity: capital(words(x.quantity)),
+    from: shown(stretch[0]),
+    to: shown(stretch[1]),
+    unit: x.unit,
+  });
+  return rows.length > 0
+    ? table_of({ title, heading: heading(), rows })
+    : element("p", { class: "note" }, t.figure_stretch_empty({ stretch: title }));
 };
 
 export const stretch_panel = (select: (stretch: Range | null) => void, zoom: () => void): StretchPanel => {
@@ -39,11 +49,11 @@ export const stretch_panel = (select: (stretch: Range | null) => void, zoom: () 
   const fields = element(
     "div",
     { class: "fields" },
-    element("label", {}, "From ", from),
-    element("label", {}, "to ", to),
+    element("label", {}, `${t.figure_from} `, from),
+    element("label", {}, `${t.figure_to} `, to),
     unit,
-    button("Zoom to it", "Show only this stretch", zoom),
-    button("Clear", "Clear the stretch (Escape)", () => select(null)),
+    button(t.figure_zoom, t.figure_zoom_title, zoom),
+    button(t.figure_clear, t.figure_clear_title, () => select(null)),
   );
   const result = element("div");
   const panel = element("div", { class: "stretch" }, fields, result);
@@ -63,7 +73,7 @@ export const stretch_panel = (select: (stretch: Range | null) => void, zoom: () 
     result.replaceChildren(
       stretch
         ? table(stretch, all)
-        : element("p", { class: "note" }, "Drag over the picture, or type where it begins and ends."),
+        : element("p", { class: "note" }, t.figure_how_to_select),
     );
   };
   return { element: panel, update };

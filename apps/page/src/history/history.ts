@@ -4,17 +4,25 @@ import { command_of } from "../drawing/command";
 import type { Next, Section, State } from "../picture";
 import type { HistoryGroup, Report } from "../report";
 import { plain } from "../drawing/text";
+import { english, t } from "../texts/texts";
+import { heading_of, table_text, typed } from "./history_words";
 
-const kNext: Next = { label: "List every quantity", text: "", command: command_of("history", ["."], ["--all"]) };
+const next = (): Next => ({ label: t.history_next, text: "", command: command_of("history", ["."], ["--all"]) });
 
 // The columns of the table: quantity, unit, last, change, sigmas, a year, tolerance, met.
 const quantity_sentence = ({ rows }: HistoryGroup, name: string): string => {
-  const [, unit, last, change, sigmas, a_year, tolerance, met] = rows.find(([quantity]) => quantity === name) ?? [];
-  if (last === undefined) return `${rows.length} quantities`;
-  const told = (text: string | undefined): text is string => text !== undefined && text !== "" && text !== "-";
-  const changed = told(change) ? `, ${change.replace(" *", "")} since the test before (${sigmas} sigmas)` : "";
-  const trend = told(a_year) ? `, ${a_year.replace(" *", "")} a year` : "";
-  return `${name} ${last} ${unit}${changed}${trend}${/\d{4}-/.test(met ?? "") ? `; it meets its tolerance ${tolerance} at ${met}` : ""}.`;
+  const row = rows.find(([quantity]) => quantity === name);
+  if (!row) return t.history_count({ n: rows.length });
+  const [, unit = "", last = "", change = "", sigmas = "", a_year = "", tolerance = "", met = ""] = row.map(table_text);
+  const told = (text: string): boolean => text !== "" && text !== "-";
+  return t.history_says({
+    name: typed(name),
+    last,
+    unit,
+    changed: told(change) ? t.history_says_changed({ change: change.replace(" *", ""), sigmas }) : "",
+    trend: told(a_year) ? t.history_says_trend({ a_year: a_year.replace(" *", "") }) : "",
+    met: /\d{4}-/.test(met) ? t.history_says_met({ tolerance, met }) : "",
+  });
 };
 
 // A date first, then a change, then a trend that is marked.
@@ -32,14 +40,20 @@ const group_section = (group: HistoryGroup, k: number): Section => ({
     ? {
         first: {
           picture: `history-${k + 1}`,
-          kind: "Tests",
+          kind: t.history_tests_kind,
           label: plain(group.label, 80),
-          told: ({ quantity }: State["chosen"]) => ({ verdict: quantity_sentence(group, quantity ?? group.first), next: kNext }),
+          told: ({ quantity }: State["chosen"]) => ({ verdict: quantity_sentence(group, quantity ?? group.first), next: next() }),
         },
       }
     : {}),
   sentences: [],
-  tables: [{ title: "Quantities", heading: group.heading, rows: group.rows }],
+  tables: [
+    {
+      title: t.history_quantities,
+      heading: group.heading.map(heading_of),
+      rows: group.rows.map(([quantity = "", ...rest]) => [typed(quantity), ...rest.map(table_text)]),
+    },
+  ],
   pictures: group.quantities.length > 0 ? [history_picture(group, k)] : [],
 });
 
@@ -52,16 +66,32 @@ export const history_sections = ({ history }: Report): Section[] => {
       ? [
           {
             id: "geometry",
-            heading: "Squareness and scales",
-            result: geometry_rows.slice(0, 3).map(([what, value]) => `${what} ${value}`).join(", "),
-            sentences: geometry,
-            tables: [{ title: "Squareness and scales", heading: ["", "um/m", "from"], rows: geometry_rows }],
+            heading: t.history_geometry,
+            result: geometry_rows.slice(0, 3).map(([what, value]) => `${table_text(what ?? "")} ${table_text(value ?? "")}`).join(", "),
+            sentences: geometry.map(english),
+            tables: [
+              {
+                title: t.history_geometry,
+                heading: ["", "µm/m", t.history_from],
+                rows: geometry_rows.map((row) => row.map(table_text)),
+              },
+            ],
             pictures: [],
           },
         ]
       : []),
     ...(skipped.length > 0
-      ? [{ id: "skipped", heading: "Skipped files", result: `${skipped.length} ${skipped.length === 1 ? "file" : "files"}`, sentences: [], tables: [], pictures: [], lists: [{ title: "Why", items: skipped }] }]
+      ? [
+          {
+            id: "skipped",
+            heading: t.history_skipped,
+            result: t.history_files({ n: skipped.length }),
+            sentences: [],
+            tables: [],
+            pictures: [],
+            lists: [{ title: t.history_why, items: skipped.map(english) }],
+          },
+        ]
       : []),
   ];
 };

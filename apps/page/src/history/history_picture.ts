@@ -145,10 +145,8 @@ export const history_picture = (group: HistoryGroup, k: number): Picture => {
   return {
     name: `history-${k + 1}`,
     title: plain(group.label, 80),
-    caption: "One quantity over the tests, with its trend and its tolerance; ± one sigma.",
-    about:
-      "Bars are one standard deviation of the fit; the shaded width is one of the trend, with the scatter of the tests " +
-      "about it. The line across is the tolerance.",
+    caption: t.history_caption,
+    about: t.history_about,
     height_px: 360,
     zoom: "own",
     choices: [

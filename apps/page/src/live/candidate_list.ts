@@ -5,7 +5,7 @@ import { with_sigma, decimals_for } from "../drawing/with_sigma";
 import type { Candidate, Diagnosed } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
-import { words } from "./words";
+import { t } from "../texts/texts";
 
 const kFirst = 5; // the rest is opened if wanted
 
@@ -25,19 +25,15 @@ export const candidate_list = (
   const box = element("div", { class: "live-candidates" });
 
   const row_of = (candidate: Candidate, starred: boolean, rmse_um: number | null): HTMLElement => {
-    const plus = button("+", words.add_title(plain(candidate.label, 80)), () => add(candidate));
+    const plus = button("+", t.live_add_title({ effect: plain(candidate.label, 80) }), () => add(candidate));
     plus.className = "plus";
-    plus.setAttribute("aria-label", words.add_title(plain(candidate.label, 80)));
+    plus.setAttribute("aria-label", t.live_add_title({ effect: plain(candidate.label, 80) }));
     plus.disabled = !can_be_typed(candidate);
     const bar = element("span", { class: "p" });
     bar.style.setProperty("--share", String(Math.min(1, Math.max(0, candidate.p ?? 0))));
     const decimals = decimals_for(candidate.amplitude_um, candidate.amplitude_sigma_um);
     const name = element("bdi", {}, `${plain(candidate.label, 60)}${starred ? " *" : ""}`);
-    const told = words.candidate(
-      shown(candidate.p, 2),
-      with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, Math.min(3, decimals)),
-      `${shown(rmse_um, 2)} → ${shown(candidate.rmse_after_um, 2)}`,
-    );
+    const told = t.live_candidate({ p: shown(candidate.p, 2), amplitude: with_sigma(candidate.amplitude_um, candidate.amplitude_sigma_um, Math.min(3, decimals)), rmse: `${shown(rmse_um, 2)} → ${shown(candidate.rmse_after_um, 2)}` });
     const row = element("li", {}, plus, bar, name, element("span", { class: "figures" }, told));
     row.addEventListener("pointerenter", () => look(candidate));
     row.addEventListener("pointerleave", () => look(null));
@@ -54,9 +50,9 @@ export const candidate_list = (
       const first = element("ul", {}, ...rows.slice(0, kFirst));
       const rest = rows.slice(kFirst);
       box.replaceChildren(
-        ...(rows.length > 0 ? [element("h3", {}, words.may_be_missing), first] : []),
+        ...(rows.length > 0 ? [element("h3", {}, t.live_may_be_missing), first] : []),
         ...(rest.length > 0
-          ? [element("details", {}, element("summary", {}, words.more_candidates(rest.length)), element("ul", {}, ...rest))]
+          ? [element("details", {}, element("summary", {}, t.live_more_candidates({ count: rest.length })), element("ul", {}, ...rest))]
           : []),
       );
     },

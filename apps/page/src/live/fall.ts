@@ -2,7 +2,7 @@
 import { element } from "../elements/elements";
 import type { Num } from "../report";
 import { shown } from "../drawing/theme";
-import { words } from "./words";
+import { t } from "../texts/texts";
 
 export interface Fall {
   element: HTMLElement;
@@ -23,10 +23,10 @@ export const fall_shown = (): Fall => {
     show({ before, now: value, floor, moved }) {
       const decimals = decimals_of(value);
       const most = Math.max(before ?? 0, value ?? 0) || 1;
-      now.textContent = words.rmse(shown(value, decimals));
+      now.textContent = t.live_rmse({ value: shown(value, decimals) });
       beside.textContent = [
-        ...(before === null ? [] : [moved ? words.rmse_at_optimum(shown(before, decimals)) : words.rmse_before(shown(before, decimals))]),
-        ...(floor === null ? [] : [words.floor(shown(floor, decimals))]),
+        ...(before === null ? [] : [moved ? t.live_rmse_at_optimum({ value: shown(before, decimals) }) : t.live_rmse_before({ value: shown(before, decimals) })]),
+        ...(floor === null ? [] : [t.live_floor({ value: shown(floor, decimals) })]),
       ].join(", ");
       bar_before.hidden = before === null;
       mark.hidden = floor === null;

@@ -8,7 +8,7 @@ import type { Candidate, Checked, Num, Report } from "../report";
 import { points_of, strands_of, type Strand } from "../drawing/strands";
 import { plain } from "../drawing/text";
 import { colours, curve_colour } from "../drawing/theme";
-import { words } from "./words";
+import { t } from "../texts/texts";
 
 export interface Now {
   report: Report;
@@ -40,7 +40,7 @@ export const fit_picture = (now: () => Now): Picture => {
       ...(before && same_rows(before, checked)
         ? [
             {
-              toggle: { key: "before", label: words.residual_before, colour: (dark: boolean) => colours(dark).faint, mark: "dotted", on: true } as const,
+              toggle: { key: "before", label: t.live_residual_before, colour: (dark: boolean) => colours(dark).faint, mark: "dotted", on: true } as const,
               values_um: before.series.residual_um,
             },
           ]

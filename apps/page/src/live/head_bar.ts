@@ -1,23 +1,18 @@
-// Above the report: the files, what of them is looked at and how, what is running, what can be saved. Files may be
-// dropped anywhere.
+// Above the report: the files, what of them is looked at and how, what is running, what can be saved.
 import type { Subject } from "./commands";
 import type { Dropped } from "./dropped_files";
 import { button, element } from "../elements/elements";
 import type { Group } from "./groups";
 import { choosing } from "./start";
 import { plain } from "../drawing/text";
-import { words } from "./words";
+import { t } from "../texts/texts";
 
 export interface HeadOf {
   take(files: readonly Dropped[]): void;
   close(): void;
-  undo(): void;
-  redo(): void;
-  stop(): void;
   saves: HTMLElement;
   work: HTMLElement;
   told: HTMLElement;
-  dropped_of(transfer: DataTransfer): Promise<Dropped[]>;
 }
 
 export interface Head {
@@ -41,10 +36,9 @@ const choice = (label: string, values: readonly (readonly [string, string])[], n
   return element("label", { class: "choice" }, element("span", {}, label), select);
 };
 
-// A key typed into a field is the field's.
-const is_typed = ({ target }: Event): boolean => target instanceof HTMLElement && target.matches("input:not([type=range]):not([type=checkbox]), textarea");
+const last = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
 
-export const head_bar = ({ take, close, undo, redo, stop, saves, work, told, dropped_of }: HeadOf): HeadBar => {
+export const head_bar = ({ take, close, saves, work, told }: HeadOf): HeadBar => {
   const shelf = element("div");
   const choices = element("div", { class: "choices" });
   const bar = element(
@@ -55,39 +49,13 @@ export const head_bar = ({ take, close, undo, redo, stop, saves, work, told, dro
     element(
       "div",
       { class: "buttons" },
-      choosing(words.add_files, words.add_files_title, false, take),
+      choosing(t.live_add_files, t.live_add_files_title, false, take),
       saves,
-      button(words.start_over, words.start_over_title, close),
+      button(t.live_close, t.live_close_title, close),
     ),
   );
   bar.hidden = true;
   const all = element("div", { class: "live-head" }, bar, work, told);
-
-  let over = 0;
-  const hovered = (by: number): void => {
-    over = Math.max(0, over + by);
-    document.documentElement.classList.toggle("dropping", over > 0);
-  };
-  const files_in = ({ dataTransfer }: DragEvent): boolean => dataTransfer?.types.includes("Files") ?? false;
-  addEventListener("dragenter", (event) => files_in(event) && hovered(1));
-  addEventListener("dragleave", (event) => files_in(event) && hovered(-1));
-  addEventListener("dragover", (event) => files_in(event) && event.preventDefault());
-  addEventListener("drop", (event) => {
-    if (!event.dataTransfer || !files_in(event)) return;
-    event.preventDefault();
-    over = 0;
-    hovered(0);
-    void dropped_of(event.dataTransfer).then(take);
-  });
-  addEventListener("keydown", (event) => {
-    if (event.key === "Escape") stop();
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || is_typed(event)) return;
-    const key = event.key.toLowerCase();
-    if (key === "z" && !event.shiftKey) undo();
-    else if (key === "y" || key === "z") redo();
-    else return;
-    event.preventDefault();
-  });
 
   return {
     element: all,
@@ -99,19 +67,20 @@ export const head_bar = ({ take, close, undo, redo, stop, saves, work, told, dro
       const { subject, compared, folder, choose } = head;
       if (!subject) return;
       const { models } = subject.group;
-      if (models.length > 0) {
-        const values = [["", words.no_model], ...models.map(({ path, name }) => [path, name.slice(name.lastIndexOf("/") + 1)] as const)] as const;
-        const own = subject.model !== "" && !models.some(({ path }) => path === subject.model) ? [[subject.model, subject.model] as const] : [];
-        choices.append(choice(words.model_of, [...values, ...own], subject.model, (model) => choose({ model })));
+      const own = subject.model !== "" && !models.some(({ path }) => path === subject.model) ? [subject.model] : [];
+      const paths = [...models.map(({ path }) => path), ...own];
+      if (paths.length > 0) {
+        const values = [["", t.live_no_model] as const, ...paths.map((path) => [path, last(path)] as const)];
+        choices.append(choice(t.live_model_of, values, subject.model, (model) => choose({ model })));
       }
       if (folder !== "") {
         const as_session = subject.data[0] === folder;
-        const values = [["", words.as_tests], [folder, words.as_session]] as const;
-        choices.append(choice(words.view, values, as_session ? folder : "", (value) => choose({ data: value === "" ? subject.group.data : [value], model: "" })));
+        const values = [["", t.live_as_tests], [folder, t.live_as_session]] as const;
+        choices.append(choice(t.live_view, values, as_session ? folder : "", (value) => choose({ data: value === "" ? subject.group.data : [value], model: "" })));
       }
       if (compared.length > 0 && (subject.group.kind === "session" || subject.group.kind === "series")) {
-        const values = [["", words.nothing] as const, ...compared.map(({ data, title }) => [data[0] ?? "", title] as const)];
-        choices.append(choice(words.compare_with, values, subject.compared, (value) => choose({ compared: value })));
+        const values = [["", t.live_nothing] as const, ...compared.map(({ data, title }) => [data[0] ?? "", title] as const)];
+        choices.append(choice(t.live_compare_with, values, subject.compared, (value) => choose({ compared: value })));
       }
     },
   };

@@ -7,7 +7,8 @@ import type { Kept, Store } from "./kept_files";
 import { bytes_of_base64, read_report_file, type ReportFile } from "./report_file";
 import type { Work } from "./work";
 import { plain } from "../drawing/text";
-import { words } from "./words";
+import { size_spoken } from "./spoken";
+import { t } from "../texts/texts";
 
 const kNeed = 4; // times its size that a file takes, at most, once it is read and drawn
 const kSmall = 1e6; // bytes that always fit
@@ -48,7 +49,7 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
     if (!room) {
       const one: Held = { path, name, bytes: file.size, kind: "other", head: "" };
       held = [...held, one];
-      faults.set(path, words.too_big(plain(name, 80), words.size(file.size), words.size(Math.max(0, left))));
+      faults.set(path, t.live_too_big({ name: plain(name, 80), size: size_spoken(file.size), left: size_spoken(Math.max(0, left)) }));
       return one;
     }
     await engine.put(path, file, (bytes) => share(bytes / file.size));
@@ -57,7 +58,7 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
   const put_all = async (files: readonly { path: string; name: string; file: Blob }[]): Promise<Held[]> => {
     const taken: Held[] = [];
     for (const [k, { path, name, file }] of files.entries()) {
-      taken.push(await work.during(words.taking(plain(name, 60), k + 1, files.length), (share) => put(path, name, file, share)));
+      taken.push(await work.during(t.live_taking({ name: plain(name, 60), part: k + 1, whole: files.length }), (share) => put(path, name, file, share)));
     }
     return taken;
   };

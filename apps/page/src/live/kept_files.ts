@@ -4,7 +4,7 @@
 export interface KeptState {
   when: number; // ms since 1970
   title: string;
-  group: string; // its key
+  data: readonly string[]; // words of a command
   model: string; // path; "": none
   target: string;
 }

@@ -1,10 +1,22 @@
 // The page below the live part: drawn anew for each report, in the place of the one before.
 import { appearance } from "../page/appearance";
 import { element } from "../elements/elements";
-import type { LivePage } from "./open_live";
+import type { Inside } from "../shell";
+import type { Loop } from "./loop";
+import type { PageState } from "../figure/page_state";
 import type { Report } from "../report";
 import { report_page } from "../shell";
 import { shared_by_figures, type Shared } from "../page/shared";
+
+// What the page does for its live part.
+export interface LivePage {
+  state: PageState; // of the page as it is drawn now
+  show(report: Report, loop: Loop | null): void; // in the place of the one before; a loop stands for the first screen
+  clear(): void;
+  on_command(act: (command: string) => void): void; // what a button does that says a command
+  given: Report | null; // with which the page was made
+  page_with(report: Report, inside: Inside | null): string; // a page of a report, as a file
+}
 
 export type Open = (
   report: Report,
@@ -48,13 +60,14 @@ export const live_page = (voice: HTMLElement, given: Report | null, open: Open):
       const { dark, window } = { dark: shared.dark(), window: shared.time_window() };
       const focused = document.activeElement;
       const scroll = scrollY;
+      const kept = loop?.figure();
+      for (const figure of shared.figures.values()) if (figure !== kept) figure.leave();
       shared = shared_by_figures(voice);
       shared.look(dark);
       shared.see_time(window);
       const { parts, draw } = open(report, state, theme, loop && { element: loop.element, proves: loop.proves() });
       place.replaceChildren(...parts);
-      const figure = loop?.figure();
-      if (figure) shared.add(figure);
+      if (kept) shared.add(kept);
       for (const id of folds) document.getElementById(id)?.querySelector(":scope > details")?.setAttribute("open", "");
       draw();
       scrollTo({ top: scroll, behavior: "instant" });
@@ -64,6 +77,7 @@ export const live_page = (voice: HTMLElement, given: Report | null, open: Open):
       act = act_now;
     },
     clear() {
+      for (const figure of shared.figures.values()) figure.leave();
       shared = shared_by_figures(voice);
       place.replaceChildren(theme);
     },

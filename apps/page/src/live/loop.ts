@@ -7,15 +7,16 @@ import { fall_shown } from "./fall";
 import { fit_picture, type Now } from "./fit_picture";
 import { figure_of, type Figure } from "../figure/figure";
 import { model_list } from "./model_list";
-import { next_test } from "./next_test";
+import { next_test, type NextTestOf } from "./next_test";
 import { posterior_bars } from "./posterior_bars";
 import type { PageState } from "../figure/page_state";
 import type { Candidate, Checked, Diagnosed, Report } from "../report";
-import { Refused, type Runs } from "./subject_runs";
+import { reason } from "./reason";
+import type { Runs } from "./subject_runs";
 import { slid } from "./slid";
 import { Interrupted, type Work } from "./work";
 import { micrometres, plain } from "../drawing/text";
-import { words } from "./words";
+import { t } from "../texts/texts";
 
 export interface LoopOf {
   subject: Subject;
@@ -26,7 +27,7 @@ export interface LoopOf {
   page: PageState;
   bytes_of(path: string): Promise<Uint8Array>;
   put(path: string, bytes: Uint8Array): Promise<void>;
-  plan: Parameters<typeof next_test>[0]["plan"];
+  plan: NextTestOf["plan"];
   changed(report: Report, subject: Subject): void; // the page below is to be drawn anew
 }
 
@@ -58,6 +59,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   let before: Checked | null = null;
   let candidate: Candidate | null = null;
   let found: Diagnosed | null = null;
+  let took_ms = 0; // the last search
   let made: { figure: Figure; rows: number } | null = null;
   const forth: Uint8Array[] = []; // models that were taken back, the last one first to come again
 
@@ -103,7 +105,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       const checked = of_target(answer.check?.targets, subject.target);
       if (checked && of_fit === fitted && list.moved()) base = { ...checked, floor_um: of_fit.floor_um };
     } catch (error) {
-      if (!(error instanceof Interrupted)) say(String(error instanceof Error ? error.message : error));
+      if (!(error instanceof Interrupted)) say(reason(error));
     }
     running = false;
     draw();
@@ -121,7 +123,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     base = fitted;
     draw();
   };
-  const back = button(words.to_optimum, words.to_optimum_title, to_optimum);
+  const back = button(t.live_to_optimum, t.live_to_optimum_title, to_optimum);
 
   const candidates = candidate_list(
     (one) => void loop.add([one.label]),
@@ -130,10 +132,10 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       made?.figure.renew();
     },
   );
-  const undo = button(words.undo, words.undo_title, () => void loop.undo());
-  const redo = button(words.redo, words.redo_title, () => void loop.redo());
-  const search = button(words.search, words.search_title, () => void loop.search());
-  const plan = next_test({ plan: of.plan, subject: () => subject });
+  const undo = button(t.live_undo, t.live_undo_title, () => void loop.undo());
+  const redo = button(t.live_redo, t.live_redo_title, () => void loop.redo());
+  const search = button(t.live_search, t.live_search_title, () => void loop.search());
+  const plan = next_test({ plan: of.plan, subject: () => subject, took_ms: () => took_ms });
 
   const target_choice = element("select");
   for (const target of targets) target_choice.add(new Option(plain(target, 60), target));
@@ -143,10 +145,10 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     before = null;
     if (subject.model !== "") void attempt(async () => loop.show(await runs.report(subject)));
   });
-  const target_label = element("label", { class: "choice" }, element("span", {}, words.explained), target_choice);
+  const target_label = element("label", { class: "choice" }, element("span", {}, t.live_explained), target_choice);
   target_label.hidden = targets.length < 2;
 
-  const asked = element("div", {}, element("h3", {}, words.what_moves), element("p", { class: "about" }, words.what_moves_about));
+  const asked = element("div", {}, element("h3", {}, t.live_what_moves), element("p", { class: "about" }, t.live_what_moves_about));
   const hand = element(
     "div",
     { class: "hand" },
@@ -155,11 +157,11 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     element("div", { class: "buttons" }, target_label, search, undo, redo, back),
     posterior.element,
     candidates.element,
-    element("h3", { class: "of-model" }, words.model),
+    element("h3", { class: "of-model" }, t.live_model),
     list.element,
     plan.element,
   );
-  const all = element("section", { class: "live-loop wide", id: "loop", "aria-label": words.loop }, element("div", { class: "verdict" }, sentence, next), element("div", { class: "by-hand" }, place, hand));
+  const all = element("section", { class: "live-loop wide", id: "loop", "aria-label": t.live_loop }, element("div", { class: "verdict" }, sentence, next), element("div", { class: "by-hand" }, place, hand));
 
   const now = (): Now => ({
     report: report as Report,
@@ -181,7 +183,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     try {
       await work_of();
     } catch (error) {
-      say(error instanceof Interrupted ? words.stopped(error.message) : error instanceof Refused ? error.message : words.failed(String(error)));
+      say(reason(error));
     } finally {
       all.removeAttribute("aria-busy");
       update();
@@ -199,7 +201,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     found = of_it && of_it.not_diagnosed === undefined ? of_it : null;
     const effects = found?.command.startsWith("ballbar add ") ? added_by(found.command, subject) : [];
     next.hidden = effects.length === 0;
-    next.textContent = words.add_named(effects.map((effect) => plain(effect, 60)).join(", "));
+    next.textContent = t.live_add_named({ effects: effects.map((effect) => plain(effect, 60)).join(", ") });
     next.title = found?.command ?? "";
     if (!found) return candidates.clear();
     candidates.show(found);
@@ -208,7 +210,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
 
   const tried = (effect: string): Promise<void> =>
     attempt(async () => {
-      say(words.searching);
+      say(t.live_searching);
       say(await runs.try(subject, effect));
     });
 
@@ -251,7 +253,9 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         candidates.clear();
         search.disabled = true;
         try {
+          const began = performance.now();
           const answer = await runs.search(subject, (line) => posterior.tell(line));
+          took_ms = performance.now() - began;
           if (of_subject !== subject) return;
           loop.show(answer);
           say(found?.sentence ?? "");
@@ -280,7 +284,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         await runs.undo(subject.model);
         forth.push(now_model);
         await model_changed();
-        say(words.undone);
+        say(t.live_undone);
       }),
     redo: () =>
       attempt(async () => {
@@ -289,7 +293,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         work.stop();
         await of.put(subject.model, model);
         await model_changed();
-        say(words.redone);
+        say(t.live_redone);
       }),
     act(command) {
       const [verb, ...rest] = words_of(command);

@@ -8,7 +8,7 @@ import { slider_of, type Optimum, type Slider } from "./sliders";
 import { extent_of, small_curve } from "./small_curve";
 import { plain } from "../drawing/text";
 import { unit_shown } from "../drawing/units";
-import { words } from "./words";
+import { t } from "../texts/texts";
 
 export interface ModelList {
   element: HTMLElement;
@@ -81,7 +81,7 @@ export const model_list = (catalogue: Catalogue, changed: (key: string) => void)
               sliders.set(key_of(one), { one, slider });
               return slider.element;
             });
-            const head = element("div", { class: "effect" }, element("bdi", {}, plain(effect, 80) || words.model), curve);
+            const head = element("div", { class: "effect" }, element("bdi", {}, plain(effect, 80) || t.live_model), curve);
             return element("li", {}, head, ...rows);
           }),
         );

@@ -6,7 +6,8 @@ import { save } from "./save";
 import { table_of } from "../elements/table";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
-import { words } from "./words";
+import { duration_spoken } from "./spoken";
+import { t } from "../texts/texts";
 
 export interface Planned {
   sentence: string;
@@ -25,12 +26,13 @@ export interface NextTest {
   open(): void;
 }
 
+const kSearches = 60; // simulated tests are diagnosed, about
 const kHours = [4, 8, 12, 24];
 
 const tests_table = (tests: Planned["tests"]): HTMLElement =>
   table_of({
-    title: words.tests,
-    heading: words.tests_heading,
+    title: t.live_tests,
+    heading: [t.live_test, t.live_test_hours, t.live_p_right, t.live_p_some, t.live_p_wrong, t.live_simulated],
     rows: tests.map((one) => [
       plain(one.kind, 60),
       shown(one.hours),
@@ -41,27 +43,32 @@ const tests_table = (tests: Planned["tests"]): HTMLElement =>
     ]),
   });
 
-export const next_test = ({
-  plan,
-  subject,
-}: {
+export interface NextTestOf {
   plan: (subject: Subject, hours: number) => Promise<PlannedFiles | string>; // or why not
   subject: () => Subject;
-}): NextTest => {
+  took_ms: () => number; // the last search; 0: there was none
+}
+
+export const next_test = ({ plan, subject, took_ms }: NextTestOf): NextTest => {
   const hours = element("select");
-  for (const one of kHours) hours.add(new Option(words.hours(one), String(one)));
+  for (const one of kHours) hours.add(new Option(t.live_hours({ count: one }), String(one)));
   hours.value = "12";
+  const takes = element("span");
   const answer = element("div", { "aria-live": "polite" });
-  const start = button(words.plan, words.plan_title, () => void ask());
+  const start = button(t.live_plan, t.live_plan_title, () => void ask());
   const box = element(
     "details",
     { class: "live-plan" },
-    element("summary", {}, words.next_test),
-    element("p", { class: "about" }, words.next_test_about),
-    element("div", { class: "buttons" }, element("label", { class: "choice" }, element("span", {}, words.longest), hours), start),
+    element("summary", {}, t.live_next_test),
+    element("p", { class: "about" }, t.live_next_test_about, " ", takes),
+    element("div", { class: "buttons" }, element("label", { class: "choice" }, element("span", {}, t.live_longest), hours), start),
     answer,
   );
   box.hidden = true;
+  const say_duration = (): void => {
+    const ms = kSearches * took_ms();
+    takes.textContent = ms > 0 ? t.live_takes({ duration: duration_spoken(ms) }) : t.live_takes_long;
+  };
   let pictures: string[] = [];
 
   const ask = async (): Promise<void> => {
@@ -77,9 +84,9 @@ export const next_test = ({
     if (drawn) {
       const url = URL.createObjectURL(new Blob([new Uint8Array(drawn.bytes)], { type: "image/svg+xml" }));
       pictures.push(url);
-      parts.push(element("img", { src: url, alt: words.plan_picture, class: "plan" }));
+      parts.push(element("img", { src: url, alt: t.live_plan_picture, class: "plan" }));
     }
-    const files = planned.files.map(({ name, bytes }) => button(name, words.save_file(name), () => save(name, new Blob([new Uint8Array(bytes)]))));
+    const files = planned.files.map(({ name, bytes }) => button(name, t.live_save_file({ name }), () => save(name, new Blob([new Uint8Array(bytes)]))));
     if (files.length > 0) parts.push(element("div", { class: "buttons" }, ...files));
     answer.replaceChildren(...parts);
   };
@@ -88,6 +95,7 @@ export const next_test = ({
     element: box,
     show(found) {
       box.hidden = found.next_test === null;
+      say_duration();
       answer.replaceChildren();
     },
     open() {

@@ -2,7 +2,7 @@
 import { element } from "../elements/elements";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
-import { words } from "./words";
+import { t } from "../texts/texts";
 
 const kBars = 6;
 
@@ -34,7 +34,7 @@ export interface PosteriorBars {
 }
 
 export const posterior_bars = (): PosteriorBars => {
-  const list = element("ul", { class: "live-posterior", "aria-label": words.posterior });
+  const list = element("ul", { class: "live-posterior", "aria-label": t.live_posterior });
   list.hidden = true;
   return {
     element: list,
@@ -42,7 +42,7 @@ export const posterior_bars = (): PosteriorBars => {
       const now = posterior_in(line);
       if (!now) return;
       const most = [...now.posterior].sort((a, b) => b.p - a.p).slice(0, kBars);
-      list.replaceChildren(...most.map(({ label, p }) => bar_of(label, p)), bar_of(words.nothing_missing, now.p_nothing));
+      list.replaceChildren(...most.map(({ label, p }) => bar_of(label, p)), bar_of(t.live_nothing_missing, now.p_nothing));
       list.hidden = false;
     },
     clear() {

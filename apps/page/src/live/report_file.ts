@@ -1,6 +1,6 @@
 // A page that `report` wrote, or that was saved here: its data, and the files that it may carry.
 import type { Report } from "../report";
-import { words } from "./words";
+import { t } from "../texts/texts";
 
 export interface Carried {
   path: string;
@@ -34,10 +34,10 @@ export const read_report_file = (text: string): ReportFile => {
     report = block(page, "report");
     files = block(page, "files");
   } catch {
-    throw new Error(words.bad_page);
+    throw new Error(t.live_bad_page);
   }
   if (typeof report !== "object" || report === null || !("format" in report) || report.format !== "ballbar-report 1") {
-    throw new Error(words.no_report);
+    throw new Error(t.live_no_report);
   }
   const inside = (typeof files === "object" && files !== null ? files : {}) as Record<string, unknown>;
   return {

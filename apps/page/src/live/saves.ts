@@ -5,7 +5,7 @@ import type { Report } from "../report";
 import type { Inside } from "../shell";
 import { save } from "./save";
 import { plain, slug } from "../drawing/text";
-import { words } from "./words";
+import { t } from "../texts/texts";
 
 export interface SavesOf {
   subject(): Subject | null;
@@ -32,13 +32,13 @@ const last = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
 
 export const saves_of = (of: SavesOf): Saves => {
   const menu = element("div", { class: "menu" });
-  const box = element("details", { class: "live-saves" }, element("summary", {}, words.save), menu);
+  const box = element("details", { class: "live-saves" }, element("summary", {}, t.live_save), menu);
   const html = (text: string): Blob => new Blob([text], { type: "text/html" });
   const name = (): string => slug(of.report()?.title ?? "") || "ballbar";
   const entry = (label: string, title: string, act: () => Promise<void>): HTMLElement =>
     button(label, title, () => {
       box.open = false;
-      act().catch((error: unknown) => of.fault(words.not_saved(String(error instanceof Error ? error.message : error))));
+      act().catch((error: unknown) => of.fault(t.live_not_saved({ why: String(error instanceof Error ? error.message : error) })));
     });
 
   // Paths as they are here: dropped on this page again, the files go into a folder of their own.
@@ -56,11 +56,11 @@ export const saves_of = (of: SavesOf): Saves => {
       box.hidden = !report;
       if (!report) return menu.replaceChildren();
       const entries = [
-        entry(words.save_report, words.save_report_title, async () => save(`${name()}.html`, html(of.page_with(report, null)))),
+        entry(t.live_save_report, t.live_save_report_title, async () => save(`${name()}.html`, html(of.page_with(report, null)))),
       ];
       if (subject && subject.group.files.length > 0) {
         entries.push(
-          entry(words.save_all, words.save_all_title, async () =>
+          entry(t.live_save_all, t.live_save_all_title, async () =>
             save(`${name()}-with-files.html`, html(of.page_with(report, await inside_of(subject)))),
           ),
         );
@@ -68,12 +68,12 @@ export const saves_of = (of: SavesOf): Saves => {
       if (subject && subject.model !== "") {
         const { model } = subject;
         entries.push(
-          entry(words.save_model, words.save_model_title, async () => save(last(model), new Blob([new Uint8Array(await of.bytes_of(model))]))),
+          entry(t.live_save_model, t.live_save_model_title, async () => save(last(model), new Blob([new Uint8Array(await of.bytes_of(model))]))),
         );
       }
       if (subject && report.drift) {
         entries.push(
-          entry(words.save_drift, words.save_drift_title, async () => {
+          entry(t.live_save_drift, t.live_save_drift_title, async () => {
             const table = await of.table_of(subject);
             if (typeof table === "string") throw new Error(table);
             save(`${name()}-drift.csv`, new Blob([new Uint8Array(table)], { type: "text/csv" }));
@@ -82,7 +82,7 @@ export const saves_of = (of: SavesOf): Saves => {
       }
       for (const { path, name: shown } of subject?.group.files ?? []) {
         const file = last(shown);
-        entries.push(entry(plain(file, 60), words.save_file(plain(file, 60)), async () => save(last(path), new Blob([new Uint8Array(await of.bytes_of(path))]))));
+        entries.push(entry(plain(file, 60), t.live_save_file({ name: plain(file, 60) }), async () => save(last(path), new Blob([new Uint8Array(await of.bytes_of(path))]))));
       }
       menu.replaceChildren(...entries);
     },

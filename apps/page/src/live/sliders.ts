@@ -3,7 +3,7 @@ import { element } from "../elements/elements";
 import type { Num } from "../report";
 import { shown } from "../drawing/theme";
 import { decimals_for, with_sigma } from "../drawing/with_sigma";
-import { words } from "./words";
+import { t } from "../texts/texts";
 
 const kSteps = 400;
 const kSigmas = 6; // to either side at least
@@ -49,7 +49,7 @@ export const slider_of = (first: Optimum, changed: () => void): Slider => {
   };
   const tell = (): void => {
     told.textContent = text();
-    input.setAttribute("aria-valuetext", exact ? words.at_optimum(text()) : text());
+    input.setAttribute("aria-valuetext", exact ? t.live_at_optimum({ value: text() }) : text());
     track.classList.toggle("moved", !exact);
   };
   const renew = (now: Optimum): void => {

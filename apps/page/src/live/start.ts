@@ -3,7 +3,9 @@ import { chosen_of, type Dropped } from "./dropped_files";
 import { button, element } from "../elements/elements";
 import type { Sample } from "../engine";
 import { plain } from "../drawing/text";
-import { words } from "./words";
+import { t } from "../texts/texts";
+
+const kName = "ballbar";
 
 export interface StartOf {
   samples: readonly Sample[];
@@ -26,9 +28,9 @@ export const start_of = ({ samples, take, sample, tour }: StartOf): HTMLElement 
   const zone = element(
     "div",
     { class: "drop" },
-    element("p", { class: "here" }, words.drop_here),
-    element("p", { class: "note" }, words.drop_more),
-    element("div", { class: "buttons" }, choosing(words.choose_files, "", false, take), choosing(words.choose_folder, "", true, take)),
+    element("p", { class: "here" }, t.live_drop_here),
+    element("p", { class: "note" }, t.live_drop_more),
+    element("div", { class: "buttons" }, choosing(t.live_choose_files, "", false, take), choosing(t.live_choose_folder, "", true, take)),
   );
   const tries = samples.map((one) => {
     const open = button(plain(one.name, 40), "", () => sample(one));
@@ -36,15 +38,16 @@ export const start_of = ({ samples, take, sample, tour }: StartOf): HTMLElement 
   });
   return element(
     "section",
-    { class: "live-start", "aria-label": words.drop_here },
-    element("h1", {}, words.title),
+    { class: "live-start", "aria-label": t.live_drop_here },
+    element("h1", {}, kName),
+    element("p", {}, t.live_says),
     zone,
-    element("p", { class: "note" }, words.private),
+    element("p", { class: "note" }, t.live_private),
     ...(tries.length > 0
       ? [
-          element("h2", {}, words.samples),
+          element("h2", {}, t.live_samples),
           element("ul", { class: "samples" }, ...tries),
-          ...(tour ? [element("div", { class: "buttons" }, button(words.tour, "", tour))] : []),
+          ...(tour ? [element("div", { class: "buttons" }, button(t.live_tour, "", tour))] : []),
         ]
       : []),
   );

@@ -4,7 +4,7 @@ import { add_words, report_words, search_words, set_words, try_words, type Setti
 import type { Engine, Ran } from "../engine";
 import type { Report } from "../report";
 import type { Work } from "./work";
-import { words } from "./words";
+import { t } from "../texts/texts";
 
 // What the program said why it did not.
 export class Refused extends Error {}
@@ -12,7 +12,7 @@ export class Refused extends Error {}
 const sentence_of = ({ err, status }: Ran): string => {
   const lines = err.trim().split("\n");
   const fault = lines.filter((line) => line.startsWith("ballbar: ")).at(-1) ?? lines.at(-1) ?? "";
-  return fault.replace(/^ballbar: /, "") || words.ended_with(status);
+  return fault.replace(/^ballbar: /, "") || t.live_ended_with({ status });
 };
 
 export const answer_of = <T>(ran: Ran): T => {
@@ -35,15 +35,15 @@ export interface Runs {
 }
 
 export const runs_with = (engine: Engine, work: Work): Runs => ({
-  report: async (subject) => answer_of(await work.run(report_words(subject), { what: words.reading })),
-  search: async (subject, progress) => answer_of(await work.run(search_words(subject), { what: words.searching, progress })),
-  set: async (subject, settings) => answer_of(await work.run(set_words(subject, settings), { what: words.moving })),
+  report: async (subject) => answer_of(await work.run(report_words(subject), { what: t.live_reading })),
+  search: async (subject, progress) => answer_of(await work.run(search_words(subject), { what: t.live_searching, progress })),
+  set: async (subject, settings) => answer_of(await work.run(set_words(subject, settings), { what: t.live_moving })),
   add: async (subject, effects, model) =>
-    answer_of(await work.run(add_words(subject, effects, model), { what: words.adding(effects.join(", ")) })),
+    answer_of(await work.run(add_words(subject, effects, model), { what: t.live_adding({ effect: effects.join(", ") }) })),
   try: async (subject, effect) =>
-    answer_of<{ sentence: string }>(await work.run(try_words(subject, effect), { what: words.trying(effect) })).sentence,
+    answer_of<{ sentence: string }>(await work.run(try_words(subject, effect), { what: t.live_trying({ effect }) })).sentence,
   async undo(model) {
-    const ran = await work.run(["undo", "--model", model], { what: words.undoing });
+    const ran = await work.run(["undo", "--model", model], { what: t.live_undoing });
     if (ran.status !== 0) throw new Refused(sentence_of(ran));
   },
   free_name(folder, name) {

@@ -1,6 +1,6 @@
 // A tour of one minute: each step points at a thing and does it. By keyboard too; Escape leaves.
 import { button, element } from "../elements/elements";
-import { words } from "./words";
+import { t } from "../texts/texts";
 
 export interface Step {
   text: string;
@@ -13,11 +13,11 @@ export const tour = (steps: readonly Step[]): { leave(): void } => {
   let pointed: Element | null = null;
   const text = element("p", { id: "tour-text" });
   const count = element("p", { class: "note" });
-  const next = button(words.tour_next, "", () => void go());
-  const end = button(words.tour_end, "", () => leave());
+  const next = button(t.live_tour_next, "", () => void go());
+  const end = button(t.live_tour_end, "", () => leave());
   const box = element(
     "div",
-    { class: "live-tour", role: "dialog", "aria-label": words.tour, "aria-describedby": "tour-text" },
+    { class: "live-tour", role: "dialog", "aria-label": t.live_tour, "aria-describedby": "tour-text" },
     count,
     text,
     element("div", { class: "buttons" }, next, end),
@@ -31,9 +31,9 @@ export const tour = (steps: readonly Step[]): { leave(): void } => {
   const show = (): void => {
     const step = steps[k];
     if (!step) return leave();
-    count.textContent = words.tour_step(k + 1, steps.length);
+    count.textContent = t.live_tour_step({ step: k + 1, all: steps.length });
     text.textContent = step.text;
-    next.textContent = step.act ? words.tour_do : words.tour_next;
+    next.textContent = step.act ? t.live_tour_do : t.live_tour_next;
     next.hidden = k + 1 === steps.length && !step.act;
     point(step.at());
     (next.hidden ? end : next).focus({ preventScroll: true });

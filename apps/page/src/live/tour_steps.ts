@@ -1,7 +1,7 @@
 // The steps of the tour, on the sample run with a hidden effect.
 import type { Loop } from "./loop";
 import type { Step } from "./tour";
-import { words } from "./words";
+import { t } from "../texts/texts";
 
 const frame = (): Promise<void> => new Promise((done) => requestAnimationFrame(() => done()));
 
@@ -24,24 +24,24 @@ export const tour_steps = ({ loop, saves }: { loop: () => Loop | null; saves: HT
   const added = (): string => loop()?.diagnosed()?.candidates[0]?.label ?? "";
   let label = "";
   return [
-    { text: words.tour_look, at: part(".picture") },
+    { text: t.live_tour_look, at: part(".picture") },
     {
-      text: words.tour_search,
+      text: t.live_tour_search,
       at: part(".hand"),
       act: async () => {
         if (!loop()?.diagnosed()) await loop()?.search();
       },
     },
     {
-      text: words.tour_add,
+      text: t.live_tour_add,
       at: part(".live-candidates"),
       act: async () => {
         label = added();
         if (label !== "") await loop()?.add([label]);
       },
     },
-    { text: words.tour_fall, at: part(".live-fall") },
-    { text: words.tour_slide, at: part(".live-model"), act: () => slide(loop(), label) },
-    { text: words.tour_save, at: () => saves },
+    { text: t.live_tour_fall, at: part(".live-fall") },
+    { text: t.live_tour_slide, at: part(".live-model"), act: () => slide(loop(), label) },
+    { text: t.live_tour_save, at: () => saves },
   ];
 };

@@ -2,7 +2,7 @@
 // nothing.
 import { Stopped, type Engine, type Ran } from "../engine";
 import { button, element } from "../elements/elements";
-import { words } from "./words";
+import { t } from "../texts/texts";
 
 const kSoon_ms = 300;
 
@@ -17,6 +17,7 @@ export interface Work {
   during<T>(what: string, work: (share: (of_it: number) => void) => Promise<T>): Promise<T>; // of work that cannot be stopped
   stop(): void;
   busy(): boolean;
+  rewrite(): void; // in another language
 }
 
 // With what was being done.
@@ -31,7 +32,7 @@ const share_of = (line: string): number | null => {
 export const work_with = (engine: Engine, say: (text: string) => void): Work => {
   const text = element("span", { class: "what" });
   const bar = element("progress", { max: "1" });
-  const stop = button(words.stop, words.stop_title, () => stopping?.abort());
+  const stop = button(t.live_stop, t.live_stop_title, () => stopping?.abort());
   const shown = element("div", { class: "live-work" }, text, bar, stop);
   shown.hidden = true;
   let stopping: AbortController | null = null;
@@ -49,7 +50,7 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
       say(what);
     }, kSoon_ms);
     const clock = setInterval(() => {
-      text.textContent = words.since(what, (performance.now() - began) / 1000);
+      text.textContent = t.live_since({ what, seconds: Math.round((performance.now() - began) / 1000) });
     }, 1000);
     return () => {
       clearTimeout(soon);
@@ -98,6 +99,10 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
       }),
     stop: () => stopping?.abort(),
     busy: () => waiting > 0,
+    rewrite() {
+      stop.textContent = t.live_stop;
+      stop.title = t.live_stop_title;
+    },
   };
   return made;
 };

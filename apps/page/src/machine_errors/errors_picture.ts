@@ -155,11 +155,9 @@ export const errors_picture = (tests: readonly ErrorTest[]): Picture => {
   };
   return {
     name: kErrors_picture,
-    title: "Errors on the circle",
-    caption: "About the circle fitted to all runs; dashed, the chosen error.",
-    about:
-      "An error chosen in the table (a click, or ↑ ↓) draws its curve about the dark ring; “without it” (Space) takes that " +
-      "curve off the readings.",
+    title: t.errors_picture_title,
+    caption: t.errors_picture_caption,
+    about: t.errors_picture_about,
     height_px: 440,
     zoom: "none",
     choices: [...test_choice(tests), error_choice(tests)],

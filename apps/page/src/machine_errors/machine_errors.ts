@@ -6,13 +6,37 @@ import { errors_picture, kErrors_picture } from "./errors_picture";
 import { without_picture } from "./without_picture";
 import { command_of } from "../drawing/command";
 import { capital } from "../drawing/text";
-import type { First, Section, Told } from "../picture";
+import type { Section, Told, ToldFirst } from "../picture";
 import { ranked_errors } from "./ranked_errors";
 import type { Report } from "../report";
 import { shown } from "../drawing/theme";
 import { decimals_for } from "../drawing/with_sigma";
+import { english, english_after, language, named, t, type Said } from "../texts/texts";
 
 const kRemedies = 3;
+
+// Of "backlash_a" that of "backlash"; one that the language does not have stays as the program says it.
+const remedy_said = (error: string, effect: string, remedy: string): Said => {
+  const what = effect.replace(/_[ab]$/, "");
+  const known = language !== "en" && Object.hasOwn(t.remedies, what);
+  return known ? t.errors_remedy({ error, remedy: named(t.remedies, what) }) : english_after(`${error}:`, remedy);
+};
+
+// In English the program's own sentences.
+const verdict_of = ({ part, recordings }: ErrorTest): Said => {
+  const circularity = shown(part.circularity_um, 1);
+  if (part.conclusion === "") return t.errors_circularity_is({ value: shown(part.circularity_um, 2) });
+  if (language === "en") return english(part.conclusion);
+  const first = ranked_errors(part).find((one) => one.first.rank !== null);
+  if (!first) return t.errors_conclusion_none({ circularity });
+  const { individual_circularity_um: alone_um, circularity_without_um: without_um } = first.first;
+  return t.errors_conclusion({
+    circularity,
+    error: error_name(first.effect, recordings[0]?.plane),
+    alone: shown(alone_um, 1),
+    without: without_um !== null && part.circularity_um !== null && without_um < part.circularity_um ? shown(without_um, 1) : "",
+  });
+};
 
 // What is concluded from the only test stands at the head of the page.
 const told_of = (test: ErrorTest, alone: boolean): Told => {
@@ -21,20 +45,20 @@ const told_of = (test: ErrorTest, alone: boolean): Told => {
   const remedies = ranked_errors(part)
     .filter(({ first }) => first.rank !== null && first.remedy)
     .slice(0, kRemedies)
-    .map(({ effect, first }) => `${error_name(effect, plane)}: ${first.remedy}`);
+    .map(({ effect, first }) => remedy_said(error_name(effect, plane), effect, first.remedy ?? ""));
   return {
     beside: errors_table(test),
     sentences: [
-      ...(alone || part.conclusion === "" ? [] : [part.conclusion]),
-      ...(part.left_text === "" ? [] : [part.left_text]),
-      "IC: peak to peak of an error's own curve. G without: the circularity that remains if it is mended.",
+      ...(alone || part.conclusion === "" ? [] : [verdict_of(test)]),
+      ...(part.left_text === "" ? [] : [english(part.left_text)]),
+      t.errors_explained,
     ],
     lists: [
-      { title: "Remedies", items: remedies },
-      { title: "Tolerances", items: part.tolerances },
-      { title: "Not told apart by this test", items: part.undetermined.map((names) => error_name(names, plane, 300)) },
+      { title: t.errors_remedies, items: remedies },
+      { title: t.errors_tolerances, items: part.tolerances.map(english) },
+      { title: t.errors_undetermined, items: part.undetermined.map((names) => error_name(names, plane, 300)) },
       {
-        title: "Assumed before the readings (prior)",
+        title: t.errors_prior,
         items: part.prior.map(
           ({ name, sigma, unit }) =>
             `${error_name(name, plane)}: 0 ± ${shown(sigma, decimals_for(null, sigma))} ${unit_shown(unit)}`,
@@ -45,23 +69,28 @@ const told_of = (test: ErrorTest, alone: boolean): Told => {
   };
 };
 
+const range_text = (least: string, most: string): string =>
+  least === most ? least : t.several_from_to({ from: least, to: most });
+
 const result_of = (tests: readonly ErrorTest[]): string => {
   const values = tests.map(({ part }) => part.circularity_um).filter((value) => value !== null);
   const [least, most] = [Math.min(...values), Math.max(...values)].map((value) => shown(value, 2));
-  const circularity = values.length === 0 ? "" : `circularity ${least === most ? least : `${least} to ${most}`} µm, `;
-  return `${circularity}${tests.length === 1 ? "what is left, remedies and tolerances" : `${tests.length} tests`}`;
+  const circularity = values.length === 0 ? "" : range_text(least ?? "", most ?? "");
+  return t.errors_result({ circularity, tests: tests.length });
 };
 
 // The largest error is mended, and the test made again.
-const told_first = ({ part, recordings }: ErrorTest): ReturnType<First["told"]> => {
+const told_first = (test: ErrorTest): ToldFirst => {
+  const { part, recordings } = test;
   const largest = ranked_errors(part).find(({ first }) => first.rank !== null && first.remedy);
-  const name = largest ? error_name(largest.effect, recordings[0]?.plane) : "";
-  const without = largest ? ` Without it ${shown(largest.first.circularity_without_um, 2)} µm are left.` : "";
   return {
-    verdict: part.conclusion === "" ? `Circularity ${shown(part.circularity_um, 2)} µm.` : part.conclusion,
+    verdict: verdict_of(test),
+    concluded: part.conclusion,
     next: {
-      label: "Test again, and compare",
-      text: largest ? `${capital(name)}: ${largest.first.remedy ?? ""}${without}` : "",
+      label: t.errors_next,
+      text: largest
+        ? remedy_said(capital(error_name(largest.effect, recordings[0]?.plane)), largest.effect, largest.first.remedy ?? "")
+        : "",
       command: command_of("history", ["."], ["--out", "history.html"]),
     },
   };
@@ -74,7 +103,7 @@ export const machine_errors_section = (report: Report): Section[] => {
   return [
     {
       id: "machine-errors",
-      heading: "Errors of the machine",
+      heading: t.errors,
       result: result_of(tests),
       first: {
         picture: kErrors_picture,

@@ -10,6 +10,7 @@ import { effect_colour } from "../recordings/recording_colours";
 import type { Num } from "../report";
 import { round_option, type RoundCurve } from "../recordings/round";
 import { colours, curve_colour, font, legend, shown } from "../drawing/theme";
+import { t } from "../texts/texts";
 
 const kStretches = 720; // of a turn, four points each
 
@@ -18,7 +19,10 @@ export const kWithout_picture = "machine-errors-without";
 const key_of = (effect: string): string => `error ${effect}`;
 
 const label_of = (test: ErrorTest, { effect, first }: RankedError): string =>
-  `${error_name(effect, test.recordings[0]?.plane)}, ${shown(first.individual_circularity_um, 2)} µm`;
+  t.errors_of_size({
+    error: error_name(effect, test.recordings[0]?.plane),
+    value: shown(first.individual_circularity_um, 2),
+  });
 
 const toggles_of = (test: ErrorTest): Toggle[] =>
   ranked_errors(test.part).map((one, k): Toggle => ({
@@ -54,14 +58,15 @@ const range_of = (columns: readonly (readonly Num[])[]): number => {
 
 // Without one, as the program says; without several, what is drawn.
 const note_of = (test: ErrorTest, off: readonly RankedError[]): string => {
-  const all = `circularity ${shown(test.part.circularity_um, 2)} µm`;
+  const all = t.errors_circularity({ value: shown(test.part.circularity_um, 2) });
   const [first] = off;
   if (!first) return all;
   const left =
     off.length === 1
       ? first.first.circularity_without_um
       : range_of(test.recordings.map((_, k) => left_of(test, off, k)));
-  return `${all}\nwithout ${off.length === 1 ? label_of(test, first) : `these ${off.length}`}: ${shown(left, 2)} µm`;
+  const error = off.length === 1 ? label_of(test, first) : t.errors_these({ n: off.length });
+  return `${all}\n${t.errors_circularity_without({ error, value: shown(left, 2) })}`;
 };
 
 export const without_picture = (tests: readonly ErrorTest[]): Picture => {
@@ -76,16 +81,16 @@ export const without_picture = (tests: readonly ErrorTest[]): Picture => {
         const kept = kept_readings(values, kStretches);
         return { angle_deg: picked(angles, kept), value_um: picked(values, kept), ...as };
       };
-      const measured = { name: `measured, ${name}`, colour: colour(dark), dash, width_px: 1.4, faint: off.length > 0 };
-      const without = { name: `without, ${name}`, colour: curve_colour(2, dark), dash, width_px: 1.7 };
+      const measured = { name: t.measured_of({ which: name }), colour: colour(dark), dash, width_px: 1.4, faint: off.length > 0 };
+      const without = { name: t.errors_off({ which: name }), colour: curve_colour(2, dark), dash, width_px: 1.7 };
       return [drawn(about_circle(test, k), measured), ...(off.length > 0 ? [drawn(left_of(test, off, k), without)] : [])];
     });
   };
   return {
     name: kWithout_picture,
-    title: "Without some of the errors",
-    caption: "The readings as they would be if the errors that are switched off were mended.",
-    about: "About the circle fitted to all runs, magnified. Several errors can be off at once.",
+    title: t.errors_off_title,
+    caption: t.errors_off_caption,
+    about: t.errors_off_about,
     height_px: 440,
     zoom: "none",
     choices: test_choice(tests),

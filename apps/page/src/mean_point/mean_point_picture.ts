@@ -94,9 +94,9 @@ export const mean_point_picture = ({ states, best }: MeanPointPart): Picture => 
 
   return {
     name: "mean-point",
-    title: "Temperature along the spindle",
-    caption: "Dashed: the mean over the whole length. Dots: where it is met, the places for a sensor.",
-    about: best ? "The upright line is the one place that serves all states best." : "",
+    title: t.mean_point_title,
+    caption: t.mean_point_caption,
+    about: best ? t.mean_point_about_best : "",
     height_px: 440,
     zoom: "own",
     choices: [],

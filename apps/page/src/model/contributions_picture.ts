@@ -184,11 +184,9 @@ export const contributions_picture = (
 
   return {
     name,
-    title: "What each effect adds",
-    caption: over_angle
-      ? "Each effect's part of the deviation, stacked; the line is the model."
-      : "Each effect since the start, stacked; the line is the model.",
-    about: "What raises the model goes up from zero, what lowers it goes down. Up less down is the model.",
+    title: t.model_contributions_title,
+    caption: over_angle ? t.model_contributions_caption_angle : t.model_contributions_caption,
+    about: t.model_contributions_about,
     height_px: 420,
     zoom: over_angle ? "own" : "time",
     choices: recording_choice(report, strands, false),

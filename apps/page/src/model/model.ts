@@ -11,6 +11,7 @@ import { steps_picture } from "./steps_picture";
 import { strands_of } from "../drawing/strands";
 import { plain, slug } from "../drawing/text";
 import { shown } from "../drawing/theme";
+import { english, language, t, type Said } from "../texts/texts";
 
 // A row of the table of misfits chooses the axis that it speaks of.
 const choose_axis = (checked: Checked, picture: string): TextTable["choose"] => {
@@ -23,14 +24,22 @@ const choose_axis = (checked: Checked, picture: string): TextTable["choose"] => 
 };
 
 const result_of = ({ rmse_um, floor_um, parameters }: Checked): string => {
-  const floor = rmse_um !== null && floor_um ? `, ${shown(rmse_um / floor_um, 1)} times the floor` : "";
-  return `RMSE ${shown(rmse_um, 3)} µm${floor}; ${parameters.length} ${parameters.length === 1 ? "parameter" : "parameters"}`;
+  const floor = rmse_um !== null && floor_um ? shown(rmse_um / floor_um, 1) : "";
+  return t.model_result({ rmse: shown(rmse_um, 3), floor, parameters: parameters.length });
+};
+
+// In English the program's own sentence.
+const verdict_of = (checked: Checked): Said => {
+  const { rmse_um, floor_um, sentences } = checked;
+  if (language === "en") return english(sentences[0] ?? result_of(checked));
+  const times = rmse_um !== null && floor_um ? shown(rmse_um / floor_um, 1) : "";
+  return t.model_leaves({ rmse: shown(rmse_um, 3), times });
 };
 
 const diagnose_next = (report: Report, { target }: Checked): Next => {
   const model = report.files.find((file) => file.endsWith(".toml") && file !== "session.toml");
   return {
-    label: "Find what it lacks",
+    label: t.model_find,
     text: "",
     command: command_of("diagnose", data_files(report), [...(model ? ["--model", model] : []), "--target", target]),
   };
@@ -49,15 +58,17 @@ const section_of = (report: Report, checked: Checked, id: string): Section => {
   ];
   return {
     id,
-    heading: `Model of ${plain(checked.target, 60)}`,
+    heading: t.model_of({ target: plain(checked.target, 60) }),
     result: result_of(checked),
     first: {
       picture: `${id}-fit`,
-      kind: "Target",
+      kind: t.model_target,
       label: plain(checked.target, 60),
-      told: () => ({ verdict: checked.sentences[0] ?? result_of(checked), next: diagnose_next(report, checked) }),
+      told: () => ({ verdict: verdict_of(checked), concluded: checked.sentences[0], next: diagnose_next(report, checked) }),
     },
-    sentences: [...checked.sentences, checked.floor_text, ...checked.remarks].filter((sentence) => sentence !== ""),
+    sentences: [...checked.sentences, checked.floor_text, ...checked.remarks]
+      .filter((sentence) => sentence !== "")
+      .map(english),
     tables: [
       ...where_table(checked, choose_axis(checked, against)),
       ...parameter_table(checked),

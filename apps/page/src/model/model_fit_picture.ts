@@ -211,11 +211,13 @@ export const model_fit_picture = (
 
   return {
     name,
-    title: "Measured, model, residual",
-    caption: "Above, measured (points) and the model (line); below, measured less model.",
-    about:
-      `${series.sigma_um ? "Bars are one sigma. " : ""}The dashed lines are the floor, about what noise alone would leave.` +
-      (series.regimes.length > 0 ? " The shades are the regimes of the speed." : ""),
+    title: t.model_fit_title,
+    caption: t.model_fit_caption,
+    about: [
+      ...(series.sigma_um ? [t.model_fit_bars] : []),
+      t.model_fit_floor,
+      ...(series.regimes.length > 0 ? [t.model_fit_regimes] : []),
+    ].join(" "),
     height_px: 500,
     zoom: over_angle ? "own" : "time",
     choices: recording_choice(report, strands, true),

@@ -209,17 +209,21 @@ export const residual_against_picture = (
 
   return {
     name,
-    title: "Residual against",
-    caption: "Measured less model against a column of the data, with its median and quartiles.",
-    about:
-      "The line is the median and the band the middle half of the rows in bins that hold equally many: where it leaves zero, " +
-      "the model lacks something that goes with this column. " +
-      (checked.level === "recording"
-        ? "The directions have marks of their own: play and lag part them."
-        : "Heating and cooling have marks of their own: what comes and goes at another pace than the model says parts them.") +
-      (many
-        ? ` Of ${series.time_s.length} rows at most ${kMost_points} points are drawn, evenly chosen, and the extremes; the line is of ${series.time_s.length > kMost_of_trend ? kMost_of_trend : "all"}.`
-        : ""),
+    title: t.model_against_title,
+    caption: t.model_against_caption,
+    about: [
+      t.model_against_about,
+      checked.level === "recording" ? t.model_against_directions : t.model_against_heating,
+      ...(many
+        ? [
+            t.model_against_many({
+              rows: series.time_s.length,
+              points: kMost_points,
+              trend: series.time_s.length > kMost_of_trend ? String(kMost_of_trend) : "",
+            }),
+          ]
+        : []),
+    ].join(" "),
     height_px: 440,
     zoom: "own",
     choices: [

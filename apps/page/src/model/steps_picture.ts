@@ -35,11 +35,9 @@ export const steps_picture = (checked: Checked, name: string): Picture => {
   const times = steps.map((step) => step.time_s.map(minutes));
   return {
     name,
-    title: "Step response",
-    caption: "What each effect answers to a step of its input from the least to the largest value.",
-    about:
-      "The input steps at 0 min and stays there; the others stay at their median. The height is what the step adds, the way " +
-      "there how slowly it comes.",
+    title: t.model_steps_title,
+    caption: t.model_steps_caption,
+    about: t.model_steps_about,
     height_px: 360,
     zoom: "own",
     choices: [],

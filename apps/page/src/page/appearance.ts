@@ -1,6 +1,7 @@
 // Light or dark: as the system has it, until the reader says otherwise. Paper is always light.
 import { button } from "../elements/elements";
 import type { Shared } from "./shared";
+import { t, when_spoken } from "../texts/texts";
 
 const kKey = "ballbar-theme";
 
@@ -27,12 +28,16 @@ export const appearance = (shared: Shared): HTMLButtonElement => {
   const apply = (): void => {
     const dark = asked === "dark" || (asked !== "light" && system.matches);
     document.documentElement.dataset["theme"] = dark ? "dark" : "light";
-    change.textContent = dark ? "Light" : "Dark";
+    change.textContent = dark ? t.page_light : t.page_dark;
     shared.look(dark);
   };
-  const change = button("Dark", "Light or dark page", () => {
+  const change = button(t.page_dark, t.page_light_or_dark, () => {
     asked = shared.dark() ? "light" : "dark";
     remember(asked);
+    apply();
+  });
+  when_spoken(() => {
+    change.title = t.page_light_or_dark;
     apply();
   });
   system.addEventListener("change", apply);

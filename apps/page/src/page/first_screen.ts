@@ -7,6 +7,7 @@ import { next_step } from "./next_step";
 import type { First } from "../picture";
 import type { Shared } from "./shared";
 import { clamped, first_sentence } from "../drawing/text";
+import { english, said_text, t } from "../texts/texts";
 
 export interface Proved {
   first: First;
@@ -15,26 +16,30 @@ export interface Proved {
 }
 
 // The rest of what the program concludes; the verdict itself may be told with its target before it.
-const rest_of = (summary: readonly string[], verdict: string): HTMLElement[] => {
-  const rest = summary.filter((one) => one !== verdict && !one.endsWith(`: ${verdict}`));
+const rest_of = (summary: readonly string[], told: string): HTMLElement[] => {
+  const rest = summary.filter((one) => one !== told && !one.endsWith(`: ${told}`));
   if (rest.length === 0) return [];
-  const head = rest.length === 1 ? "One more conclusion" : `${rest.length} more conclusions`;
-  return [folded("summary", [head], rest.map((text) => text_in("p", text)))];
+  const head = rest.length === 1 ? t.page_one_more : t.page_more({ n: rest.length });
+  return [folded("summary", [head], rest.map((text) => text_in("p", english(text))))];
 };
 
-const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: HTMLElement; verdict: () => string } => {
+const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: HTMLElement; told: () => string } => {
   const verdict = element("div", { class: "verdict" });
   const next = next_step(shared);
+  let shown = "";
   let told = "";
   figure.watch(({ chosen }) => {
     const now = first.told(chosen);
-    if (now.verdict !== told) verdict.replaceChildren(text_in("p", first_sentence(now.verdict)));
-    told = now.verdict;
+    const said = said_text(now.verdict);
+    const sentence = first_sentence(said);
+    if (said !== shown) verdict.replaceChildren(text_in("p", typeof now.verdict === "string" ? sentence : english(sentence)));
+    shown = said;
+    told = now.concluded ?? said;
     next.show(now.next);
   });
   return {
     element: element("div", { class: "panel" }, element("div", { class: "conclusion" }, verdict, next.element), ...proof),
-    verdict: () => told,
+    told: () => told,
   };
 };
 
@@ -51,7 +56,7 @@ export const first_screen = (proved: readonly Proved[], summary: readonly string
   if (!one) {
     return summary.length === 0
       ? []
-      : [element("section", { class: "first", "aria-label": "Verdict" }, ...summary.map((text) => text_in("p", text)))];
+      : [element("section", { class: "first", "aria-label": t.page_verdict }, ...summary.map((text) => text_in("p", english(text))))];
   }
   const panels = proved.map((each) => panel_of(each, shared));
   panels.forEach((panel, k) => (panel.element.hidden = k > 0));
@@ -60,10 +65,10 @@ export const first_screen = (proved: readonly Proved[], summary: readonly string
   return [
     element(
       "section",
-      { class: wide ? "first wide" : "first", "aria-label": "Verdict" },
+      { class: wide ? "first wide" : "first", "aria-label": t.page_verdict },
       ...chooser(proved, elements),
       ...elements,
-      ...rest_of(summary, panels[0]?.verdict() ?? ""),
+      ...rest_of(summary, panels[0]?.told() ?? ""),
     ),
   ];
 };

@@ -2,24 +2,47 @@
 // folded now is folded again when the page is opened the next time.
 import { element } from "../elements/elements";
 
-// id: of what a link may name.
-export const folded = (id: string, head: readonly (Node | string)[], parts: readonly Node[]): HTMLDetailsElement => {
-  const made = element("details", { class: "folded" }, element("summary", {}, ...head), ...parts);
-  const meant = (link: string | null | undefined): void => {
+interface Fold {
+  id: string;
+  made: HTMLDetailsElement;
+  closed: boolean; // before it was printed
+}
+
+// Those of the page as it is: one that was drawn anew has let its former ones go.
+const folds = new Set<Fold>();
+const each = (act: (fold: Fold) => void): void => {
+  for (const fold of folds) {
+    if (fold.made.isConnected) act(fold);
+    else folds.delete(fold);
+  }
+};
+const meant = (link: string | null | undefined): void =>
+  each(({ id, made }) => {
     if (link === `#${id}`) made.open = true;
-  };
+  });
+
+if (typeof document !== "undefined") {
   document.addEventListener("click", ({ target }) => {
     if (target instanceof Element) meant(target.closest("a")?.getAttribute("href"));
   });
   addEventListener("hashchange", () => meant(location.hash));
-  meant(location.hash);
-  let closed = false; // before it was printed
-  addEventListener("beforeprint", () => {
-    closed = !made.open;
-    made.open = true;
-  });
-  addEventListener("afterprint", () => {
-    if (closed) made.open = false;
-  });
+  addEventListener("beforeprint", () =>
+    each((fold) => {
+      fold.closed = !fold.made.open;
+      fold.made.open = true;
+    }),
+  );
+  addEventListener("afterprint", () =>
+    each((fold) => {
+      if (fold.closed) fold.made.open = false;
+    }),
+  );
+}
+
+// id: of what a link may name.
+export const folded = (id: string, head: readonly (Node | string)[], parts: readonly Node[]): HTMLDetailsElement => {
+  const made = element("details", { class: "folded" }, element("summary", {}, ...head), ...parts);
+  if (location.hash === `#${id}`) made.open = true;
+  folds.add({ id, made, closed: false });
   return made;
 };

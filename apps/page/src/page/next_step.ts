@@ -1,7 +1,8 @@
 // The button that says what to do next. It copies the command, and says so; where the page itself can do it, it does.
-import { element } from "../elements/elements";
+import { element, text_in } from "../elements/elements";
 import type { Next } from "../picture";
 import type { Shared } from "./shared";
+import { said_text, t } from "../texts/texts";
 
 const kTold_ms = 4000;
 
@@ -30,7 +31,7 @@ export interface NextStep {
 }
 
 export const next_step = (shared: Shared): NextStep => {
-  const text = element("p", { class: "why" });
+  let text: HTMLElement = element("p", { class: "why" });
   const command = element("code", { class: "command", tabindex: "0" });
   const told = element("span", { class: "told", role: "status" });
   const button = element("button", { type: "button", class: "act" });
@@ -43,14 +44,17 @@ export const next_step = (shared: Shared): NextStep => {
   button.addEventListener("click", () => {
     const typed = command.textContent ?? "";
     if (shared.act) shared.act(typed);
-    else void copied(command).then((done) => tell(done ? "✓ Copied: paste it into a terminal" : "Press Ctrl+C to copy it"));
+    else void copied(command).then((done) => tell(done ? t.page_copied : t.page_press_to_copy));
   });
   const show = (next: Next): void => {
-    text.textContent = next.text;
-    text.hidden = next.text === "";
+    const why = text_in("p", next.text);
+    why.className = "why";
+    why.hidden = said_text(next.text) === "";
+    text.replaceWith(why);
+    text = why;
     command.textContent = next.command;
     button.textContent = next.label;
-    button.title = shared.act ? next.command : "Copies the command";
+    button.title = shared.act ? next.command : t.page_copies;
   };
   const made = element("div", { class: "next" }, text, element("div", { class: "do" }, button, command, told));
   return { element: made, show };

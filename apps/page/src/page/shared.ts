@@ -44,3 +44,18 @@ export const shared_by_figures = (voice: HTMLElement): Shared => {
     },
   };
 };
+
+// One that stays the same, of whatever the page shows now.
+export const shared_now = (now: () => Shared): Shared => ({
+  get figures() {
+    return now().figures;
+  },
+  dark: () => now().dark(),
+  time_window: () => now().time_window(),
+  time_whole: () => now().time_whole(),
+  add: (figure) => now().add(figure),
+  see_time: (window) => now().see_time(window),
+  hover_time: (x) => now().hover_time(x),
+  look: (dark) => now().look(dark),
+  say: (text) => now().say(text),
+});

@@ -11,11 +11,9 @@ import { t } from "../texts/texts";
 
 export const all_round_picture = (groups: readonly Group[]): Picture => ({
   name: "tests-circle",
-  title: "All tests on the circle",
-  caption: "The same figure of every test, magnified, coloured from the first test to the last.",
-  about:
-    "The lines widen from the first test to the last. What moves from curve to curve is drift; what all have in common is " +
-    "the machine's, or the set-up's.",
+  title: t.recordings_all_round_title,
+  caption: t.recordings_all_round_caption,
+  about: t.recordings_all_round_about,
   height_px: 560,
   zoom: "none",
   choices: [

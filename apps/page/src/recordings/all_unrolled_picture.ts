@@ -16,11 +16,9 @@ const axis_name = (quantity: string | undefined): string =>
 
 export const all_unrolled_picture = (groups: readonly Group[]): Picture => ({
   name: "tests-unrolled",
-  title: "All tests against the angle",
-  caption: "The same figure of every test against the angle, coloured from the first to the last.",
-  about:
-    "The lines widen from the first test to the last. A centre that drifts is a growing wave of one turn, a bar or a radius " +
-    "that grows lifts the curve as a whole.",
+  title: t.recordings_all_unrolled_title,
+  caption: t.recordings_all_unrolled_caption,
+  about: t.recordings_all_unrolled_about,
   height_px: 400,
   zoom: "own",
   choices: [

@@ -53,10 +53,9 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
   };
   return {
     name: "axial",
-    title: "Length of the axial recordings",
-    caption: "Each reading less the nominal length, over the time of its recording; dashed, the means.",
-    about:
-      "The bar stands along the spindle: the means move from test to test by the elongation of the spindle.",
+    title: t.recordings_axial_title,
+    caption: t.recordings_axial_caption,
+    about: t.recordings_axial_about,
     height_px: 360,
     zoom: "own",
     choices:

@@ -130,12 +130,9 @@ export const circle_picture = (groups: readonly Group[]): Picture => {
   const chosen_of = (chosen: State["chosen"]): readonly Recording[] => chosen_group(groups, chosen["recording"]);
   return {
     name: "recording-circle",
-    title: "Deviation on the circle",
-    caption: "Each reading less the nominal length, magnified, about the circle of that length (dark ring).",
-    about:
-      "The angle runs counter-clockwise from the plane's first axis. The fitted circle and the way to its centre are drawn " +
-      "in the same magnification. About its own centre, the circle's shape alone is left. What an effect of the model adds " +
-      "is drawn about the dark ring.",
+    title: t.recordings_circle_title,
+    caption: t.recordings_circle_caption,
+    about: t.recordings_circle_about,
     height_px: 560,
     zoom: "none",
     choices: [

@@ -11,6 +11,7 @@ import { is_axial, is_circle, pairs_and_singles, pairs_of, repeated } from "./re
 import { recording_tables } from "./recording_tables";
 import type { Recording, Report } from "../report";
 import { unrolled_picture } from "./unrolled_picture";
+import { english, t } from "../texts/texts";
 
 const kFewest_tests = 3; // that are worth a picture of all
 
@@ -19,13 +20,14 @@ const each = (recordings: readonly Recording[]): string[] => recordings.map((_, 
 // "10 recordings, circularity 4.62 to 5.13 µm"
 const result_of = (recordings: readonly Recording[]): string => {
   const known = recordings.map(({ circularity_um }) => circularity_um ?? null).filter((value) => value !== null);
-  const count = `${recordings.length} ${recordings.length === 1 ? "recording" : "recordings"}`;
-  const [least, most] = [Math.min(...known), Math.max(...known)].map((value) => shown(value, 2));
-  return known.length === 0 ? count : `${count}, circularity ${least === most ? least : `${least} to ${most}`} µm`;
+  const count = t.recordings_count({ n: recordings.length });
+  const [from = "", to = ""] = [Math.min(...known), Math.max(...known)].map((value) => shown(value, 2));
+  const circularity = from === to ? from : t.several_from_to({ from, to });
+  return known.length === 0 ? count : t.recordings_result({ count, circularity });
 };
 
 const next_of = (report: Report): Next => ({
-  label: "Find the errors behind it",
+  label: t.recordings_next,
   text: "",
   command: command_of("diagnose", data_files(report)),
 });
@@ -58,7 +60,7 @@ export const recordings_section = (report: Report): Section[] => {
   return [
     {
       id: "recordings",
-      heading: "Recordings",
+      heading: t.recordings,
       result: result_of(fit.recordings),
       ...(first
         ? {
@@ -70,7 +72,7 @@ export const recordings_section = (report: Report): Section[] => {
             },
           }
         : {}),
-      sentences: fit.remarks,
+      sentences: fit.remarks.map(english),
       tables,
       pictures,
     },

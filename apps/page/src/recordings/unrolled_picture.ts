@@ -56,9 +56,9 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
   const chosen_of = (chosen: State["chosen"]): readonly Recording[] => chosen_group(groups, chosen["recording"]);
   return {
     name: "recording-unrolled",
-    title: "Deviation against the angle",
-    caption: "Above, each reading less the nominal length, and the fitted circle; below, what it leaves.",
-    about: "With the effects of a model switched on, what each adds is drawn below too.",
+    title: t.recordings_unrolled_title,
+    caption: t.recordings_unrolled_caption,
+    about: t.recordings_unrolled_about,
     height_px: 460,
     zoom: "own",
     choices: [

@@ -3,15 +3,59 @@
 export const en = {
   // page
   page_contents: "Contents",
-  page_summary: "Summary",
   page_language: "Language",
   page_from_files: ({ files }: { files: number }) => `From ${files} files`,
   page_made: ({ by, on }: { by: string; on: string }) => `Made by ${by} on ${on}.`,
   page_cannot_be_shown: ({ why }: { why: string }) => `This page cannot be shown: ${why}`,
+  page_no_data: "The page holds no data: the element with the id report is missing or empty.",
+  page_no_report: ({ format }: { format: string }) => `The page's data are no ballbar-report 1: ${format}.`,
   page_light: "Light",
   page_dark: "Dark",
   page_light_or_dark: "Light or dark page",
-  page_folded: "Pictures and tables",
+  page_verdict: "Verdict",
+  page_one_more: "One more conclusion",
+  page_more: ({ n }: { n: number }) => `${n} more conclusions`,
+  page_copied: "✓ Copied: paste it into a terminal",
+  page_press_to_copy: "Press Ctrl+C to copy it",
+  page_copies: "Copies the command",
+
+  // figure
+  figure_select: "Select stretch",
+  figure_select_title: "Statistics of a part of the picture: press, then drag; or drag with Shift held",
+  figure_show_all: "Show all",
+  figure_show_all_title: "Undo zoom (0, or a double click)",
+  figure_svg_title: "Save the picture as a drawing (.svg)",
+  figure_png_title: "Save the picture as an image (.png)",
+  figure_csv_title: "Save the numbers as a table (.csv)",
+  figure_keys:
+    "Ctrl+wheel, + − zoom · drag, ← → move · 0, double click show all · Shift+drag selects a stretch · , . read the values",
+  figure_curves: "Curves",
+  figure_all: "all",
+  figure_group_all: ({ group, all }: { group: string; all: string }) => `${group}: ${all}`,
+  figure_group_none: "none",
+  figure_numbers: "The numbers behind this picture",
+  figure_first_rows:
+    ({ shown, rows }: { shown: number; rows: number }) => `The first ${shown} of ${rows} rows; the CSV file has all.`,
+  figure_rows: ({ rows }: { rows: number }) => `${rows} rows.`,
+  figure_mean: "mean",
+  figure_deviation: "standard deviation",
+  figure_least: "least",
+  figure_largest: "largest",
+  figure_change: "change, first to last",
+  figure_stretch:
+    ({ quantity, from, to, unit }: { quantity: string; from: string; to: string; unit: string }) => `${quantity} from ${from} to ${to} ${unit}`,
+  figure_stretch_empty: ({ stretch }: { stretch: string }) => `${stretch}: no values.`,
+  figure_from: "From",
+  figure_to: "to",
+  figure_zoom: "Zoom to it",
+  figure_zoom_title: "Show only this stretch",
+  figure_clear: "Clear",
+  figure_clear_title: "Clear the stretch (Escape)",
+  figure_how_to_select: "Drag over the picture, or type where it begins and ends.",
+
+  // elements
+  elements_about: ({ title }: { title: string }) => `About: ${title}`,
+  elements_all_rows: ({ rows }: { rows: number }) => `Show all ${rows} rows`,
 
   // numbers
   decimal_sign: ".",
@@ -112,11 +156,15 @@ export const en = {
   recordings_quantity: "quantity",
   recordings_beside_stored: "Recordings, beside what the file stores",
   recordings_both_directions: "Both directions, ISO 230-4",
+  recordings_count: ({ n }: { n: number }) => `${n} ${n === 1 ? "recording" : "recordings"}`,
+  recordings_result:
+    ({ count, circularity }: { count: string; circularity: string }) => `${count}, circularity ${circularity} µm`,
+  recordings_next: "Find the errors behind it",
 
   // machine_errors
   errors: "Errors of the machine",
   errors_picture_title: "Errors on the circle",
-  errors_picture_caption: "Each reading about the circle fitted to all runs, magnified; dashed, the chosen error.",
+  errors_picture_caption: "About the circle fitted to all runs; dashed, the chosen error.",
   errors_picture_about:
     "An error chosen in the table (a click, or ↑ ↓) draws its curve about the dark ring; “without it” (Space) takes that curve off the readings.",
   errors_without: "without it",
@@ -147,6 +195,20 @@ export const en = {
   errors_less: "less",
   errors_plus: "plus",
   errors_of_recording: ({ name, number }: { name: string; number: string }) => `${name} of recording ${number}`,
+  errors_result:
+    ({ circularity, tests }: { circularity: string; tests: number }) => `${circularity === "" ? "" : `circularity ${circularity} µm, `}${tests === 1 ? "what is left, remedies and tolerances" : `${tests} tests`}`,
+  errors_circularity_is: ({ value }: { value: string }) => `Circularity ${value} µm.`,
+  errors_conclusion:
+    ({ circularity, error, alone, without }: { circularity: string; error: string; alone: string; without: string }) => `The circularity is ${circularity} µm; ${error} alone makes ${alone} µm, clear of the noise${without === "" ? "" : `; without it ${without} µm would remain`}.`,
+  errors_conclusion_none:
+    ({ circularity }: { circularity: string }) => `The circularity is ${circularity} µm, and no error of the axes stands out of the noise.`,
+  errors_next: "Test again, and compare",
+  errors_these: ({ n }: { n: number }) => `these ${n}`,
+  errors_off_title: "Without some of the errors",
+  errors_off_caption: "The readings as they would be if the errors that are switched off were mended.",
+  errors_off_about: "About the circle fitted to all runs, magnified. Several errors can be off at once.",
+  errors_off: ({ which }: { which: string }) => `without, ${which}`,
+  errors_of_size: ({ error, value }: { error: string; value: string }) => `${error}, ${value} µm`,
 
   // drift
   drift: "Drift",
@@ -186,6 +248,21 @@ export const en = {
   drift_signals_caption: "Recorded beside the drift.",
   drift_speed_caption: "Recorded beside the drift; a value holds until the next one.",
   drift_with_role: ({ name, role }: { name: string; role: string }) => `${name} (${role})`,
+  drift_result: ({ largest, at }: { largest: string; at: string }) => `largest ${largest} at ${at}`,
+  drift_verdict: ({ largest, at }: { largest: string; at: string }) => `The largest drift is ${largest}, at ${at}.`,
+  drift_in_axis:
+    ({ value, unit, axis }: { value: string; unit: string; axis: string }) => `${value} ${unit} in ${axis}`,
+  drift_next: "Find what makes it drift",
+  drift_named_group: "named by the diagnosis",
+  drift_other_group: "other",
+  drift_count_measured: ({ n }: { n: number }) => `${n} ${n === 1 ? "measured column" : "measured columns"}`,
+  drift_count_temperatures: ({ n }: { n: number }) => `${n} ${n === 1 ? "temperature" : "temperatures"}`,
+  drift_count_speeds: ({ n }: { n: number }) => `${n} ${n === 1 ? "speed" : "speeds"}`,
+  drift_count_others: ({ n }: { n: number }) => `${n} ${n === 1 ? "other signal" : "other signals"}`,
+  drift_signals_result: ({ counts, minutes }: { counts: string; minutes: string }) => `${counts} over ${minutes} min`,
+  drift_sentence: ({ text }: { text: string }) => `${text}.`,
+  drift_signals_next: "See what is in it",
+  drift_measured_and_signals: "Measured, and signals",
 
   // comparison
   comparison: "Comparison",
@@ -229,6 +306,9 @@ export const en = {
     disagrees: "disagrees",
     "cannot tell": "cannot tell",
   },
+  comparison_agree_in: ({ axes }: { axes: string }) => `A and B agree within their uncertainty in ${axes}.`,
+  comparison_disagree_in:
+    ({ axes, agreeing }: { axes: string; agreeing: string }) => `A and B disagree beyond their uncertainty in ${axes}${agreeing === "" ? "" : `, and agree in ${agreeing}`}.`,
 
   // model
   model_of: ({ target }: { target: string }) => `Model of ${target}`,
@@ -295,7 +375,7 @@ export const en = {
     "The input steps at 0 min and stays there; the others stay at their median. The height is what the step adds, the way there how slowly it comes.",
   model_steps_axis: "time after the step, min",
   model_result:
-    ({ rmse, floor, parameters }: { rmse: string; floor: string; parameters: number }) => `RMSE ${rmse} µm${floor === "" ? "" : `, ${floor} times the floor`}; ${parameters} parameters`,
+    ({ rmse, floor, parameters }: { rmse: string; floor: string; parameters: number }) => `RMSE ${rmse} µm${floor === "" ? "" : `, ${floor} times the floor`}; ${parameters} ${parameters === 1 ? "parameter" : "parameters"}`,
   model_leaves:
     ({ rmse, times }: { rmse: string; times: string }) => `The model leaves ${rmse} µm${times === "" ? "; what a true model could leave at least is not known" : `, ${times} times the floor`}.`,
   model_target: "Target",
@@ -327,7 +407,7 @@ export const en = {
   diagnosis_lacks: ({ target }: { target: string }) => `What the model of ${target} lacks`,
   diagnosis_verdict: ({ verdict }: { verdict: string }) => `Verdict: ${verdict}.`,
   diagnosis_why: "Why it is not named, or not all of it:",
-  diagnosis_to_decide: ({ test }: { test: string }) => `To decide: ${test}`,
+  diagnosis_to_decide: "To decide:",
   diagnosis_untestable: "Not testable here",
   diagnosis_not_searched: "Not searched",
   diagnosis_not_searched_one:
@@ -462,6 +542,44 @@ export const en = {
     untestable: "untestable",
     nothing: "nothing",
   },
+  diagnosis_target_choice: "Target",
+  diagnosis_next_try: "Try the closest",
+  diagnosis_next_add: "Add it to the model",
+  diagnosis_next_where: "See where the model fails",
+  diagnosis_next_plan: "Plan the test that decides",
+  diagnosis_not_diagnosed: "not diagnosed",
+  diagnosis_result:
+    ({ verdict, set, rmse }: { verdict: string; set: string; rmse: string }) => `${verdict}${set === "" ? "" : `: ${set}`}; RMSE ${rmse} µm`,
+  diagnosis_with: ({ set }: { set: string }) => `with ${set}`,
+  diagnosis_with_not_accepted: ({ set }: { set: string }) => `with ${set}, not accepted`,
+  diagnosis_with_one_of_several: ({ set }: { set: string }) => `with ${set}, one of several`,
+  diagnosis_two: ({ a, b }: { a: string; b: string }) => `${a} and ${b}`,
+  diagnosis_effects: ({ n }: { n: number }) => `${n} effects`,
+  diagnosis_with_rmse: ({ curve, rmse }: { curve: string; rmse: string }) => `${curve}, RMSE ${rmse} µm`,
+  diagnosis_left: ({ curve }: { curve: string }) => `left, ${curve}`,
+  diagnosis_with_without_title: "With and without what is missing",
+  diagnosis_measured_title: "Measured and model",
+  diagnosis_with_without_caption: "Above, measured, and the model without and with it; below, what either leaves.",
+  diagnosis_measured_caption: "Above, measured and the model; below, what it leaves. Nothing was found missing.",
+  diagnosis_with_without_about:
+    "With it the model's own parameters give way, as they would when it is added. RMSE is of all rows.",
+  diagnosis_measured_about: "RMSE is of all rows.",
+  diagnosis_says_named:
+    ({ target, effects }: { target: string; effects: string }) => `The model of ${target} lacks ${effects}.`,
+  diagnosis_says_probable:
+    ({ target, effects }: { target: string; effects: string }) => `The model of ${target} probably lacks ${effects}.`,
+  diagnosis_says_effect:
+    ({ effect, size, p }: { effect: string; size: string; p: string }) => `${effect}${size === "" ? "" : `, ${size} µm`} (P ${p})`,
+  diagnosis_says_own: ({ own, p }: { own: string; p: string }) => `In the model, ${own} (P ${p}).`,
+  diagnosis_says_driver:
+    ({ target, column, p }: { target: string; column: string; p: string }) => `${column} drives something that the model of ${target} lacks (P ${p}); its form is open.`,
+  diagnosis_says_equivalent:
+    ({ target, effects, p }: { target: string; effects: string; p: string }) => `The model of ${target} lacks something (P ${p}); the data cannot tell which of these it is: ${effects}.`,
+  diagnosis_says_unexplained:
+    ({ target, size, p }: { target: string; size: string; p: string }) => `The model of ${target} lacks something that no effect of the catalogue explains${size === "" ? "" : `, a slow curve of about ${size} µm`} (P ${p}).`,
+  diagnosis_says_untestable: "These data could not have shown a missing effect.",
+  diagnosis_says_nothing:
+    ({ target, p }: { target: string; p: string }) => `The model of ${target} lacks nothing that these data show (P ${p}).`,
 
   // batch
   batch_heading: ({ target }: { target: string }) => `${target} predicted by batches`,
@@ -490,6 +608,9 @@ export const en = {
     "Hotelling's T² says how far out a row of temperatures lies, Q how unlike all rows of training it is, both over the largest in training.",
   batch_weights_title: "How much each batch counts",
   batch_weights_caption: "The weight of each batch in the regression; 1 counts fully.",
+  batch_count: ({ n }: { n: number }) => `${n} batches`,
+  batch_by_method: ({ target, method }: { target: string; method: string }) => `${target} by ${method}.`,
+  batch_next: "Save the prediction",
 
   // mean_point
   mean_point: "Mean-value point",
@@ -499,6 +620,12 @@ export const en = {
   mean_point_title: "Temperature along the spindle",
   mean_point_caption: "Dashed: the mean over the whole length. Dots: where it is met, the places for a sensor.",
   mean_point_about_best: "The upright line is the one place that serves all states best.",
+  mean_point_result: ({ at }: { at: string }) => `${at} mm serve all states best`,
+  mean_point_states: ({ n }: { n: number }) => `${n} states`,
+  mean_point_says_best: ({ at }: { at: string }) => `One sensor at x = ${at} mm serves all states best.`,
+  mean_point_says:
+    ({ mean, places }: { mean: string; places: string }) => `The mean temperature, ${mean} °C, is met at x = ${places} mm.`,
+  mean_point_next: "See the expansion it tells",
 
   // history
   history_tests: "tests",
@@ -514,6 +641,22 @@ export const en = {
   history_from: "from",
   history_skipped: "Skipped files",
   history_why: "Why",
+  history_count: ({ n }: { n: number }) => `${n} quantities`,
+  history_files: ({ n }: { n: number }) => `${n} ${n === 1 ? "file" : "files"}`,
+  history_says:
+    ({ name, last, unit, changed, trend, met }: { name: string; last: string; unit: string; changed: string; trend: string; met: string }) => `${name} ${last} ${unit}${changed}${trend}${met}.`,
+  history_says_changed:
+    ({ change, sigmas }: { change: string; sigmas: string }) => `, ${change} since the test before (${sigmas} sigmas)`,
+  history_says_trend: ({ a_year }: { a_year: string }) => `, ${a_year} a year`,
+  history_says_met:
+    ({ tolerance, met }: { tolerance: string; met: string }) => `; it meets its tolerance ${tolerance} at ${met}`,
+  history_not_within: ({ years }: { years: string }) => `not within ${years} years`,
+  history_to: ({ limit }: { limit: string }) => `to ${limit}`,
+  history_at_least: ({ limit }: { limit: string }) => `from ${limit}`,
+  history_span: ({ at, from, to }: { at: string; from: string; to: string }) => `${at} (${from} to ${to})`,
+  history_open: "open",
+  history_tests_kind: "Tests",
+  history_next: "List every quantity",
   history_headings: {
     quantity: "quantity",
     unit: "unit",
@@ -528,6 +671,8 @@ export const en = {
     "no trend": "no trend",
     "beyond it": "beyond it",
     planes: "planes",
+    squareness: "squareness",
+    scale: "scale",
   },
 
   // glossary: names that files and the program have, by the words they stand under there
@@ -679,6 +824,163 @@ export const en = {
     "radial deviation F max, CW µm": "radial deviation F max, CW µm",
     "radial deviation F min, CW µm": "radial deviation F min, CW µm",
   },
+  remedies: {
+    backlash: "Adjust or replace nut and bearing; the control's backlash compensation hides it only.",
+    cubic_error: "Measure both axes along their travel and renew the table of pitch errors; check their straightness.",
+    cyclic_error: "Bearing and alignment of the screw, coupling, mounting of the encoder.",
+    lateral_play: "Adjust gibs or preload of the guideways; lubrication; look for wear.",
+    reversal_spike: "Friction compensation of the control (quadrant error compensation); lubrication and preload of the guideways.",
+    scale_mismatch: "Pitch compensation or linear scales; check the screw's temperature, stretch and bearing.",
+    servo_mismatch: "Match the gains of the position loops: raise the gain of the axis that lags or lower the other.",
+    sin_4_theta: "Tune the position loops of both axes at the test's feed, feed-forward and friction compensation included.",
+    squareness: "Align the guideways or enter the squareness compensation; check levelling and foundation first.",
+    straightness: "Level the machine, check clamping and load of the guideways, let the bed's temperature settle.",
+  },
+
+  // live: work
+  live_stop: "Stop",
+  live_stop_title: "Stop this (Escape)",
+  live_since: ({ what, seconds }: { what: string; seconds: number }) => `${what} … ${seconds} s`,
+  live_stopped: ({ what }: { what: string }) => `Stopped: ${what}.`,
+  live_failed: ({ why }: { why: string }) => `The program failed and was started anew with your files. ${why}`,
+  live_out_of_memory: "The program ran out of this tab's memory and was started anew with your files.",
+  live_ended_with: ({ status }: { status: number }) => `The program ended with status ${status}.`,
+  live_reading: "Reading and fitting",
+  live_searching: "Searching what is missing",
+  live_moving: "Computing with the new values",
+  live_adding: ({ effect }: { effect: string }) => `Adding ${effect}`,
+  live_trying: ({ effect }: { effect: string }) => `Trying ${effect}`,
+  live_undoing: "Taking back",
+  live_taking: ({ name, part, whole }: { name: string; part: number; whole: number }) => `Taking ${name}, ${part} of ${whole}`,
+  live_checking: ({ name }: { name: string }) => `Reading ${name}`,
+  live_planning: "Simulating next tests",
+
+  // live: start
+  live_says: "From a machine's ballbar tests and logs to what is wrong with it.",
+  live_drop_here: "Drop ballbar tests, logs or a session's folder here",
+  live_drop_more: ".b5r, session.toml, .csv .txt .xlsx .json of a logger, model .toml, a report page .html",
+  live_choose_files: "Choose files",
+  live_choose_folder: "Choose a folder",
+  live_private: "Nothing leaves this page: it has no network. What you drop is kept in this browser, so that a reload loses nothing, until you delete it.",
+  live_samples: "Or try one of these",
+  live_tour: "A tour of one minute",
+  live_continue_with: ({ files, ago }: { files: number; ago: string }) => `Continue where you were: ${files === 1 ? "1 file" : `${files} files`}, ${ago}`,
+  live_delete_kept: "Delete",
+  live_delete_title: "Delete what this browser keeps of your files",
+  live_deleted: "Deleted: this browser keeps nothing of your files.",
+  live_not_kept: "This browser keeps nothing here (a private window, or its settings): after a reload, files are to be dropped again.",
+  live_just_now: "just now",
+  live_minutes_ago: ({ count }: { count: number }) => `${count} min ago`,
+  live_hours_ago: ({ count }: { count: number }) => `${count} h ago`,
+  live_days_ago: ({ count }: { count: number }) => `${count} ${count === 1 ? "day" : "days"} ago`,
+
+  // live: files
+  live_files: ({ count }: { count: number }) => `${count} ${count === 1 ? "file" : "files"}`,
+  live_add_files: "Add files",
+  live_add_files_title: "More files, beside those that are here",
+  live_close: "Close",
+  live_close_title: "Back to the start; what this browser keeps of the files is deleted",
+  live_open_group: ({ title }: { title: string }) => `Open ${title}`,
+  live_kind_recordings: "ballbar tests",
+  live_kind_session: "session",
+  live_kind_runs: "runs of one machine",
+  live_kind_series: "series",
+  live_kind_report: "report page",
+  live_file_recording: "ballbar test",
+  live_file_session: "session",
+  live_file_runs: "list of runs",
+  live_file_model: "model",
+  live_file_trained: "trained model",
+  live_file_series: "series",
+  live_file_report: "report page",
+  live_file_other: "not opened by itself",
+  live_too_big: ({ name, size, left }: { name: string; size: string; left: string }) => `${name} (${size}) was not loaded: about ${left} of this tab's memory are left, and it needs about four times its size.`,
+  live_nothing_in_it: "No file was dropped.",
+  live_no_report: "This page holds no report.",
+  live_bad_page: "This page's report cannot be read.",
+  live_model_of: "Model",
+  live_no_model: "none",
+  live_view: "As",
+  live_as_tests: "single tests",
+  live_as_session: "drift from test to test",
+  live_compare_with: "Compare with",
+  live_nothing: "nothing",
+
+  // live: loop
+  live_loop: "Model, by hand",
+  live_model: "The model",
+  live_explained: "Explains",
+  live_what_moves: "What moves it?",
+  live_what_moves_about: "The search weighs every effect of the catalogue on every signal that was logged.",
+  live_search: "Find what is missing",
+  live_search_title: "Weighs all effects of the catalogue on all columns",
+  live_undo: "Undo",
+  live_undo_title: "The model before its last change (Ctrl+Z)",
+  live_redo: "Redo",
+  live_redo_title: "The change again (Ctrl+Y)",
+  live_undone: "The last change of the model was taken back.",
+  live_redone: "The change was made again.",
+  live_to_optimum: "Back to the optimum",
+  live_to_optimum_title: "All sliders to the values that fit best",
+  live_at_optimum: ({ value }: { value: string }) => `${value}, the optimum`,
+  live_residual_before: "residual before",
+  live_rmse: ({ value }: { value: string }) => `RMSE ${value} µm`,
+  live_rmse_before: ({ value }: { value: string }) => `before ${value} µm`,
+  live_rmse_at_optimum: ({ value }: { value: string }) => `at the optimum ${value} µm`,
+  live_floor: ({ value }: { value: string }) => `floor ${value} µm`,
+  live_posterior: "P of each so far",
+  live_nothing_missing: "nothing is missing",
+  live_may_be_missing: "What may be missing",
+  live_more_candidates: ({ count }: { count: number }) => `${count} more`,
+  live_candidate: ({ p, amplitude, rmse }: { p: string; amplitude: string; rmse: string }) => `P ${p}, ${amplitude} µm, RMSE ${rmse} µm`,
+  live_add_named: ({ effects }: { effects: string }) => `Add ${effects}`,
+  live_add_title: ({ effect }: { effect: string }) => `Add ${effect} to the model`,
+  live_test_again: "When the machine was tested again, drop the new file here too.",
+  live_for_terminal: ({ command }: { command: string }) => `This step is one for a terminal: ${command}`,
+
+  // live: next test
+  live_next_test: "The next test",
+  live_next_test_about: "Which run of the machine would decide what is open, simulated on all that these data leave possible.",
+  live_takes: ({ duration }: { duration: string }) => `It takes about ${duration}.`,
+  live_takes_long: "It takes some minutes.",
+  live_longest: "At most",
+  live_hours: ({ count }: { count: number }) => `${count} h`,
+  live_plan: "Plan it",
+  live_plan_title: "Simulates tests of a menu; it can be stopped",
+  live_plan_picture: "Speed and settings over time, below them the drift that each hypothesis expects",
+  live_tests: "P right: share of simulated cases in which all that is missing is named",
+  live_test: "test",
+  live_test_hours: "hours",
+  live_p_right: "P right",
+  live_p_some: "P some",
+  live_p_wrong: "P wrong",
+  live_simulated: "simulated",
+
+  // live: saves
+  live_save: "Save",
+  live_save_report: "Report page (.html)",
+  live_save_report_title: "All pictures and tables in one file, as they are now",
+  live_save_all: "Report page with the files (.html)",
+  live_save_all_title: "To go on with later: dropped here, it is live again",
+  live_save_model: "Model (.toml)",
+  live_save_model_title: "With its ledger",
+  live_save_drift: "Drift (.csv)",
+  live_save_drift_title: "One row a test",
+  live_save_file: ({ name }: { name: string }) => `Save ${name}`,
+  live_not_saved: ({ why }: { why: string }) => `Not saved: ${why}`,
+
+  // live: tour
+  live_tour_next: "Next",
+  live_tour_do: "Do it",
+  live_tour_end: "End the tour",
+  live_tour_step: ({ step, all }: { step: number; all: number }) => `Step ${step} of ${all}`,
+  live_tour_look: "A spindle, measured for a day. Points: measured. Line: what the model believes, that the motor's heat moves it. Below: what is left over, several times the floor.",
+  live_tour_search: "The program weighs every effect of its catalogue on every signal and says what is missing, how large it is and how sure that is.",
+  live_tour_add: "The room moves the spindle, it says. One button adds that to the model.",
+  live_tour_fall: "The error falls to a third at once; the dotted line is what was left before.",
+  live_tour_slide: "Each parameter can be moved by hand. The mark is the optimum, the band one sigma; away from it the error grows.",
+  live_tour_save: "Everything can be saved: the report as a page, the model, each picture, its numbers. Now drop a file of your own.",
+  // live: end
 };
 
 export type Texts = typeof en;

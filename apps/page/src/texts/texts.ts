@@ -18,10 +18,18 @@ export const languages: readonly { language: Language; name: string }[] = [
 export let language: Language = "en";
 export let t: Texts = en;
 
-// From now on; what was written before stays as it is.
+const changed: (() => void)[] = [];
+
+// What is done when another language is chosen: whoever has written something writes it anew.
+export const when_spoken = (write: () => void): void => {
+  changed.push(write);
+};
+
 export const speak = (now: Language): void => {
   language = now;
   t = spoken[now];
+  if (typeof document !== "undefined") document.documentElement.lang = now === "zh" ? "zh-Hans" : now;
+  for (const write of changed) write();
 };
 
 // The first that a browser asks for and that is known: "de-CH" is "de".
@@ -33,14 +41,18 @@ export const language_of = (asked: readonly string[]): Language => {
   return "en";
 };
 
-// A sentence of the program, which is English on every page and marked as such where it is shown.
+// A sentence of the program, which is English on every page and marked as such where it is shown; `before` it stands
+// what the page says.
 export interface Quoted {
+  readonly before: string;
   readonly english: string;
 }
 export type Said = string | Quoted;
 
-export const english = (text: string): Quoted => ({ english: text });
-export const said_text = (said: Said): string => (typeof said === "string" ? said : said.english);
+export const english = (text: string): Quoted => ({ before: "", english: text });
+export const english_after = (before: string, text: string): Quoted => ({ before, english: text });
+export const said_text = (said: Said): string =>
+  typeof said === "string" ? said : [said.before, said.english].filter((part) => part !== "").join(" ");
 
 // A name of the program by a glossary of the language; one that it does not have stays as it is.
 export const named = (glossary: Readonly<Record<string, string>>, name: string): string =>

@@ -125,6 +125,23 @@ TEST(Posterior, is_a_distribution) {
 }
 
 // Effects with inputs of any form among them, the columns of an effect, its shapes; values that the model holds.
+TEST(Posterior, is_told_on_the_way) {
+  std::vector<std::vector<ProbableSoFar>> told;
+  const Told listener{{}, [&](const std::vector<ProbableSoFar>& effects) { told.push_back(effects); }};
+  const Weighed found = weighed(made::by_speed(), made::drift({3.0, 1, 200}), 0, {}, {}, listener);
+  ASSERT_GE(told.size(), 3U);
+  for (const std::vector<ProbableSoFar>& effects : told) {
+    EXPECT_EQ(effects.size(), found.problem->effects);
+    for (std::size_t k = 0; k < effects.size(); ++k) {
+      EXPECT_GE(effects[k].p, 0.0);
+      EXPECT_LE(effects[k].p, k == 0 ? 1.0 + 1e-12 : effects[k - 1].p);
+    }
+  }
+  const EffectSet& best = found.posterior.sets.front();
+  ASSERT_EQ(best.families.size(), 1U);
+  EXPECT_EQ(label_of(told.back().front().bound), label_of(found.problem->library.families[best.families[0]].bound));
+}
+
 TEST(Prior, sums_to_one_over_what_is_weighed) {
   Model model = made::by_speed();
   const Weighed found = weighed_by(model, made::drift({0.0, 1, 200}));

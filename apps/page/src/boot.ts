@@ -1,0 +1,20 @@
+// What a page that carries the program begins with: its script is packed, as the module is.
+import { unpacked } from "./packed";
+
+const begin = async (): Promise<void> => {
+  const carrier = document.getElementById("page-script");
+  if (!carrier?.textContent) throw new Error("the page is not whole");
+  if (typeof DecompressionStream === "undefined") throw new Error("this browser is from before 2023");
+  const script = new TextDecoder().decode(await unpacked(carrier.textContent));
+  carrier.textContent = script; // as a saved page has it
+  const element = document.createElement("script");
+  element.src = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
+  document.body.append(element);
+};
+
+begin().catch((error: unknown) => {
+  const told = document.createElement("p");
+  told.setAttribute("role", "alert");
+  told.textContent = `This page cannot be shown: ${String(error)}`;
+  document.body.append(told);
+});

@@ -1,0 +1,245 @@
+// What is looked at: a group of files, opened, with its report and its loop; what the program has against a file.
+import { catalogue_of } from "./catalogue";
+import type { Subject } from "./commands";
+import type { Engine, Sample } from "../engine";
+import type { Held } from "./file_kinds";
+import { groups_of, type Group } from "./groups";
+import type { Intake } from "./intake";
+import type { Kept, Store } from "./kept_files";
+import type { LivePage } from "./live_page";
+import { loop_of, type Loop } from "./loop";
+import { planned_with } from "./planned";
+import { reason } from "./reason";
+import type { Report } from "../report";
+import { answer_of, Refused, type Runs } from "./subject_runs";
+import { targets_in } from "./targets";
+import type { Work } from "./work";
+import { t } from "../texts/texts";
+
+export interface OpenedOf {
+  engine: Engine;
+  work: Work;
+  runs: Runs;
+  intake: Intake;
+  store: Store | null;
+  page: LivePage;
+  tell(text: string): void; // what went wrong; "": nothing
+  drawn(): void; // another report is on the page
+  left(why: string): void; // none is
+}
+
+export interface Opened {
+  subject(): Subject | null;
+  report(): Report | null;
+  loop(): Loop | null;
+  groups(): Group[];
+  open(group: Group, as?: Partial<Subject>): Promise<void>;
+  came(paths: readonly string[]): Promise<void>; // files that are new
+  sample(sample: Sample): Promise<void>;
+  again(kept: Kept): Promise<void>;
+  show(report: Report): void; // that nothing is behind
+  rewrite(): Promise<void>; // in another language
+  leave(why: string): void;
+  forget(): void;
+}
+
+// Such lie beside data, and are no data.
+const lies_beside = ({ name, head }: Held): boolean =>
+  /\.(md|sh|py|svg|png|jpe?g)$|(^|\/)[A-Z]+$/i.test(name) || head.includes('"ballbar-');
+
+const kind_of_data = (files: readonly Held[], data: readonly string[]): Group["kind"] => {
+  switch (files.find(({ path }) => data.includes(path))?.kind) {
+    case "recording":
+      return "recordings";
+    case "series":
+      return "series";
+    case "runs":
+      return "runs";
+    default:
+      return "session"; // its file, or its folder
+  }
+};
+
+export const opened_with = ({ engine, work, runs, intake, store, page, tell, drawn, left }: OpenedOf): Opened => {
+  let subject: Subject | null = null;
+  let report: Report | null = null;
+  let loop: Loop | null = null;
+  const stated = new Map<string, Group>(); // groups that are not found but said: of samples, of saved pages
+  const catalogue = catalogue_of(engine);
+
+  const attempt = async (act: () => Promise<void>): Promise<void> => {
+    tell("");
+    try {
+      await act();
+    } catch (error) {
+      tell(reason(error));
+    }
+  };
+
+  const group_of = (title: string, files: readonly Held[], data: readonly string[]): Group => {
+    const models = files.filter(({ kind }) => kind === "model" || kind === "trained");
+    const group = { key: data.join("\n"), title, kind: kind_of_data(files, data), data, files, models };
+    stated.set(group.key, group);
+    return group;
+  };
+
+  const keep_state = (): void => {
+    if (!subject) return;
+    const { group, model, target, data } = subject;
+    store?.say({ when: Date.now(), title: group.title, data, model, target }).catch(() => undefined);
+  };
+
+  // What the program says of a file alone; "": nothing against it.
+  const fault_of = async (path: string): Promise<string> => {
+    try {
+      answer_of(await work.run(["report", path, "--json"], { what: t.live_checking({ name: path }) }));
+      return "";
+    } catch (error) {
+      if (error instanceof Refused) return error.message;
+      throw error;
+    }
+  };
+  // Of several tests those that can be read; what is wrong with the others stands beside them.
+  const without_faulty = async (group: Group): Promise<Group> => {
+    const sound: string[] = [];
+    for (const path of group.data) {
+      const fault = await fault_of(path);
+      if (fault === "") sound.push(path);
+      else intake.faults().set(path, fault);
+    }
+    return { ...group, data: sound };
+  };
+
+  const make_loop = async (of: Subject, first: Report): Promise<Loop | null> => {
+    const checked = first.check?.targets.map(({ target }) => target) ?? [];
+    const targets = checked.length > 0 ? checked : of.group.kind === "recordings" ? [] : targets_in(first);
+    if (targets.length === 0) return null;
+    const chosen = of.target || (targets.length > 1 || checked.length === 0 ? (targets[0] ?? "") : "");
+    return loop_of({
+      subject: { ...of, target: chosen },
+      targets,
+      runs,
+      work,
+      catalogue: await catalogue,
+      page: page.state,
+      bytes_of: (path) => engine.get(path),
+      put: (path, bytes) => engine.put(path, bytes),
+      plan: planned_with(engine, work, runs),
+      changed(now, next) {
+        if (next.model !== "" && report !== now && (report !== null || next.model !== subject?.model)) void intake.written(next.model);
+        report = now;
+        subject = next;
+        keep_state();
+        page.show(now, loop);
+        drawn();
+      },
+    });
+  };
+
+  const show_alone = (next: Subject | null, first: Report): void => {
+    subject = next;
+    report = first;
+    loop = null;
+    keep_state();
+    page.show(first, null);
+    drawn();
+  };
+
+  const show = async (next: Subject): Promise<void> => {
+    const first = await runs.report(next);
+    const its_loop = await make_loop(next, first);
+    if (!its_loop) return show_alone(next, first);
+    subject = next;
+    report = null;
+    loop = its_loop;
+    loop.show(first);
+    if (next.model !== "") void loop.search();
+  };
+
+  const leave = (why: string): void => {
+    subject = null;
+    report = null;
+    loop = null;
+    page.clear();
+    left(why);
+  };
+
+  const open_page = async (group: Group): Promise<void> => {
+    const [file] = group.files;
+    if (!file) return;
+    try {
+      const { read, held, data, model } = await intake.carried(file);
+      if (data.length > 0) return await open(group_of(group.title, held, data), { model });
+      show_alone({ group, data: [], model: "", target: "", compared: "" }, read.report);
+    } catch (error) {
+      intake.faults().set(file.path, reason(error));
+      leave(reason(error));
+    }
+  };
+
+  const open = (group: Group, as: Partial<Subject> = {}): Promise<void> =>
+    attempt(async () => {
+      work.stop();
+      if (group.kind === "report") return open_page(group);
+      const [model] = group.models.length === 1 ? group.models.map(({ path }) => path) : [""];
+      const next: Subject = { group, data: group.data, model: model ?? "", target: "", compared: "", ...as };
+      try {
+        await show(next);
+      } catch (error) {
+        if (!(error instanceof Refused)) throw error;
+        const sound = group.kind === "recordings" && group.data.length > 1 ? await without_faulty(group) : group;
+        if (sound.data.length > 0 && sound.data.length < group.data.length) {
+          return show({ ...next, group: sound, data: sound.data });
+        }
+        if (sound === group) intake.faults().set(group.files[0]?.path ?? group.key, error.message);
+        leave(error.message);
+      }
+    });
+
+  const groups = (): Group[] => {
+    const of_stated = [...stated.values()];
+    const files = new Set(of_stated.flatMap((group) => group.files.map(({ path }) => path)));
+    return [...of_stated, ...groups_of(intake.held().filter(({ path }) => !files.has(path)))];
+  };
+
+  return {
+    subject: () => subject,
+    report: () => report,
+    loop: () => loop,
+    groups,
+    open,
+    async came(paths) {
+      for (const one of intake.held()) {
+        if (!paths.includes(one.path) || one.kind !== "other" || intake.faults().has(one.path) || lies_beside(one)) continue;
+        const fault = await fault_of(one.path);
+        if (fault !== "") intake.faults().set(one.path, fault);
+      }
+      const next = groups().find(({ files }) => files.some(({ path }) => paths.includes(path)));
+      if (next) await open(next);
+      else if (subject) drawn();
+      else leave("");
+    },
+    sample: (sample) =>
+      attempt(async () => {
+        const data = sample.data.map((word) => `${sample.name}/${word}`);
+        const group = group_of(sample.name, await intake.sample(sample), data);
+        await open(group, { model: sample.model === undefined ? "" : `${sample.name}/${sample.model}` });
+      }),
+    again: (kept) =>
+      attempt(async () => {
+        await intake.again(kept);
+        const { data, model, target, title } = kept.state;
+        const found = groups_of(intake.held()).find(({ key }) => key === data.join("\n"));
+        await open(found ?? group_of(title, intake.held(), data), { model, target });
+      }),
+    show: (given) => show_alone(null, given),
+    async rewrite() {
+      if (!report) return;
+      if (!loop) return page.show(report, null);
+      loop = await make_loop(loop.subject(), report);
+      loop?.show(report);
+    },
+    leave,
+    forget: () => stated.clear(),
+  };
+};

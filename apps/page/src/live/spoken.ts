@@ -1,0 +1,39 @@
+// Sizes, times and kinds in the words of the page's language.
+import type { Kind } from "./file_kinds";
+import type { GroupKind } from "./groups";
+import { t, with_decimal_sign } from "../texts/texts";
+
+export const size_spoken = (bytes: number): string =>
+  bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))} kB` : with_decimal_sign(`${(bytes / 1e6).toFixed(1)} MB`);
+
+export const ago_spoken = (ms: number): string => {
+  const minutes = Math.round(ms / 60_000);
+  if (minutes < 1) return t.live_just_now;
+  if (minutes < 60) return t.live_minutes_ago({ count: minutes });
+  const hours = Math.round(minutes / 60);
+  return hours < 48 ? t.live_hours_ago({ count: hours }) : t.live_days_ago({ count: Math.round(hours / 24) });
+};
+
+export const duration_spoken = (ms: number): string =>
+  ms < 90_000 ? `${Math.max(5, 5 * Math.round(ms / 5000))} s` : `${Math.round(ms / 60_000)} min`;
+
+export const file_kind_spoken = (kind: Kind): string =>
+  ({
+    recording: t.live_file_recording,
+    session: t.live_file_session,
+    runs: t.live_file_runs,
+    model: t.live_file_model,
+    trained: t.live_file_trained,
+    series: t.live_file_series,
+    report: t.live_file_report,
+    other: t.live_file_other,
+  })[kind];
+
+export const group_kind_spoken = (kind: GroupKind): string =>
+  ({
+    recordings: t.live_kind_recordings,
+    session: t.live_kind_session,
+    runs: t.live_kind_runs,
+    series: t.live_kind_series,
+    report: t.live_kind_report,
+  })[kind];
