@@ -82,7 +82,7 @@ try {
   document.body.append(voice);
   if (engine) {
     const page = live_page(voice, source.holds() ? source.report() : null, open);
-    void open_live(engine, page).then(() => ready(page.shared));
+    void open_live(engine, page).then(() => ready(Object.assign(Object.create(page.shared), { engine })));
   } else {
     const report = source.report();
     const place = element("div", { class: "report" });
