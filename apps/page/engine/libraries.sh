@@ -1,10 +1,15 @@
 #!/bin/sh
 # libraries.sh MADE JOBS FLAGS: what ballbar is linked with, compiled by emscripten from Debian's source packages into
-# MADE/prefix; what is nothing but headers is taken from where Debian installs it. A library that is there stays.
+# MADE/prefix; what is nothing but headers is taken from where Debian installs it. A library that is there stays, unless
+# the flags are others.
 set -eu
 made=$1 jobs=$2 flags=$3
 prefix=$made/prefix sources=$made/sources
+if [ -e "$made/flags" ] && [ "$(cat "$made/flags")" != "$flags" ]; then
+  for library in pugixml fmt muparser z zip ceres prefix; do rm -rf "${made:?}/$library"; done
+fi
 mkdir -p "$prefix/include" "$prefix/lib/cmake" "$sources"
+echo "$flags" >"$made/flags"
 export NODE_PATH=/usr/share/nodejs
 
 # The machine's own list of package servers, for sources: with folders of its own, so that it needs no rights and changes
@@ -15,22 +20,26 @@ apt_source() {
     -o Dir::State::Lists="$lists/lists" -o Dir::Cache="$lists/cache" -o APT::Sandbox::User=root "$@"
 }
 list_sources() {
-  [ ! -d "$lists/servers" ] || return 0
-  mkdir -p "$lists/lists/partial" "$lists/cache/archives/partial" "$lists/servers.new"
+  rm -rf "$lists/servers"
+  mkdir -p "$lists/lists/partial" "$lists/cache/archives/partial" "$lists/servers"
   for list in /etc/apt/sources.list /etc/apt/sources.list.d/*; do
     # Debian's own alone: a list that names another signer or suite is somebody else's.
     if [ -f "$list" ] && grep -q 'debian' "$list" && grep -Eq 'bookworm' "$list"; then
-      sed 's/^Types:.*/Types: deb-src/; s/^deb /deb-src /' "$list" >"$lists/servers.new/$(basename "$list")"
+      sed 's/^Types:.*/Types: deb-src/; s/^deb /deb-src /' "$list" >"$lists/servers/$(basename "$list")"
     fi
   done
-  mv "$lists/servers.new" "$lists/servers"
-  apt_source update
+  if [ -z "$(ls "$lists/servers")" ]; then
+    echo "libraries.sh: expected a list of packages of Debian bookworm in /etc/apt, found none." >&2
+    exit 1
+  fi
+  apt_source update # each time: of a list that is old, or came in part, a source is not found
 }
 
 # The folder of a source package, unpacked. apt has checked what it brings; the signature of its uploader is not needed.
 unpacked() {
   if [ ! -d "$sources/$1" ]; then
     list_sources >&2
+    rm -rf "$sources/$1.new" "$sources/$1"_*.dsc # of a run that broke off, of another version
     (cd "$sources" && apt_source source --download-only "$1" && dpkg-source --no-check -x "$1"_*.dsc "$1.new") >&2
     mv "$sources/$1.new" "$sources/$1"
   fi
@@ -78,8 +87,10 @@ if [ ! -d "$prefix/share/eigen3" ]; then
   sed -i 's/#if EIGEN_GNUC_AT_LEAST(6,0) && defined(EIGEN_VECTORIZE_SSE)/#if 0/' \
     "$prefix/include/eigen3/Eigen/src/Core/products/GeneralBlockPanelKernel.h"
   : >"$prefix/include/mmintrin.h"
-  mkdir -p "$prefix/share/eigen3"
-  cp -R /usr/share/eigen3/cmake "$prefix/share/eigen3/"
+  rm -rf "$prefix/share/eigen3.new"
+  mkdir -p "$prefix/share/eigen3.new"
+  cp -R /usr/share/eigen3/cmake "$prefix/share/eigen3.new/"
+  mv "$prefix/share/eigen3.new" "$prefix/share/eigen3"
 fi
 
 built pugixml pugixml
@@ -95,8 +106,8 @@ if [ ! -e "$prefix/lib/libz.a" ]; then
   for file in adler32 compress crc32 deflate infback inffast inflate inftrees trees uncompr zutil; do
     emcc -O2 -c "$folder/$file.c" -o "$made/z/$file.o"
   done
-  emar rcs "$prefix/lib/libz.a" "$made"/z/*.o
   cp "$folder/zlib.h" "$folder/zconf.h" "$prefix/include/"
+  emar rcs "$prefix/lib/libz.a" "$made"/z/*.o
 fi
 # The sizes of the two types it would ask a program for, which cannot be run here.
 built zip libzip -DSIZEOF_OFF_T=8 -DSIZEOF_SIZE_T=4 -DHAVE_SIZEOF_OFF_T=TRUE -DHAVE_SIZEOF_SIZE_T=TRUE \
