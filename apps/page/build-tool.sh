@@ -17,8 +17,9 @@ sh apps/install-packages.sh build page tool
 step 'Libraries, from their Debian sources'
 # Exceptions of WebAssembly, and its vectors by the names of SSE2, which Eigen has: sums come in the order that they have
 # on a PC. All browsers since 2023 have both. For a compiler that says to be a GCC before 6.3 Eigen has instructions of a PC.
-# Clang 14 makes wrong vectors of 3 by 3 products side by side (a filter's variance lost its memory): that pass is off.
-flags="-fwasm-exceptions -msimd128 -msse2 -fno-slp-vectorize -fgnuc-version=8.0.0 -isystem $made/prefix/include"
+# Clang 14 makes wrong vectors of 3 by 3 products side by side (a filter's variance lost its memory): it makes none itself.
+flags="-fwasm-exceptions -msimd128 -msse2 -fno-vectorize -fno-slp-vectorize -fgnuc-version=8.0.0"
+flags="$flags -isystem $made/prefix/include"
 sh apps/page/engine/libraries.sh "$made" "$jobs" "$flags"
 
 step 'The program as a module'

@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/diagnosis/verdict/search_options.hpp"
+#include "ballbar/diagnosis/posterior/probable_so_far.hpp"
+#include "ballbar/model/bound_effect.hpp"
 #include "diagnosis/posterior/posterior.hpp"
 
 namespace ballbar {
