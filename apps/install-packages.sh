@@ -23,8 +23,8 @@ blind=libssl-dev
 tool='emscripten dpkg-dev make cmake libeigen3-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libboost-dev
   libfast-float-dev'
 hal='linuxcnc-uspace linuxcnc-uspace-dev'
-test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium'
-browsers='firefox-esr chromium fonts-dejavu-core'
+test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium fonts-dejavu-core'
+browsers='chromium firefox-esr fonts-dejavu-core'
 bench='libbenchmark-dev python3 python3-numpy python3-scipy python3-sklearn'
 check='git clang clang-format clang-tidy libclang-rt-14-dev'
 
