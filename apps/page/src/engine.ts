@@ -54,6 +54,7 @@ class Link {
   private readonly worker: Worker;
   private readonly waiting = new Map<number, Waiting>();
   private next = 0;
+  private over: Error | null = null; // why it answers no longer
 
   constructor(url: string, module: WebAssembly.Module) {
     this.worker = new Worker(url);
@@ -72,6 +73,7 @@ class Link {
   }
 
   ask(question: Question, give: Transferable[] = [], progress?: (line: string) => void): Promise<Answer> {
+    if (this.over) return Promise.reject(this.over);
     const id = ++this.next;
     return new Promise((done, failed) => {
       this.waiting.set(id, { done, failed, progress });
@@ -80,6 +82,7 @@ class Link {
   }
 
   end(why: Error): void {
+    this.over ??= why;
     this.worker.terminate();
     for (const one of this.waiting.values()) one.failed(why);
     this.waiting.clear();
@@ -92,6 +95,7 @@ class InWorker implements Engine {
   private link: Promise<Link>;
   private readonly start: () => Promise<Link>;
   private heap = 0;
+  private readonly ended = new WeakSet<Link>();
 
   constructor(private readonly page: Document) {
     const url = URL.createObjectURL(new Blob([carried(page, "engine-worker") ?? ""], { type: "text/javascript" }));
@@ -110,8 +114,8 @@ class InWorker implements Engine {
   }
 
   async run(words: readonly string[], { progress, stop }: Watch = {}): Promise<Ran> {
-    if (stop?.aborted) throw new Stopped();
     const link = await this.link;
+    if (stop?.aborted) throw new Stopped();
     const end = (): void => this.anew(link, new Stopped());
     stop?.addEventListener("abort", end, { once: true });
     try {
@@ -122,6 +126,7 @@ class InWorker implements Engine {
       this.heap = answer.heap;
       return { status: answer.status, out: answer.out, err: answer.err };
     } catch (error) {
+      if (error instanceof Stopped && !stop?.aborted) return await this.run(words, { progress, stop }); // another's stop
       if (error instanceof Failed) this.anew(link, error);
       throw error;
     } finally {
@@ -130,8 +135,18 @@ class InWorker implements Engine {
   }
 
   async put(path: string, bytes: Uint8Array | Blob, read?: (bytes: number) => void): Promise<void> {
-    this.files.set(path, bytes);
-    await this.hand_over(await this.link, path, bytes, read);
+    // As it is now: a file on a disk may change, and another worker needs what this one has.
+    const kept = bytes instanceof Blob && bytes.size <= kPiece ? new Blob([await bytes.arrayBuffer()]) : bytes;
+    const before = this.files.get(path);
+    this.files.set(path, kept);
+    try {
+      await this.hand_over(await this.link, path, kept, read);
+    } catch (error) {
+      if (error instanceof Stopped) return void (await this.link); // the next worker has it
+      if (before) this.files.set(path, before);
+      else this.files.delete(path);
+      throw error;
+    }
   }
 
   async get(path: string): Promise<Uint8Array> {
@@ -179,10 +194,15 @@ class InWorker implements Engine {
 
   // Ends a worker, and begins another with the same files.
   private anew(old: Link, why: Error): void {
+    if (this.ended.has(old)) return;
+    this.ended.add(old);
     old.end(why);
     this.heap = 0;
     this.link = this.start().then(async (link) => {
-      for (const [path, file] of this.files) await this.hand_over(link, path, file);
+      for (const [path, file] of this.files) {
+        // One that is gone from its disk, or no longer fits: the program says that it is not there, and the others are.
+        await this.hand_over(link, path, file).catch(() => undefined);
+      }
       return link;
     });
   }

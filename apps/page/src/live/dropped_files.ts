@@ -41,9 +41,10 @@ export const chosen_of = (input: HTMLInputElement): Dropped[] =>
 
 const kLongest = 120; // letters of a part of a path
 
-// A part of a path that is a plain name whatever it was: no way up, no control characters, no way out of a word.
+// A part of a path that is a plain name whatever it was: no way up, no control characters, no half of a letter (Windows
+// lets names have them, JSON does not).
 const safe_part = (part: string): string => {
-  const plain = part.replace(/[\u0000-\u001f\u007f-\u009f\\]/g, "_").trim();
+  const plain = part.replace(/[\p{Cs}\u0000-\u001f\u007f-\u009f\\]/gu, "_").trim();
   if (/^\.*$/.test(plain)) return "_";
   const letters = Array.from(plain);
   if (letters.length <= kLongest) return plain;

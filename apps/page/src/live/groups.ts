@@ -53,11 +53,9 @@ export const groups_of = (held: readonly Held[]): Group[] => {
   const lists = (kind: "session" | "runs"): void => {
     for (const list of held.filter((one) => one.kind === kind && !taken.has(one))) {
       const named = named_by(list, held);
+      const inner = named.filter((one) => one.kind === "session").flatMap((one) => named_by(one, held));
       const title = /^\s*title\s*=\s*"([^"\n]*)"/m.exec(list.head)?.[1];
-      add(kind, title || list.name, [list.path], [list, ...named]);
-      for (const inner of named.filter((one) => one.kind === "session")) {
-        for (const one of named_by(inner, held)) taken.add(one);
-      }
+      add(kind, title || list.name, [list.path], [...new Set([list, ...named, ...inner])]);
     }
   };
   lists("runs");

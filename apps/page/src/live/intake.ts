@@ -108,9 +108,14 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
       const taken = await put_all(files);
       for (const { path, name, file } of files) await keep(path, name, file);
       const put_as = new Map(read.files.map(({ path }, k) => [path, paths[k] ?? ""]));
-      // A word may be a folder of these files.
-      const word = (path: string): string => put_as.get(path) ?? `${folder}/${path.replace(/\/$/, "")}`;
-      return { read, held: taken, data: taken.length === 0 ? [] : read.data.map(word), model: read.model === "" ? "" : word(read.model) };
+      // A word may be a folder of these files. Without one of them nothing can be gone on with.
+      const word = (path: string): string | null => {
+        const inside = path === "." ? "" : `${path.replace(/\/$/, "")}/`;
+        return put_as.get(path) ?? (read.files.some((one) => one.path.startsWith(inside)) ? `${folder}/${inside}`.replace(/\/$/, "") : null);
+      };
+      const words = read.data.map(word);
+      const data = words.every((one) => one !== null) ? words : [];
+      return { read, held: taken, data, model: put_as.get(read.model) ?? "" };
     },
     async written(path) {
       const file = new Blob([new Uint8Array(await engine.get(path))]);

@@ -219,9 +219,31 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       say(english(await runs.try(subject, effect)));
     });
 
-  const model_changed = async (): Promise<void> => {
+  // One change after the other: of two at once the second would stop the first between the file and its fit.
+  let changes = 0;
+  let last_change: Promise<void> = Promise.resolve();
+  const changing = (act: () => Promise<void>): Promise<void> => {
+    ++changes;
+    last_change = last_change.then(() => attempt(act)).finally(() => --changes);
+    return last_change;
+  };
+
+  // The model and its fit; where it is stopped, or cannot be fitted, the model is as it was, as the page shows it.
+  const change_model = async (change: () => Promise<void>): Promise<void> => {
+    work.stop(); // a search of the model before
+    const of_before = subject;
+    const model = subject.model === "" ? null : await of.bytes_of(subject.model);
+    let answer: Report;
+    try {
+      await change();
+      answer = await runs.report(subject);
+    } catch (error) {
+      subject = of_before;
+      if (model) await of.put(subject.model, model);
+      throw error;
+    }
     const was = fitted;
-    loop.show(await runs.report(subject));
+    loop.show(answer);
     before = was && fitted && was.series.time_s.length === fitted.series.time_s.length ? was : null;
     draw();
     update();
@@ -268,36 +290,38 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
           posterior.clear();
         }
       }),
-    add: (effects) =>
-      attempt(async () => {
-        work.stop(); // a search of the model before
+    async add(effects) {
+      if (changes > 0) return; // pressed twice
+      await changing(async () => {
         candidate = null;
         const folder = (subject.data[0] ?? "").replace(/\/[^/]*$/, "");
         const model = subject.model || runs.free_name(folder, "model.toml");
-        const added = await runs.add(subject, effects, model);
+        let sentence_of_it = "";
+        await change_model(async () => {
+          const { revisions } = await runs.add(subject, effects, model);
+          sentence_of_it = revisions.at(-1)?.sentence ?? "";
+          subject = { ...subject, model };
+        });
         forth.length = 0;
-        subject = { ...subject, model };
-        await model_changed();
+        update();
         undo.focus({ preventScroll: true }); // the button that was pressed is gone
-        say(english(added.revisions.at(-1)?.sentence ?? ""));
-      }),
+        say(english(sentence_of_it));
+      });
+    },
     undo: () =>
-      attempt(async () => {
+      changing(async () => {
         if (undo.disabled) return;
-        work.stop();
         const now_model = await of.bytes_of(subject.model);
-        await runs.undo(subject.model);
+        await change_model(() => runs.undo(subject.model));
         forth.push(now_model);
-        await model_changed();
         say(t.live_undone);
       }),
     redo: () =>
-      attempt(async () => {
-        const model = forth.pop();
+      changing(async () => {
+        const model = forth.at(-1);
         if (!model) return;
-        work.stop();
-        await of.put(subject.model, model);
-        await model_changed();
+        await change_model(() => of.put(subject.model, model));
+        forth.pop();
         say(t.live_redone);
       }),
     act(command) {

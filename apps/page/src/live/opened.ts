@@ -118,7 +118,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     const targets = checked.length > 0 ? checked : of.group.kind === "recordings" ? [] : targets_in(first);
     if (targets.length === 0) return null;
     const chosen = of.target || (targets.length > 1 || checked.length === 0 ? (targets[0] ?? "") : "");
-    return loop_of({
+    const made = loop_of({
       subject: { ...of, target: chosen },
       targets,
       runs,
@@ -129,6 +129,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       put: (path, bytes) => engine.put(path, bytes),
       plan: planned_with(engine, work, runs),
       changed(now, next) {
+        if (loop !== made) return; // an answer about what is no longer open
         if (next.model !== "" && report !== now && (report !== null || next.model !== subject?.model)) void intake.written(next.model);
         const again = report !== null;
         report = now;
@@ -138,6 +139,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
         drawn();
       },
     });
+    return made;
   };
 
   const show_alone = (next: Subject | null, first: Report): void => {

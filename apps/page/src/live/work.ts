@@ -32,10 +32,10 @@ const share_of = (line: string): number | null => {
 export const work_with = (engine: Engine, say: (text: string) => void): Work => {
   const text = element("span", { class: "what" });
   const bar = element("progress", { max: "1" });
-  const stop = button(t.live_stop, t.live_stop_title, () => stopping?.abort());
+  const stop = button(t.live_stop, t.live_stop_title, () => made.stop());
   const shown = element("div", { class: "live-work" }, text, bar, stop);
   shown.hidden = true;
-  let stopping: AbortController | null = null;
+  const stopping = new Set<AbortController>(); // of what runs and what waits
   let last: Promise<unknown> = Promise.resolve();
   let waiting = 0;
 
@@ -69,10 +69,10 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
 
   const made: Work = {
     element: shown,
-    run: (command, { what, progress }) =>
-      queued(async () => {
-        const mine = new AbortController();
-        stopping = mine;
+    run(command, { what, progress }) {
+      const mine = new AbortController();
+      stopping.add(mine);
+      return queued(async () => {
         const hide = show(what, true);
         const told = (line: string): void => {
           const share = share_of(line);
@@ -84,10 +84,11 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
         } catch (error) {
           throw error instanceof Stopped ? new Interrupted(what) : error;
         } finally {
-          stopping = null;
+          stopping.delete(mine);
           hide();
         }
-      }),
+      });
+    },
     during: (what, work) =>
       queued(async () => {
         const hide = show(what, false);
@@ -97,7 +98,9 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
           hide();
         }
       }),
-    stop: () => stopping?.abort(),
+    stop() {
+      for (const one of stopping) one.abort();
+    },
     busy: () => waiting > 0,
     rewrite() {
       stop.textContent = t.live_stop;
