@@ -7,7 +7,7 @@
 # page images mat blind hal     a component each, built where its packages are: the page of `ballbar report`; pictures;
 #                               .mat files; sealed blind tests; LinuxCNC
 # tool                          the whole program as a page, apps/page/build-tool.sh
-# test bench check              what the developers need besides
+# test browsers bench check     what the developers need besides; browsers: for the tests of tool
 #
 # Installs what is missing; where nothing is, no package tool is called and no rights are needed.
 set -eu
@@ -23,7 +23,8 @@ blind=libssl-dev
 tool='emscripten dpkg-dev make cmake libeigen3-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libboost-dev
   libfast-float-dev'
 hal='linuxcnc-uspace linuxcnc-uspace-dev'
-test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium'
+test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium fonts-dejavu-core'
+browsers='chromium firefox-esr fonts-dejavu-core'
 bench='libbenchmark-dev python3 python3-numpy python3-scipy python3-sklearn'
 check='git clang clang-format clang-tidy libclang-rt-14-dev'
 
@@ -38,11 +39,12 @@ for group in "$@"; do
     tool) wanted="$wanted $tool" ;;
     hal) wanted="$wanted $hal" ;;
     test) wanted="$wanted $test" ;;
+    browsers) wanted="$wanted $browsers" ;;
     bench) wanted="$wanted $bench" ;;
     check) wanted="$wanted $check" ;;
     *)
       echo "install-packages.sh: no group '$group'; the groups are build, page, images, mat, blind, tool, hal, test," \
-        "bench, check" >&2
+        "browsers, bench, check" >&2
       exit 2
       ;;
   esac

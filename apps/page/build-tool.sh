@@ -15,11 +15,7 @@ step 'Packages'
 sh apps/install-packages.sh build page tool
 
 step 'Libraries, from their Debian sources'
-# Exceptions of WebAssembly, and its vectors by the names of SSE2, which Eigen has: sums come in the order that they have
-# on a PC. All browsers since 2023 have both. For a compiler that says to be a GCC before 6.3 Eigen has instructions of a PC.
-# Clang 14 makes wrong vectors of 3 by 3 products side by side (a filter's variance lost its memory): it makes none itself.
-flags="-fwasm-exceptions -msimd128 -msse2 -fno-vectorize -fno-slp-vectorize -fgnuc-version=8.0.0"
-flags="$flags -isystem $made/prefix/include"
+flags="-fwasm-exceptions -isystem $made/prefix/include"
 sh apps/page/engine/libraries.sh "$made" "$jobs" "$flags"
 
 step 'The program as a module'
@@ -29,13 +25,12 @@ if command -v ccache >/dev/null; then launcher=-DCMAKE_CXX_COMPILER_LAUNCHER=cca
 # shellcheck disable=SC2086  # nothing where there is no ccache
 emcmake cmake -S . -B "$made/engine" -DCMAKE_BUILD_TYPE=Release $launcher -DCMAKE_FIND_ROOT_PATH="$made/prefix" \
   -DBALLBAR_PAGE=OFF -DBALLBAR_IMAGES=OFF -DBALLBAR_MAT=OFF -DBALLBAR_HAL=OFF -DBALLBAR_BLIND=OFF -DBALLBAR_XLSX=ON \
-  -DEigen3_DIR="$made/prefix/share/eigen3/cmake" -Dnlohmann_json_DIR="$made/prefix/lib/cmake/nlohmann_json" \
+  -DEigen3_DIR=/usr/share/eigen3/cmake -Dnlohmann_json_DIR="$made/prefix/lib/cmake/nlohmann_json" \
   -Dtomlplusplus_DIR="$made/prefix/lib/cmake/tomlplusplus" -DCLI11_DIR="$made/prefix/lib/cmake/CLI11" \
   -DBoost_INCLUDE_DIR="$made/prefix/include" -DFAST_FLOAT_INCLUDE_DIR="$made/prefix/include" \
   -DMUPARSER_LIBRARY="$made/prefix/lib/libmuparser.a" -DMUPARSER_INCLUDE_DIR="$made/prefix/include" \
   -DZIP_LIBRARY="$made/prefix/lib/libzip.a" -DZIP_INCLUDE_DIR="$made/prefix/include" \
-  -DCMAKE_CXX_FLAGS_RELEASE='-O2 -DNDEBUG' \
-  -DCMAKE_CXX_FLAGS="$flags -include $PWD/apps/page/engine/from_chars.hpp" \
+    -DCMAKE_CXX_FLAGS="$flags -include $PWD/apps/page/engine/from_chars.hpp" \
   >"$made/engine.log" 2>&1 || { cat "$made/engine.log"; exit 1; }
 cmake --build "$made/engine" --target ballbar -j "$jobs"
 

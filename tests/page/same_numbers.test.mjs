@@ -44,12 +44,19 @@ const answers = async ({ words, writes = [] }) => {
   ];
 };
 
-test("numbers are told apart from 1e-9 on, what only rounding makes is not", () => {
+test("numbers are told apart from 1e-9 on: of themselves, their list, their sigma, or one", () => {
   const found = (a, b) => [...differences(a, b)].length;
   assert.equal(found({ a: 1, b: "x" }, { a: 1 + 5e-10, b: "x" }), 0);
   assert.equal(found({ a: 1 }, { a: 1 + 2e-9 }), 1);
-  assert.equal(found([1, 1e-13], [1, 2e-13]), 0);
-  assert.equal(found([1, 1e-11], [1, 2e-11]), 1);
+  assert.equal(found([1, 1e-3], [1, 1e-3 + 5e-10]), 0);
+  assert.equal(found([1, 1e-3], [1, 1e-3 + 2e-9]), 1);
+  assert.equal(found({ value: 1e-3, sigma: 1 }, { value: 1e-3 + 5e-10, sigma: 1 }), 0);
+  assert.equal(found({ value: 1e-3 }, { value: 1e-3 + 5e-10 }), 1);
+  assert.equal(found({ p_value: 0.3 }, { p_value: 0.3 + 5e-10 }), 0);
+  assert.equal(found([0.1234567, 0.2345678], [0.1234568, 0.2345678]), 0);
+  assert.equal(found([0.1234567, 0.2345678], [0.1234569, 0.2345678]), 1);
+  const many = (last) => Array.from({ length: 100 }, (_, k) => (1000001 + 2 * k + last) / 1e6);
+  assert.equal(found(many(0), many(1)), 1);
   assert.equal(found({ a: 1 }, { b: 1 }), 2);
   assert.equal(found({ a: null }, { a: 0 }), 1);
   assert.equal(found([1, 2], [1]), 1);

@@ -80,19 +80,6 @@ headers CLI11 CLI11::CLI11 CLI
 ln -sfn /usr/include/boost "$prefix/include/boost"
 ln -sfn /usr/include/fast_float "$prefix/include/fast_float"
 
-# Eigen has vectors by the names of SSE2, but takes who knows them for a PC: hints to the allocation of its registers go,
-# and a header that is included with the others, of which nothing is used.
-if [ ! -d "$prefix/share/eigen3" ]; then
-  cp -R /usr/include/eigen3 "$prefix/include/"
-  sed -i 's/#if EIGEN_GNUC_AT_LEAST(6,0) && defined(EIGEN_VECTORIZE_SSE)/#if 0/' \
-    "$prefix/include/eigen3/Eigen/src/Core/products/GeneralBlockPanelKernel.h"
-  : >"$prefix/include/mmintrin.h"
-  rm -rf "$prefix/share/eigen3.new"
-  mkdir -p "$prefix/share/eigen3.new"
-  cp -R /usr/share/eigen3/cmake "$prefix/share/eigen3.new/"
-  mv "$prefix/share/eigen3.new" "$prefix/share/eigen3"
-fi
-
 built pugixml pugixml
 built fmt fmtlib -DFMT_TEST=OFF -DFMT_DOC=OFF
 built muparser muparser -DENABLE_SAMPLES=OFF -DENABLE_OPENMP=OFF -DENABLE_WIDE_CHAR=OFF
@@ -123,4 +110,4 @@ set(Threads_FOUND TRUE)
 END
 built ceres ceres-solver -DCMAKE_MODULE_PATH="$made/modules" -DMINIGLOG=ON -DSUITESPARSE=OFF -DCXSPARSE=OFF -DLAPACK=OFF \
   -DEIGENSPARSE=ON -DBUILD_TESTING=OFF -DBUILD_EXAMPLES=OFF -DBUILD_BENCHMARKS=OFF -DSCHUR_SPECIALIZATIONS=OFF \
-  -DCERES_THREADING_MODEL=NO_THREADS -DEigen3_DIR="$prefix/share/eigen3/cmake"
+  -DCERES_THREADING_MODEL=NO_THREADS -DEigen3_DIR=/usr/share/eigen3/cmake

@@ -2,6 +2,7 @@
 
 export type Question =
   | { kind: "wait" }
+  | { kind: "warm"; bytes: Uint8Array } // a ballbar test, of which nothing is answered
   | { kind: "run"; words: string[] }
   | { kind: "put"; path: string; at: number; bytes: Uint8Array; size: number }
   | { kind: "remove"; path: string };
@@ -101,6 +102,14 @@ const run = (made: Module, id: number, words: string[]): void => {
   answer({ id, kind: "ran", status, out: text(kOut), err: text(kErr), changed, gone, heap: made.HEAP8.length }, give);
 };
 
+// Browsers compile a function of the module when it is first called: half a second of a first answer.
+const warm = (made: Module, bytes: Uint8Array): void => {
+  made.FS.writeFile("/tmp/warm.b5r", bytes, { canOwn: true });
+  const words = JSON.stringify(["report", "/tmp/warm.b5r", "--json"]);
+  made.ccall("ballbar_run", "number", ["string", "string", "string"], [words, kOut, kErr]);
+  made.FS.unlink("/tmp/warm.b5r");
+};
+
 const put = (fs: FileSystem, { path, at, bytes, size }: Question & { kind: "put" }): void => {
   const place = `${kHome}/${path}`;
   fs.mkdirTree(place.slice(0, place.lastIndexOf("/")));
@@ -113,6 +122,7 @@ const put = (fs: FileSystem, { path, at, bytes, size }: Question & { kind: "put"
 const done = (made: Module, question: Question & { id: number }): void => {
   const { id } = question;
   if (question.kind === "run") return run(made, id, question.words);
+  if (question.kind === "warm") warm(made, question.bytes);
   if (question.kind === "put") put(made.FS, question);
   if (question.kind === "remove") made.FS.unlink(`${kHome}/${question.path}`);
   answer({ id, kind: "done" });

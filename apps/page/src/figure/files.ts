@@ -2,18 +2,11 @@
 import { canvas_of } from "./charts";
 import { csv_of } from "./csv";
 import type { Picture, State } from "../picture";
+import { save } from "./save";
 import { caption_of, drawn, kCaption_px, stilled, svg_file } from "./still";
 import { colours, font } from "../drawing/theme";
 
 const kPixels = 2; // of a PNG, for one of the page
-
-const save = (name: string, content: Blob): void => {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(content);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-};
 
 export const save_csv = (picture: Picture, state: State): void =>
   save(`${picture.name}.csv`, new Blob([csv_of(picture.numbers(state))], { type: "text/csv;charset=utf-8" }));

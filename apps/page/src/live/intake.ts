@@ -5,6 +5,7 @@ import type { Engine, Sample } from "../engine";
 import { head_of, kind_of, type Held } from "./file_kinds";
 import type { Kept, Store } from "./kept_files";
 import { bytes_of_base64, read_report_file, type ReportFile } from "./report_file";
+import { reason } from "./reason";
 import type { Work } from "./work";
 import { plain } from "../drawing/text";
 import { size_spoken } from "./spoken";
@@ -31,7 +32,7 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
   const faults = new Map<string, string>();
 
   const keep = async (path: string, name: string, file: Blob): Promise<void> => {
-    await store?.put(path, name, file).catch(() => undefined); // full: then a reload loses it
+    if (!faults.has(path)) await store?.put(path, name, file).catch(() => undefined); // full: then a reload loses it
   };
   const hold = async (path: string, name: string, file: Blob): Promise<Held> => {
     const head = await head_of(file);
@@ -45,15 +46,20 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
     return { fits: kNeed * file.size <= most - used, left: most - used };
   };
   const put = async (path: string, name: string, file: Blob, share: (of_it: number) => void): Promise<Held> => {
-    const { fits: room, left } = fits(file);
-    if (!room) {
+    const without = (fault: string): Held => {
       const one: Held = { path, name, bytes: file.size, kind: "other", head: "" };
       held = [...held, one];
-      faults.set(path, t.live_too_big({ name: plain(name, 80), size: size_spoken(file.size), left: size_spoken(Math.max(0, left)) }));
+      faults.set(path, fault);
       return one;
+    };
+    const { fits: room, left } = fits(file);
+    if (!room) return without(t.live_too_big({ name: plain(name, 80), size: size_spoken(file.size), left: size_spoken(Math.max(0, left)) }));
+    try {
+      await engine.put(path, file, (bytes) => share(bytes / file.size));
+      return await hold(path, name, file);
+    } catch (error) {
+      return without(reason(error)); // one that the browser may not read; the others come in
     }
-    await engine.put(path, file, (bytes) => share(bytes / file.size));
-    return hold(path, name, file);
   };
   const put_all = async (files: readonly { path: string; name: string; file: Blob }[]): Promise<Held[]> => {
     const taken: Held[] = [];
@@ -76,7 +82,7 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
       );
       const files = dropped.map(({ name, file }, k) => ({ path: paths[k] ?? "", name, file }));
       const taken = await put_all(files);
-      for (const { path, name, file } of files) if (!faults.has(path)) await keep(path, name, file);
+      for (const { path, name, file } of files) await keep(path, name, file);
       return taken;
     },
     async sample({ name, files }) {

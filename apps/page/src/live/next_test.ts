@@ -2,7 +2,7 @@
 import { button, element } from "../elements/elements";
 import type { Diagnosed, Num } from "../report";
 import type { Subject } from "./commands";
-import { save } from "./save";
+import { save } from "../figure/save";
 import { table_of } from "../elements/table";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";

@@ -3,7 +3,7 @@ import type { Subject } from "./commands";
 import { button, element } from "../elements/elements";
 import type { Report } from "../report";
 import type { Inside } from "../shell";
-import { save } from "./save";
+import { save } from "../figure/save";
 import { plain, slug } from "../drawing/text";
 import { t } from "../texts/texts";
 
