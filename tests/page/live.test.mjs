@@ -150,6 +150,34 @@ test("a search is cancelled by Escape, and the page goes on", async () => {
   await close();
 });
 
+test("added twice and taken back twice at once: once, and the page shows what the file says", async () => {
+  const { page, wrong, close } = await live();
+  await sample(page, "hidden-effect");
+  const before = await rmse(page);
+  const model = () =>
+    page.evaluate(async () => new TextDecoder().decode(await window.ballbar.engine.get("hidden-effect/01/model.toml")));
+  const first = await model();
+  const settled = async (expected) => {
+    await page.waitForFunction((more) => document.querySelectorAll(".live-model > li").length === more, expected, { timeout: kLong });
+    await page.keyboard.press("Escape"); // the search of the new model
+  };
+  const effects = await page.locator(".live-model > li").count();
+  const line = "ballbar add 'lagged_expansion(T_room_degC)' hidden-effect/01/data.csv --model hidden-effect/01/model.toml";
+  await page.evaluate((line) => {
+    window.ballbar.act(line);
+    window.ballbar.act(line);
+  }, line);
+  await settled(effects + 1);
+  assert.ok((await rmse(page)) < before);
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await settled(effects);
+  assert.equal(await model(), first);
+  assert.equal(await rmse(page), before);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
 test("a broken file is told where it is, and the rest is shown", async () => {
   const { page, wrong, close } = await live();
   const sound = readFileSync(of_run("qc20-style-b5r", "00.b5r"), "utf8");
