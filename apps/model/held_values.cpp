@@ -59,6 +59,7 @@ void hold(Model& model, const HeldValue& held) {
     }
     names.emplace_back(kConstantParameter);
   }
+  if (labels.empty()) throw Error("--set: expected an effect of the model, found a model of none.");
   const bool known = !names.empty();
   const std::string& found = known ? held.parameter : held.effect;
   const std::vector<std::string>& all = known ? names : labels;

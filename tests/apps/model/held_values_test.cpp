@@ -23,9 +23,9 @@ const Setting& setting_of(const Model& model, std::size_t term, std::string_view
 }
 
 TEST(HeldValues, OneParameterIsHeldAndNoOther) {
-  const Model model = with_held_values(drift(), {"lagged_expansion(T_b_degC).tau_s=1.5e3"});
-  EXPECT_TRUE(setting_of(model, 1, "tau_s").held);
-  EXPECT_EQ(setting_of(model, 1, "tau_s").start, 1500.0);
+  const Model model = with_held_values(drift(), {"lagged_expansion(T_b_degC).time_constant_s=1.5e3"});
+  EXPECT_TRUE(setting_of(model, 1, "time_constant_s").held);
+  EXPECT_EQ(setting_of(model, 1, "time_constant_s").start, 1500.0);
   EXPECT_FALSE(setting_of(model, 1, "gain_um_per_K").held);
   EXPECT_FALSE(setting_of(model, 0, "gain_um_per_K").held);
   EXPECT_FALSE(model.constant_um);
