@@ -104,10 +104,11 @@ test("below: what is left, remedies of the first, the prior, the set-up", async 
   assert.deepEqual(scale, ["global scale", "0.500 ± 0.040", "µm", "–"]);
 });
 
+// The dark ring has no name: it is the nominal circle, and no curve.
 test("at first the largest error is drawn, without the switch", async () => {
   assert.deepEqual(await state(), { error: "squareness", hidden: ["without"] });
   const found = await series();
-  assert.deepEqual(Object.keys(found).sort(), ["measured, CCW", "measured, CW", "nominal", "squareness"]);
+  assert.deepEqual(Object.keys(found).sort(), ["", "measured, CCW", "measured, CW", "squareness"]);
   for (const k of [0, 1]) {
     close_to(found.squareness[k], part.curves.squareness[k], "squareness");
     close_to(found[`measured, ${["CCW", "CW"][k]}`][0], about_circle(k), "measured");
@@ -167,7 +168,7 @@ test("the list chooses too, and “none” draws the readings alone", async () =
   assert.deepEqual(await marked(), ["straightness Y"]);
   assert.ok((await series())["straightness Y"]);
   await choose_none();
-  assert.deepEqual(Object.keys(await series()).sort(), ["measured, CCW", "measured, CW", "nominal"]);
+  assert.deepEqual(Object.keys(await series()).sort(), ["", "measured, CCW", "measured, CW"]);
   assert.deepEqual(await marked(), []);
 });
 
