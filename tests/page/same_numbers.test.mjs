@@ -15,9 +15,9 @@ const external = process.env.BALLBAR_EXTERNAL_DATA;
 const all = process.env.BALLBAR_ALL_SAME === "1";
 const kShown = 5; // differences of a command
 // Of fourteen values, differences of nearly equal ones and shapes that the data hardly tell: what the two mathematical
-// libraries round otherwise comes out up to 1.2e-7 apart.
+// libraries round otherwise comes out up to 1.2e-7 apart, a curve's points by their last of seven digits.
 const kIllConditioned = /^(compare|diagnose|report) sample-runs\/two-arcs-he2015/;
-const kOfIllConditioned = 1e-6;
+const kOfIllConditioned = 1e-5;
 
 const here = join(folder, "same");
 let browser, tab;
@@ -71,7 +71,9 @@ test("numbers are told apart from 1e-9 on: of themselves, their list, their sigm
 for (const one of [...of_sample_runs, ...(external ? of_external(external) : [])]) {
   test(one.words.join(" "), { skip: one.long && !all ? "long: BALLBAR_ALL_SAME=1" : false }, async () => {
     const [native, page] = await answers(one);
-    const bearable = (line) => kIllConditioned.test(one.words.join(" ")) && Number(/, (\S+) of it$/.exec(line)?.[1]) <= kOfIllConditioned;
+    const ill_conditioned = kIllConditioned.test(one.words.join(" "));
+    const bearable = (line) =>
+      ill_conditioned && (Number(/, (\S+) of it$/.exec(line)?.[1]) <= kOfIllConditioned || /curve_um: .* in the last of 7 digits$/.test(line));
     const found = [...differences(native, page)].filter((line) => !bearable(line));
     assert.equal(found.length, 0, `program and page, ${found.length} differences:\n  ${found.slice(0, kShown).join("\n  ")}`);
   });
