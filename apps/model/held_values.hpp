@@ -8,8 +8,8 @@
 
 namespace ballbar {
 
-// settings: "lagged_expansion(T9_degC).time_constant_s=3600", "constant.constant_um=0"; the effect as `check` prints it.
-// Throws Error for text of another form, and for an effect or a parameter that the model has not, with the nearest.
+// settings: "lagged_expansion(T9_degC).time_constant_s=3600", "constant.constant_um=0"; the effect as `check` prints
+// it. Throws Error for text of another form, and for an effect or a parameter that the model has not, with the nearest.
 Model with_held_values(Model model, const std::vector<std::string>& settings);
 
 }  // namespace ballbar
