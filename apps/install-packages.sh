@@ -19,9 +19,8 @@ command -v node >/dev/null && command -v npm >/dev/null && page= || page='nodejs
 images='libopencv-imgproc-dev libspng-dev libjpeg62-turbo-dev'
 mat=libmatio-dev
 blind=libssl-dev
-# The headers and the sources of what build links; the compiler comes with its own standard library.
-tool='emscripten dpkg-dev make cmake libeigen3-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libboost-dev
-  libfast-float-dev'
+# Beside build, whose headers it takes.
+tool='emscripten dpkg-dev'
 hal='linuxcnc-uspace linuxcnc-uspace-dev'
 test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium fonts-dejavu-core'
 browsers='chromium firefox-esr fonts-dejavu-core'

@@ -16,6 +16,18 @@ namespace {
 
 constexpr std::size_t kLabels = 4;
 
+constexpr std::size_t kShownSoFar = 12;
+
+// For a page, which draws it.
+void show_so_far(const std::vector<ProbableSoFar>& effects) {
+  nlohmann::json posterior = nlohmann::json::array();
+  for (std::size_t k = 0; k < std::min(effects.size(), kShownSoFar); ++k) {
+    posterior.push_back({{"label", label_of(effects[k].bound)}, {"p", number(effects[k].p)}});
+  }
+  const nlohmann::json so_far{{"posterior", std::move(posterior)}};
+  show_progress(so_far.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
 }  // namespace
 
 std::string next_text(const DiagnosisReport& diagnosis_report) {
@@ -43,22 +55,6 @@ std::string not_searched_text(const Diagnosis& found) {
   }
   return fmt::format("{}", fmt::join(texts, "; "));
 }
-
-namespace {
-
-constexpr std::size_t kShownSoFar = 12;
-
-// For a page, which draws it.
-void show_so_far(const std::vector<ProbableSoFar>& effects) {
-  nlohmann::json posterior = nlohmann::json::array();
-  for (std::size_t k = 0; k < std::min(effects.size(), kShownSoFar); ++k) {
-    posterior.push_back({{"label", label_of(effects[k].bound)}, {"p", number(effects[k].p)}});
-  }
-  const nlohmann::json so_far{{"posterior", std::move(posterior)}};
-  show_progress(so_far.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
-}
-
-}  // namespace
 
 DiagnosisReport diagnosis_report_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
                                     const ModelData& data) {

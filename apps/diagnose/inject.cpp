@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
@@ -65,18 +64,13 @@ void set_shape(Injection& injection, const std::string& text) {
   for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
     const Parameter& parameter = effect.parameters[k];
     if (parameter.kind != ParameterKind::shape || parameter.name != name) continue;
-    double value = 0.0;
-    const char* begin = text.data() + std::min(text.size(), name.size() + 1);
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(begin, end, value);
-    if (error != std::errc() || stop != end || !std::isfinite(value)) {
-      throw Error(fmt::format("--set: expected {}=NUMBER, found {}.", name, in_quotes(text)));
-    }
-    if (value < parameter.lower || value > parameter.upper) {
+    const auto value = finite_number(std::string_view(text).substr(std::min(text.size(), name.size() + 1)));
+    if (!value) throw Error(fmt::format("--set: expected {}=NUMBER, found {}.", name, in_quotes(text)));
+    if (*value < parameter.lower || *value > parameter.upper) {
       throw Error(fmt::format("--set: expected a value from {} to {} for {}, found {}.", parameter.lower,
-                              parameter.upper, name, value));
+                              parameter.upper, name, *value));
     }
-    injection.parameters[k] = value;
+    injection.parameters[k] = *value;
     return;
   }
   throw Error(fmt::format("--set: expected a shape of {}, {}, found {}; the nearest is {}.", effect.name,

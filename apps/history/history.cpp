@@ -5,11 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
@@ -44,11 +44,9 @@ Tolerance tolerance_of(const std::string& text) {
         fmt::format("--tolerance {}: expected NAME=VALUE with a number above 0", in_quotes(text)));
   };
   if (equals == std::string::npos || equals == 0) throw wrong();
-  double value = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data() + equals + 1, end, value);
-  if (error != std::errc() || rest != end || !(value > 0.0) || !std::isfinite(value)) throw wrong();
-  return {text.substr(0, equals), -value, value};
+  const std::optional<double> value = finite_number(std::string_view(text).substr(equals + 1));
+  if (!value || !(*value > 0.0)) throw wrong();
+  return {text.substr(0, equals), -*value, *value};
 }
 
 // A tolerance on what no test has would never be met.

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
+#include <optional>
 #include <string_view>
-#include <system_error>
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "terminal/option_checks.hpp"
 
 namespace ballbar {
 namespace {
@@ -28,13 +27,9 @@ HeldValue held_value_of(const std::string& setting) {
   if (equals == std::string::npos || point == std::string::npos || point == 0 || point + 1 == equals) {
     throw Error(fmt::format("--set: expected EFFECT.PARAMETER=VALUE, found {}.", in_quotes(setting)));
   }
-  HeldValue held{setting.substr(0, point), setting.substr(point + 1, equals - point - 1)};
-  const char* const end = setting.data() + setting.size();
-  const auto [stop, error] = std::from_chars(setting.data() + equals + 1, end, held.value);
-  if (error != std::errc() || stop != end || !std::isfinite(held.value)) {
-    throw Error(fmt::format("--set: expected a number behind the sign =, found {}.", in_quotes(setting)));
-  }
-  return held;
+  const std::optional<double> value = finite_number(std::string_view(setting).substr(equals + 1));
+  if (!value) throw Error(fmt::format("--set: expected a number behind the sign =, found {}.", in_quotes(setting)));
+  return {setting.substr(0, point), setting.substr(point + 1, equals - point - 1), *value};
 }
 
 void hold(Model& model, const HeldValue& held) {

@@ -30,7 +30,7 @@ emcmake cmake -S . -B "$made/engine" -DCMAKE_BUILD_TYPE=Release $launcher -DCMAK
   -DBoost_INCLUDE_DIR="$made/prefix/include" -DFAST_FLOAT_INCLUDE_DIR="$made/prefix/include" \
   -DMUPARSER_LIBRARY="$made/prefix/lib/libmuparser.a" -DMUPARSER_INCLUDE_DIR="$made/prefix/include" \
   -DZIP_LIBRARY="$made/prefix/lib/libzip.a" -DZIP_INCLUDE_DIR="$made/prefix/include" \
-    -DCMAKE_CXX_FLAGS="$flags -include $PWD/apps/page/engine/from_chars.hpp" \
+  -DCMAKE_CXX_FLAGS="$flags -include $PWD/apps/page/engine/from_chars.hpp" \
   >"$made/engine.log" 2>&1 || { cat "$made/engine.log"; exit 1; }
 cmake --build "$made/engine" --target ballbar -j "$jobs"
 

@@ -365,7 +365,7 @@ std::string html_of(const Made& made, const Options& options) {
   if (options.without_files) return page_of(made.json, nullptr);
   const Json inside = files_inside(made.files, options.model.data, options.model.model);
   if (inside.is_null() && !made.files.empty()) {
-    stderr_line(fmt::format("the files are more than {} MB and not in the page", kMostInside >> 20));
+    stderr_line(fmt::format("the files are not in the page: more than {} MB, or of a pipe", kMostInside >> 20));
   }
   return page_of(made.json, inside);
 }

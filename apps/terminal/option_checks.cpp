@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <system_error>
 
 #include "ballbar/nearest_name.hpp"
 
@@ -22,6 +24,14 @@ CLI::Validator validator(std::function<std::string(std::string&)> complaint) {
 }
 
 }  // namespace
+
+std::optional<double> finite_number(std::string_view text) {
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
 
 CLI::Validator number_within(double low, double high) {
   return validator([low, high](const std::string& found) {

@@ -3,12 +3,17 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ballbar {
 
 inline constexpr double kLargestSeed = 9.2e18;  // a whole number of 63 bits
+
+// Of the whole text; nothing where it is none.
+std::optional<double> finite_number(std::string_view text);
 
 // A finite number, both ends included.
 CLI::Validator number_within(double low, double high);

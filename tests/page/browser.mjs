@@ -1,39 +1,20 @@
 // Chromium, and reports opened in it. What must never happen is kept in `wrong`: errors, dialogs, anything loaded.
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
+import { kQuiet, watched } from "./watched.mjs";
 
 export const launched = () =>
   chromium.launch({
     executablePath: process.env.CHROMIUM || "/usr/bin/chromium",
-    args: [
-      "--no-sandbox",
-      "--disable-gpu",
-      "--disable-quic",
-      "--no-first-run",
-      "--disable-background-networking",
-      "--disable-component-update",
-      "--disable-sync",
-    ],
+    args: kQuiet,
   });
 
 // options: as of newContext(), such as colorScheme.
 export const opened = async (browser, file, options = {}) => {
   const context = await browser.newContext({ viewport: { width: 1100, height: 900 }, ...options });
   const page = await context.newPage();
-  const wrong = [];
   const url = pathToFileURL(file).href;
-  page.on("console", (message) => {
-    if (["error", "warning", "assert"].includes(message.type())) wrong.push(`${message.type()}: ${message.text()}`);
-  });
-  page.on("pageerror", (error) => wrong.push(`exception: ${error.message}`));
-  page.on("dialog", (dialog) => {
-    wrong.push(`dialog: ${dialog.message()}`);
-    dialog.dismiss().catch(() => {});
-  });
-  page.on("popup", () => wrong.push("a window was opened"));
-  page.on("request", (request) => {
-    if (request.url() !== url && !/^(data|blob):/.test(request.url())) wrong.push(`loaded: ${request.url()}`);
-  });
+  const wrong = watched(page, url);
   await page.goto(url);
   await page.waitForSelector("html[data-ready]", { state: "attached" });
   return { page, wrong, close: () => context.close() };

@@ -4,6 +4,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { launch } from "puppeteer-core";
+import { kQuiet, watched } from "./watched.mjs";
 
 const programs = {
   chrome: process.env.CHROMIUM || "/usr/bin/chromium",
@@ -13,7 +14,6 @@ const programs = {
 // Those that are installed.
 export const kinds = Object.keys(programs).filter((kind) => existsSync(programs[kind]));
 
-const kQuiet = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync", "--font-render-hinting=none"];
 const kMinutes = 10 * 60_000; // a diagnosis takes its time on a busy machine
 
 // dark: what the system wears, for the browser as a whole; Firefox has it so.
@@ -22,7 +22,7 @@ export const started = async (kind, { dark = false, args = [] } = {}) => {
   const browser = await launch({
     browser: kind,
     executablePath: programs[kind],
-    args: [...(kind === "chrome" ? kQuiet : []), ...args],
+    args: [...(kind === "chrome" ? [...kQuiet, "--font-render-hinting=none"] : []), ...args],
     protocolTimeout: kMinutes,
     extraPrefsFirefox: {
       "browser.download.folderList": 2,
@@ -53,23 +53,11 @@ const until = async (what, of_it, longest = kMinutes) => {
 const opened = async ({ kind, dark, browser, saved }, file, { width = 1100, height = 900, before = null } = {}) => {
   const context = await browser.createBrowserContext(kind === "chrome" ? { downloadBehavior: { policy: "allow", downloadPath: saved } } : {});
   const page = await context.newPage();
-  const wrong = [];
   const url = pathToFileURL(file).href;
+  const wrong = watched(page, url);
   page.setDefaultTimeout(kMinutes);
   await page.setViewport({ width, height });
   if (kind === "chrome") await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }]);
-  page.on("console", (message) => {
-    if (["error", "warn", "warning", "assert"].includes(message.type())) wrong.push(`${message.type()}: ${message.text()}`);
-  });
-  page.on("pageerror", (error) => wrong.push(`exception: ${error?.message ?? error}`));
-  page.on("dialog", (dialog) => {
-    wrong.push(`dialog: ${dialog.message()}`);
-    dialog.dismiss().catch(() => {});
-  });
-  page.on("popup", () => wrong.push("a window was opened"));
-  page.on("request", (request) => {
-    if (request.url() !== url && !/^(data|blob):/.test(request.url())) wrong.push(`loaded: ${request.url()}`);
-  });
   if (before) await page.evaluateOnNewDocument(before);
   const ready = () => page.waitForSelector("html[data-ready]");
   await page.goto(url);
@@ -101,7 +89,6 @@ const opened = async ({ kind, dark, browser, saved }, file, { width = 1100, heig
     async choose(paths, selector = ".live-start input[type=file]:not([webkitdirectory])") {
       const input = await page.$(selector);
       await input.uploadFile(...paths);
-      if (kind === "firefox") return;
     },
     // What the click saves, whole: its path.
     async saves(click) {

@@ -18,7 +18,7 @@ export interface Watch {
 export interface Sample {
   name: string; // of its folder
   title: string;
-  files: { path: string; text: string }[]; // a sign a byte
+  files: { path: string; text: string }[]; // a sign a byte: bytes_of
   data: string[]; // the words for DATA
   model?: string;
 }
@@ -34,6 +34,8 @@ export interface Engine {
   remove(path: string): Promise<void>;
   memory(): { used: number; most: number }; // bytes of the module
 }
+
+export const bytes_of = (text: string): Uint8Array<ArrayBuffer> => Uint8Array.from(text, (sign) => sign.charCodeAt(0));
 
 export class Stopped extends Error {}
 export class Failed extends Error {}
@@ -94,6 +96,7 @@ class InWorker implements Engine {
   private readonly files = new Map<string, Uint8Array | Blob>(); // as the worker has them, for the next one
   private link: Promise<Link>;
   private readonly start: () => Promise<Link>;
+  private unpacked_samples: Promise<readonly Sample[]> | null = null;
   private heap = 0;
   private readonly ended = new WeakSet<Link>();
 
@@ -108,9 +111,13 @@ class InWorker implements Engine {
     });
   }
 
-  async samples(): Promise<readonly Sample[]> {
+  // Unpacked once, when first asked for.
+  samples(): Promise<readonly Sample[]> {
     const text = carried(this.page, "samples");
-    return text ? (JSON.parse(new TextDecoder().decode(await unpacked(text))) as Sample[]) : [];
+    this.unpacked_samples ??= text
+      ? unpacked(text).then((bytes) => JSON.parse(new TextDecoder().decode(bytes)) as Sample[])
+      : Promise.resolve([]);
+    return this.unpacked_samples;
   }
 
   async run(words: readonly string[], { progress, stop }: Watch = {}): Promise<Ran> {
@@ -170,7 +177,7 @@ class InWorker implements Engine {
 
   private async warm(link: Link): Promise<void> {
     const test = (await this.samples()).flatMap(({ files }) => files).find(({ path }) => path.endsWith(".b5r"));
-    if (test) await link.ask({ kind: "warm", bytes: Uint8Array.from(test.text, (sign) => sign.charCodeAt(0)) });
+    if (test) await link.ask({ kind: "warm", bytes: bytes_of(test.text) });
   }
 
   // A large file goes over in pieces: no second copy of it is made here.

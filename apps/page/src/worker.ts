@@ -88,10 +88,13 @@ const marks_of = (fs: FileSystem, folder: string, marks = new Map<string, string
 
 const own_name = (path: string): string => path.slice(kHome.length + 1);
 
+const command = (made: Module, words: readonly string[]): number =>
+  made.ccall("ballbar_run", "number", ["string", "string", "string"], [JSON.stringify(words), kOut, kErr]);
+
 const run = (made: Module, id: number, words: string[]): void => {
   const { FS } = made;
   const before = marks_of(FS, kHome);
-  const status = made.ccall("ballbar_run", "number", ["string", "string", "string"], [JSON.stringify(words), kOut, kErr]);
+  const status = command(made, words);
   const text = (path: string): string => new TextDecoder().decode(FS.readFile(path));
   const after = marks_of(FS, kHome);
   const changed = [...after]
@@ -105,8 +108,7 @@ const run = (made: Module, id: number, words: string[]): void => {
 // Browsers compile a function of the module when it is first called: half a second of a first answer.
 const warm = (made: Module, bytes: Uint8Array): void => {
   made.FS.writeFile("/tmp/warm.b5r", bytes, { canOwn: true });
-  const words = JSON.stringify(["report", "/tmp/warm.b5r", "--json"]);
-  made.ccall("ballbar_run", "number", ["string", "string", "string"], [words, kOut, kErr]);
+  command(made, ["report", "/tmp/warm.b5r", "--json"]);
   made.FS.unlink("/tmp/warm.b5r");
 };
 

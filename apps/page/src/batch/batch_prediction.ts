@@ -1,12 +1,12 @@
 // A job predicted by a regression over batches, with its 95 % interval; below it, what was measured less that.
-import { curve } from "../drawing/curve";
+import { curve, zero_line } from "../drawing/curve";
 import { decimated, first_at } from "../drawing/decimate";
 import { hover_text } from "../drawing/hover";
 import type { Numbers, Picture, State, Toggle } from "../picture";
 import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
 import type { BatchPart, Num } from "../report";
 import { sigma_band, type Uncertain } from "../drawing/sigma_marks";
-import { axis, base, colours, curve_colour, legend, minutes, shown, tooltip } from "../drawing/theme";
+import { axis, base, curve_colour, legend, minutes, shown, tooltip } from "../drawing/theme";
 import { time_axis, whole_min } from "../drawing/time_axis";
 import { two_grids } from "../drawing/two_grids";
 import { t } from "../texts/texts";
@@ -53,20 +53,13 @@ export const prediction_picture = (batch: BatchPart): Picture => {
       return { ...sigma_band(ends, colour), name: interval.label, color: colour, ...in_grid(grid) };
     };
     const when = (toggle: Toggle, series: Series): Series[] => (hidden.has(toggle.key) ? [] : [series]);
-    const zero_line = {
-      symbol: "none",
-      silent: true,
-      label: { show: false },
-      lineStyle: { color: colours(look.dark).faint, type: "solid", width: 1 },
-      data: [{ yAxis: 0 }],
-    };
     const above = [
       ...when(interval, band(predicted_um, 0)),
       ...when(predicted, line(predicted, predicted_um, 0)),
       ...(measured_um ? when(measured, line(measured, measured_um, 0, [6, 3])) : []),
     ];
     const below = residual_um
-      ? when(residual, { ...line(residual, residual_um, 1), markLine: zero_line })
+      ? when(residual, { ...line(residual, residual_um, 1), markLine: zero_line(look) })
       : [];
     const series = [...above, ...below, ...(below.length > 0 ? when(interval, band(zero_um, 1)) : [])];
     const x = time_axis(look, window ?? whole);
@@ -77,7 +70,7 @@ export const prediction_picture = (batch: BatchPart): Picture => {
     };
     return {
       ...base(look),
-      ...(below.length > 0 ? two_grids(look, x, t.deviation_axis, t.batch_difference_axis) : one_grid),
+      ...(below.length > 0 ? two_grids(look, x, t.deviation_axis, t.batch_difference_axis).drawn : one_grid),
       legend: legend(state, toggles),
       tooltip: {
         ...tooltip(look),

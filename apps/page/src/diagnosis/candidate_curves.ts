@@ -1,4 +1,5 @@
 // The curves of the picture of candidates: the residual, the best set, and the candidate that is chosen.
+import { difference, sum } from "../drawing/columns";
 import { curve, type Dash } from "../drawing/curve";
 import type { Toggle } from "../picture";
 import type { Ranked, SetName } from "./ranking";
@@ -27,20 +28,6 @@ const lined =
 // As a marker pen draws: below the other curves.
 const highlighted: Curve["series"] = (name, colour, points) =>
   curve(name, colour, "solid", 8, points, { z: 1, lineStyle: { color: colour, width: 8, opacity: 0.4, cap: "round" } });
-
-const difference = (a: readonly Num[], b: readonly Num[]): Num[] =>
-  a.map((value, i) => {
-    const other = b[i] ?? null;
-    return value === null || other === null ? null : value - other;
-  });
-
-const sum = (columns: readonly (readonly Num[])[]): Num[] =>
-  (columns[0] ?? []).map((_, i) =>
-    columns.reduce((total: Num, column) => {
-      const value = column[i] ?? null;
-      return total === null || value === null ? null : total + value;
-    }, 0),
-  );
 
 // Faint below the curve of a set; where there is none, it is what is looked at.
 export const residual_curve = (residual_um: readonly Num[], below: boolean): Curve => ({

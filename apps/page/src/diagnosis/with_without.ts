@@ -1,5 +1,6 @@
 // What was measured, the model as it is and with what it lacks; below, what either leaves. It proves the verdict.
-import { curve } from "../drawing/curve";
+import { difference, sum } from "../drawing/columns";
+import { curve, zero_line } from "../drawing/curve";
 import { hover_text } from "../drawing/hover";
 import type { Numbers, Picture, State, Toggle } from "../picture";
 import { best_set, set_name } from "./ranking";
@@ -7,27 +8,13 @@ import { chosen_strands, recording_choice } from "../recordings/recording_names"
 import type { Checked, Diagnosed, Num, Report } from "../report";
 import { points_of, strands_of, type Strand } from "../drawing/strands";
 import { plain } from "../drawing/text";
-import { base, colours, curve_colour, legend, shown, tooltip } from "../drawing/theme";
+import { base, curve_colour, legend, shown, tooltip } from "../drawing/theme";
 import { time_axis, whole_min } from "../drawing/time_axis";
 import { two_grids, x_axis } from "../drawing/two_grids";
 import { angle_limits } from "../recordings/unrolled_picture";
 import { t } from "../texts/texts";
 
 type Series = Record<string, unknown>;
-
-const sum = (columns: readonly (readonly Num[])[]): Num[] =>
-  (columns[0] ?? []).map((_, i) =>
-    columns.reduce((total: Num, column) => {
-      const value = column[i] ?? null;
-      return total === null || value === null ? null : total + value;
-    }, 0),
-  );
-
-const difference = (a: readonly Num[], b: readonly Num[]): Num[] =>
-  a.map((value, i) => {
-    const other = b[i] ?? null;
-    return value === null || other === null ? null : value - other;
-  });
 
 // "with lagged_expansion(T_room_degC)"
 const set_text = (found: Diagnosed): string => {
@@ -93,20 +80,7 @@ export const with_without_picture = (report: Report, checked: Checked, found: Di
     };
     const dots = points(measured_um);
     const [measured, without, with_set] = toggles;
-    const zero = {
-      type: "line",
-      name: "",
-      data: [],
-      silent: true,
-      ...below,
-      markLine: {
-        silent: true,
-        symbol: "none",
-        label: { show: false },
-        lineStyle: { color: colours(look.dark).faint, type: "solid", width: 1 },
-        data: [{ yAxis: 0 }],
-      },
-    };
+    const zero = { type: "line", name: "", data: [], silent: true, ...below, markLine: zero_line(look) };
     const drawn: Series[] = [
       ...(measured && !hidden.has(measured.key)
         ? [
@@ -126,10 +100,7 @@ export const with_without_picture = (report: Report, checked: Checked, found: Di
     ];
     return {
       ...base(look),
-      grid: grids.grid,
-      xAxis: grids.xAxis,
-      yAxis: grids.yAxis,
-      axisPointer: grids.axisPointer,
+      ...grids.drawn,
       legend: legend(state, toggles),
       tooltip: {
         ...tooltip(look),

@@ -3,10 +3,7 @@ import type { Look } from "../picture";
 import { axis, colours, kNarrow_px } from "./theme";
 
 export interface TwoGrids {
-  grid: Record<string, unknown>[];
-  xAxis: Record<string, unknown>[];
-  yAxis: Record<string, unknown>[];
-  axisPointer: Record<string, unknown>;
+  drawn: Record<string, unknown>; // grid, xAxis, yAxis, axisPointer
   width_px: number; // of the drawings
 }
 
@@ -58,19 +55,21 @@ export const two_grids = (
   const sides = { left: kLeft_px, right: kRight_px };
   const c = colours(look.dark);
   return {
-    grid: [
-      { ...sides, top, height: height_above },
-      { ...sides, top: top + height_above + kBetween_px, height: height_below },
-    ],
-    xAxis: [
-      { ...x, gridIndex: 0, name: "", axisLabel: { show: false } },
-      { ...x, gridIndex: 1, axisPointer: { label: { show: false } } },
-    ],
-    yAxis: [
-      { ...axis(look, above, "y"), gridIndex: 0 },
-      { ...axis(look, below, "y"), gridIndex: 1, splitNumber: 3 },
-    ],
-    axisPointer: { link: [{ xAxisIndex: "all" }], lineStyle: { color: c.faint } },
+    drawn: {
+      grid: [
+        { ...sides, top, height: height_above },
+        { ...sides, top: top + height_above + kBetween_px, height: height_below },
+      ],
+      xAxis: [
+        { ...x, gridIndex: 0, name: "", axisLabel: { show: false } },
+        { ...x, gridIndex: 1, axisPointer: { label: { show: false } } },
+      ],
+      yAxis: [
+        { ...axis(look, above, "y"), gridIndex: 0 },
+        { ...axis(look, below, "y"), gridIndex: 1, splitNumber: 3 },
+      ],
+      axisPointer: { link: [{ xAxisIndex: "all" }], lineStyle: { color: c.faint } },
+    },
     width_px: Math.max(100, look.width_px - kLeft_px - kRight_px),
   };
 };

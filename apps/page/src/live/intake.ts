@@ -1,7 +1,7 @@
 // Files as they come in: to the engine under safe paths, and to what the browser keeps; one that will not fit is told and
 // left out.
 import { safe_paths, type Dropped } from "./dropped_files";
-import type { Engine, Sample } from "../engine";
+import { bytes_of, type Engine, type Sample } from "../engine";
 import { head_of, kind_of, type Held } from "./file_kinds";
 import type { Kept, Store } from "./kept_files";
 import { bytes_of_base64, read_report_file, type ReportFile } from "./report_file";
@@ -13,6 +13,12 @@ import { t } from "../texts/texts";
 
 const kNeed = 4; // times its size that a file takes, at most, once it is read and drawn
 const kSmall = 1e6; // bytes that always fit
+
+interface Incoming {
+  path: string;
+  name: string;
+  file: Blob;
+}
 
 export interface Intake {
   held(): readonly Held[];
@@ -61,11 +67,16 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
       return without(reason(error)); // one that the browser may not read; the others come in
     }
   };
-  const put_all = async (files: readonly { path: string; name: string; file: Blob }[]): Promise<Held[]> => {
+  const put_all = async (files: readonly Incoming[]): Promise<Held[]> => {
     const taken: Held[] = [];
     for (const [k, { path, name, file }] of files.entries()) {
       taken.push(await work.during(t.live_taking({ name: plain(name, 60), part: k + 1, whole: files.length }), (share) => put(path, name, file, share)));
     }
+    return taken;
+  };
+  const take_in = async (files: readonly Incoming[]): Promise<Held[]> => {
+    const taken = await put_all(files);
+    for (const { path, name, file } of files) await keep(path, name, file);
     return taken;
   };
 
@@ -81,20 +92,10 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
         new Set(held.map(({ path }) => path)),
       );
       const files = dropped.map(({ name, file }, k) => ({ path: paths[k] ?? "", name, file }));
-      const taken = await put_all(files);
-      for (const { path, name, file } of files) await keep(path, name, file);
-      return taken;
+      return take_in(files);
     },
-    async sample({ name, files }) {
-      const blobs = files.map(({ path, text }) => ({
-        path: `${name}/${path}`,
-        name: path,
-        file: new Blob([Uint8Array.from(text, (sign) => sign.charCodeAt(0))]),
-      }));
-      const taken = await put_all(blobs);
-      for (const one of blobs) await keep(one.path, one.name, one.file);
-      return taken;
-    },
+    sample: ({ name, files }) =>
+      take_in(files.map(({ path, text }) => ({ path: `${name}/${path}`, name: path, file: new Blob([bytes_of(text)]) }))),
     async again({ files }) {
       await put_all(files);
     },
@@ -111,8 +112,7 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
         name: path,
         file: new Blob([new Uint8Array(bytes_of_base64(base64))]),
       }));
-      const taken = await put_all(files);
-      for (const { path, name, file } of files) await keep(path, name, file);
+      const taken = await take_in(files);
       const put_as = new Map(read.files.map(({ path }, k) => [path, paths[k] ?? ""]));
       // A word may be a folder of these files. Without one of them nothing can be gone on with.
       const word = (path: string): string | null => {

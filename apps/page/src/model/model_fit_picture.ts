@@ -167,10 +167,7 @@ export const model_fit_picture = (
     });
     return {
       ...base(look),
-      grid: grids.grid,
-      xAxis: grids.xAxis,
-      yAxis: grids.yAxis,
-      axisPointer: grids.axisPointer,
+      ...grids.drawn,
       legend: legend(state, toggles_of(checked, ways)),
       tooltip: {
         ...tooltip(look),

@@ -1,7 +1,7 @@
 // What the model leaves against anything that the data have: a trend says that the model lacks it, or has it wrong; two
 // branches, heating and cooling, say that it comes or goes at another pace.
 import { against_choice, type AgainstAxis } from "./against_axes";
-import { curve } from "../drawing/curve";
+import { curve, zero_line } from "../drawing/curve";
 import { kinds_of, type Kinds } from "./kinds";
 import type { Numbers, Picture, State, Toggle } from "../picture";
 import { chosen_strands, recording_choice } from "../recordings/recording_names";
@@ -160,19 +160,7 @@ export const residual_against_picture = (
     const on = kinds.map((_, k) => k).filter((k) => !hidden.has(kinds[k]?.key ?? ""));
     const apart = checked.level === "recording" ? on.map((k) => [k]) : [on];
     const trend = hidden.has("trend") ? [] : apart.flatMap((places) => trend_of(places, places.join(), c.ink));
-    const zero = {
-      type: "line",
-      name: "",
-      data: [],
-      silent: true,
-      markLine: {
-        silent: true,
-        symbol: "none",
-        label: { show: false },
-        lineStyle: { color: c.faint, type: "solid", width: 1 },
-        data: [{ yAxis: 0 }],
-      },
-    };
+    const zero = { type: "line", name: "", data: [], silent: true, markLine: zero_line(look) };
     const row_text = (row: number): string =>
       checked.level === "recording" ? "" : `\n${t.model_at_min({ minutes: shown(minutes(series.time_s[row] ?? 0), 1) })}`;
     return {

@@ -1,6 +1,6 @@
 // A recording against the angle: its deviation with the fitted circle, and below what the circle leaves.
 import { unwrapped_together } from "../drawing/angles";
-import { curve, type Dash, type Point } from "../drawing/curve";
+import { curve, zero_line, type Dash, type Point } from "../drawing/curve";
 import { hover_text } from "../drawing/hover";
 import type { Picture, State, Toggle } from "../picture";
 import { effects_of, kept_readings, picked, recording_numbers } from "./recording_curves";
@@ -127,23 +127,10 @@ export const unrolled_picture = (groups: readonly Group[]): Picture => {
           }),
         ];
       });
-      const zero = curve("", c.faint, "solid", 0, [], {
-        ...below,
-        silent: true,
-        markLine: {
-          silent: true,
-          symbol: "none",
-          label: { show: false },
-          lineStyle: { color: c.faint, type: "solid", width: 1 },
-          data: [{ yAxis: 0 }],
-        },
-      });
+      const zero = curve("", c.faint, "solid", 0, [], { ...below, silent: true, markLine: zero_line(look) });
       return {
         ...base(look),
-        grid: grids.grid,
-        xAxis: grids.xAxis,
-        yAxis: grids.yAxis,
-        axisPointer: grids.axisPointer,
+        ...grids.drawn,
         legend: legend(state, toggles_of(recordings)),
         tooltip: {
           ...tooltip(look),
