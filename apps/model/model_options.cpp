@@ -99,8 +99,7 @@ void add_fit_options(CLI::App& command, ModelOptions& options) {
   command
       .add_option("--set", options.set,
                   "hold a parameter at a value, such as 'lagged_expansion(T9_degC).time_constant_s=3600', and fit the "
-                  "others; may "
-                  "be repeated")
+                  "others; may be repeated")
       ->type_name("EFFECT.PARAMETER=VALUE")
       ->allow_extra_args(false);
 }

@@ -4,7 +4,7 @@ import { safe_paths, type Dropped } from "./dropped_files";
 import { bytes_of, type Engine, type Sample } from "../engine";
 import { head_of, kind_of, type Held } from "./file_kinds";
 import type { Kept, Store } from "./kept_files";
-import { bytes_of_base64, read_report_file, type ReportFile } from "./report_file";
+import { read_report_file, type ReportFile } from "./report_file";
 import { reason } from "./reason";
 import type { Work } from "./work";
 import { plain } from "../drawing/text";
@@ -110,7 +110,7 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
       const files = read.files.map(({ path, base64 }, k) => ({
         path: paths[k] ?? "",
         name: path,
-        file: new Blob([new Uint8Array(bytes_of_base64(base64))]),
+        file: new Blob([bytes_of(atob(base64))]),
       }));
       const taken = await take_in(files);
       const put_as = new Map(read.files.map(({ path }, k) => [path, paths[k] ?? ""]));

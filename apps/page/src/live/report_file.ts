@@ -47,5 +47,3 @@ export const read_report_file = (text: string): ReportFile => {
     model: typeof inside["model"] === "string" ? inside["model"] : "",
   };
 };
-
-export const bytes_of_base64 = (base64: string): Uint8Array => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
