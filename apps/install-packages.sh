@@ -6,6 +6,7 @@
 # build                         the least to read, fit, report and diagnose
 # page images mat blind hal     a component each, built where its packages are: the page of `ballbar report`; pictures;
 #                               .mat files; sealed blind tests; LinuxCNC
+# python fleet                  the package of Python; many machines at once with it, by Dask
 # tool                          the whole program as a page, apps/page/build-tool.sh
 # test browsers bench check     what the developers need besides; browsers: for the tests of tool
 #
@@ -21,6 +22,9 @@ mat=libmatio-dev
 blind=libssl-dev
 # Beside build, whose headers it takes.
 tool='emscripten dpkg-dev'
+python='pybind11-dev python3-dev python3-numpy'
+# Many machines at once, tables and pictures in Python.
+fleet='python3-distributed python3-pandas python3-matplotlib'
 hal='linuxcnc-uspace linuxcnc-uspace-dev'
 test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium fonts-dejavu-core'
 browsers='chromium firefox-esr fonts-dejavu-core'
@@ -35,6 +39,8 @@ for group in "$@"; do
     images) wanted="$wanted $images" ;;
     mat) wanted="$wanted $mat" ;;
     blind) wanted="$wanted $blind" ;;
+    python) wanted="$wanted $python" ;;
+    fleet) wanted="$wanted $fleet" ;;
     tool) wanted="$wanted $tool" ;;
     hal) wanted="$wanted $hal" ;;
     test) wanted="$wanted $test" ;;
@@ -42,7 +48,7 @@ for group in "$@"; do
     bench) wanted="$wanted $bench" ;;
     check) wanted="$wanted $check" ;;
     *)
-      echo "install-packages.sh: no group '$group'; the groups are build, page, images, mat, blind, tool, hal, test," \
+      echo "install-packages.sh: no group '$group'; the groups are build, page, images, mat, blind, python, fleet, tool, hal, test," \
         "browsers, bench, check" >&2
       exit 2
       ;;

@@ -21,6 +21,7 @@
 #include "challenge/challenge_runs.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
@@ -70,7 +71,7 @@ void make(const MakeOptions& options) {
   if (options.json) {
     const nlohmann::ordered_json json = {
         {"folder", options.out}, {"sets", count}, {"answers", answers.string()}, {"sha256", digest}};
-    fmt::print("{}\n", json.dump(2));
+    print_json(json);
     return;
   }
   fmt::print("written  {}: {} data set{}, what to do with them stands in README.txt\n", options.out, count,
@@ -179,7 +180,7 @@ void print_json(const std::vector<SealedSet>& sets, const std::vector<BlindVerdi
                     {"wrong", json_of(scores.wrong)},
                     {"in_set", json_of(scores.in_set)},
                     {"false_names", json_of(scores.false_names)}};
-  fmt::print("{}\n", json.dump(2));
+  print_json(json);
 }
 
 void score(const ScoreOptions& options) {

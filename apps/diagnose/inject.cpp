@@ -20,10 +20,12 @@
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 #include "model/resolve_columns.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -185,7 +187,7 @@ void print_json(const Injected& result) {
                                         {{"not_seen_um", number(result.smallest.not_seen_um)},
                                          {"seen_um", number(result.smallest.seen_um)},
                                          {"diagnoses", result.smallest.diagnoses}}}};
-  fmt::print("{}\n", json.dump(2));
+  print_json(json);
 }
 
 Injection injection(const Options& options, const Model& model, const ModelData& data) {
@@ -263,7 +265,7 @@ void run(const Options& options) {
   } else {
     print_text(result, data.title);
   }
-  if (!options.out.empty()) fmt::print(stderr, "wrote {}\n", options.out);
+  if (!options.out.empty()) stderr_line(fmt::format("wrote {}", options.out));
 }
 
 }  // namespace

@@ -13,6 +13,8 @@ namespace ballbar {
 std::string date_text(double time_s);                           // "2025-09-04"
 std::string iso_date_text(std::int64_t time_s);                 // "2025-09-04T16:10:49"
 std::string group_text(const TestGroup& group);                 // "XY, 100 mm, 1000 mm/min, 360 deg"
+std::string csv_text(const std::string& text);                  // in quotes where it needs them
+std::string csv_number(double value);                           // empty: not finite
 std::string several(std::size_t count, std::string_view what);  // "1 test", "2 tests"
 
 int decimals_of(const std::string& unit);

@@ -11,6 +11,7 @@
 #include "ballbar/series/speed_steps.hpp"
 #include "ballbar/units.hpp"
 #include "measure/five_probe_options.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -103,7 +104,7 @@ void report_five_probe(const FiveProbeReport& report) {
   } else {
     print_text(report, drift, steps);
   }
-  for (const std::string& path : report.out) fmt::print(stderr, "wrote {}\n", path);
+  for (const std::string& path : report.out) stderr_line(fmt::format("wrote {}", path));
 }
 
 }  // namespace ballbar

@@ -30,6 +30,7 @@
 #include "programs/child_process.hpp"
 #include "report/report_inside.hpp"
 #include "report/report_parts.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
@@ -388,15 +389,14 @@ void run(Options options) {
     result.json["files"] = names;
     return result;
   }();
-  if (options.json) {
-    fmt::print("{}\n", text_of(made.json));
-    return;
-  }
+  if (options.json) return print_json(made.json, -1);
   expect_no_input({options.out}, made.files);
   if (options.format == Format::svg) return write_pictures(made.json, options);
   write_bytes(options.out, options.format == Format::html ? html_of(made, options) : text_of(made.json) + "\n");
-  for (const Json& sentence : made.json["summary"]) fmt::print("{}", wrapped(sentence.get<std::string>()));
-  fmt::print(stderr, "wrote {}\n", options.out);
+  if (caller() == nullptr || !caller()->result) {
+    for (const Json& sentence : made.json["summary"]) fmt::print("{}", wrapped(sentence.get<std::string>()));
+  }
+  stderr_line(fmt::format("wrote {}", options.out));
   if (options.open && !started({"xdg-open", fs::absolute(options.out).string()})) {
     warning_line(fmt::format("no program xdg-open to open it with; open {} in a browser.", options.out));
   }

@@ -16,6 +16,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/units.hpp"
 #include "commands.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 
 namespace ballbar::commands {
@@ -75,7 +76,7 @@ void print_json(const VirtualMachine& machine, const SimulatedSession& simulated
                                        {"truth", truth.string()}};
   json.update(rest);
   for (const SimulatedFile& file : files) json["files"].push_back(file.name);
-  fmt::print("{}\n", json.dump(2));
+  print_json(json);
 }
 
 void run(const Options& options) {
