@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <cmath>
 #include <map>
@@ -61,7 +62,7 @@ const Column& column_of(const Series& series, const std::string& name) {
   throw py::key_error(name);
 }
 
-std::shared_ptr<Series> read_any_series(const std::string& path) {
+std::shared_ptr<Series> read_any_series(const std::filesystem::path& path) {
   const py::gil_scoped_release free;
   return std::make_shared<Series>(open_series(path));
 }
@@ -141,7 +142,7 @@ void bind_series(py::module_& module) {
       .def("__len__", [](const Series& series) { return series.time_s.size(); })
       .def(
           "write",
-          [](const Series& series, const std::string& path) {
+          [](const Series& series, const std::filesystem::path& path) {
             const py::gil_scoped_release free;
             write_through(path, [&](const std::filesystem::path& temporary) {
               write_series_parts(series, series_header(series), temporary);
@@ -180,7 +181,7 @@ void bind_recording(py::module_& module) {
       .def("__len__", [](const Recording& one) { return one.length_mm.size(); });
   module.def(
       "read_recordings",
-      [](const std::string& path) {
+      [](const std::filesystem::path& path) {
         std::vector<std::shared_ptr<Recording>> recordings;
         const py::gil_scoped_release free;
         for (Recording& one : open_recording(path).recordings) {
