@@ -39,7 +39,7 @@ void add_commands(CLI::App& app) {
   using namespace ballbar::commands;
   add_group(app, "Measure", {add_fit, add_drift, add_compare});
   add_group(app, "Logs of others", {add_import, add_merge});
-  add_group(app, "Follow", {add_errors, add_history});
+  add_group(app, "Follow", {add_errors, add_history, add_fleet});
   add_group(app, "Look", {add_report, add_page});
   add_group(app, "Model", {add_effects, add_terms, add_preflight, add_check});
   add_group(app, "Diagnose", {add_diagnose, add_plan, add_try, add_add, add_undo, add_ledger, add_inject});

@@ -158,8 +158,8 @@ nlohmann::ordered_json json_of(const Share& share) {
   return {{"count", share.count}, {"of", share.of}, {"low", share.low}, {"high", share.high}};
 }
 
-void print_json(const std::vector<SealedSet>& sets, const std::vector<BlindVerdict>& verdicts,
-                const std::vector<BlindOutcome>& outcomes, const Scores& scores) {
+void print_result(const std::vector<SealedSet>& sets, const std::vector<BlindVerdict>& verdicts,
+                  const std::vector<BlindOutcome>& outcomes, const Scores& scores) {
   nlohmann::ordered_json json = {{"sets", nlohmann::ordered_json::array()}};
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const BlindAnswer& answer = sets[i].answer;
@@ -202,7 +202,7 @@ void score(const ScoreOptions& options) {
   }
   const Scores scores = scores_of(answers, outcomes);
   if (options.json) {
-    print_json(sets, verdicts, outcomes, scores);
+    print_result(sets, verdicts, outcomes, scores);
   } else {
     print_text(sets, verdicts, outcomes, scores, options.by_hand);
   }

@@ -15,6 +15,7 @@
 #include "model/residual_report.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
+#include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -124,7 +125,7 @@ void add_diagnose(CLI::App& app) {
       "  ballbar diagnose sample-runs/spindle-46h/measured.csv --model sample-runs/spindle-46h/speed.toml "
       "--target ch3_um");
   command->callback([options] {
-    options->how.progress = !options->json;
+    options->how.progress = !options->json || progress_is_taken();
     run(*options);
   });
 }

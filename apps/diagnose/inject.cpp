@@ -164,7 +164,7 @@ nlohmann::ordered_json json_of(const Diagnosis& found, const BoundEffect& bound)
   return {{"verdict", name_of(found.verdict)}, {"seen", name_of(sight_of(found, bound))}};
 }
 
-void print_json(const Injected& result) {
+void print_result(const Injected& result) {
   const BoundEffect& bound = result.injection.bound;
   nlohmann::ordered_json columns = nlohmann::ordered_json::object(), shapes = nlohmann::ordered_json::object();
   for (std::size_t k = 0; k < bound.columns.size(); ++k) columns[bound.effect->inputs[k].role] = bound.columns[k];
@@ -261,7 +261,7 @@ void run(const Options& options) {
     write_bytes(options.out, label + write_series(changed));
   }
   if (options.json) {
-    print_json(result);
+    print_result(result);
   } else {
     print_text(result, data.title);
   }

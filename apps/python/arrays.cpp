@@ -116,7 +116,12 @@ std::shared_ptr<Recording> recording_of(const Numbers& length_mm, const std::opt
 }
 
 void bind_series(py::module_& module) {
-  py::class_<Series, std::shared_ptr<Series>>(module, "Series")
+  py::class_<Series, std::shared_ptr<Series>>(module, "Series",
+                                              "Named columns over time.\n\n"
+                                              "time_s: (n,) strictly rising; columns: (n,) each, names end in a "
+                                              "unit (T_room_degC, speed_rpm, z_um), NaN is a gap; roles: of "
+                                              "columns whose role is not the usual one of their unit; started: "
+                                              "wall clock at time 0, 2026-11-22T13:05:10.")
       .def(py::init(&series_of), py::arg("time_s"), py::arg("columns"), py::kw_only(),
            py::arg("roles") = std::map<std::string, std::string>{}, py::arg("started") = py::none())
       .def_property_readonly("time_s",
@@ -149,11 +154,16 @@ void bind_series(py::module_& module) {
             });
           },
           py::arg("path"));
-  module.def("read_series", &read_any_series, py::arg("path"));
+  module.def("read_series", &read_any_series, py::arg("path"),
+             "The columns of a series .csv, or of a logger's file as import_log takes it. Throws BallbarError.");
 }
 
 void bind_recording(py::module_& module) {
-  py::class_<Recording, std::shared_ptr<Recording>>(module, "Recording")
+  py::class_<Recording, std::shared_ptr<Recording>>(module, "Recording",
+                                                    "One ballbar recording: (n,) lengths in mm along a circle, "
+                                                    "with (n,) angles in deg from +A towards +B, or along a line, "
+                                                    "without.\n\nplane: XY, YZ, ZX; direction: CCW, CW; "
+                                                    "motion: linear_axes, rotary_axis, spindle.")
       .def(py::init([](const Numbers& length_mm, const std::optional<Numbers>& angle_deg,
                        const std::optional<Numbers>& time_s, std::string plane, std::string direction,
                        std::string motion, double nominal_length_mm, double height_offset_mm,
@@ -189,7 +199,7 @@ void bind_recording(py::module_& module) {
         }
         return recordings;
       },
-      py::arg("path"));
+      py::arg("path"), "The recordings of a .b5r or of a ballbar log. Throws BallbarError.");
 }
 
 }  // namespace

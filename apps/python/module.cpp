@@ -52,6 +52,7 @@ Said ran(const std::vector<std::string>& words, const std::map<std::string, Data
   caller.result = [&](const Json& json) { said.result = json; };
   caller.remark = [&](const std::string& line) { said.remarks.push_back(line); };
   caller.progress = [&](std::string_view line) {
+    if (line.empty()) return;  // said as a command ends, by an error too
     const py::gil_scoped_acquire hold;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     if (!progress.is_none()) progress(py::str(line.data(), line.size()));

@@ -31,7 +31,10 @@ struct Function {
   std::vector<std::pair<double, double>> bounds;  // of the shapes
 
   ~Function() {
-    if (Py_IsInitialized() == 0) return void(call.release());  // the process ends
+    if (Py_IsInitialized() == 0) {  // the process ends
+      call.release();
+      return;
+    }
     const py::gil_scoped_acquire hold;
     call = py::object();
   }

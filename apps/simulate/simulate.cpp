@@ -62,8 +62,8 @@ void print_text(const VirtualMachine& machine, const SimulatedSession& simulated
   fmt::print("truth      {} (kept apart: no other command reads it)\n", truth.string());
 }
 
-void print_json(const VirtualMachine& machine, const SimulatedSession& simulated,
-                const std::vector<SimulatedFile>& files, const Options& options, const fs::path& truth) {
+void print_result(const VirtualMachine& machine, const SimulatedSession& simulated,
+                  const std::vector<SimulatedFile>& files, const Options& options, const fs::path& truth) {
   nlohmann::ordered_json json = {{"method", method_name(machine)}};
   if (machine.series) {
     json["rows"] = simulated.series.time_s.size();
@@ -93,7 +93,7 @@ void run(const Options& options) {
   }
   const fs::path truth = truth_file(options);
   write_simulated(files, simulated.truth, options.out, truth, options.force);
-  (options.json ? print_json : print_text)(machine, simulated, files, options, truth);
+  (options.json ? print_result : print_text)(machine, simulated, files, options, truth);
 }
 
 }  // namespace

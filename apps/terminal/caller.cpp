@@ -23,4 +23,13 @@ void print_json(const nlohmann::ordered_json& json, int indent) {
   fmt::print("{}\n", json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
+void print_json_text(const std::string& text) {
+  if (the_caller != nullptr && the_caller->result) return the_caller->result(nlohmann::ordered_json::parse(text));
+  fmt::print("{}", text);
+}
+
+void print_for_people(const std::string& text) {
+  if (the_caller == nullptr || !the_caller->result) fmt::print("{}", text);
+}
+
 }  // namespace ballbar

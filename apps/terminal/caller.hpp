@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <string_view>
 
 namespace ballbar {
@@ -33,5 +34,11 @@ class CalledBy {
 // The result of a command, for a program: to the caller, or to the standard output, with that indentation (-1: one
 // line).
 void print_json(const nlohmann::ordered_json& json, int indent = 2);
+
+// What only a person reads: to the standard output, and not said to a program that takes results.
+void print_for_people(const std::string& text);
+
+// As print_json, of a text that is JSON already, laid out for people.
+void print_json_text(const std::string& text);
 
 }  // namespace ballbar

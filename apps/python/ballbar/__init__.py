@@ -54,7 +54,7 @@ Path = Union[str, "os.PathLike[str]"]
 Progress = Callable[[str], object]
 
 
-def fit(data: Any, *, polar: bool = False, robust: bool = False) -> Fitted:
+def fit(data: Any, *, polar: bool = False, robust: bool = False, out: Path | None = None) -> Fitted:
     """The circle, or the length, of each recording.
 
     Parameters
@@ -65,6 +65,8 @@ def fit(data: Any, *, polar: bool = False, robust: bool = False) -> Fitted:
         The circle through the polar points, as instrument software has it.
     robust : bool
         Discounts outlying readings (Tukey's biweight).
+    out : path
+        Written as well, .json.
 
     Raises
     ------
@@ -81,12 +83,13 @@ def fit(data: Any, *, polar: bool = False, robust: bool = False) -> Fitted:
     5.0
     """
     recordings = [data] if isinstance(data, Recording) else data
-    if isinstance(recordings, (list, tuple)) and recordings and all(type(one) is Recording for one in recordings):
-        return Fitted(_core.fit(recordings, polar, robust))
-    return Fitted(Words("fit", "--json").data(data).options(polar=polar, robust=robust).run())
+    words = Words("fit", "--json").data(data).options(polar=polar, robust=robust, out=out)
+    if out is None and isinstance(recordings, list) and all(type(one) is Recording for one in recordings):
+        return Fitted(_core.fit(recordings, polar, robust), words)  # without a command line: it takes longer than a fit
+    return Fitted(words.run(), words)
 
 
-def errors(files: Any, *, strict: bool = False) -> Errors:
+def errors(files: Any, *, strict: bool = False, out: Path | Sequence[Path] | None = None) -> Errors:
     """The errors of each ballbar test, all of a test fitted together: one row a test.
 
     Parameters
@@ -95,6 +98,8 @@ def errors(files: Any, *, strict: bool = False) -> Errors:
         `.b5r` files, ballbar logs, folders of them.
     strict : bool
         A file that cannot be read ends it; otherwise it stands in ``skipped``.
+    out : path
+        Written as well: .csv, one row a test, or .json.
 
     Examples
     --------
@@ -103,7 +108,7 @@ def errors(files: Any, *, strict: bool = False) -> Errors:
     >>> [(one.name, round(one.value, 1)) for one in found.tests[0].errors if one.name == "scale_mismatch"]
     [('scale_mismatch', 8.0)]
     """
-    return Errors(Words("errors", "--json").options(strict=strict).data(files).run())
+    return Errors(Words("errors", "--json").data(files).options(strict=strict, out=out).run())
 
 
 def drift(
@@ -226,7 +231,7 @@ def merge(
 def effects(name: str | None = None) -> Effects:
     """The catalogue of physical effects, or the page of one, those of :func:`effect` among them."""
     found = Words("effects", *([] if name is None else [name]), "--json").run()
-    return Effects(found if isinstance(found, dict) else {"effects": found})
+    return Effects(found[0] if name is not None and len(found) == 1 else {"effects": found})
 
 
 def preflight(
@@ -279,7 +284,7 @@ def check(
     words.options(
         model=model, target=target, max_gap=max_gap_s, also_input=also_input, robust=robust, white=white, set=set
     )
-    return Checked(words.run())
+    return Checked(words.run(), words)
 
 
 def diagnose(
@@ -314,7 +319,7 @@ def diagnose(
         model=model, target=target, max_gap=max_gap_s, also_input=also_input, tolerance=tolerance_um, seed=seed,
         most_rows=most_rows, prior=prior, strict=strict,
     )
-    return Diagnosis(words.run(progress))
+    return Diagnosis(words.run(progress), words)
 
 
 def plan(

@@ -4,8 +4,11 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._results import Result, Rows
+
+Array = NDArray[np.float64]
 
 
 class Fitted(Result):
@@ -24,7 +27,9 @@ class Fitted(Result):
         Files that store results without readings.
     """
 
-    _parts = ('fit',)
+    def _picture(self) -> str:
+        return "recording-circle"
+
     recordings: Rows
     iso230_4: Result
     iso230_4_pairs: Rows
@@ -72,7 +77,7 @@ class Drift(Result):
     remarks : list[str]
     """
 
-    _parts = ('drift',)
+    _part = "drift"
     method: str
     reference_s: float
     points: Rows
@@ -104,7 +109,7 @@ class Comparison(Result):
     remarks : list[str]
     """
 
-    _parts = ('compare',)
+    _part = "compare"
     conclusion: str
     a: str
     b: str
@@ -256,7 +261,7 @@ class Checked(Result):
         Where it fails: what, from, to, n, bias_um, bias_sigma_um, rmse_um, share.
     parameters : Rows
         Effect, name, value, sigma, unit, state.
-    correlation : np.ndarray
+    correlation : Array
         Of the parameters.
     noise : Result
         White_um, correlated_um, correlation_time_s.
@@ -277,13 +282,16 @@ class Checked(Result):
     adequate: bool
     where: Rows
     parameters: Rows
-    correlation: np.ndarray
+    correlation: Array
     noise: Result
     whiteness: Result
     sentences: list[str]
     converged: bool
     remarks: list[str]
     targets: Rows
+
+    def _picture(self) -> str:
+        return f"model-{self.target}-fit" if "target" in self else ""
 
 
 class Diagnosis(Checked):
@@ -388,6 +396,9 @@ class Diagnosis(Checked):
     skipped: Rows
     groups: Rows
     results_alone: Rows
+
+    def _picture(self) -> str:
+        return "with-without" if "target" in self else "machine-errors" if "errors" in self else ""
 
 
 class Plan(Result):
@@ -538,11 +549,11 @@ class Predicted(Result):
 
     Attributes
     ----------
-    time_s : np.ndarray
+    time_s : Array
         N.
     """
 
-    time_s: np.ndarray
+    time_s: Array
 
 
 class Simulated(Result):

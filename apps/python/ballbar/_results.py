@@ -33,12 +33,13 @@ class Result:
     results again. A key that is a word of Python is had as ``result["from"]``.
     """
 
-    __slots__ = ("_json", "_made")
-    _parts: tuple[str, ...] = ()  # of a page: as which of its parts this result is drawn
+    __slots__ = ("_json", "_made", "_words")
+    _part = ""  # of a page: as which of its parts this result is drawn
 
-    def __init__(self, keys: dict[str, Any]) -> None:
+    def __init__(self, keys: dict[str, Any], words: Any = None) -> None:
         self._json = keys
         self._made: dict[str, Any] = {}
+        self._words = words  # that it came of
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
@@ -113,10 +114,21 @@ class Result:
         return f"<{type(self).__name__}\n  " + "\n  ".join(line if len(line) < 116 else line[:113] + "..." for line in short) + ">"
 
     def picture(self) -> str:
-        """The pictures that the page draws of this result, as one SVG; by node. Empty: none is drawn of it."""
-        if not self._parts:
-            return ""
-        return str(_core.picture(json.dumps({part: self._json for part in self._parts}), self.conclusion_text()))
+        """What the page draws of this result, as SVG; by node. Empty: nothing.
+
+        Raises
+        ------
+        BallbarError
+            No node, or a ballbar that was built without its page.
+        """
+        if self._part:
+            return str(_core.picture(json.dumps({self._part: self._json}), self.conclusion_text()))
+        name = self._picture()
+        return str(self._words.picture(name)) if name and self._words else ""
+
+    def _picture(self) -> str:
+        """Of the page of the same data."""
+        return ""
 
     def _repr_html_(self) -> str:
         try:

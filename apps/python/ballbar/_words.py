@@ -3,7 +3,9 @@ from __future__ import annotations
 
 import logging
 import os
+import shutil
 import tempfile
+import weakref
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, Callable
@@ -28,6 +30,7 @@ class Model:
     >>> import ballbar
     >>> model = ballbar.Model.of("y_um", expansion={"temperature": "T_housing_degC"})
     >>> print(model.text)
+    format = "ballbar-model 1"
     target = "y_um"
     <BLANKLINE>
     [[effect]]
@@ -37,11 +40,11 @@ class Model:
     """
 
     def __init__(self, source: str | os.PathLike[str]) -> None:
-        self._folder: tempfile.TemporaryDirectory[str] | None = None
         text = os.fspath(source)
         if "\n" in text:
-            self._folder = tempfile.TemporaryDirectory(prefix="ballbar-")
-            self.path = Path(self._folder.name) / "model.toml"
+            folder = tempfile.mkdtemp(prefix="ballbar-")
+            weakref.finalize(self, shutil.rmtree, folder, True)
+            self.path = Path(folder) / "model.toml"
             self.path.write_text(text, encoding="utf-8")
         else:
             self.path = Path(text)
@@ -50,8 +53,10 @@ class Model:
     def of(cls, target: str | list[str], *effects: str, **columns: Mapping[str, Any]) -> Model:
         """A model of these effects: names alone, or ``name={"input": "column", "parameter": value}``."""
         names = ", ".join(f'"{one}"' for one in target) if isinstance(target, list) else f'"{target}"'
-        lines = [f"target = [{names}]" if isinstance(target, list) else f"target = {names}"]
-        for name, stated in [*((effect, {}) for effect in effects), *columns.items()]:
+        lines = ['format = "ballbar-model 1"', f"target = [{names}]" if isinstance(target, list) else f"target = {names}"]
+        each: list[tuple[str, Mapping[str, Any]]] = [(effect, {}) for effect in effects]
+        each += columns.items()
+        for name, stated in each:
             lines += ["", "[[effect]]", f'name = "{name}"']
             for key, value in stated.items():
                 lines.append(f'{key} = "{value}"' if isinstance(value, str) else f"{key} = {value}")
@@ -98,6 +103,7 @@ class Words:
     def __init__(self, *words: str) -> None:
         self.words: list[str] = [*words]
         self.given: dict[str, Any] = {}
+        self.sources: list[str] = []  # the words for DATA
 
     def data(self, *sources: Any) -> Words:
         """Paths, a Series, a DataFrame, a dict of arrays, recordings, or a list of any of these but dicts."""
@@ -108,7 +114,7 @@ class Words:
             elif isinstance(source, Recording):
                 self._give([source])
             elif isinstance(source, (str, os.PathLike)):
-                self.words.append(_path(source))
+                self._source(_path(source))
             elif isinstance(source, Iterable):
                 several = list(source)
                 if several and all(isinstance(one, Recording) for one in several):
@@ -146,10 +152,31 @@ class Words:
             _log.log(logging.INFO if remark.startswith("wrote ") else logging.WARNING, remark)
         return result
 
+    def picture(self, name: str) -> str:
+        """The picture of that name that the page of these data would have, as SVG."""
+        words = ["report", *self.sources, "--format", "svg", "--picture", name]
+        for place, word in enumerate(self.words):
+            if word in ("--model", "--target", "--max-gap", "--also-input", "--set"):
+                words += self.words[place : place + 2]
+            elif word in ("--robust", "--white"):
+                words.append(word)
+        if "--model" in self.words:
+            words.append("--diagnose" if self.words[0] == "diagnose" else "--no-diagnosis")
+        elif self.words[0] == "diagnose" and name == "with-without":
+            words.append("--diagnose")
+        with tempfile.TemporaryDirectory(prefix="ballbar-") as folder:
+            path = Path(folder) / "picture.svg"
+            _core.run([*words, "--out", str(path)], self.given)
+            return path.read_text(encoding="utf-8")
+
     def _give(self, data: Any) -> None:
         name = "<data>" if not self.given else f"<data {len(self.given) + 1}>"
         self.given[name] = data
-        self.words.append(name)
+        self._source(name)
+
+    def _source(self, word: str) -> None:
+        self.sources.append(word)
+        self.words.append(word)
 
 
 def _path(path: str | os.PathLike[str]) -> str:

@@ -137,11 +137,11 @@ def _as_typed(pattern: str, path: str) -> str:
 
 
 def _frame(work: Any, files: Sequence[str], size: int, columns: dict[str, str], *how: Any) -> Any:
-    import dask.dataframe
+    import dask.dataframe as frames
 
     meta = pandas.DataFrame({name: pandas.Series(dtype=kind) for name, kind in columns.items()})
     parts = [files[at : at + size] for at in range(0, len(files), size)]
-    return dask.dataframe.from_map(lambda part: _typed(work(part, *how), columns), parts, meta=meta)
+    return frames.from_map(lambda part: _typed(work(part, *how), columns), parts, meta=meta)
 
 
 def _typed(rows: list[dict[str, Any]], columns: dict[str, str]) -> pandas.DataFrame:
@@ -209,7 +209,7 @@ def _error_rows(files: Sequence[str], storage: dict[str, Any]) -> list[dict[str,
         if not any(row["sha256"] == local.sha256 for row in rows if row["file"] == file):
             rows.append(_fault(file, local.sha256, f"{file}: the second recording of a test, or none."))
         local.close()
-    return sorted(rows, key=lambda row: row["file"])
+    return sorted(rows, key=lambda row: str(row["file"]))
 
 
 def _skipped_alone(path: str) -> dict[str, str]:
@@ -225,7 +225,7 @@ def _diagnosed_rows(files: Sequence[str], storage: dict[str, Any], model: Any, t
 
     opened, rows = _each(files, storage)
     for file, local in opened:
-        row = {"file": file, "sha256": local.sha256, "version": _core.version}
+        row: dict[str, Any] = {"file": file, "sha256": local.sha256, "version": _core.version}
         try:
             found = _diagnose(local.path, Model(model) if model else None, target=target).to_dict()
             named = ", ".join(one["effect"] for one in found.get("named", []))
@@ -246,7 +246,7 @@ def _trained_rows(files: Sequence[str], storage: dict[str, Any], target: str, ou
     for file, local in opened:
         name = os.path.splitext(os.path.basename(file))[0]
         path = os.path.join(out, f"{name}-{local.sha256[:8]}.json")
-        row = {"file": file, "sha256": local.sha256, "version": _core.version}
+        row: dict[str, Any] = {"file": file, "sha256": local.sha256, "version": _core.version}
         try:
             found = _train(local.path, target, path, effects=True, few=few).to_dict()
             row.update(model=path if os.path.exists(path) else None, held_out_um=found.get("held_out_um"))

@@ -23,6 +23,7 @@ from .fleet import _COLUMNS, _error_rows, _typed, files_of
 _FORMAT = "ballbar-fleet-table 1"
 _FILES_OF_A_TASK = 100
 _MOST_PARTS = 40  # then they are made one
+_PATIENCE_S = 20  # with a scheduler that is gone
 _TRIES = 3  # of a file that changes while it is read, of a scheduler that is gone
 
 Stamp = list[int]  # size, ns since 1970
@@ -120,33 +121,58 @@ def _answers(
         for part in parts:  # the program reads on all cores
             yield part, _error_rows(part, storage)
         return
-    from dask.distributed import as_completed
-
     left = {tuple(part) for part in parts}
     for attempt in range(_TRIES):
-        futures = {client.submit(_error_rows, list(part), storage, pure=False): part for part in sorted(left)}
-        for future in as_completed(list(futures)):
-            part = futures[future]
-            try:
-                answer = future.result()
-            except Exception as error:  # noqa: BLE001  whatever befell a worker: told, and tried again
-                reason = f"{type(error).__name__}: {error}"
-                if attempt + 1 == _TRIES:
-                    lacking.update(dict.fromkeys(part, reason))
-                continue
-            left.discard(part)
-            yield part, answer
+        reasons: dict[tuple[str, ...], str] = {}
+        if client is None or client.status != "running":
+            reasons = dict.fromkeys(left, "the cluster is gone")
+        else:
+            futures = {client.submit(_error_rows, list(part), storage, pure=False): part for part in sorted(left)}
+            for future in _finished(list(futures), client):
+                part = futures[future]
+                try:
+                    answer = future.result(timeout=60)
+                except Exception as error:  # noqa: BLE001  whatever befell a worker: told, and tried again
+                    reasons[part] = f"{type(error).__name__}: {error}"
+                    continue
+                left.discard(part)
+                yield part, answer
         if not left:
             return
-        _wait_for(client)
+        if attempt + 1 == _TRIES:
+            for part in left:
+                lacking.update(dict.fromkeys(part, reasons.get(part, "the cluster gave no answer")))
+        else:
+            client = _again(client)
 
 
-def _wait_for(client: Any) -> None:
-    """Until the scheduler is there again, or not."""
+def _finished(futures: list[Any], client: Any) -> Iterator[Any]:
+    """Each as it ends, in whatever way; until the client is gone."""
+    gone_since: float | None = None
+    while futures:
+        ended = [future for future in futures if future.status != "pending"]
+        yield from ended
+        futures = [future for future in futures if future not in ended]
+        if client.status == "running":
+            gone_since = None
+        else:
+            gone_since = gone_since or time.monotonic()
+            if client.status == "closed" or time.monotonic() - gone_since > _PATIENCE_S:
+                return
+        if not ended:
+            time.sleep(0.02)
+
+
+def _again(client: Any) -> Any:
+    """A client of the same scheduler, which may have been restarted; None: it is not there."""
+    if client is None or client.status == "running":
+        return client
+    from dask.distributed import Client
+
     try:
-        client.wait_for_workers(1, timeout=60)
-    except Exception:  # noqa: BLE001  the next attempt says why
-        time.sleep(1.0)
+        return Client(client.scheduler.address if client.scheduler else client._start_arg, timeout=_PATIENCE_S)
+    except Exception:  # noqa: BLE001  no scheduler there
+        return None
 
 
 def _settled(
