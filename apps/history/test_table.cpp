@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string csv_number(const std::optional<double>& value) { return value ? csv_number(*value) : ""; }
+std::string optional_cell(const std::optional<double>& value) { return value ? csv_number(*value) : ""; }
 
 // The error of the machine that is largest in sigmas of those that the test shows; nullptr: none.
 const TestQuantity* clearest(const MachineTest& test) {
@@ -84,7 +84,7 @@ std::string test_table_csv(const std::vector<MachineTest>& tests) {
     }
     text += fmt::format("{},{},{},{},{},{},{},{},{},{}", csv_text(test.file), csv_text(test.machine),
                         csv_text(test.bar), test.started_s ? iso_date_text(*test.started_s) : "", name_of(test.plane),
-                        csv_number(test.nominal_length_mm), csv_number(test.feed_mm_per_min),
+                        csv_number(test.nominal_length_mm), optional_cell(test.feed_mm_per_min),
                         csv_number(test.start_deg), csv_number(test.arc_deg), test.stored ? 1 : 0);
     for (const std::string& cell : cells) text += ',' + cell;
     text += '\n';

@@ -72,6 +72,8 @@ def files_of(paths: Paths, **storage: Any) -> list[str]:
         if "://" not in text and os.path.isdir(text):
             found += _below(text)
         elif "://" not in text and not any(sign in text for sign in "*?["):
+            if not os.path.exists(text) and one is paths:
+                raise BallbarError(f"{text}: expected a folder, files or a pattern, found nothing of that name.")
             found.append(text)
         else:
             system, _, matches = get_fs_token_paths(text, storage_options=storage)
