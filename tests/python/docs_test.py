@@ -12,8 +12,9 @@ import ballbar
 
 class Docs(unittest.TestCase):
     def test_examples(self):
-        for name in ("ballbar", "ballbar._catalogue", "ballbar._words", "ballbar.fleet"):
-            if name == "ballbar.fleet" and importlib.util.find_spec("dask") is None:
+        for name in ("ballbar", "ballbar._catalogue", "ballbar._words", "ballbar.fleet", "ballbar.plot"):
+            needs = {"ballbar.fleet": "dask", "ballbar.plot": "matplotlib"}.get(name)
+            if needs and importlib.util.find_spec(needs) is None:
                 continue
             found = doctest.testmod(importlib.import_module(name), verbose=False)
             self.assertEqual(found.failed, 0, name)
