@@ -29,7 +29,7 @@ hal='linuxcnc-uspace linuxcnc-uspace-dev'
 test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium fonts-dejavu-core'
 browsers='chromium firefox-esr fonts-dejavu-core'
 bench='libbenchmark-dev python3 python3-numpy python3-scipy python3-sklearn'
-check='git clang clang-format clang-tidy libclang-rt-14-dev'
+check='git mypy clang clang-format clang-tidy libclang-rt-14-dev'
 
 wanted=
 for group in "$@"; do

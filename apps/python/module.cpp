@@ -1,5 +1,6 @@
 // The module `ballbar._core`: the commands of the program on files and on data that Python holds.
 #include <glog/logging.h>
+#include <malloc.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -111,6 +112,9 @@ void translate(std::exception_ptr thrown) {
 
 PYBIND11_MODULE(_core, module) {
   namespace py = pybind11;
+  // Matrices of some 100 kB come and go: asked for anew each time, they would cost a quarter of a fit.
+  mallopt(M_MMAP_THRESHOLD, 4 << 20);
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
   FLAGS_minloglevel = google::GLOG_FATAL;  // of the solver: what it says stands in the results
   py::register_exception_translator(&ballbar::python::translate);
   ballbar::python::bind_arrays(module);

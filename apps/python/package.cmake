@@ -4,13 +4,13 @@ if(NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
 endif()
 find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter Development.Module)
 find_package(pybind11 2.10 REQUIRED)
-pybind11_add_module(ballbar_python NO_EXTRAS module.cpp arrays.cpp python_effect.cpp to_python.cpp)
+pybind11_add_module(ballbar_python NO_EXTRAS)
 set(package ${PROJECT_BINARY_DIR}/python/ballbar)
 set_target_properties(ballbar_python PROPERTIES OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${package})
 target_compile_definitions(ballbar_python PRIVATE BALLBAR_VERSION="${PROJECT_VERSION}")
 target_link_libraries(ballbar_python PRIVATE ballbar_commands glog::glog)
-file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/ballbar/*.py ${CMAKE_CURRENT_SOURCE_DIR}/ballbar/*.pyi
-  ${CMAKE_CURRENT_SOURCE_DIR}/ballbar/py.typed)
+file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/ballbar/*.py ${CMAKE_CURRENT_LIST_DIR}/ballbar/*.pyi
+  ${CMAKE_CURRENT_LIST_DIR}/ballbar/py.typed)
 add_custom_target(ballbar_python_files ALL COMMAND ${CMAKE_COMMAND} -E make_directory ${package}
   COMMAND ${CMAKE_COMMAND} -E copy_if_different ${sources} ${package} DEPENDS ${sources} VERBATIM)
 set(BALLBAR_PYTHON_FOLDER lib/python3/dist-packages CACHE STRING "where the package of Python is installed, below the prefix")
