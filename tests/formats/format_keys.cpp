@@ -77,6 +77,7 @@ std::string keys_text(std::string_view name) {
   if (name == "spindle") return text_of(spindle_keys());
   if (name == "spindle body") return body_text();
   if (name == "spindle image") return text_of(image_keys());
+  if (name == "fleet.toml") return text_of(fleet_keys());
   return "";
 }
 
