@@ -80,7 +80,7 @@ SeriesCurve curve_with(const QuantitySeries& series, const SeriesScatter& scatte
   }
   const double s = scatter.s > 0.0 ? scatter.s : 1.0;
   const RobustFit fit = robust_fit(columns, series.value, scatters_of(series, s));
-  const double memory = family.memory(static_cast<double>(n) / 4.0);
+  const double memory = family.memory_beyond(static_cast<double>(n) / 4.0);
   const Eigen::VectorXd fitted = columns * fit.gains;
   for (std::size_t i = 0; i < calls.size(); ++i) {
     Call& call = *calls[i];

@@ -128,6 +128,24 @@ Event step_event(const AllSeries& all, Calls calls) {
   return event;
 }
 
+// The steps of one date: where the bar changed and all scales step alike they are an event of their own.
+void add_date(const AllSeries& all, const Calls& together, std::vector<Event>& events) {
+  Calls scales, others;
+  bool bar_changed = false;
+  for (const Call* call : together) {
+    bar_changed = bar_changed || call->kind == FindingKind::instrument;
+    (kind_of(all, *call).of_scale ? scales : others).push_back(call);
+  }
+  const bool sums_alone =
+      std::all_of(others.begin(), others.end(), [&](const Call* call) { return kind_of(all, *call).of_sum; });
+  if (!bar_changed || sums_alone || !scales_step_alike(all, scales)) {
+    events.push_back(step_event(all, together));
+    return;
+  }
+  events.push_back(step_event(all, scales));
+  events.push_back(step_event(all, others));
+}
+
 // The clearest step and all whose dates agree with its own, then the clearest of the rest.
 void add_steps(const AllSeries& all, Calls steps, std::vector<Event>& events) {
   std::sort(steps.begin(), steps.end(), clearer);
@@ -138,13 +156,7 @@ void add_steps(const AllSeries& all, Calls steps, std::vector<Event>& events) {
       (overlap(possible_dates(all, *call), dates) ? together : others).push_back(call);
     }
     steps = std::move(others);
-    Event event = step_event(all, together);
-    if (event.kind != FindingKind::instrument) {
-      // That scales step where the bar changes, beside what else steps there, is a step of theirs only if it was found
-      // to be one.
-      std::erase_if(event.calls, [](const Call* call) { return call->kind == FindingKind::instrument; });
-    }
-    if (!event.calls.empty()) events.push_back(std::move(event));
+    add_date(all, together, events);
   }
 }
 

@@ -206,6 +206,7 @@ FleetScatter fleet_scatter(const AllSeries& all) {
     TailCounts counts;
     for (const std::size_t i : members[f]) counts.add(scores[i].about_curve);
     fleet.families[f].tail = tails_of(counts, all_counts);
+    fleet.families[f].variance_of_score = variance_of(fleet.families[f].tail.front());
   });
   return fleet;
 }
@@ -218,6 +219,13 @@ double FamilyScatter::memory(double j) const {
     return (1.0 - share) * memory_of[k - 1] + share * memory_of[k];
   }
   return memory_of.back();
+}
+
+// A line that is taken away takes some of what has a memory with it; worked out from autoregressive scatter and from
+// scatter that stays for 3 to 8 tests.
+double FamilyScatter::memory_beyond(double j) const {
+  constexpr double kGoesOn = 2.5;
+  return memory(j) + kGoesOn * std::max(0.0, memory(j) - memory(0.5 * j));
 }
 
 double FamilyScatter::chance_of_mean(std::size_t j, double mean) const {

@@ -28,11 +28,14 @@ class FamilyScatter {
  public:
   // Variance of the mean of j successive values over that of independent ones, at least 1.
   double memory(double j) const;
+  // The same of very many, for what follows a series from end to end: as far as it still rises up to j.
+  double memory_beyond(double j) const;
   // That the mean of j <= kLongestShortRun successive scores, each clipped at kShortRunClip, is so far from 0 by
   // chance, on either side.
   double chance_of_mean(std::size_t j, double mean) const;
 
   std::array<double, kRunLengths> memory_of{1, 1, 1, 1, 1, 1, 1, 1, 1};
+  double variance_of_score = 1.0;                          // clipped at kShortRunClip
   std::array<std::vector<double>, kLongestShortRun> tail;  // of the sum of 1, 2 ... scores: at least so many steps
 };
 

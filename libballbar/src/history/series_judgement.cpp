@@ -38,8 +38,8 @@ class Judging {
       found_.p_season = drop(FindingKind::season, level, season_columns(series_.time_s), level_.loss, 2.0 * log_n);
     }
     if (n >= kFewestOfStep) judge_step(level, level_, log_n);
+    judge_bar(level, log_n);
     if (found_.best) judge_beside();
-    judge_bar();
     return found_;
   }
 
@@ -49,7 +49,7 @@ class Judging {
   // Of as long a stretch as tells the curve.
   double memory(FindingKind kind) const {
     const auto n = static_cast<double>(series_.value.size());
-    if (kind != FindingKind::season) return family_.memory(n / 4.0);
+    if (kind != FindingKind::season) return family_.memory_beyond(n / 4.0);
     const double span_years = (series_.time_s.back() - series_.time_s.front()) / kYear_s;
     return family_.memory(n / (3.0 * span_years));
   }
@@ -89,11 +89,14 @@ class Judging {
   FitColumns columns_of(FindingKind kind) const {
     if (kind == FindingKind::trend) return line_.rightCols(1);
     if (kind == FindingKind::season) return season_columns(series_.time_s);
-    return step_column(series_.value.size(), found_.step.at);
+    return step_column(series_.value.size(), kind == FindingKind::step ? found_.step.at : found_.bar_at);
   }
 
   std::optional<double>& p_value(FindingKind kind) {
-    return kind == FindingKind::trend ? found_.p_trend : kind == FindingKind::season ? found_.p_season : found_.p_step;
+    return kind == FindingKind::trend    ? found_.p_trend
+           : kind == FindingKind::season ? found_.p_season
+           : kind == FindingKind::step   ? found_.p_step
+                                         : found_.p_bar;
   }
 
   void judge_beside() {
@@ -101,7 +104,8 @@ class Judging {
     if (!(p_value(best).value_or(1.0) < kClear)) return;
     const FitColumns base = beside(line_.leftCols(1), columns_of(best));
     const RobustFit base_fit = fit(base);
-    for (const FindingKind kind : {FindingKind::trend, FindingKind::season, FindingKind::step}) {
+    for (const FindingKind kind :
+         {FindingKind::trend, FindingKind::season, FindingKind::instrument, FindingKind::step}) {
       std::optional<double>& p = p_value(kind);
       if (kind == best || !p) continue;
       if (kind == FindingKind::step) {
@@ -116,10 +120,10 @@ class Judging {
   }
 
   // At the exchange with the longest stretches on either side.
-  void judge_bar() {
+  void judge_bar(const FitColumns& base, double log_n) {
     const std::vector<std::string_view>& bar = series_.bar;
     const std::size_t n = bar.size();
-    if (!is_global_scale(series_.name) || n < kFewestOfStep) return;
+    if (!is_scale(series_.name) || n < kFewestOfStep) return;
     std::size_t longest = 1;
     for (std::size_t k = 1; k < n; ++k) {
       if (bar[k] == bar[k - 1]) continue;
@@ -131,7 +135,9 @@ class Judging {
       longest = shorter;
       found_.bar_at = k;
     }
-    if (longest > 1) found_.p_bar = StepScores(level_.scores, degrees_, family_).p_value(found_.bar_at);
+    if (longest < 2) return;
+    found_.p_bar = StepScores(level_.scores, degrees_, family_).p_value(found_.bar_at);
+    note(FindingKind::instrument, fit(beside(base, columns_of(FindingKind::instrument))).loss, log_n);
   }
 
   const QuantitySeries& series_;
@@ -147,6 +153,10 @@ class Judging {
 }  // namespace
 
 bool is_global_scale(std::string_view name) { return name == "global_scale"; }
+
+bool is_scale(std::string_view name) {
+  return is_global_scale(name) || name == scale_name(0) || name == scale_name(1) || name == scale_name(2);
+}
 
 SeriesJudgement judgement_of(const QuantitySeries& series, const SeriesScatter& scatter, const FamilyScatter& family) {
   if (series.value.size() < kTestsOfTrend || scatter.s <= 0.0) return {};

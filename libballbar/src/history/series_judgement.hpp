@@ -21,7 +21,7 @@ struct SeriesJudgement {
   std::optional<double> p_step, p_trend, p_season;
   StepPlace step;
   std::optional<FindingKind> best;  // the curve that leaves least, a penalty for its constants added
-  // Of scales: that they step where the bar is exchanged.
+  // Of scales: that they step where the bar is exchanged, FindingKind::instrument among the curves.
   std::optional<double> p_bar;
   std::size_t bar_at = 0;
 };
@@ -31,7 +31,8 @@ struct SeriesJudgement {
 // their p value is multiplied by the number of places. O(n).
 SeriesJudgement judgement_of(const QuantitySeries& series, const SeriesScatter& scatter, const FamilyScatter& family);
 
-// Whether the quantity is of all axes' scales together.
+// Of all axes together; and that, or of one axis: what the length of the bar shows in.
 bool is_global_scale(std::string_view name);
+bool is_scale(std::string_view name);
 
 }  // namespace ballbar

@@ -9,32 +9,22 @@
 namespace ballbar {
 
 StepScores::StepScores(const Eigen::VectorXd& scores, double degrees, const FamilyScatter& family)
-    : short_sums_{0.0}, long_sums_{0.0}, degrees_(degrees), family_(family) {
-  for (const double z : scores) {
-    short_sums_.push_back(short_sums_.back() + clipped(z, kShortRunClip));
-    long_sums_.push_back(long_sums_.back() + clipped(z, kHuberClip));
-  }
-}
-
-double StepScores::mean(const std::vector<double>& sums, std::size_t from, std::size_t to) const {
-  return (sums[to] - sums[from]) / static_cast<double>(to - from);
+    : sums_{0.0}, degrees_(degrees), family_(family) {
+  for (const double z : scores) sums_.push_back(sums_.back() + clipped(z, kShortRunClip));
 }
 
 double StepScores::p_value(std::size_t k) const {
-  const std::size_t n = long_sums_.size() - 1;
-  const std::size_t fewer = std::min(k, n - k), more = n - fewer;
-  const auto j = static_cast<double>(fewer), rest = static_cast<double>(more);
-  const double variance = family_.memory(j) / j, variance_of_rest = family_.memory(rest) / rest;
-  const double sigma = std::sqrt(variance + variance_of_rest);
-  if (fewer > kLongestShortRun) {
-    return student_tails((mean(long_sums_, k, n) - mean(long_sums_, 0, k)) / sigma, degrees_);
-  }
-  const bool after = n - k == fewer;
-  const double mean_of_fewer = after ? mean(short_sums_, k, n) : mean(short_sums_, 0, k);
-  const double mean_of_rest = after ? mean(long_sums_, 0, k) : mean(long_sums_, k, n);
-  const double difference = mean_of_fewer - mean_of_rest;
-  const double as_if_rest_known = difference * std::sqrt(variance) / sigma;
-  return std::max(family_.chance_of_mean(fewer, as_if_rest_known), student_tails(difference / sigma, degrees_));
+  const std::size_t n = sums_.size() - 1;
+  const std::size_t fewer = std::min(k, n - k);
+  const auto before = static_cast<double>(k), after = static_cast<double>(n - k);
+  const auto variance_of_mean = [&](double j) { return family_.memory(j) / j; };
+  const double difference = (sums_[n] - sums_[k]) / after - sums_[k] / before;
+  const double variance = variance_of_mean(before) + variance_of_mean(after);
+  const double by_student = student_tails(difference / std::sqrt(family_.variance_of_score * variance), degrees_);
+  if (fewer > kLongestShortRun) return by_student;
+  const double of_fewer = variance_of_mean(static_cast<double>(fewer));
+  const double as_if_rest_known = difference * std::sqrt(of_fewer / variance);
+  return std::max(family_.chance_of_mean(fewer, as_if_rest_known), by_student);
 }
 
 StepSearch step_search(const Eigen::VectorXd& scores, double degrees, const FamilyScatter& family) {

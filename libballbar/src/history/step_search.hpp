@@ -16,17 +16,15 @@ struct StepSearch {
 
 inline constexpr std::size_t kFewestOfStep = 5;  // values; two on either side
 
-// Of the difference of both sides' mean scores at one place, on either side: of short sides by what such sums were seen
-// to be, of long ones by Student's t of scores clipped at kHuberClip.
+// Of the difference of both sides' mean scores at one place, each clipped at kShortRunClip, on either side: where one
+// side is short by what such means were seen to be, else by Student's t.
 class StepScores {
  public:
   StepScores(const Eigen::VectorXd& scores, double degrees, const FamilyScatter& family);
   double p_value(std::size_t k) const;
 
  private:
-  double mean(const std::vector<double>& sums, std::size_t from, std::size_t to) const;
-
-  std::vector<double> short_sums_, long_sums_;
+  std::vector<double> sums_;
   double degrees_;
   const FamilyScatter& family_;
 };

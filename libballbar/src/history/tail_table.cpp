@@ -9,7 +9,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kTailSteps = 60;  // kShortRunClip over kTailStep
-constexpr double kOfAll = 200.0;    // scores of all quantities that are added to a quantity's own
+constexpr double kOfAll = 200.0;        // scores of all quantities that are added to a quantity's own
 constexpr double kOfStudent = 40.0;
 
 // Of |t| for t of Student with 4 degrees of freedom, as wide in its middle as a standard normal number.
@@ -60,6 +60,15 @@ std::array<std::vector<double>, kLongestShortRun> tails_of(const TailCounts& own
     for (std::size_t i = middle + 1; i-- > 0;) tails[k][i] = above += sum[middle + i];
   }
   return tails;
+}
+
+double variance_of(const std::vector<double>& tail) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < tail.size(); ++i) {
+    const double share = tail[i] - (i + 1 < tail.size() ? tail[i + 1] : 0.0);
+    sum += 2.0 * share * std::pow(static_cast<double>(i) * kTailStep, 2);
+  }
+  return sum;
 }
 
 double chance_of_sum(const std::vector<double>& tail, double sum) {

@@ -25,6 +25,9 @@ class TailCounts {
 // a few of Student's t with 4 degrees of freedom.
 std::array<std::vector<double>, kLongestShortRun> tails_of(const TailCounts& own, const TailCounts& of_all);
 
+// Of one score, from its tail.
+double variance_of(const std::vector<double>& tail);
+
 // On either side.
 double chance_of_sum(const std::vector<double>& tail, double sum);
 

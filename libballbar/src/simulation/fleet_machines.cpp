@@ -141,8 +141,8 @@ double FleetMachineTruth::value(const VirtualFleet& fleet, const std::string& er
   const std::vector<std::string> names = names_at(error, axis, plane);
   for (const FleetStory& story : fleet.stories) {
     if (story.machine != machine + 1) continue;
-    for (const std::string& name : names) {
-      const auto found = story.errors.find(name);
+    for (const std::string& one : names) {
+      const auto found = story.errors.find(one);
       if (found == story.errors.end()) continue;
       sum += found->second * share_of_story(story, since_s, at_s);
       break;
@@ -158,8 +158,8 @@ SpreadsOfColumns spreads_of(const VirtualFleet& fleet, const FleetCurves& curves
   }
   for (const FleetCurves::Column& column : curves.columns) {
     const auto found = std::find_if(fleet.errors.begin(), fleet.errors.end(),
-                                    [&](const ErrorSpread& error) { return means(error.name, column.name); });
-    spreads.of_column.push_back(found == fleet.errors.end() ? nullptr : &*found);
+                                    [&](const ErrorSpread& one) { return means(one.name, column.name); });
+    spreads.of_column.push_back(column.of_mismatch || found == fleet.errors.end() ? nullptr : &*found);
   }
   return spreads;
 }

@@ -70,7 +70,7 @@ Plant plant_of_plan(const std::string& plan, VirtualFleet fleet, int seed) {
   return plant_of(fleet);
 }
 
-bool study(const std::string& plan, const VirtualFleet& fleet, int seeds) {
+bool study_of(const std::string& plan, const VirtualFleet& fleet, int seeds) {
   fmt::print("{}\nseed    stories  others\n", plan);
   Sums sums;
   for (int seed = 1; seed <= seeds; ++seed) {
@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
     std::vector<std::string> plans(argv + std::min(argc, 3), argv + argc);
     if (plans.empty()) plans = {"sample", "sample_null", "other", "other_null"};
     bool good = true;
-    for (const std::string& plan : plans) good = study(plan, fleet, seeds) && good;
+    for (const std::string& plan : plans) good = study_of(plan, fleet, seeds) && good;
     return good ? 0 : 1;
   } catch (const Error& error) {
     fmt::print(stderr, "study_fleet: {}\n", error.what());

@@ -11,7 +11,11 @@ const next = (): Next => ({ label: t.fleet_next, text: "", command: command_of("
 
 const cell = (text: string): string => with_decimal_sign(named(t.fleet_words, text));
 
-const machine_section = (machine: FleetMachine, k: number): Section => {
+// Of a row of the ranking, without the machine.
+const row_text = ([, needs = "", found = "", quantity = "", size = ""]: readonly string[]): string =>
+  [cell(needs), cell(found), typed(quantity), cell(size)].filter((text) => text !== "-").join(", ");
+
+const machine_section = (machine: FleetMachine, row: readonly string[], k: number): Section => {
   const { label, reason, findings, quantities } = machine;
   const name = `fleet-${k + 1}`;
   const drawn = quantities.length > 0;
@@ -19,7 +23,7 @@ const machine_section = (machine: FleetMachine, k: number): Section => {
   return {
     id: name,
     heading: plain(label, 80),
-    result: english(reason),
+    result: row_text(row),
     says: Math.max(0, 4 - k),
     ...(drawn
       ? { first: { picture: name, kind: t.fleet_kind, label: plain(label, 80), told: () => ({ verdict: english(reason), next: next() }) } }
@@ -33,7 +37,7 @@ const machine_section = (machine: FleetMachine, k: number): Section => {
 export const fleet_sections = ({ fleet }: Report): Section[] => {
   if (!fleet) return [];
   return [
-    ...fleet.machines.map(machine_section),
+    ...fleet.machines.map((machine, k) => machine_section(machine, fleet.rows[k] ?? [], k)),
     {
       id: "fleet",
       heading: t.fleet_ranking,
