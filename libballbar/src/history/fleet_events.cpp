@@ -73,28 +73,34 @@ void note_bars(const AllSeries& all, Event& event) {
 
 bool nearer_to_0(const Call& call) { return std::abs(call.after) < std::abs(call.before); }
 
-// The axis of which two kinds of errors at least came nearer to 0, and nothing else became worse.
+bool is_clearly_worse(const Call& call) {
+  return std::abs(call.after) - std::abs(call.before) > kSignificantSigmas * call.sigma;
+}
+
+// The axis of which two kinds of errors at least came nearer to 0, and nothing else became worse. Of the same kind of
+// error on another axis a third of that does not count: a ballbar test takes a little of one axis for the other's.
 std::optional<int> bettered_axis(const AllSeries& all, const Calls& calls) {
+  constexpr double kTakenForAnother = 1.0 / 3.0;
   std::map<int, std::set<std::string>> better;
-  std::set<int> worse;
-  bool worse_elsewhere = false;
+  std::map<std::string, double> bettered_by;  // by kind of error
   for (const Call* call : calls) {
     const QuantityKind kind = kind_of(all, *call);
-    if (kind.of_sum || kind.of_both_scales || (kind.of_scale && !kind.axis)) continue;
-    if (kind.axis && (nearer_to_0(*call) || kind.of_scale)) {
-      better[*kind.axis].insert(kind.stem);  // a new screw has another scale, which need not be a better one
-    } else if (kind.axis) {
-      worse.insert(*kind.axis);
-    } else if (!nearer_to_0(*call)) {
-      worse_elsewhere = true;
-    }
+    // A new screw has another scale, which need not be a better one.
+    if (!kind.axis || !(nearer_to_0(*call) || kind.of_scale)) continue;
+    better[*kind.axis].insert(kind.stem);
+    double& most = bettered_by[kind.stem];
+    most = std::max(most, std::abs(call->size));
   }
+  const bool worse = std::any_of(calls.begin(), calls.end(), [&](const Call* call) {
+    const QuantityKind kind = kind_of(all, *call);
+    return !kind.of_sum && !kind.of_both_scales && !kind.of_scale && is_clearly_worse(*call) &&
+           std::abs(call->size) > kTakenForAnother * bettered_by[kind.stem];
+  });
   std::optional<int> most;
   for (const auto& [axis, stems] : better) {
     if (stems.size() > 1 && (!most || stems.size() > better[*most].size())) most = axis;
   }
-  if (worse_elsewhere || !worse.empty()) return std::nullopt;
-  return most;
+  return worse ? std::nullopt : most;
 }
 
 bool is_to_the_worse(const AllSeries& all, const Calls& calls) {

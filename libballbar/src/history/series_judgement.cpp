@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kSpanOfSeason_s = 1.5 * kYear_s;
 constexpr std::size_t kFewestOfSeason = 8;
+constexpr double kMayBe = 0.1;
 constexpr double kClear = 0.01;  // p of the best curve, from which the others are judged beside it
 
 class Judging {
@@ -71,13 +72,15 @@ class Judging {
     found_.best = kind;
   }
 
-  // The place of the search, or one about as likely that leaves less.
+  // The place of the search, or, where there may be a step, one about as likely that leaves less.
   void judge_step(const FitColumns& base, const RobustFit& base_fit, double log_n) {
     const StepSearch search = step_search(base_fit.scores, degrees_, family_);
     found_.p_step = search.p_value;
     found_.step = search.place;
+    const bool clear = search.p_value < kMayBe;
     double least = base_fit.loss;
-    for (std::size_t k = search.place.earliest; k <= search.place.latest; ++k) {
+    for (std::size_t k = clear ? search.place.earliest : search.place.at;
+         k <= (clear ? search.place.latest : search.place.at); ++k) {
       const double loss = fit(beside(base, step_column(series_.value.size(), k))).loss;
       if (loss >= least) continue;
       least = loss;
