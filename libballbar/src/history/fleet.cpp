@@ -122,8 +122,10 @@ class MachineInFleet {
     for (const Call* call : event.calls) {
       finding.quantities.push_back({place_of_.at(call->series), call->size, call->sigma, call->p_value, call->q_value});
     }
-    finding.p_value = finding.quantities.front().p_value;
-    finding.q_value = finding.quantities.front().q_value;
+    for (const FindingQuantity& quantity : finding.quantities) {
+      finding.p_value = std::min(finding.p_value, quantity.p_value);
+      finding.q_value = std::min(finding.q_value, quantity.q_value);
+    }
     EventTexts texts = texts_of(all_, event);
     finding.sentence = std::move(texts.sentence);
     finding.remedy = std::move(texts.remedy);

@@ -22,6 +22,18 @@ QuantityKind kind_of(const AllSeries& all, const Call& call) {
   return kind_of(series_of(all, call).name, series_of(all, call).plane);
 }
 
+// The clearest first, what follows from others last.
+void sort_by_cause(const AllSeries& all, Calls& calls) {
+  std::stable_sort(calls.begin(), calls.end(), [&](const Call* left, const Call* right) {
+    const auto follows = [&](const Call* call) {
+      const QuantityKind kind = kind_of(all, *call);
+      return kind.of_sum || kind.of_both_scales;
+    };
+    const bool one = follows(left), other = follows(right);
+    return one != other ? other : clearer(left, right);
+  });
+}
+
 // The dates between which a step may lie.
 struct Dates {
   double from_s = 0.0, to_s = 0.0;
@@ -131,6 +143,7 @@ Event step_event(const AllSeries& all, Calls calls) {
   event.axis = event.all_scales_alike ? std::nullopt : bettered_axis(all, event.calls);
   if (event.axis) event.kind = FindingKind::replaced_part;
   event.to_the_worse = is_to_the_worse(all, event.calls);
+  sort_by_cause(all, event.calls);
   return event;
 }
 
@@ -174,6 +187,7 @@ Event lasting_event(const AllSeries& all, FindingKind kind, Calls calls) {
   const std::vector<double>& time_s = series_of(all, *event.calls.front()).time_s;
   event.from_s = time_s.front();
   event.to_s = time_s.back();
+  sort_by_cause(all, event.calls);
   return event;
 }
 

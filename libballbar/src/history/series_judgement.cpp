@@ -15,7 +15,8 @@ namespace {
 constexpr double kSpanOfSeason_s = 1.5 * kYear_s;
 constexpr std::size_t kFewestOfSeason = 8;
 constexpr double kMayBe = 0.1;
-constexpr double kClear = 0.01;  // p of the best curve, from which the others are judged beside it
+constexpr std::size_t kReach = 20;  // places to either side that are fitted
+constexpr double kClear = 0.01;     // p of the best curve, from which the others are judged beside it
 
 class Judging {
  public:
@@ -77,10 +78,11 @@ class Judging {
     const StepSearch search = step_search(base_fit.scores, degrees_, family_);
     found_.p_step = search.p_value;
     found_.step = search.place;
-    const bool clear = search.p_value < kMayBe;
+    const std::size_t reach = search.p_value < kMayBe ? kReach : 0;
+    const std::size_t first = std::max(search.place.earliest, search.place.at - std::min(search.place.at, reach));
+    const std::size_t last = std::min(search.place.latest, search.place.at + reach);
     double least = base_fit.loss;
-    for (std::size_t k = clear ? search.place.earliest : search.place.at;
-         k <= (clear ? search.place.latest : search.place.at); ++k) {
+    for (std::size_t k = first; k <= last; ++k) {
       const double loss = fit(beside(base, step_column(series_.value.size(), k))).loss;
       if (loss >= least) continue;
       least = loss;

@@ -19,7 +19,7 @@ const machine_section = (machine: FleetMachine, row: readonly string[], k: numbe
   const { label, reason, findings, quantities } = machine;
   const name = `fleet-${k + 1}`;
   const drawn = quantities.length > 0;
-  const shown = { name, caption: t.fleet_caption, about: t.fleet_about };
+  const shown = { name, trend: t.fleet_curve, caption: t.fleet_caption, about: t.fleet_about };
   return {
     id: name,
     heading: plain(label, 80),

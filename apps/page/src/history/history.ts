@@ -31,7 +31,12 @@ const says_of = ({ rows, first }: HistoryGroup): number => {
   return (/\d{4}-/.test(met) ? 4 : 0) + (change.includes("*") ? 2 : 0) + (a_year.includes("*") ? 1 : 0);
 };
 
-const shown = (k: number): Shown => ({ name: `history-${k + 1}`, caption: t.history_caption, about: t.history_about });
+const shown = (k: number): Shown => ({
+  name: `history-${k + 1}`,
+  trend: t.history_trend,
+  caption: t.history_caption,
+  about: t.history_about,
+});
 
 const group_section = (group: HistoryGroup, k: number): Section => ({
   id: `history-${k + 1}`,

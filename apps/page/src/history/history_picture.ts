@@ -22,15 +22,13 @@ const kTests: Toggle = {
   mark: "dot",
   on: true,
 };
-const kTrend: Toggle = {
+const curve_toggle = (label: string): Toggle => ({
   key: "trend",
-  get label() {
-    return t.history_trend;
-  },
+  label,
   colour: (dark) => curve_colour(1, dark),
   mark: "line",
   on: true,
-};
+});
 
 const uncertain = (year: readonly number[], values: readonly Num[], sigmas: readonly Num[]): Uncertain[] =>
   year.map((at, i) => [at, values[i] ?? null, sigmas[i] ?? null]);
@@ -92,15 +90,18 @@ const ends_of = ({ year, trend }: HistoryQuantity): Record<string, unknown> => {
   return { min: from - room, max: to + room };
 };
 
-// What a picture shows: `name` of it, `caption` and `about` below.
+// What a picture shows: `name` of it, `caption` and `about` below, `trend`: what its curve is called.
 export interface Shown {
   name: string;
+  trend: string;
   caption: string;
   about: string;
 }
 
 export const history_picture = (group: Pick<HistoryGroup, "label" | "first" | "quantities">, shown: Shown): Picture => {
   const { quantities } = group;
+  const { trend: called, ...head } = shown;
+  const kTrend = curve_toggle(called);
   const chosen_of = ({ chosen }: Pick<State, "chosen">): HistoryQuantity =>
     quantities.find(({ name }) => name === chosen["quantity"]) ?? (quantities[0] as HistoryQuantity);
   const toggles = (state: Pick<State, "chosen">): Toggle[] => (chosen_of(state).trend ? [kTests, kTrend] : [kTests]);
@@ -171,7 +172,7 @@ export const history_picture = (group: Pick<HistoryGroup, "label" | "first" | "q
   };
 
   return {
-    ...shown,
+    ...head,
     title: plain(group.label, 80),
     height_px: 360,
     zoom: "own",

@@ -666,6 +666,7 @@ export const de: Texts = {
   fleet_count: ({ n }) => `${n} ${n === 1 ? "Maschine" : "Maschinen"}`,
   fleet_kind: "Maschinen",
   fleet_step: "Sprung",
+  fleet_curve: "gefunden",
   fleet_caption: "Eine Größe über den Prüfungen, mit der gefundenen Kurve, dem Tag eines Sprungs und der Toleranz.",
   fleet_about:
     "Die Balken sind die Streuung von Prüfung zu Prüfung; die Kurve ist ein Niveau, ein Sprung, ein Trend oder ein Jahresgang, die schattierte Breite eine Standardabweichung ihres letzten Niveaus. Senkrechte Linien liegen zwischen den Prüfungen, zwischen denen sie springt.",

@@ -680,6 +680,7 @@ export const en = {
   fleet_count: ({ n }: { n: number }) => `${n} ${n === 1 ? "machine" : "machines"}`,
   fleet_kind: "Machines",
   fleet_step: "step",
+  fleet_curve: "found",
   fleet_caption: "One quantity over the tests, with the curve that was found, the date of a step and the tolerance.",
   fleet_about:
     "Bars are the scatter from test to test; the curve is a level, a step, a trend or a season, the shaded width one standard deviation of its last level. Upright lines lie between the tests where it steps.",

@@ -623,6 +623,7 @@ export const zh: Texts = {
   fleet_count: ({ n }) => `${n} 台机床`,
   fleet_kind: "机床",
   fleet_step: "跳变",
+  fleet_curve: "所得曲线",
   fleet_caption: "某一量随测试的变化，附所得曲线、跳变日期与公差。",
   fleet_about: "误差棒为测试之间的分散；曲线为水平、跳变、趋势或季节变化，阴影宽度为其最后水平的一倍标准差。竖线位于发生跳变的两次测试之间。",
   fleet_next: "查看一台机床的全部",

@@ -71,7 +71,7 @@ struct FindingQuantity {
 
 struct Finding {
   FindingKind kind = FindingKind::step;
-  std::vector<FindingQuantity> quantities;  // the clearest first
+  std::vector<FindingQuantity> quantities;  // the clearest first, what follows from others last
   // A step: the last test before and the first after it. A trend, a season: the first and the last test.
   double from_s = 0.0, to_s = 0.0;
   double p_value = 1.0, q_value = 1.0;  // of the clearest quantity
