@@ -93,6 +93,20 @@ std::string met_text(const QuantityHistory& quantity) {
   return "-";
 }
 
+std::string_view outlook_name(Outlook outlook) {
+  switch (outlook) {
+    case Outlook::beyond:
+      return "beyond";
+    case Outlook::no_trend:
+      return "no_trend";
+    case Outlook::away:
+      return "not_within_10_years";
+    case Outlook::expected:
+      return "expected";
+  }
+  return "";
+}
+
 std::string value_text(const QuantityHistory& quantity) {
   return fmt::format("{} {} {}", quantity.name,
                      with_sigma(quantity.last_value, quantity.last_sigma, decimals_of(quantity.unit)), quantity.unit);

@@ -20,6 +20,7 @@
 #include "page/report_page.hpp"
 #include "program.hpp"
 #include "python/arrays.hpp"
+#include "python/fleets.hpp"
 #include "python/python_effect.hpp"
 #include "python/to_python.hpp"
 #include "terminal/caller.hpp"
@@ -119,6 +120,7 @@ PYBIND11_MODULE(_core, module) {
   py::register_exception_translator(&ballbar::python::translate);
   ballbar::python::bind_arrays(module);
   ballbar::python::bind_effects(module);
+  ballbar::python::bind_fleets(module);
   module.attr("version") = BALLBAR_VERSION;
   module.def("run", &ballbar::python::run, py::arg("words"), py::arg("given"), py::arg("progress") = py::none());
   module.def("fit", &ballbar::python::fit, py::arg("recordings"), py::arg("polar"), py::arg("robust"));

@@ -54,6 +54,7 @@ def fleet(words: list[str]) -> int:
     import tempfile
 
     from . import BallbarError
+    from .fleet import ranked
     from .fleet_table import update
 
     options = _options(words)
@@ -66,15 +67,31 @@ def fleet(words: list[str]) -> int:
     except BallbarError as error:
         print(f"ballbar: {error}", file=sys.stderr)
         return 1
-    for path in options.out:
-        if path.endswith(".csv"):
-            done.table.to_csv(path, index=False)
+    limits = {name: float(limit) for name, _, limit in (one.partition("=") for one in options.tolerance)}
+    page = next((path for path in options.out if path.endswith(".html")), None)
+    try:
+        found = ranked(
+            done.table, tolerance=limits, false_discovery_rate=options.false_discovery_rate, page=page,
+            title=os.path.basename(os.path.normpath(options.paths[0])),
+        )
+        for path in options.out:
+            if path.endswith(".csv"):
+                done.table.to_csv(path, index=False)
+            elif path.endswith(".json"):
+                with open(path, "w", encoding="utf-8") as file:
+                    json.dump(found.to_dict(), file, indent=2)
+    except (BallbarError, OSError) as error:
+        print(f"ballbar: {error}", file=sys.stderr)
+        return 1
+    print(json.dumps(found.to_dict(), indent=2) if options.json else found.text, end="\n" if options.json else "")
+    for row in done.table[done.table["fault"].notna()].itertuples():
+        print(row.fault, file=sys.stderr)
     for file, why in done.lacking.items():
         print(f"{file}: not read: {why}", file=sys.stderr)
-    if options.json:
-        print(json.dumps({"files": len(done.table), "read": done.read, "kept": done.kept, "faults": done.faults, "lacking": done.lacking}))
-    else:
-        print(f"{len(done.table)} tests; {done.read} files read, {done.kept} as they were, {done.gone} gone, {done.faults} with a fault")
+    kept = f", {done.kept} as they were" if done.kept else ""
+    print(f"{done.read} files read{kept}" + (f", {done.gone} gone" if done.gone else ""), file=sys.stderr)
+    for path in options.out:
+        print(f"wrote {path}", file=sys.stderr)
     return 0 if done.complete else 1
 
 

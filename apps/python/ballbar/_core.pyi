@@ -93,4 +93,12 @@ def add_effect(
     shapes: Mapping[str, Mapping[str, Any]],
     explanation: Mapping[str, str],
 ) -> None: ...
+def fleet(
+    texts: Mapping[str, Sequence[str]],
+    numbers: Mapping[str, ArrayLike],
+    quantities: Sequence[tuple[str, str]],
+    tolerances: Mapping[str, float],
+    false_discovery_rate: float,
+    title: str | None = ...,
+) -> tuple[dict[str, Any], str, str]: ...
 def picture(parts: str, conclusion: str) -> str: ...

@@ -13,7 +13,7 @@ from __future__ import annotations
 import hashlib
 import os
 import tempfile
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Union
 
 import numpy as np
@@ -22,8 +22,9 @@ from fsspec.core import get_fs_token_paths
 
 from . import _core, diagnose as _diagnose, errors as _errors, train as _train
 from ._errors import BallbarError
+from ._results import Result
 
-__all__ = ["ERRORS", "diagnose", "errors", "files_of", "read", "train", "update"]
+__all__ = ["ERRORS", "diagnose", "errors", "files_of", "ranked", "read", "train", "update"]
 
 Paths = Union[str, "os.PathLike[str]", Iterable[Union[str, "os.PathLike[str]"]]]
 
@@ -110,6 +111,58 @@ def train(paths: Paths, target: str, out: str, *, few: bool = False, files_of_a_
     """A lazy table of models that predict `target`, one a file, written to the folder `out`: file, model, held_out_um."""
     columns = {**{name: "object" for name in ("file", "sha256", "version", "model", "fault")}, "held_out_um": "float64"}
     return _frame(_trained_rows, files_of(paths, **storage), files_of_a_partition, columns, storage, target, out, few)
+
+
+def ranked(
+    table: pandas.DataFrame,
+    *,
+    tolerance: Mapping[str, float] | None = None,
+    false_discovery_rate: float = 0.05,
+    page: str | os.PathLike[str] | None = None,
+    title: str = "fleet",
+) -> Ranked:
+    """Which machine needs what: change points, wear, seasons, replaced parts, exchanged instruments, tolerances.
+
+    Parameters
+    ----------
+    table : DataFrame
+        As :func:`errors` computes it, or :func:`update` keeps it; rows with a fault are passed over.
+    tolerance : dict
+        Limit of a quantity, to both sides of 0: ``{"backlash_a_pos": 5.0}``.
+    false_discovery_rate : float
+        The share of what is called that may be by chance, over all machines and quantities.
+    page : path
+        Written as well: a page of HTML with the ranking and a picture of what was found.
+    """
+    rows = table[table["fault"].isna()]
+    texts = {name: rows[name].fillna("").astype(str).tolist() for name in ("file", "machine", "bar", "plane")}
+    dates = pandas.to_datetime(rows["date"])
+    numbers = {name: rows[name].to_numpy(float) for name in _NUMBERS}
+    numbers["started_s"] = ((dates - pandas.Timestamp(0)) / pandas.Timedelta(seconds=1)).to_numpy(float)
+    numbers["stored"] = rows["stored"].fillna(False).to_numpy(float)
+    for name, unit in ERRORS:
+        for column in (f"{name}_{unit}", f"{name}_sigma_{unit}"):
+            numbers[column] = rows[column].to_numpy(float)
+    found, text, html = _core.fleet(
+        texts, numbers, ERRORS, dict(tolerance or {}), false_discovery_rate, title if page is not None else None
+    )
+    if page is not None:
+        with open(page, "w", encoding="utf-8") as file:
+            file.write(html)
+    return Ranked(found, text)
+
+
+class Ranked(Result):
+    """What was found of many machines; the keys are those of ``ballbar fleet --json``. ``text`` is its table."""
+
+    __slots__ = ("text",)
+
+    def __init__(self, keys: dict[str, Any], text: str = "") -> None:
+        super().__init__(keys)
+        self.text = text
+
+    def __repr__(self) -> str:
+        return self.text
 
 
 def update(paths: Paths, table: str, **how: Any) -> Any:
