@@ -78,8 +78,8 @@ def fleet(words: list[str]) -> int:
             if path.endswith(".csv"):
                 done.table.to_csv(path, index=False)
             elif path.endswith(".json"):
-                with open(path, "w", encoding="utf-8") as file:
-                    json.dump(found.to_dict(), file, indent=2)
+                with open(path, "w", encoding="utf-8") as output:
+                    json.dump(found.to_dict(), output, indent=2)
     except (BallbarError, OSError) as error:
         print(f"ballbar: {error}", file=sys.stderr)
         return 1
