@@ -7,6 +7,7 @@
 # page images mat blind hal     a component each, built where its packages are: the page of `ballbar report`; pictures;
 #                               .mat files; sealed blind tests; LinuxCNC
 # tool                          the whole program as a page, apps/page/build-tool.sh
+# package                       the Debian packages, apps/packages/make.sh
 # test browsers bench check     what the developers need besides; browsers: for the tests of tool
 #
 # Installs what is missing; where nothing is, no package tool is called and no rights are needed.
@@ -22,6 +23,7 @@ blind=libssl-dev
 # Beside build, whose headers it takes.
 tool='emscripten dpkg-dev'
 hal='linuxcnc-uspace linuxcnc-uspace-dev'
+package='dpkg-dev file lintian mmdebstrap desktop-file-utils shared-mime-info libglib2.0-bin'
 test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium fonts-dejavu-core'
 browsers='chromium firefox-esr fonts-dejavu-core'
 bench='libbenchmark-dev python3 python3-numpy python3-scipy python3-sklearn'
@@ -37,13 +39,14 @@ for group in "$@"; do
     blind) wanted="$wanted $blind" ;;
     tool) wanted="$wanted $tool" ;;
     hal) wanted="$wanted $hal" ;;
+    package) wanted="$wanted $package" ;;
     test) wanted="$wanted $test" ;;
     browsers) wanted="$wanted $browsers" ;;
     bench) wanted="$wanted $bench" ;;
     check) wanted="$wanted $check" ;;
     *)
-      echo "install-packages.sh: no group '$group'; the groups are build, page, images, mat, blind, tool, hal, test," \
-        "browsers, bench, check" >&2
+      echo "install-packages.sh: no group '$group'; the groups are build, page, images, mat, blind, tool, hal, package," \
+        "test, browsers, bench, check" >&2
       exit 2
       ;;
   esac

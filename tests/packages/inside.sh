@@ -1,0 +1,46 @@
+#!/bin/sh
+# In a bare Debian with the packages in /tmp/debian and a ballbar test in /tmp: installed, run, removed.
+set -eu
+export DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
+fail() {
+  echo "inside.sh: $1" >&2
+  exit 1
+}
+# All files but what any installation changes, and the installed size of all packages.
+files() { find / -xdev \( -path /tmp -o -path /proc -o -path /sys -o -path /dev -o -path /var/lib/dpkg \
+  -o -path /var/lib/apt -o -path /var/cache -o -path /var/log \) -prune -o -print | sort; }
+size_kB() { dpkg-query -W -f '${Installed-Size} ${Package}\n' | awk '{ kB += $1 } END { print kB }'; }
+
+files >/tmp/before
+dpkg-query -W -f '${Package}\n' | sort >/tmp/packages-before
+before_kB=$(size_kB)
+apt-get -qq install --no-install-recommends /tmp/debian/ballbar_*.deb >/tmp/apt.log 2>&1 || {
+  cat /tmp/apt.log >&2
+  exit 1
+}
+needs_kB=$(($(size_kB) - before_kB))
+echo "  installed with all that it needs: $((needs_kB / 1024)) MB; the largest of it, in kB:"
+dpkg-query -W -f '${Package} ${Installed-Size}\n' | sort | join -v 2 /tmp/packages-before - | sort -k 2nr | head -n 6 |
+  sed 's/^/    /'
+[ "$needs_kB" -le $((60 * 1024)) ] || fail 'expected at most 60 MB on a bare Debian'
+
+ballbar --version
+cp /tmp/00.b5r /root/
+ballbar diagnose /root/00.b5r | grep -q 'The circularity is 5.6 um' || fail 'expected the circularity of the test'
+ballbar report /root/00.b5r --out /root/page.html >/dev/null
+[ -s /root/page.html ] || fail 'expected a page'
+gzip -t /usr/share/man/man1/ballbar.1.gz
+for file in bash-completion/completions/ballbar zsh/site-functions/_ballbar fish/vendor_completions.d/ballbar.fish \
+  doc/ballbar/copyright; do
+  [ -s "/usr/share/$file" ] || fail "expected /usr/share/$file"
+done
+gzip -t /usr/share/doc/ballbar/changelog.gz
+rm -r /root/00.b5r /root/page.html
+
+apt-get -qq purge --autoremove ballbar >/tmp/apt.log 2>&1
+files >/tmp/after
+diff /tmp/before /tmp/after >/tmp/left || {
+  cat /tmp/left >&2
+  fail 'expected nothing to be left after purge'
+}
+echo '  removed, and nothing is left'
