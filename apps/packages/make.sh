@@ -27,4 +27,4 @@ sh apps/packages/pack.sh "$build" "$build/debian"
 
 step 'Where they are'
 ls -s --block-size=kB "$(realpath "$build")"/debian/*.deb
-echo "As root: apt-get install $(realpath "$build")/debian/ballbar_*.deb"
+echo "As root: apt-get install $(ls -d "$(realpath "$build")"/debian/ballbar_*.deb)"

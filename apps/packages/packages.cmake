@@ -7,10 +7,15 @@ if(NOT first_line MATCHES "^ballbar \\(${PROJECT_VERSION}\\) ")
   message(FATAL_ERROR "apps/packages/changelog: expected the version ${PROJECT_VERSION} first, found: ${first_line}")
 endif()
 
-# Ceres names both BLAS and ATLAS, which is another BLAS.
-get_target_property(of_ceres Ceres::ceres INTERFACE_LINK_LIBRARIES)
-list(FILTER of_ceres EXCLUDE REGEX "/lib(f77blas|atlas)\\.")
-set_target_properties(Ceres::ceres PROPERTIES INTERFACE_LINK_LIBRARIES "${of_ceres}")
+# Ceres and SuiteSparse name ATLAS beside BLAS: one of the two is enough, and BLAS is the smaller.
+get_property(imported DIRECTORY PROPERTY IMPORTED_TARGETS)
+foreach(target IN LISTS imported)
+  get_target_property(linked ${target} INTERFACE_LINK_LIBRARIES)
+  if(linked MATCHES "/lib(f77blas|atlas)\\.")
+    list(FILTER linked EXCLUDE REGEX "/lib(f77blas|atlas)\\.")
+    set_target_properties(${target} PROPERTIES INTERFACE_LINK_LIBRARIES "${linked}")
+  endif()
+endforeach()
 
 # Only what is used, and nothing that can be written to once the program runs.
 add_link_options(-Wl,--as-needed -Wl,--gc-sections -Wl,-z,relro -Wl,-z,now)

@@ -43,6 +43,7 @@ page_notices() (
   echo "with ZRender and tslib, under the licences in notices/. The notice of Apache ECharts:"
   echo
   sed 's/^/  /; s/ *$//' "$modules/echarts/NOTICE"
+  echo
 )
 
 copyright_of() (

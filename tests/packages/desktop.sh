@@ -13,7 +13,7 @@ fail() {
 desktop-file-validate "$usr/share/applications/ballbar.desktop"
 mkdir -p "$scratch/data/mime/packages"
 cp "$usr/share/mime/packages/ballbar.xml" "$scratch/data/mime/packages/"
-update-mime-database "$scratch/data/mime"
+XDG_DATA_HOME=$scratch/data update-mime-database "$scratch/data/mime"
 type_of() { XDG_DATA_HOME=$scratch/data gio info -a standard::content-type "$1" | sed -n 's/.*content-type: //p'; }
 cp "$b5r" "$scratch/named.b5r"
 cp "$b5r" "$scratch/named-otherwise"
