@@ -20,12 +20,13 @@ endforeach()
 # Only what is used, and nothing that can be written to once the program runs.
 add_link_options(-Wl,--as-needed -Wl,--gc-sections -Wl,-z,relro -Wl,-z,now)
 
-# OpenCV inside the program: as a shared library it brings OpenGL, with drivers and a compiler for them, of 220 MB.
+# OpenCV inside the program: as a shared library it brings OpenGL, with drivers and a compiler for them, of 220 MB. What
+# of other libraries it then still asks for stands in opencv_inside.cpp.
 if(BALLBAR_IMAGES)
   find_library(OPENCV_CORE_INSIDE libopencv_core.a REQUIRED)
   find_library(OPENCV_IMGPROC_INSIDE libopencv_imgproc.a REQUIRED)
   add_library(opencv_inside INTERFACE)
-  target_link_libraries(opencv_inside INTERFACE ${OPENCV_IMGPROC_INSIDE} ${OPENCV_CORE_INSIDE} lapack blas z tbb
+  target_link_libraries(opencv_inside INTERFACE ${OPENCV_IMGPROC_INSIDE} ${OPENCV_CORE_INSIDE} lapack blas z
     ${CMAKE_DL_LIBS})
   set(OPENCV_IMGPROC opencv_inside)
   set(OPENCV_CORE opencv_inside)

@@ -36,8 +36,13 @@ cmake -S "$source/tests/consumer" -B "$scratch/consumer" -DCMAKE_BUILD_TYPE=Rele
 cmake --build "$scratch/consumer" --target consumer >>"$scratch/consumer.log"
 "$scratch/consumer/consumer"
 
-echo 'Desktop'
+echo 'Pictures, for which OpenCV is in the program'
 dpkg-deb -x "$scratch"/debian/ballbar_*.deb "$scratch/unpacked"
+program=$scratch/unpacked/usr/bin/ballbar
+sh "$source/tests/cli/case.sh" "$program" "$source" simulate-shaft-images "$scratch/cases"
+python3 "$source/tests/cli/readme.py" "$program" "$source" "$scratch/readme" apps/mean_point/README.md
+
+echo 'Desktop'
 sh "$here/desktop.sh" "$scratch/unpacked/usr" "$source/sample-runs/qc20-style-b5r/00.b5r"
 
 if [ "$(id -u)" != 0 ] && ! unshare --user --map-root-user true 2>/dev/null; then
