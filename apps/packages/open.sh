@@ -4,7 +4,7 @@
 #   open [FILE...]
 #
 # The page lies beside the first file, under its name and .html. Where nothing can be written there, or something else
-# has that name, it lies below XDG_CACHE_HOME. What goes wrong is shown as a text, for there is no terminal to say it in.
+# has that name, it lies below XDG_CACHE_HOME. What goes wrong is shown as a text, for there is no terminal.
 set -eu
 cache=${XDG_CACHE_HOME:-}
 case $cache in

@@ -1,5 +1,6 @@
 #!/bin/sh
-# pack.sh BUILD OUT: what is built in BUILD, configured with BALLBAR_PACKAGES, as Debian packages in OUT and nothing else.
+# pack.sh BUILD OUT: what is built in BUILD, configured with BALLBAR_PACKAGES, as Debian packages in OUT, which holds
+# nothing else then.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 build=$1

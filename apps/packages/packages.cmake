@@ -1,5 +1,5 @@
-# The Debian packages, where BALLBAR_PACKAGES is ON: how the program is linked, what is installed with it, and what cpack
-# makes of each component. apps/packages/make.sh builds them; README.md says what they hold.
+# The Debian packages, where BALLBAR_PACKAGES is ON: how the program is linked, what is installed with it, and what
+# cpack makes of each component. apps/packages/make.sh builds them; README.md says what they hold.
 include(GNUInstallDirs)
 set(packages ${CMAKE_CURRENT_LIST_DIR})
 file(STRINGS ${packages}/changelog first_line LIMIT_COUNT 1)

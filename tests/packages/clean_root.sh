@@ -1,11 +1,11 @@
 #!/bin/sh
-# The Debian packages of a build, tested: packed twice with the same bytes, checked by lintian, installed in a bare Debian
-# 12, run there and removed without a trace; and a program built against the libraries in them.
+# The Debian packages of a build, tested: packed twice with the same bytes, checked by lintian, installed in a bare
+# Debian 12, run there and removed without a trace; and a program built against the libraries in them.
 #
 #   sh tests/packages/clean_root.sh BUILD
 #
-# BUILD is configured with BALLBAR_PACKAGES, its target ballbar built. The bare Debian comes from where this machine's own
-# apt takes its packages; without the rights to make one, that part is left out with a sentence.
+# BUILD is configured with BALLBAR_PACKAGES, its target ballbar built. The bare Debian comes from where this machine's
+# own apt takes its packages; without the rights to make one, that part is left out with a sentence.
 set -eu
 build=$(realpath "$1")
 source=$(cd "$(dirname "$0")/../.." && pwd)

@@ -1,6 +1,6 @@
 #!/bin/sh
-# desktop.sh USR B5R: the desktop entry is valid, a .b5r file has its type, an icon has that name, and a double click on a
-# file makes its page: beside it where that can be written, else below XDG_CACHE_HOME, never over another's file.
+# desktop.sh USR B5R: the desktop entry is valid, a .b5r file has its type, an icon has that name, and a double click on
+# a file makes its page: beside it where that can be written, else below XDG_CACHE_HOME, never over another's file.
 set -eu
 usr=$1 b5r=$2
 scratch=$(mktemp -d)

@@ -35,6 +35,22 @@ cp /tmp/00.b5r /root/
 ballbar diagnose /root/00.b5r | grep -q 'The circularity is 5.6 um' || fail 'expected the circularity of the test'
 ballbar report /root/00.b5r --out /root/page.html >/dev/null
 [ -s /root/page.html ] || fail 'expected a page'
+
+# A double click in a folder that its user cannot write to.
+printf '#!/bin/sh\necho "$1" >/tmp/home/opened\n' >/tmp/xdg-open
+chmod 755 /tmp/xdg-open
+mkdir /tmp/home
+chown nobody /tmp/home
+cp /tmp/00.b5r /srv/
+setpriv --reuid nobody --regid nogroup --clear-groups env HOME=/tmp/home PATH="/tmp:$PATH" \
+  /usr/libexec/ballbar/open /srv/00.b5r 2>/dev/null
+sleep 1 # it is started, not waited for
+case $(cat /tmp/home/opened) in
+  /tmp/home/.cache/ballbar/00.b5r*.html) ;;
+  *) fail "expected a page below /tmp/home/.cache/ballbar, found $(cat /tmp/home/opened)" ;;
+esac
+rm /srv/00.b5r
+
 gzip -t /usr/share/man/man1/ballbar.1.gz
 for file in bash-completion/completions/ballbar zsh/site-functions/_ballbar fish/vendor_completions.d/ballbar.fish \
   doc/ballbar/copyright; do
