@@ -12,8 +12,9 @@ files() { find / -xdev \( -path /tmp -o -path /proc -o -path /sys -o -path /dev 
 size_kB() { dpkg-query -W -f '${Installed-Size} ${Package}\n' | awk '{ kB += $1 } END { print kB }'; }
 
 # With what Debian recommends beside the libraries, as plain apt-get install would bring it.
-recommended_kB=$(apt-get -s --install-recommends install /tmp/debian/ballbar_*.deb | awk '/^Inst/ && $2 != "ballbar" { print $2 }' |
-  xargs apt-cache show --no-all-versions | awk '/^Installed-Size:/ { kB += $2 } END { print kB }')
+recommended_kB=$(apt-get -s --install-recommends install /tmp/debian/ballbar_*.deb |
+  awk '/^Inst/ && $2 != "ballbar" { print $2 }' | xargs apt-cache show --no-all-versions |
+  awk '/^Installed-Size:/ { kB += $2 } END { print kB }')
 
 files >/tmp/before
 dpkg-query -W -f '${Package}\n' | sort >/tmp/packages-before
@@ -25,8 +26,8 @@ apt-get -qq install --no-install-recommends /tmp/debian/ballbar_*.deb >/tmp/apt.
 needs_kB=$(($(size_kB) - before_kB))
 own_kB=$(dpkg-query -W -f '${Installed-Size}' ballbar)
 dpkg-query -W -f '${Package} ${Installed-Size}\n' | sort | join -v 2 /tmp/packages-before - | sort -k 2nr >/tmp/new
-echo "  installed with all that it needs: $(((needs_kB + 512) / 1024)) MB in $(wc -l </tmp/new) packages; with what these" \
-  "recommend: $(((recommended_kB + own_kB + 512) / 1024)) MB. The largest, in kB:"
+echo "  installed with all that it needs: $(((needs_kB + 512) / 1024)) MB in $(wc -l </tmp/new) packages; with what" \
+  "these recommend: $(((recommended_kB + own_kB + 512) / 1024)) MB. The largest, in kB:"
 head -n 6 /tmp/new | sed 's/^/    /'
 [ $((recommended_kB + own_kB)) -le $((60 * 1024)) ] || fail 'expected at most 60 MB on a bare Debian'
 
