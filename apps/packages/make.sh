@@ -7,6 +7,7 @@
 set -eu
 cd "$(dirname "$0")/../.."
 build=${1:-build-package}
+unset CMAKE_GENERATOR # generators differ in the order in which they link
 umask 022
 export LC_ALL=C.UTF-8 TZ=UTC
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(sh apps/packages/epoch.sh)}
