@@ -8,6 +8,7 @@
 #                               .mat files; sealed blind tests; LinuxCNC
 # python fleet                  the package of Python; many machines at once with it, by Dask
 # tool                          the whole program as a page, apps/page/build-tool.sh
+# package                       the Debian packages, apps/packages/make.sh
 # test browsers bench check     what the developers need besides; browsers: for the tests of tool
 #
 # Installs what is missing; where nothing is, no package tool is called and no rights are needed.
@@ -26,6 +27,7 @@ python='pybind11-dev python3-dev python3-numpy'
 # Many machines at once, tables and pictures in Python.
 fleet='python3-distributed python3-pandas python3-matplotlib'
 hal='linuxcnc-uspace linuxcnc-uspace-dev'
+package='dpkg-dev file lintian mmdebstrap desktop-file-utils shared-mime-info libglib2.0-bin'
 test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium fonts-dejavu-core'
 browsers='chromium firefox-esr fonts-dejavu-core'
 bench='libbenchmark-dev python3 python3-numpy python3-scipy python3-sklearn'
@@ -43,13 +45,14 @@ for group in "$@"; do
     fleet) wanted="$wanted $fleet" ;;
     tool) wanted="$wanted $tool" ;;
     hal) wanted="$wanted $hal" ;;
+    package) wanted="$wanted $package" ;;
     test) wanted="$wanted $test" ;;
     browsers) wanted="$wanted $browsers" ;;
     bench) wanted="$wanted $bench" ;;
     check) wanted="$wanted $check" ;;
     *)
-      echo "install-packages.sh: no group '$group'; the groups are build, page, images, mat, blind, python, fleet, tool, hal, test," \
-        "browsers, bench, check" >&2
+      echo "install-packages.sh: no group '$group'; the groups are build, page, images, mat, blind, python, fleet, tool," \
+        "hal, package, test, browsers, bench, check" >&2
       exit 2
       ;;
   esac
