@@ -60,6 +60,15 @@ done
 gzip -t /usr/share/doc/ballbar/changelog.gz
 rm -r /root/00.b5r /root/page.html
 
+if [ -e /tmp/debian/python3-ballbar_*.deb ]; then
+  apt-get -qq install --no-install-recommends /tmp/debian/python3-ballbar_*.deb >/tmp/apt.log 2>&1 || {
+    cat /tmp/apt.log >&2
+    exit 1
+  }
+  python3 -c "import ballbar; print('  import ballbar', ballbar.__version__)
+assert ballbar.errors('/tmp/00.b5r').tests[0].errors[0].sigma > 0.0"
+  apt-get -qq purge --autoremove python3-ballbar >/tmp/apt.log 2>&1
+fi
 apt-get -qq purge --autoremove ballbar >/tmp/apt.log 2>&1
 files >/tmp/after
 diff /tmp/before /tmp/after >/tmp/left || {
