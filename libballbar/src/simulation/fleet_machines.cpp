@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 
@@ -38,14 +39,24 @@ std::string placed(const std::string& error, std::string_view place, std::string
   return fmt::format("{}_{}{}{}", stem, place, side.empty() ? "" : "_", side);
 }
 
+constexpr std::array<std::string_view, 4> kSides{"pos", "neg", "fwd", "rev"};
+
+// Of a row of one side of an axis: what both sides are called; else the row.
+std::string of_both_sides(const std::string& row) {
+  for (const std::string_view side : kSides) {
+    if (row.ends_with(fmt::format("_{}", side))) return row.substr(0, row.size() - side.size() - 1);
+  }
+  return row;
+}
+
 // The names by which an error of an axis or a plane may be stated: with its side, and for both sides.
 std::vector<std::string> names_at(const std::string& error, const std::optional<int>& axis, Plane plane) {
   const std::string place = axis ? std::string(1, "xyz"[*axis]) : small(name_of(plane));
   std::vector<std::string> names{placed(error, place, "")};
-  for (const std::string_view side : {"pos", "neg", "fwd", "rev"}) {
+  for (const std::string_view side : kSides) {
     if (!error.ends_with(fmt::format("_{}", side))) continue;
     names.push_back(placed(error, place, side));
-    names.push_back(fmt::format("{}_{}", error.substr(0, error.size() - side.size() - 1), place));
+    names.push_back(fmt::format("{}_{}", of_both_sides(error), place));
   }
   return names;
 }
@@ -106,15 +117,14 @@ double warmth_of_year(std::int64_t at_s) {
 }
 
 BarInUse bar_of(const VirtualFleet& fleet, std::size_t machine, double month) {
-  for (const FleetStory& story : fleet.stories) {
-    if (story.kind != StoryKind::instrument || story.machine != machine + 1 || month < story.month) continue;
-    const std::size_t number = machine % std::max<std::size_t>(fleet.bars, 1);
-    std::mt19937_64 random = simulation::stream_of(fleet.seed, simulation::Stream::fleet_bar, number);
-    return {story.bar, fleet.bar_spread_um_per_m * simulation::normal(random) + story.bar_um_per_m};
-  }
   const std::size_t number = machine % std::max<std::size_t>(fleet.bars, 1);
   std::mt19937_64 random = simulation::stream_of(fleet.seed, simulation::Stream::fleet_bar, number);
-  return {fmt::format("S{:05}", 10417 + 361 * number), fleet.bar_spread_um_per_m * simulation::normal(random)};
+  BarInUse bar{fmt::format("S{:05}", 10417 + 361 * number), fleet.bar_spread_um_per_m * simulation::normal(random)};
+  for (const FleetStory& story : fleet.stories) {
+    if (story.kind != StoryKind::instrument || story.machine != machine + 1 || month < story.month) continue;
+    bar = {story.bar, bar.um_per_m + story.bar_um_per_m};
+  }
+  return bar;
 }
 
 FleetMachineTruth machine_truth(const VirtualFleet& fleet, std::size_t machine, std::mt19937_64& random) {
@@ -210,7 +220,10 @@ void check_fleet(const VirtualFleet& fleet, const FleetCurves& curves) {
                     fleet.name, fleet.machines, fleet.months, fleet.readings));
   }
   std::vector<std::string> rows{"scale"};
-  for (const FleetCurves::Column& column : curves.columns) rows.push_back(column.name);
+  for (const FleetCurves::Column& column : curves.columns) {
+    rows.push_back(column.name);
+    rows.push_back(of_both_sides(column.name));
+  }
   for (const ErrorSpread& error : fleet.errors) {
     if (std::any_of(rows.begin(), rows.end(), [&](const std::string& row) { return means(error.name, row); })) continue;
     throw Error(fmt::format("{}: expected an error that a ballbar test shows, found \"{}\"; the nearest is {}.",
