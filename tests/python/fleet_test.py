@@ -168,6 +168,21 @@ class Kept(unittest.TestCase):
             fleet.update(self.plant, self.table)
 
 
+class Stories(unittest.TestCase):
+    def test_the_sample_plant(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            ballbar.simulate("sample-runs/fleet/fleet.toml", f"{scratch}/plant")
+            done = fleet.update(f"{scratch}/plant", f"{scratch}/table")
+            found = fleet.ranked(done.table, page=f"{scratch}/plant.html", title="plant")
+            with open(f"{scratch}/plant.html", encoding="utf-8") as file:
+                self.assertIn("mill-26", file.read())
+        kinds = {machine.machine: {one.kind for one in machine.findings} for machine in found.machines if len(machine.findings)}
+        for machine, kind in {"mill-04": "trend", "mill-11": "step", "mill-19": "season", "mill-26": "replaced_part", "mill-33": "instrument"}.items():
+            self.assertIn(kind, kinds.get(machine, set()), machine)
+        self.assertLessEqual(len(kinds), 7)
+        self.assertIn("mill-26", repr(found))
+
+
 @unittest.skipUnless(importlib.util.find_spec("distributed"), "Dask's distributed is not installed")
 class Cluster(unittest.TestCase):
     def test_a_worker_is_killed(self):
