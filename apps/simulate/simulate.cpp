@@ -91,7 +91,7 @@ void run_fleet(const Options& options, std::string_view bytes) {
     const nlohmann::ordered_json json = {{"machines", written.machines}, {"months", fleet.months},
                                          {"seed", fleet.seed},           {"folder", options.out},
                                          {"files", written.files},       {"truth", truth.string()}};
-    fmt::print("{}\n", json.dump(2));
+    print_json(json);
     return;
   }
   fmt::print("simulated  a fleet of {} machines over {} months, seed {}\n", written.machines, fleet.months, fleet.seed);
