@@ -143,20 +143,33 @@ Memory memory_of(const AllSeries& all, const std::vector<Scores>& scores, const 
   return memory;
 }
 
-// Few machines tell little of one quantity: then all quantities tell more, and of those few a usual memory.
+double memory_at(const std::array<double, kRunLengths>& ratio, double j) {
+  for (std::size_t k = 1; k < kRunLengths; ++k) {
+    const auto low = static_cast<double>(kRunLength[k - 1]), high = static_cast<double>(kRunLength[k]);
+    if (j > high) continue;
+    const double share = std::clamp((j - low) / (high - low), 0.0, 1.0);
+    return (1.0 - share) * ratio[k - 1] + share * ratio[k];
+  }
+  return ratio.back();
+}
+
+// Few machines tell little of one quantity: then all quantities tell more, and of those few a usual memory. Of runs
+// longer than any that were seen it rises on, with every doubling by as much as with the last.
 std::array<double, kRunLengths> moderated(const Memory& own, const Memory& of_all) {
   constexpr double kWeightOfAll = 6.0, kUsual = 0.14;  // ln of the ratio
   std::array<double, kRunLengths> ratio{};
-  double before = 0.0;
+  const auto pulled = [](double seen, double weight, double usual) {
+    return weight > 0.0 ? (weight * std::log(seen) + kWeightOfAll * usual) / (weight + kWeightOfAll) : usual;
+  };
   for (std::size_t k = 0; k < kRunLengths; ++k) {
-    const double all = of_all.series[k] > 0.0 ? (of_all.series[k] * std::log(of_all.ratio[k]) + kWeightOfAll * kUsual) /
-                                                    (of_all.series[k] + kWeightOfAll)
-                                              : before;
-    const double mine = own.series[k] > 0.0 ? (own.series[k] * std::log(own.ratio[k]) + kWeightOfAll * all) /
-                                                  (own.series[k] + kWeightOfAll)
-                                            : std::max(all, before);
-    before = mine;
-    ratio[k] = std::max(1.0, std::exp(mine));
+    if (k > 0 && of_all.series[k] == 0.0) {
+      const double half = 0.5 * static_cast<double>(kRunLength[k]);
+      ratio[k] = memory_at(ratio, half) + std::max(0.0, memory_at(ratio, half) - memory_at(ratio, 0.5 * half));
+      ratio[k] = std::max(ratio[k], ratio[k - 1]);
+      continue;
+    }
+    const double all = pulled(of_all.ratio[k], of_all.series[k], kUsual);
+    ratio[k] = std::max(1.0, std::exp(pulled(own.ratio[k], own.series[k], all)));
   }
   return ratio;
 }
@@ -211,15 +224,7 @@ FleetScatter fleet_scatter(const AllSeries& all) {
   return fleet;
 }
 
-double FamilyScatter::memory(double j) const {
-  for (std::size_t k = 1; k < kRunLengths; ++k) {
-    const auto low = static_cast<double>(kRunLength[k - 1]), high = static_cast<double>(kRunLength[k]);
-    if (j > high) continue;
-    const double share = std::clamp((j - low) / (high - low), 0.0, 1.0);
-    return (1.0 - share) * memory_of[k - 1] + share * memory_of[k];
-  }
-  return memory_of.back();
-}
+double FamilyScatter::memory(double j) const { return memory_at(memory_of, j); }
 
 // A line that is taken away takes some of what has a memory with it; worked out from autoregressive scatter and from
 // scatter that stays for 3 to 8 tests.

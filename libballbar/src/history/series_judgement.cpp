@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kSpanOfSeason_s = 1.5 * kYear_s;
 constexpr std::size_t kFewestOfSeason = 8;
+constexpr double kLongRun = 8.0;  // tests: as long as scatter may stay the same
 constexpr double kMayBe = 0.1;
 constexpr std::size_t kReach = 20;  // places to either side that are fitted
 constexpr double kClear = 0.01;     // p of the best curve, from which the others are judged beside it
@@ -51,7 +52,7 @@ class Judging {
   // Of as long a stretch as tells the curve.
   double memory(FindingKind kind) const {
     const auto n = static_cast<double>(series_.value.size());
-    if (kind != FindingKind::season) return family_.memory_beyond(n / 4.0);
+    if (kind != FindingKind::season) return family_.memory_beyond(std::max(kLongRun, n / 4.0));
     const double span_years = (series_.time_s.back() - series_.time_s.front()) / kYear_s;
     return family_.memory(n / (3.0 * span_years));
   }
