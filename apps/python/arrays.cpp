@@ -125,7 +125,7 @@ void bind_series(py::module_& module) {
       .def(py::init(&series_of), py::arg("time_s"), py::arg("columns"), py::kw_only(),
            py::arg("roles") = std::map<std::string, std::string>{}, py::arg("started") = py::none())
       .def_property_readonly("time_s",
-                             [](py::object self) { return view_of(py::cast<const Series&>(self).time_s, self); })
+                             [](const py::object& self) { return view_of(py::cast<const Series&>(self).time_s, self); })
       .def_property_readonly("names",
                              [](const Series& series) {
                                std::vector<std::string> names;
@@ -141,7 +141,7 @@ void bind_series(py::module_& module) {
                              })
       .def_readonly("started", &Series::started)
       .def("__getitem__",
-           [](py::object self, const std::string& name) {
+           [](const py::object& self, const std::string& name) {
              return view_of(column_of(py::cast<const Series&>(self), name).values, self);
            })
       .def("__len__", [](const Series& series) { return series.time_s.size(); })
@@ -176,12 +176,12 @@ void bind_recording(py::module_& module) {
            py::arg("plane") = "XY", py::arg("direction") = "CCW", py::arg("motion") = "linear_axes",
            py::arg("nominal_length_mm") = 100.0, py::arg("height_offset_mm") = 0.0,
            py::arg("feed_mm_per_min") = py::none())
-      .def_property_readonly("length_mm",
-                             [](py::object self) { return view_of(py::cast<const Recording&>(self).length_mm, self); })
-      .def_property_readonly("angle_rad",
-                             [](py::object self) { return view_of(py::cast<const Recording&>(self).angle_rad, self); })
-      .def_property_readonly("time_s",
-                             [](py::object self) { return view_of(py::cast<const Recording&>(self).time_s, self); })
+      .def_property_readonly(
+          "length_mm", [](const py::object& self) { return view_of(py::cast<const Recording&>(self).length_mm, self); })
+      .def_property_readonly(
+          "angle_rad", [](const py::object& self) { return view_of(py::cast<const Recording&>(self).angle_rad, self); })
+      .def_property_readonly(
+          "time_s", [](const py::object& self) { return view_of(py::cast<const Recording&>(self).time_s, self); })
       .def_property_readonly("plane", [](const Recording& one) { return name_of(one.plane); })
       .def_property_readonly("direction", [](const Recording& one) { return name_of(one.direction); })
       .def_property_readonly("motion", [](const Recording& one) { return name_of(one.motion); })

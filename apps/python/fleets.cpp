@@ -64,6 +64,7 @@ std::vector<MachineTest> tests_of(const Texts& texts, const Columns& columns,
   const auto text = [&](const char* name) -> const std::vector<std::string>& { return column(texts, name, rows); };
   const auto number = [&](const std::string& name) { return column(columns, name, rows); };
   std::vector<Quantity> quantities;
+  quantities.reserve(names.size());
   for (const auto& [name, unit] : names) {
     quantities.push_back({name, unit == "um_per_m" ? "um/m" : unit, number(fmt::format("{}_{}", name, unit)),
                           number(fmt::format("{}_sigma_{}", name, unit))});

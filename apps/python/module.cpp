@@ -61,6 +61,7 @@ Said ran(const std::vector<std::string>& words, const std::map<std::string, Data
   };
   const py::gil_scoped_release free;
   std::vector<std::unique_ptr<Given>> held;
+  held.reserve(given.size());
   for (const auto& [name, data] : given) held.push_back(std::make_unique<Given>(name, copied(data)));
   const CalledBy called(caller);
   run_command(words);
@@ -100,7 +101,7 @@ void translate(std::exception_ptr thrown) {
     PyErr_SetObject(py::module_::import("ballbar._errors").attr(name).ptr(), py::str(what).ptr());
   };
   try {
-    if (thrown) std::rethrow_exception(thrown);
+    if (thrown) std::rethrow_exception(std::move(thrown));
   } catch (const UsageError& error) {
     raise("UsageError", error.what());
   } catch (const Error& error) {
