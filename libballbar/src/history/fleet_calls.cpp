@@ -33,6 +33,7 @@ void correct(const AllSeries& all, std::vector<Call>& calls) {
   }
   const std::vector<double> q = q_values(p_values);
   std::vector<double> machine_p;
+  machine_p.reserve(of_machine.size());
   for (std::vector<double>& p : of_machine) machine_p.push_back(simes(std::move(p)));
   const std::vector<double> machine_q = q_values(machine_p);
   for (std::size_t i = 0; i < calls.size(); ++i) {

@@ -73,6 +73,7 @@ void moderate(const AllSeries& all, const std::vector<std::size_t>& members, std
   if (logs.size() < kSeriesOfPrior) return;
   const double middle = median(logs);
   std::vector<double> deviation;
+  deviation.reserve(logs.size());
   for (const double one : logs) deviation.push_back(std::abs(one - middle));
   const double excess = std::pow(kSigmaOfDeviation * median(deviation), 2) - median(own);
   // trigamma(d0 / 2) = excess, by halving.
