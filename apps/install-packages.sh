@@ -6,7 +6,9 @@
 # build                         the least to read, fit, report and diagnose
 # page images mat blind hal     a component each, built where its packages are: the page of `ballbar report`; pictures;
 #                               .mat files; sealed blind tests; LinuxCNC
+# python fleet                  the package of Python; many machines at once with it, by Dask
 # tool                          the whole program as a page, apps/page/build-tool.sh
+# package                       the Debian packages, apps/packages/make.sh
 # test browsers bench check     what the developers need besides; browsers: for the tests of tool
 #
 # Installs what is missing; where nothing is, no package tool is called and no rights are needed.
@@ -21,11 +23,15 @@ mat=libmatio-dev
 blind=libssl-dev
 # Beside build, whose headers it takes.
 tool='emscripten dpkg-dev'
+python='pybind11-dev python3-dev python3-numpy'
+# Many machines at once, tables and pictures in Python.
+fleet='python3-distributed python3-pandas python3-matplotlib'
 hal='linuxcnc-uspace linuxcnc-uspace-dev'
+package='dpkg-dev file lintian mmdebstrap desktop-file-utils shared-mime-info libglib2.0-bin'
 test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium fonts-dejavu-core'
 browsers='chromium firefox-esr fonts-dejavu-core'
 bench='libbenchmark-dev python3 python3-numpy python3-scipy python3-sklearn'
-check='git clang clang-format clang-tidy libclang-rt-14-dev'
+check='git mypy clang clang-format clang-tidy libclang-rt-14-dev'
 
 wanted=
 for group in "$@"; do
@@ -35,15 +41,18 @@ for group in "$@"; do
     images) wanted="$wanted $images" ;;
     mat) wanted="$wanted $mat" ;;
     blind) wanted="$wanted $blind" ;;
+    python) wanted="$wanted $python" ;;
+    fleet) wanted="$wanted $fleet" ;;
     tool) wanted="$wanted $tool" ;;
     hal) wanted="$wanted $hal" ;;
+    package) wanted="$wanted $package" ;;
     test) wanted="$wanted $test" ;;
     browsers) wanted="$wanted $browsers" ;;
     bench) wanted="$wanted $bench" ;;
     check) wanted="$wanted $check" ;;
     *)
-      echo "install-packages.sh: no group '$group'; the groups are build, page, images, mat, blind, tool, hal, test," \
-        "browsers, bench, check" >&2
+      echo "install-packages.sh: no group '$group'; the groups are build, page, images, mat, blind, python, fleet, tool," \
+        "hal, package, test, browsers, bench, check" >&2
       exit 2
       ;;
   esac

@@ -39,7 +39,7 @@ void add_commands(CLI::App& app) {
   using namespace ballbar::commands;
   add_group(app, "Measure", {add_fit, add_drift, add_compare});
   add_group(app, "Logs of others", {add_import, add_merge});
-  add_group(app, "Follow", {add_history});
+  add_group(app, "Follow", {add_errors, add_history, add_fleet});
   add_group(app, "Look", {add_report, add_page});
   add_group(app, "Model", {add_effects, add_terms, add_preflight, add_check});
   add_group(app, "Diagnose", {add_diagnose, add_plan, add_try, add_add, add_undo, add_ledger, add_inject});
@@ -52,19 +52,8 @@ void add_commands(CLI::App& app) {
   add_group(app, "Shell", {ballbar::add_help_command, ballbar::add_completion_command, ballbar::add_man_command});
 }
 
-// The work, from the words of the command line.
-void run(CLI::App& app, const std::vector<std::string>& words) {
-  std::vector<std::string> line = ballbar::with_names_of_now(ballbar::with_command(words, app));
-  std::reverse(line.begin(), line.end());  // as CLI11 takes them
-  app.parse(std::move(line));
-}
-
-}  // namespace
-
-namespace ballbar {
-
-int program(const std::vector<std::string>& words) {
-  CLI::App app{"Ballbar logs to thermal drift of the spindle."};
+// The program's options and commands.
+void set_up(CLI::App& app) {
   app.name("ballbar");
   app.require_subcommand(1);
   ballbar::set_help(app);
@@ -76,24 +65,42 @@ int program(const std::vector<std::string>& words) {
       "the verdict on a series; with --page [FILE] as a page. ballbar help COMMAND lists the options of a command.");
   add_commands(app);
   ballbar::expect_values(app);
+}
+
+}  // namespace
+
+namespace ballbar {
+
+void run_command(const std::vector<std::string>& words) {
+  CLI::App app{"Ballbar logs to thermal drift of the spindle."};
+  set_up(app);
   try {
-    run(app, words);
+    std::vector<std::string> line = with_names_of_now(with_command(words, app));
+    std::reverse(line.begin(), line.end());  // as CLI11 takes them
+    app.parse(std::move(line));
   } catch (const CLI::CallForVersion& version) {
     fmt::print("{}\n", version.what());
   } catch (const CLI::Success&) {
     const CLI::App* command = &app;
     while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
-    ballbar::print_help(ballbar::help_of(*command));
+    print_help(help_of(*command));
   } catch (const CLI::ParseError& error) {
-    ballbar::error_line(ballbar::usage_fault(app, error, words));
+    throw UsageError(usage_fault(app, error, words));
+  }
+}
+
+int program(const std::vector<std::string>& words) {
+  try {
+    run_command(words);
+  } catch (const UsageError& error) {
+    error_line(error.what());
     return 2;
-  } catch (const std::exception& error) {  // ballbar::Error; out of memory, a full disk
-    ballbar::error_line(error.what());
+  } catch (const std::exception& error) {  // Error; out of memory, a full disk
+    error_line(error.what());
     return 1;
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {
-    ballbar::error_line(
-        fmt::format("the results could not be written to the standard output: {}", std::strerror(errno)));
+    error_line(fmt::format("the results could not be written to the standard output: {}", std::strerror(errno)));
     return 1;
   }
   return 0;

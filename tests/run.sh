@@ -8,7 +8,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-sh apps/install-packages.sh build page images mat blind hal test
+sh apps/install-packages.sh build page images mat blind python fleet hal test
 cmake -S . -B build-tests -DCMAKE_BUILD_TYPE=Release -DBALLBAR_TESTS=ON \
   -DBALLBAR_WERROR="${BALLBAR_WERROR:-0}" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
 cmake --build build-tests -j "$(nproc)"

@@ -15,9 +15,11 @@
 #include "batches/batches.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -282,7 +284,7 @@ void run(const Options& given) {
                 })));
   }
   if (options.json) {
-    fmt::print("{}\n", json_of(options, opened, selection, choices, random, start).dump(2));
+    print_json(json_of(options, opened, selection, choices, random, start));
   } else {
     fmt::print("{}: room {:.2f} degC as it begins; {} batches of {}\n\n{}", options.job, start.room_first_degC,
                opened.batches.size(), options.batches.list,
@@ -292,7 +294,7 @@ void run(const Options& given) {
     if (!opened.remarks.empty()) fmt::print("\n");
     for (const std::string& remark : opened.remarks) fmt::print("{}", wrapped(remark));
   }
-  if (!options.out.empty()) fmt::print(stderr, "wrote {}\n", options.out);
+  if (!options.out.empty()) stderr_line(fmt::format("wrote {}", options.out));
 }
 
 }  // namespace

@@ -20,10 +20,12 @@
 #include "batches/train_effects.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -252,11 +254,11 @@ void run(const Options& given) {
                          {"rmse_um", number(effects->rmse_um)}};
     }
     json["remarks"] = opened.remarks;
-    fmt::print("{}\n", json.dump(2));
+    print_json(json);
   } else {
     print_text(options, opened, contenders, effects, model);
   }
-  fmt::print(stderr, "wrote {}\n", options.out);
+  stderr_line(fmt::format("wrote {}", options.out));
 }
 
 }  // namespace

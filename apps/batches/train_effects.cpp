@@ -12,9 +12,11 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/number_text.hpp"
 #include "model/model_options.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -223,7 +225,7 @@ void train_effects(const TrainEffectsOptions& options, const std::vector<std::fi
   }
   said.insert(said.end(), remarks.begin(), remarks.end());
   if (options.json) {
-    fmt::print("{}\n", json_of(trained, others, said).dump(2));
+    print_json(json_of(trained, others, said));
   } else {
     fmt::print("{}\n{} from {} columns by {}; {} rows{}\n\n", options.data, options.target, of.model.trained.size(),
                dictionary_text(of), of.rows, of.runs > 1 ? fmt::format(" of {} runs", of.runs) : "");
@@ -240,7 +242,8 @@ void train_effects(const TrainEffectsOptions& options, const std::vector<std::fi
     if (!said.empty()) fmt::print("\n");
     for (const std::string& remark : said) fmt::print("{}", wrapped(remark));
   }
-  fmt::print(stderr, "{}\n", is_model ? "wrote " + options.out : "no effect is likelier than none, nothing written");
+  stderr_line(
+      fmt::format("{}", is_model ? "wrote " + options.out : "no effect is likelier than none, nothing written"));
 }
 
 }  // namespace ballbar

@@ -21,6 +21,7 @@
 #include "challenge/challenge_runs.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
@@ -70,7 +71,7 @@ void make(const MakeOptions& options) {
   if (options.json) {
     const nlohmann::ordered_json json = {
         {"folder", options.out}, {"sets", count}, {"answers", answers.string()}, {"sha256", digest}};
-    fmt::print("{}\n", json.dump(2));
+    print_json(json);
     return;
   }
   fmt::print("written  {}: {} data set{}, what to do with them stands in README.txt\n", options.out, count,
@@ -157,8 +158,8 @@ nlohmann::ordered_json json_of(const Share& share) {
   return {{"count", share.count}, {"of", share.of}, {"low", share.low}, {"high", share.high}};
 }
 
-void print_json(const std::vector<SealedSet>& sets, const std::vector<BlindVerdict>& verdicts,
-                const std::vector<BlindOutcome>& outcomes, const Scores& scores) {
+void print_result(const std::vector<SealedSet>& sets, const std::vector<BlindVerdict>& verdicts,
+                  const std::vector<BlindOutcome>& outcomes, const Scores& scores) {
   nlohmann::ordered_json json = {{"sets", nlohmann::ordered_json::array()}};
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const BlindAnswer& answer = sets[i].answer;
@@ -179,7 +180,7 @@ void print_json(const std::vector<SealedSet>& sets, const std::vector<BlindVerdi
                     {"wrong", json_of(scores.wrong)},
                     {"in_set", json_of(scores.in_set)},
                     {"false_names", json_of(scores.false_names)}};
-  fmt::print("{}\n", json.dump(2));
+  print_json(json);
 }
 
 void score(const ScoreOptions& options) {
@@ -201,7 +202,7 @@ void score(const ScoreOptions& options) {
   }
   const Scores scores = scores_of(answers, outcomes);
   if (options.json) {
-    print_json(sets, verdicts, outcomes, scores);
+    print_result(sets, verdicts, outcomes, scores);
   } else {
     print_text(sets, verdicts, outcomes, scores, options.by_hand);
   }

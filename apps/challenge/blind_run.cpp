@@ -15,6 +15,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "challenge/challenge_runs.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 
 namespace ballbar::commands {
@@ -59,7 +60,7 @@ void make_run(const BlindRunOptions& options) {
   if (options.json) {
     const nlohmann::ordered_json json = {
         {"run", out.string()}, {"number", number}, {"rows", run.time_s.size()}, {"hours", hours}};
-    fmt::print("{}\n", json.dump(2));
+    print_json(json);
     return;
   }
   fmt::print("written  {}: {} rows over {:.4g} h, simulated\n", out.string(), run.time_s.size(), hours);

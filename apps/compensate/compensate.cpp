@@ -14,6 +14,7 @@
 #include "compensate/compensation_options.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
+#include "terminal/stderr_line.hpp"
 
 namespace ballbar::commands {
 namespace {
@@ -38,7 +39,7 @@ void save(const Options& options) {
   inputs.insert(inputs.end(), options.compensation.models.begin(), options.compensation.models.end());
   expect_no_input({options.save}, inputs);
   write_bytes(options.save, write_model(axes.front().model));
-  fmt::print(stderr, "wrote {}\n", options.save);
+  stderr_line(fmt::format("wrote {}", options.save));
 }
 
 // The files of --out, each for what writes its kind.

@@ -14,6 +14,7 @@
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "compensate/offset_text.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -194,11 +195,11 @@ void compensate_replay(const CompensationOptions& options, const ReplayOptions& 
       with_source(replay.data, [&] { return replay_of(axes, options.limits, recorded.signals, recorded.measured); });
   for (const std::string& path : replay.out) write_bytes(path, write_series(table_of(result)));
   if (replay.json) {
-    fmt::print("{}\n", json_of(result, options, recorded).dump(-1, ' ', false, Json::error_handler_t::replace));
+    print_json(json_of(result, options, recorded), -1);
   } else {
     print(result, options, recorded);
   }
-  for (const std::string& path : replay.out) fmt::print(stderr, "wrote {}\n", path);
+  for (const std::string& path : replay.out) stderr_line(fmt::format("wrote {}", path));
 }
 
 }  // namespace ballbar

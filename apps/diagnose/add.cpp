@@ -24,6 +24,7 @@
 #include "diagnose/next_command.hpp"
 #include "model/effect_options.hpp"
 #include "model/known_effect.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
@@ -313,20 +314,20 @@ void run(Options options) {
     }
     if (options.automatic) json["stopped"] = {{"verdict", name_of(verdict)}, {"text", stopped}};
     json["written"] = changed ? nlohmann::ordered_json(out) : nlohmann::ordered_json(nullptr);
-    fmt::print("{}\n", json.dump(2));
+    print_json(json);
   } else {
     print_text(story, stopped, data.title);
   }
   if (!changed) {
-    fmt::print(stderr, "nothing added, nothing written\n");
+    stderr_line("nothing added, nothing written");
     return;
   }
   const std::vector<std::string> targets = read_model(story.bytes, how.model).targets;
   if (targets.size() > 1) {
-    fmt::print(stderr, "the effects of {} hold for all its targets, {}; the row is of {}\n", out,
-               fmt::join(targets, ", "), story.model.targets.front());
+    stderr_line(fmt::format("the effects of {} hold for all its targets, {}; the row is of {}", out,
+                            fmt::join(targets, ", "), story.model.targets.front()));
   }
-  fmt::print(stderr, "wrote {}\n", out);
+  stderr_line(fmt::format("wrote {}", out));
 }
 
 }  // namespace

@@ -13,7 +13,9 @@
 #include "diagnose/machine_errors_report.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
+#include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -58,7 +60,7 @@ void run_on_circles(Options options) {
       options.errors.in_the_model.insert(term.effect->name);
   }
   const ErrorsReports reports = errors_reports_of(options.model.data, options.errors);
-  options.json ? fmt::print("{}\n", json_of(reports).dump(2)) : print_text(reports);
+  options.json ? print_json(json_of(reports)) : print_text(reports);
   for (const std::string& remark : reports.remarks) warning_line(remark);
 }
 
@@ -77,14 +79,14 @@ void run(const Options& options) {
   say_start(options.model, data);
   if (model.targets.size() == 1) {
     const DiagnosisReport diagnosis_report = diagnosis_report_of(options.model, options.how, model, data);
-    options.json ? fmt::print("{}\n", json_of(diagnosis_report).dump(2)) : print_text(diagnosis_report, data.title);
+    options.json ? print_json(json_of(diagnosis_report)) : print_text(diagnosis_report, data.title);
     return;
   }
   nlohmann::ordered_json targets = nlohmann::ordered_json::array();
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     show_one_of_several(options, model, data, target, targets);
   }
-  if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"targets", targets}}.dump(2));
+  if (options.json) print_json(nlohmann::ordered_json{{"targets", targets}});
 }
 
 }  // namespace
@@ -123,7 +125,7 @@ void add_diagnose(CLI::App& app) {
       "  ballbar diagnose sample-runs/spindle-46h/measured.csv --model sample-runs/spindle-46h/speed.toml "
       "--target ch3_um");
   command->callback([options] {
-    options->how.progress = !options->json;
+    options->how.progress = !options->json || progress_is_taken();
     run(*options);
   });
 }

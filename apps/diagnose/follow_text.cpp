@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ballbar/diagnosis/thresholds.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -53,7 +54,7 @@ void print_look(const FollowState& state, bool json) {
     row["outcome"] = name_of(state.outcome);
     row["why_stop"] = look.why_stop;
     row["fault"] = look.fault;
-    fmt::print("{}\n", row.dump());
+    print_json(row, -1);
   } else {
     fmt::print("{:>8.2f}  {:>6}  {:>9.2f}  {:>7}  {:<7}  {}\n", look.hours, look.values, look.p_nothing,
                fixed(look.log_bayes_factor, 1), word_of(state.outcome), hypotheses_text(look));
@@ -66,7 +67,7 @@ void print_outcome(const FollowState& state, const NextStep& next, bool json) {
     nlohmann::ordered_json row{{"outcome", name_of(state.outcome)}, {"decided", state.decided},
                                {"sentence", outcome_text(state)},   {"error", error_text()},
                                {"command", next.command},           {"hint", next.hint}};
-    fmt::print("{}\n", row.dump());
+    print_json(row, -1);
     return;
   }
   fmt::print("{}{}", state.looks.empty() ? "" : "\n", wrapped(outcome_text(state)));

@@ -20,10 +20,12 @@
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 #include "model/resolve_columns.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -162,7 +164,7 @@ nlohmann::ordered_json json_of(const Diagnosis& found, const BoundEffect& bound)
   return {{"verdict", name_of(found.verdict)}, {"seen", name_of(sight_of(found, bound))}};
 }
 
-void print_json(const Injected& result) {
+void print_result(const Injected& result) {
   const BoundEffect& bound = result.injection.bound;
   nlohmann::ordered_json columns = nlohmann::ordered_json::object(), shapes = nlohmann::ordered_json::object();
   for (std::size_t k = 0; k < bound.columns.size(); ++k) columns[bound.effect->inputs[k].role] = bound.columns[k];
@@ -185,7 +187,7 @@ void print_json(const Injected& result) {
                                         {{"not_seen_um", number(result.smallest.not_seen_um)},
                                          {"seen_um", number(result.smallest.seen_um)},
                                          {"diagnoses", result.smallest.diagnoses}}}};
-  fmt::print("{}\n", json.dump(2));
+  print_json(json);
 }
 
 Injection injection(const Options& options, const Model& model, const ModelData& data) {
@@ -259,11 +261,11 @@ void run(const Options& options) {
     write_bytes(options.out, label + write_series(changed));
   }
   if (options.json) {
-    print_json(result);
+    print_result(result);
   } else {
     print_text(result, data.title);
   }
-  if (!options.out.empty()) fmt::print(stderr, "wrote {}\n", options.out);
+  if (!options.out.empty()) stderr_line(fmt::format("wrote {}", options.out));
 }
 
 }  // namespace

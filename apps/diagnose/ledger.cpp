@@ -15,6 +15,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "commands.hpp"
 #include "diagnose/effect_test_text.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -74,7 +75,7 @@ void run(const Options& options) {
     nlohmann::ordered_json json;
     json["rows"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < rows.size(); ++i) json["rows"].push_back(json_of(rows[i], before(i)));
-    fmt::print("{}\n", json.dump(2));
+    print_json(json);
     return;
   }
   if (rows.empty()) {

@@ -12,6 +12,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/stored_errors.hpp"
+#include "ballbar/formats/text/given_data.hpp"
 
 namespace ballbar {
 namespace {
@@ -85,8 +86,9 @@ bool are_of_linear_axes(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     std::error_code error;
     const bool has_bytes = std::filesystem::is_regular_file(file, error) && std::filesystem::file_size(file, error) > 0;
-    if (!has_bytes && !std::filesystem::is_directory(file, error)) continue;  // told where it is read
-    if (!is_recording_file(file)) return false;
+    const bool is_recording = (has_bytes || given_recordings(file) != nullptr) && is_recording_file(file);
+    if (!is_recording && !has_bytes && !std::filesystem::is_directory(file, error)) continue;  // told where it is read
+    if (!is_recording) return false;
     any = true;
     try {
       for (const Recording& recording : open_recording(file).recordings) {

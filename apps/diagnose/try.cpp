@@ -10,6 +10,7 @@
 #include "model/effect_options.hpp"
 #include "model/known_effect.hpp"
 #include "model/residual_report.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -32,7 +33,7 @@ void run(EffectOptions options) {
   tried.after.data = options.model.data;
   const std::string saves = add_command(options.model, tried);
   if (options.json) {
-    fmt::print("{}\n", json_of(tried).dump(2));
+    print_json(json_of(tried));
     return;
   }
   fmt::print("{}\n{}\n\n{}\n{}\nNothing was saved; {}\n", data.title, heading(tried.fit_after),

@@ -9,6 +9,7 @@
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "commands.hpp"
+#include "terminal/caller.hpp"
 
 namespace ballbar::commands {
 namespace {
@@ -26,7 +27,7 @@ void run(const Options& options) {
   write_bytes(options.model, before);
   if (options.json) {
     const nlohmann::ordered_json json{{"model", options.model}, {"revision", revision}, {"undone", undone.change}};
-    fmt::print("{}\n", json.dump(2));
+    print_json(json);
     return;
   }
   fmt::print("{} is {}; taken back: {}\n", options.model,

@@ -20,8 +20,10 @@
 #include "history/history_text.hpp"
 #include "history/test_files.hpp"
 #include "page/report_page.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -83,14 +85,14 @@ void run(const Options& options) {
   expect_no_input(options.out, files.files);
   expect_known(tolerances, files.tests);
   const std::vector<MachineHistory> machines = history_of(files.tests, tolerances);
-  const auto json = [&] { return history_json(files, machines).dump(2) + '\n'; };
+  const auto json = [&] { return history_json(files, machines); };
   for (const std::string& path : options.out) {
     write_bytes(path, is_page(path)            ? history_page(title_of(options.folders), files, machines)
                       : path.ends_with(".csv") ? history_csv(files.tests)
-                                               : json());
+                                               : json().dump(2) + '\n');
   }
-  fmt::print("{}", options.json ? json() : history_text(files, machines, options.all));
-  for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
+  options.json ? print_json(json()) : fmt::print("{}", history_text(files, machines, options.all));
+  for (const std::string& path : options.out) stderr_line(fmt::format("wrote {}", path));
 }
 
 }  // namespace

@@ -14,15 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string csv_text(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
-std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
-
 Json optional_number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 
 Json date_json(const std::optional<std::int64_t>& time_s) {
@@ -30,20 +21,6 @@ Json date_json(const std::optional<std::int64_t>& time_s) {
 }
 
 Json day_json(const std::optional<double>& time_s) { return time_s ? Json(date_text(*time_s)) : Json(nullptr); }
-
-std::string_view name_of(Outlook outlook) {
-  switch (outlook) {
-    case Outlook::beyond:
-      return "beyond";
-    case Outlook::no_trend:
-      return "no_trend";
-    case Outlook::away:
-      return "not_within_10_years";
-    case Outlook::expected:
-      return "expected";
-  }
-  return "";
-}
 
 Json json_of(const QuantityHistory& quantity, const std::vector<MachineTest>& tests) {
   Json json{{"name", quantity.name},
@@ -70,7 +47,7 @@ Json json_of(const QuantityHistory& quantity, const std::vector<MachineTest>& te
   if (quantity.tolerance) {
     json["tolerance"] = {
         {"lower", optional_number(quantity.tolerance->lower)}, {"upper", optional_number(quantity.tolerance->upper)},
-        {"outlook", name_of(quantity.date->outlook)},          {"met", day_json(quantity.date->at_s)},
+        {"outlook", outlook_name(quantity.date->outlook)},     {"met", day_json(quantity.date->at_s)},
         {"earliest", day_json(quantity.date->earliest_s)},     {"latest", day_json(quantity.date->latest_s)}};
   }
   return json;

@@ -27,6 +27,15 @@ std::string group_text(const TestGroup& group) {
   return text;
 }
 
+std::string csv_text(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+
 std::string several(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
@@ -82,6 +91,20 @@ std::string met_text(const QuantityHistory& quantity) {
       return expected_text(*quantity.date);
   }
   return "-";
+}
+
+std::string_view outlook_name(Outlook outlook) {
+  switch (outlook) {
+    case Outlook::beyond:
+      return "beyond";
+    case Outlook::no_trend:
+      return "no_trend";
+    case Outlook::away:
+      return "not_within_10_years";
+    case Outlook::expected:
+      return "expected";
+  }
+  return "";
 }
 
 std::string value_text(const QuantityHistory& quantity) {

@@ -13,6 +13,8 @@ namespace ballbar {
 std::string date_text(double time_s);                           // "2025-09-04"
 std::string iso_date_text(std::int64_t time_s);                 // "2025-09-04T16:10:49"
 std::string group_text(const TestGroup& group);                 // "XY, 100 mm, 1000 mm/min, 360 deg"
+std::string csv_text(const std::string& text);                  // in quotes where it needs them
+std::string csv_number(double value);                           // empty: not finite
 std::string several(std::size_t count, std::string_view what);  // "1 test", "2 tests"
 
 int decimals_of(const std::string& unit);
@@ -25,6 +27,7 @@ std::string trend_text(const QuantityHistory& quantity);
 std::string tolerance_text(const QuantityHistory& quantity);
 std::string met_text(const QuantityHistory& quantity);
 
+std::string_view outlook_name(Outlook outlook);           // as in JSON: "expected"
 std::string value_text(const QuantityHistory& quantity);  // name, value, sigma, unit
 std::string expected_text(const ToleranceDate& date);     // "2027-03-01 (2026-11-05 to 2027-10-20)"
 

@@ -14,6 +14,7 @@
 #include "ballbar/series/column_faults.hpp"
 #include "commands.hpp"
 #include "logs/log_options.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -149,7 +150,7 @@ void run(const Options& options) {
     });
   if (!options.save.empty()) write_bytes(options.save, write_recipe(log.recipe));
   if (options.json) {
-    fmt::print("{}\n", json_of(options, log, faults).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    print_json(json_of(options, log, faults));
     return;
   }
   print(options, log, faults);

@@ -18,6 +18,7 @@
 #include "commands.hpp"
 #include "logs/log_options.hpp"
 #include "model/model_options.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -138,7 +139,7 @@ void run(const Options& options) {
     nlohmann::ordered_json json{
         {"rows", series.time_s.size()}, {"columns", series.columns.size()}, {"parts", nlohmann::ordered_json::array()}};
     for (const Part& part : parts) json["parts"].push_back(json_of(part));
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    print_json(json);
     return;
   }
   fmt::print("{} rows over {}, {} columns of {} logs\n\n", series.time_s.size(),

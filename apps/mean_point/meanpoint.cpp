@@ -17,9 +17,11 @@
 #include "commands.hpp"
 #include "mean_point/mean_point_states.hpp"
 #include "mean_point/meanpoint_plot.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -306,12 +308,11 @@ void run(const Options& options) {
   if (!options.out.empty()) write_bytes(options.out, write_profiles(profiles));
   if (!options.plot.empty()) plot_meanpoint(states, best, conclusion(options, states, best), options.plot);
   if (options.json) {
-    fmt::print("{}\n",
-               json_of(options, states, best).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    print_json(json_of(options, states, best));
   } else {
     print_text(options, states, best);
   }
-  for (const std::string& path : outputs) fmt::print(stderr, "wrote {}\n", path);
+  for (const std::string& path : outputs) stderr_line(fmt::format("wrote {}", path));
 }
 
 }  // namespace

@@ -19,8 +19,10 @@
 #include "measure/compared_drifts.hpp"
 #include "measure/comparison_json.hpp"
 #include "page/report_page.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -234,11 +236,11 @@ void run(const Options& options) {
     write_bytes(options.plot, plot_of({{"compare", json_of(comparison)}}, conclusion(comparison)));
   }
   if (options.json) {
-    fmt::print("{}\n", json_of(comparison).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    print_json(json_of(comparison));
   } else {
     print_text(drifts, comparison);
   }
-  for (const std::string& path : outputs) fmt::print(stderr, "wrote {}\n", path);
+  for (const std::string& path : outputs) stderr_line(fmt::format("wrote {}", path));
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "measure/drift_text.hpp"
 #include "measure/five_probe_drift.hpp"
 #include "measure/five_probe_options.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -181,7 +182,7 @@ void run(const Options& options) {
   const DriftSeries series = drift_of(session, how);
   for (const std::string& path : options.out) write_drift(series, path);
   if (options.json) {
-    fmt::print("{}\n", json_of(series).dump(2));
+    print_json(json_of(series));
   } else {
     print_text(session, series, options);
   }
@@ -194,7 +195,7 @@ void run(const Options& options) {
     warning_line(fmt::format("no test at {:g} s; the nearest one, at {:g} s, is the reference.", *options.reference_s,
                              series.reference_s));
   }
-  for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
+  for (const std::string& path : options.out) stderr_line(fmt::format("wrote {}", path));
 }
 
 }  // namespace

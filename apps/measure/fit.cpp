@@ -11,6 +11,7 @@
 #include "ballbar/units.hpp"
 #include "commands.hpp"
 #include "measure/recording_fits.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -210,11 +211,9 @@ void run(const Options& options) {
   if (!options.out.empty()) expect_no_input({options.out}, {options.files.begin(), options.files.end()});
   const Fitted fitted = fit_files(options.files, how, true);
   for (const std::string& remark : fitted.remarks) warning_line(remark);
-  const bool wants_json = options.json || !options.out.empty();
-  const std::string json = wants_json ? json_of(fitted).dump(2) + '\n' : std::string();
-  if (!options.out.empty()) write_bytes(options.out, json);
-  fmt::print("{}", options.json ? json : text_of(fitted, options));
-  if (!options.out.empty()) fmt::print(stderr, "wrote {}\n", options.out);
+  if (!options.out.empty()) write_bytes(options.out, json_of(fitted).dump(2) + '\n');
+  options.json ? print_json(json_of(fitted)) : fmt::print("{}", text_of(fitted, options));
+  if (!options.out.empty()) stderr_line(fmt::format("wrote {}", options.out));
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include "ballbar/series/speed_steps.hpp"
 #include "ballbar/units.hpp"
 #include "measure/five_probe_options.hpp"
+#include "terminal/caller.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -99,11 +101,11 @@ void report_five_probe(const FiveProbeReport& report) {
   if (speed != report.series.columns.end()) steps = speed_steps(report.series.time_s, *speed);
   for (const std::string& path : report.out) write_drift(drift, steps, path);
   if (report.json) {
-    fmt::print("{}", json_text(drift, steps));
+    print_json_text(json_text(drift, steps));
   } else {
     print_text(report, drift, steps);
   }
-  for (const std::string& path : report.out) fmt::print(stderr, "wrote {}\n", path);
+  for (const std::string& path : report.out) stderr_line(fmt::format("wrote {}", path));
 }
 
 }  // namespace ballbar

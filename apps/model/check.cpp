@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -146,7 +147,7 @@ void run(const Options& options) {
     nlohmann::ordered_json targets = nlohmann::ordered_json::array();
     for (const ResidualReport& residual_report : all) targets.push_back(json_of(residual_report));
     const nlohmann::ordered_json several{{"targets", targets}};
-    fmt::print("{}\n", (targets.size() == 1 ? targets.front() : several).dump(2));
+    print_json(targets.size() == 1 ? targets.front() : several);
   } else if (all.size() == 1) {
     print_text(all.front(), data.title);
   } else {

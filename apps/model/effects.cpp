@@ -13,6 +13,7 @@
 #include "ballbar/model/expression.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "commands.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -151,7 +152,7 @@ void run(const Options& options) {
   if (options.json) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const Effect* effect : chosen) json.push_back(json_of(*effect));
-    fmt::print("{}\n", json.dump(2));
+    print_json(json);
   } else if (options.name.empty()) {
     print_list();
   } else {

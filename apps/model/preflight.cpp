@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "model/untestable_reasons.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -168,7 +169,7 @@ void run(const Options& options) {
     nlohmann::ordered_json targets = nlohmann::ordered_json::array();
     for (const Preflight& result : results) targets.push_back(json_of(result));
     const nlohmann::ordered_json several{{"targets", targets}};
-    fmt::print("{}\n", (targets.size() == 1 ? targets.front() : several).dump(2));
+    print_json(targets.size() == 1 ? targets.front() : several);
   } else if (results.size() == 1) {
     print_text(results.front(), data.title);
   } else {

@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "plan/plan_files.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/progress.hpp"
@@ -161,7 +162,7 @@ void run(Options options) {
       with_source(options.model.data.front(), [&] { return test_plan(model, data.series, 0, options.plan); });
   show_progress({});
   if (options.json) {
-    fmt::print("{}\n", json_of(plan).dump(2));
+    print_json(json_of(plan));
   } else {
     print_text(plan, data, model.targets.front());
   }

@@ -18,9 +18,11 @@
 #include "model/model_options.hpp"
 #include "predict/predict_batch.hpp"
 #include "predict/predict_effects.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -149,16 +151,16 @@ void run(const Options& options) {
       for (const double value : column.values) values.push_back(number(value));
       json[column.name] = std::move(values);
     }
-    fmt::print("{}\n", json.dump());
+    print_json(json, -1);
   } else {
     fmt::print("{}\n{}: {} rows over {}{}\n\n{}", other.title, options.model.model, series.time_s.size(),
                duration_text(series.time_s.back() - series.time_s.front()),
                options.on.empty() ? "" : fmt::format("\nfitted to {}", data.title),
                summary(series.columns).text(table_width()));
   }
-  for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
+  for (const std::string& path : options.out) stderr_line(fmt::format("wrote {}", path));
   if (other.series.runs.size() > 1 && !options.out.empty()) {
-    fmt::print(stderr, "times go on from run to run, one right after another\n");
+    stderr_line("times go on from run to run, one right after another");
   }
 }
 

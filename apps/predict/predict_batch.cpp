@@ -17,7 +17,9 @@
 #include "ballbar/number_text.hpp"
 #include "batches/batches.hpp"
 #include "model/model_options.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/json_number.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -121,7 +123,7 @@ void predict_batch(const BatchPredictOptions& options) {
     }
     json["broken"] = prediction.broken;
     json["warnings"] = warnings;
-    fmt::print("{}\n", json.dump());
+    print_json(json, -1);
   } else {
     const auto [low, high] = std::minmax_element(prediction.predicted_um.begin(), prediction.predicted_um.end());
     fmt::print(
@@ -139,7 +141,7 @@ void predict_batch(const BatchPredictOptions& options) {
     if (!warnings.empty()) fmt::print("\n");
     for (const std::string& warning : warnings) fmt::print("{}", wrapped(warning));
   }
-  for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
+  for (const std::string& path : options.out) stderr_line(fmt::format("wrote {}", path));
 }
 
 }  // namespace ballbar

@@ -17,9 +17,11 @@
 #include "ballbar/number_text.hpp"
 #include "model/model_options.hpp"
 #include "predict/predict_batch.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/state_file.hpp"
+#include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -235,7 +237,7 @@ void predict_effects(const EffectPredictOptions& options) {
                        {"within_share", number(error->within)}};
     }
     json["warnings"] = warnings;
-    fmt::print("{}\n", json.dump());
+    print_json(json, -1);
   } else {
     const std::string& target = model.model.targets.front();
     fmt::print("{}\n{}: {} by effects ({}), trained on {} rows\n{}\n\n", source, options.model, target,
@@ -252,7 +254,7 @@ void predict_effects(const EffectPredictOptions& options) {
     if (!warnings.empty()) fmt::print("\n");
     for (const std::string& warning : warnings) fmt::print("{}", wrapped(warning));
   }
-  for (const std::string& path : options.out) fmt::print(stderr, "wrote {}\n", path);
+  for (const std::string& path : options.out) stderr_line(fmt::format("wrote {}", path));
   if (options.state.empty()) return;
   write_bytes_durably(options.state,
                       write_prediction_state({digest_of(bytes), prediction.end.since_end, prediction.end.live}));

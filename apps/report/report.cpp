@@ -30,6 +30,7 @@
 #include "programs/child_process.hpp"
 #include "report/report_inside.hpp"
 #include "report/report_parts.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
@@ -301,7 +302,7 @@ void write_pictures(const Json& report, const Options& options) {
   }
   if (one_file) {
     write_bytes(options.out, pictures.front().svg);
-    fmt::print("{}  {}\n", options.out, pictures.front().title);
+    print_for_people(fmt::format("{}  {}\n", options.out, pictures.front().title));
     return;
   }
   std::error_code error;
@@ -311,7 +312,7 @@ void write_pictures(const Json& report, const Options& options) {
   for (const NamedPicture& picture : pictures) {
     const fs::path path = fs::path(options.out) / (picture.name + ".svg");
     write_bytes(path, picture.svg);
-    fmt::print("{}  {}\n", path.string(), picture.title);
+    print_for_people(fmt::format("{}  {}\n", path.string(), picture.title));
   }
 }
 
@@ -388,15 +389,12 @@ void run(Options options) {
     result.json["files"] = names;
     return result;
   }();
-  if (options.json) {
-    fmt::print("{}\n", text_of(made.json));
-    return;
-  }
+  if (options.json) return print_json(made.json, -1);
   expect_no_input({options.out}, made.files);
   if (options.format == Format::svg) return write_pictures(made.json, options);
   write_bytes(options.out, options.format == Format::html ? html_of(made, options) : text_of(made.json) + "\n");
-  for (const Json& sentence : made.json["summary"]) fmt::print("{}", wrapped(sentence.get<std::string>()));
-  fmt::print(stderr, "wrote {}\n", options.out);
+  for (const Json& sentence : made.json["summary"]) print_for_people(wrapped(sentence.get<std::string>()));
+  stderr_line(fmt::format("wrote {}", options.out));
   if (options.open && !started({"xdg-open", fs::absolute(options.out).string()})) {
     warning_line(fmt::format("no program xdg-open to open it with; open {} in a browser.", options.out));
   }

@@ -10,12 +10,15 @@
 #include <optional>
 #include <string_view>
 
+#include "ballbar/formats/machines/fleet_files.hpp"
+#include "ballbar/formats/machines/fleet_toml.hpp"
 #include "ballbar/formats/machines/machine_toml.hpp"
 #include "ballbar/formats/machines/shaft_images.hpp"
 #include "ballbar/formats/machines/simulated_files.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/units.hpp"
 #include "commands.hpp"
+#include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 
 namespace ballbar::commands {
@@ -61,8 +64,8 @@ void print_text(const VirtualMachine& machine, const SimulatedSession& simulated
   fmt::print("truth      {} (kept apart: no other command reads it)\n", truth.string());
 }
 
-void print_json(const VirtualMachine& machine, const SimulatedSession& simulated,
-                const std::vector<SimulatedFile>& files, const Options& options, const fs::path& truth) {
+void print_result(const VirtualMachine& machine, const SimulatedSession& simulated,
+                  const std::vector<SimulatedFile>& files, const Options& options, const fs::path& truth) {
   nlohmann::ordered_json json = {{"method", method_name(machine)}};
   if (machine.series) {
     json["rows"] = simulated.series.time_s.size();
@@ -75,11 +78,33 @@ void print_json(const VirtualMachine& machine, const SimulatedSession& simulated
                                        {"truth", truth.string()}};
   json.update(rest);
   for (const SimulatedFile& file : files) json["files"].push_back(file.name);
-  fmt::print("{}\n", json.dump(2));
+  print_json(json);
+}
+
+// Each test a .b5r, in a folder of its machine.
+void run_fleet(const Options& options, std::string_view bytes) {
+  VirtualFleet fleet = read_fleet(bytes, options.machine);
+  if (options.seed) fleet.seed = static_cast<std::uint64_t>(*options.seed);
+  const fs::path truth = truth_file(options);
+  const WrittenFleet written = write_fleet(fleet, options.out, truth, options.force);
+  if (options.json) {
+    const nlohmann::ordered_json json = {{"machines", written.machines}, {"months", fleet.months},
+                                         {"seed", fleet.seed},           {"folder", options.out},
+                                         {"files", written.files},       {"truth", truth.string()}};
+    print_json(json);
+    return;
+  }
+  fmt::print("simulated  a fleet of {} machines over {} months, seed {}\n", written.machines, fleet.months, fleet.seed);
+  fmt::print("written    {}: {} tests, a folder a machine\n", options.out, written.files);
+  fmt::print("truth      {} (kept apart: no other command reads it)\n", truth.string());
 }
 
 void run(const Options& options) {
   const std::string bytes = read_bytes(options.machine, kLargestText);
+  if (is_fleet(bytes)) {
+    run_fleet(options, bytes);
+    return;
+  }
   VirtualMachine machine = read_machine(bytes, options.machine);
   const std::vector<ShaftImage> images = read_shaft_images(bytes, options.machine);
   if (options.seed) machine.seed = static_cast<std::uint64_t>(*options.seed);
@@ -92,7 +117,7 @@ void run(const Options& options) {
   }
   const fs::path truth = truth_file(options);
   write_simulated(files, simulated.truth, options.out, truth, options.force);
-  (options.json ? print_json : print_text)(machine, simulated, files, options, truth);
+  (options.json ? print_result : print_text)(machine, simulated, files, options, truth);
 }
 
 }  // namespace
@@ -101,7 +126,9 @@ void add_simulate(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("simulate", "Recordings, signals and five-probe readings of a virtual machine");
-  command->add_option("MACHINE", options->machine, "machine.toml: the virtual machine, its truth and its noise")
+  command
+      ->add_option("MACHINE", options->machine,
+                   "machine.toml: the virtual machine, its truth and its noise; or fleet.toml: a plant of them")
       ->required()
       ->type_name("");
   command->add_option("--out", options->out, "folder for the session's files, new or empty")

@@ -1,5 +1,5 @@
 // How far a command is: one line, which the next one replaces. On a terminal it is shown there, and nothing is written
-// where standard error is none; in a page it goes to whom the page names. Nothing ever to standard output.
+// where standard error is none; a program that called takes it. Nothing ever to standard output.
 #pragma once
 
 #include <string_view>
@@ -8,8 +8,6 @@ namespace ballbar {
 
 void show_progress(std::string_view line);  // empty: takes the line away
 
-// From now on lines go to `taker`, and as they come.
-void send_progress_to(void (*taker)(std::string_view line));
 // Whether somebody takes lines that are not for reading: JSON, with what is known so far.
 bool progress_is_taken();
 

@@ -77,6 +77,7 @@ std::string keys_text(std::string_view name) {
   if (name == "spindle") return text_of(spindle_keys());
   if (name == "spindle body") return body_text();
   if (name == "spindle image") return text_of(image_keys());
+  if (name == "fleet.toml") return text_of(fleet_keys());
   return "";
 }
 
@@ -169,7 +170,7 @@ bool defaults_hold() {
 }
 
 constexpr std::string_view kBegin = "<!-- keys of ", kBeginEnd = " -->\n", kEnd = "<!-- end of keys -->";
-constexpr std::size_t kTables = 13;
+constexpr std::size_t kTables = 14;
 
 int held(const std::filesystem::path& path, bool update) {
   const std::string page = read_bytes(path, kLargestText);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "program.hpp"
-#include "terminal/progress.hpp"
+#include "terminal/caller.hpp"
 
 namespace {
 
@@ -38,7 +38,9 @@ extern "C" int memfd_create(const char*, unsigned) {
 extern "C" EMSCRIPTEN_KEEPALIVE int ballbar_run(const char* words, const char* out, const char* err) {
   if (std::freopen(out, "w", stdout) == nullptr || std::freopen(err, "w", stderr) == nullptr) return 1;
   std::cout.clear();
-  ballbar::send_progress_to([](std::string_view line) { tell_progress(line.data(), static_cast<int>(line.size())); });
+  ballbar::Caller page;
+  page.progress = [](std::string_view line) { tell_progress(line.data(), static_cast<int>(line.size())); };
+  const ballbar::CalledBy called(page);
   const int status = ballbar::program(nlohmann::json::parse(words).get<std::vector<std::string>>());
   std::cout.flush();
   std::fflush(stdout);

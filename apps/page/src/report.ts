@@ -298,6 +298,7 @@ export interface HistoryQuantity {
   trend?: { year: number[]; values: Num[]; sigmas: Num[] }; // half of the interval that holds 68 %
   lower?: number; // tolerance
   upper?: number;
+  marks?: number[]; // years in which it steps
 }
 export interface HistoryGroup {
   label: string; // "XY, 100 mm, 1000 mm/min, 360 deg"
@@ -311,6 +312,20 @@ export interface HistoryPart {
   geometry: string[]; // sentences
   geometry_rows: string[][]; // what, um/m, from
   skipped: string[];
+}
+
+// Many machines over their tests: fleet_page() of apps/history.
+export interface FleetMachine {
+  label: string; // its name
+  reason: string; // why it is called
+  findings: string[]; // whole sentences: what was found and what to do
+  first: string; // quantity to look at first
+  quantities: HistoryQuantity[]; // the trend is the curve that was found
+}
+export interface FleetPart {
+  heading: string[]; // of the ranking
+  rows: string[][];
+  machines: FleetMachine[]; // those that need something
 }
 
 export interface Report {
@@ -332,4 +347,5 @@ export interface Report {
   batch?: BatchPart;
   mean_point?: MeanPointPart;
   history?: HistoryPart;
+  fleet?: FleetPart;
 }

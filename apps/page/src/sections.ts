@@ -3,6 +3,7 @@ import { batch_section } from "./batch/batch";
 import { comparison_section } from "./comparison/comparison";
 import { diagnosis_sections } from "./diagnosis/diagnosis";
 import { drift_section } from "./drift/drift";
+import { fleet_sections } from "./fleet/fleet";
 import { history_sections } from "./history/history";
 import { ledger_section } from "./diagnosis/ledger";
 import { machine_errors_section } from "./machine_errors/machine_errors";
@@ -22,6 +23,7 @@ interface Kind {
 
 const kinds: readonly Kind[] = [
   { rank: 60, of: history_sections },
+  { rank: 62, of: fleet_sections },
   { rank: 100, of: machine_errors_section },
   { rank: 50, of: drift_section },
   { rank: 10, of: signals_section },

@@ -6,6 +6,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/formats/text/given_data.hpp"
 
 namespace ballbar {
 namespace {
@@ -27,11 +28,13 @@ std::string known_recordings(std::span<const Reader> readers) {
 }  // namespace
 
 bool is_recording_file(const std::filesystem::path& path, std::span<const Reader> readers) {
+  if (given_recordings(path) != nullptr) return true;
   const Reader* const reader = reader_of_file(path, readers);
   return reader != nullptr && std::holds_alternative<ReadRecordings>(reader->read);
 }
 
 RecordingFile open_recording(const std::filesystem::path& path, std::span<const Reader> readers) {
+  if (const std::vector<Recording>* const given = given_recordings(path)) return {*given, std::nullopt};
   const std::string bytes = read_bytes(path, kLargestTable);
   const std::string name = path.string();
   const Reader* const reader = reader_of(bytes, readers);

@@ -173,10 +173,7 @@ ModelData data_of_runs(const std::vector<RunOfMachine>& listed_runs, const std::
 
 ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,
                           double max_gap_s, std::span<const Reader> readers) {
-  const Reader* const reader = reader_of_file(paths.front(), readers);
-  if (reader != nullptr && std::holds_alternative<ReadRecordings>(reader->read)) {
-    return data_of_recordings(paths, readers);
-  }
+  if (is_recording_file(paths.front(), readers)) return data_of_recordings(paths, readers);
   std::string title;
   const std::vector<RunOfMachine> runs = listed(paths, readers, title);
   if (runs.size() == 1) return data_of_drift(runs.front().file, options, max_gap_s, readers);

@@ -9,6 +9,7 @@
 #include "ballbar/formats/logs/log.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/formats/text/given_data.hpp"
 
 namespace ballbar {
 
@@ -33,6 +34,7 @@ OpenedSeries opened_by(const Reader* reader, const std::filesystem::path& path, 
 
 OpenedSeries opened_series(const std::filesystem::path& path, std::span<const Reader> readers,
                            const LogRecipe& recipe) {
+  if (const Series* const given = given_series(path)) return {*given, {}};
   return opened_by(reader_of(read_head(path, kHeadBytes), readers), path, recipe);
 }
 
@@ -42,6 +44,10 @@ Series open_series(const std::filesystem::path& path, std::span<const Reader> re
 
 DriftData open_drift_data(const std::filesystem::path& path, std::span<const Reader> readers) {
   DriftData data;
+  if (const Series* const given = given_series(path)) {
+    data.series = *given;
+    return data;
+  }
   std::error_code error;
   if (std::filesystem::is_regular_file(path, error)) {
     const Reader* const reader = reader_of_file(path, readers);

@@ -22,7 +22,10 @@ enum class Stream : std::uint32_t {
   spindle_variety,
   blind_kind,
   blind_set,
-  blind_run
+  blind_run,
+  fleet_machine,
+  fleet_test,
+  fleet_bar
 };
 
 // The stream of that seed, kind and key; the key is the test's time or the column's name.

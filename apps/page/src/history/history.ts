@@ -1,5 +1,5 @@
 // A machine over its tests: a section a group of tests that can be compared, then squareness and scales.
-import { history_picture } from "./history_picture";
+import { history_picture, type Shown } from "./history_picture";
 import { command_of } from "../drawing/command";
 import type { Next, Section, State } from "../picture";
 import type { HistoryGroup, Report } from "../report";
@@ -31,6 +31,13 @@ const says_of = ({ rows, first }: HistoryGroup): number => {
   return (/\d{4}-/.test(met) ? 4 : 0) + (change.includes("*") ? 2 : 0) + (a_year.includes("*") ? 1 : 0);
 };
 
+const shown = (k: number): Shown => ({
+  name: `history-${k + 1}`,
+  trend: t.history_trend,
+  caption: t.history_caption,
+  about: t.history_about,
+});
+
 const group_section = (group: HistoryGroup, k: number): Section => ({
   id: `history-${k + 1}`,
   heading: plain(group.label, 80),
@@ -54,7 +61,7 @@ const group_section = (group: HistoryGroup, k: number): Section => ({
       rows: group.rows.map(([quantity = "", ...rest]) => [typed(quantity), ...rest.map(table_text)]),
     },
   ],
-  pictures: group.quantities.length > 0 ? [history_picture(group, k)] : [],
+  pictures: group.quantities.length > 0 ? [history_picture(group, shown(k))] : [],
 });
 
 export const history_sections = ({ history }: Report): Section[] => {

@@ -22,15 +22,13 @@ const kTests: Toggle = {
   mark: "dot",
   on: true,
 };
-const kTrend: Toggle = {
+const curve_toggle = (label: string): Toggle => ({
   key: "trend",
-  get label() {
-    return t.history_trend;
-  },
+  label,
   colour: (dark) => curve_colour(1, dark),
   mark: "line",
   on: true,
-};
+});
 
 const uncertain = (year: readonly number[], values: readonly Num[], sigmas: readonly Num[]): Uncertain[] =>
   year.map((at, i) => [at, values[i] ?? null, sigmas[i] ?? null]);
@@ -58,6 +56,22 @@ const tolerance = (limits: readonly number[], colour: string): Series => ({
   },
 });
 
+// Between which tests it steps.
+const steps = (years: readonly number[], colour: string): Series => ({
+  type: "line",
+  name: "",
+  data: [],
+  silent: true,
+  tooltip: { show: false },
+  markLine: {
+    symbol: "none",
+    silent: true,
+    label: { position: "insideEndTop", formatter: t.fleet_step, color: colour },
+    lineStyle: { color: colour, type: "dashed", width: 1.4 },
+    data: years.map((year) => ({ xAxis: year })),
+  },
+});
+
 // A limit far from all values would press them flat: then it is not drawn.
 const limits_near = ({ lower, upper, values, trend }: HistoryQuantity): number[] => {
   const all = [...values, ...(trend?.values ?? [])].filter((value): value is number => value !== null);
@@ -76,8 +90,18 @@ const ends_of = ({ year, trend }: HistoryQuantity): Record<string, unknown> => {
   return { min: from - room, max: to + room };
 };
 
-export const history_picture = (group: HistoryGroup, k: number): Picture => {
+// What a picture shows: `name` of it, `caption` and `about` below, `trend`: what its curve is called.
+export interface Shown {
+  name: string;
+  trend: string;
+  caption: string;
+  about: string;
+}
+
+export const history_picture = (group: Pick<HistoryGroup, "label" | "first" | "quantities">, shown: Shown): Picture => {
   const { quantities } = group;
+  const { trend: called, ...head } = shown;
+  const kTrend = curve_toggle(called);
   const chosen_of = ({ chosen }: Pick<State, "chosen">): HistoryQuantity =>
     quantities.find(({ name }) => name === chosen["quantity"]) ?? (quantities[0] as HistoryQuantity);
   const toggles = (state: Pick<State, "chosen">): Toggle[] => (chosen_of(state).trend ? [kTests, kTrend] : [kTests]);
@@ -85,7 +109,7 @@ export const history_picture = (group: HistoryGroup, k: number): Picture => {
   const draw = (state: State): Series => {
     const { look, window, hidden } = state;
     const quantity = chosen_of(state);
-    const { year, values, sigmas, trend, unit } = quantity;
+    const { year, values, sigmas, trend, unit, marks: years = [] } = quantity;
     const [of_tests, of_trend] = [kTests.colour(look.dark), kTrend.colour(look.dark)];
     const drawn = [
       ...(trend && !hidden.has(kTrend.key)
@@ -122,7 +146,12 @@ export const history_picture = (group: HistoryGroup, k: number): Picture => {
         min: ({ min }: { min: number }) => (limits.some((limit) => limit < min) ? Math.min(...limits) * 1.05 : null),
         max: ({ max }: { max: number }) => (limits.some((limit) => limit > max) ? Math.max(...limits) * 1.05 : null),
       },
-      series: [...marks, ...drawn, ...(limits.length > 0 ? [tolerance(limits, colours(look.dark).ink)] : [])],
+      series: [
+        ...marks,
+        ...drawn,
+        ...(limits.length > 0 ? [tolerance(limits, colours(look.dark).ink)] : []),
+        ...(years.length > 0 ? [steps(years, colours(look.dark).ink)] : []),
+      ],
     };
   };
 
@@ -143,10 +172,8 @@ export const history_picture = (group: HistoryGroup, k: number): Picture => {
   };
 
   return {
-    name: `history-${k + 1}`,
+    ...head,
     title: plain(group.label, 80),
-    caption: t.history_caption,
-    about: t.history_about,
     height_px: 360,
     zoom: "own",
     choices: [

@@ -661,6 +661,36 @@ export const de: Texts = {
     scale: "Maßstab",
   },
 
+  // fleet
+  fleet_ranking: "Maschinen, die etwas brauchen",
+  fleet_count: ({ n }) => `${n} ${n === 1 ? "Maschine" : "Maschinen"}`,
+  fleet_kind: "Maschinen",
+  fleet_step: "Sprung",
+  fleet_curve: "gefunden",
+  fleet_caption: "Eine Größe über den Prüfungen, mit der gefundenen Kurve, dem Tag eines Sprungs und der Toleranz.",
+  fleet_about:
+    "Die Balken sind die Streuung von Prüfung zu Prüfung; die Kurve ist ein Niveau, ein Sprung, ein Trend oder ein Jahresgang, die schattierte Breite eine Standardabweichung ihres letzten Niveaus. Senkrechte Linien liegen zwischen den Prüfungen, zwischen denen sie springt.",
+  fleet_next: "Alles von einer Maschine ansehen",
+  fleet_headings: {
+    machine: "Maschine",
+    needs: "braucht",
+    found: "gefunden",
+    quantity: "Größe",
+    size: "Betrag",
+    between: "zwischen",
+    and: "und",
+    q: "q",
+  },
+  fleet_words: {
+    "beyond tolerance": "außer Toleranz",
+    look: "ansehen",
+    step: "Sprung",
+    "replaced part": "getauschtes Teil",
+    instrument: "Messgerät",
+    trend: "Trend",
+    season: "Jahresgang",
+  },
+
   // glossary: names that files and the program have, by the words they stand under there
   quantities: {
     time: "Zeit",

@@ -675,6 +675,36 @@ export const en = {
     scale: "scale",
   },
 
+  // fleet
+  fleet_ranking: "Machines that need something",
+  fleet_count: ({ n }: { n: number }) => `${n} ${n === 1 ? "machine" : "machines"}`,
+  fleet_kind: "Machines",
+  fleet_step: "step",
+  fleet_curve: "found",
+  fleet_caption: "One quantity over the tests, with the curve that was found, the date of a step and the tolerance.",
+  fleet_about:
+    "Bars are the scatter from test to test; the curve is a level, a step, a trend or a season, the shaded width one standard deviation of its last level. Upright lines lie between the tests where it steps.",
+  fleet_next: "See all of one machine",
+  fleet_headings: {
+    machine: "machine",
+    needs: "needs",
+    found: "found",
+    quantity: "quantity",
+    size: "size",
+    between: "between",
+    and: "and",
+    q: "q",
+  },
+  fleet_words: {
+    "beyond tolerance": "beyond tolerance",
+    look: "look",
+    step: "step",
+    "replaced part": "replaced part",
+    instrument: "instrument",
+    trend: "trend",
+    season: "season",
+  },
+
   // glossary: names that files and the program have, by the words they stand under there
   quantities: {
     time: "time",

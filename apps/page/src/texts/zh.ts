@@ -618,6 +618,35 @@ export const zh: Texts = {
     scale: "比例",
   },
 
+  // fleet
+  fleet_ranking: "需要处理的机床",
+  fleet_count: ({ n }) => `${n} 台机床`,
+  fleet_kind: "机床",
+  fleet_step: "跳变",
+  fleet_curve: "所得曲线",
+  fleet_caption: "某一量随测试的变化，附所得曲线、跳变日期与公差。",
+  fleet_about: "误差棒为测试之间的分散；曲线为水平、跳变、趋势或季节变化，阴影宽度为其最后水平的一倍标准差。竖线位于发生跳变的两次测试之间。",
+  fleet_next: "查看一台机床的全部",
+  fleet_headings: {
+    machine: "机床",
+    needs: "需要",
+    found: "发现",
+    quantity: "量",
+    size: "大小",
+    between: "从",
+    and: "到",
+    q: "q",
+  },
+  fleet_words: {
+    "beyond tolerance": "超出公差",
+    look: "查看",
+    step: "跳变",
+    "replaced part": "更换的零件",
+    instrument: "仪器",
+    trend: "趋势",
+    season: "季节",
+  },
+
   // glossary: names that files and the program have, by the words they stand under there
   quantities: {
     time: "时间",

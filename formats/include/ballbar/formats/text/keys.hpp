@@ -35,5 +35,6 @@ std::vector<KeyTable> history_keys();   // [[history]] of a model
 std::vector<KeyTable> machine_keys();   // machine.toml, but for [spindle], [[spindle.image]] and [spindle.body]
 std::vector<KeyTable> spindle_keys();   // [spindle], [spindle.measured]
 std::vector<KeyTable> image_keys();     // [[spindle.image]]
+std::vector<KeyTable> fleet_keys();     // fleet.toml
 
 }  // namespace ballbar

@@ -1,0 +1,57 @@
+// `ballbar errors FILE...`: the errors of each ballbar test, one row a test.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "commands.hpp"
+#include "history/test_files.hpp"
+#include "history/test_table.hpp"
+#include "terminal/caller.hpp"
+#include "terminal/option_checks.hpp"
+#include "terminal/output_guard.hpp"
+#include "terminal/stderr_line.hpp"
+
+namespace ballbar::commands {
+namespace {
+
+struct Options {
+  std::vector<std::string> paths, out;
+  bool strict = false, json = false;
+};
+
+void run(const Options& options) {
+  const TestFiles files = read_tests(options.paths, options.strict);
+  expect_no_input(options.out, files.files);
+  for (const std::string& path : options.out) {
+    write_bytes(path, path.ends_with(".csv") ? test_table_csv(files.tests) : json_of(files).dump(2) + '\n');
+  }
+  options.json ? print_json(json_of(files)) : fmt::print("{}", test_table_text(files));
+  for (const std::string& path : options.out) stderr_line(fmt::format("wrote {}", path));
+}
+
+}  // namespace
+
+void add_errors(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("errors", "The errors of each of many ballbar tests: a table, one row a test");
+  command->add_option("FILE", options->paths, ".b5r files, ballbar logs, and folders of them with those below")
+      ->required()
+      ->type_name("");
+  command->add_flag("--strict", options->strict, "stop at a file that would be skipped");
+  command
+      ->add_option("--out", options->out,
+                   "write .csv: one row a test, each error with sigma; or .json; may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->check(name_that_ends_in({".csv", ".json"}));
+  command->add_flag("--json", options->json, "the result for a program");
+  command->footer("Example:\n  ballbar errors sample-runs/machine-history --out errors.csv");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ballbar::commands

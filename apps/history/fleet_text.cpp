@@ -1,0 +1,180 @@
+#include "history/fleet_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ballbar/history/trend.hpp"
+#include "history/quantity_text.hpp"
+#include "terminal/terminal_table.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kRows = 12, kTold = 6;
+constexpr std::size_t kNameWidth = 24;
+
+std::size_t count_of(const Fleet& fleet, Need need) {
+  return static_cast<std::size_t>(std::count_if(fleet.machines.begin(), fleet.machines.end(),
+                                                [&](const FleetMachine& one) { return one.need == need; }));
+}
+
+std::string machines_text(std::size_t count) { return several(count, "machine"); }
+
+const FleetTolerance* tolerance_with(const FleetMachine& machine, Outlook outlook) {
+  const auto found = std::find_if(machine.tolerances.begin(), machine.tolerances.end(),
+                                  [&](const FleetTolerance& one) { return one.date.outlook == outlook; });
+  return found == machine.tolerances.end() ? nullptr : &*found;
+}
+
+std::string need_text(const FleetMachine& machine) {
+  switch (machine.need) {
+    case Need::beyond:
+      return "beyond tolerance";
+    case Need::expected:
+      return "by " + date_text(*tolerance_with(machine, Outlook::expected)->date.at_s);
+    case Need::finding:
+      return "look";
+    case Need::nothing:
+      break;
+  }
+  return "nothing";
+}
+
+std::string kind_text(FindingKind kind) {
+  switch (kind) {
+    case FindingKind::step:
+      return "step";
+    case FindingKind::replaced_part:
+      return "replaced part";
+    case FindingKind::instrument:
+      return "instrument";
+    case FindingKind::trend:
+      return "trend";
+    case FindingKind::season:
+      return "season";
+  }
+  return "";
+}
+
+std::string size_text(const FleetMachine& machine, const Finding& finding) {
+  const FindingQuantity& quantity = finding.quantities.front();
+  const std::string& unit = machine.series[quantity.series].unit;
+  const int decimals = decimals_of(unit);
+  const bool to_either_side = finding.kind == FindingKind::season;
+  return fmt::format("{} ± {} {}{}",
+                     to_either_side ? fixed(quantity.size, decimals) : signed_text(quantity.size, decimals),
+                     fixed(quantity.sigma, decimals), unit, finding.kind == FindingKind::trend ? "/a" : "");
+}
+
+std::string q_text(double q) { return q < 1e-3 ? "< 0.001" : fmt::format("{:.3f}", q); }
+
+// The machines that need something; of the rest how many.
+std::string table_of(const Fleet& fleet, std::size_t rows) {
+  Table table(fleet_heading());
+  std::size_t needing = 0;
+  for (const FleetMachine& machine : fleet.machines) {
+    if (machine.need == Need::nothing) continue;
+    if (++needing <= rows) table.add(fleet_row(machine));
+  }
+  if (needing == 0) return "";
+  std::string text = '\n' + table.text(table_width());
+  if (needing > rows) text += fmt::format("and {} more (--all)\n", needing - rows);
+  return text;
+}
+
+std::string what_to_do(const Fleet& fleet, std::size_t most) {
+  std::string text;
+  std::size_t told = 0;
+  for (const FleetMachine& machine : fleet.machines) {
+    if (machine.need == Need::nothing) break;
+    if (told++ == most) break;
+    std::string one = shortened(machine.name, kNameWidth) + ": " + machine.reason;
+    for (const Finding& finding : machine.findings) {
+      if (finding.sentence != machine.reason) one += ' ' + finding.sentence;
+      one += ' ' + finding.remedy;
+      if (&finding == &machine.findings[1]) break;
+    }
+    if (machine.findings.size() > 2) one += fmt::format(" And {} more (--json).", machine.findings.size() - 2);
+    text += '\n' + wrapped(one);
+  }
+  return text;
+}
+
+std::string bars_text(const Fleet& fleet) {
+  std::string text;
+  for (const BarChange& change : fleet.bar_changes) {
+    if (!(std::abs(change.size_ppm) > kSignificantSigmas * change.sigma_ppm)) continue;
+    text += wrapped(fmt::format("Bar {} against {}: {} ± {} um/m, on {}.", change.to.empty() ? "?" : change.to,
+                                change.from.empty() ? "?" : change.from, signed_text(change.size_ppm, 1),
+                                fixed(change.sigma_ppm, 1), machines_text(change.machines.size())));
+  }
+  return text.empty() ? text : '\n' + text;
+}
+
+}  // namespace
+
+std::vector<std::string> fleet_heading() {
+  return {"machine", "needs", "found", "quantity", "size", "between", "and", "q"};
+}
+
+std::vector<std::string> fleet_row(const FleetMachine& machine) {
+  const std::string name = shortened(machine.name, kNameWidth);
+  if (machine.findings.empty()) {
+    const FleetTolerance* beyond = tolerance_with(machine, Outlook::beyond);
+    if (beyond == nullptr) return {name, need_text(machine), "-", "-", "-", "-", "-", "-"};
+    const FleetSeries& series = machine.series[beyond->series];
+    return {name,
+            need_text(machine),
+            "-",
+            fmt::format("{} {}", series.name, name_of(series.plane)),
+            with_sigma(series.level, series.sigma, decimals_of(series.unit)) + ' ' + series.unit,
+            "-",
+            "-",
+            "-"};
+  }
+  const Finding& finding = machine.findings.front();
+  const FleetSeries& series = machine.series[finding.quantities.front().series];
+  const std::size_t more = finding.quantities.size() - 1;
+  return {name,
+          need_text(machine),
+          kind_text(finding.kind),
+          fmt::format("{} {}{}", series.name, name_of(series.plane), more == 0 ? "" : fmt::format(" + {}", more)),
+          size_text(machine, finding),
+          date_text(finding.from_s),
+          date_text(finding.to_s),
+          q_text(finding.q_value)};
+}
+
+std::vector<std::string> fleet_conclusion(const Fleet& fleet) {
+  const std::size_t all = fleet.machines.size();
+  const std::size_t beyond = count_of(fleet, Need::beyond), expected = count_of(fleet, Need::expected),
+                    finding = count_of(fleet, Need::finding), nothing = count_of(fleet, Need::nothing);
+  std::vector<std::string> lines;
+  if (nothing == all) {
+    lines.push_back(fmt::format("Nothing stands out on any of {}.", machines_text(all)));
+  } else {
+    lines.push_back(
+        fmt::format("{} of {}: {} beyond a tolerance, {} on the way to one, {} with something to look at; {} "
+                    "with nothing.",
+                    all - nothing, machines_text(all), beyond, expected, finding, nothing));
+  }
+  lines.push_back(fmt::format("{} questions were asked, {} answered with yes; of such answers {:g} % are by chance.",
+                              fleet.judged, fleet.found, 100.0 * fleet.false_discovery_rate));
+  return lines;
+}
+
+std::string fleet_text(const Fleet& fleet, bool all) {
+  std::string text;
+  for (const std::string& line : fleet_conclusion(fleet)) text += wrapped(line);
+  const std::size_t most = fleet.machines.size();
+  text += table_of(fleet, all ? most : kRows);
+  text += what_to_do(fleet, all ? most : kTold);
+  text += bars_text(fleet);
+  if (fleet.without_date > 0)
+    text += fmt::format("\n{} without a date, in nothing.\n", several(fleet.without_date, "test"));
+  return text;
+}
+
+}  // namespace ballbar

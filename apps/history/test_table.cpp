@@ -1,0 +1,144 @@
+#include "history/test_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "history/quantity_text.hpp"
+#include "terminal/json_number.hpp"
+#include "terminal/terminal_table.hpp"
+
+namespace ballbar {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string optional_cell(const std::optional<double>& value) { return value ? csv_number(*value) : ""; }
+
+// The error of the machine that is largest in sigmas of those that the test shows; nullptr: none.
+const TestQuantity* clearest(const MachineTest& test) {
+  const TestQuantity* found = nullptr;
+  for (const TestQuantity& one : test.quantities) {
+    if (one.of_set_up || !one.significant || one.unit != "um" || one.name == "circularity" ||
+        one.name == "residual_rms" || one.name == "global_scale" || one.name == "radius_change") {
+      continue;
+    }
+    if (found == nullptr || std::abs(one.value) > std::abs(found->value)) found = &one;
+  }
+  return found;
+}
+
+const TestQuantity* quantity_of(const MachineTest& test, std::string_view name) {
+  const auto found =
+      std::find_if(test.quantities.begin(), test.quantities.end(), [&](const auto& one) { return one.name == name; });
+  return found == test.quantities.end() ? nullptr : &*found;
+}
+
+std::string heading_text(const TestFiles& files) {
+  std::set<std::string> machines;
+  std::string first, last;
+  for (const MachineTest& test : files.tests) {
+    machines.insert(test.machine);
+    if (!test.started_s) continue;
+    const std::string date = date_text(static_cast<double>(*test.started_s));
+    if (first.empty() || date < first) first = date;
+    last = std::max(last, date);
+  }
+  std::string text = several(files.tests.size(), "test");
+  if (machines.size() > 1) text += fmt::format(" of {} machines", machines.size());
+  if (!first.empty()) text += first == last ? ", " + first : fmt::format(", {} to {}", first, last);
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string column_name(const TestQuantity& quantity, bool of_sigma) {
+  std::string unit = quantity.unit;
+  if (const std::size_t slash = unit.find('/'); slash != std::string::npos) unit.replace(slash, 1, "_per_");
+  return fmt::format("{}{}_{}", quantity.name, of_sigma ? "_sigma" : "", unit);
+}
+
+std::string test_table_csv(const std::vector<MachineTest>& tests) {
+  std::vector<std::string> names;
+  std::map<std::string, std::size_t> place;
+  for (const MachineTest& test : tests) {
+    for (const TestQuantity& one : test.quantities) {
+      if (!place.emplace(column_name(one), names.size()).second) continue;
+      names.push_back(column_name(one));
+      names.push_back(column_name(one, true));
+    }
+  }
+  std::string text = "file,machine,bar,date,plane,length_mm,feed_mm_per_min,start_deg,arc_deg,stored";
+  for (const std::string& name : names) text += ',' + name;
+  text += '\n';
+  for (const MachineTest& test : tests) {
+    std::vector<std::string> cells(names.size());
+    for (const TestQuantity& one : test.quantities) {
+      const std::size_t at = place.at(column_name(one));
+      cells[at] = csv_number(one.value);
+      cells[at + 1] = csv_number(one.sigma);
+    }
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{}", csv_text(test.file), csv_text(test.machine),
+                        csv_text(test.bar), test.started_s ? iso_date_text(*test.started_s) : "", name_of(test.plane),
+                        csv_number(test.nominal_length_mm), optional_cell(test.feed_mm_per_min),
+                        csv_number(test.start_deg), csv_number(test.arc_deg), test.stored ? 1 : 0);
+    for (const std::string& cell : cells) text += ',' + cell;
+    text += '\n';
+  }
+  return text;
+}
+
+Json json_of(const MachineTest& test) {
+  Json json{{"file", test.file}, {"machine", test.machine}, {"bar", test.bar}};
+  json["date"] = test.started_s ? Json(iso_date_text(*test.started_s)) : Json(nullptr);
+  json["plane"] = name_of(test.plane);
+  json["nominal_length_mm"] = number(test.nominal_length_mm);
+  json["feed_mm_per_min"] = test.feed_mm_per_min ? number(*test.feed_mm_per_min) : Json(nullptr);
+  json["start_deg"] = number(test.start_deg);
+  json["arc_deg"] = number(test.arc_deg);
+  json["stored"] = test.stored;
+  json["errors"] = Json::array();
+  for (const TestQuantity& one : test.quantities) {
+    json["errors"].push_back({{"name", one.name},
+                              {"value", number(one.value)},
+                              {"sigma", number(one.sigma)},
+                              {"unit", one.unit},
+                              {"significant", one.significant},
+                              {"of_set_up", one.of_set_up}});
+  }
+  return json;
+}
+
+Json json_of(const TestFiles& files) {
+  Json json{{"tests", Json::array()}};
+  for (const MachineTest& test : files.tests) json["tests"].push_back(json_of(test));
+  json["remarks"] = files.remarks;
+  json["skipped"] = Json::array();
+  for (const SkippedTest& file : files.skipped) {
+    json["skipped"].push_back({{"file", file.file}, {"sentence", file.sentence}});
+  }
+  return json;
+}
+
+std::string test_table_text(const TestFiles& files) {
+  std::string text = heading_text(files) + "\n";
+  Table table({"file", "date", "machine", "plane", "mm/min", "circularity um", "largest error um", ""});
+  for (const MachineTest& test : files.tests) {
+    const TestQuantity* const round = quantity_of(test, "circularity");
+    const TestQuantity* const most = clearest(test);
+    table.add({one_line(test.file), test.started_s ? date_text(static_cast<double>(*test.started_s)) : "-",
+               test.machine.empty() ? "-" : one_line(test.machine), std::string(name_of(test.plane)),
+               test.feed_mm_per_min ? fmt::format("{:.0f}", *test.feed_mm_per_min) : "-",
+               round == nullptr ? "-" : with_sigma(round->value, round->sigma, 2),
+               most == nullptr ? "-" : with_sigma(most->value, most->sigma, 2), most == nullptr ? "none" : most->name});
+  }
+  text += table.text();
+  for (const SkippedTest& file : files.skipped) text += "\n" + wrapped(file.sentence);
+  return text;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,27 @@
+// Tests as a table: one row a test, with every error and its sigma.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "history/test_files.hpp"
+
+namespace ballbar {
+
+// file, machine, bar, date, plane, length_mm, feed_mm_per_min, start_deg, arc_deg, stored; then each quantity of any of
+// the tests, NAME_UNIT, and NAME_sigma_UNIT. Empty: not known, or not one of that test's.
+std::string test_table_csv(const std::vector<MachineTest>& tests);
+
+// "scale_mismatch_um", "squareness_um_per_m".
+std::string column_name(const TestQuantity& quantity, bool of_sigma = false);
+
+nlohmann::ordered_json json_of(const MachineTest& test);
+
+// The keys of `errors --json`.
+nlohmann::ordered_json json_of(const TestFiles& files);
+
+// For the terminal.
+std::string test_table_text(const TestFiles& files);
+
+}  // namespace ballbar

@@ -1,0 +1,31 @@
+#!/bin/sh
+# The Debian packages of ballbar, made in BUILD, build-package/ unless another folder is named:
+#
+#   sh apps/packages/make.sh [BUILD]
+#
+# The same sources give the same bytes, in whatever folder and whenever they are built: apps/packages/reproducible.sh.
+set -eu
+cd "$(dirname "$0")/../.."
+build=${1:-build-package}
+unset CMAKE_GENERATOR # generators differ in the order in which they link
+umask 022
+export LC_ALL=C.UTF-8 TZ=UTC
+SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(sh apps/packages/epoch.sh)}
+export SOURCE_DATE_EPOCH
+
+step() { printf '\n== %s\n' "$1"; }
+
+step 'Packages to build with'
+sh apps/install-packages.sh build page images mat blind python package
+
+step "Build (Release, in $build)"
+cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DBALLBAR_PACKAGES=ON \
+  -DBALLBAR_PAGE=ON -DBALLBAR_IMAGES=ON -DBALLBAR_MAT=ON -DBALLBAR_XLSX=ON -DBALLBAR_BLIND=ON -DBALLBAR_PYTHON=ON -DBALLBAR_HAL=OFF
+cmake --build "$build" --target ballbar ballbar_python ballbar_python_files -j "$(nproc)"
+
+step 'Packages'
+sh apps/packages/pack.sh "$build" "$build/debian"
+
+step 'Where they are'
+ls -s --block-size=kB "$(realpath "$build")"/debian/*.deb
+echo "As root: apt-get install $(ls -d "$(realpath "$build")"/debian/ballbar_*.deb)"

@@ -1,0 +1,31 @@
+#!/bin/sh
+# pack.sh BUILD OUT: what is built in BUILD, configured with BALLBAR_PACKAGES, as Debian packages in OUT, which holds
+# nothing else then.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+build=$1
+mkdir -p "$2"
+out=$(realpath "$2")
+SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(sh "$here/epoch.sh")}
+export SOURCE_DATE_EPOCH
+umask 022
+rm -rf "${out:?}"/*
+log=$(mktemp)
+if ! cpack --config "$build/CPackConfig.cmake" -G DEB -B "$out" >"$log" 2>&1; then
+  cat "$log" >&2
+  rm -f "$log"
+  exit 1
+fi
+rm -rf "$log" "$out/_CPack_Packages"
+# cpack writes who packed into the outer archive, and when.
+for package in "$out"/*.deb; do
+  (
+    mkdir "$out/members"
+    cd "$out/members"
+    ar x "$package"
+    rm "$package"
+    ar rcD "$package" debian-binary control.tar.* data.tar.*
+    cd ..
+    rm -r members
+  )
+done

@@ -1,0 +1,84 @@
+#!/bin/sh
+# What Debian wants of files that are about to be packed, and what makes two packings the same:
+#
+#   sh stage.sh STAGED BUILD VERSION
+#
+# In each component below STAGED: copyright with the notices of what is compiled in, changelog, manual page compressed,
+# permissions that the umask does not set, times of the last commit.
+set -eu
+staged=$1 build=$2 version=$3
+here=$(cd "$(dirname "$0")" && pwd)
+source=$here/../..
+export LC_ALL=C
+epoch=${SOURCE_DATE_EPOCH:-$(sh "$here/epoch.sh")}
+modules=$build/apps/page/node_modules
+
+# Packages whose code is in the program, or in the libraries, by what their headers and archives say.
+in_libraries='libeigen3-dev libboost-dev libfast-float-dev libtomlplusplus-dev nlohmann-json3-dev'
+in_program="$in_libraries libceres-dev libcli11-dev"
+if grep -q '^OPENCV_CORE_INSIDE:' "$build/CMakeCache.txt"; then in_program="$in_program libopencv-core-dev"; fi
+
+# notices FOLDER PACKAGE...: the copyright of each, as Debian has it; prints a line each.
+notices() (
+  folder=$1
+  shift
+  mkdir -p "$folder"
+  for package in "$@"; do
+    cp "/usr/share/doc/$package/copyright" "$folder/$package.txt"
+    echo "  $(dpkg-query -W -f '${source:Package} ${source:Version}' "$package"): notices/$package.txt"
+  done
+)
+
+# What the page inside the program holds: the notice that Apache's licence asks for, and the texts of the other two.
+page_notices() (
+  folder=$1
+  for file in echarts/NOTICE echarts/LICENSE echarts/licenses/LICENSE-d3 zrender/LICENSE tslib/LICENSE.txt; do
+    text=$modules/$file
+    [ -f "$text" ] || { [ "${file%%/*}" = tslib ] && continue; }
+    cp "$text" "$folder/$(echo "$file" | tr '/' '-' | tr '[:upper:]' '[:lower:]' | sed 's/\.txt$//').txt"
+  done
+  echo
+  echo "The page of \`ballbar report\`, inside the program, holds Apache ECharts, under the Apache License, Version 2.0"
+  echo "(/usr/share/common-licenses/Apache-2.0, with what it adds in notices/echarts-license.txt), with parts of D3 and"
+  echo "with ZRender and tslib, under the licences in notices/. The notice of Apache ECharts:"
+  echo
+  sed 's/^/  /; s/ *$//' "$modules/echarts/NOTICE"
+  echo
+)
+
+copyright_of() (
+  package=$1 doc=$2
+  echo "ballbar $version, built from its own sources. All of it, but what is named below, is under this licence:"
+  echo
+  sed 's/^/  /; s/ *$//' "$source/LICENSE"
+  echo
+  echo "Code of these Debian source packages is compiled in; the copyright of each stands in the file named. Their"
+  echo "sources, those of Eigen under the Mozilla Public License 2.0 among them, are in Debian under these names:"
+  echo
+  case $package in
+    ballbar | python3-ballbar)
+      # shellcheck disable=SC2086  # the list is meant to be split
+      notices "$doc/notices" $in_program $([ "$package" = ballbar ] || echo pybind11-dev)
+      if [ -d "$modules/echarts" ]; then page_notices "$doc/notices"; fi
+      ;;
+    *)
+      # shellcheck disable=SC2086
+      notices "$doc/notices" $in_libraries
+      ;;
+  esac
+)
+
+for component in program:ballbar development:libballbar-dev python:python3-ballbar; do
+  folder=$staged/${component%%:*} package=${component##*:}
+  [ -d "$folder" ] || continue
+  doc=$folder/usr/share/doc/$package
+  mkdir -p "$doc"
+  copyright_of "$package" "$doc" >"$doc/copyright"
+  gzip -9nc "$here/changelog" >"$doc/changelog.gz"
+  find "$folder/usr/share" -path '*/man/man?/*.?' -exec gzip -9n {} +
+  find "$folder" -type d -empty -delete # of what is optional and not there
+  find "$folder" -type d -exec chmod 755 {} +
+  find "$folder" -type f -perm -u+x -exec chmod 755 {} +
+  find "$folder" -type f ! -perm -u+x -exec chmod 644 {} +
+  find "$folder" -exec touch -h -d "@$epoch" {} +
+done

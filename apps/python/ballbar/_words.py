@@ -1,0 +1,192 @@
+"""From arguments of Python to the words of a command, and data that are no files."""
+from __future__ import annotations
+
+import logging
+import os
+import shutil
+import tempfile
+import weakref
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any, Callable
+
+from . import _core
+from ._core import Recording, Series
+
+_log = logging.getLogger("ballbar")
+
+
+class Model:
+    """A model: a sum of effects and a constant, as a ``model.toml`` has it.
+
+    Parameters
+    ----------
+    source : path or str
+        A file, or the text of one (with a line break). A text is kept in a file of its own as long as the model lives:
+        `path`.
+
+    Examples
+    --------
+    >>> import ballbar
+    >>> model = ballbar.Model.of("y_um", expansion={"temperature": "T_housing_degC"})
+    >>> print(model.text)
+    format = "ballbar-model 1"
+    target = "y_um"
+    <BLANKLINE>
+    [[effect]]
+    name = "expansion"
+    temperature = "T_housing_degC"
+    <BLANKLINE>
+    """
+
+    def __init__(self, source: str | os.PathLike[str]) -> None:
+        text = os.fspath(source)
+        if "\n" in text:
+            folder = tempfile.mkdtemp(prefix="ballbar-")
+            weakref.finalize(self, shutil.rmtree, folder, True)
+            self.path = Path(folder) / "model.toml"
+            self.path.write_text(text, encoding="utf-8")
+        else:
+            self.path = Path(text)
+
+    @classmethod
+    def of(cls, target: str | list[str], *effects: str, **columns: Mapping[str, Any]) -> Model:
+        """A model of these effects: names alone, or ``name={"input": "column", "parameter": value}``."""
+        names = ", ".join(f'"{one}"' for one in target) if isinstance(target, list) else f'"{target}"'
+        lines = ['format = "ballbar-model 1"', f"target = [{names}]" if isinstance(target, list) else f"target = {names}"]
+        each: list[tuple[str, Mapping[str, Any]]] = [(effect, {}) for effect in effects]
+        each += columns.items()
+        for name, stated in each:
+            lines += ["", "[[effect]]", f'name = "{name}"']
+            for key, value in stated.items():
+                lines.append(f'{key} = "{value}"' if isinstance(value, str) else f"{key} = {value}")
+        return cls("\n".join([*lines, ""]))
+
+    @property
+    def text(self) -> str:
+        return self.path.read_text(encoding="utf-8")
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        Path(path).write_text(self.text, encoding="utf-8")
+
+    def __repr__(self) -> str:
+        return f"<ballbar.Model {self.path}>"
+
+
+def _series_of(data: Any) -> Series | None:
+    """Of a dict of arrays with time_s or time_min, or a DataFrame."""
+    if isinstance(data, Series):
+        return data
+    if hasattr(data, "columns") and hasattr(data, "to_dict"):
+        data = {str(name): data[name].to_numpy() for name in data.columns}
+    if not isinstance(data, Mapping):
+        return None
+    columns = dict(data)
+    if "time_s" in columns:
+        time_s = columns.pop("time_s")
+    elif "time_min" in columns:
+        time_s = columns.pop("time_min") * 60.0
+    else:
+        raise _error("time_s: expected a column of that name, or time_min, found " + ", ".join(columns) + ".")
+    return Series(time_s, columns)
+
+
+def _error(sentence: str) -> Exception:
+    from ._errors import BallbarError
+
+    return BallbarError(sentence)
+
+
+class Words:
+    """The words of a command as they are collected."""
+
+    def __init__(self, *words: str) -> None:
+        self.words: list[str] = [*words]
+        self.given: dict[str, Any] = {}
+        self.sources: list[str] = []  # the words for DATA
+
+    def data(self, *sources: Any) -> Words:
+        """Paths, a Series, a DataFrame, a dict of arrays, recordings, or a list of any of these but dicts."""
+        for source in sources:
+            series = _series_of(source)
+            if series is not None:
+                self._give(series)
+            elif isinstance(source, Recording):
+                self._give([source])
+            elif isinstance(source, (str, os.PathLike)):
+                self._source(_path(source))
+            elif isinstance(source, Iterable):
+                several = list(source)
+                if several and all(isinstance(one, Recording) for one in several):
+                    self._give(several)
+                else:
+                    self.data(*several)
+            else:
+                raise TypeError(f"expected a path, a Series, a DataFrame or recordings, found {type(source).__name__}")
+        return self
+
+    def options(self, **options: Any) -> Words:
+        """None and False are left out, True is a flag, a list is repeated, a dict is NAME=VALUE."""
+        for name, value in options.items():
+            word = "--" + name.rstrip("_").replace("_", "-")
+            if value is None or value is False:
+                continue
+            if value is True:
+                self.words.append(word)
+            elif isinstance(value, Mapping):
+                for key, one in value.items():
+                    self.words += [word, f"{key}={_text(one)}"]
+            elif isinstance(value, (list, tuple)):
+                for one in value:
+                    self.words += [word, _text(one)]
+            elif isinstance(value, (Series, Recording)) or hasattr(value, "to_dict"):
+                self.words.append(word)
+                self.data(value)
+            else:
+                self.words += [word, _text(value)]
+        return self
+
+    def run(self, progress: Callable[[str], object] | None = None) -> Any:
+        result, remarks = _core.run(self.words, self.given, progress)
+        for remark in remarks:
+            _log.log(logging.INFO if remark.startswith("wrote ") else logging.WARNING, remark)
+        return result
+
+    def picture(self, name: str) -> str:
+        """The picture of that name that the page of these data would have, as SVG."""
+        words = ["report", *self.sources, "--format", "svg", "--picture", name]
+        for place, word in enumerate(self.words):
+            if word in ("--model", "--target", "--max-gap", "--also-input", "--set"):
+                words += self.words[place : place + 2]
+            elif word in ("--robust", "--white"):
+                words.append(word)
+        if "--model" in self.words:
+            words.append("--diagnose" if self.words[0] == "diagnose" else "--no-diagnosis")
+        elif self.words[0] == "diagnose" and name == "with-without":
+            words.append("--diagnose")
+        with tempfile.TemporaryDirectory(prefix="ballbar-") as folder:
+            path = Path(folder) / "picture.svg"
+            _core.run([*words, "--out", str(path)], self.given)
+            return path.read_text(encoding="utf-8")
+
+    def _give(self, data: Any) -> None:
+        name = "<data>" if not self.given else f"<data {len(self.given) + 1}>"
+        self.given[name] = data
+        self._source(name)
+
+    def _source(self, word: str) -> None:
+        self.sources.append(word)
+        self.words.append(word)
+
+
+def _path(path: str | os.PathLike[str]) -> str:
+    text = os.fspath(path)
+    return "./" + text if text.startswith("-") else text
+
+
+def _text(value: Any) -> str:
+    if isinstance(value, Model):
+        return str(value.path)
+    if isinstance(value, (os.PathLike, str)):
+        return os.fspath(value)
+    return repr(float(value)) if isinstance(value, float) else str(value)

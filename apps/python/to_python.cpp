@@ -1,0 +1,70 @@
+#include "python/to_python.hpp"
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+namespace ballbar::python {
+namespace {
+
+namespace py = pybind11;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kShort = 32;  // names, units, verdicts: the same words again and again
+
+class Converter {
+ public:
+  py::object of(const Json& json) {
+    switch (json.type()) {
+      case Json::value_t::object: {
+        py::dict dict;
+        for (auto one = json.begin(); one != json.end(); ++one) {
+          if (PyDict_SetItem(dict.ptr(), text(one.key()).ptr(), of(*one).ptr()) != 0) throw py::error_already_set();
+        }
+        return dict;
+      }
+      case Json::value_t::array: {
+        py::list list(json.size());
+        Py_ssize_t i = 0;
+        for (const Json& value : json) PyList_SET_ITEM(list.ptr(), i++, of(value).release().ptr());
+        return list;
+      }
+      case Json::value_t::string:
+        return text(json.get_ref<const std::string&>());
+      case Json::value_t::boolean:
+        return py::bool_(json.get<bool>());
+      case Json::value_t::number_integer:
+        return py::int_(json.get<std::int64_t>());
+      case Json::value_t::number_unsigned:
+        return py::int_(json.get<std::uint64_t>());
+      case Json::value_t::number_float:
+        return py::float_(json.get<double>());
+      default:
+        return py::none();
+    }
+  }
+
+ private:
+  py::object text(const std::string& text) {
+    if (text.size() > kShort) return made(text);
+    py::object& known = known_[text];
+    if (!known) known = made(text);
+    return known;
+  }
+
+  static py::object made(const std::string& text) {
+    auto object = py::reinterpret_steal<py::object>(
+        PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
+    if (!object) throw py::error_already_set();
+    return object;
+  }
+
+  std::unordered_map<std::string_view, py::object> known_;  // views of the JSON's own texts
+};
+
+}  // namespace
+
+py::object to_python(const nlohmann::ordered_json& json) { return Converter().of(json); }
+
+}  // namespace ballbar::python

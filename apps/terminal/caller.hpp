@@ -1,0 +1,44 @@
+// Who called a command: a person at a terminal, or a program that has it run in its own process and takes what it says.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+namespace ballbar {
+
+// Takes these instead of the streams; where one is empty, they go to the streams.
+struct Caller {
+  std::function<void(const nlohmann::ordered_json& json)> result;  // of a command with --json
+  std::function<void(const std::string& line)> remark;             // a line of the standard error
+  // The line that the next one replaces; text, or JSON with what is known so far; empty: no longer.
+  std::function<void(std::string_view line)> progress;
+};
+
+// The program that called a command in this thread; nullptr: a person at a terminal.
+const Caller* caller();
+
+// For as long as it lives, commands in this thread are called by `program`, which outlives it.
+class CalledBy {
+ public:
+  explicit CalledBy(const Caller& program);
+  CalledBy(const CalledBy&) = delete;
+  CalledBy& operator=(const CalledBy&) = delete;
+  ~CalledBy();
+
+ private:
+  const Caller* before_;
+};
+
+// The result of a command, for a program: to the caller, or to the standard output, with that indentation (-1: one
+// line).
+void print_json(const nlohmann::ordered_json& json, int indent = 2);
+
+// What only a person reads: to the standard output, and not said to a program that takes results.
+void print_for_people(const std::string& text);
+
+// As print_json, of a text that is JSON already, laid out for people.
+void print_json_text(const std::string& text);
+
+}  // namespace ballbar

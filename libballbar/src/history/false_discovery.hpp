@@ -1,0 +1,16 @@
+// p values of many questions at a time.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace ballbar {
+
+// q of each: with all q below a rate told, no larger share of what is told is by chance (Benjamini and Hochberg 1995),
+// for p values that are independent or rise and fall together. O(n log n).
+std::vector<double> q_values(std::span<const double> p_values);
+
+// That nothing at all is behind these (Simes 1986): min of n p_(i) / i. 1 of none.
+double simes(std::vector<double> p_values);
+
+}  // namespace ballbar

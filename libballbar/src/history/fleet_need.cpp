@@ -1,0 +1,127 @@
+#include "history/fleet_need.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "history/fleet_sentences.hpp"
+
+namespace ballbar {
+namespace {
+
+// How far beyond, over the tolerance's own size.
+double excess_of(const FleetMachine& machine, const FleetTolerance& one) {
+  const double limit = one.date.limit.value_or(0.0);
+  return std::abs(machine.series[one.series].level - limit) / std::max(std::abs(limit), 1e-9);
+}
+
+const FleetTolerance* farthest_beyond(const FleetMachine& machine) {
+  const FleetTolerance* worst = nullptr;
+  for (const FleetTolerance& one : machine.tolerances) {
+    if (one.date.outlook != Outlook::beyond) continue;
+    if (worst == nullptr || excess_of(machine, one) > excess_of(machine, *worst)) worst = &one;
+  }
+  return worst;
+}
+
+const FleetTolerance* soonest(const FleetMachine& machine) {
+  const FleetTolerance* first = nullptr;
+  for (const FleetTolerance& one : machine.tolerances) {
+    if (one.date.outlook != Outlook::expected) continue;
+    if (first == nullptr || *one.date.at_s < *first->date.at_s) first = &one;
+  }
+  return first;
+}
+
+bool is_of_the_machine(const Finding& finding) {
+  return finding.kind != FindingKind::season && finding.kind != FindingKind::instrument;
+}
+
+// By which machines of one need are sorted: less is sooner.
+struct Urgency {
+  int of_machine = 0;  // 0: a finding that is
+  double number = 0.0;
+};
+
+Urgency urgency_of(const FleetMachine& machine) {
+  switch (machine.need) {
+    case Need::beyond:
+      return {0, -excess_of(machine, *farthest_beyond(machine))};
+    case Need::expected:
+      return {0, *soonest(machine)->date.at_s};
+    case Need::finding: {
+      const auto own = std::find_if(machine.findings.begin(), machine.findings.end(), is_of_the_machine);
+      const bool any = own != machine.findings.end();
+      return {any ? 0 : 1, any ? own->p_value : machine.findings.front().p_value};
+    }
+    case Need::nothing:
+      break;
+  }
+  return {};
+}
+
+std::string label_of(const FleetMachine& machine, const FleetTolerance& one) {
+  const FleetSeries& series = machine.series[one.series];
+  return label_of(series.name, series.plane);
+}
+
+}  // namespace
+
+std::string_view name_of(Need need) {
+  switch (need) {
+    case Need::beyond:
+      return "beyond";
+    case Need::expected:
+      return "expected";
+    case Need::finding:
+      return "finding";
+    case Need::nothing:
+      return "nothing";
+  }
+  return "";
+}
+
+void say_need(FleetMachine& machine) {
+  if (const FleetTolerance* worst = farthest_beyond(machine)) {
+    const FleetSeries& series = machine.series[worst->series];
+    machine.need = Need::beyond;
+    machine.reason = fmt::format("{} is {}, beyond its tolerance of {:g} {}.", label_of(machine, *worst),
+                                 amount_text(series.level, series.sigma, series.unit), *worst->date.limit, series.unit);
+    return;
+  }
+  if (const FleetTolerance* first = soonest(machine)) {
+    machine.need = Need::expected;
+    machine.reason =
+        fmt::format("{} meets its tolerance of {:g} {} on {} ({} to {}) if it goes on.", label_of(machine, *first),
+                    *first->date.limit, machine.series[first->series].unit, day_text(*first->date.at_s),
+                    day_text(*first->date.earliest_s), first->date.latest_s ? day_text(*first->date.latest_s) : "open");
+    return;
+  }
+  if (!machine.findings.empty()) {
+    const auto own = std::find_if(machine.findings.begin(), machine.findings.end(), is_of_the_machine);
+    machine.need = Need::finding;
+    machine.reason = own != machine.findings.end() ? own->sentence : machine.findings.front().sentence;
+    return;
+  }
+  machine.need = Need::nothing;
+  for (const FleetTolerance& one : machine.tolerances) {
+    if (!one.last_alone) continue;
+    machine.reason = fmt::format("{} of the last test is beyond its tolerance, those before are not: measure again.",
+                                 label_of(machine, one));
+    return;
+  }
+  machine.reason = machine.tests < 3 ? "Fewer than 3 tests tell neither a step nor a trend." : "Nothing stands out.";
+}
+
+void rank(std::vector<FleetMachine>& machines) {
+  std::stable_sort(machines.begin(), machines.end(), [](const FleetMachine& left, const FleetMachine& right) {
+    const Urgency one = urgency_of(left), other = urgency_of(right);
+    return std::tie(left.need, one.of_machine, one.number, left.name) <
+           std::tie(right.need, other.of_machine, other.number, right.name);
+  });
+}
+
+}  // namespace ballbar

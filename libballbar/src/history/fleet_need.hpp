@@ -1,0 +1,17 @@
+// What a machine needs, why, and in which order.
+#pragma once
+
+#include <vector>
+
+#include "ballbar/history/fleet.hpp"
+
+namespace ballbar {
+
+// From its findings and tolerances: need and reason.
+void say_need(FleetMachine& machine);
+
+// Beyond a tolerance first, the farthest first; then those that will be, the soonest first; then clear findings, those
+// of the machine before those of the season and the instrument; then nothing. By name where they are alike.
+void rank(std::vector<FleetMachine>& machines);
+
+}  // namespace ballbar

@@ -1,0 +1,152 @@
+#include "history/fleet_sentences.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+
+#include "history/fleet_quantities.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kMostNamed = 3;
+
+int decimals_of(std::string_view unit) { return unit == "ms" ? 3 : unit == "um" ? 2 : 1; }
+
+std::string signed_number(double value, std::string_view unit) {
+  return fmt::format("{:+.{}f}", value, decimals_of(unit));
+}
+
+std::string label_of(const AllSeries& all, const Call& call) {
+  return ballbar::label_of(series_of(all, call).name, series_of(all, call).plane);
+}
+
+// "squareness XY by +26.9 ± 1.0 um/m, ... and 3 more"; `with`: between name and number.
+std::string list_of(const AllSeries& all, const Event& event, std::string_view with) {
+  std::string text;
+  const std::size_t named = std::min(kMostNamed, event.calls.size());
+  for (std::size_t i = 0; i < named; ++i) {
+    const Call& call = *event.calls[i];
+    const std::string_view unit = series_of(all, call).unit;
+    text += fmt::format("{}{}{}{} ± {:.{}f} {}", i == 0 ? "" : ", ", label_of(all, call), with,
+                        signed_number(call.size, unit), call.sigma, decimals_of(unit), unit);
+  }
+  if (event.calls.size() > named) text += fmt::format(" and {} more", event.calls.size() - named);
+  return text;
+}
+
+std::string between(const Event& event) {
+  return fmt::format("between {} and {}", day_text(event.from_s), day_text(event.to_s));
+}
+
+// Of the clearest quantity that has an effect.
+const Effect* effect_of(const AllSeries& all, const Event& event) {
+  for (const Call* call : event.calls) {
+    const Effect* effect = kind_of(series_of(all, *call).name, series_of(all, *call).plane).effect;
+    if (effect != nullptr) return effect;
+  }
+  return nullptr;
+}
+
+std::string remedy_of(const AllSeries& all, const Event& event, std::string_view otherwise) {
+  const Effect* effect = effect_of(all, event);
+  return effect == nullptr || effect->explanation.remedy.empty() ? std::string(otherwise) : effect->explanation.remedy;
+}
+
+char letter_of(int axis) { return "XYZ"[axis]; }
+
+// um over mm, as parts per million.
+std::string scale_text(const AllSeries& all, const Event& event) {
+  const Call& call = *event.calls.front();
+  const QuantitySeries& series = series_of(all, call);
+  const double factor = series.unit == "um" ? 1e3 / series.radius_mm : 1.0;
+  return fmt::format("{} ± {:.1f} um/m", signed_number(factor * call.size, "um/m"), factor * call.sigma);
+}
+
+EventTexts step_texts(const AllSeries& all, const Event& event) {
+  if (event.all_scales_alike) {
+    return {fmt::format("The scales of all axes stepped alike, by {}, {}, and nothing else did.",
+                        scale_text(all, event), between(event)),
+            "Ask whether the bar was calibrated anew or set by another calibrator, and at which temperature; test once "
+            "more with another bar before the machine is touched."};
+  }
+  const bool several = event.calls.size() > 1;
+  std::string sentence =
+      fmt::format("{} stepped {}{}: {}{}.", several ? fmt::format("{} quantities", event.calls.size()) : "One quantity",
+                  several ? "together " : "", between(event), list_of(all, event, " "),
+                  event.to_the_worse ? ", as after a collision" : "");
+  const std::string remedy =
+      remedy_of(all, event, "Look up what was done to the machine on these days, and test again.");
+  if (!event.to_the_worse) return {std::move(sentence), remedy};
+  return {std::move(sentence), "Ask for a collision on these days; check guideways, clamping and levelling. " + remedy};
+}
+
+EventTexts trend_texts(const AllSeries& all, const Event& event) {
+  const Call& call = *event.calls.front();
+  const bool grows = call.after == 0.0 ? call.size > 0.0 : call.size * call.after > 0.0;
+  return {
+      fmt::format("{} {}: {} a year.", label_of(all, call), grows ? "grows" : "goes back", list_of(all, event, " ")),
+      remedy_of(all, event, "Find which error makes it grow: ballbar history shows them one by one.")};
+}
+
+EventTexts season_texts(const AllSeries& all, const Event& event) {
+  constexpr std::array kMonths{"January", "February", "March",     "April",   "May",      "June",
+                               "July",    "August",   "September", "October", "November", "December"};
+  const Call& call = *event.calls.front();
+  const auto month = static_cast<std::size_t>(call.peak_year * 12.0) % kMonths.size();
+  std::string text;
+  const std::size_t named = std::min(kMostNamed, event.calls.size());
+  for (std::size_t i = 0; i < named; ++i) {
+    const Call& one = *event.calls[i];
+    text += fmt::format("{}{} by {}", i == 0 ? "" : ", ", label_of(all, one),
+                        amount_text(one.size, one.sigma, series_of(all, one).unit));
+  }
+  if (event.calls.size() > named) text += fmt::format(" and {} more", event.calls.size() - named);
+  return {fmt::format("Follows the season, highest in {}: {} to either side; neither wear nor a step.", kMonths[month],
+                      text),
+          "Nothing to mend: keep the hall's temperature steady, or compare with tests of the same month."};
+}
+
+}  // namespace
+
+std::string day_text(double time_s) {
+  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(std::floor(time_s))));
+}
+
+std::string label_of(std::string_view name, Plane plane) { return fmt::format("{} {}", name, name_of(plane)); }
+
+std::string amount_text(double value, double sigma, std::string_view unit) {
+  return fmt::format("{:.{}f} ± {:.{}f} {}", value, decimals_of(unit), sigma, decimals_of(unit), unit);
+}
+
+EventTexts texts_of(const AllSeries& all, const Event& event) {
+  switch (event.kind) {
+    case FindingKind::instrument:
+      return {fmt::format("The scales of all axes stepped alike, by {}, when the bar changed from {} to {} {}, and "
+                          "nothing else did: the instrument, not the machine.",
+                          scale_text(all, event), event.bar_before.empty() ? "one unnamed" : event.bar_before,
+                          event.bar_after.empty() ? "one unnamed" : event.bar_after, between(event)),
+              "Leave the machine as it is; calibrate both bars on one calibrator, and correct the scales by the "
+              "difference."};
+    case FindingKind::replaced_part:
+      return {
+          fmt::format("Errors of {} came nearer to 0 together {}: {}; a part of that axis was replaced or adjusted.",
+                      letter_of(*event.axis), between(event), list_of(all, event, " ")),
+          fmt::format("Note the repair; check the pitch compensation of {}, and take tests from then on as the "
+                      "machine's new state.",
+                      letter_of(*event.axis))};
+    case FindingKind::trend:
+      return trend_texts(all, event);
+    case FindingKind::season:
+      return season_texts(all, event);
+    case FindingKind::step:
+      break;
+  }
+  return step_texts(all, event);
+}
+
+}  // namespace ballbar

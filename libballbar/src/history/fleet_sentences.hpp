@@ -1,0 +1,22 @@
+// What is said of an event, and what to do.
+#pragma once
+
+#include <string>
+
+#include "history/fleet_events.hpp"
+
+namespace ballbar {
+
+struct EventTexts {
+  std::string sentence, remedy;
+};
+
+EventTexts texts_of(const AllSeries& all, const Event& event);
+
+std::string day_text(double time_s);  // "2025-09-04"
+
+// "squareness XY", "5.0 ± 0.2 um".
+std::string label_of(std::string_view name, Plane plane);
+std::string amount_text(double value, double sigma, std::string_view unit);
+
+}  // namespace ballbar

@@ -1,0 +1,38 @@
+#include "history/robust_fit.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+namespace ballbar {
+
+RobustFit robust_fit(const FitColumns& columns, std::span<const double> values, std::span<const double> scatter) {
+  constexpr int kMostRounds = 15;
+  constexpr double kMoved = 1e-4;  // of a scatter
+  const auto n = static_cast<Eigen::Index>(values.size());
+  const Eigen::Map<const Eigen::VectorXd> y(values.data(), n), s(scatter.data(), n);
+  const Eigen::VectorXd plain = s.cwiseAbs2().cwiseInverse();
+  RobustFit fit;
+  Eigen::VectorXd weight = plain;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const FitNormal normal = columns.transpose() * weight.asDiagonal() * columns;
+    const FitGains right = columns.transpose() * weight.cwiseProduct(y);
+    const Eigen::LDLT<FitNormal> solver(normal);
+    fit.gains = solver.solve(right);
+    fit.covariance = solver.solve(FitNormal::Identity(columns.cols(), columns.cols()));
+    const Eigen::VectorXd scores = (y - columns * fit.gains).cwiseQuotient(s);
+    const double moved = round == 0 ? 1.0 : (scores - fit.scores).cwiseAbs().maxCoeff();
+    fit.scores = scores;
+    if (moved < kMoved || (round == 0 && scores.cwiseAbs().maxCoeff() <= kHuberClip)) break;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      weight[i] = plain[i] * std::min(1.0, kHuberClip / std::max(std::abs(scores[i]), 1e-300));
+    }
+  }
+  fit.loss = 0.0;
+  for (const double z : fit.scores) {
+    const double a = std::abs(z);
+    fit.loss += a <= kHuberClip ? a * a : kHuberClip * (2.0 * a - kHuberClip);
+  }
+  return fit;
+}
+
+}  // namespace ballbar

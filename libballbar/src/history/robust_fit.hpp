@@ -1,0 +1,34 @@
+// Least squares with Huber's loss, each value with a scatter that is known.
+//
+//   minimise 2 sum rho((y_i - x_i' b) / s_i),    rho(z) = z^2 / 2 up to |z| = c, c |z| - c^2 / 2 beyond, c = 2
+//
+// by weights, begun from the plain fit; the loss is convex, so that it has one minimum.
+//
+// Source: P. J. Huber, Robust Statistics (1981), chapter 7.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+namespace ballbar {
+
+inline constexpr double kHuberClip = 2.0;
+inline constexpr Eigen::Index kMostColumns = 5;
+
+using FitColumns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, Eigen::Dynamic, kMostColumns>;
+using FitNormal = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMostColumns, kMostColumns>;
+using FitGains = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMostColumns, 1>;
+
+struct RobustFit {
+  FitGains gains;
+  FitNormal covariance;    // of the gains, for values that scatter by s_i and independently
+  Eigen::VectorXd scores;  // (y_i - x_i' b) / s_i, not clipped
+  double loss = 0.0;       // 2 sum rho: as chi^2
+};
+
+inline double clipped(double z, double clip) { return z > clip ? clip : z < -clip ? -clip : z; }
+
+// n rows, at most kMostColumns columns, n values, n scatters above 0.
+RobustFit robust_fit(const FitColumns& columns, std::span<const double> values, std::span<const double> scatter);
+
+}  // namespace ballbar

@@ -1,0 +1,172 @@
+#include "history/series_judgement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ballbar/history/trend.hpp"
+#include "history/fit_columns.hpp"
+#include "history/robust_fit.hpp"
+#include "history/step_search.hpp"
+#include "numerics/tails.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kSpanOfSeason_s = 1.5 * kYear_s;
+constexpr std::size_t kFewestOfSeason = 8;
+constexpr double kLongRun = 8.0;  // tests: as long as scatter may stay the same
+constexpr double kMayBe = 0.1;
+constexpr std::size_t kReach = 20;  // places to either side that are fitted
+constexpr double kClear = 0.01;     // p of the best curve, from which the others are judged beside it
+
+class Judging {
+ public:
+  Judging(const QuantitySeries& series, const SeriesScatter& scatter, const FamilyScatter& family)
+      : series_(series),
+        degrees_(scatter.degrees),
+        family_(family),
+        scatter_(scatters_of(series, scatter.s)),
+        line_(trend_columns(series.time_s)),
+        level_(fit(line_.leftCols(1))) {}
+
+  SeriesJudgement judgement() {
+    const std::size_t n = series_.value.size();
+    const double log_n = std::log(static_cast<double>(n));
+    const double span_s = series_.time_s.back() - series_.time_s.front();
+    if (span_s < kSpanOfTrend_s) return found_;
+    const FitColumns level = line_.leftCols(1);
+    loss_ = level_.loss;
+    found_.p_trend = drop(FindingKind::trend, level, line_.rightCols(1), level_.loss, log_n);
+    if (span_s >= kSpanOfSeason_s && n >= kFewestOfSeason) {
+      found_.p_season = drop(FindingKind::season, level, season_columns(series_.time_s), level_.loss, 2.0 * log_n);
+    }
+    if (n >= kFewestOfStep) judge_step(level, level_, log_n);
+    judge_bar(level, log_n);
+    if (found_.best) judge_beside();
+    return found_;
+  }
+
+ private:
+  RobustFit fit(const FitColumns& columns) const { return robust_fit(columns, series_.value, scatter_); }
+
+  // Of as long a stretch as tells the curve.
+  double memory(FindingKind kind) const {
+    const auto n = static_cast<double>(series_.value.size());
+    if (kind != FindingKind::season) return family_.memory_beyond(std::max(kLongRun, n / 4.0));
+    const double span_years = (series_.time_s.back() - series_.time_s.front()) / kYear_s;
+    return family_.memory(n / (3.0 * span_years));
+  }
+
+  double p_of(double drop, Eigen::Index columns, FindingKind kind) const {
+    return fisher_upper_tail(drop / (static_cast<double>(columns) * memory(kind)), static_cast<std::size_t>(columns),
+                             degrees_);
+  }
+
+  double drop(FindingKind kind, const FitColumns& base, const FitColumns& extra, double base_loss, double penalty) {
+    const double loss = fit(beside(base, extra)).loss;
+    note(kind, loss, penalty);
+    return p_of(base_loss - loss, extra.cols(), kind);
+  }
+
+  void note(FindingKind kind, double loss, double penalty) {
+    if (loss + penalty >= loss_) return;
+    loss_ = loss + penalty;
+    found_.best = kind;
+  }
+
+  // The place of the search, or, where there may be a step, one about as likely that leaves less.
+  void judge_step(const FitColumns& base, const RobustFit& base_fit, double log_n) {
+    const StepSearch search = step_search(base_fit.scores, degrees_, family_);
+    found_.p_step = search.p_value;
+    found_.step = search.place;
+    const std::size_t reach = search.p_value < kMayBe ? kReach : 0;
+    const std::size_t first = std::max(search.place.earliest, search.place.at - std::min(search.place.at, reach));
+    const std::size_t last = std::min(search.place.latest, search.place.at + reach);
+    double least = base_fit.loss;
+    for (std::size_t k = first; k <= last; ++k) {
+      const double loss = fit(beside(base, step_column(series_.value.size(), k))).loss;
+      if (loss >= least) continue;
+      least = loss;
+      found_.step.at = k;
+    }
+    note(FindingKind::step, least, 2.0 * log_n);
+  }
+
+  FitColumns columns_of(FindingKind kind) const {
+    if (kind == FindingKind::trend) return line_.rightCols(1);
+    if (kind == FindingKind::season) return season_columns(series_.time_s);
+    return step_column(series_.value.size(), kind == FindingKind::step ? found_.step.at : found_.bar_at);
+  }
+
+  std::optional<double>& p_value(FindingKind kind) {
+    return kind == FindingKind::trend    ? found_.p_trend
+           : kind == FindingKind::season ? found_.p_season
+           : kind == FindingKind::step   ? found_.p_step
+                                         : found_.p_bar;
+  }
+
+  void judge_beside() {
+    const FindingKind best = *found_.best;
+    if (!(p_value(best).value_or(1.0) < kClear)) return;
+    const FitColumns base = beside(line_.leftCols(1), columns_of(best));
+    const RobustFit base_fit = fit(base);
+    for (const FindingKind kind :
+         {FindingKind::trend, FindingKind::season, FindingKind::instrument, FindingKind::step}) {
+      std::optional<double>& p = p_value(kind);
+      if (kind == best || !p) continue;
+      if (kind == FindingKind::step) {
+        const StepSearch search = step_search(base_fit.scores, degrees_, family_);
+        p = std::max(*p, search.p_value);
+        found_.step = search.place;
+        continue;
+      }
+      const FitColumns extra = columns_of(kind);
+      p = std::max(*p, p_of(base_fit.loss - fit(beside(base, extra)).loss, extra.cols(), kind));
+    }
+  }
+
+  // At the exchange with the longest stretches on either side.
+  void judge_bar(const FitColumns& base, double log_n) {
+    const std::vector<std::string_view>& bar = series_.bar;
+    const std::size_t n = bar.size();
+    if (!is_scale(series_.name) || n < kFewestOfStep) return;
+    std::size_t longest = 1;
+    for (std::size_t k = 1; k < n; ++k) {
+      if (bar[k] == bar[k - 1]) continue;
+      std::size_t before = k, after = k;
+      while (before > 0 && bar[before - 1] == bar[k - 1]) --before;
+      while (after < n && bar[after] == bar[k]) ++after;
+      const std::size_t shorter = std::min(k - before, after - k);
+      if (shorter <= longest || k < 2 || k + 2 > n) continue;
+      longest = shorter;
+      found_.bar_at = k;
+    }
+    if (longest < 2) return;
+    found_.p_bar = StepScores(level_.scores, degrees_, family_).p_value(found_.bar_at);
+    note(FindingKind::instrument, fit(beside(base, columns_of(FindingKind::instrument))).loss, log_n);
+  }
+
+  const QuantitySeries& series_;
+  double degrees_;
+  const FamilyScatter& family_;
+  std::vector<double> scatter_;
+  FitColumns line_;
+  RobustFit level_;
+  double loss_ = 0.0;
+  SeriesJudgement found_;
+};
+
+}  // namespace
+
+bool is_global_scale(std::string_view name) { return name == "global_scale"; }
+
+bool is_scale(std::string_view name) {
+  return is_global_scale(name) || name == scale_name(0) || name == scale_name(1) || name == scale_name(2);
+}
+
+SeriesJudgement judgement_of(const QuantitySeries& series, const SeriesScatter& scatter, const FamilyScatter& family) {
+  if (series.value.size() < kTestsOfTrend || scatter.s <= 0.0) return {};
+  return Judging(series, scatter, family).judgement();
+}
+
+}  // namespace ballbar

@@ -1,0 +1,59 @@
+#!/bin/sh
+# The Debian packages of a build, tested: packed twice with the same bytes, checked by lintian, installed in a bare
+# Debian 12, run there and removed without a trace; and a program built against the libraries in them.
+#
+#   sh tests/packages/clean_root.sh BUILD
+#
+# BUILD is configured with BALLBAR_PACKAGES, its target ballbar built. The bare Debian comes from where this machine's
+# own apt takes its packages; without the rights to make one, that part is left out with a sentence.
+set -eu
+build=$(realpath "$1")
+source=$(cd "$(dirname "$0")/../.." && pwd)
+here=$source/tests/packages
+scratch=$build/packages-tested
+rm -rf "$scratch"
+mkdir -p "$scratch"
+fail() {
+  echo "clean_root.sh: $1" >&2
+  exit 1
+}
+
+echo 'Packed twice'
+sh "$source/apps/packages/pack.sh" "$build" "$scratch/debian"
+(umask 077 && TZ=Asia/Tokyo LC_ALL=C.UTF-8 sh "$source/apps/packages/pack.sh" "$build" "$scratch/again")
+for package in "$scratch"/debian/*.deb; do
+  cmp "$package" "$scratch/again/$(basename "$package")" || fail "expected the same bytes when packed twice"
+  printf '  %s  %s kB\n' "$(basename "$package")" "$(($(stat -c %s "$package") / 1000))"
+done
+
+echo 'lintian'
+lintian --allow-root --fail-on error --tag-display-limit 0 "$scratch"/debian/*.deb
+
+echo 'A program built against libballbar-dev'
+dpkg-deb -x "$scratch"/debian/libballbar-dev_*.deb "$scratch/unpacked"
+cmake -S "$source/tests/consumer" -B "$scratch/consumer" -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_PREFIX_PATH="$scratch/unpacked/usr" >"$scratch/consumer.log"
+cmake --build "$scratch/consumer" --target consumer >>"$scratch/consumer.log"
+"$scratch/consumer/consumer"
+
+echo 'Pictures, for which OpenCV is in the program'
+dpkg-deb -x "$scratch"/debian/ballbar_*.deb "$scratch/unpacked"
+program=$scratch/unpacked/usr/bin/ballbar
+sh "$source/tests/cli/case.sh" "$program" "$source" simulate-shaft-images "$scratch/cases"
+python3 "$source/tests/cli/readme.py" "$program" "$source" "$scratch/readme" apps/mean_point/README.md
+
+echo 'Desktop'
+sh "$here/desktop.sh" "$scratch/unpacked/usr" "$source/sample-runs/qc20-style-b5r/00.b5r"
+
+if [ "$(id -u)" != 0 ] && ! unshare --user --map-root-user true 2>/dev/null; then
+  echo 'A bare Debian left out: this needs root, or user namespaces.'
+  exit 0
+fi
+echo 'Installed in a bare Debian, run, removed'
+# Where Debian's own packages come from on this machine.
+apt-get indextargets --format '$(ORIGIN)|deb [signed-by="$(SIGNED_BY)"] $(REPO_URI) $(CODENAME) $(COMPONENT)' \
+  'Identifier: Packages' | sed -n 's/^Debian|//p' | sed 's/ \[signed-by="[^"]*"\]//' | sort -u >"$scratch/servers.list"
+grep -q ' bookworm ' "$scratch/servers.list" || fail 'expected the packages of Debian bookworm in apt, found none'
+mmdebstrap --quiet --variant=minbase --format=null \
+  --customize-hook="copy-in $scratch/debian $source/sample-runs/qc20-style-b5r/00.b5r $here/inside.sh /tmp" \
+  --customize-hook='chroot "$1" sh /tmp/inside.sh' bookworm /dev/null "$scratch/servers.list"

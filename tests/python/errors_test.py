@@ -1,0 +1,70 @@
+"""What can be put right comes as an exception with its place."""
+import contextlib
+import io
+import logging
+import os
+import signal
+import tempfile
+import threading
+import unittest
+
+import ballbar
+
+
+class Errors(unittest.TestCase):
+    def fault(self, work):
+        with self.assertRaises(ballbar.BallbarError) as caught:
+            work()
+        return caught.exception
+
+    def test_place(self):
+        self.assertEqual(self.fault(lambda: ballbar.fit("missing.b5r")).file, "missing.b5r")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "bad.csv")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("time_s,z_um\n0,1\n1,x\n")
+            error = self.fault(lambda: ballbar.check(path, target="z_um"))
+            self.assertEqual((error.file, error.line), (path, 3))
+            self.assertIsNotNone(error.column)
+
+    def test_usage(self):
+        with self.assertRaises(ballbar.UsageError):
+            ballbar.simulate("x.toml", "out", seed=-1)
+        with self.assertRaises(ballbar.UsageError):
+            ballbar.import_log("x.csv", nonsense="1")
+
+    def test_nothing_is_printed(self):
+        out = io.StringIO()
+        with contextlib.redirect_stdout(out), self.assertLogs("ballbar", logging.WARNING) as logs:
+            ballbar.check("sample-runs/two-arcs-he2015", target="y_um")
+        self.assertEqual(out.getvalue(), "")
+        self.assertTrue(any("constant" in line for line in logs.output))
+
+    def test_progress_and_ctrl_c(self):
+        data, model = "sample-runs/hidden-effect/01/data.csv", "sample-runs/hidden-effect/01/model.toml"
+        lines = []
+        ballbar.diagnose(data, model, progress=lines.append)
+        self.assertTrue(any("weighing" in line for line in lines), lines)
+        timer = threading.Timer(0.05, lambda: os.kill(os.getpid(), signal.SIGINT))
+        with self.assertRaises(KeyboardInterrupt):
+            timer.start()
+            for _ in range(50):
+                ballbar.diagnose(data, model)
+        self.assertGreater(ballbar.check(data, model).rmse_um, 0.0)
+
+        def stop(line):
+            raise RuntimeError("enough")
+
+        with self.assertRaisesRegex(RuntimeError, "enough"):
+            ballbar.diagnose(data, model, progress=stop)
+
+    def test_attributes(self):
+        found = ballbar.fit("sample-runs/qc20-style-b5r/00.b5r")
+        with self.assertRaisesRegex(AttributeError, "Fitted has no recording; it has recordings, iso230_4"):
+            found.recording
+        self.assertIn("recordings", dir(found))
+        self.assertIn("<svg", found._repr_html_())
+
+
+if __name__ == "__main__":
+    unittest.main()

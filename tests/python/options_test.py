@@ -1,0 +1,56 @@
+"""Each option of a command is an argument of its function, and each key of a result is one of its class."""
+import inspect
+import os
+import re
+import subprocess
+import unittest
+
+import ballbar
+
+PROGRAM = os.environ["BALLBAR"]
+NOT_OF_PYTHON = {"help", "json", "follow", "page", "open", "signals", "format", "all"}
+FUNCTIONS = {
+    "fit": ballbar.fit, "errors": ballbar.errors, "drift": ballbar.drift, "compare": ballbar.compare, "import": ballbar.import_log,
+    "merge": ballbar.merge, "history": ballbar.history, "effects": ballbar.effects, "preflight": ballbar.preflight,
+    "check": ballbar.check, "diagnose": ballbar.diagnose, "plan": ballbar.plan, "try": ballbar.try_effect, "add": ballbar.add,
+    "undo": ballbar.undo, "ledger": ballbar.ledger, "inject": ballbar.inject, "train": ballbar.train, "select": ballbar.select,
+    "predict": ballbar.predict, "compensate": ballbar.compensate, "simulate": ballbar.simulate, "report": ballbar.report,
+}
+OF_FOLLOW = {"diagnose": {"every", "hours", "patience", "keep"}}
+
+
+def options_of(command):
+    text = subprocess.run([PROGRAM, "help", command], stdout=subprocess.PIPE, text=True, check=True).stdout
+    return {name.replace("-", "_") for name in re.findall(r"(?m)^  (?:-\w,)?--([\w-]+)", text)}
+
+
+class Options(unittest.TestCase):
+    def test_every_option_is_an_argument(self):
+        for command, function in FUNCTIONS.items():
+            parameters = inspect.signature(function).parameters
+            if any(one.kind is inspect.Parameter.VAR_KEYWORD for one in parameters.values()):
+                continue
+            known = {re.sub(r"_(s|mm|um|percent|min|rpm)$", "", name) for name in parameters} | set(parameters)
+            for option in options_of(command) - NOT_OF_PYTHON - OF_FOLLOW.get(command, set()):
+                self.assertIn(option, known, f"{command}: --{option}")
+
+    def test_documented(self):
+        for name in ballbar.__all__:
+            self.assertTrue(inspect.getdoc(getattr(ballbar, name)), name)
+
+    def test_keys_are_of_the_class(self):
+        he, model = "sample-runs/two-arcs-he2015", "sample-runs/two-arcs-he2015/model.toml"
+        for result in (
+            ballbar.fit("sample-runs/qc20-style-b5r/00.b5r"), ballbar.errors("sample-runs/machine-history"), ballbar.drift(he),
+            ballbar.drift(f"{he}/five-probe.csv", from_plane_1_mm=0), ballbar.compare(he), ballbar.history("sample-runs/machine-history"),
+            ballbar.import_log("sample-runs/foreign-logs/warmup.csv"), ballbar.effects(), ballbar.preflight(he, target="y_um"),
+            ballbar.check(he, model), ballbar.diagnose(he, model), ballbar.diagnose("sample-runs/qc20-style-b5r/00.b5r"),
+            ballbar.try_effect("expansion(T_room_degC)", he, model), ballbar.inject("expansion(T_room_degC)", he, 2.0, model=model),
+        ):
+            known = {key for base in type(result).__mro__ for key in base.__dict__.get("__annotations__", {})}
+            for key in result:
+                self.assertIn(key, known | {"with"}, type(result).__name__)
+
+
+if __name__ == "__main__":
+    unittest.main()

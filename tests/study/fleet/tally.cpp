@@ -1,0 +1,47 @@
+#include "fleet/tally.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace ballbar::study {
+namespace {
+
+std::string kinds_of(const FleetMachine& machine) {
+  std::vector<std::string_view> kinds;
+  for (const Finding& finding : machine.findings) kinds.push_back(name_of(finding.kind));
+  return kinds.empty() ? "nothing" : fmt::format("{}", fmt::join(kinds, " "));
+}
+
+}  // namespace
+
+PlantTally tally_of(const Plant& plant, const FleetOptions& options) {
+  const Fleet fleet = fleet_of(plant.tests, options);
+  PlantTally tally;
+  tally.judged = fleet.judged;
+  tally.machines = fleet.machines.size();
+  for (const FleetMachine& machine : fleet.machines) {
+    bool has_story = false;
+    if (!machine.findings.empty()) ++tally.called;
+    for (const KnownStory& story : plant.stories) {
+      if (story.machine != machine.name) continue;
+      has_story = true;
+      ++tally.stories;
+      const bool found = std::any_of(machine.findings.begin(), machine.findings.end(),
+                                     [&](const Finding& finding) { return finding.kind == story.kind; });
+      if (found) {
+        ++tally.found_stories;
+      } else {
+        tally.missed.push_back(fmt::format("{} ({})", story.name, kinds_of(machine)));
+      }
+    }
+    if (!has_story && !machine.findings.empty()) {
+      const FleetSeries& series = machine.series[machine.findings.front().quantities.front().series];
+      tally.others.push_back(fmt::format("{} {}", kinds_of(machine), series.name));
+    }
+  }
+  return tally;
+}
+
+}  // namespace ballbar::study
