@@ -131,14 +131,20 @@ CyclicPart cyclic_part(const std::vector<const Effect*>& effects, const ErrorRow
   own.reserve(effects.size());
   weighted.reserve(effects.size());
   for (const Effect* effect : effects) {
-    Eigen::VectorXd weight = rows.count;
+    Eigen::VectorXd weight = Eigen::VectorXd::Zero(rows.size());
+    Indices read;
+    read.reserve(rows.recording.size());
     for (Eigen::Index i = 0; i < rows.size(); ++i) {
       const double from_deg = from_reversal_deg(rows.angle_rad[i], effect->rules.reversal_deg);
-      if (from_deg < kFromOwnReversal_deg[0] || from_deg > kFromOwnReversal_deg[1]) weight[i] = 0.0;
+      if (from_deg < kFromOwnReversal_deg[0] || from_deg > kFromOwnReversal_deg[1]) continue;
+      weight[i] = rows.count[i];
+      read.push_back(i);
     }
     const std::optional<double> known = effect->rules.reversal_deg == 0.0 ? set_up.pitch_a_mm : set_up.pitch_b_mm;
     const std::vector<double> tried = known ? std::vector<double>{*known} : effect->parameters[shape_of(*effect)].grid;
-    const double pitch_mm = best_shape(*effect, tried, rows, {}, left, weight);
+    const double pitch_mm = tried.size() == 1
+                                ? tried.front()
+                                : best_shape(*effect, tried, rows_at(rows, read), {}, left(read), weight(read));
     ErrorColumns columns = present(effect_columns(*effect, pitch_mm, rows, true), weight);
     weighted.emplace_back(weight.asDiagonal() * columns.values);
     own.emplace_back(FittedEffect{effect, pitch_mm, {}, static_cast<double>(tried.size())}, std::move(columns));

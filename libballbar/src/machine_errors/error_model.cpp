@@ -126,20 +126,17 @@ ErrorColumns circle_columns(const ErrorRows& rows) {
 
 ErrorColumns effect_columns(const Effect& effect, double shape, const ErrorRows& rows, bool of_each_recording) {
   ErrorColumns columns;
-  const Eigen::MatrixXd curves = unit_curves(effect, rows.fine, shape);
+  Eigen::MatrixXd curves = unit_curves(effect, rows.fine, shape);
   const std::vector<std::size_t> gains = gains_of(effect);
   const std::size_t copies = of_each_recording ? rows.recordings : 1;
-  columns.fine.setZero(curves.rows(), curves.cols() * static_cast<Eigen::Index>(copies));
+  if (of_each_recording) columns.fine.setZero(curves.rows(), curves.cols() * static_cast<Eigen::Index>(copies));
   for (std::size_t copy = 0; copy < copies; ++copy) {
     for (std::size_t k = 0; k < gains.size(); ++k) {
       const Parameter& gain = effect.parameters[gains[k]];
       const Eigen::Index column = static_cast<Eigen::Index>(copy * gains.size() + k);
       columns.columns.push_back(
           {gain.row.empty() ? effect.name : fmt::format("{}_{}", effect.name, gain.row), gain.unit, &effect, k});
-      if (!of_each_recording) {
-        columns.fine.col(column) = curves.col(static_cast<Eigen::Index>(k));
-        continue;
-      }
+      if (!of_each_recording) continue;
       columns.columns.back().recording = copy;
       for (Eigen::Index i = 0; i < curves.rows(); ++i) {
         if (rows.recording[rows.row_of[static_cast<std::size_t>(i)]] != copy) continue;
@@ -147,6 +144,7 @@ ErrorColumns effect_columns(const Effect& effect, double shape, const ErrorRows&
       }
     }
   }
+  if (!of_each_recording) columns.fine = std::move(curves);
   columns.values.resize(rows.size(), columns.fine.cols());
   for (Eigen::Index k = 0; k < columns.fine.cols(); ++k) {
     columns.values.col(k) = rows.mean({columns.fine.col(k).data(), rows.row_of.size()});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -16,7 +17,7 @@ namespace {
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr std::array kWhiteOfCorrelated = {0.1, 0.33, 1.0, 3.0, 10.0};  // w / q
-constexpr double kUsualWhite = 0.33;
+constexpr std::size_t kUsualWhite = 1;
 constexpr std::array kFineMemories = {0.5, 0.7, 1.0, 1.4, 2.0};  // times the best of the first look
 constexpr std::size_t kMemories = 6;
 constexpr double kMemoriesATurn = 16.0;
@@ -124,6 +125,49 @@ Restricted restricted(const ErrorRows& rows, const RowMajor& data, const RowMemo
   return result;
 }
 
+// Of these memories and kWhiteOfCorrelated, from the middle on: all that lie beside one with a weight. Weights are
+// logarithms of the likelihood.
+std::vector<WeightedNoise> likely_noises(const ErrorRows& rows, const RowMajor& data,
+                                         const std::vector<double>& memories_s) {
+  constexpr std::size_t kWhites = kWhiteOfCorrelated.size();
+  std::vector<RowMemory> memories(memories_s.size());
+  std::vector<bool> looked_at(memories.size() * kWhites, false);
+  struct Place {
+    std::size_t memory = 0, white = 0;
+    bool open = true;  // what lies beside it was not looked at
+  };
+  std::vector<Place> places;
+  std::vector<WeightedNoise> noises;
+  places.reserve(looked_at.size());
+  noises.reserve(looked_at.size());
+  const auto look_at = [&](std::size_t memory, std::size_t white) {
+    if (looked_at[memory * kWhites + white]) return;
+    looked_at[memory * kWhites + white] = true;
+    if (memories[memory].decay.empty()) memories[memory] = row_memory(rows, memories_s[memory]);
+    const Restricted found = restricted(rows, data, memories[memory], kWhiteOfCorrelated[white]);
+    const double correlated_um = std::sqrt(found.variance);
+    const double white_um = kWhiteOfCorrelated[white] * correlated_um;
+    noises.push_back({found.log_likelihood, {white_um, correlated_um, memories_s[memory], found.log_likelihood}});
+    places.push_back({memory, white});
+  };
+  look_at(memories.size() / 2, kUsualWhite);
+  for (;;) {
+    double most = noises.front().weight;
+    std::size_t next = noises.size();  // the likeliest that is open
+    for (std::size_t k = 0; k < noises.size(); ++k) {
+      most = std::max(most, noises[k].weight);
+      if (places[k].open && (next == noises.size() || noises[k].weight > noises[next].weight)) next = k;
+    }
+    if (next == noises.size() || noises[next].weight < most + std::log(kLeastWeight)) return noises;
+    places[next].open = false;
+    const auto [memory, white, open] = places[next];
+    const auto before = [](std::size_t k) { return k - std::min<std::size_t>(k, 1); };
+    for (std::size_t m = before(memory); m < std::min(memory + 2, memories.size()); ++m) {
+      for (std::size_t w = before(white); w < std::min(white + 2, kWhites); ++w) look_at(m, w);
+    }
+  }
+}
+
 // Orthonormal columns that span these.
 Eigen::MatrixXd span_of(const Eigen::MatrixXd& columns) {
   Eigen::MatrixXd alike = columns;  // in size, so that none is lost to rounding
@@ -145,26 +189,23 @@ std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::Matri
   RowMajor data(rows.size(), span.cols() + 1);
   data.leftCols(span.cols()) = span;
   data.col(span.cols()) = rows.deviation_um;
-  std::vector<WeightedNoise> noises;
-  noises.reserve(kMemories + kFineMemories.size() * kWhiteOfCorrelated.size());
-  const auto look_at = [&](double memory_s, const RowMemory& memory, double white) {
-    const Restricted found = restricted(rows, data, memory, white);
-    const double correlated_um = std::sqrt(found.variance);
-    noises.push_back({found.log_likelihood, {white * correlated_um, correlated_um, memory_s, found.log_likelihood}});
-  };
-  const auto likelier = [](const WeightedNoise& a, const WeightedNoise& b) { return a.weight > b.weight; };
   const std::array<double, kMemories> memories = memories_s(rows);
-  for (const double memory_s : memories) look_at(memory_s, row_memory(rows, memory_s), kUsualWhite);
-  const double best_s = std::min_element(noises.begin(), noises.end(), likelier)->noise.correlation_time_s;
-  noises.clear();
-  for (const double times : kFineMemories) {
-    const double memory_s = times * best_s;
-    if (memory_s > 1.0001 * memories.back()) continue;
-    const RowMemory memory = row_memory(rows, memory_s);
-    for (const double white : kWhiteOfCorrelated) look_at(memory_s, memory, white);
+  std::size_t best = 0;
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < memories.size(); ++k) {
+    const RowMemory memory = row_memory(rows, memories[k]);
+    const double log_likelihood = restricted(rows, data, memory, kWhiteOfCorrelated[kUsualWhite]).log_likelihood;
+    if (log_likelihood > most) most = log_likelihood, best = k;
   }
+  std::vector<double> fine_s;
+  fine_s.reserve(kFineMemories.size());
+  for (const double times : kFineMemories) {
+    if (times * memories[best] <= 1.0001 * memories.back()) fine_s.push_back(times * memories[best]);
+  }
+  std::vector<WeightedNoise> noises = likely_noises(rows, data, fine_s);
+  const auto likelier = [](const WeightedNoise& a, const WeightedNoise& b) { return a.weight > b.weight; };
   std::stable_sort(noises.begin(), noises.end(), likelier);
-  const double most = noises.front().weight;
+  most = noises.front().weight;
   double sum = 0.0;
   for (WeightedNoise& noise : noises) {
     noise.weight = std::exp(noise.weight - most);

@@ -90,22 +90,34 @@ Eigen::MatrixXd shared_gains(const ErrorFitted& fitted, const FittedEffect& effe
   return means;
 }
 
+// What some effects add to the rows as fitted; 0 of one that is not in the fit.
+Eigen::VectorXd fitted_curve(const ErrorFitted& fitted, const std::set<const Effect*>& effects) {
+  Eigen::VectorXd curve = Eigen::VectorXd::Zero(fitted.rows.size());
+  for (const FittedEffect& effect : fitted.effects) {
+    if (!effect.in_the_fit || !effects.contains(effect.effect)) continue;
+    for (const std::size_t k : effect.columns) {
+      const auto column = static_cast<Eigen::Index>(k);
+      curve += fitted.gains[column] * fitted.columns.values.col(column);
+    }
+  }
+  return curve;
+}
+
 // Columns of some effects, those that recordings have of their own put together, and what they add as fitted.
 struct OwnColumns {
   Eigen::MatrixXd columns;
-  Eigen::VectorXd fitted;  // 0 of an effect that is not in the fit
+  Eigen::VectorXd fitted;
 };
 OwnColumns own_columns(const ErrorFitted& fitted, const std::set<const Effect*>& effects) {
   const Eigen::Index n = fitted.rows.size();
   std::map<std::pair<const Effect*, std::size_t>, Eigen::VectorXd> by_gain;
-  OwnColumns own{{}, Eigen::VectorXd::Zero(n)};
+  OwnColumns own{{}, fitted_curve(fitted, effects)};
   for (const FittedEffect& effect : fitted.effects) {
     if (!effects.contains(effect.effect)) continue;
     for (const std::size_t k : effect.columns) {
-      const auto column = fitted.columns.values.col(static_cast<Eigen::Index>(k));
       const std::pair key{effect.effect, fitted.columns.columns[k].gain};
-      by_gain.try_emplace(key, Eigen::VectorXd::Zero(n)).first->second += column;
-      if (effect.in_the_fit) own.fitted += fitted.gains[static_cast<Eigen::Index>(k)] * column;
+      by_gain.try_emplace(key, Eigen::VectorXd::Zero(n)).first->second +=
+          fitted.columns.values.col(static_cast<Eigen::Index>(k));
     }
   }
   own.columns.resize(n, static_cast<Eigen::Index>(by_gain.size()));
@@ -251,13 +263,13 @@ double held_out_rms_um(const ErrorFitted& fitted, const std::set<const Effect*>&
   std::set<const Effect*> all;
   for (const FittedEffect& effect : fitted.effects) all.insert(effect.effect);
   const OwnColumns own = own_columns(fitted, effects);
-  const Eigen::VectorXd others = own_columns(fitted, all).fitted - own.fitted;
+  const Eigen::VectorXd others = fitted_curve(fitted, all) - own.fitted;
   const double squares = squares_left(own, fitted.residual() + own.fitted, directions, others);
   return std::sqrt(fitted.within_um2 + squares / fitted.rows.count.sum());
 }
 
 double rms_with_um(const ErrorFitted& fitted, const std::set<const Effect*>& effects) {
-  Eigen::VectorXd left = fitted.rows.deviation_um - own_columns(fitted, effects).fitted;
+  Eigen::VectorXd left = fitted.rows.deviation_um - fitted_curve(fitted, effects);
   Eigen::Index circles = 0;
   while (circles < fitted.columns.size() &&
          fitted.columns.columns[static_cast<std::size_t>(circles)].effect == nullptr) {

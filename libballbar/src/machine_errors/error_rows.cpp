@@ -114,6 +114,47 @@ ErrorRows error_rows(const Series& trace) {
   return rows;
 }
 
+ErrorRows rows_at(const ErrorRows& rows, const std::vector<Eigen::Index>& which) {
+  ErrorRows some;
+  some.recordings = rows.recordings;
+  for (const auto& [from, to] : {std::pair{&rows.count, &some.count},
+                                 {&rows.interval_s, &some.interval_s},
+                                 {&rows.time_s, &some.time_s},
+                                 {&rows.angle_rad, &some.angle_rad},
+                                 {&rows.direction, &some.direction},
+                                 {&rows.deviation_um, &some.deviation_um},
+                                 {&rows.from_reversal_deg, &some.from_reversal_deg}}) {
+    *to = (*from)(which);
+  }
+  constexpr auto kOther = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> place(static_cast<std::size_t>(rows.size()), kOther);
+  some.recording.reserve(which.size());
+  for (const Eigen::Index row : which) {
+    place[static_cast<std::size_t>(row)] = some.recording.size();
+    some.recording.push_back(rows.recording[static_cast<std::size_t>(row)]);
+  }
+  std::vector<std::size_t> fine;  // those of the rows
+  fine.reserve(rows.row_of.size());
+  for (std::size_t i = 0; i < rows.row_of.size(); ++i) {
+    if (place[rows.row_of[i]] == kOther) continue;
+    fine.push_back(i);
+    some.row_of.push_back(place[rows.row_of[i]]);
+  }
+  const auto values_at = [&](const std::vector<double>& values) {
+    std::vector<double> at;
+    at.reserve(fine.size());
+    for (const std::size_t i : fine) at.push_back(values[i]);
+    return at;
+  };
+  some.fine_count = rows.fine_count(fine);
+  some.fine.time_s = values_at(rows.fine.time_s);
+  some.fine.columns.reserve(rows.fine.columns.size());
+  for (const Column& column : rows.fine.columns) {
+    some.fine.columns.push_back({column.name, column.role, values_at(column.values)});
+  }
+  return some;
+}
+
 std::vector<std::size_t> gains_of(const Effect& effect) {
   std::vector<std::size_t> gains;
   for (std::size_t k = 0; k < effect.parameters.size(); ++k) {

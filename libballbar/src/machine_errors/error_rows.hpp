@@ -39,6 +39,9 @@ struct ErrorRows {
 // Of trace_of(recordings).
 ErrorRows error_rows(const Series& trace);
 
+// These rows alone, ascending; without fine_of, which is of readings.
+ErrorRows rows_at(const ErrorRows& rows, const std::vector<Eigen::Index>& which);
+
 // Angle from the nearest end of an axis' travel, which reverses at this angle and opposite: 0 to 90 deg.
 double from_reversal_deg(double angle_rad, double reversal_deg);
 

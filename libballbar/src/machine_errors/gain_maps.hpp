@@ -34,7 +34,7 @@ class GainMaps {
   // Weighted columns: together and extra without the reversals, cyclic, together and extra with them.
   const Eigen::MatrixXd& z() const { return z_; }
   // X' X of together and extra, all rows.
-  Eigen::MatrixXd normal() const;
+  const Eigen::MatrixXd& normal() const { return all_rows_.normal; }
   Indices all() const { return range_of(0, p_ + e_); }
 
   // Some columns of together and extra, over the rows with or without reversals, freed of the cyclic errors.
@@ -45,9 +45,13 @@ class GainMaps {
  private:
   GainStages stages_;
   Eigen::Index p_ = 0, c_ = 0, e_ = 0;
-  Eigen::MatrixXd columns_;  // together and extra
   Eigen::MatrixXd z_;
   Eigen::MatrixXd t_cyclic_;
+  struct Products {
+    Eigen::MatrixXd normal;  // X' W X of together and extra
+    Eigen::MatrixXd cyclic;  // X' W C
+  };
+  Products far_rows_, all_rows_;
 };
 
 }  // namespace ballbar

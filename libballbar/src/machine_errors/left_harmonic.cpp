@@ -22,16 +22,19 @@ struct Wave {
 };
 
 // Of one recording, kFirst to kLast, each by least squares over the rows that are not at a reversal.
-std::vector<Wave> waves_of(const ErrorRows& rows, const Eigen::VectorXd& residual,
+std::vector<Wave> waves_of(const ErrorRows& all, const Eigen::VectorXd& residual,
                            const std::vector<WeightedNoise>& noises, std::size_t recording) {
   constexpr Eigen::Index kWaves = kLast - kFirst + 1;
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(rows.size(), 2 * kWaves);
-  Eigen::VectorXd weight = Eigen::VectorXd::Zero(rows.size());
-  for (Eigen::Index i = 0; i < rows.size(); ++i) {
-    if (rows.recording[static_cast<std::size_t>(i)] != recording || rows.from_reversal_deg[i] <= kAtReversal_deg) {
-      continue;
+  std::vector<Eigen::Index> own;
+  own.reserve(all.recording.size());
+  for (Eigen::Index i = 0; i < all.size(); ++i) {
+    if (all.recording[static_cast<std::size_t>(i)] == recording && all.from_reversal_deg[i] > kAtReversal_deg) {
+      own.push_back(i);
     }
-    weight[i] = rows.count[i];
+  }
+  const ErrorRows rows = rows_at(all, own);
+  Eigen::MatrixXd columns(rows.size(), 2 * kWaves);
+  for (Eigen::Index i = 0; i < rows.size(); ++i) {
     // From one wave to the next by a turn of one angle.
     const std::complex<double> turn = std::polar(1.0, rows.angle_rad[i]);
     std::complex<double> wave = std::polar(1.0, kFirst * rows.angle_rad[i]);
@@ -40,15 +43,15 @@ std::vector<Wave> waves_of(const ErrorRows& rows, const Eigen::VectorXd& residua
       columns(i, 2 * k + 1) = wave.imag();
     }
   }
-  const Eigen::MatrixXd weighted = weight.asDiagonal() * columns;
+  const Eigen::MatrixXd weighted = rows.count.asDiagonal() * columns;
   // A line in the spectrum stands out of the likeliest noise or of none.
   const Eigen::MatrixXd spread = spread_of(weighted, rows, {{1.0, noises.front().noise}});
-  const Eigen::VectorXd seen = weighted.transpose() * residual;
+  const Eigen::VectorXd seen = weighted.transpose() * residual(own);
   std::vector<Wave> waves;
   waves.reserve(static_cast<std::size_t>(kWaves));
   for (Eigen::Index k = 0; k < kWaves; ++k) {
-    const auto own = columns.middleCols<2>(2 * k);
-    const Eigen::Matrix2d inverse = Eigen::Matrix2d(own.transpose() * weighted.middleCols<2>(2 * k)).inverse();
+    const auto pair = columns.middleCols<2>(2 * k);
+    const Eigen::Matrix2d inverse = Eigen::Matrix2d(pair.transpose() * weighted.middleCols<2>(2 * k)).inverse();
     const Eigen::Vector2d wave = inverse * seen.segment<2>(2 * k);
     const Eigen::Matrix2d scatter = weighted.middleCols<2>(2 * k).transpose() * spread.middleCols<2>(2 * k);
     const Eigen::Matrix2d covariance = inverse * scatter * inverse;
