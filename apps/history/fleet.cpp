@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ballbar/error.hpp"
@@ -26,9 +27,13 @@ constexpr const char* kStart = R"(import sys
 try:
     from ballbar.__main__ import fleet
 except ImportError as error:
-    sys.exit("ballbar: fleet: expected the package ballbar of Python with pandas and Dask, found: %s; on Debian "
-             "install python3-ballbar, python3-pandas and python3-distributed" % error)
+    sys.exit("ballbar: fleet: expected the package ballbar of Python with numpy, found: %s; on Debian install "
+             "python3-ballbar, python3-pandas and python3-distributed" % error)
+except KeyboardInterrupt:
+    sys.exit(130)
 sys.exit(fleet(sys.argv[1:])))";
+
+bool is_environment_on() { return std::getenv("VIRTUAL_ENV") != nullptr || std::getenv("CONDA_PREFIX") != nullptr; }
 
 struct Options {
   std::vector<std::string> paths, tolerances, out;
@@ -55,13 +60,17 @@ std::vector<std::string> words_of(const Options& options) {
   return words;
 }
 
-// Where the package is beside this program: in a tree that is built, or below the same prefix.
+// Where the package is beside this program: in a tree that is built, or below the same prefix. Below /usr/lib Python
+// finds it by itself, and in an environment that is on the environment's own is wanted: first on the path, the modules
+// beside it would hide those of the environment.
 void find_package_beside() {
   std::error_code error;
   const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
   if (error) return;
   for (const char* place : {"../python", "../lib/python3/dist-packages"}) {
     const fs::path found = (folder / place).lexically_normal();
+    const bool is_installed = place != std::string_view("../python");
+    if (is_installed && (is_environment_on() || found.string().starts_with("/usr/lib/"))) continue;
     if (!fs::is_directory(found / "ballbar", error)) continue;
     const char* const before = std::getenv("PYTHONPATH");
     const std::string after = before == nullptr ? "" : fmt::format(":{}", before);
@@ -72,13 +81,12 @@ void find_package_beside() {
 
 // That of an environment that is on; else the system's, for which Debian's packages are.
 std::string python() {
-  const bool of_environment = std::getenv("VIRTUAL_ENV") != nullptr || std::getenv("CONDA_PREFIX") != nullptr;
-  return !of_environment && access("/usr/bin/python3", X_OK) == 0 ? "/usr/bin/python3" : "python3";
+  return !is_environment_on() && access("/usr/bin/python3", X_OK) == 0 ? "/usr/bin/python3" : "python3";
 }
 
 void run(const Options& options) {
   find_package_beside();
-  std::vector<std::string> words{python(), "-c", kStart};
+  std::vector<std::string> words{python(), "-P", "-c", kStart};  // -P: a numpy.py of this folder is not run
   for (std::string& word : words_of(options)) words.push_back(std::move(word));
   std::vector<char*> arguments;
   arguments.reserve(words.size() + 1);

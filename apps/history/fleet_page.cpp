@@ -87,12 +87,14 @@ Json machine_json(const FleetMachine& machine) {
 
 }  // namespace
 
-std::string fleet_page(const std::string& title, const std::vector<std::filesystem::path>& files, const Fleet& fleet) {
+std::string fleet_page(const std::string& title, const std::vector<std::filesystem::path>& files, const Fleet& fleet,
+                       const std::vector<std::string>& remarks) {
   Json report{{"format", "ballbar-report 1"}, {"title", title},         {"made_by", "ballbar " BALLBAR_VERSION},
               {"made_on", page_date()},       {"files", Json::array()}, {"summary", Json::array()},
               {"signals", Json::array()}};
   for (const std::filesystem::path& file : files) report["files"].push_back(file.string());
   for (const std::string& line : fleet_conclusion(fleet)) report["summary"].push_back(line);
+  for (const std::string& line : remarks) report["summary"].push_back(line);
   Json part{{"heading", fleet_heading()}, {"rows", Json::array()}, {"machines", Json::array()}};
   for (const FleetMachine& machine : fleet.machines) {
     if (machine.need == Need::nothing) continue;

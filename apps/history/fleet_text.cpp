@@ -165,9 +165,10 @@ std::vector<std::string> fleet_conclusion(const Fleet& fleet) {
   return lines;
 }
 
-std::string fleet_text(const Fleet& fleet, bool all) {
+std::string fleet_text(const Fleet& fleet, bool all, const std::vector<std::string>& remarks) {
   std::string text;
   for (const std::string& line : fleet_conclusion(fleet)) text += wrapped(line);
+  for (const std::string& line : remarks) text += wrapped(line);
   const std::size_t most = fleet.machines.size();
   text += table_of(fleet, all ? most : kRows);
   text += what_to_do(fleet, all ? most : kTold);

@@ -10,8 +10,9 @@
 
 namespace ballbar {
 
-// all: every machine that needs something, else the first of them.
-std::string fleet_text(const Fleet& fleet, bool all = false);
+// all: every machine that needs something, else the first of them. `remarks`: sentences on what was not read, below the
+// conclusion.
+std::string fleet_text(const Fleet& fleet, bool all = false, const std::vector<std::string>& remarks = {});
 
 // "2 of 40 machines are beyond a tolerance.", for the text and the page.
 std::vector<std::string> fleet_conclusion(const Fleet& fleet);

@@ -92,11 +92,12 @@ std::vector<MachineTest> tests_of(const Texts& texts, const Columns& columns,
   return tests;
 }
 
-// The keys of its JSON, the text for a terminal, and the page where a title is given.
+// The keys of its JSON, the text for a terminal, and the page where a title is given. `remarks`: on what the columns
+// lack, said below the conclusion.
 py::tuple fleet(const Texts& texts, const Columns& columns,
                 const std::vector<std::pair<std::string, std::string>>& quantities,
                 const std::map<std::string, double>& tolerances, double false_discovery_rate,
-                const std::optional<std::string>& title) {
+                const std::optional<std::string>& title, const std::vector<std::string>& remarks) {
   FleetOptions options;
   options.false_discovery_rate = false_discovery_rate;
   for (const auto& [name, limit] : tolerances) options.tolerances.push_back({name, -limit, limit});
@@ -107,12 +108,12 @@ py::tuple fleet(const Texts& texts, const Columns& columns,
     const std::vector<MachineTest> tests = tests_of(texts, columns, quantities);
     const Fleet found = fleet_of(tests, options);
     json = json_of(found);
-    text = fleet_text(found);
+    text = fleet_text(found, false, remarks);
     if (title) {
       std::vector<std::filesystem::path> files;
       files.reserve(tests.size());
       for (const MachineTest& test : tests) files.emplace_back(test.file);
-      page = fleet_page(*title, files, found);
+      page = fleet_page(*title, files, found, remarks);
     }
   }
   return py::make_tuple(to_python(json), text, page);
@@ -122,7 +123,8 @@ py::tuple fleet(const Texts& texts, const Columns& columns,
 
 void bind_fleets(py::module_& module) {
   module.def("fleet", &fleet, py::arg("texts"), py::arg("numbers"), py::arg("quantities"), py::arg("tolerances"),
-             py::arg("false_discovery_rate"), py::arg("title") = py::none());
+             py::arg("false_discovery_rate"), py::arg("title") = py::none(),
+             py::arg("remarks") = std::vector<std::string>());
 }
 
 }  // namespace ballbar::python
