@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import csv
+import io
 import json
 import logging
 import os
@@ -120,7 +120,7 @@ def _expect_outputs(options: argparse.Namespace, files: list[str]) -> None:
 
 
 def _fleet(options: argparse.Namespace) -> int:
-    from .fleet import _ranked, files_of, limits_of, update
+    from .fleet import _ranked, files_of, files_text, limits_of, update
     from ._fleet_files import written_whole
 
     limits = limits_of(dict(options.tolerance))
@@ -146,7 +146,7 @@ def _fleet(options: argparse.Namespace) -> int:
     for name, why in done.lacking.items():
         print(f"{name}: not read: {why}.", file=sys.stderr)
     kept = f", {done.kept} as they were" if done.kept else ""
-    print(f"{done.read} files read{kept}" + (f", {done.gone} gone" if done.gone else ""), file=sys.stderr)
+    print(f"{files_text(done.read)} read{kept}" + (f", {done.gone} gone" if done.gone else ""), file=sys.stderr)
     for path in options.out:
         print(f"wrote {path}", file=sys.stderr)
     return 0 if done.complete else 1
@@ -161,7 +161,8 @@ def fleet(words: list[str]) -> int:
         Of the command line, after ``ballbar fleet``.
     """
     for stream in (sys.stdout, sys.stderr):
-        stream.reconfigure(errors="replace")  # type: ignore[union-attr]
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")
     try:
         return _fleet(_options(words))
     except KeyboardInterrupt:

@@ -43,8 +43,8 @@ def files_of(paths: Paths, **storage: Any) -> list[str]:
     BallbarError
         Where there is none; a file system that is not known, or not there.
     """
-    is_one = isinstance(paths, (str, bytes, os.PathLike))
-    several = [os.fsdecode(one) for one in ([paths] if is_one else paths)]  # type: ignore[list-item, union-attr]
+    is_one = isinstance(paths, (str, os.PathLike))
+    several = [os.fsdecode(one) for one in ([paths] if isinstance(paths, (str, os.PathLike)) else paths)]
     found: list[str] = []
     for text in several:
         named = _elsewhere(text, storage) if "://" in text else _here(text)
@@ -53,7 +53,7 @@ def files_of(paths: Paths, **storage: Any) -> list[str]:
             raise BallbarError(f"{text}: expected {kind}, found none of that name.")
         found += named or [text]
     if not found:
-        raise BallbarError(": expected files, found none.")
+        raise BallbarError("paths: expected files, found none.")
     return _once(found)
 
 

@@ -169,7 +169,7 @@ def ranked(
     Parameters
     ----------
     table : DataFrame
-        As :func:`errors` computes it, or :func:`update` keeps it; rows with a fault, and copies, are passed over.
+        Of :func:`errors`, computed or lazy, or of :func:`update`; rows with a fault, and copies, are passed over.
     tolerance : dict
         Limit of a quantity, to both sides of 0, in the unit of its column: ``{"backlash_a_pos": 5.0}``.
     false_discovery_rate : float
@@ -192,6 +192,8 @@ def ranked(
         A table without these columns; a tolerance of something else, or not above 0; a page that cannot be written.
     """
     limits = limits_of(tolerance or {})
+    if hasattr(table, "compute"):
+        table = table.compute()
     absent = [name for name in COLUMNS if name not in table.columns]
     if absent:
         raise BallbarError(f"{absent[0]}: expected a column of that name, as fleet.errors() has it, found none.")
@@ -245,8 +247,8 @@ def _ranked(
     table = copies_marked(table)
     rows = table[table["fault"].isna()]
     faults = len(table) - len(rows)
-    remarks = [f"This is a part of the whole: {_several(lacking)} could not be read."] if lacking else []
-    remarks += [f"Passed over for a fault: {_several(faults)}."] if faults else []
+    remarks = [f"This is a part of the whole: {files_text(lacking)} could not be read."] if lacking else []
+    remarks += [f"Passed over for a fault: {files_text(faults)}."] if faults else []
     texts = {name: rows[name].fillna("").astype(str).tolist() for name in ("file", "machine", "bar", "plane")}
     dates = pandas.to_datetime(rows["date"])
     numbers = {name: rows[name].to_numpy(float) for name in NUMBERS}
@@ -259,7 +261,8 @@ def _ranked(
     return Ranked({**found, "faults": faults, "lacking": lacking}, text), html
 
 
-def _several(files: int) -> str:
+def files_text(files: int) -> str:
+    """1 file, 2 files."""
     return f"{files} file" + ("" if files == 1 else "s")
 
 

@@ -243,18 +243,20 @@ def _answers(
                 yield left.pop(place), answer
         if not left:
             return
-        if attempt + 1 == _TRIES:
+        has_no_worker = client is not None and client.status == "running" and not left.keys() <= reasons.keys()
+        if attempt + 1 == _TRIES or has_no_worker:
             for place, part in left.items():
-                lacking.update(dict.fromkeys(part, reasons.get(place, "the cluster gave no answer, or has no worker")))
-        else:
-            client = _again(client)
+                lacking.update(dict.fromkeys(part, reasons.get(place, "the cluster has no worker" if has_no_worker else "the cluster is gone")))
+            return
+        client = _again(client)
 
 
 def _finished(futures: list[Any], client: Any) -> Iterator[Any]:
     """Each as it ends, in whatever way; until the client is gone, or there has been no worker for long."""
     alive = looked = time.monotonic()
     while futures:
-        ended, pending = [], []
+        ended: list[Any] = []
+        pending: list[Any] = []
         for future in futures:
             (pending if future.status == "pending" else ended).append(future)
         yield from ended
