@@ -1,12 +1,10 @@
 """Tables of many tests: lazy, incremental, whole whatever befalls."""
 import importlib.util
-import json
 import os
 import pathlib
 import re
-import resource
+import shutil
 import signal
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -77,95 +75,56 @@ class Lazy(unittest.TestCase):
         self.assertGreater(rows["circularity_um"].iloc[0], 0.0)
 
     def test_diagnosed_and_trained(self):
-        data = [f"sample-runs/hidden-effect/0{k}/data.csv" for k in (1, 2)]
-        rows = fleet.diagnose(data, "sample-runs/hidden-effect/01/model.toml").compute(scheduler="synchronous")
-        self.assertEqual(rows["verdict"].iloc[0], ballbar.diagnose(data[0], "sample-runs/hidden-effect/01/model.toml").verdict)
+        data, model = "sample-runs/hidden-effect/01/data.csv", "sample-runs/hidden-effect/01/model.toml"
+        rows = fleet.diagnose([data, "missing.csv"], model).compute(scheduler="synchronous").set_index("file")
+        self.assertEqual(rows.loc[data, "verdict"], ballbar.diagnose(data, model).verdict)
+        self.assertEqual(rows.loc["missing.csv", "fault"], "missing.csv: No such file or directory.")
+        with self.assertRaisesRegex(ballbar.BallbarError, "target: expected the name of one column"):
+            fleet.diagnose(data, model, target=["x_um", "y_um"])
+        with tempfile.TemporaryDirectory() as folder:
+            (_, row), = fleet.train(data, "y_um", f"{folder}/models", few=True).compute(scheduler="synchronous").iterrows()
+            again = ballbar.train(data, "y_um", f"{folder}/again.json", effects=True, few=True)
+            self.assertEqual(row["held_out_um"], again.forecasts.rmse_um)
+            with open(row["model"], encoding="utf-8") as one, open(f"{folder}/again.json", encoding="utf-8") as other:
+                self.assertEqual(one.read(), other.read())
 
+    def test_names_that_are_patterns(self):
+        with tempfile.TemporaryDirectory() as folder:
+            plant(folder, 2, 2)
+            os.rename(f"{folder}/m1/001.b5r", f"{folder}/m1/q[1].b5r")
+            self.assertEqual(fleet.files_of(f"{folder}/m?/00[01].b5r"), [f"{folder}/m{name}.b5r" for name in ("0/000", "0/001", "1/000")])
+            self.assertEqual(len(fleet.files_of(f"{folder}/m*")), 4)
+            self.assertEqual(fleet.files_of(f"{folder}/m1/q[1].b5r"), [f"{folder}/m1/q[1].b5r"])
+            self.assertEqual(len(fleet.files_of([folder, f"{folder}/../{os.path.basename(folder)}"])), 4)
+            for name in ("q?", "foo://q/*"):
+                with self.assertRaisesRegex(ballbar.BallbarError, "expected files, found"):
+                    fleet.files_of(f"{folder}/{name}" if name == "q?" else name)
+            os.rename(f"{folder}/m1/q[1].b5r", f"{folder}/-dash.b5r")
+            before = os.getcwd()
+            os.chdir(folder)
+            try:
+                rows = fleet.errors(["-dash.b5r"]).compute(scheduler="synchronous")
+            finally:
+                os.chdir(before)
+            self.assertTrue(rows["fault"].isna().all())
+            self.assertEqual(rows["file"].tolist(), ["-dash.b5r"])
 
-class Kept(unittest.TestCase):
-    def setUp(self):
-        self.scratch = tempfile.TemporaryDirectory()
-        self.plant, self.table = f"{self.scratch.name}/plant", f"{self.scratch.name}/table"
-        os.makedirs(self.plant)
-        plant(self.plant)
-
-    def tearDown(self):
-        self.scratch.cleanup()
-
-    def another(self, name, year=2029):
-        with open(f"{self.plant}/m0/000.b5r", encoding="utf-8-sig") as file:
-            text = re.sub("(?<=<DATE_STARTED>)\\d{4}", f"{year}", file.read())
-        with open(f"{self.plant}/m0/{name}", "w", encoding="utf-8-sig") as file:
-            file.write(text)
-
-    def test_only_what_is_new_is_read(self):
-        first = fleet.update(self.plant, self.table)
-        self.assertEqual((first.read, first.kept, first.faults, len(first.table)), (12, 0, 0, 12))
-        again = fleet.update(self.plant, self.table)
-        self.assertEqual((again.read, again.kept), (0, 12))
-        pandas.testing.assert_frame_equal(again.table, first.table)
-        self.another("new.b5r")
-        with open(f"{self.plant}/m1/001.b5r", "a", encoding="utf-8") as file:
-            file.write("<!-- changed -->")
-        os.remove(f"{self.plant}/m2/003.b5r")
-        third = fleet.update(self.plant, self.table)
-        self.assertEqual((third.read, third.kept, third.gone, len(third.table)), (2, 10, 1, 12))
-        pandas.testing.assert_frame_equal(fleet.read(self.table), third.table)
-        whole = fleet.update(self.plant, self.table + "-anew").table
-        pandas.testing.assert_frame_equal(whole, third.table)
-
-    def test_many_parts_become_one(self):
-        for k in range(45):
-            self.another(f"more{k:02}.b5r", 2030 + k)
-            fleet.update(self.plant, self.table)
-        self.assertLess(len(os.listdir(self.table)), 45)
-        self.assertEqual(len(fleet.read(self.table)), 57)
-
-    def test_a_full_disk(self):
-        before = fleet.update(self.plant, self.table).table
-        self.another("new.b5r")
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-        limits = resource.getrlimit(resource.RLIMIT_FSIZE)
-        resource.setrlimit(resource.RLIMIT_FSIZE, (100, limits[1]))
-        try:
-            with self.assertRaisesRegex(ballbar.BallbarError, "could not be written: .*; it is as it was"):
-                fleet.update(self.plant, self.table)
-        finally:
-            resource.setrlimit(resource.RLIMIT_FSIZE, limits)
-        pandas.testing.assert_frame_equal(fleet.read(self.table), before)
-        self.assertEqual(len(fleet.update(self.plant, self.table).table), 13)
-
-    def test_a_file_that_changes_while_it_is_read(self):
-        changed = f"{self.plant}/m1/000.b5r"
-        work = fleet_table._error_rows
-
-        def and_then_changes(files, storage):
-            rows = work(files, storage)
-            if len(files) > 1:
-                with open(changed, "a", encoding="utf-8") as file:
-                    file.write("<!-- written while it was read -->")
-            return rows
-
-        with mock.patch.object(fleet_table, "_error_rows", and_then_changes):
-            found = fleet.update(self.plant, self.table)
-        self.assertTrue(found.complete)
-        anew = fleet.errors([changed]).compute(scheduler="synchronous")
-        self.assertEqual(found.table.set_index("file").loc[changed, "sha256"], anew["sha256"].iloc[0])
-
-    def test_another_folder_is_not_touched(self):
-        os.makedirs(self.table)
-        with open(f"{self.table}/thesis.txt", "w", encoding="utf-8") as file:
-            file.write("years")
-        with self.assertRaisesRegex(ballbar.BallbarError, "new or empty"):
-            fleet.update(self.plant, self.table)
-        self.assertEqual(os.listdir(self.table), ["thesis.txt"])
-
-    def test_a_broken_index(self):
-        fleet.update(self.plant, self.table)
-        with open(f"{self.table}/table.json", "w", encoding="utf-8") as file:
-            file.write("{")
-        with self.assertRaisesRegex(ballbar.BallbarError, "table.json: expected format"):
-            fleet.update(self.plant, self.table)
+    def test_faults_do_not_depend_on_partitions(self):
+        with tempfile.TemporaryDirectory() as folder:
+            plant(folder, 1, 2)
+            for name in ("bad", "worse"):
+                with open(f"{folder}/m0/{name}.b5r", "w", encoding="utf-8") as file:
+                    file.write("<?xml version='1.0'?><nothing/>")
+            with open(f"{folder}/m0/none.txt", "w", encoding="utf-8") as file:
+                file.write("a letter")
+            shutil.copy(f"{folder}/m0/000.b5r", f"{folder}/m0/copy.b5r")
+            expected = fleet.errors(f"{folder}/m0/*", files_of_a_partition=100).compute(scheduler="synchronous")
+            self.assertEqual(int(expected["fault"].notna().sum()), 3)
+            self.assertNotIn("can be used", "".join(expected["fault"].dropna()))
+            for size in (1, 2, 4):
+                rows = fleet.errors(f"{folder}/m0/*", files_of_a_partition=size).compute(scheduler="synchronous")
+                pandas.testing.assert_frame_equal(rows.sort_values("file", ignore_index=True), expected.sort_values("file", ignore_index=True))
+            self.assertEqual(fleet.ranked(expected).machines[0].tests, 2)
 
 
 class Stories(unittest.TestCase):
@@ -206,6 +165,29 @@ class Cluster(unittest.TestCase):
             self.assertEqual(len(found.table), 360)
             self.assertEqual(found.faults, 0)
 
+    def test_workers_in_another_folder_and_then_none(self):
+        from dask.distributed import Client, LocalCluster
+
+        before = os.getcwd()
+        with tempfile.TemporaryDirectory() as scratch:
+            os.makedirs(f"{scratch}/plant")
+            plant(f"{scratch}/plant", 2, 3)
+            with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+                client.run(os.chdir, "/")
+                os.chdir(scratch)
+                try:
+                    found = fleet.update("plant", "table", client=client)
+                    rows = fleet.errors("plant").compute(scheduler=client)
+                finally:
+                    os.chdir(before)
+                self.assertEqual((found.complete, found.faults, len(found.table)), (True, 0, 6))
+                self.assertTrue(rows["fault"].isna().all())
+                cluster.scale(0)
+                client.sync(cluster._correct_state)
+                with mock.patch.object(fleet_table, "_PATIENCE_S", 1):
+                    found = fleet.update(f"{scratch}/plant", f"{scratch}/other", client=client)
+                self.assertEqual((found.read, set(found.lacking.values())), (0, {"the cluster has no worker"}))
+
     def test_the_scheduler_is_gone(self):
         from dask.distributed import Client, LocalCluster
 
@@ -226,6 +208,7 @@ class Cluster(unittest.TestCase):
                 self.assertEqual(len(found.lacking) + found.read, 120)
                 self.assertFalse(found.complete)
                 self.assertEqual(len(found.table), found.read)
+                client.close()
             again = fleet.update(folder, f"{scratch}/table")
             self.assertTrue(again.complete)
             self.assertEqual((len(again.table), again.kept), (120, found.read))

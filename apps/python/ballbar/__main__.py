@@ -135,11 +135,14 @@ def _fleet(options: argparse.Namespace) -> int:
     found, page = _ranked(done.table, limits, options.false_discovery_rate, title if has_page else None, len(done.lacking))
     keys = json.dumps(found.to_dict(), indent=2)
     for path in options.out:
-        with written_whole(path) as temporary, open(temporary, "w", encoding="utf-8", newline="") as file:
-            if path.endswith(".csv"):
-                done.table.to_csv(file, index=False)
-            else:
-                file.write(page if path.endswith(".html") else keys + "\n")
+        try:
+            with written_whole(path) as temporary, open(temporary, "w", encoding="utf-8", newline="") as file:
+                if path.endswith(".csv"):
+                    done.table.to_csv(file, index=False)
+                else:
+                    file.write(page if path.endswith(".html") else keys + "\n")
+        except OSError as error:
+            raise BallbarError(f"--out {path}: could not be written: {error.strerror or error}; it is as it was.") from None
     print(keys if options.json else found.text, end="\n" if options.json else "", flush=True)
     for row in done.table[done.table["fault"].notna()].itertuples():
         print(row.fault, file=sys.stderr)
@@ -168,23 +171,25 @@ def fleet(words: list[str]) -> int:
     except KeyboardInterrupt:
         return 130
     except BrokenPipeError:
-        _close_output()
         return 141  # as the program's other commands, by the signal
     except ImportError as error:
         sentence = f"fleet: expected pandas and Dask for Python, found: {error}; on Debian install python3-pandas and python3-distributed."
     except OSError as error:
         sentence = f"{error.filename or 'output'}: {error.strerror or error}."
-        _close_output()
     except (BallbarError, ValueError) as error:
         sentence = str(error)
+    finally:
+        _end_output()
     print(f"ballbar: {sentence}", file=sys.stderr)
     return 1
 
 
-def _close_output() -> None:
-    """What is left to write is not tried again as Python ends."""
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, sys.stdout.fileno())
+def _end_output() -> None:
+    """What could not be written is not tried again as Python ends."""
+    try:
+        sys.stdout.flush()
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def main() -> int:

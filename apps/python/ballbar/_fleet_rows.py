@@ -43,6 +43,7 @@ COLUMNS = {
 
 _AT_ONCE = 100  # files
 _NEITHER = "expected a .b5r file or a ballbar log of a circle, found neither."
+_NO_RECORDING = "expected .b5r files or ballbar logs of circles, found none."
 _NONE = "found none that can be used: "  # then the sentence of the first
 _COPY = "expected a test of its own, found a copy of "
 
@@ -123,8 +124,8 @@ def _read(paths: list[str]) -> tuple[dict[str, Row], dict[str, str]]:
     except BallbarError as error:  # none of them can be used
         if len(paths) > 1:
             return {}, {path: sentence for one in paths for path, sentence in _read([one])[1].items()}
-        sentence = str(error).partition(_NONE)[2]
-        return {}, {paths[0]: sentence} if sentence else {}
+        sentence = str(error)
+        return {}, {} if sentence.endswith(_NO_RECORDING) else {paths[0]: sentence.partition(_NONE)[2] or sentence}
     return {test["file"]: test for test in found["tests"]}, {one["file"]: one["sentence"] for one in found["skipped"]}
 
 
@@ -139,7 +140,8 @@ def _row(local: Local, test: Row, at: str) -> Row:
     row = {"file": local.file, "sha256": local.sha256, "version": _core.version, "fault": None}
     row.update({name: test[name] for name in ("machine", "bar", "date", "plane", "stored", "feed_mm_per_min", "start_deg", "arc_deg")})
     row["length_mm"] = test["nominal_length_mm"]
-    row["machine"] = row["machine"] or os.path.basename(os.path.dirname(os.path.join(at, local.file)))
+    row["bar"] = row["bar"] or None
+    row["machine"] = row["machine"] or os.path.basename(os.path.dirname(os.path.join(at, local.file))) or None
     for one in test["errors"]:
         unit = one["unit"].replace("/", "_per_")
         row[f"{one['name']}_{unit}"] = one["value"]

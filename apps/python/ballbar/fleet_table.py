@@ -289,6 +289,6 @@ def _again(client: Any) -> Any:
     from dask.distributed import Client
 
     try:
-        return Client(client.scheduler.address if client.scheduler else client._start_arg, timeout=_PATIENCE_S)
+        return Client(client.scheduler.address if client.scheduler else client._start_arg, timeout=_PATIENCE_S, set_as_default=False)
     except Exception:  # noqa: BLE001  no scheduler there
         return None
