@@ -16,7 +16,7 @@ import os
 import re
 import zlib
 from collections.abc import Iterable, Iterator
-from typing import Any, Optional
+from typing import Optional
 
 import pandas
 

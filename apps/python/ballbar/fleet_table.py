@@ -245,8 +245,9 @@ def _answers(
             return
         has_no_worker = client is not None and client.status == "running" and not left.keys() <= reasons.keys()
         if attempt + 1 == _TRIES or has_no_worker:
+            otherwise = "the cluster has no worker" if has_no_worker else "the cluster is gone"
             for place, part in left.items():
-                lacking.update(dict.fromkeys(part, reasons.get(place, "the cluster has no worker" if has_no_worker else "the cluster is gone")))
+                lacking.update(dict.fromkeys(part, reasons.get(place, otherwise)))
             return
         client = _again(client)
 
@@ -289,6 +290,7 @@ def _again(client: Any) -> Any:
     from dask.distributed import Client
 
     try:
-        return Client(client.scheduler.address if client.scheduler else client._start_arg, timeout=_PATIENCE_S, set_as_default=False)
+        address = client.scheduler.address if client.scheduler else client._start_arg
+        return Client(address, timeout=_PATIENCE_S, set_as_default=False)
     except Exception:  # noqa: BLE001  no scheduler there
         return None
