@@ -33,6 +33,7 @@ if(BALLBAR_IMAGES)
   add_library(opencv_inside INTERFACE)
   target_link_libraries(opencv_inside INTERFACE $<TARGET_OBJECTS:ballbar_opencv_inside> ${OPENCV_IMGPROC_INSIDE}
     ${OPENCV_CORE_INSIDE} lapack blas z ${CMAKE_DL_LIBS})
+  add_dependencies(opencv_inside ballbar_opencv_inside)
   set(OPENCV_IMGPROC opencv_inside)
   set(OPENCV_CORE opencv_inside)
 endif()
