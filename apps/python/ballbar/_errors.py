@@ -37,7 +37,7 @@ class BallbarError(ValueError):
             self.column = int(located[3]) if located[3] else None
             return
         names = [sentence[: at.start()] for at in re.finditer(": ", sentence)]
-        known = [name for name in names if name in files or os.path.exists(name)]
+        known = [name for name in names if name[:1] not in "-<" and (name in files or os.path.exists(name))]
         self.file = known[-1] if known else names[0] if names and _FILE.match(names[0]) else None
 
 

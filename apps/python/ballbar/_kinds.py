@@ -408,10 +408,29 @@ class Plan(Result):
     ----------
     target : str
     sentence : str
+    verdict : str
+    decided : bool
+        Whether the data at hand decide.
+    tests : Rows
+        The runs that were weighed.
+    schedule : Result
+        Of the best one; None where it is decided.
+    inseparable : list[Any]
+        Sets of effects that no run tells apart.
+    sensors : Rows
+        That are lacking.
+    curves : Rows
     """
 
     target: str
     sentence: str
+    verdict: str
+    decided: bool
+    tests: Rows
+    schedule: Result
+    inseparable: list[Any]
+    sensors: Rows
+    curves: Rows
 
 
 class Tried(Result):
@@ -508,6 +527,28 @@ class Trained(Result):
         Of 95 %.
     methods : Rows
     remarks : list[str]
+    rows, runs : int
+        Of a regression on effects, as all below.
+    dictionary : list[str]
+        Kinds of effects.
+    terms : int
+    prior_variance, length_s, sigma_um, interval_scale : float
+        Of the Gaussian process.
+    rmse_um : float
+        On the rows that it was trained on.
+    forecasts : Result
+        count, error_um, rmse_um, held_um, within_share, predicted.
+    drivers : Rows
+        Columns, and the um that each moves.
+    range_um : float
+        Of what is predicted.
+    not_needed : list[str]
+        Columns.
+    interchangeable : list[Any]
+        Sets of columns.
+    cancelling : Rows
+        Pairs of columns.
+    sentence : str
     """
 
     target: str
@@ -516,6 +557,22 @@ class Trained(Result):
     half_width_um: float
     methods: Rows
     remarks: list[str]
+    rows: int
+    runs: int
+    dictionary: list[str]
+    terms: int
+    prior_variance: float
+    length_s: float
+    sigma_um: float
+    interval_scale: float
+    rmse_um: float
+    forecasts: Result
+    drivers: Rows
+    range_um: float
+    not_needed: list[str]
+    interchangeable: list[Any]
+    cancelling: Rows
+    sentence: str
 
 
 class Selected(Result):
@@ -590,7 +647,7 @@ class Report(Result):
     summary : list[str]
         Sentences.
     signals : Rows
-    fit : Result
+    fit, check, diagnose, drift, five_probe, compare, ledger, batch : Result
     machine_errors : Rows
     """
 
@@ -602,4 +659,11 @@ class Report(Result):
     summary: list[str]
     signals: Rows
     fit: Result
+    check: Result
+    diagnose: Result
+    drift: Result
+    compare: Result
+    five_probe: Result
+    ledger: Result
+    batch: Result
     machine_errors: Rows

@@ -3,12 +3,12 @@ from __future__ import annotations
 
 import logging
 import os
+import pathlib
 import shutil
 import tempfile
 import weakref
 from collections.abc import Iterable, Iterator, Mapping
-from pathlib import Path
-from typing import Any, Callable
+from typing import Any, Callable, Union
 
 import numpy as np
 
@@ -18,6 +18,10 @@ from ._errors import BallbarError, UsageError
 
 _log = logging.getLogger("ballbar")
 
+Path = Union[str, "os.PathLike[str]"]
+Progress = Callable[[str], object]
+
+#: The options that are words alone.
 FLAGS = frozenset(
     "polar robust strict sequential equal_radii eq34 five_probe keep_clocks white auto named_only prune keep_broken effects few "
     "anyway b5r force diagnose no_diagnosis without_files".split()
@@ -47,16 +51,16 @@ class Model:
     <BLANKLINE>
     """
 
-    def __init__(self, source: str | os.PathLike[str]) -> None:
+    def __init__(self, source: Path) -> None:
         text = os.fspath(source)
         self._own = "\n" in text
         if self._own:
             folder = tempfile.mkdtemp(prefix="ballbar-")
             weakref.finalize(self, shutil.rmtree, folder, True)
-            self.path = Path(folder) / "model.toml"
+            self.path = pathlib.Path(folder) / "model.toml"
             self.path.write_text(text, encoding="utf-8")
         else:
-            self.path = Path(text)
+            self.path = pathlib.Path(text)
 
     @classmethod
     def of(cls, target: str | list[str], *effects: str, **columns: Mapping[str, Any]) -> Model:
@@ -76,9 +80,9 @@ class Model:
         """What stands in its file."""
         return self.path.read_text(encoding="utf-8")
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def save(self, path: Path) -> None:
         """Writes it to a file of another name."""
-        Path(path).write_text(self.text, encoding="utf-8")
+        pathlib.Path(path).write_text(self.text, encoding="utf-8")
 
     def __reduce__(self) -> Any:
         return Model, (self.text if self._own else str(self.path),)
@@ -115,9 +119,17 @@ class Words:
 
     def data(self, *sources: Any) -> Words:
         """Paths, a Series, a DataFrame, a dict of arrays, recordings, or a list of any of these but dicts."""
-        self.sources += self._words_of(sources)
-        self.words += self.sources
+        words = self._words_of(sources)
+        self.sources += words
+        self.words += words
         return self
+
+    def series(self, *sources: Any) -> Words:
+        """The same without recordings."""
+        self.data(*sources)
+        if all(isinstance(one, Series) for one in self.given.values()):
+            return self
+        raise TypeError(f"ballbar.{self.words[0]}: expected a path or a series, found recordings; ballbar.diagnose takes them")
 
     def other_data(self, name: str, *sources: Any) -> Words:
         """The same for an option."""
@@ -152,7 +164,7 @@ class Words:
                 self.words += [word, _text(value)]
         return self
 
-    def run(self, progress: Callable[[str], object] | None = None) -> Any:
+    def run(self, progress: Progress | None = None) -> Any:
         for word in self.words:
             if "\0" in word:
                 raise UsageError(f"{word!r}: expected a text without a null character.")
@@ -178,7 +190,7 @@ class Words:
         elif self.words[0] == "diagnose" and name == "with-without":
             words.append("--diagnose")
         with tempfile.TemporaryDirectory(prefix="ballbar-") as folder:
-            path = Path(folder) / "picture.svg"
+            path = pathlib.Path(folder) / "picture.svg"
             _core.run([*words, "--out", str(path)], self.given)
             return path.read_text(encoding="utf-8")
 
@@ -210,7 +222,7 @@ def _is_list(value: Any) -> bool:
     return isinstance(value, (list, tuple, set, frozenset, np.ndarray)) or isinstance(value, Iterator)
 
 
-def _path(path: str | os.PathLike[str]) -> str:
+def _path(path: Path) -> str:
     text = os.fspath(path)
     return "./" + text if text.startswith("-") else text
 
