@@ -64,7 +64,21 @@ class Model:
 
     @classmethod
     def of(cls, target: str | list[str], *effects: str, **columns: Mapping[str, Any]) -> Model:
-        """A model of these effects: names alone, or ``name={"input": "column", "parameter": value}``."""
+        """A model of these effects.
+
+        Parameters
+        ----------
+        target : str or list of str
+            Columns in um.
+        *effects : str
+            Names of effects that need no more.
+        **columns : dict
+            Of others their columns and parameters: ``name={"input": "column", "parameter": value}``.
+
+        Returns
+        -------
+        Model
+        """
         names = ", ".join(f'"{one}"' for one in target) if isinstance(target, list) else f'"{target}"'
         lines = ['format = "ballbar-model 1"', f"target = [{names}]" if isinstance(target, list) else f"target = {names}"]
         each: list[tuple[str, Mapping[str, Any]]] = [(effect, {}) for effect in effects]
