@@ -95,24 +95,15 @@ std::vector<ReadFile> files_below(const std::vector<std::string>& paths) {
   return files;
 }
 
-// part(i) of every i < count. How far it is is said by the thread that called, where a program that called may end it:
-// then no more parts are begun.
+// part(i) of every i < count. How far it is is said by the thread that called, where a program that called may end it.
 void in_parallel_told(const char* what, std::size_t count, const std::function<void(std::size_t)>& part) {
   const ProgressLine progress;
   const std::thread::id here = std::this_thread::get_id();
   std::atomic<std::size_t> done{0};
-  std::atomic<bool> ended{false};
   in_parallel(count, [&](std::size_t i) {
-    if (ended) return;
     part(i);
     ++done;
-    if (std::this_thread::get_id() != here) return;
-    try {
-      show_progress(fmt::format("{} {} of {}", what, done.load(), count));
-    } catch (...) {
-      ended = true;
-      throw;
-    }
+    if (std::this_thread::get_id() == here) show_progress(fmt::format("{} {} of {}", what, done.load(), count));
   });
 }
 
