@@ -56,6 +56,7 @@ py::object answer_of(const Function& function, const py::list& arguments) {
     if (!error.matches(PyExc_Exception)) throw;
     const std::string type = py::str(error.type().attr("__name__")), text = py::str(error.value());
     const std::string sentence = fmt::format("{}: {}{}{}", function.name, type, text.empty() ? "" : ": ", text);
+    if (error.trace()) PyException_SetTraceback(error.value().ptr(), error.trace().ptr());
     last_raised() = {sentence, error.value()};
     throw Error(sentence);
   }
@@ -129,8 +130,8 @@ Value as(py::handle value, const std::string& what, const char* expected) {
   }
 }
 
-double number_of(const py::dict& stated, const char* key, double otherwise) {
-  return stated.contains(key) ? as<double>(stated[key], key, "a number") : otherwise;
+double number_of(const std::string& name, const py::dict& stated, const char* key, double otherwise) {
+  return stated.contains(key) ? as<double>(stated[key], fmt::format("{}, {}", name, key), "a number") : otherwise;
 }
 
 std::string text_of(const py::dict& stated, const char* key, const std::string& otherwise) {
@@ -145,10 +146,11 @@ Parameter parameter_of(const std::string& name, const py::dict& stated, Paramete
   parameter.unit = text_of(stated, "unit", "1");
   parameter.meaning = text_of(stated, "meaning", name);
   const bool is_gain = kind == ParameterKind::gain;
-  parameter.lower = number_of(stated, "lower", is_gain ? -kLargest : 0.0);
-  parameter.upper = number_of(stated, "upper", kLargest);
-  if (stated.contains("grid")) parameter.grid = as<std::vector<double>>(stated["grid"], "grid", "numbers");
-  parameter.start = is_gain ? 0.0 : number_of(stated, "start", parameter.grid.empty() ? 1.0 : parameter.grid.front());
+  parameter.lower = number_of(name, stated, "lower", is_gain ? -kLargest : 0.0);
+  parameter.upper = number_of(name, stated, "upper", kLargest);
+  if (stated.contains("grid")) parameter.grid = as<std::vector<double>>(stated["grid"], name + ", grid", "numbers");
+  parameter.start =
+      is_gain ? 0.0 : number_of(name, stated, "start", parameter.grid.empty() ? 1.0 : parameter.grid.front());
   const bool rising = std::is_sorted(parameter.grid.begin(), parameter.grid.end());
   if (parameter.lower < parameter.upper && parameter.start >= parameter.lower && parameter.start <= parameter.upper &&
       rising) {

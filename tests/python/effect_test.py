@@ -66,6 +66,7 @@ class PythonEffect(unittest.TestCase):
         with self.assertRaisesRegex(ballbar.BallbarError, "breaks: RuntimeError: no such thing$") as caught:
             ballbar.check(data, ballbar.Model.of("z_um", breaks={"temperature": "T_room_degC"}))
         self.assertEqual(repr(caught.exception.__cause__), "RuntimeError('no such thing')")
+        self.assertEqual(caught.exception.__cause__.__traceback__.tb_frame.f_code.co_name, "breaks")
         with self.assertRaisesRegex(ballbar.BallbarError, r"short: expected an array of shape \(300,\) from its function, found \(299,\)"):
             ballbar.check(data, ballbar.Model.of("z_um", short={"temperature": "T_room_degC"}))
         with self.assertRaisesRegex(ballbar.BallbarError, "expansion: expected a name of its own"):
@@ -103,7 +104,7 @@ class PythonEffect(unittest.TestCase):
     def test_what_is_stated(self):
         for how, message in (
             ({"shapes": {"tau_s": {"strat": 5.0}}}, "shapes, tau_s: expected one of unit, .* found strat"),
-            ({"shapes": {"tau_s": {"start": "a"}}}, "start: expected a number, found 'a'"), ({"shapes": {"tau_s": 5.0}}, "shapes, tau_s: expected a dict"),
+            ({"shapes": {"tau_s": {"start": "a"}}}, "tau_s, start: expected a number, found 'a'"), ({"shapes": {"tau_s": 5.0}}, "shapes, tau_s: expected a dict"),
             ({"inputs": ["temperature"]}, "inputs: expected a dict"), ({"inputs": {"temperature": 3}}, "temperature: expected a unit, or several, found 3"),
             ({"summary": 3}, "summary: expected a text, found 3"), ({"gain": {"a_um": {"units": "um"}}}, "gain, a_um: expected one of"),
         ):
