@@ -162,7 +162,7 @@ class Diagnosis(Checked):
     not_searched : list[Any]
     reasons : list[str]
     gains_by_run : list[Any]
-    next_test : Result
+    next_test : Result or None
         Text, command.
     files : list[str]
         Of recordings, as all below.
@@ -181,7 +181,7 @@ class Diagnosis(Checked):
     circularity_um : float
     residual_rms_um : float
     repeatability_um : float
-    left : Result
+    left : Result or None
         A wave that no error explains.
     left_text : str
     undetermined : list[str]
@@ -211,7 +211,7 @@ class Diagnosis(Checked):
     not_searched: list[Any]
     reasons: list[str]
     gains_by_run: list[Any]
-    next_test: Result
+    next_test: Result | None
     files: list[str]
     plane: str
     nominal_length_mm: float
@@ -224,7 +224,7 @@ class Diagnosis(Checked):
     circularity_um: float
     residual_rms_um: float
     repeatability_um: float
-    left: Result
+    left: Result | None
     left_text: str
     undetermined: list[str]
     prior: Rows
@@ -249,7 +249,7 @@ class Plan(Result):
         Whether the data at hand decide.
     tests : Rows
         The runs that were weighed.
-    schedule : Result
+    schedule : Result or None
         Of the best one; None where it is decided.
     inseparable : list[Any]
         Sets of effects that no run tells apart.
@@ -263,7 +263,7 @@ class Plan(Result):
     verdict: str
     decided: bool
     tests: Rows
-    schedule: Result
+    schedule: Result | None
     inseparable: list[Any]
     sensors: Rows
     curves: Rows
