@@ -9,7 +9,7 @@ set -eu
 cd "$(dirname "$0")/.."
 
 sh apps/install-packages.sh build page images mat blind python fleet hal test
-cmake -S . -B build-tests -DCMAKE_BUILD_TYPE=Release -DBALLBAR_TESTS=ON \
+cmake -S . -B build-tests -DCMAKE_BUILD_TYPE=Release -DBALLBAR_TESTS=ON -DBALLBAR_PACKAGES=OFF \
   -DBALLBAR_WERROR="${BALLBAR_WERROR:-0}" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
 cmake --build build-tests -j "$(nproc)"
 ctest --test-dir build-tests --output-on-failure -j "$(nproc)" "$@"

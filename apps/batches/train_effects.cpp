@@ -10,6 +10,7 @@
 #include "ballbar/effect_regression/effect_regression.hpp"
 #include "ballbar/formats/models/effect_regression_json.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/formats/text/given_data.hpp"
 #include "ballbar/number_text.hpp"
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
@@ -194,7 +195,7 @@ std::vector<Series> runs_of(const TrainEffectsOptions& options, const std::vecto
 }  // namespace
 
 bool is_run_list(const std::string& path) {
-  if (std::filesystem::is_directory(path)) return false;
+  if (std::filesystem::is_directory(path) || given_series(path) != nullptr) return false;
   const std::string head = read_head(path, kHead);
   std::size_t at = 0;
   while (at < head.size() && (head[at] == '#' || head[at] == '\n' || head[at] == '\r')) {

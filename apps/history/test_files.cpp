@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <optional>
 #include <set>
+#include <thread>
 #include <unordered_map>
 
 #include "ballbar/circle/circularity.hpp"
@@ -17,6 +19,7 @@
 #include "ballbar/formats/recordings/stored_errors.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "history/stored_test.hpp"
+#include "terminal/progress.hpp"
 
 namespace ballbar {
 namespace {
@@ -92,6 +95,18 @@ std::vector<ReadFile> files_below(const std::vector<std::string>& paths) {
   return files;
 }
 
+// part(i) of every i < count. How far it is is said by the thread that called, where a program that called may end it.
+void in_parallel_told(const char* what, std::size_t count, const std::function<void(std::size_t)>& part) {
+  const ProgressLine progress;
+  const std::thread::id here = std::this_thread::get_id();
+  std::atomic<std::size_t> done{0};
+  in_parallel(count, [&](std::size_t i) {
+    part(i);
+    ++done;
+    if (std::this_thread::get_id() == here) show_progress(fmt::format("{} {} of {}", what, done.load(), count));
+  });
+}
+
 // A sentence that names its file.
 std::string named(const fs::path& path, const std::string& sentence) {
   const std::string name = path.string();
@@ -161,7 +176,7 @@ void fit_logs(std::vector<ReadFile>& files) {
     tests.push_back({i, i + 1 < files.size() && are_one_test(files[i], files[i + 1]) ? 2U : 1U});
     i += tests.back().count - 1;
   }
-  in_parallel(tests.size(), [&](std::size_t k) {
+  in_parallel_told("fitting log", tests.size(), [&](std::size_t k) {
     ReadFile& file = files[tests[k].first];
     std::vector<Recording> recordings;
     recordings.reserve(tests[k].count);
@@ -195,7 +210,7 @@ std::size_t hash_of(const MachineTest& test) {
 
 TestFiles read_tests(const std::vector<std::string>& paths, bool strict) {
   std::vector<ReadFile> files = files_below(paths);
-  in_parallel(files.size(), [&](std::size_t i) { read(files[i]); });
+  in_parallel_told("reading file", files.size(), [&](std::size_t i) { read(files[i]); });
   fit_logs(files);
   TestFiles found;
   std::unordered_multimap<std::size_t, std::size_t> known;  // places in tests by hash
@@ -222,6 +237,9 @@ TestFiles read_tests(const std::vector<std::string>& paths, bool strict) {
     found.skipped.push_back({file.path.string(), file.fault});
   }
   if (found.tests.empty()) {
+    if (!found.skipped.empty() && found.skipped.front().file == paths.front() && paths.size() == 1) {
+      throw Error(found.skipped.front().sentence);  // a file alone
+    }
     throw Error(fmt::format("{}: expected .b5r files or ballbar logs of circles, found none{}", paths.front(),
                             found.skipped.empty() ? "." : " that can be used: " + found.skipped.front().sentence));
   }

@@ -1,5 +1,4 @@
 #!/bin/sh
-# Prints the seconds since 1970 of the last commit, or of the changelog's last entry where the history is not there.
+# Prints the time of the changelog's last entry, in seconds since 1970: that of all that is packed.
 set -eu
-cd "$(dirname "$0")"
-git log -1 --format=%ct 2>/dev/null || date -d "$(sed -n 's/^ -- .*>  //p' changelog | head -n 1)" +%s
+date -d "$(sed -n 's/^ -- .*>  //p' "$(dirname "$0")/changelog" | head -n 1)" +%s

@@ -5,9 +5,10 @@
 #
 # The same sources give the same bytes, in whatever folder and whenever they are built: apps/packages/reproducible.sh.
 set -eu
+build=$(realpath -m "${1:-$(dirname "$0")/../../build-package}")
 cd "$(dirname "$0")/../.."
-build=${1:-build-package}
-unset CMAKE_GENERATOR # generators differ in the order in which they link
+# What makes other bytes of the same sources. Generators differ in the order in which they link.
+unset CMAKE_GENERATOR CC CXX CFLAGS CXXFLAGS CPPFLAGS LDFLAGS
 umask 022
 export LC_ALL=C.UTF-8 TZ=UTC
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(sh apps/packages/epoch.sh)}
@@ -18,6 +19,9 @@ step() { printf '\n== %s\n' "$1"; }
 step 'Packages to build with'
 sh apps/install-packages.sh build page images mat blind python package
 
+step 'ballbar.html'
+sh apps/page/build-tool.sh
+
 step "Build (Release, in $build)"
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DBALLBAR_PACKAGES=ON \
   -DBALLBAR_PAGE=ON -DBALLBAR_IMAGES=ON -DBALLBAR_MAT=ON -DBALLBAR_XLSX=ON -DBALLBAR_BLIND=ON -DBALLBAR_PYTHON=ON -DBALLBAR_HAL=OFF
@@ -27,5 +31,5 @@ step 'Packages'
 sh apps/packages/pack.sh "$build" "$build/debian"
 
 step 'Where they are'
-ls -s --block-size=kB "$(realpath "$build")"/debian/*.deb
-echo "As root: apt-get install $(ls -d "$(realpath "$build")"/debian/ballbar_*.deb)"
+ls -s --block-size=kB "$build"/debian/*.deb
+echo "As root: apt-get install '$build'/debian/ballbar_*.deb"

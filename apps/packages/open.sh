@@ -30,12 +30,18 @@ fi
 # Nothing is there, or a page that ballbar made.
 is_free() { [ ! -e "$1" ] || { [ -w "$1" ] && head -n 8 "$1" | grep -qF '<meta name="generator" content="ballbar '; }; }
 
+for file in "$@"; do # no name is an option
+  shift
+  case $file in -*) file=./$file ;; esac
+  set -- "$@" "$file"
+done
 name=$(basename "$1")
 [ $# = 1 ] || name="$name and $(($# - 1)) more"
 folder=$(dirname "$1")
 page=$folder/$name.html
-if [ ! -w "$folder" ] || ! is_free "$page"; then
+if [ ! -w "$folder" ] || [ ${#name} -gt 200 ] || ! is_free "$page"; then
   mkdir -p "$cache"
+  [ ${#name} -le 200 ] || name=page
   page="$cache/$name $(printf '%s\n' "$PWD" "$@" | cksum | cut -d ' ' -f 1).html" # of the same files, the same page
 fi
 said=$(ballbar report "$@" --out "$page" --open 2>&1) || say "$said"

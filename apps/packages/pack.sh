@@ -1,6 +1,6 @@
 #!/bin/sh
-# pack.sh BUILD OUT: what is built in BUILD, configured with BALLBAR_PACKAGES, as Debian packages in OUT, which holds
-# nothing else then.
+# pack.sh BUILD OUT: what is built in BUILD, configured with BALLBAR_PACKAGES, as Debian packages in OUT, in the place of
+# those that are there.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 build=$1
@@ -9,14 +9,12 @@ out=$(realpath "$2")
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(sh "$here/epoch.sh")}
 export SOURCE_DATE_EPOCH
 umask 022
-rm -rf "${out:?}"/*
-log=$(mktemp)
-if ! cpack --config "$build/CPackConfig.cmake" -G DEB -B "$out" >"$log" 2>&1; then
-  cat "$log" >&2
-  rm -f "$log"
+rm -rf "$out"/*.deb "$out/_CPack_Packages" "$out/members" "$out/cpack.log"
+if ! cpack --config "$build/CPackConfig.cmake" -G DEB -B "$out" >"$out/cpack.log" 2>&1; then
+  cat "$out/cpack.log" >&2
   exit 1
 fi
-rm -rf "$log" "$out/_CPack_Packages"
+rm -rf "$out/_CPack_Packages" "$out/cpack.log"
 # cpack writes who packed into the outer archive, and when.
 for package in "$out"/*.deb; do
   (

@@ -1,5 +1,6 @@
 # The Debian packages, where BALLBAR_PACKAGES is ON: how the program is linked, what is installed with it, and what
 # cpack makes of each component. apps/packages/make.sh builds them; README.md says what they hold.
+set(CMAKE_INSTALL_LIBDIR lib/${CMAKE_LIBRARY_ARCHITECTURE})  # Debian's, whatever the prefix of the build
 include(GNUInstallDirs)
 set(packages ${CMAKE_CURRENT_LIST_DIR})
 file(STRINGS ${packages}/changelog first_line LIMIT_COUNT 1)
@@ -21,13 +22,18 @@ endforeach()
 add_link_options(-Wl,--as-needed -Wl,--gc-sections -Wl,-z,relro -Wl,-z,now)
 
 # OpenCV inside the program: as a shared library it brings OpenGL, with drivers and a compiler for them, of 220 MB. What
-# of other libraries it then still asks for stands in opencv_inside.cpp.
+# of other libraries it then still asks for stands in opencv_inside.cpp, which goes wherever OpenCV does.
 if(BALLBAR_IMAGES)
   find_library(OPENCV_CORE_INSIDE libopencv_core.a REQUIRED)
   find_library(OPENCV_IMGPROC_INSIDE libopencv_imgproc.a REQUIRED)
+  add_library(ballbar_opencv_inside OBJECT ${packages}/opencv_inside.cpp)
+  set_target_properties(ballbar_opencv_inside PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(ballbar_opencv_inside SYSTEM PRIVATE ${OPENCV_INCLUDE_DIR})
+  target_link_libraries(ballbar_opencv_inside PRIVATE ballbar_build_flags)
   add_library(opencv_inside INTERFACE)
-  target_link_libraries(opencv_inside INTERFACE ${OPENCV_IMGPROC_INSIDE} ${OPENCV_CORE_INSIDE} lapack blas z
-    ${CMAKE_DL_LIBS})
+  target_link_libraries(opencv_inside INTERFACE $<TARGET_OBJECTS:ballbar_opencv_inside> ${OPENCV_IMGPROC_INSIDE}
+    ${OPENCV_CORE_INSIDE} lapack blas z ${CMAKE_DL_LIBS})
+  add_dependencies(opencv_inside ballbar_opencv_inside)
   set(OPENCV_IMGPROC opencv_inside)
   set(OPENCV_CORE opencv_inside)
 endif()
@@ -59,6 +65,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
   WORLD_EXECUTE)
+set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_THREADS 1)  # with several, the bytes of xz depend on how many
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

@@ -1,30 +1,34 @@
 #!/bin/sh
-# Builds the packages twice, in folders of different names, at different times, under another umask and language, and
-# compares their bytes. Two whole builds: half an hour on two cores.
+# Builds the packages twice, in folders of different names, at different times, from sources with other permissions, and
+# compares their bytes. Two whole builds: an hour on two cores. What is built stays in SCRATCH, a folder that it makes.
 #
-#   sh apps/packages/reproducible.sh [SCRATCH]
+#   sh apps/packages/reproducible.sh SCRATCH
 set -eu
 source=$(cd "$(dirname "$0")/../.." && pwd)
-scratch=${1:-$(mktemp -d)}
-SOURCE_DATE_EPOCH=$(sh "$source/apps/packages/epoch.sh")
-export SOURCE_DATE_EPOCH
+if [ $# != 1 ] || [ -e "$1" ]; then
+  echo "reproducible.sh: expected the name of a folder that is not there yet, found '${1:-}'" >&2
+  exit 2
+fi
+mkdir -p "$1"
+scratch=$(realpath "$1")
 
-# built FOLDER UMASK LANGUAGE ZONE: a copy of the sources as git has them, or as they are, and its packages.
+# built FOLDER UMASK: a copy of the sources as git has them, or as they are, and its packages.
 built() {
+  umask "$2"
   mkdir -p "$scratch/$1"
   if git -C "$source" rev-parse >/dev/null 2>&1; then
     git -C "$source" archive HEAD | tar xf - -C "$scratch/$1"
   else
     (cd "$source" && tar cf - --exclude='./build*' .) | tar xf - -C "$scratch/$1"
   fi
-  (umask "$2" && cd "$scratch/$1" && LC_ALL=$3 TZ=$4 sh apps/packages/make.sh >make.log 2>&1) || {
+  (cd "$scratch/$1" && sh apps/packages/make.sh >make.log 2>&1) || {
     tail -n 30 "$scratch/$1/make.log" >&2
     exit 1
   }
 }
 
-built one 022 C UTC
-built another-folder/below 077 C.UTF-8 Asia/Tokyo
+built one 022
+built another-folder/below 077
 
 differ=0
 for one in "$scratch"/one/build-package/debian/*.deb; do

@@ -4,7 +4,7 @@
 #   sh stage.sh STAGED BUILD VERSION
 #
 # In each component below STAGED: copyright with the notices of what is compiled in, changelog, manual page compressed,
-# permissions that the umask does not set, times of the last commit.
+# permissions that the umask does not set, times of the changelog.
 set -eu
 staged=$1 build=$2 version=$3
 here=$(cd "$(dirname "$0")" && pwd)
@@ -29,6 +29,9 @@ notices() (
   done
 )
 
+# What ballbar.html holds beside them, where it is packed.
+in_tool() { if [ -e "$folder/usr/share/ballbar/ballbar.html" ]; then cat "$source/apps/page/engine/compiled_in.txt"; fi; }
+
 # What the page inside the program holds: the notice that Apache's licence asks for, and the texts of the other two.
 page_notices() (
   folder=$1
@@ -47,18 +50,23 @@ page_notices() (
 )
 
 copyright_of() (
-  package=$1 doc=$2
+  package=$1 doc=$2 folder=$3
   echo "ballbar $version, built from its own sources. All of it, but what is named below, is under this licence:"
   echo
   sed 's/^/  /; s/ *$//' "$source/LICENSE"
+  echo
+  echo "The program is linked with parts of SuiteSparse (libspqr, libcholmod) under the GNU General Public License, version"
+  echo "2 or later, and with OpenSSL under the Apache License 2.0: as a whole it may be passed on under version 3 of the"
+  echo "former, /usr/share/common-licenses/GPL-3."
   echo
   echo "Code of these Debian source packages is compiled in; the copyright of each stands in the file named. Their"
   echo "sources, those of Eigen under the Mozilla Public License 2.0 among them, are in Debian under these names:"
   echo
   case $package in
     ballbar | python3-ballbar)
-      # shellcheck disable=SC2086  # the list is meant to be split
-      notices "$doc/notices" $in_program $([ "$package" = ballbar ] || echo pybind11-dev)
+      if [ "$package" = ballbar ]; then more=$(in_tool); else more=pybind11-dev; fi
+      # shellcheck disable=SC2086,SC2046  # the lists are meant to be split
+      notices "$doc/notices" $(printf '%s\n' $in_program $more | sort -u)
       if [ -d "$modules/echarts" ]; then page_notices "$doc/notices"; fi
       ;;
     *)
@@ -73,7 +81,7 @@ for component in program:ballbar development:libballbar-dev python:python3-ballb
   [ -d "$folder" ] || continue
   doc=$folder/usr/share/doc/$package
   mkdir -p "$doc"
-  copyright_of "$package" "$doc" >"$doc/copyright"
+  copyright_of "$package" "$doc" "$folder" >"$doc/copyright"
   gzip -9nc "$here/changelog" >"$doc/changelog.gz"
   find "$folder/usr/share" -path '*/man/man?/*.?' -exec gzip -9n {} +
   find "$folder" -type d -empty -delete # of what is optional and not there

@@ -15,7 +15,7 @@ step 'Packages'
 sh apps/install-packages.sh build page tool
 
 step 'Libraries, from their Debian sources'
-flags="-fwasm-exceptions -isystem $made/prefix/include"
+flags="-fwasm-exceptions -isystem $made/prefix/include -ffile-prefix-map=$PWD=." # no path of this machine in the module
 sh apps/page/engine/libraries.sh "$made" "$jobs" "$flags"
 
 step 'The program as a module'
@@ -45,5 +45,10 @@ if ! cmp -s "$made/page/package-lock.json" "$made/page/installed"; then
   cp "$made/page/package-lock.json" "$made/page/installed"
 fi
 (cd "$made/page" && node build.mjs .)
+# The notices of what the module is made of, as Debian has them.
+while read -r package; do
+  echo "=== $package"
+  cat "/usr/share/doc/$package/copyright"
+done <apps/page/engine/compiled_in.txt >"$made/page/notices.txt"
 version=$(sed -n 's/^project(ballbar VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 node "$made/page/tool.mjs" "$made/page" "$made/engine/apps" sample-runs "$version" "$made/ballbar.html"

@@ -52,6 +52,7 @@ const marks = {
     carried("page-script", packed(script), ` data-hash="${hash(script)}"`) +
     carried("engine", packed(readFileSync(join(engine, "engine.wasm")))) +
     carried("engine-worker", worker) +
+    carried("notices", packed(readFileSync(join(made, "notices.txt")))) +
     carried("samples", packed(JSON.stringify(samples))),
 };
 const page = text_of(new URL("src/page.html", import.meta.url)).replace(/@([A-Z_]+)@/g, (_, name) => marks[name]);

@@ -4,19 +4,24 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <string>
 #include <vector>
 
 namespace ballbar::python {
 
 using Numbers = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
 
-// Of one dimension. Throws Error otherwise, with the name of what it is.
-std::vector<double> vector_of(const Numbers& array, const char* name);
+// Floats and integers as they are; of objects each a number; NaN where a mask covers one, for None and for pandas' NA.
+// Throws Error otherwise, with the name of what it is: of truth values, texts, dates and complex numbers.
+Numbers numbers_of(const pybind11::object& data, const std::string& name);
+
+// As numbers_of, of one dimension.
+std::vector<double> vector_of(const pybind11::object& data, const std::string& name);
+
+// A copy.
+pybind11::array array_of(const std::vector<double>& values);
 
 // Read-only, of memory that `owner` keeps.
 pybind11::array view_of(const std::vector<double>& values, pybind11::handle owner);
-
-// Series and Recording as classes, and what reads and writes them.
-void bind_arrays(pybind11::module_& module);
 
 }  // namespace ballbar::python

@@ -20,6 +20,7 @@
 #include "page/report_page.hpp"
 #include "program.hpp"
 #include "python/arrays.hpp"
+#include "python/classes.hpp"
 #include "python/fleets.hpp"
 #include "python/python_effect.hpp"
 #include "python/to_python.hpp"
@@ -34,8 +35,9 @@ using Json = nlohmann::ordered_json;
 using Recordings = std::vector<std::shared_ptr<Recording>>;
 using Data = std::variant<std::shared_ptr<Series>, Recordings>;
 
-GivenData copied(const Data& data) {
-  if (const auto* const series = std::get_if<std::shared_ptr<Series>>(&data)) return **series;
+// Recordings are copied; nothing that Python is given changes a series.
+GivenData given_of(const Data& data) {
+  if (const auto* const series = std::get_if<std::shared_ptr<Series>>(&data)) return *series;
   std::vector<Recording> recordings;
   for (const auto& one : std::get<Recordings>(data)) recordings.push_back(*one);
   return recordings;
@@ -62,7 +64,7 @@ Said ran(const std::vector<std::string>& words, const std::map<std::string, Data
   const py::gil_scoped_release free;
   std::vector<std::unique_ptr<Given>> held;
   held.reserve(given.size());
-  for (const auto& [name, data] : given) held.push_back(std::make_unique<Given>(name, copied(data)));
+  for (const auto& [name, data] : given) held.push_back(std::make_unique<Given>(name, given_of(data)));
   const CalledBy called(caller);
   run_command(words);
   return said;
@@ -82,7 +84,7 @@ py::object fit(const Recordings& recordings, bool polar, bool robust) {
   const Json json = [&] {
     const py::gil_scoped_release free;
     const std::string name = "<data>";
-    const Given given(name, copied(recordings));
+    const Given given(name, given_of(recordings));
     return json_of(fit_files({name}, how));
   }();
   return to_python(json);
@@ -98,7 +100,10 @@ std::string picture(const std::string& parts, const std::string& conclusion) {
 // Both are classes of the package, so that they carry the place that a sentence begins with.
 void translate(std::exception_ptr thrown) {
   const auto raise = [](const char* name, const char* what) {
-    PyErr_SetObject(py::module_::import("ballbar._errors").attr(name).ptr(), py::str(what).ptr());
+    const py::object type = py::module_::import("ballbar._errors").attr(name);
+    const py::object error = type(py::str(what));
+    if (const py::object cause = raised_by_effect(what); !cause.is_none()) error.attr("__cause__") = cause;
+    PyErr_SetObject(type.ptr(), error.ptr());
   };
   try {
     if (thrown) std::rethrow_exception(std::move(thrown));
@@ -119,11 +124,13 @@ PYBIND11_MODULE(_core, module) {
   mallopt(M_TRIM_THRESHOLD, 64 << 20);
   FLAGS_minloglevel = google::GLOG_FATAL;  // of the solver: what it says stands in the results
   py::register_exception_translator(&ballbar::python::translate);
-  ballbar::python::bind_arrays(module);
+  ballbar::python::bind_series(module);
+  ballbar::python::bind_recording(module);
   ballbar::python::bind_effects(module);
   ballbar::python::bind_fleets(module);
   module.attr("version") = BALLBAR_VERSION;
   module.def("run", &ballbar::python::run, py::arg("words"), py::arg("given"), py::arg("progress") = py::none());
   module.def("fit", &ballbar::python::fit, py::arg("recordings"), py::arg("polar"), py::arg("robust"));
+  module.def("numbers", &ballbar::python::numbers_of, py::arg("data"), py::arg("name"));
   module.def("picture", &ballbar::python::picture, py::arg("parts"), py::arg("conclusion"));
 }

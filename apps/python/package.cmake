@@ -9,6 +9,9 @@ set(package ${PROJECT_BINARY_DIR}/python/ballbar)
 set_target_properties(ballbar_python PROPERTIES OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${package})
 target_compile_definitions(ballbar_python PRIVATE BALLBAR_VERSION="${PROJECT_VERSION}")
 target_link_libraries(ballbar_python PRIVATE ballbar_commands glog::glog)
+set(exports ${CMAKE_CURRENT_LIST_DIR}/exports.map)  # the module's start alone, so that no other library is bound to ours
+target_link_options(ballbar_python PRIVATE -Wl,--version-script=${exports})
+set_property(TARGET ballbar_python APPEND PROPERTY LINK_DEPENDS ${exports})
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/ballbar/*.py ${CMAKE_CURRENT_LIST_DIR}/ballbar/*.pyi
   ${CMAKE_CURRENT_LIST_DIR}/ballbar/py.typed)
 add_custom_target(ballbar_python_files ALL COMMAND ${CMAKE_COMMAND} -E make_directory ${package}

@@ -1,6 +1,7 @@
 #include "python/python_effect.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -40,6 +41,36 @@ struct Function {
   }
 };
 
+// What a function raised last, and what is said of it: the error may be put in other words on its way. With the GIL,
+// and never deleted: Python may end first.
+std::pair<std::string, py::object>& last_raised() {
+  static auto* const last = new std::pair<std::string, py::object>;
+  return *last;
+}
+
+// Ctrl-C and what else ends a program goes on as it is.
+py::object answer_of(const Function& function, const py::list& arguments) {
+  try {
+    return function.call(*py::tuple(arguments));
+  } catch (const py::error_already_set& error) {
+    if (!error.matches(PyExc_Exception)) throw;
+    const std::string type = py::str(error.type().attr("__name__")), text = py::str(error.value());
+    const std::string sentence = fmt::format("{}: {}{}{}", function.name, type, text.empty() ? "" : ": ", text);
+    if (error.trace()) PyException_SetTraceback(error.value().ptr(), error.trace().ptr());
+    last_raised() = {sentence, error.value()};
+    throw Error(sentence);
+  }
+}
+
+// (n,) of one gain, (gains, n) of any number.
+void expect_shape(const Function& function, const Numbers& answer, std::size_t n) {
+  const std::vector<std::size_t> found(answer.shape(), answer.shape() + answer.ndim());
+  if (found == std::vector{function.gains, n} || (function.gains == 1 && found == std::vector{n})) return;
+  throw Error(fmt::format("{}: expected an array of shape ({}) from its function, found ({}).", function.name,
+                          function.gains == 1 ? fmt::format("{},", n) : fmt::format("{}, {}", function.gains, n),
+                          fmt::format("{}{}", fmt::join(found, ", "), found.size() == 1 ? "," : "")));
+}
+
 // n values of each gain for a unit of it, gain by gain.
 std::vector<double> units_of(const Function& function, const EffectRows& rows, const double* shapes) {
   const py::gil_scoped_acquire hold;
@@ -50,19 +81,8 @@ std::vector<double> units_of(const Function& function, const EffectRows& rows, c
   arguments.append(copy(rows.time_s));
   for (const std::span<const double> input : rows.inputs) arguments.append(copy(input));
   for (std::size_t k = 0; k < function.bounds.size(); ++k) arguments.append(shapes[k]);
-  Numbers answer;
-  try {
-    answer = py::cast<Numbers>(function.call(*py::tuple(arguments)));
-  } catch (const py::error_already_set& error) {
-    throw Error(fmt::format("{}: {}", function.name, error.what()));
-  } catch (const py::cast_error&) {
-    throw Error(fmt::format("{}: expected an array of numbers from its function.", function.name));
-  }
-  const std::size_t n = rows.time_s.size();
-  if (static_cast<std::size_t>(answer.size()) != n * function.gains) {
-    throw Error(fmt::format("{}: expected {} values from its function, one a row{}, found {}.", function.name,
-                            n * function.gains, function.gains > 1 ? " of each gain" : "", answer.size()));
-  }
+  const Numbers answer = numbers_of(answer_of(function, arguments), function.name);
+  expect_shape(function, answer, rows.time_s.size());
   std::vector<double> values(answer.data(), answer.data() + answer.size());
   if (std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) return values;
   throw Error(fmt::format("{}: expected finite values from its function, found others.", function.name));
@@ -101,12 +121,21 @@ void evaluate(const Function& function, const EffectRows& rows, const double* pa
   }
 }
 
-double number_of(const py::dict& stated, const char* key, double otherwise) {
-  return stated.contains(key) ? py::cast<double>(stated[key]) : otherwise;
+template <class Value>
+Value as(py::handle value, const std::string& what, const char* expected) {
+  try {
+    return py::cast<Value>(value);
+  } catch (const py::cast_error&) {
+    throw Error(fmt::format("{}: expected {}, found {}.", what, expected, py::cast<std::string>(py::repr(value))));
+  }
+}
+
+double number_of(const std::string& name, const py::dict& stated, const char* key, double otherwise) {
+  return stated.contains(key) ? as<double>(stated[key], fmt::format("{}, {}", name, key), "a number") : otherwise;
 }
 
 std::string text_of(const py::dict& stated, const char* key, const std::string& otherwise) {
-  return stated.contains(key) ? py::cast<std::string>(stated[key]) : otherwise;
+  return stated.contains(key) ? as<std::string>(stated[key], key, "a text") : otherwise;
 }
 
 Parameter parameter_of(const std::string& name, const py::dict& stated, ParameterKind kind) {
@@ -117,10 +146,11 @@ Parameter parameter_of(const std::string& name, const py::dict& stated, Paramete
   parameter.unit = text_of(stated, "unit", "1");
   parameter.meaning = text_of(stated, "meaning", name);
   const bool is_gain = kind == ParameterKind::gain;
-  parameter.lower = number_of(stated, "lower", is_gain ? -kLargest : 0.0);
-  parameter.upper = number_of(stated, "upper", kLargest);
-  if (stated.contains("grid")) parameter.grid = py::cast<std::vector<double>>(stated["grid"]);
-  parameter.start = is_gain ? 0.0 : number_of(stated, "start", parameter.grid.empty() ? 1.0 : parameter.grid.front());
+  parameter.lower = number_of(name, stated, "lower", is_gain ? -kLargest : 0.0);
+  parameter.upper = number_of(name, stated, "upper", kLargest);
+  if (stated.contains("grid")) parameter.grid = as<std::vector<double>>(stated["grid"], name + ", grid", "numbers");
+  parameter.start =
+      is_gain ? 0.0 : number_of(name, stated, "start", parameter.grid.empty() ? 1.0 : parameter.grid.front());
   const bool rising = std::is_sorted(parameter.grid.begin(), parameter.grid.end());
   if (parameter.lower < parameter.upper && parameter.start >= parameter.lower && parameter.start <= parameter.upper &&
       rising) {
@@ -145,10 +175,11 @@ void add_effect(const std::string& name, py::function call, const py::dict& inpu
                          .validity = text_of(explanation, "validity", ""),
                          .source = text_of(explanation, "source", "a function of Python")};
   for (const auto& [role, units] : inputs) {
+    const auto input = as<std::string>(role, "inputs", "the name of one");
     std::vector<std::string> accepted = py::isinstance<py::str>(units)
                                             ? std::vector<std::string>{py::cast<std::string>(units)}
-                                            : py::cast<std::vector<std::string>>(units);
-    effect->inputs.push_back({py::cast<std::string>(role), std::move(accepted), py::cast<std::string>(role)});
+                                            : as<std::vector<std::string>>(units, input, "a unit, or several");
+    effect->inputs.push_back({input, std::move(accepted), input});
   }
   for (const auto& [gain, stated] : gains) {
     effect->parameters.push_back(
@@ -174,6 +205,12 @@ void add_effect(const std::string& name, py::function call, const py::dict& inpu
 }
 
 }  // namespace
+
+py::object raised_by_effect(std::string_view sentence) {
+  auto& [known, raised] = last_raised();
+  if (!raised || sentence.find(known) == std::string_view::npos) return py::none();
+  return std::exchange(raised, py::object());
+}
 
 void bind_effects(py::module_& module) {
   module.def("add_effect", &add_effect, py::arg("name"), py::arg("function"), py::kw_only(), py::arg("inputs"),

@@ -1,4 +1,8 @@
-"""Builds the package for pip by CMake, with what the system has: nothing is fetched (PEP 517, PEP 427)."""
+"""Builds the package for pip by CMake, with what the system has: nothing is fetched (PEP 517, PEP 427).
+
+The page of :func:`ballbar.report`, for which npm fetches a chart library, is left out unless BALLBAR_PAGE=ON is in the
+environment. BALLBAR_BUILD: a folder of CMake that has built the package already.
+"""
 import base64
 import hashlib
 import os
@@ -33,11 +37,12 @@ def _metadata():
 
 
 def _built(folder):
-    build = os.environ.get("BALLBAR_BUILD") or os.path.join(folder, "build")
-    subprocess.run(
-        ["cmake", "-S", TREE, "-B", build, "-DCMAKE_BUILD_TYPE=Release", "-DBALLBAR_PYTHON=ON", f"-DPython3_EXECUTABLE={sys.executable}"],
-        check=True,
-    )
+    build = os.environ.get("BALLBAR_BUILD")
+    if not build:
+        build = os.path.join(folder, "build")
+        page = os.environ.get("BALLBAR_PAGE", "OFF")
+        options = ["-DCMAKE_BUILD_TYPE=Release", "-DBALLBAR_PYTHON=ON", f"-DBALLBAR_PAGE={page}", f"-DPython3_EXECUTABLE={sys.executable}"]
+        subprocess.run(["cmake", "-S", TREE, "-B", build, *options], check=True)
     subprocess.run(["cmake", "--build", build, "-j", str(os.cpu_count() or 1), "--target", "ballbar_python", "ballbar_python_files"], check=True)
     return pathlib.Path(build, "python", "ballbar")
 

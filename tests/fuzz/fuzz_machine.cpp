@@ -1,9 +1,10 @@
-// Any bytes: read_machine and read_shaft_images return or throw Error, nothing else.
+// Any bytes: read_machine, read_shaft_images and read_fleet return or throw Error, nothing else.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/machines/fleet_toml.hpp"
 #include "ballbar/formats/machines/machine_toml.hpp"
 #include "ballbar/formats/machines/shaft_images.hpp"
 
@@ -15,6 +16,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   try {
     ballbar::read_shaft_images(bytes, "fuzz");
+  } catch (const ballbar::Error&) {
+  }
+  try {
+    ballbar::read_fleet(bytes, "fuzz");
   } catch (const ballbar::Error&) {
   }
   return 0;

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The Debian packages of a build, tested: packed twice with the same bytes, checked by lintian, installed in a bare
-# Debian 12, run there and removed without a trace; and a program built against the libraries in them.
+# Debian 12, run there and removed without a trace; and there a program built against the libraries in them.
 #
 #   sh tests/packages/clean_root.sh BUILD
 #
@@ -29,13 +29,6 @@ done
 echo 'lintian'
 lintian --allow-root --fail-on error --tag-display-limit 0 "$scratch"/debian/*.deb
 
-echo 'A program built against libballbar-dev'
-dpkg-deb -x "$scratch"/debian/libballbar-dev_*.deb "$scratch/unpacked"
-cmake -S "$source/tests/consumer" -B "$scratch/consumer" -DCMAKE_BUILD_TYPE=Release \
-  -DCMAKE_PREFIX_PATH="$scratch/unpacked/usr" >"$scratch/consumer.log"
-cmake --build "$scratch/consumer" --target consumer >>"$scratch/consumer.log"
-"$scratch/consumer/consumer"
-
 echo 'Pictures, for which OpenCV is in the program'
 dpkg-deb -x "$scratch"/debian/ballbar_*.deb "$scratch/unpacked"
 program=$scratch/unpacked/usr/bin/ballbar
@@ -45,8 +38,8 @@ python3 "$source/tests/cli/readme.py" "$program" "$source" "$scratch/readme" app
 echo 'Desktop'
 sh "$here/desktop.sh" "$scratch/unpacked/usr" "$source/sample-runs/qc20-style-b5r/00.b5r"
 
-if [ "$(id -u)" != 0 ] && ! unshare --user --map-root-user true 2>/dev/null; then
-  echo 'A bare Debian left out: this needs root, or user namespaces.'
+if [ "$(id -u)" != 0 ] && ! { command -v newuidmap && unshare --user --map-root-user true; } >/dev/null 2>&1; then
+  echo 'A bare Debian left out: this needs root, or user namespaces and newuidmap.'
   exit 0
 fi
 echo 'Installed in a bare Debian, run, removed'
@@ -54,6 +47,11 @@ echo 'Installed in a bare Debian, run, removed'
 apt-get indextargets --format '$(ORIGIN)|deb [signed-by="$(SIGNED_BY)"] $(REPO_URI) $(CODENAME) $(COMPONENT)' \
   'Identifier: Packages' | sed -n 's/^Debian|//p' | sed 's/ \[signed-by="[^"]*"\]//' | sort -u >"$scratch/servers.list"
 grep -q ' bookworm ' "$scratch/servers.list" || fail 'expected the packages of Debian bookworm in apt, found none'
-mmdebstrap --quiet --variant=minbase --format=null \
-  --customize-hook="copy-in $scratch/debian $source/sample-runs/qc20-style-b5r/00.b5r $here/inside.sh /tmp" \
-  --customize-hook='chroot "$1" sh /tmp/inside.sh' bookworm /dev/null "$scratch/servers.list"
+# Their folder has a plain name: mmdebstrap takes its hooks apart at blanks and quotes.
+carried=$(mktemp -d)
+trap 'rm -rf "$carried"' EXIT
+mkdir "$carried/ballbar"
+cp -R "$scratch/debian" "$source/tests/consumer" "$source/sample-runs/qc20-style-b5r/00.b5r" "$here/inside.sh" "$carried/ballbar/"
+chmod -R a+rX "$carried"
+mmdebstrap --quiet --variant=minbase --format=null --customize-hook="copy-in $carried/ballbar /tmp" \
+  --customize-hook='chroot "$1" sh /tmp/ballbar/inside.sh' bookworm /dev/null "$scratch/servers.list"

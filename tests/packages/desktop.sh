@@ -49,5 +49,9 @@ opened "$scratch/folder/a test.b5r.html" "$scratch/folder/a test.b5r" # over its
 echo 'of somebody else' >"$scratch/folder/a test.b5r.html"
 opened "$scratch/home/.cache/ballbar/a test.b5r *.html" "$scratch/folder/a test.b5r"
 [ "$(cat "$scratch/folder/a test.b5r.html")" = 'of somebody else' ] || fail "expected another's file to stay as it was"
+(cd "$scratch/folder" && cp "$b5r" ./-x.b5r && opened '*/./-x.b5r.html' -x.b5r)
+long=$(printf '%0240d.b5r' 0)
+cp "$b5r" "$scratch/folder/$long"
+opened "$scratch/home/.cache/ballbar/page *.html" "$scratch/folder/$long"
 opened "$scratch/home/.cache/ballbar/ballbar.txt" "$scratch/folder/none.b5r" # says why there is no page
 grep -q 'none.b5r: expected a file' "$shown" || fail "$shown: expected the fault of the file"

@@ -63,15 +63,70 @@ class PythonEffect(unittest.TestCase):
 
         time_s, temperature, _ = room()
         data = ballbar.Series(time_s, {"T_room_degC": temperature, "z_um": temperature})
-        with self.assertRaisesRegex(ballbar.BallbarError, "breaks: RuntimeError: no such thing"):
+        with self.assertRaisesRegex(ballbar.BallbarError, "breaks: RuntimeError: no such thing$") as caught:
             ballbar.check(data, ballbar.Model.of("z_um", breaks={"temperature": "T_room_degC"}))
-        with self.assertRaisesRegex(ballbar.BallbarError, "short: expected 300 values from its function, one a row, found 299"):
+        self.assertEqual(repr(caught.exception.__cause__), "RuntimeError('no such thing')")
+        self.assertEqual(caught.exception.__cause__.__traceback__.tb_frame.f_code.co_name, "breaks")
+        with self.assertRaisesRegex(ballbar.BallbarError, r"short: expected an array of shape \(300,\) from its function, found \(299,\)"):
             ballbar.check(data, ballbar.Model.of("z_um", short={"temperature": "T_room_degC"}))
         with self.assertRaisesRegex(ballbar.BallbarError, "expansion: expected a name of its own"):
             ballbar.effect("expansion")(breaks)
+        for end in (KeyboardInterrupt, SystemExit):  # no fault of an effect
+
+            @ballbar.effect("breaks", inputs={"temperature": "degC"}, gain="gain_um")
+            def ends(time_s, temperature, end=end):
+                raise end
+
+            with self.assertRaises(end):
+                ballbar.check(data, ballbar.Model.of("z_um", breaks={"temperature": "T_room_degC"}))
         # They would be searched too: quiet ones in their place.
         for name in ("breaks", "short"):
             ballbar.effect(name, inputs={"temperature": "bar"}, gain="gain_um")(lambda time_s, pressure: pressure)
+
+    def test_shape_of_the_answer(self):
+        time_s, temperature, random = room()
+        rise = temperature - temperature[0]
+        data = ballbar.Series(time_s, {"T_room_degC": temperature, "z_um": rise + rise**2 + 0.05 * random.standard_normal(300)})
+
+        def left(answer, **gains):
+            ballbar.effect("answers", inputs={"temperature": "degC"}, gain=gains or "gain_um")(lambda time_s, temperature: answer)
+            return ballbar.check(data, ballbar.Model.of("z_um", answers={"temperature": "T_room_degC"})).rmse_um
+
+        two = {"a_um": {"unit": "um"}, "b_um": {"unit": "um"}}
+        by_gain = np.stack([rise, rise**2])
+        self.assertLess(left(by_gain, **two), 0.06)
+        self.assertEqual(left(rise), left(rise[None, :]))
+        for answer, gains, found in ((by_gain.T, two, "(300, 2)"), (by_gain.ravel(), two, "(600,)"), (rise[:, None], {}, "(300, 1)"), (1.0, {}, "()")):
+            with self.assertRaisesRegex(ballbar.BallbarError, "found " + found.replace("(", r"\(").replace(")", r"\)")):
+                left(answer, **gains)
+        ballbar.effect("answers", inputs={"temperature": "bar"}, gain="gain_um")(lambda time_s, pressure: pressure)
+
+    def test_what_is_stated(self):
+        for how, message in (
+            ({"shapes": {"tau_s": {"strat": 5.0}}}, "shapes, tau_s: expected one of unit, .* found strat"),
+            ({"shapes": {"tau_s": {"start": "a"}}}, "tau_s, start: expected a number, found 'a'"), ({"shapes": {"tau_s": 5.0}}, "shapes, tau_s: expected a dict"),
+            ({"inputs": ["temperature"]}, "inputs: expected a dict"), ({"inputs": {"temperature": 3}}, "temperature: expected a unit, or several, found 3"),
+            ({"summary": 3}, "summary: expected a text, found 3"), ({"gain": {"a_um": {"units": "um"}}}, "gain, a_um: expected one of"),
+        ):
+            with self.assertRaisesRegex(ballbar.BallbarError, message):
+                ballbar.effect("stated_wrongly", **how)(lambda time_s: time_s)
+        with self.assertRaisesRegex(TypeError, "sumary"):
+            ballbar.effect("stated_wrongly", sumary="a text")
+        with self.assertRaisesRegex(TypeError, "expected a function"):
+            ballbar.effect("stated_wrongly")(3)
+
+    def test_calls_ballbar_itself(self):
+        time_s, temperature, random = room()
+        data = {"time_s": time_s, "T_room_degC": temperature, "z_um": 0.7 * cube(time_s, temperature) + 0.05 * random.standard_normal(300)}
+
+        @ballbar.effect("asks", inputs={"temperature": "degC"}, gain="gain_um_per_K3")
+        def asks(time_s, temperature):
+            ballbar.check({"time_s": time_s, "z_um": temperature}, ballbar.Model.of("z_um"))
+            return cube(time_s, temperature)
+
+        named = (ballbar.Model.of("z_um", **{name: {"temperature": "T_room_degC"}}) for name in ("asks", "cube_of_a_rise"))
+        self.assertEqual(*(ballbar.check(data, one).rmse_um for one in named))
+        ballbar.effect("asks", inputs={"temperature": "bar"}, gain="gain_um")(lambda time_s, pressure: pressure)
 
 
 if __name__ == "__main__":

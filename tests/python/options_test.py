@@ -3,9 +3,11 @@ import inspect
 import os
 import re
 import subprocess
+import tempfile
 import unittest
 
 import ballbar
+from ballbar._words import FLAGS
 
 PROGRAM = os.environ["BALLBAR"]
 NOT_OF_PYTHON = {"help", "json", "follow", "page", "open", "signals", "format", "all"}
@@ -24,6 +26,11 @@ def options_of(command):
     return {name.replace("-", "_") for name in re.findall(r"(?m)^  (?:-\w,)?--([\w-]+)", text)}
 
 
+def trained(data, target="z_um", **how):
+    with tempfile.TemporaryDirectory() as folder:
+        return [ballbar.train(data, target, f"{folder}/model.json", **how)]
+
+
 class Options(unittest.TestCase):
     def test_every_option_is_an_argument(self):
         for command, function in FUNCTIONS.items():
@@ -34,22 +41,51 @@ class Options(unittest.TestCase):
             for option in options_of(command) - NOT_OF_PYTHON - OF_FOLLOW.get(command, set()):
                 self.assertIn(option, known, f"{command}: --{option}")
 
+    def test_every_flag_is_known(self):
+        flags = set()
+        for command in FUNCTIONS:
+            text = subprocess.run([PROGRAM, "help", command], stdout=subprocess.PIPE, text=True, check=True).stdout
+            flags |= {name.replace("-", "_") for name in re.findall(r"(?m)^  --([\w-]+)(?: Excludes: --[\w-]+)?(?:  |$)", text)}
+        self.assertEqual(flags - NOT_OF_PYTHON - OF_FOLLOW["diagnose"], FLAGS)
+
     def test_documented(self):
         for name in ballbar.__all__:
             self.assertTrue(inspect.getdoc(getattr(ballbar, name)), name)
+        for function in {ballbar.effect, ballbar.read_series, ballbar.read_recordings, *FUNCTIONS.values()}:
+            for heading in ("Parameters", "Returns", "Raises"):
+                self.assertRegex(inspect.getdoc(function), rf"(?m)^{heading}\n-+$", function.__name__)
+        for function in FUNCTIONS.values():
+            self.assertIn("Examples\n---", inspect.getdoc(function), function.__name__)
+            for name in inspect.signature(function).parameters:
+                self.assertRegex(inspect.getdoc(function), rf"\b{name}\b", function.__name__)
+        for kind in (ballbar.Series, ballbar.Recording):
+            for name, value in vars(kind).items():
+                self.assertTrue(name.startswith("_") or value.__doc__, name)
 
     def test_keys_are_of_the_class(self):
         he, model = "sample-runs/two-arcs-he2015", "sample-runs/two-arcs-he2015/model.toml"
+        hidden = "sample-runs/hidden-effect/01/"
         for result in (
             ballbar.fit("sample-runs/qc20-style-b5r/00.b5r"), ballbar.errors("sample-runs/machine-history"), ballbar.drift(he),
             ballbar.drift(f"{he}/five-probe.csv", from_plane_1_mm=0), ballbar.compare(he), ballbar.history("sample-runs/machine-history"),
             ballbar.import_log("sample-runs/foreign-logs/warmup.csv"), ballbar.effects(), ballbar.preflight(he, target="y_um"),
             ballbar.check(he, model), ballbar.diagnose(he, model), ballbar.diagnose("sample-runs/qc20-style-b5r/00.b5r"),
             ballbar.try_effect("expansion(T_room_degC)", he, model), ballbar.inject("expansion(T_room_degC)", he, 2.0, model=model),
+            ballbar.plan(hidden + "data.csv", hidden + "model.toml"), ballbar.report(he, model), ballbar.report(he, compare=f"{he}/five-probe.csv"),
+            *trained(hidden + "data.csv", effects=True), *trained("sample-runs/batches-tan2024/runs.csv", target="y_um"),
         ):
             known = {key for base in type(result).__mro__ for key in base.__dict__.get("__annotations__", {})}
             for key in result:
                 self.assertIn(key, known | {"with"}, type(result).__name__)
+                said = next((base.__annotations__[key] for base in type(result).__mro__ if key in base.__dict__.get("__annotations__", {})), "")
+                if said == "Rows" and not (type(result) is ballbar.Imported and key == "columns"):
+                    self.assertIsInstance(result[key], ballbar.Rows, f"{type(result).__name__}.{key}")
+
+    def test_empty_lists_are_what_they_are_lists_of(self):
+        skipped = ballbar.errors("sample-runs/qc20-style-b5r").skipped
+        self.assertEqual((type(skipped), skipped, len(skipped["file"])), (ballbar.Rows, [], 0))
+        self.assertEqual(type(ballbar.Errors({"remarks": []}).remarks), list)
+        self.assertEqual((2.0 * ballbar.Checked({"correlation": []}).correlation).shape, (0,))
 
 
 if __name__ == "__main__":

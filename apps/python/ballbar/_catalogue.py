@@ -5,6 +5,9 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Callable, TypeVar
 
 from . import _core
+from ._errors import UsageError
+
+_OF_A_PARAMETER = ("unit", "meaning", "lower", "upper", "start", "grid")
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -15,27 +18,45 @@ def effect(
     inputs: Mapping[str, str | Sequence[str]] | None = None,
     gain: str | Mapping[str, Mapping[str, Any]] = "gain_um",
     shapes: Mapping[str, Mapping[str, Any]] | None = None,
-    **explanation: str,
+    summary: str | None = None,
+    cause: str | None = None,
+    formula: str | None = None,
+    signature: str | None = None,
+    separated_by: str | None = None,
+    remedy: str | None = None,
+    validity: str | None = None,
+    source: str | None = None,
 ) -> Callable[[Function], Function]:
     """Adds a function to the catalogue: it is found by name, searched and fitted as the others, in this process.
 
-    The function is called with ``time_s``, an array for each input, and the value of each shape; it returns what a
-    gain of 1 adds, um: an array as long as ``time_s``, or a row of it for each of several gains.
+    The function is called with ``time_s``, (n,) s, an (n,) array for each input in the unit of its column, and the value
+    of each shape; it returns what a gain of 1 adds, um: (n,), or (gains, n) of several gains.
 
     Parameters
     ----------
     name : str
         Of its own; one that was given before is replaced.
     inputs : dict
-        Role in a model file, and the units of the columns that may stand for it: ``{"temperature": ["degC", "K"]}``.
+        Role in a model file, and the units of columns that may stand for it: ``{"temperature": ["degC", "K"]}``.
     gain : str or dict
         Name of the gain, which ends in its unit (``"gain_um_per_K"``); or several, each with ``unit``, ``lower``,
         ``upper``.
     shapes : dict
         Parameters that do not enter linearly: ``{"time_constant_s": {"start": 600.0, "lower": 30.0, "upper": 7200.0,
         "grid": [60.0, 600.0, 3600.0], "unit": "s"}}``. The grid are the starts of a search, rising.
-    explanation : str
-        summary, cause, formula, signature, separated_by, remedy, validity, source: for ``ballbar effects``.
+    summary, cause, formula, signature, separated_by, remedy, validity, source : str
+        For ``ballbar effects``.
+
+    Returns
+    -------
+    callable
+        Takes the function, and gives it back.
+
+    Raises
+    ------
+    BallbarError
+        A name that the catalogue has, a gain or shape that cannot be; of a fit: what the function raises
+        (``__cause__``), and an array of another shape.
 
     Examples
     --------
@@ -47,20 +68,40 @@ def effect(
     >>> ballbar.effects("swing_of_the_room").summary
     'Grows with the square of a rise.'
     """
-    gains = {gain: {"unit": _unit_of(gain)}} if isinstance(gain, str) else {key: dict(value) for key, value in gain.items()}
+    explained = {
+        "summary": summary, "cause": cause, "formula": formula, "signature": signature, "separated_by": separated_by,
+        "remedy": remedy, "validity": validity, "source": source,
+    }
+    gains = {gain: {"unit": _unit_of(gain)}} if isinstance(gain, str) else _stated("gain", gain)
 
     def add(function: Function) -> Function:
+        if not callable(function):
+            raise TypeError(f"{name}: expected a function, found {type(function).__name__}")
         _core.add_effect(
-            name,
+            str(name),
             function,
-            inputs=dict(inputs or {}),
+            inputs=dict(_mapping("inputs", inputs or {})),
             gains=gains,
-            shapes={key: dict(value) for key, value in (shapes or {}).items()},
-            explanation=explanation,
+            shapes=_stated("shapes", shapes or {}),
+            explanation={key: text for key, text in explained.items() if text is not None},
         )
         return function
 
     return add
+
+
+def _mapping(name: str, value: Any) -> Mapping[str, Any]:
+    if isinstance(value, Mapping):
+        return value
+    raise UsageError(f"{name}: expected a dict, found {value!r}.")
+
+
+def _stated(name: str, parameters: Any) -> dict[str, dict[str, Any]]:
+    for parameter, stated in _mapping(name, parameters).items():
+        for key in _mapping(f"{name}, {parameter}", stated):
+            if key not in _OF_A_PARAMETER:
+                raise UsageError(f"{name}, {parameter}: expected one of {', '.join(_OF_A_PARAMETER)}, found {key}.")
+    return {key: dict(stated) for key, stated in parameters.items()}
 
 
 def _unit_of(parameter: str) -> str:

@@ -1,4 +1,4 @@
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
 from typing import Any
 
@@ -8,20 +8,6 @@ from numpy.typing import ArrayLike, NDArray
 version: str
 
 class Series:
-    """Named columns over time.
-
-    Parameters
-    ----------
-    time_s : (n,) array
-        Strictly rising.
-    columns : dict of (n,) arrays
-        Names end in a unit: ``T_room_degC``, ``speed_rpm``, ``z_um``. NaN is a gap.
-    roles : dict
-        Of columns whose role is not the usual one of their unit: ``{"T_room_degC": "ambient"}``.
-    started : str
-        Wall clock at time 0, ``2026-11-22T13:05:10``.
-    """
-
     def __init__(
         self,
         time_s: ArrayLike,
@@ -39,12 +25,12 @@ class Series:
     @property
     def started(self) -> str | None: ...
     def __getitem__(self, name: str) -> NDArray[np.float64]: ...
+    def __contains__(self, name: object) -> bool: ...
+    def __iter__(self) -> Iterator[str]: ...
     def __len__(self) -> int: ...
     def write(self, path: str | PathLike[str]) -> None: ...
 
 class Recording:
-    """One ballbar recording: lengths along a circle (with angles, from +A towards +B) or along a line (without)."""
-
     def __init__(
         self,
         length_mm: ArrayLike,
@@ -84,6 +70,7 @@ def run(
     words: Sequence[str], given: Mapping[str, Series | Sequence[Recording]], progress: Callable[[str], object] | None = ...
 ) -> tuple[Any, list[str]]: ...
 def fit(recordings: Sequence[Recording], polar: bool, robust: bool) -> dict[str, Any]: ...
+def numbers(data: ArrayLike, name: str) -> NDArray[np.float64]: ...
 def add_effect(
     name: str,
     function: Callable[..., Any],

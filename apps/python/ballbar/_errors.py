@@ -1,11 +1,13 @@
 """What ballbar says when something can be put right."""
 from __future__ import annotations
 
+import os
 import re
+from collections.abc import Collection
 
-# name:line:column, name:line, or a name alone, as the program's sentences begin.
-_PLACE = re.compile(r"^(?P<file>.+?)(?::(?P<line>\d+)(?::(?P<column>\d+))?)?: ")
-
+# name:line:column or name:line, as the program's sentences begin.
+_LINE = re.compile(r"^(.+?):(\d+)(?::(\d+))?: ")
+_FILE = re.compile(r"^[^<>\s]+\.[A-Za-z]\w*$")  # by its ending, where there is none of that name
 
 class BallbarError(ValueError):
     """A file, a column or a value is at fault; the text is a whole sentence.
@@ -13,17 +15,30 @@ class BallbarError(ValueError):
     Attributes
     ----------
     file : str or None
-        What the sentence is about, where it begins with a place.
+        The file that the sentence is about, where it begins with one.
     line, column : int or None
         From 1.
     """
 
+    file: str | None = None
+    line: int | None = None
+    column: int | None = None
+
     def __init__(self, sentence: str) -> None:
         super().__init__(sentence)
-        place = _PLACE.match(sentence)
-        self.file: str | None = place["file"] if place else None
-        self.line: int | None = int(place["line"]) if place and place["line"] else None
-        self.column: int | None = int(place["column"]) if place and place["column"] else None
+        self.find_place()
+
+    def find_place(self, files: Collection[str] = ()) -> None:
+        """Takes file, line and column from the sentence; a name is a file's that is one of these, or that there is."""
+        sentence = str(self)
+        located = _LINE.match(sentence)
+        if located and (": " not in located[1] or os.path.exists(located[1])):
+            self.file, self.line = located[1], int(located[2])
+            self.column = int(located[3]) if located[3] else None
+            return
+        names = [sentence[: at.start()] for at in re.finditer(": ", sentence)]
+        known = [name for name in names if name[:1] not in "-<" and (name in files or os.path.exists(name))]
+        self.file = known[-1] if known else names[0] if names and _FILE.match(names[0]) else None
 
 
 class UsageError(BallbarError):

@@ -26,6 +26,12 @@ def _wrapped(value: Any) -> Any:
     return value
 
 
+def _empty(kind: type, name: str) -> Any:
+    """An empty list as what the class says it is a list of."""
+    said = next((one.__annotations__[name] for one in kind.__mro__ if name in one.__dict__.get("__annotations__", ())), "Rows")
+    return np.empty(0) if said == "Array" else [] if said.startswith("list") else Rows([])
+
+
 class Result:
     """One result: ``result.rmse_um`` is the key ``rmse_um`` of the program's JSON, to the last bit.
 
@@ -42,7 +48,7 @@ class Result:
         self._words = words  # that it came of
 
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("__"):
+        if name.startswith("_"):
             raise AttributeError(name)
         try:
             return self[name]
@@ -52,7 +58,8 @@ class Result:
 
     def __getitem__(self, name: str) -> Any:
         if name not in self._made:
-            self._made[name] = _wrapped(self._json[name])
+            value = self._json[name]
+            self._made[name] = _empty(type(self), name) if value == [] else _wrapped(value)
         return self._made[name]
 
     def __contains__(self, name: object) -> bool:
@@ -70,7 +77,8 @@ class Result:
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> Any:
-        return type(self), (self._json,)
+        beside = {name: getattr(self, name) for name in type(self).__dict__.get("__slots__", ()) if name[0] != "_"}
+        return type(self), (self._json,), (None, beside) if beside else None
 
     def to_dict(self) -> dict[str, Any]:
         """The keys and values of the program's JSON: dict, list, str, float, int, bool, None."""
@@ -146,13 +154,15 @@ class Rows(list):  # type: ignore[type-arg]
 
     def __getitem__(self, place: Any) -> Any:
         if isinstance(place, str):
-            return _wrapped([row.to_dict().get(place) for row in self])
+            return _wrapped([row.to_dict().get(place) for row in self]) if self else np.empty(0)
         return super().__getitem__(place)
 
     def to_dict(self) -> list[dict[str, Any]]:
+        """The rows of the program's JSON."""
         return [row.to_dict() for row in self]
 
     def to_pandas(self) -> Any:
+        """A table of pandas, a row each."""
         import pandas
 
         return pandas.DataFrame(self.to_dict())

@@ -12,15 +12,29 @@ from typing import Any
 import numpy as np
 
 from ._core import Recording
-from ._kinds import Comparison, Drift, Errors, Fitted, Report
+from ._kinds_measure import Comparison, Drift, Errors, Fitted
+from ._kinds_predict import Report
 
 __all__ = ["circle", "comparison", "drift", "history", "residual"]
 
 
 def circle(recordings: Recording | list[Recording], found: Fitted | None = None, *, magnified: float | None = None, axes: Any = None) -> Any:
-    """The deviation from the fitted circle over the angle, magnified (default: to a fifth of the radius).
+    """The deviation from the fitted circle over the angle, magnified.
 
-    `found`: what :func:`ballbar.fit` said of these recordings; without it they are fitted.
+    Parameters
+    ----------
+    recordings : Recording or list of Recording
+        Circles.
+    found : Fitted
+        What :func:`ballbar.fit` said of them; without it they are fitted.
+    magnified : float
+        How many times; default such that the largest is a fifth of the radius.
+    axes : matplotlib.axes.Axes
+        Polar ones.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
     """
     from . import fit
 
@@ -41,7 +55,18 @@ def circle(recordings: Recording | list[Recording], found: Fitted | None = None,
 
 
 def drift(found: Drift, *, axes: Any = None) -> Any:
-    """Each direction over time with one sigma."""
+    """Each direction over time with one sigma, um.
+
+    Parameters
+    ----------
+    found : Drift
+        Of :func:`ballbar.drift`.
+    axes : matplotlib.axes.Axes
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
     axes = axes or _new()
     rows = found.points
     minutes = rows["time_s"] / 60.0
@@ -52,7 +77,20 @@ def drift(found: Drift, *, axes: Any = None) -> Any:
 
 
 def comparison(found: Comparison, axis: str, *, axes: Any = None) -> Any:
-    """Both drifts along one axis."""
+    """Both drifts along one axis, um.
+
+    Parameters
+    ----------
+    found : Comparison
+        Of :func:`ballbar.compare`.
+    axis : str
+        One of ``found.axes``.
+    axes : matplotlib.axes.Axes
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
     axes = axes or _new()
     at = found.axes[axis]
     rows = at.points
@@ -62,7 +100,20 @@ def comparison(found: Comparison, axis: str, *, axes: Any = None) -> Any:
 
 
 def residual(found: Report, *, target: int = 0, axes: Any = None) -> Any:
-    """What was measured, the model and what it leaves: of :func:`ballbar.report` with a model."""
+    """What was measured, the model and what it leaves, um.
+
+    Parameters
+    ----------
+    found : Report
+        Of :func:`ballbar.report` with a model.
+    target : int
+        Which of several targets, from 0.
+    axes : matplotlib.axes.Axes
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
     axes = axes or _new()
     series = found.check.targets[target].series
     minutes = series["time_s"] / 60.0
@@ -73,7 +124,20 @@ def residual(found: Report, *, target: int = 0, axes: Any = None) -> Any:
 
 
 def history(found: Errors, error: str, *, axes: Any = None) -> Any:
-    """One error over the tests, with one sigma, machine by machine."""
+    """One error over the tests, with one sigma, machine by machine, in the error's unit.
+
+    Parameters
+    ----------
+    found : Errors
+        Of :func:`ballbar.errors`.
+    error : str
+        Its name.
+    axes : matplotlib.axes.Axes
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
     axes = axes or _new()
     machines: dict[str, list[tuple[Any, float, float]]] = {}
     for test in found.tests:

@@ -1,35 +1,34 @@
 #include "ballbar/formats/text/given_data.hpp"
 
-#include <fmt/format.h>
-
 #include <map>
 #include <utility>
-
-#include "ballbar/error.hpp"
 
 namespace ballbar {
 namespace {
 
-thread_local std::map<std::string, GivenData> all_given;
+thread_local std::map<std::string, std::shared_ptr<const GivenData>> all_given;
 
 const GivenData* given(const std::filesystem::path& path) {
   if (all_given.empty()) return nullptr;
   const auto found = all_given.find(path.string());
-  return found == all_given.end() ? nullptr : &found->second;
+  return found == all_given.end() ? nullptr : found->second.get();
 }
 
 }  // namespace
 
-Given::Given(std::string name, GivenData data) : name_(std::move(name)) {
-  if (all_given.emplace(name_, std::move(data)).second) return;
-  throw Error(fmt::format("{}: expected a name of its own, found one that is in use.", name_));
-}
+Given::Given(std::string name, GivenData data)
+    : name_(std::move(name)),
+      before_(std::exchange(all_given[name_], std::make_shared<const GivenData>(std::move(data)))) {}
 
-Given::~Given() { all_given.erase(name_); }
+Given::~Given() {
+  const auto own = all_given.find(name_);
+  before_ ? own->second.swap(before_) : static_cast<void>(all_given.erase(own));
+}
 
 const Series* given_series(const std::filesystem::path& path) {
   const GivenData* const data = given(path);
-  return data == nullptr ? nullptr : std::get_if<Series>(data);
+  const auto* const series = data == nullptr ? nullptr : std::get_if<std::shared_ptr<const Series>>(data);
+  return series == nullptr ? nullptr : series->get();
 }
 
 const std::vector<Recording>* given_recordings(const std::filesystem::path& path) {

@@ -19,14 +19,16 @@ thread_local bool in_a_part = false;  // then the cores have work
 void in_parallel(std::size_t count, const std::function<void(std::size_t)>& part) {
   std::vector<std::exception_ptr> thrown(count);
   std::atomic<std::size_t> next{0};
+  std::atomic<bool> ended{false};
   const bool inside = in_a_part;
   const auto work = [&] {
     in_a_part = true;
-    for (std::size_t i = next++; i < count; i = next++) {
+    for (std::size_t i = 0; !ended && (i = next++) < count;) {
       try {
         part(i);
       } catch (...) {
         thrown[i] = std::current_exception();
+        ended = true;  // those before it have begun
       }
     }
     in_a_part = inside;

@@ -18,6 +18,7 @@
 namespace ballbar {
 namespace {
 
+constexpr std::size_t kMostMonths = 1'000'000;  // of machines: what is kept of their tests fits into a memory of 1 GB
 constexpr double kStoryYear_s = 365.25 * 86400.0;
 constexpr std::array kFleetPlanes{Plane::XY, Plane::YZ, Plane::ZX};
 
@@ -218,6 +219,10 @@ void check_fleet(const VirtualFleet& fleet, const FleetCurves& curves) {
         fmt::format("{}: expected a machine, a month and 50 readings at least, found {} machines, {} months "
                     "and {} readings.",
                     fleet.name, fleet.machines, fleet.months, fleet.readings));
+  }
+  if (fleet.machines > kMostMonths / fleet.months) {
+    throw Error(fmt::format("{}: expected at most {} months of all machines together, found {} machines of {} months.",
+                            fleet.name, kMostMonths, fleet.machines, fleet.months));
   }
   std::vector<std::string> rows{"scale"};
   for (const FleetCurves::Column& column : curves.columns) {

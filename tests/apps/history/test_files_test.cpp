@@ -91,6 +91,8 @@ TEST(test_files, nothing_to_read) {
   EXPECT_EQ(complaint(folder, [&] { read_tests({name}, false); }),
             "DIR: expected .b5r files or ballbar logs of circles, found none that can be used: DIR/a.b5r:1:2: expected "
             "TEST_DOCUMENT, the root of a .b5r file, found \"svg\".");
+  EXPECT_EQ(complaint(folder, [&] { read_tests({name + "/a.b5r"}, false); }),
+            "DIR/a.b5r:1:2: expected TEST_DOCUMENT, the root of a .b5r file, found \"svg\".");
 }
 
 // Two logs of one test are what a .b5r of both runs is.

@@ -84,6 +84,9 @@ TEST(fleet_toml, says_what_is_wrong_and_where) {
             "fleet.toml:8:17: expected a number from 0 to 1 for missing_share, found 1.5.");
   EXPECT_EQ(fault_of(with("months = 4", "months = -1")),
             "fleet.toml:7:10: expected a count from 0 to 1200 for months, found -1.");
+  EXPECT_EQ(
+      fault_of(with("machines = 2\nmonths = 4", "machines = 100000\nmonths = 1200")),
+      "fleet.toml: expected at most 1000000 months of all machines together, found 100000 machines of 1200 months.");
   EXPECT_EQ(fault_of(with("machine_name = \"mill\"", "machine_name = \"../mill\"")),
             "fleet.toml:5:16: expected a name that a folder may have, found \"../mill\".");
   EXPECT_EQ(fault_of(with("machine = 2", "machine = 3")),

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <thread>
 #include <vector>
 
 #include "ballbar/error.hpp"
@@ -27,6 +29,17 @@ TEST(InParallel, parts_inside_parts_are_all_done) {
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "0 1");
   }
+}
+
+TEST(InParallel, nothing_is_begun_once_a_part_has_thrown) {
+  std::atomic<int> begun{0};
+  const auto first_throws = [&](std::size_t i) {
+    ++begun;
+    if (i == 0) throw Error("first");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  };
+  EXPECT_THROW(in_parallel(1000, first_throws), Error);
+  EXPECT_LT(begun, 500);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -11,9 +12,10 @@
 
 namespace ballbar {
 
-using GivenData = std::variant<Series, std::vector<Recording>>;  // recordings: of one test
+using GivenData = std::variant<std::shared_ptr<const Series>, std::vector<Recording>>;  // recordings: of one test
 
-// In this thread, for as long as it lives, the path `name` is these data. A name that no file has, such as "<data>".
+// In this thread, for as long as it lives, the path `name` is these data, whatever it was before. A name that no file
+// has, such as "<data>".
 class Given {
  public:
   Given(std::string name, GivenData data);
@@ -23,6 +25,7 @@ class Given {
 
  private:
   std::string name_;
+  std::shared_ptr<const GivenData> before_;  // under that name
 };
 
 // What that path is in this thread; nullptr: a file, a folder or nothing.

@@ -1,0 +1,220 @@
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/logs/log.hpp"
+#include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/sessions/drift_data.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/nearest_name.hpp"
+#include "ballbar/series/series.hpp"
+#include "python/arrays.hpp"
+#include "python/classes.hpp"
+
+namespace ballbar::python {
+namespace {
+
+namespace py = pybind11;
+
+constexpr const char* kSeries = R"(Named columns over time.
+
+Parameters
+----------
+time_s : (n,) array
+    s, strictly rising.
+columns : dict of (n,) arrays
+    Names end in a unit: ``T_room_degC``, ``speed_rpm``, ``z_um``. NaN, None, NA and what a mask covers are gaps.
+roles : dict
+    Of columns whose role is not the usual one of their unit: ``{"T_room_degC": "ambient"}``.
+started : str
+    Wall clock at time 0, ``2026-11-22T13:05:10``.
+
+Raises
+------
+BallbarError
+    A time that does not rise, a column of another length, of no numbers, or of a name that no file could have.
+
+Examples
+--------
+>>> import ballbar, numpy as np
+>>> series = ballbar.Series(60.0 * np.arange(3), {"z_um": [0.0, None, 2.0]})
+>>> series["z_um"]
+array([ 0., nan,  2.])
+)";
+
+Role role_of(const std::string& column, const std::map<std::string, std::string>& roles) {
+  const auto stated = roles.find(column);
+  if (stated == roles.end()) return role_from_unit(unit_of(column));
+  if (const auto role = role_from_name(stated->second)) return *role;
+  throw Error(fmt::format("{}: expected a role such as ambient, structure or speed, found {}.", column,
+                          in_quotes(stated->second)));
+}
+
+// Such as the first line of a series .csv can hold.
+void expect_name(const Series& series, const std::string& name) {
+  const auto breaks = [](unsigned char byte) { return byte < ' ' || byte == ',' || byte == '"'; };
+  if (name.empty() || std::any_of(name.begin(), name.end(), breaks) || name.front() == ' ' || name.back() == ' ') {
+    throw Error(
+        fmt::format("columns: expected a name without comma, quote and line break, found {}.", in_quotes(name)));
+  }
+  if (name == "time_s" || name == "time_min" || find_column(series, name) != nullptr) {
+    throw Error(fmt::format("columns: expected each name once, and no second time, found {}.", in_quotes(name)));
+  }
+}
+
+void expect_rising(const std::vector<double>& time_s) {
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    if (std::isfinite(time_s[i]) && (i == 0 || time_s[i] > time_s[i - 1])) continue;
+    throw Error(fmt::format("time_s, row {}: expected a time that is finite and later than the row before, found {}.",
+                            i, time_s[i]));
+  }
+}
+
+Column column_of(const std::string& name, const py::object& data, Role role, std::size_t rows) {
+  Column column{name, role, vector_of(data, name)};
+  if (column.values.size() != rows) {
+    throw Error(
+        fmt::format("{}: expected as many values as time_s has, {}, found {}.", name, rows, column.values.size()));
+  }
+  const auto infinite =
+      std::find_if(column.values.begin(), column.values.end(), [](double v) { return std::isinf(v); });
+  if (infinite == column.values.end()) return column;
+  throw Error(fmt::format("{}, row {}: expected a finite value, or NaN for a gap, found {}.", name,
+                          infinite - column.values.begin(), *infinite));
+}
+
+std::shared_ptr<Series> series_of(const py::object& time_s, const py::dict& columns,
+                                  const std::map<std::string, std::string>& roles,
+                                  const std::optional<std::string>& started) {
+  auto series = std::make_shared<Series>();
+  series->time_s = vector_of(time_s, "time_s");
+  expect_rising(series->time_s);
+  if (started && !seconds_of_stamp(*started)) {
+    throw Error(
+        fmt::format("started: expected a date and time such as 2026-11-22T13:05:10, found {}.", in_quotes(*started)));
+  }
+  series->started = started;
+  for (const auto& [key, data] : columns) {
+    const std::string name = py::str(key);
+    expect_name(*series, name);
+    series->columns.push_back(
+        column_of(name, py::reinterpret_borrow<py::object>(data), role_of(name, roles), series->time_s.size()));
+  }
+  for (const auto& [name, role] : roles) {
+    if (find_column(*series, name) != nullptr) continue;
+    throw Error(fmt::format("roles: expected names of columns, found {}.", in_quotes(name)));
+  }
+  return series;
+}
+
+std::vector<std::string> names_of(const Series& series) {
+  std::vector<std::string> names;
+  for (const Column& column : series.columns) names.push_back(column.name);
+  return names;
+}
+
+// All that there is of it: one that was read from a file may know more than the constructor takes.
+py::tuple state_of(const Series& series) {
+  py::list columns, runs;
+  for (const Column& one : series.columns) {
+    columns.append(py::make_tuple(one.name, static_cast<int>(one.role), array_of(one.values)));
+  }
+  for (const RunOrigin& one : series.runs) runs.append(py::make_tuple(one.name, static_cast<int>(one.start)));
+  py::object probes = py::none();
+  if (const auto& of = series.five_probe) {
+    probes =
+        py::make_tuple(of->spacing_mm, of->plane_1_from_nose_mm, of->resolution_um, of->linearity_percent, of->columns);
+  }
+  return py::make_tuple(array_of(series.time_s), columns, series.started, probes, runs);
+}
+
+std::shared_ptr<Series> series_from(const py::tuple& state) {
+  using Distance = std::optional<double>;
+  auto series = std::make_shared<Series>();
+  series->time_s = vector_of(state[0], "time_s");
+  for (const auto& [name, role, values] : py::cast<std::vector<std::tuple<std::string, int, py::object>>>(state[1])) {
+    series->columns.push_back({name, static_cast<Role>(role), vector_of(values, name)});
+  }
+  series->started = py::cast<std::optional<std::string>>(state[2]);
+  if (!state[3].is_none()) {
+    const auto [spacing, plane_1, resolution, linearity, columns] =
+        py::cast<std::tuple<Distance, Distance, Distance, Distance, std::array<std::string, 5>>>(state[3]);
+    series->five_probe = FiveProbe{spacing, plane_1, resolution, linearity, columns};
+  }
+  for (const auto& [name, start] : py::cast<std::vector<std::pair<std::string, int>>>(state[4])) {
+    series->runs.push_back({name, static_cast<RunStart>(start)});
+  }
+  return series;
+}
+
+}  // namespace
+
+void bind_series(py::module_& module) {
+  py::class_<Series, std::shared_ptr<Series>>(module, "Series", kSeries)
+      .def(py::init(&series_of), py::arg("time_s"), py::arg("columns"), py::kw_only(),
+           py::arg("roles") = std::map<std::string, std::string>{}, py::arg("started") = py::none())
+      .def_property_readonly(
+          "time_s", [](const py::object& self) { return view_of(py::cast<const Series&>(self).time_s, self); },
+          "(n,) s, strictly rising; read-only.")
+      .def_property_readonly("names", &names_of, "Of the columns, in order.")
+      .def_property_readonly(
+          "roles",
+          [](const Series& series) {
+            std::map<std::string, std::string> roles;
+            for (const Column& one : series.columns) roles[one.name] = std::string(name_of(one.role));
+            return roles;
+          },
+          "What each column stands for in a model.")
+      .def_readonly("started", &Series::started, "Wall clock at time 0, or None.")
+      .def(
+          "__getitem__",
+          [](const py::object& self, const std::string& name) {
+            const Column* const column = find_column(py::cast<const Series&>(self), name);
+            if (column == nullptr) throw py::key_error(name);
+            return view_of(column->values, self);
+          },
+          "A column, (n,), in the unit of its name; read-only.")
+      .def(
+          "__contains__",
+          [](const Series& series, const py::object& name) {
+            return py::isinstance<py::str>(name) && find_column(series, py::cast<std::string>(name)) != nullptr;
+          },
+          "Whether there is a column of that name.")
+      .def(
+          "__iter__", [](const Series& series) { return py::iter(py::cast(names_of(series))); },
+          "Over the names of the columns, as a DataFrame's.")
+      .def(
+          "__len__", [](const Series& series) { return series.time_s.size(); }, "Rows.")
+      .def(
+          "write",
+          [](const Series& series, const std::filesystem::path& path) {
+            const py::gil_scoped_release free;
+            write_through(path, [&](const std::filesystem::path& temporary) {
+              write_series_parts(series, series_header(series), temporary);
+            });
+          },
+          py::arg("path"),
+          "Writes a series .csv, which reads back to the same numbers; a gap is an empty cell.\n\n"
+          "Raises\n------\nBallbarError\n    Where the file cannot be written.")
+      .def(py::pickle(&state_of, &series_from));
+  module.def(
+      "read_series",
+      [](const std::filesystem::path& path) {
+        const py::gil_scoped_release free;
+        return std::make_shared<Series>(open_series(path));
+      },
+      py::arg("path"),
+      "The columns of a series .csv, or of a logger's file as `import_log` takes it.\n\n"
+      "Parameters\n----------\npath : path\n\nReturns\n-------\nSeries\n\n"
+      "Raises\n------\nBallbarError\n    A file that is no series, with line and column.");
+}
+
+}  // namespace ballbar::python
