@@ -87,5 +87,6 @@ def fleet(
     tolerances: Mapping[str, float],
     false_discovery_rate: float,
     title: str | None = ...,
+    remarks: Sequence[str] = ...,
 ) -> tuple[dict[str, Any], str, str]: ...
 def picture(parts: str, conclusion: str) -> str: ...
