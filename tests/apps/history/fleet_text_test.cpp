@@ -48,7 +48,7 @@ TEST(fleet_text, says_the_conclusion_first) {
   EXPECT_EQ(fleet_text(small_fleet()),
             "1 of 2 machines: 0 beyond a tolerance, 0 on the way to one, 1 with something to look at; 1 with\n"
             "nothing.\n"
-            "60 questions were asked, 1 answered with yes; of such answers 5 % are by chance.\n"
+            "60 questions were asked, 1 answered with yes; at most 5 % of such answers are by chance.\n"
             "\n"
             "machine  needs  found  quantity             size     between         and        q\n"
             "mill-01   look   step   play XY  +4.50 ± 0.25 um  2026-01-01  2026-02-01  < 0.001\n"
@@ -61,7 +61,7 @@ TEST(fleet_text, says_that_there_is_nothing) {
   fleet.machines.resize(3);
   EXPECT_EQ(fleet_text(fleet),
             "Nothing stands out on any of 3 machines.\n"
-            "0 questions were asked, 0 answered with yes; of such answers 5 % are by chance.\n");
+            "0 questions were asked, 0 answered with yes; at most 5 % of such answers are by chance.\n");
 }
 
 TEST(fleet_json, has_every_key) {
