@@ -160,8 +160,9 @@ std::vector<std::string> fleet_conclusion(const Fleet& fleet) {
                     "with nothing.",
                     all - nothing, machines_text(all), beyond, expected, finding, nothing));
   }
-  lines.push_back(fmt::format("{} questions were asked, {} answered with yes; at most {:g} % of such answers are by chance.",
-                              fleet.judged, fleet.found, 100.0 * fleet.false_discovery_rate));
+  lines.push_back(
+      fmt::format("{} questions were asked, {} answered with yes; at most {:g} % of such answers are by chance.",
+                  fleet.judged, fleet.found, 100.0 * fleet.false_discovery_rate));
   return lines;
 }
 
