@@ -11,13 +11,14 @@ if [ $# != 1 ] || [ -e "$1" ]; then
 fi
 mkdir -p "$1"
 scratch=$(realpath "$1")
+commit=$(git -C "$source" rev-parse HEAD 2>/dev/null || true)
 
 # built FOLDER UMASK: a copy of the sources as git has them, or as they are, and its packages.
 built() {
   umask "$2"
   mkdir -p "$scratch/$1"
-  if git -C "$source" rev-parse >/dev/null 2>&1; then
-    git -C "$source" archive HEAD | tar xf - -C "$scratch/$1"
+  if [ -n "$commit" ]; then
+    git -C "$source" archive "$commit" | tar xf - -C "$scratch/$1"
   else
     (cd "$source" && tar cf - --exclude='./build*' .) | tar xf - -C "$scratch/$1"
   fi
