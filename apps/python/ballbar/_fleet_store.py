@@ -84,10 +84,7 @@ class Store:
 
     def table(self) -> pandas.DataFrame:
         """By file. Raises Damaged."""
-        frames = []
-        for part in dict.fromkeys(part for _, _, part in self.shown.values() if part):
-            files = self._frame(part)["file"]
-            frames.append(self._frame(part)[[self.shown.get(file, (0, 0, None))[2] == part for file in files]])
+        frames = self._shown_frames()
         return copies_marked(pandas.concat(frames) if frames else typed([], COLUMNS))
 
     def add(self, stamps: dict[str, Stamp], rows: Iterable[Row]) -> int:
@@ -113,10 +110,9 @@ class Store:
             self.shown, self.ahead = {file: known[file] for file in keep}, {}
             if not is_other and self.shown == before:
                 return self.table()
-            used = {part for _, _, part in self.shown.values() if part}
-            if len(used) > _MOST_PARTS:
+            if len(self._shown_parts()) > _MOST_PARTS:
                 self._make_one()
-                used = {part for _, _, part in self.shown.values() if part}
+            used = self._shown_parts()
             self.parts = {name: crc for name, crc in self.parts.items() if name in used}
             self._write_index()
         for name in os.listdir(self.folder):
@@ -139,12 +135,19 @@ class Store:
             self.ahead[file] = (*stamp, part if file in with_rows else None)
         self._rows, self._stamps = [], {}
 
-    def _make_one(self) -> None:
+    def _shown_parts(self) -> dict[str, None]:
+        return dict.fromkeys(part for _, _, part in self.shown.values() if part)
+
+    def _shown_frames(self) -> list[pandas.DataFrame]:
+        """Of each part the rows that are of the table."""
         frames = []
-        for part in {part for _, _, part in self.shown.values() if part}:
+        for part in self._shown_parts():
             found = self._frame(part)
             frames.append(found[[self.shown.get(file, (0, 0, None))[2] == part for file in found["file"]]])
-        name = self._write_part(pandas.concat(frames).sort_values("file", kind="stable"))
+        return frames
+
+    def _make_one(self) -> None:
+        name = self._write_part(pandas.concat(self._shown_frames()).sort_values("file", kind="stable"))
         self.shown = {file: (size, time, part and name) for file, (size, time, part) in self.shown.items()}
 
     def _frame(self, part: str) -> pandas.DataFrame:
