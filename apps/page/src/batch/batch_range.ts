@@ -3,6 +3,7 @@
 import { curve } from "../drawing/curve";
 import { decimated } from "../drawing/decimate";
 import { hover_text } from "../drawing/hover";
+import { lines_across } from "../drawing/lines_across";
 import type { Picture, State, Toggle } from "../picture";
 import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
 import type { BatchPart, Num } from "../report";
@@ -29,21 +30,12 @@ const Q: Toggle = {
   on: true,
 };
 
-// No curve, but a line across, so that it is there whatever is switched off.
-const limit = (colour: string): Record<string, unknown> => ({
-  type: "line",
-  name: "",
-  data: [],
-  silent: true,
-  tooltip: { show: false },
-  markLine: {
-    symbol: "none",
-    silent: true,
-    label: { position: "insideEndTop", formatter: t.batch_largest_in_training, color: colour },
-    lineStyle: { color: colour, type: "solid", width: 1.2 },
-    data: [{ yAxis: 1 }],
-  },
-});
+const limit = (color: string): Record<string, unknown> =>
+  lines_across(
+    [{ yAxis: 1 }],
+    { position: "insideEndTop", formatter: t.batch_largest_in_training },
+    { color, type: "solid", width: 1.2 },
+  );
 
 export const range_picture = (batch: BatchPart): Picture => {
   const time_min = batch.time_s.map(minutes);

@@ -1,6 +1,7 @@
 // One quantity over the tests of a group: its values with sigma, the trend with its own, the tolerance.
 import { curve } from "../drawing/curve";
 import { hover_text } from "../drawing/hover";
+import { lines_across } from "../drawing/lines_across";
 import type { Numbers, Picture, State, Toggle } from "../picture";
 import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
 import type { HistoryGroup, HistoryQuantity, Num } from "../report";
@@ -40,37 +41,20 @@ const date_of = (year: number): string => {
   return new Date(from + (year - whole) * (to - from)).toISOString().slice(0, 10);
 };
 
-// No curve of its own, so that it is there whatever is switched off.
-const tolerance = (limits: readonly number[], colour: string): Series => ({
-  type: "line",
-  name: "",
-  data: [],
-  silent: true,
-  tooltip: { show: false },
-  markLine: {
-    symbol: "none",
-    silent: true,
-    label: { position: "insideEndTop", formatter: t.history_tolerance, color: colour },
-    lineStyle: { color: colour, type: "solid", width: 1.4 },
-    data: limits.map((limit) => ({ yAxis: limit })),
-  },
-});
+const tolerance = (limits: readonly number[], color: string): Series =>
+  lines_across(
+    limits.map((limit) => ({ yAxis: limit })),
+    { position: "insideEndTop", formatter: t.history_tolerance },
+    { color, type: "solid", width: 1.4 },
+  );
 
 // Between which tests it steps.
-const steps = (years: readonly number[], colour: string): Series => ({
-  type: "line",
-  name: "",
-  data: [],
-  silent: true,
-  tooltip: { show: false },
-  markLine: {
-    symbol: "none",
-    silent: true,
-    label: { position: "insideEndTop", formatter: t.fleet_step, color: colour },
-    lineStyle: { color: colour, type: "dashed", width: 1.4 },
-    data: years.map((year) => ({ xAxis: year })),
-  },
-});
+const steps = (years: readonly number[], color: string): Series =>
+  lines_across(
+    years.map((year) => ({ xAxis: year })),
+    { position: "insideEndTop", formatter: t.fleet_step },
+    { color, type: "dashed", width: 1.4 },
+  );
 
 // A limit far from all values would press them flat: then it is not drawn.
 const limits_near = ({ lower, upper, values, trend }: HistoryQuantity): number[] => {

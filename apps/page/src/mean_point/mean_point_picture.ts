@@ -3,6 +3,7 @@
 import { curve } from "../drawing/curve";
 import { decimated } from "../drawing/decimate";
 import { hover_text } from "../drawing/hover";
+import { lines_across } from "../drawing/lines_across";
 import type { Numbers, Picture, State, Toggle } from "../picture";
 import { kBottom_px, kLeft_px, kRight_px, top_px } from "../drawing/plot_grid";
 import type { MeanPointPart, MeanPointState, Num } from "../report";
@@ -21,21 +22,8 @@ const toggle_of = ({ name }: MeanPointState, k: number): Toggle => ({
   on: true,
 });
 
-// No curve of its own, so that it is there whatever is switched off.
-const best_place = (x_mm: number, colour: string): Series => ({
-  type: "line",
-  name: "",
-  data: [],
-  silent: true,
-  tooltip: { show: false },
-  markLine: {
-    symbol: "none",
-    silent: true,
-    label: { formatter: t.mean_point_best({ at: shown(x_mm, 2) }), color: colour },
-    lineStyle: { color: colour, type: "solid", width: 2 },
-    data: [{ xAxis: x_mm }],
-  },
-});
+const best_place = (x_mm: number, color: string): Series =>
+  lines_across([{ xAxis: x_mm }], { formatter: t.mean_point_best({ at: shown(x_mm, 2) }) }, { color, type: "solid", width: 2 });
 
 // All places of all states, each once, rising; a state has a gap where it was not read.
 const numbers_of = (states: readonly MeanPointState[]): Numbers => {
