@@ -29,7 +29,7 @@ constexpr std::size_t kShown = 30;  // batches
 
 enum class Take { paper, held_out, weights, all };
 
-struct Options {
+struct SelectArguments {
   BatchOptions batches;
   std::string job;
   std::optional<std::size_t> method;
@@ -87,7 +87,7 @@ std::string names_of(const std::vector<Batch>& batches, const Selection& selecti
   return fmt::format("{}{}", fmt::join(names, " "), number > kNamed ? " ..." : "");
 }
 
-std::string conclusion(const Options& options, const OpenedBatches& opened, const Selection& selection,
+std::string conclusion(const SelectArguments& options, const OpenedBatches& opened, const Selection& selection,
                        const std::vector<Choice>& choices, const std::optional<Compared>& random) {
   const auto take = static_cast<Take>(options.take);
   const Choice& taken = choices[options.take];
@@ -151,7 +151,7 @@ void print_choices(const std::vector<Choice>& choices, const Selection& selectio
   fmt::print("\n{}", table.text(table_width()));
 }
 
-void print_ranking(const Options& options, const OpenedBatches& opened, const Selection& selection, bool measured) {
+void print_ranking(const SelectArguments& options, const OpenedBatches& opened, const Selection& selection, bool measured) {
   std::vector<std::string> heading{"batch", "rank", "room apart K", "unlike", "weight", "RMSE_m um"};
   if (measured) heading.emplace_back("RMSE_p um");
   Table table(heading);
@@ -174,7 +174,7 @@ nlohmann::ordered_json optional_number(const std::optional<double>& value) {
   return value ? number(*value) : nlohmann::ordered_json(nullptr);
 }
 
-nlohmann::ordered_json json_of(const Options& options, const OpenedBatches& opened, const Selection& selection,
+nlohmann::ordered_json json_of(const SelectArguments& options, const OpenedBatches& opened, const Selection& selection,
                                const std::vector<Choice>& choices, const std::optional<Compared>& random,
                                const BatchStart& job) {
   nlohmann::ordered_json json;
@@ -212,7 +212,7 @@ nlohmann::ordered_json json_of(const Options& options, const OpenedBatches& open
 }
 
 // What is odd about the job: a sensor that does not go with the others, a room out of all batches' range.
-void add_remarks(const Options& options, const OpenedBatches& opened, const Batch& job,
+void add_remarks(const SelectArguments& options, const OpenedBatches& opened, const Batch& job,
                  std::vector<std::string>& remarks) {
   std::vector<Batch> with_job = opened.batches;
   with_job.push_back(job);
@@ -232,7 +232,7 @@ void add_remarks(const Options& options, const OpenedBatches& opened, const Batc
 }
 
 // The job as a batch; without values of the target, where it was not measured throughout, with zeros for them.
-Batch job_of(const Options& options, const BatchColumns& columns, Series job, bool measured) {
+Batch job_of(const SelectArguments& options, const BatchColumns& columns, Series job, bool measured) {
   if (!measured) {
     std::erase_if(job.columns, [&](const Column& column) { return column.name == columns.target; });
     job.columns.push_back({columns.target, Role::measured, std::vector<double>(job.time_s.size(), 0.0)});
@@ -240,8 +240,8 @@ Batch job_of(const Options& options, const BatchColumns& columns, Series job, bo
   return with_source(options.job, [&] { return batch_of(options.job, job, columns); });
 }
 
-void run(const Options& given) {
-  Options options = given;
+void run(const SelectArguments& given) {
+  SelectArguments options = given;
   options.batches.job = options.job;
   if (options.selection.share && options.method.value_or(0) != static_cast<std::size_t>(RegressionMethod::pcr)) {
     throw CLI::ValidationError("--share: expected --method pcr with it");
@@ -300,7 +300,7 @@ void run(const Options& given) {
 }  // namespace
 
 void add_select(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SelectArguments>();
   CLI::App* command = app.add_subcommand("select", "Which recorded batches to train on for the job at hand");
   add_batch_options(*command, options->batches);
   command->add_option("--on", options->job, "the job: a series of its temperatures; with the target, it is checked")

@@ -31,7 +31,7 @@
 namespace ballbar::commands {
 namespace {
 
-struct Options {
+struct TrainArguments {
   BatchOptions batches;
   std::optional<std::size_t> method;
   std::optional<std::size_t> components;
@@ -60,7 +60,7 @@ Contender contender(const OpenedBatches& opened, const RegressionSettings& setti
           rmse_um(all, regress(all, settings))};
 }
 
-void expect_fitting(const Options& options) {
+void expect_fitting(const TrainArguments& options) {
   const auto is = [&](RegressionMethod method) {
     return !options.method || *options.method == static_cast<std::size_t>(method);
   };
@@ -76,7 +76,7 @@ void expect_fitting(const Options& options) {
 }
 
 // As the command line says, by batches left out where it does not.
-RegressionSettings chosen_settings(const Options& options, RegressionMethod method, const OpenedBatches& opened) {
+RegressionSettings chosen_settings(const TrainArguments& options, RegressionMethod method, const OpenedBatches& opened) {
   const bool asked = options.method == static_cast<std::size_t>(method);
   if (asked && options.components) return {method, *options.components, 0.0};
   if (asked && options.share) return {method, components_for(merged(opened.batches), *options.share), 0.0};
@@ -85,7 +85,7 @@ RegressionSettings chosen_settings(const Options& options, RegressionMethod meth
 }
 
 // The physical model in the same contest: fitted to all batches but one, the one predicted.
-Contender physical(const Options& options, const OpenedBatches& opened) {
+Contender physical(const TrainArguments& options, const OpenedBatches& opened) {
   Model model = read_model(read_bytes(options.model, kLargestText), options.model);
   model.targets = {opened.columns.target};
   const std::size_t count = opened.batches.size();
@@ -127,7 +127,7 @@ nlohmann::ordered_json json_of(const Contender& one, bool taken) {
   return json;
 }
 
-void print_text(const Options& options, const OpenedBatches& opened, const std::vector<Contender>& contenders,
+void print_text(const TrainArguments& options, const OpenedBatches& opened, const std::vector<Contender>& contenders,
                 const std::optional<Contender>& effects, const BatchModel& model) {
   std::size_t rows = 0;
   for (const Batch& batch : opened.batches) rows += batch.rows;
@@ -162,7 +162,7 @@ void print_text(const Options& options, const OpenedBatches& opened, const std::
 }
 
 // What is said of one method asks for it.
-std::optional<std::size_t> method_of(const Options& options) {
+std::optional<std::size_t> method_of(const TrainArguments& options) {
   if (options.method) return options.method;
   if (options.components || options.share) return static_cast<std::size_t>(RegressionMethod::pcr);
   if (options.penalty_K2) return static_cast<std::size_t>(RegressionMethod::ridge);
@@ -170,7 +170,7 @@ std::optional<std::size_t> method_of(const Options& options) {
 }
 
 // A regression on the effects, of a list of runs beside those on temperatures.
-void run_effects(const Options& options) {
+void run_effects(const TrainArguments& options) {
   const BatchOptions& batches = options.batches;
   if (method_of(options) || !options.model.empty()) {
     throw CLI::ValidationError(
@@ -209,12 +209,12 @@ void run_effects(const Options& options) {
                 others, opened.remarks);
 }
 
-void run(const Options& given) {
+void run(const TrainArguments& given) {
   if (given.effects) return run_effects(given);
   if (given.few) throw CLI::ValidationError("--few: expected --effects with it.");
   if (given.max_gap_s) throw CLI::ValidationError("--max-gap: expected --effects with it.");
   expect_fitting(given);
-  Options options = given;
+  TrainArguments options = given;
   options.method = method_of(given);
   const OpenedBatches opened = open_batches(options.batches);
   std::vector<std::filesystem::path> inputs = opened.files;
@@ -264,7 +264,7 @@ void run(const Options& given) {
 }  // namespace
 
 void add_train(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TrainArguments>();
   CLI::App* command = app.add_subcommand("train", "A regression of thermal error on temperatures over many tests");
   add_batch_options(*command, options->batches);
   add_method_option(*command, options->method, "the best by batches left out");

@@ -19,7 +19,7 @@
 namespace ballbar::commands {
 namespace {
 
-struct Options {
+struct CompensateArguments {
   CompensationOptions compensation;
   LiveOptions live;
   ReplayOptions replay;
@@ -29,7 +29,7 @@ struct Options {
 };
 
 // The model as it runs: every value held, the ranges it was trained on.
-void save(const Options& options) {
+void save(const CompensateArguments& options) {
   const std::vector<CompensatedAxis> axes = axes_of(options.compensation);
   if (axes.size() != 1) {
     throw Error(fmt::format("--out {}: expected a model of one target, found {}: save each of its own.", options.save,
@@ -43,7 +43,7 @@ void save(const Options& options) {
 }
 
 // The files of --out, each for what writes its kind.
-Options sorted_out(Options options) {
+CompensateArguments sorted_out(CompensateArguments options) {
   for (const std::string& path : options.out) {
     if (path.ends_with(".csv")) {
       options.replay.out.push_back(path);
@@ -59,7 +59,7 @@ Options sorted_out(Options options) {
   return options;
 }
 
-void expect_fitting(const Options& options) {
+void expect_fitting(const CompensateArguments& options) {
   const bool live = !options.live.signals.empty(), replay = !options.replay.data.empty();
   const auto expect = [](bool fits, const char* sentence) {
     if (!fits) throw CLI::ValidationError(sentence);
@@ -79,8 +79,8 @@ void expect_fitting(const Options& options) {
   expect(live || !options.live.follow, "--follow: expected --signals with it");
 }
 
-void run(const Options& given) {
-  const Options options = sorted_out(given);
+void run(const CompensateArguments& given) {
+  const CompensateArguments options = sorted_out(given);
   expect_fitting(options);
   const bool live = !options.live.signals.empty(), replay = !options.replay.data.empty();
   if (!options.save.empty()) save(options);
@@ -91,7 +91,7 @@ void run(const Options& given) {
 }  // namespace
 
 void add_compensate(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CompensateArguments>();
   CLI::App* command = app.add_subcommand("compensate", "Offsets for a machine's axes, row by row, from its sensors");
   add_compensation_options(*command, options->compensation);
   command->add_option("--signals", options->live.signals, "series .csv as it grows, or - for the standard input")

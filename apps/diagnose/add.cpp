@@ -35,7 +35,7 @@ namespace {
 
 constexpr std::size_t kMostAdditions = 6;
 
-struct Options {
+struct AddArguments {
   EffectOptions effect;
   std::string out;
   bool automatic = false;
@@ -54,14 +54,14 @@ struct Story {
 };
 
 // The model's file is then that which is written.
-ModelOptions written_to(const Options& options) {
+ModelOptions written_to(const AddArguments& options) {
   ModelOptions written = options.effect.model;
   if (!options.out.empty()) written.model = options.out;
   return written;
 }
 
 // Which file is to be written, the command line has to say.
-void expect_file(const Options& options) {
+void expect_file(const AddArguments& options) {
   if (!options.effect.model.model.empty() || !options.out.empty()) return;
   std::vector<std::string> words;
   words.reserve(options.effect.words.size() + 2 * options.effect.model.target.size());
@@ -74,7 +74,7 @@ void expect_file(const Options& options) {
                              options.automatic ? "--auto " : "", fmt::join(words, " "), model_file({})));
 }
 
-Story story_of(const Options& options, const ModelData& data) {
+Story story_of(const AddArguments& options, const ModelData& data) {
   Story story;
   ModelOptions how = options.effect.model;
   const bool is_new = is_new_model(how);
@@ -91,7 +91,7 @@ Story story_of(const Options& options, const ModelData& data) {
 }
 
 // named: the terms were found by a diagnosis, not chosen.
-void add_terms(const Options& options, const ModelData& data, const std::vector<Term>& terms, bool named,
+void add_terms(const AddArguments& options, const ModelData& data, const std::vector<Term>& terms, bool named,
                Story& story) {
   const ModelOptions& how = options.effect.model;
   EffectTest tried = with_source(how.data.front(), [&] { return effect_test(story.model, terms, data.series); });
@@ -110,7 +110,7 @@ void add_terms(const Options& options, const ModelData& data, const std::vector<
 }
 
 // A new effect may not read what the file is to explain beside the target chosen here.
-void expect_file_suits(const Options& options, const ModelData& data, const std::string& bytes) {
+void expect_file_suits(const AddArguments& options, const ModelData& data, const std::string& bytes) {
   if (data.level == Level::recording) return;
   Model file = read_model(bytes, options.effect.model.model);
   const std::vector<std::string>& also = options.effect.model.also_input;
@@ -130,7 +130,7 @@ std::string either_text(const std::vector<std::vector<BoundEffect>>& groups) {
 }
 
 // Why the search goes no further.
-std::string stop_text(const Options& options, const Diagnosis& diagnosis) {
+std::string stop_text(const AddArguments& options, const Diagnosis& diagnosis) {
   const std::string why = diagnosis.reasons.empty() ? "" : fmt::format(" {}", fmt::join(diagnosis.reasons, " "));
   const std::string hint = next_hint(written_to(options), diagnosis);
   switch (diagnosis.verdict) {
@@ -170,7 +170,7 @@ Term as_diagnosed(const BoundEffect& bound, const Diagnosis& diagnosis) {
 
 // The errors of the axes that are significant, each a revision, first the one that leaves least. Returns why it
 // stopped.
-std::string add_errors(const Options& options, const ModelData& data, Story& story) {
+std::string add_errors(const AddArguments& options, const ModelData& data, Story& story) {
   const MachineErrors found =
       with_source(options.effect.model.data.front(), [&] { return machine_errors_of_trace(data.series); });
   for (const AddedError& one : found.one_by_one) {
@@ -192,7 +192,7 @@ std::string add_errors(const Options& options, const ModelData& data, Story& sto
 }
 
 // Effects that diagnose() names, until it names none. Returns why it stopped.
-std::string add_named(const Options& options, const ModelData& data, Story& story, Verdict& verdict) {
+std::string add_named(const AddArguments& options, const ModelData& data, Story& story, Verdict& verdict) {
   while (true) {
     show_progress(fmt::format("searching, {} revisions so far", story.effect_tests.size()));
     DiagnosisOptions how;
@@ -218,7 +218,7 @@ bool is_left(Verdict verdict) {
          verdict == Verdict::unexplained;
 }
 
-void add_grown(const Options& options, const ModelData& data, Story& story) {
+void add_grown(const AddArguments& options, const ModelData& data, Story& story) {
   const ProgressLine progress;
   story.grown =
       grown_model(story.bytes, options.effect.model.model, story.model, data, options.effect.model.data, story.drivers);
@@ -262,7 +262,7 @@ void print_text(const Story& story, const std::string& stopped, const std::strin
   if (!story.effect_tests.empty()) fmt::print("\n{}", tables(story.effect_tests.back()));
 }
 
-void run(Options options) {
+void run(AddArguments options) {
   if (options.named_only && !options.automatic) throw CLI::ValidationError("--named-only: expected --auto with it");
   split_words(options.effect, !options.automatic);
   for (const std::string& effect : options.effect.effects) expect_known_effect(effect, true);
@@ -333,7 +333,7 @@ void run(Options options) {
 }  // namespace
 
 void add_add(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<AddArguments>();
   CLI::App* command = app.add_subcommand("add", "A new revision of a model with more effects, and its ledger");
   add_effect_options(*command, options->effect,
                      "effects (none with --auto), NAME, 'NAME(COLUMN, ...)' or NAME:ROLE=COLUMN,..., then series .csv, "

@@ -22,7 +22,7 @@
 namespace ballbar::commands {
 namespace {
 
-struct Options {
+struct DiagnoseArguments {
   ModelOptions model;
   DiagnoseOptions how;
   ErrorsOptions errors;
@@ -31,7 +31,7 @@ struct Options {
 };
 
 // The text or JSON of one of several targets; why there is none where it cannot be fitted, as without values.
-void show_one_of_several(const Options& options, const Model& model, const ModelData& data, std::size_t target,
+void show_one_of_several(const DiagnoseArguments& options, const Model& model, const ModelData& data, std::size_t target,
                          nlohmann::ordered_json& targets) {
   if (target > 0 && !options.json) fmt::print("\n");
   try {
@@ -53,7 +53,7 @@ void show_one_of_several(const Options& options, const Model& model, const Model
 }
 
 // Recordings of two linear axes: all of their errors together, ranked.
-void run_on_circles(Options options) {
+void run_on_circles(DiagnoseArguments options) {
   if (!options.model.model.empty()) {
     const ModelData data = open_data(options.model);
     for (const Term& term : open_model(options.model, data).terms)
@@ -64,7 +64,7 @@ void run_on_circles(Options options) {
   for (const std::string& remark : reports.remarks) warning_line(remark);
 }
 
-void run(const Options& options) {
+void run(const DiagnoseArguments& options) {
   expect_follow(options.follow);
   if (options.follow.follow) {
     follow(options.model, options.how, options.follow, options.json);
@@ -92,7 +92,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_diagnose(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DiagnoseArguments>();
   CLI::App* command = app.add_subcommand("diagnose", "Which physical effect a model lacks");
   add_model_options(*command, options->model, false);
   add_also_input(*command, options->model);

@@ -31,7 +31,7 @@
 namespace ballbar::commands {
 namespace {
 
-struct Options {
+struct InjectArguments {
   std::string effect;
   double amplitude_um = 0.0;
   ModelOptions model;
@@ -190,7 +190,7 @@ void print_result(const Injected& result) {
   print_json(json);
 }
 
-Injection injection(const Options& options, const Model& model, const ModelData& data) {
+Injection injection(const InjectArguments& options, const Model& model, const ModelData& data) {
   EffectText text;
   BoundEffect bound;
   try {
@@ -215,7 +215,7 @@ Injection injection(const Options& options, const Model& model, const ModelData&
 
 void show_progress_of(std::size_t diagnosis) { show_progress(fmt::format("diagnosis {}", diagnosis)); }
 
-void run(const Options& options) {
+void run(const InjectArguments& options) {
   expect_known_effect(options.effect, false);
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
@@ -271,7 +271,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_inject(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<InjectArguments>();
   CLI::App* command = app.add_subcommand("inject", "Whether an effect could have been seen in data");
   command
       ->add_option("EFFECT", options->effect,

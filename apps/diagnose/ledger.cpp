@@ -21,7 +21,7 @@
 namespace ballbar::commands {
 namespace {
 
-struct Options {
+struct LedgerArguments {
   std::string model;
   bool json = false;
 };
@@ -68,7 +68,7 @@ Table table_of(const std::vector<LedgerRow>& rows) {
   return table;
 }
 
-void run(const Options& options) {
+void run(const LedgerArguments& options) {
   const std::vector<LedgerRow> rows = read_ledger(read_bytes(options.model, kLargestText), options.model);
   const auto before = [&](std::size_t i) { return i > 0 ? &rows[i - 1] : nullptr; };
   if (options.json) {
@@ -92,7 +92,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_ledger(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<LedgerArguments>();
   CLI::App* command = app.add_subcommand("ledger", "What a model went through: every revision and its error");
   command->add_option("--model", options->model, "model.toml with a ledger")->type_name("FILE")->required();
   command->add_flag("--json", options->json, "the result for a program");

@@ -14,12 +14,12 @@
 namespace ballbar::commands {
 namespace {
 
-struct Options {
+struct UndoArguments {
   std::string model;
   bool json = false;
 };
 
-void run(const Options& options) {
+void run(const UndoArguments& options) {
   const std::string bytes = read_bytes(options.model, kLargestText);
   const std::string before = without_last_revision(bytes, options.model);
   const LedgerRow undone = read_ledger(bytes, options.model).back();
@@ -37,7 +37,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_undo(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<UndoArguments>();
   CLI::App* command = app.add_subcommand("undo", "The model as it was before its last revision");
   command->add_option("--model", options->model, "model.toml with a ledger, which is changed")
       ->type_name("FILE")

@@ -19,12 +19,12 @@
 namespace ballbar::commands {
 namespace {
 
-struct Options {
+struct ErrorsArguments {
   std::vector<std::string> paths, out;
   bool strict = false, json = false;
 };
 
-void run(const Options& options) {
+void run(const ErrorsArguments& options) {
   const TestFiles files = read_tests(options.paths, options.strict);
   expect_no_input(options.out, files.files);
   for (const std::string& path : options.out) {
@@ -37,7 +37,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_errors(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ErrorsArguments>();
   CLI::App* command = app.add_subcommand("errors", "The errors of each of many ballbar tests: a table, one row a test");
   command->add_option("FILE", options->paths, ".b5r files, ballbar logs, and folders of them with those below")
       ->required()

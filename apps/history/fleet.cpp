@@ -35,7 +35,7 @@ sys.exit(fleet(sys.argv[1:])))";
 
 bool is_environment_on() { return std::getenv("VIRTUAL_ENV") != nullptr || std::getenv("CONDA_PREFIX") != nullptr; }
 
-struct Options {
+struct FleetArguments {
   std::vector<std::string> paths, tolerances, out;
   std::string table, scheduler;
   std::optional<int> workers;
@@ -43,7 +43,7 @@ struct Options {
   bool json = false;
 };
 
-std::vector<std::string> words_of(const Options& options) {
+std::vector<std::string> words_of(const FleetArguments& options) {
   std::vector<std::string> words;
   const auto say = [&](const char* name, const std::string& value) {
     words.emplace_back(fmt::format("{}={}", name, value));
@@ -84,7 +84,7 @@ std::string python() {
   return !is_environment_on() && access("/usr/bin/python3", X_OK) == 0 ? "/usr/bin/python3" : "python3";
 }
 
-void run(const Options& options) {
+void run(const FleetArguments& options) {
   find_package_beside();
   std::vector<std::string> words{python(), "-P", "-c", kStart};  // -P: a numpy.py of this folder is not run
   for (std::string& word : words_of(options)) words.push_back(std::move(word));
@@ -101,7 +101,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_fleet(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FleetArguments>();
   CLI::App* command = app.add_subcommand("fleet", "The tests of many machines: a table, and which machine needs what");
   command->add_option("FOLDER", options->paths, "folders of .b5r files, files, or patterns such as 'plant/**/*.b5r'")
       ->required()

@@ -29,7 +29,7 @@
 namespace ballbar::commands {
 namespace {
 
-struct Options {
+struct HistoryArguments {
   std::vector<std::string> folders;
   std::vector<std::string> tolerances;
   std::vector<std::string> out;  // each by its ending
@@ -75,7 +75,7 @@ std::string title_of(const std::vector<std::string>& folders) {
   return folders.size() == 1 ? name : fmt::format("{} and {} more", name, folders.size() - 1);
 }
 
-void run(const Options& options) {
+void run(const HistoryArguments& options) {
   std::vector<Tolerance> tolerances;
   tolerances.reserve(options.tolerances.size());
   for (const std::string& text : options.tolerances) tolerances.push_back(tolerance_of(text));
@@ -98,7 +98,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_history(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<HistoryArguments>();
   CLI::App* command = app.add_subcommand("history", "A machine over its tests: changes, trends, squareness, scales");
   command->add_option("FOLDER", options->folders, "folders of .b5r files or ballbar logs, with those below")
       ->required()

@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t kShownRows = 5;
 
-struct Options {
+struct ImportArguments {
   std::string log, out, save;
   LogOptions how;
   bool json = false;
@@ -73,7 +73,7 @@ std::vector<std::string> guesses(const Log& log) {
   return said;
 }
 
-nlohmann::ordered_json json_of(const Options& options, const Log& log, const std::vector<ColumnFault>& faults) {
+nlohmann::ordered_json json_of(const ImportArguments& options, const Log& log, const std::vector<ColumnFault>& faults) {
   nlohmann::ordered_json json;
   json["file"] = options.log;
   json["shape"] = log.shape;
@@ -102,7 +102,7 @@ nlohmann::ordered_json json_of(const Options& options, const Log& log, const std
   return json;
 }
 
-void print(const Options& options, const Log& log, const std::vector<ColumnFault>& faults) {
+void print(const ImportArguments& options, const Log& log, const std::vector<ColumnFault>& faults) {
   const std::vector<double>& time_s = log.series.time_s;
   fmt::print("{}\n{}\n", options.log, wrapped(sentence_of(log)));
   fmt::print("{} rows over {}{}\n\n", time_s.size(), duration_text(time_s.back() - time_s.front()),
@@ -123,7 +123,7 @@ void print(const Options& options, const Log& log, const std::vector<ColumnFault
 }
 
 // A series of our own is no log to be guessed at; it is only shown.
-Log opened(const Options& options) {
+Log opened(const ImportArguments& options) {
   const Reader* const reader = reader_of_file(options.log);
   if (read_of<ReadSeries>(reader) == nullptr) return open_log(options.log, recipe_of(options.how));
   Log log;
@@ -140,7 +140,7 @@ Log opened(const Options& options) {
   return log;
 }
 
-void run(const Options& options) {
+void run(const ImportArguments& options) {
   expect_no_input({options.out, options.save}, {options.log});
   const Log log = opened(options);
   const std::vector<ColumnFault> faults = column_faults(log.series);
@@ -161,7 +161,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_import(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ImportArguments>();
   CLI::App* command = app.add_subcommand("import", "What a logger's file is taken for, and a series made of it");
   command->add_option("LOG", options->log, "delimited text, .xlsx, .mat or .json of columns over time")->required();
   command->add_option("--out", options->out, "series .csv to write")->type_name("FILE");

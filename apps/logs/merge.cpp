@@ -27,7 +27,7 @@
 namespace ballbar::commands {
 namespace {
 
-struct Options {
+struct MergeArguments {
   std::vector<std::string> logs;
   std::string out;
   std::optional<double> max_gap_s, range_s;
@@ -52,7 +52,7 @@ Part opened(const std::string& file, const LogOptions& how) {
 }
 
 // By the dates of both, then by what both know.
-void align(const Part& first, Part& part, const Options& options) {
+void align(const Part& first, Part& part, const MergeArguments& options) {
   const auto a = first.series.started ? seconds_of_stamp(*first.series.started) : std::nullopt;
   const auto b = part.series.started ? seconds_of_stamp(*part.series.started) : std::nullopt;
   if (a && b) part.by_date_s = *b - *a;
@@ -108,7 +108,7 @@ nlohmann::ordered_json json_of(const Part& part) {
   return json;
 }
 
-void run(const Options& options) {
+void run(const MergeArguments& options) {
   expect_no_input({options.out}, {options.logs.begin(), options.logs.end()});
   std::vector<Part> parts;
   std::set<std::string> taken;
@@ -154,7 +154,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_merge(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MergeArguments>();
   CLI::App* command = app.add_subcommand("merge", "Several logs, each with its own clock, as one series");
   command->add_option("LOG", options->logs, "logs as import reads them, and series; the clock of the first counts")
       ->required()

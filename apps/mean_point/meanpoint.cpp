@@ -29,14 +29,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Options {
+struct MeanpointArguments {
   MeanPointOptions of;
   std::string out, plot;
   bool json = false;
 };
 
 // dL of the state since the start, for a mean and its sigma.
-double elongation_um(const Options& options, const MeanPointState& state, double rise_K) {
+double elongation_um(const MeanpointArguments& options, const MeanPointState& state, double rise_K) {
   return mean_point_elongation_um(options.of.expansion_ppm_per_K, length_mm(state.profile), rise_K);
 }
 
@@ -70,7 +70,7 @@ std::string saturation(const std::vector<MeanPointState>& states) {
   return "";
 }
 
-std::string conclusion(const Options& options, const std::vector<MeanPointState>& states,
+std::string conclusion(const MeanpointArguments& options, const std::vector<MeanPointState>& states,
                        const std::optional<BestPoint>& best) {
   if (best) {
     double largest = 0.0;
@@ -97,7 +97,7 @@ std::string conclusion(const Options& options, const std::vector<MeanPointState>
   return text + saturation(states);
 }
 
-void print_points(const Options& options, const MeanPointState& state) {
+void print_points(const MeanpointArguments& options, const MeanPointState& state) {
   Table table({"mean-value point", "x mm", "dT/dx degC/mm", "sensor misplaced um/mm"});
   for (std::size_t i = 0; i < state.points.size(); ++i) {
     const MeanPoint& point = state.points[i];
@@ -118,7 +118,7 @@ std::string places_of(const MeanPointState& state, double level_degC) {
   return places.empty() ? "-" : fmt::format("{}", fmt::join(places, ", "));
 }
 
-void print_ways(const Options& options, const MeanPointState& state) {
+void print_ways(const MeanpointArguments& options, const MeanPointState& state) {
   const ThreeAreas& areas = state.from->areas;
   Table table({"mean temperature by", "degC", "elongation um", "x mm"});
   const auto add = [&](const char* way, double mean, double sigma) {
@@ -168,7 +168,7 @@ void print_picture(const MeanPointState& state) {
                 areas.red_triangle, areas.blue_otsu, areas.blue_triangle)));
 }
 
-void print_states(const Options& options, const std::vector<MeanPointState>& states, const BestPoint& best) {
+void print_states(const MeanpointArguments& options, const std::vector<MeanPointState>& states, const BestPoint& best) {
   Table table({"state", "mean degC", "elongation um", "its own points x mm", "error at the best um"});
   for (std::size_t k = 0; k < states.size(); ++k) {
     const MeanPointState& state = states[k];
@@ -186,7 +186,7 @@ void print_states(const Options& options, const std::vector<MeanPointState>& sta
   fmt::print("{}\n", table.text(table_width(140)));
 }
 
-void print_text(const Options& options, const std::vector<MeanPointState>& states,
+void print_text(const MeanpointArguments& options, const std::vector<MeanPointState>& states,
                 const std::optional<BestPoint>& best) {
   fmt::print("{}\n", wrapped(conclusion(options, states, best)));
   if (best) {
@@ -246,7 +246,7 @@ ordered_json json_of(const PictureState& from) {
             {"blue_triangle", areas.blue_triangle}}}};
 }
 
-ordered_json json_of(const Options& options, const std::vector<MeanPointState>& states,
+ordered_json json_of(const MeanpointArguments& options, const std::vector<MeanPointState>& states,
                      const std::optional<BestPoint>& best) {
   ordered_json json{{"conclusion", conclusion(options, states, best)},
                     {"expansion_ppm_per_K", number(options.of.expansion_ppm_per_K)},
@@ -283,7 +283,7 @@ ordered_json json_of(const Options& options, const std::vector<MeanPointState>& 
   return json;
 }
 
-void run(const Options& options) {
+void run(const MeanpointArguments& options) {
   std::vector<std::string> outputs;
   if (!options.plot.empty()) {
     expect_meanpoint_plot(options.plot);
@@ -318,7 +318,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_meanpoint(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MeanpointArguments>();
   CLI::App* command = app.add_subcommand(
       "meanpoint", "Where one temperature sensor tells the axial elongation, from pictures or a table");
   MeanPointOptions& of = options->of;

@@ -28,7 +28,7 @@
 namespace ballbar::commands {
 namespace {
 
-struct Options {
+struct CompareArguments {
   ComparedDriftOptions drifts;
   std::vector<std::string> match;
   std::vector<std::string> out;
@@ -223,7 +223,7 @@ Series differences(const Comparison& comparison) {
   return series;
 }
 
-void run(const Options& options) {
+void run(const CompareArguments& options) {
   if (!options.plot.empty()) expect_page("--plot");
   ComparedDrifts drifts = compared_drifts_of(options.drifts);
   std::vector<std::string> outputs = options.out;
@@ -246,7 +246,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_compare(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand("compare", "How well two drift series agree, and within their uncertainty");
   command->add_option("A", options->drifts.a, "session, folder, drift .csv or five probes' .csv")
       ->required()

@@ -26,7 +26,7 @@
 namespace ballbar::commands {
 namespace {
 
-struct Options {
+struct DriftArguments {
   std::string session;
   std::vector<std::string> out;
   std::optional<double> reference_s;
@@ -78,7 +78,7 @@ Table table_of(const DriftSeries& series) {
   return table;
 }
 
-std::string way_of(const DriftSeries& series, const Options& options) {
+std::string way_of(const DriftSeries& series, const DriftArguments& options) {
   std::string way(name_of(series.method));
   if (series.method == Method::two_arcs) {
     way += options.sequential ? ", sequential" : options.equal_radii ? ", joint with R_C = R_A" : ", joint";
@@ -91,7 +91,7 @@ std::string way_of(const DriftSeries& series, const Options& options) {
   return way;
 }
 
-void print_text(const Session& session, const DriftSeries& series, const Options& options) {
+void print_text(const Session& session, const DriftSeries& series, const DriftArguments& options) {
   const std::string title = session.title.empty() ? options.session : session.title;
   fmt::print("{}\n{}; {} test{} over {:g} min, reference at {:g} min\n\n", title, way_of(series, options),
              series.points.size(), series.points.size() == 1 ? "" : "s",
@@ -118,7 +118,7 @@ void print_text(const Session& session, const DriftSeries& series, const Options
 }
 
 // The five probes of a series, or those of a session.
-void run_five_probe(const Options& options, DriftData data) {
+void run_five_probe(const DriftArguments& options, DriftData data) {
   const std::pair<bool, const char*> of_recordings[] = {{options.sequential, "--sequential"},
                                                         {options.equal_radii, "--equal-radii"},
                                                         {options.eq34, "--eq34"},
@@ -147,7 +147,7 @@ void run_five_probe(const Options& options, DriftData data) {
   report_five_probe(report);
 }
 
-void run(const Options& options) {
+void run(const DriftArguments& options) {
   DriftData data = open_drift_data(options.session);
   tell(data.remarks);
   expect_no_input(options.out, data.files);
@@ -201,7 +201,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_drift(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DriftArguments>();
   CLI::App* command = app.add_subcommand("drift", "Drift of the spindle over a session, or of five probes");
   command
       ->add_option("SESSION", options->session, "session.toml, a folder of it or of .b5r files, or five probes' .csv")

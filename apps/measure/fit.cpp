@@ -20,7 +20,7 @@
 namespace ballbar::commands {
 namespace {
 
-struct Options {
+struct FitArguments {
   std::vector<std::string> files;
   std::string out;
   bool polar = false;
@@ -170,7 +170,7 @@ std::string stored_runs_text(const Fitted& fitted) {
   return runs.empty() ? text : text + runs_text(runs);
 }
 
-std::string fits_text(const Fitted& fitted, const Options& options) {
+std::string fits_text(const Fitted& fitted, const FitArguments& options) {
   const std::string circles = circles_text(fitted);
   std::string text;
   if (fitted.recordings.front().file == fitted.recordings.back().file) text += fitted.recordings.front().file + '\n';
@@ -196,7 +196,7 @@ std::string fits_text(const Fitted& fitted, const Options& options) {
   return text;
 }
 
-std::string text_of(const Fitted& fitted, const Options& options) {
+std::string text_of(const Fitted& fitted, const FitArguments& options) {
   std::string text = fitted.recordings.empty() ? "" : fits_text(fitted, options);
   for (const ResultsAlone& alone : fitted.results_alone) {
     text += (text.empty() ? "" : "\n") + ballbar::text_of(alone);
@@ -204,7 +204,7 @@ std::string text_of(const Fitted& fitted, const Options& options) {
   return text;
 }
 
-void run(const Options& options) {
+void run(const FitArguments& options) {
   CircleOptions how;
   how.model = options.polar ? CircleModel::polar : CircleModel::length_equation;
   how.robust = options.robust;
@@ -219,7 +219,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_fit(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FitArguments>();
   CLI::App* command = app.add_subcommand("fit", "Circle or axial fit of each recording; ISO 230-4 of a CCW/CW pair");
   command->add_option("FILE", options->files, ".b5r files or ballbar logs")->required()->type_name("");
   command->add_flag("--polar", options->polar, "the circle through the polar points, as instrument software does");

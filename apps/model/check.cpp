@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kGroupsShown = 8;
 
-struct Options {
+struct CheckArguments {
   ModelOptions model;
   bool json = false;
 };
@@ -135,7 +135,7 @@ void print_targets(const std::vector<ResidualReport>& all, const std::string& ti
   fmt::print("\n{}\n--target {} shows one target in full.\n", table.text(table_width()), all.front().fit.target);
 }
 
-void run(const Options& options) {
+void run(const CheckArguments& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
   say_start(options.model, data);
@@ -158,7 +158,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_check(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckArguments>();
   CLI::App* command = app.add_subcommand("check", "Fit a model, and show where it fails");
   add_model_options(*command, options->model, false);
   add_also_input(*command, options->model);

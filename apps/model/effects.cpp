@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kMeaningWidth = 50;
 constexpr std::size_t kSummaryWidth = 62;
 
-struct Options {
+struct EffectsArguments {
   std::string name;
   bool json = false;
 };
@@ -137,7 +137,7 @@ nlohmann::ordered_json json_of(const Effect& effect) {
   return json;
 }
 
-void run(const Options& options) {
+void run(const EffectsArguments& options) {
   std::vector<const Effect*> chosen;
   std::vector<std::string_view> names;
   const std::string name = options.name.substr(0, options.name.find_first_of(":( "));  // of a label, as one is printed
@@ -166,7 +166,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_effects(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EffectsArguments>();
   CLI::App* command = app.add_subcommand("effects", "The catalogue of physical effects, or one effect's page");
   command->add_option("NAME", options->name, "effect to explain; without it the list of all")->type_name("");
   command->add_flag("--json", options->json, "the result for a program");

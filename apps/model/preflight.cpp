@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t kTargetsShown = 6;
 constexpr std::size_t kListWidth = 19;
 
-struct Options {
+struct PreflightArguments {
   ModelOptions model;
   bool json = false;
 };
@@ -151,7 +151,7 @@ nlohmann::ordered_json json_of(const Preflight& result) {
   return json;
 }
 
-void run(const Options& options) {
+void run(const PreflightArguments& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
   say_start(options.model, data);
@@ -180,7 +180,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_preflight(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PreflightArguments>();
   CLI::App* command = app.add_subcommand("preflight", "What these data could show, before looking at any residual");
   add_model_options(*command, options->model, false);
   add_also_input(*command, options->model);

@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct PlanArguments {
   ModelOptions model;
   TestPlanOptions plan;
   std::vector<std::string> can;
@@ -111,7 +111,7 @@ std::vector<double> apart_of(const TestPlan& plan) {
   return apart;
 }
 
-PlanContents contents_of(const TestPlan& plan, const Options& options, const ModelData& data,
+PlanContents contents_of(const TestPlan& plan, const PlanArguments& options, const ModelData& data,
                          const std::string& target) {
   PlanContents contents;
   contents.schedule = plan.tests.front().schedule;
@@ -135,7 +135,7 @@ PlanContents contents_of(const TestPlan& plan, const Options& options, const Mod
   return contents;
 }
 
-void run(Options options) {
+void run(PlanArguments options) {
   if (!options.out.empty()) expect_plan_folder(options.out);
   for (const std::string& what : options.can) {
     options.plan.can_load = options.plan.can_load || what == "load";
@@ -177,7 +177,7 @@ void run(Options options) {
 }  // namespace
 
 void add_plan(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PlanArguments>();
   CLI::App* command = app.add_subcommand("plan", "The run of the machine that would decide what is missing");
   add_model_options(*command, options->model, false);
   add_also_input(*command, options->model);

@@ -28,7 +28,7 @@
 namespace ballbar::commands {
 namespace {
 
-struct Options {
+struct PredictArguments {
   ModelOptions model;
   std::vector<std::string> on;
   std::vector<std::string> out;
@@ -83,14 +83,14 @@ Table summary(const std::vector<Column>& columns) {
   return table;
 }
 
-void expect_one_file(const Options& options) {
+void expect_one_file(const PredictArguments& options) {
   if (options.model.data.size() == 1) return;
   throw Error(
       fmt::format("expected one file of DATA for {}, found {}.", options.model.model, options.model.data.size()));
 }
 
 // A regression over batches has its own parameters, and is fitted to nothing here.
-void run_batch_model(const Options& options) {
+void run_batch_model(const PredictArguments& options) {
   expect_one_file(options);
   if (!options.on.empty()) throw Error("--on: expected a model of effects with it; a regression predicts DATA itself.");
   if (!options.model.target.empty() || options.model.max_gap_s || options.model.robust || options.model.white) {
@@ -104,7 +104,7 @@ void run_batch_model(const Options& options) {
 }
 
 // It has its own parameters too, and its own start and end.
-void run_effects(const Options& options) {
+void run_effects(const PredictArguments& options) {
   expect_one_file(options);
   if (!options.on.empty() || !options.model.target.empty() || options.model.robust || options.model.white ||
       options.anyway) {
@@ -118,7 +118,7 @@ void run_effects(const Options& options) {
                    options.json});
 }
 
-void run(const Options& options) {
+void run(const PredictArguments& options) {
   if (is_effect_regression(options.model.model)) return run_effects(options);
   if (!options.state.empty()) throw Error("--state: expected a model of train --effects with it.");
   if (is_batch_model(options.model.model)) return run_batch_model(options);
@@ -167,7 +167,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_predict(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PredictArguments>();
   CLI::App* command = app.add_subcommand("predict", "The model's series, with what each effect adds");
   add_model_options(*command, options->model, true);
   add_fit_options(*command, options->model);

@@ -45,7 +45,7 @@ using Json = nlohmann::ordered_json;
 
 enum class Format { html, svg, json };
 
-struct Options {
+struct ReportArguments {
   ModelOptions model;
   std::string compare;
   FiveProbeOptions probes;
@@ -86,7 +86,7 @@ void add_machine_errors(Made& made, const Fitted& fitted) {
   made.json["machine_errors"] = std::move(part.tests);
 }
 
-void add_recordings(Made& made, const Options& options) {
+void add_recordings(Made& made, const ReportArguments& options) {
   const Fitted fitted = fit_files(options.model.data, {});
   made.json["fit"] = recordings_part(fitted);
   add_machine_errors(made, fitted);
@@ -103,7 +103,7 @@ void add_recordings(Made& made, const Options& options) {
   made.files.insert(made.files.end(), options.model.data.begin(), options.model.data.end());
 }
 
-void add_session(Made& made, const SessionFiles& files, const Options& options) {
+void add_session(Made& made, const SessionFiles& files, const ReportArguments& options) {
   const std::string& path = options.model.data.front();
   const Session& session = files.session;
   made.json["title"] = session.title.empty() ? file_name(path) : session.title;
@@ -125,7 +125,7 @@ void add_session(Made& made, const SessionFiles& files, const Options& options) 
   }
 }
 
-void add_series(Made& made, const Series& series, const Options& options) {
+void add_series(Made& made, const Series& series, const ReportArguments& options) {
   const std::string& path = options.model.data.front();
   made.json["title"] = file_name(path);
   if (is_five_probe(series) || options.probes.any()) {
@@ -136,7 +136,7 @@ void add_series(Made& made, const Series& series, const Options& options) {
 }
 
 // Each run's signals; the model is of them together.
-void add_runs(Made& made, const Options& options) {
+void add_runs(Made& made, const ReportArguments& options) {
   const std::vector<fs::path> paths(options.model.data.begin(), options.model.data.end());
   const ModelData data = open_model_data(paths, {}, options.model.max_gap_s.value_or(kUsualGap_s));
   made.json["title"] = data.title;
@@ -148,7 +148,7 @@ void add_runs(Made& made, const Options& options) {
   }
 }
 
-void add_comparison(Made& made, const Options& options) {
+void add_comparison(Made& made, const ReportArguments& options) {
   ComparedDriftOptions drifts{.a = options.model.data.front(), .b = options.compare, .probes = options.probes};
   const ComparedDrifts both = compared_drifts_of(drifts);
   made.files.insert(made.files.end(), both.files.begin(), both.files.end());
@@ -176,7 +176,7 @@ void overlay_candidates(Made& made, const DiagnosisReport& found, const ModelDat
   }
 }
 
-void add_target(Made& made, const Options& options, const Model& model, const ModelData& data) {
+void add_target(Made& made, const ReportArguments& options, const Model& model, const ModelData& data) {
   const auto add_checked = [&](const ResidualReport& residual_report) {
     made.json["check"]["targets"].push_back(check_part(residual_report, model, data));
     const auto said = sentences(residual_report.fit, residual_report.where, residual_report.whiteness);
@@ -195,7 +195,7 @@ void add_target(Made& made, const Options& options, const Model& model, const Mo
 }
 
 // A target that cannot be fitted is said and left out.
-void add_model(Made& made, const Options& options) {
+void add_model(Made& made, const ReportArguments& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
   say_start(options.model, data);
@@ -215,7 +215,7 @@ void add_model(Made& made, const Options& options) {
   if (!rows.empty()) made.json["ledger"] = ledger_part(rows);
 }
 
-void add_batch(Made& made, const Options& options) {
+void add_batch(Made& made, const ReportArguments& options) {
   const BatchJob job = batch_job(options.model.data.front(), options.model.model, options.anyway);
   made.json["batch"] = batch_part(job);
   made.files.emplace_back(options.model.model);
@@ -225,7 +225,7 @@ void add_batch(Made& made, const Options& options) {
 }
 
 // An option that would do nothing is a mistake.
-void expect_use(const Options& options, bool of_recordings, bool of_batches) {
+void expect_use(const ReportArguments& options, bool of_recordings, bool of_batches) {
   const bool has_model = !options.model.model.empty();
   const bool fits = !of_batches && (has_model || options.diagnose);
   const auto expect = [](bool used, const char* option, const char* with) {
@@ -242,7 +242,7 @@ void expect_use(const Options& options, bool of_recordings, bool of_batches) {
 }
 
 // Recordings are told from a session and a series by what open_model_data() makes of them.
-Made made_of(const Options& options) {
+Made made_of(const ReportArguments& options) {
   Made made;
   made.json = {{"format", "ballbar-report 1"}, {"title", ""}, {"made_by", "ballbar " BALLBAR_VERSION}};
   made.json["made_on"] = page_date();
@@ -292,7 +292,7 @@ std::string ending_of(const fs::path& path) {
   return ending;
 }
 
-void write_pictures(const Json& report, const Options& options) {
+void write_pictures(const Json& report, const ReportArguments& options) {
   const std::vector<NamedPicture> pictures = pictures_of(report, options.pictures);
   const bool one_file = ending_of(options.out) == ".svg";
   if (one_file && pictures.size() != 1) {
@@ -317,13 +317,13 @@ void write_pictures(const Json& report, const Options& options) {
 }
 
 // As --format says, or the ending of --out.
-Format format_of(const Options& options) {
+Format format_of(const ReportArguments& options) {
   if (options.chosen_format) return *options.chosen_format;
   const std::string ending = ending_of(options.out);
   return ending == ".svg" ? Format::svg : ending == ".json" ? Format::json : Format::html;
 }
 
-void expect_fitting_options(const Options& options) {
+void expect_fitting_options(const ReportArguments& options) {
   const auto expect = [](bool fits, const std::string& sentence) {
     if (!fits) throw CLI::ValidationError(sentence);
   };
@@ -348,7 +348,7 @@ void expect_fitting_options(const Options& options) {
   expect(!options.open || options.format == Format::html, "--open: expected a page to open, not --format");
 }
 
-void expect_out(const Options& options) {
+void expect_out(const ReportArguments& options) {
   expect_fitting_options(options);
   if (options.json) return;
   // Before a long diagnosis rather than after it.
@@ -362,7 +362,7 @@ void expect_out(const Options& options) {
 
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-std::string html_of(const Made& made, const Options& options) {
+std::string html_of(const Made& made, const ReportArguments& options) {
   if (options.without_files) return page_of(made.json, nullptr);
   const Json inside = files_inside(made.files, options.model.data, options.model.model);
   if (inside.is_null() && !made.files.empty()) {
@@ -371,7 +371,7 @@ std::string html_of(const Made& made, const Options& options) {
   return page_of(made.json, inside);
 }
 
-void run(Options options) {
+void run(ReportArguments options) {
   options.format = format_of(options);
   expect_out(options);
   std::vector<fs::path> inputs(options.model.data.begin(), options.model.data.end());
@@ -403,7 +403,7 @@ void run(Options options) {
 }  // namespace
 
 void add_report(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReportArguments>();
   CLI::App* command = app.add_subcommand("report", "Everything to look at, in one page");
   add_model_options(*command, options->model, false);
   add_also_input(*command, options->model);

@@ -45,8 +45,6 @@ FileKind kind_of(const std::string& path) {
   return FileKind::series;
 }
 
-bool is_option(const std::string& word) { return word.size() > 1 && word.front() == '-'; }
-
 bool is_there(const std::string& path) {
   std::error_code absent;
   return !is_option(path) && std::filesystem::exists(path, absent);

@@ -16,8 +16,6 @@ const CLI::App& chosen_app(const CLI::App& app) {
   return *chosen;
 }
 
-bool is_option(const std::string& word) { return word.size() > 1 && word.front() == '-'; }
-
 // "--out" of "--out=drift.csv".
 std::string name_of(const std::string& word) { return word.substr(0, word.find('=')); }
 
@@ -68,6 +66,8 @@ std::string fault(const CLI::App& app, const CLI::ParseError& error, const std::
 }
 
 }  // namespace
+
+bool is_option(const std::string& word) { return word.size() > 1 && word.front() == '-'; }
 
 std::string full_name(const CLI::App& app) {
   const CLI::App* const parent = app.get_parent();

@@ -15,6 +15,8 @@ namespace ballbar {
 // `words`: of the command line, without the program's name.
 std::string usage_fault(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words);
 
+bool is_option(const std::string& word);  // of a command line: --out, -h; "-" is a file
+
 // "ballbar blind make"
 std::string full_name(const CLI::App& app);
 

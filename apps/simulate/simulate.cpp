@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct SimulateArguments {
   std::string machine;
   std::string out;
   std::string truth;
@@ -37,7 +37,7 @@ struct Options {
 };
 
 // Beside the folder, not in it: whoever is given the run is not given the answer.
-fs::path truth_file(const Options& options) {
+fs::path truth_file(const SimulateArguments& options) {
   if (!options.truth.empty() || options.out.empty()) return options.truth;
   fs::path folder = (fs::path(options.out) / "").lexically_normal().parent_path();  // no trailing slash
   if (folder.empty() || folder.filename() == "." || folder.filename() == "..") {
@@ -51,7 +51,7 @@ std::string_view method_name(const VirtualMachine& machine) {
 }
 
 void print_text(const VirtualMachine& machine, const SimulatedSession& simulated,
-                const std::vector<SimulatedFile>& files, const Options& options, const fs::path& truth) {
+                const std::vector<SimulatedFile>& files, const SimulateArguments& options, const fs::path& truth) {
   const std::vector<double>& time_s = machine.series ? simulated.series.time_s : machine.test_s;
   fmt::print("simulated  {}, {} {}{} over {:g} min, seed {}\n", method_name(machine), time_s.size(),
              machine.series ? "row" : "test", time_s.size() == 1 ? "" : "s", min_from_s(time_s.back() - time_s.front()),
@@ -65,7 +65,7 @@ void print_text(const VirtualMachine& machine, const SimulatedSession& simulated
 }
 
 void print_result(const VirtualMachine& machine, const SimulatedSession& simulated,
-                  const std::vector<SimulatedFile>& files, const Options& options, const fs::path& truth) {
+                  const std::vector<SimulatedFile>& files, const SimulateArguments& options, const fs::path& truth) {
   nlohmann::ordered_json json = {{"method", method_name(machine)}};
   if (machine.series) {
     json["rows"] = simulated.series.time_s.size();
@@ -82,7 +82,7 @@ void print_result(const VirtualMachine& machine, const SimulatedSession& simulat
 }
 
 // Each test a .b5r, in a folder of its machine.
-void run_fleet(const Options& options, std::string_view bytes) {
+void run_fleet(const SimulateArguments& options, std::string_view bytes) {
   VirtualFleet fleet = read_fleet(bytes, options.machine);
   if (options.seed) fleet.seed = static_cast<std::uint64_t>(*options.seed);
   const fs::path truth = truth_file(options);
@@ -99,7 +99,7 @@ void run_fleet(const Options& options, std::string_view bytes) {
   fmt::print("truth      {} (kept apart: no other command reads it)\n", truth.string());
 }
 
-void run(const Options& options) {
+void run(const SimulateArguments& options) {
   const std::string bytes = read_bytes(options.machine, kLargestText);
   if (is_fleet(bytes)) {
     run_fleet(options, bytes);
@@ -123,7 +123,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_simulate(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SimulateArguments>();
   CLI::App* command =
       app.add_subcommand("simulate", "Recordings, signals and five-probe readings of a virtual machine");
   command

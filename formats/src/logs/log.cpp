@@ -24,7 +24,6 @@
 namespace ballbar {
 namespace {
 
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFreezing_K = 273.15;
 constexpr double kNoReading = 9e36;  // 9.9E37 and 1E38 stand for overload
 

@@ -13,8 +13,6 @@ namespace {
 constexpr std::string_view kNoBreak = "\xC2\xA0", kNarrowNoBreak = "\xE2\x80\xAF", kThin = "\xE2\x80\x89",
                            kMinus = "\xE2\x88\x92";
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 // One to three digits, then groups of three behind `separator`, then nothing or a decimal.
 bool is_grouped(std::string_view digits, char separator) {
   const std::size_t first = digits.find(separator);

@@ -7,11 +7,12 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
+#include "logs/time_stamp.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kDay_s = 86400.0, kHour_s = 3600.0;
+constexpr double kHour_s = 3600.0;
 
 double rounded(double value, double step) { return step > 0.0 ? std::round(value / step) * step : value; }
 

@@ -9,6 +9,7 @@
 #include "ballbar/nearest_name.hpp"
 #include "logs/decimal_sign.hpp"
 #include "logs/log_cells.hpp"
+#include "logs/log_sources.hpp"
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"
 #include "logs/time_stamp.hpp"
@@ -18,7 +19,6 @@ namespace {
 
 constexpr std::size_t kHead = std::size_t{1} << 20;
 constexpr std::size_t kMostHeadLines = 3000;
-constexpr std::size_t kMostColumns = 10000;
 constexpr std::size_t kMostHeaderRows = 30;
 constexpr char kDelimiters[] = {'\t', ';', ',', '|', ' '};
 

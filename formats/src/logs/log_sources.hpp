@@ -2,6 +2,7 @@
 // that all of them are read by one reader.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,8 @@
 #include "ballbar/formats/logs/log.hpp"
 
 namespace ballbar {
+
+inline constexpr std::size_t kMostColumns = 10000;  // of a log, whatever its file
 
 struct TableText {
   std::string text;   // UTF-8: tabs between cells, decimal points, dates as ISO 8601; line k is row k of the file

@@ -12,12 +12,10 @@
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "logs/log_cells.hpp"
+#include "logs/time_stamp.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-constexpr double kDay_s = 86400.0;
 
 // A date may be read in two ways: how its days run in either, from row to row.
 struct OrderEvidence {

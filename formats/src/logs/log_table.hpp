@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "logs/log_shape.hpp"
 
 namespace ballbar {
+
+inline constexpr double kGap = std::numeric_limits<double>::quiet_NaN();  // where a row has no value
 
 struct LogTable {
   std::vector<std::vector<double>> values;                 // one a column of the log; of numbers alone; a gap is NaN

@@ -25,7 +25,6 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kMostNumbers = std::size_t{1} << 27;  // of one file: 1 GiB
-constexpr std::size_t kMostColumns = 10000;
 constexpr std::size_t kLargestText = std::size_t{2} << 30;
 constexpr rlim_t kSeconds = 120;
 

@@ -9,7 +9,7 @@
 namespace ballbar {
 namespace {
 
-constexpr double kDay_s = 86400.0, kUnixToExcel_d = 25569.0, k1904_d = 1462.0;
+constexpr double k1904_d = 1462.0;
 
 std::string clock_text(double seconds) {
   const auto milli = static_cast<long long>(std::llround(seconds * 1e3));

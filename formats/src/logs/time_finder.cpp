@@ -11,11 +11,12 @@
 #include "logs/log_interval.hpp"
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"
+#include "logs/time_stamp.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kUnixToExcel_d = 25569.0, kUnixToMatlab_d = 719529.0;
+constexpr double kUnixToMatlab_d = 719529.0;
 
 class TimeFinder {
  public:

@@ -15,8 +15,6 @@
 namespace ballbar {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 // Months by their first letters, folded: English, German, French, Italian, Spanish.
 constexpr std::pair<std::string_view, unsigned> kMonths[] = {
     {"jan", 1}, {"gen", 1},  {"ene", 1},  {"feb", 2},  {"fev", 2},  {"mar", 3},  {"mrz", 3},  {"maerz", 3},

@@ -8,6 +8,9 @@
 
 namespace ballbar {
 
+inline constexpr double kDay_s = 86400.0;
+inline constexpr double kUnixToExcel_d = 25569.0;  // days from 1899-12-30, a spreadsheet's first, to 1970
+
 enum class DateOrder : std::uint8_t { day_first, month_first };
 
 struct TimeStamp {

@@ -20,7 +20,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kLargestPart = std::size_t{256} << 20;  // unpacked
-constexpr std::size_t kMostRows = 1048576, kMostColumns = 10000;
+constexpr std::size_t kMostRows = 1048576;
 
 using Archive = std::unique_ptr<zip_t, decltype(&zip_discard)>;
 

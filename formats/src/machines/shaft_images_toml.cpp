@@ -10,7 +10,7 @@
 namespace ballbar {
 namespace {
 
-constexpr Key kKeys[] = {
+constexpr Key kImageKeys[] = {
     {"time_min", "min", "one of the times of `profile_min`; needed"},
     {"file", "text", "a plain name that ends in .png or .jpg; needed"},
     {"colours", "text", "colour map, as `meanpoint --colours` knows them; default \"jet\""},
@@ -55,7 +55,7 @@ double time_s(const TomlTable& table, const std::vector<double>& profile_min) {
 
 ShaftImage read_image(const TomlTable& table, const std::vector<double>& profile_min,
                       const std::vector<ShaftImage>& before) {
-  expect_keys(table, kKeys);
+  expect_keys(table, kImageKeys);
   ShaftImage image;
   image.time_s = time_s(table, profile_min);
   image.file = file_name(table, before);
@@ -77,7 +77,7 @@ ShaftImage read_image(const TomlTable& table, const std::vector<double>& profile
 
 }  // namespace
 
-std::vector<KeyTable> image_keys() { return {{"`[[spindle.image]]`", kKeys}}; }
+std::vector<KeyTable> image_keys() { return {{"`[[spindle.image]]`", kImageKeys}}; }
 
 std::vector<ShaftImage> read_shaft_images(std::string_view bytes, std::string_view name) {
   const TomlSource source = parse_toml(bytes, name);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMinute_s = 60.0;
 
-constexpr Key kKeys[] = {
+constexpr Key kSpindleKeys[] = {
     {"time_min", "min, list", "from these times on, rising; needed"},
     {"speed_rpm", "rpm, list", "this speed; needed"},
     {"load_W", "W, list", "and this cutting power; default: none"},
@@ -147,10 +147,12 @@ std::optional<TomlTable> inner(const TomlTable& table, std::string_view key) {
 
 }  // namespace
 
-std::vector<KeyTable> spindle_keys() { return {{"`[spindle]`", kKeys}, {"`[spindle.measured]`", kMeasuredKeys}}; }
+std::vector<KeyTable> spindle_keys() {
+  return {{"`[spindle]`", kSpindleKeys}, {"`[spindle.measured]`", kMeasuredKeys}};
+}
 
 VirtualSpindle read_spindle(const TomlTable& table, std::optional<double> default_end_s) {
-  expect_keys(table, kKeys);
+  expect_keys(table, kSpindleKeys);
   VirtualSpindle spindle;
   take_bounded(spindle.clock.interval_s, table, "interval_s", Bound::positive);
   take_bounded(spindle.clock.step_s, table, "step_s", Bound::positive);

@@ -15,8 +15,8 @@
 namespace ballbar {
 namespace {
 
-constexpr std::string_view kFormat = "ballbar-batch-model 1";
-constexpr std::size_t kMostRows = 1'000'000'000;  // of a batch; their sum stays a size_t
+constexpr std::string_view kBatchFormat = "ballbar-batch-model 1";
+constexpr std::size_t kMostBatchRows = 1'000'000'000;  // of a batch; their sum stays a size_t
 
 std::string json_of(const TrainedRange& range) {
   std::vector<std::string> loadings;
@@ -127,7 +127,7 @@ TrainedBatch batch_at(const JsonValue& value) {
   expect_keys(value, {"name", "rows", "weight", "rmse_um", "held_out_um"});
   TrainedBatch batch;
   batch.name = text(member(value, "name"));
-  batch.rows = whole(member(value, "rows"), 1, kMostRows);
+  batch.rows = whole(member(value, "rows"), 1, kMostBatchRows);
   batch.weight = number_not_below_0(member(value, "weight"));
   batch.rmse_um = number_not_below_0(member(value, "rmse_um"));
   const JsonValue held_out = member(value, "held_out_um");
@@ -153,7 +153,7 @@ std::vector<TrainedBatch> batches_at(const JsonValue& value) {
 std::string write_batch_model(const BatchModel& model) {
   std::vector<std::string> batches;
   for (const TrainedBatch& batch : model.batches) batches.push_back(json_of(batch));
-  std::string out = fmt::format("{{\n  \"format\": \"{}\",\n", kFormat);
+  std::string out = fmt::format("{{\n  \"format\": \"{}\",\n", kBatchFormat);
   out += fmt::format("  \"target\": {},\n", json_text(model.columns.target));
   out += fmt::format("  \"room\": {},\n", json_text(model.columns.room));
   out += fmt::format("  \"speed\": {},\n", model.columns.speed ? json_text(*model.columns.speed) : "null");
@@ -175,7 +175,7 @@ BatchModel read_batch_model(std::string_view bytes, std::string_view name) {
   const JsonSource source = parse_json(bytes, name);
   const JsonValue root = root_of(source);
   if (!root.value->is_object()) fail(root, "an object");
-  choice_index(member(root, "format"), {kFormat});
+  choice_index(member(root, "format"), {kBatchFormat});
   expect_keys(root, {"format", "target", "room", "speed", "sensors", "inputs", "method", "components", "penalty_K2",
                      "intercept_um", "slope_um_per_K", "trained_range", "rmse_um", "held_out_rmse_um", "half_width_um",
                      "batches"});

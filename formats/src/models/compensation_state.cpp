@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kFormat = "ballbar-compensation 1";
+constexpr std::string_view kCompensationFormat = "ballbar-compensation 1";
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Json or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -87,7 +87,7 @@ Compensator::State state_at(const JsonValue& value) {
 }  // namespace
 
 std::string write_compensation(const StoredCompensation& stored) {
-  Json json{{"format", kFormat}, {"signals", nullptr}, {"axes", Json::array()}};
+  Json json{{"format", kCompensationFormat}, {"signals", nullptr}, {"axes", Json::array()}};
   if (stored.signals) {
     json["signals"] = {
         {"file", stored.signals->file}, {"inode", stored.signals->inode}, {"bytes", stored.signals->bytes}};
@@ -100,7 +100,7 @@ StoredCompensation read_compensation(std::string_view bytes, std::string_view na
   const JsonSource source = parse_json(bytes, name);
   const JsonValue root = root_of(source);
   expect_keys(root, {"format", "signals", "axes"});
-  choice_index(member(root, "format"), {kFormat});
+  choice_index(member(root, "format"), {kCompensationFormat});
   StoredCompensation stored;
   const JsonValue signals = member(root, "signals");
   if (!signals.value->is_null()) {

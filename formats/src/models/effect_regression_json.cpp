@@ -17,7 +17,6 @@
 namespace ballbar {
 namespace {
 
-constexpr std::string_view kFormat = "ballbar-effect-regression 1";
 constexpr std::string_view kAnyFormat = "\"ballbar-effect-regression ";
 constexpr std::size_t kMostRows = 1'000'000'000;
 
@@ -217,7 +216,7 @@ EffectRegression read_effect_regression(std::string_view bytes, std::string_view
   const JsonSource source = parse_json(bytes, name);
   const JsonValue root = root_of(source);
   if (!root.value->is_object()) fail(root, "an object");
-  choice_index(member(root, "format"), {kFormat});
+  choice_index(member(root, "format"), {kRegressionFormat});
   expect_keys(root,
               {"format", "target", "dictionary", "prior_variance", "sigma_um", "length_s", "interval_scale", "rows",
                "runs", "rmse_um", "forecasts", "columns", "left_out", "constant_um", "terms", "factor_um", "end"});

@@ -11,8 +11,6 @@
 namespace ballbar {
 namespace {
 
-constexpr std::string_view kFormat = "ballbar-effect-regression 1";
-
 std::string json_of(std::span<const double> numbers) {
   return json_text(Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size())));
 }
@@ -68,7 +66,7 @@ std::string factor_text(const Eigen::MatrixXd& factor) {
 }  // namespace
 
 std::string write_effect_regression(const EffectRegression& regression) {
-  std::string out = fmt::format("{{\n  \"format\": \"{}\",\n", kFormat);
+  std::string out = fmt::format("{{\n  \"format\": \"{}\",\n", kRegressionFormat);
   out += fmt::format("  \"target\": {},\n", json_text(regression.model.targets.front()));
   out += fmt::format("  \"dictionary\": {},\n", json_text(regression.dictionary));
   out += fmt::format("  \"prior_variance\": {},\n", json_text(regression.prior_variance));

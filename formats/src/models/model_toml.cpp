@@ -23,7 +23,7 @@
 namespace ballbar {
 namespace {
 
-constexpr std::string_view kFormat = "ballbar-model 1";
+constexpr std::string_view kModelFormat = "ballbar-model 1";
 constexpr std::string_view kRecordingTarget = "deviation_um";
 constexpr std::size_t kMostEffects = 100;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -248,7 +248,7 @@ std::vector<ColumnRange> trained_at(const TomlTable& root) {
 }
 
 Model model_of(const TomlTable& root, const Catalogue& catalogue) {
-  const std::string_view formats[] = {kFormat};
+  const std::string_view formats[] = {kModelFormat};
   if (!choice_index(root, "format", formats)) fail_missing(root, "format");
   expect_keys(root, kRootKeys);
   Model model;
@@ -334,7 +334,7 @@ Model read_model(std::string_view bytes, std::string_view name, const Catalogue&
 }
 
 std::string write_model(const Model& model) {
-  std::string out = fmt::format("format = \"{}\"\n", kFormat);
+  std::string out = fmt::format("format = \"{}\"\n", kModelFormat);
   if (model.level == Level::recording) out += "level = \"recording\"\n";
   std::vector<std::string> targets;
   for (const std::string& target : model.targets) targets.push_back(toml_quoted(target));

@@ -13,10 +13,10 @@
 namespace ballbar {
 namespace {
 
-constexpr std::string_view kFormat = "ballbar-runs 1";
+constexpr std::string_view kRunsFormat = "ballbar-runs 1";
 constexpr std::size_t kMostRuns = 1000;
 
-constexpr Key kRootKeys[] = {
+constexpr Key kRunsKeys[] = {
     {"format", "text", "\"ballbar-runs 1\"; needed"},
     {"title", "text", "stands above the results"},
     {"run", "tables", "a run each, in the order of time; at least one"},
@@ -29,7 +29,7 @@ constexpr Key kRunKeys[] = {
 
 }  // namespace
 
-std::vector<KeyTable> runs_keys() { return {{"", kRootKeys}, {"`[[run]]`", kRunKeys}}; }
+std::vector<KeyTable> runs_keys() { return {{"", kRunsKeys}, {"`[[run]]`", kRunKeys}}; }
 
 constinit const Reader readers::kRuns = {
     .found = "a list of runs",
@@ -40,9 +40,9 @@ RunsOfMachine read_run_list(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);
   const TomlSource source = parse_toml(text.bytes, name);
   const TomlTable root = root_of(source);
-  const std::string_view formats[] = {kFormat};
+  const std::string_view formats[] = {kRunsFormat};
   if (!choice_index(root, "format", formats)) fail_missing(root, "format");
-  expect_keys(root, kRootKeys);
+  expect_keys(root, kRunsKeys);
   RunsOfMachine result;
   result.title = string(root, "title").value_or("");
   const std::string_view starts[] = {"rest", "warm"};

@@ -13,9 +13,9 @@
 namespace ballbar {
 namespace {
 
-constexpr std::string_view kFormat = "ballbar-session 1";
+constexpr std::string_view kSessionFormat = "ballbar-session 1";
 
-constexpr Key kRootKeys[] = {
+constexpr Key kSessionKeys[] = {
     {"format", "text", "\"ballbar-session 1\"; needed"},
     {"method", "text", "\"circles\", \"two_arcs\" or \"spindle_rotation\"; needed"},
     {"title", "text", "stands above the results"},
@@ -112,7 +112,7 @@ SessionPlan::Test test_of(const TomlTable& table, Method method) {
 }  // namespace
 
 std::vector<KeyTable> session_keys() {
-  return {{"", kRootKeys},
+  return {{"", kSessionKeys},
           {"`[bar]`", kBarKeys},
           {"`[[test]]`", kTestKeys},
           {"`[[test]]` of `circles`", kCirclesKeys},
@@ -132,9 +132,9 @@ SessionPlan read_session_plan(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);
   const TomlSource source = parse_toml(text.bytes, name);
   const TomlTable root = root_of(source);
-  const std::string_view formats[] = {kFormat};
+  const std::string_view formats[] = {kSessionFormat};
   if (!choice_index(root, "format", formats)) fail_missing(root, "format");
-  expect_keys(root, kRootKeys);
+  expect_keys(root, kSessionKeys);
 
   SessionPlan plan;
   plan.method = required_choice(root, "method", {Method::two_arcs, Method::spindle_rotation, Method::circles});
@@ -170,7 +170,7 @@ SessionPlan read_session_plan(std::string_view bytes, std::string_view name) {
 }
 
 std::string write_session_plan(const SessionPlan& plan) {
-  std::string out = fmt::format("format = \"{}\"\nmethod = \"{}\"\n", kFormat, name_of(plan.method));
+  std::string out = fmt::format("format = \"{}\"\nmethod = \"{}\"\n", kSessionFormat, name_of(plan.method));
   if (!plan.title.empty()) out += fmt::format("title = {}\n", toml_quoted(plan.title));
   if (!plan.spindle_above) out += "spindle_above = false\n";
   out += fmt::format("\n[bar]\nnominal_length_mm = {}\n", toml_number(plan.nominal_length_mm));

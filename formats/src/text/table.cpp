@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::size_t kLongestComments = std::size_t{1} << 20;
 constexpr std::size_t kMostColumns = 10000;
-constexpr std::size_t kNone = std::string_view::npos;
 
 std::size_t line_end(std::string_view bytes, std::size_t offset) {
   return std::min(bytes.find('\n', offset), bytes.size());
@@ -44,7 +43,7 @@ std::string_view trimmed(std::string_view cell) {
   if (trimmed(line).empty()) {
     fail_at(text, offset, fmt::format("expected a row of {} values, found an empty line.", columns));
   }
-  if (line.find_first_of(";\t") != kNone) {
+  if (line.find_first_of(";\t") != std::string_view::npos) {
     fail_at(text, offset + line.find_first_of(";\t"),
             fmt::format("expected values separated by commas, decimals with a point, found {}.", in_quotes(line)));
   }

@@ -26,6 +26,8 @@
 
 namespace ballbar {
 
+inline constexpr std::string_view kRegressionFormat = "ballbar-effect-regression 1";
+
 // Numbers read back to the same doubles, but those of factor_um, which are rounded to 9 digits: half widths to 1e-6 of
 // them. Throws Error where one is not finite, which the reader would refuse.
 std::string write_effect_regression(const EffectRegression& regression);
