@@ -48,8 +48,8 @@ LivePrediction::LivePrediction(const EffectRegression& regression)
 }
 
 LivePrediction::At LivePrediction::next(double time_s, std::span<const double> values) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  if (!std::isfinite(live_.next(time_s, values))) return {kNone, kNone, false};
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  if (!std::isfinite(live_.next(time_s, values))) return {kUnknown, kUnknown, false};
   const std::span<const double> units = live_.contributions_um();
   const auto m = static_cast<Eigen::Index>(gains_.size());
   At at;

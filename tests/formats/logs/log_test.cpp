@@ -16,8 +16,6 @@
 namespace ballbar {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 std::string said(std::string_view text, const LogRecipe& recipe = {}) {
   try {
     read_log(text, "log.csv", recipe);
