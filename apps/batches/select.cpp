@@ -151,7 +151,8 @@ void print_choices(const std::vector<Choice>& choices, const Selection& selectio
   fmt::print("\n{}", table.text(table_width()));
 }
 
-void print_ranking(const SelectArguments& options, const OpenedBatches& opened, const Selection& selection, bool measured) {
+void print_ranking(const SelectArguments& options, const OpenedBatches& opened, const Selection& selection,
+                   bool measured) {
   std::vector<std::string> heading{"batch", "rank", "room apart K", "unlike", "weight", "RMSE_m um"};
   if (measured) heading.emplace_back("RMSE_p um");
   Table table(heading);

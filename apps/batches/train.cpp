@@ -76,7 +76,8 @@ void expect_fitting(const TrainArguments& options) {
 }
 
 // As the command line says, by batches left out where it does not.
-RegressionSettings chosen_settings(const TrainArguments& options, RegressionMethod method, const OpenedBatches& opened) {
+RegressionSettings chosen_settings(const TrainArguments& options, RegressionMethod method,
+                                   const OpenedBatches& opened) {
   const bool asked = options.method == static_cast<std::size_t>(method);
   if (asked && options.components) return {method, *options.components, 0.0};
   if (asked && options.share) return {method, components_for(merged(opened.batches), *options.share), 0.0};

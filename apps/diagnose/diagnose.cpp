@@ -31,8 +31,8 @@ struct DiagnoseArguments {
 };
 
 // The text or JSON of one of several targets; why there is none where it cannot be fitted, as without values.
-void show_one_of_several(const DiagnoseArguments& options, const Model& model, const ModelData& data, std::size_t target,
-                         nlohmann::ordered_json& targets) {
+void show_one_of_several(const DiagnoseArguments& options, const Model& model, const ModelData& data,
+                         std::size_t target, nlohmann::ordered_json& targets) {
   if (target > 0 && !options.json) fmt::print("\n");
   try {
     const DiagnosisReport diagnosis_report =
