@@ -213,18 +213,18 @@ std::string plan_picture(const PlanContents& contents) {
   y += 12.0;
   steps_panel(svg, time, schedule, y, kSpeedHeight, "spindle rpm", &Dwell::speed_rpm);
   y += kSpeedHeight + kGap;
-  struct Surrounding {
+  struct Condition {
     std::string_view name;
     double Dwell::*member;
   };
-  for (const Surrounding& surrounding : {Surrounding{"load, times that of the data", &Dwell::load},
-                                         Surrounding{"room, K beside the data", &Dwell::room_K},
-                                         Surrounding{"coolant, K beside the data", &Dwell::coolant_K}}) {
+  for (const Condition& condition :
+       {Condition{"load, times that of the data", &Dwell::load}, Condition{"room, K beside the data", &Dwell::room_K},
+        Condition{"coolant, K beside the data", &Dwell::coolant_K}}) {
     const bool is_set = std::any_of(schedule.dwells.begin(), schedule.dwells.end(), [&](const Dwell& dwell) {
-      return dwell.*surrounding.member != Dwell{}.*surrounding.member;
+      return dwell.*condition.member != Dwell{}.*condition.member;
     });
     if (!is_set) continue;
-    steps_panel(svg, time, schedule, y, kSettingHeight, surrounding.name, surrounding.member);
+    steps_panel(svg, time, schedule, y, kSettingHeight, condition.name, condition.member);
     y += kSettingHeight + kGap;
   }
   const std::vector<Legend> legends = curves_panel(svg, time, contents, y);

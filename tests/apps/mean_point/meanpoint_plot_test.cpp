@@ -36,10 +36,10 @@ TEST(meanpoint_plot, svg_needs_the_page_and_png_does_not) {
   } catch (const Error& error) {
     told = error.what();
   }
-  EXPECT_EQ(told, !page::kScript.empty() ? ""
-                                         : "--plot: this ballbar was built without its page: expected node and npm "
-                                           "when it was built; on Debian install nodejs and npm, then run cmake -S . "
-                                           "-B build -DBALLBAR_PAGE=ON && cmake --build build.");
+  const std::string without_page =
+      "--plot: this ballbar was built without its page: expected node and npm when it was built; on Debian install "
+      "nodejs and npm, then run cmake -S . -B build -DBALLBAR_PAGE=ON && cmake --build build.";
+  EXPECT_EQ(told, page::kScript.empty() ? without_page : "");
   EXPECT_NO_THROW(expect_meanpoint_plot("shaft.png"));
 }
 
