@@ -4,7 +4,8 @@
     ```cpp tests/x/main.cpp  a path: the block must stand in that file
     ```console               lines `$ command` (a closing backslash continues) are run, in a folder that has
                              the files above, those of tests/cli/readme/ and sample-runs/; `ballbar` is the
-                             program built. The lines below each are its output; `...` stands for any lines.
+                             program built. The lines below each are its output, to the letter but for the last
+                             digits of numbers (same.py); `...` stands for any lines.
     ```console numpy,pandas  passed over where Debian's python3 lacks one of these modules
     ```console CASE          not run: its command and output stand in that case of tests/cli/cases
 
@@ -19,6 +20,9 @@ import re
 import shutil
 import subprocess
 import sys
+
+sys.dont_write_bytecode = True  # beside the sources
+import same  # noqa: E402
 
 program, source, scratch = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 update = "--update" in sys.argv[4:]
@@ -36,10 +40,6 @@ def run(command):
 
 def pattern_of(expected):
     return "".join(r"(?s:.*)" if line == "..." else re.escape(line + "\n") for line in expected)
-
-
-def same(expected, came):
-    return re.fullmatch(pattern_of(expected), "".join(line + "\n" for line in came)) is not None
 
 
 def stands_in_case(name, command, expected):
@@ -137,7 +137,7 @@ for language, name, block in pieces:
     for command, expected in steps_of(block):
         commands += 1
         came = run("\n".join(command)[2:])
-        if same(expected, came):
+        if same.matches(expected, came):
             came = expected
         else:
             wrong += 1
