@@ -3,13 +3,24 @@
 #
 #   sh tests/run.sh -R circle_fit
 #
+# Ends as ctest does; the last lines say what was skipped or left out, and why.
+#
 # BALLBAR_EXTERNAL_DATA  folder of measured data that is not part of ballbar; without it those tests skip
 # BALLBAR_WERROR=1       warnings are errors
 set -eu
 cd "$(dirname "$0")/.."
 
 sh apps/install-packages.sh build page images mat blind python fleet hal test
+mkdir -p build-tests
+configured=build-tests/configured.log results=$PWD/build-tests/results.xml
 cmake -S . -B build-tests -DCMAKE_BUILD_TYPE=Release -DBALLBAR_TESTS=ON -DBALLBAR_PACKAGES=OFF \
-  -DBALLBAR_WERROR="${BALLBAR_WERROR:-0}" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+  -DBALLBAR_WERROR="${BALLBAR_WERROR:-0}" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >$configured ||
+  { cat $configured && exit 1; }
+cat $configured
 cmake --build build-tests -j "$(nproc)"
-ctest --test-dir build-tests --output-on-failure -j "$(nproc)" "$@"
+rm -f "$results"
+status=0
+ctest --test-dir build-tests --output-on-failure -j "$(nproc)" --output-junit "$results" \
+  --test-output-size-passed 1000000 "$@" || status=$?
+[ ! -f "$results" ] || { echo && python3 tests/skipped.py "$results" $configured; }
+exit $status
