@@ -1,7 +1,6 @@
 // Chromium, and reports opened in it. What must never happen is kept in `wrong`: errors, dialogs, anything loaded.
-import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
-import { kQuiet, watched } from "./watched.mjs";
+import { address_of, kQuiet, watched } from "./watched.mjs";
 
 export const launched = () =>
   chromium.launch({
@@ -13,7 +12,7 @@ export const launched = () =>
 export const opened = async (browser, file, options = {}) => {
   const context = await browser.newContext({ viewport: { width: 1100, height: 900 }, ...options });
   const page = await context.newPage();
-  const url = pathToFileURL(file).href;
+  const url = address_of(file);
   const wrong = watched(page, url);
   await page.goto(url);
   await page.waitForSelector("html[data-ready]", { state: "attached" });

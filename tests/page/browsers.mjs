@@ -2,9 +2,8 @@
 import { existsSync, mkdtempSync, readdirSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { pathToFileURL } from "node:url";
 import { launch } from "puppeteer-core";
-import { kQuiet, watched } from "./watched.mjs";
+import { address_of, kQuiet, watched } from "./watched.mjs";
 
 const programs = {
   chrome: process.env.CHROMIUM || "/usr/bin/chromium",
@@ -53,7 +52,7 @@ const until = async (what, of_it, longest = kMinutes) => {
 const opened = async ({ kind, dark, browser, saved }, file, { width = 1100, height = 900, before = null } = {}) => {
   const context = await browser.createBrowserContext(kind === "chrome" ? { downloadBehavior: { policy: "allow", downloadPath: saved } } : {});
   const page = await context.newPage();
-  const url = pathToFileURL(file).href;
+  const url = address_of(file);
   const wrong = watched(page, url);
   page.setDefaultTimeout(kMinutes);
   await page.setViewport({ width, height });

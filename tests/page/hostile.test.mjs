@@ -4,10 +4,10 @@ import assert from "node:assert/strict";
 import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { pathToFileURL } from "node:url";
 import { figure, launched, opened, saved, seen } from "./browser.mjs";
 import { data_of, page_with, with_errors } from "./machine_errors.mjs";
 import { folder, of_run, report, run } from "./reports.mjs";
+import { address_of } from "./watched.mjs";
 
 const image = "<img src=x onerror=alert(1)>";
 const script = "</script><script>alert(2)</script>";
@@ -191,7 +191,7 @@ test("hostile text in --plot", async () => {
   page.on("dialog", (dialog) => asked.push(dialog.message()));
   for (const name of ["compare.svg", "meanpoint.svg"]) {
     const text = readFileSync(path(name), "utf8");
-    const url = pathToFileURL(path(name)).href;
+    const url = address_of(path(name));
     assert.doesNotMatch(text, /<(img|script|foreignObject|b)\b|[\u200B-\u200F\u202A-\u202E]|N{400}|>rich</);
     await page.goto(url);
     assert.equal(await page.evaluate(() => document.querySelectorAll("parsererror, script, image, a, foreignObject").length), 0, name);

@@ -1,3 +1,8 @@
+import { pathToFileURL } from "node:url";
+
+// Of a file, as browsers write it: Node.js leaves `|` as it is up to version 18.
+export const address_of = (path) => pathToFileURL(path).href.replaceAll("|", "%7C");
+
 // What must never happen on a page of this address: errors, dialogs, windows, anything loaded. The list grows.
 export const watched = (page, url) => {
   const wrong = [];
