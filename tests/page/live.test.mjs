@@ -34,7 +34,12 @@ const drop = (page, files) =>
 
 const dropped = (page, ...paths) => drop(page, Object.fromEntries(paths.map((path) => [basename(path), [...readFileSync(path)]])));
 
-const idle = (page) => page.waitForFunction(() => document.querySelector(".live-work").hidden, null, { timeout: kLong });
+const idle = (page) =>
+  page.waitForFunction(
+    () => document.querySelector(".live-work").dataset.waiting === "0" && !document.querySelector('.live-loop[data-attempts]:not([data-attempts="0"])'),
+    null,
+    { timeout: kLong },
+  );
 // Work may follow on work.
 const at_rest = async (page) => {
   for (let k = 0; k < 3; ++k) {
@@ -49,7 +54,18 @@ const sample = async (page, name) => {
   await page.getByRole("button", { name, exact: true }).click();
   await page.waitForSelector(".live-report main", { timeout: kLong });
 };
+// Of the page; sentences come and go.
+const state = (page, selector) => page.waitForSelector(selector, { timeout: kLong });
+const added = (page) => state(page, '.live-loop[data-revisions="2"] .live-fall[data-beside="before"]');
+const taken_back = (page) => state(page, '.live-loop:not([data-revisions="2"])');
 const told = (page) => page.textContent(".live-told");
+// All that the loop says from now on; kept in the page, for each sentence may soon be replaced.
+const listen = (page) =>
+  page.evaluate(() => {
+    const said = document.querySelector(".live-loop .said");
+    window.said = [];
+    new MutationObserver(() => window.said.push(said.textContent)).observe(said, { childList: true, characterData: true, subtree: true });
+  });
 const saved = async (page, name) => {
   if (!(await page.locator(".live-saves").evaluate((one) => one.open))) await page.click(".live-saves > summary");
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name, exact: true }).click()]);
@@ -80,18 +96,22 @@ test("add, the error falls; undo, redo: as the program does it", async () => {
   const before = json_of("check", data, "--model", model).rmse_um;
   assert.equal((await rmse(page)).toFixed(2), before.toFixed(2));
   assert.match(await page.textContent(".live-candidates li"), /lagged_expansion\(T_room_degC\)/);
+  await listen(page);
   await page.locator(".live-candidates .plus").first().click();
-  await page.waitForFunction(() => /before/.test(document.querySelector(".live-fall").textContent), null, { timeout: kLong });
+  await added(page);
   execFileSync(program, ["add", "lagged_expansion(T_room_degC)", data, "--model", model], { stdio: "ignore" });
   const after = json_of("check", data, "--model", model).rmse_um;
   assert.equal((await rmse(page)).toFixed(3), after.toFixed(3));
-  assert.match(await page.textContent(".live-loop .said"), /The data support lagged_expansion\(T_room_degC\)/);
+  await state(page, '.live-loop[data-search="done"]');
+  const said = await page.evaluate(() => window.said);
+  assert.ok(said.some((one) => /The data support lagged_expansion\(T_room_degC\)/.test(one)), said.join("\n"));
   assert.ok(await page.$("#ledger"), "the ledger has a section");
   await page.keyboard.press("Control+z");
-  await page.waitForFunction((was) => !document.querySelector(".live-fall .rmse").textContent.includes(was), after.toFixed(3), { timeout: kLong });
+  await taken_back(page);
   assert.equal((await rmse(page)).toFixed(2), before.toFixed(2));
   await page.keyboard.press("Control+y");
-  await page.waitForFunction((now) => document.querySelector(".live-fall .rmse").textContent.includes(now), after.toFixed(3), { timeout: kLong });
+  await state(page, '.live-loop[data-revisions="2"]');
+  assert.equal((await rmse(page)).toFixed(3), after.toFixed(3));
   await at_rest(page);
   const kept = await saved(page, "Model (.toml)");
   // Data by their names there and here; another processor rounds otherwise in the last digits.
@@ -140,9 +160,12 @@ test("sliders: a gain scales at once, a time constant by the program; back to th
 test("a search is cancelled by Escape, and the page goes on", async () => {
   const { page, wrong, close } = await live();
   await sample(page, "hidden-effect");
-  await page.waitForFunction(() => /Searching/.test(document.querySelector(".live-work").textContent) && !document.querySelector(".live-work").hidden, null, { timeout: kLong });
+  await state(page, '.live-loop[data-search="running"]');
+  await state(page, ".live-work:not([hidden])");
   await page.keyboard.press("Escape");
-  await page.waitForFunction(() => /Stopped/.test(document.querySelector(".live-loop .said").textContent), null, { timeout: 5000 });
+  await page.waitForSelector('.live-loop[data-search="stopped"]', { timeout: 5000 });
+  await idle(page);
+  assert.match(await page.textContent(".live-loop .said"), /Stopped/);
   assert.equal(await page.locator(".live-candidates .plus").count(), 0);
   await page.getByRole("button", { name: "Find what is missing" }).click();
   await candidates(page);
@@ -222,7 +245,7 @@ test("reload: continue where it was, with the model as it was; delete", async ()
   await sample(page, "hidden-effect");
   await candidates(page);
   await page.locator(".live-candidates .plus").first().click();
-  await page.waitForFunction(() => /before/.test(document.querySelector(".live-fall").textContent), null, { timeout: kLong });
+  await added(page);
   await at_rest(page);
   const was = await rmse(page);
   await page.reload();
@@ -234,7 +257,8 @@ test("reload: continue where it was, with the model as it was; delete", async ()
   await page.reload();
   await page.waitForSelector("html[data-ready]", { state: "attached" });
   await page.getByRole("button", { name: "Delete", exact: true }).click();
-  await page.waitForFunction(() => /Deleted/.test(document.querySelector(".live-told").textContent));
+  await state(page, ".live-told:not(:empty)");
+  assert.match(await told(page), /Deleted/);
   await page.reload();
   await page.waitForSelector("html[data-ready]", { state: "attached" });
   assert.equal(await page.getByRole("button", { name: /^Continue/ }).count(), 0);
@@ -265,10 +289,11 @@ test("the tour, by keyboard alone; Escape leaves it", async () => {
   await page.keyboard.press("Enter");
   await page.waitForSelector(".live-tour", { timeout: kLong });
   for (let step = 1; step <= 5; ++step) {
-    await page.waitForFunction((step) => document.querySelector(".live-tour .note").textContent.startsWith(`Step ${step} `), step, { timeout: kLong });
+    await state(page, `.live-tour[data-step="${step}"]`);
+    assert.match(await page.textContent(".live-tour .note"), new RegExp(`^Step ${step} `));
     await page.keyboard.press("Enter");
   }
-  await page.waitForFunction(() => document.querySelector(".live-tour .note").textContent.startsWith("Step 6 "), null, { timeout: kLong });
+  await state(page, '.live-tour[data-step="6"]');
   assert.match(await page.textContent(".live-fall"), /before 1\.360/);
   await page.keyboard.press("Escape");
   assert.equal(await page.locator(".live-tour").count(), 0);
@@ -291,7 +316,7 @@ for (const colorScheme of ["light", "dark"]) {
     await candidates(page);
     assert.deepEqual(await faults(page), []);
     await page.locator(".live-candidates .plus").first().click();
-    await page.waitForFunction(() => /before/.test(document.querySelector(".live-fall").textContent), null, { timeout: kLong });
+    await added(page);
     await page.locator(".slider input").first().focus();
     await page.keyboard.press("ArrowRight");
     await at_rest(page);
@@ -333,15 +358,16 @@ test("by keyboard alone: choose, add, slide, undo, save", async () => {
   const outline = await page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle);
   assert.notEqual(outline, "none", "the focus is seen");
   await page.keyboard.press("Enter");
-  await page.waitForFunction(() => /before/.test(document.querySelector(".live-fall").textContent), null, { timeout: kLong });
+  await added(page);
   await at_rest(page);
   assert.equal(await page.evaluate(() => document.activeElement.textContent), "Undo", "the focus went on");
-  const added = await rmse(page);
+  const after = await rmse(page);
   await to(/lagged_expansion\(T_room_degC\): gain/);
   for (let k = 0; k < 20; ++k) await page.keyboard.press("ArrowLeft");
-  assert.ok((await rmse(page)) > added);
+  assert.ok((await rmse(page)) > after);
   await page.keyboard.press("Control+z");
-  await page.waitForFunction(() => !/lagged_expansion\(T_room/.test(document.querySelector(".live-model").textContent), null, { timeout: kLong });
+  await taken_back(page);
+  assert.doesNotMatch(await page.textContent(".live-model"), /lagged_expansion\(T_room/);
   await at_rest(page);
   await page.evaluate(() => document.activeElement.blur());
   await to(/\|Save/);
@@ -379,8 +405,9 @@ test("a million rows", async () => {
   await page.waitForSelector(".live-report main", { timeout: kLong });
   assert.match(await page.innerText(".verdict"), /by 6\.2 µm, from -3 to 3\.2/); // from the first of the rows to the last
   await page.getByRole("button", { name: "Find what makes it drift" }).click();
-  await page.waitForFunction(() => !document.querySelector(".live-work").hidden);
+  await state(page, '.live-loop[data-search="running"]');
   await page.keyboard.press("Escape");
+  await state(page, '.live-loop[data-search="stopped"]');
   await idle(page);
   assert.match(await page.textContent(".live-loop .said"), /Stopped/);
   assert.deepEqual(wrong, []);
@@ -394,16 +421,20 @@ test("in another language, with what was done as it was", async () => {
   await sample(page, "hidden-effect");
   await candidates(page);
   await page.locator(".live-candidates .plus").first().click();
-  await page.waitForFunction(() => /vorher/.test(document.querySelector(".live-fall").textContent), null, { timeout: kLong });
+  await added(page);
+  assert.match(await page.textContent(".live-fall"), /vorher/);
   await at_rest(page);
   assert.match(await page.textContent(".live-fall .rmse"), /^RMSE 0,431 µm$/);
   await page.locator(".page-tools select").selectOption("zh");
-  await page.waitForFunction(() => /噪声/.test(document.querySelector(".live-fall")?.textContent ?? ""), null, { timeout: kLong });
+  await state(page, '.live-loop[lang="zh"] .live-fall[data-beside]');
+  assert.match(await page.textContent(".live-fall"), /噪声/);
   assert.match(await page.textContent(".live-model"), /lagged_expansion\(T_room_degC\)/);
   await page.locator(".page-tools select").selectOption("en");
+  await state(page, '.live-loop[lang="en"] .live-fall[data-beside]');
   await page.getByRole("button", { name: "Undo" }).click();
-  await page.waitForFunction(() => /RMSE 1\.36/.test(document.querySelector(".live-fall").textContent), null, { timeout: kLong });
+  await taken_back(page);
   await at_rest(page);
+  assert.match(await page.textContent(".live-fall"), /RMSE 1\.36/);
   assert.deepEqual(wrong, []);
   await close();
 });
@@ -443,7 +474,7 @@ for (const [why, said] of [["RangeError: WebAssembly.Memory(): could not allocat
       };
     }`);
     await dropped(page, of_run("qc20-style-b5r", "00.b5r"), of_run("two-arcs-he2015", "signals.csv"));
-    await page.waitForFunction(() => document.querySelector(".live-told").textContent !== "", null, { timeout: kLong });
+    await state(page, ".live-told:not(:empty)");
     assert.match(await told(page), said);
     await page.locator(".live-shelf .groups button", { hasText: "00.b5r" }).click();
     await page.waitForSelector('figure[data-picture="machine-errors"]', { timeout: kLong });

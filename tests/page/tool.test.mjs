@@ -12,7 +12,7 @@ const kRest = 400; // ms in which work may follow on work
 
 const idle = async (tab) => {
   for (let k = 0; k < 3; ++k) {
-    await tab.wait("no work", () => document.querySelector(".live-work").hidden);
+    await tab.wait("no work", () => document.querySelector(".live-work").dataset.waiting === "0" && !document.querySelector('.live-loop[data-attempts]:not([data-attempts="0"])'));
     await new Promise((done) => setTimeout(done, kRest));
   }
 };
@@ -55,7 +55,7 @@ for (const kind of kinds) {
     const rmse = async () => Number(/RMSE ([\d.]+)/.exec(await tab.text(".live-fall .rmse"))?.[1]);
     const before = await rmse();
     await tab.click(".live-candidates .plus");
-    await tab.wait("the error before", () => /before/.test(document.querySelector(".live-fall").textContent));
+    await there(tab, '.live-loop[data-revisions="2"] .live-fall[data-beside="before"]');
     const added = await rmse();
     assert.ok(added < 0.4 * before, `${before} to ${added}`);
     await idle(tab);
@@ -65,11 +65,13 @@ for (const kind of kinds) {
     assert.equal(await rmse(), added);
     await idle(tab);
     await tab.click("button", "Undo");
-    await tab.wait("the error as it was", (was) => document.querySelector(".live-fall .rmse").textContent.includes(was), before.toFixed(2));
+    await there(tab, '.live-loop:not([data-revisions="2"])');
+    assert.equal((await rmse()).toFixed(2), before.toFixed(2));
     await idle(tab);
     await tab.reload();
     await tab.click(".kept button", "Delete");
-    await tab.wait("deleted", () => /Deleted/.test(document.querySelector(".live-told").textContent));
+    await there(tab, ".live-told:not(:empty)");
+    assert.match(await tab.text(".live-told"), /Deleted/);
     await tab.reload();
     assert.equal(await tab.evaluate(() => document.querySelector(".kept")), null);
     assert.deepEqual(tab.wrong, []);
@@ -118,10 +120,10 @@ for (const kind of kinds) {
       }, 20);
     });
     await tab.choose([path]);
-    await tab.wait("progress", () => !document.querySelector(".live-work").hidden);
+    await there(tab, '.live-work:not([data-waiting="0"])');
     const longest_at_work = await tab.evaluate(() => window.longest);
     assert.ok(longest_at_work < 2000, `the page stood still for ${longest_at_work} ms`);
-    await tab.wait("the end of the work", () => document.querySelector(".live-work").hidden);
+    await there(tab, '.live-work[data-waiting="0"]');
     assert.deepEqual(tab.wrong, []);
     await tab.close();
   });

@@ -30,6 +30,7 @@ export const fall_shown = (): Fall => {
       ].join(", ");
       bar_before.hidden = before === null;
       mark.hidden = floor === null;
+      all.dataset.beside = before === null ? "nothing" : moved ? "optimum" : "before";
       bar_before.style.setProperty("--share", String((before ?? 0) / most));
       bar_now.style.setProperty("--share", String((value ?? 0) / most));
       mark.style.setProperty("--share", String(Math.min(1, (floor ?? 0) / most)));

@@ -64,6 +64,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   let candidate: Candidate | null = null;
   let found: Diagnosed | null = null;
   let took_ms = 0; // the last search
+  let attempts = 0; // at work, of which one may have begun within another
   let made: { figure: Figure; rows: number } | null = null;
   const forth: Uint8Array[] = []; // models that were taken back, the last one first to come again
 
@@ -166,7 +167,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     list.element,
     plan.element,
   );
-  const all = element("section", { class: "live-loop wide", id: "loop", "aria-label": t.live_loop }, element("div", { class: "verdict" }, sentence, next), element("div", { class: "by-hand" }, place, hand));
+  const all = element("section", { class: "live-loop wide", id: "loop", lang: language, "aria-label": t.live_loop }, element("div", { class: "verdict" }, sentence, next), element("div", { class: "by-hand" }, place, hand));
 
   const now = (): Now => ({
     report: report as Report,
@@ -184,12 +185,14 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   };
 
   const attempt = async (work_of: () => Promise<void>): Promise<void> => {
+    all.dataset.attempts = String(++attempts);
     all.setAttribute("aria-busy", "true");
     try {
       await work_of();
     } catch (error) {
       say(reason(error));
     } finally {
+      all.dataset.attempts = String(--attempts);
       all.removeAttribute("aria-busy");
       update();
     }
@@ -197,6 +200,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
 
   const update = (): void => {
     const revisions = report?.ledger?.rows.filter(({ target }) => target === subject.target || subject.target === "").length ?? 0;
+    all.dataset.revisions = String(revisions);
     undo.disabled = revisions < 2;
     redo.disabled = forth.length === 0;
     search.disabled = work.busy();
@@ -279,13 +283,18 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         const of_subject = subject;
         candidates.clear();
         search.disabled = true;
+        all.dataset.search = "running";
         try {
           const began = performance.now();
           const answer = await runs.search(subject, (line) => posterior.tell(line));
           took_ms = performance.now() - began;
+          all.dataset.search = "done";
           if (of_subject !== subject) return;
           loop.show(answer);
           if (found) say(verdict_of(found));
+        } catch (error) {
+          all.dataset.search = error instanceof Interrupted ? "stopped" : "failed";
+          throw error;
         } finally {
           posterior.clear();
         }

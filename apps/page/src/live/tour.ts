@@ -31,6 +31,7 @@ export const tour = (steps: readonly Step[]): { leave(): void } => {
   const show = (): void => {
     const step = steps[k];
     if (!step) return leave();
+    box.dataset.step = String(k + 1);
     count.textContent = t.live_tour_step({ step: k + 1, all: steps.length });
     text.textContent = step.text;
     next.textContent = step.act ? t.live_tour_do : t.live_tour_next;

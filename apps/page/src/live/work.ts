@@ -35,6 +35,7 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
   const stop = button(t.live_stop, t.live_stop_title, () => made.stop());
   const shown = element("div", { class: "live-work" }, text, bar, stop);
   shown.hidden = true;
+  shown.dataset.waiting = "0";
   const stopping = new Set<AbortController>(); // of what runs and what waits
   let last: Promise<unknown> = Promise.resolve();
   let waiting = 0;
@@ -61,8 +62,12 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
 
   // Each waits for the one before, whatever became of it.
   const queued = <T>(work: () => Promise<T>): Promise<T> => {
-    ++waiting;
-    const mine = last.then(work, work).finally(() => --waiting);
+    const count = (more: number): void => {
+      waiting += more;
+      shown.dataset.waiting = String(waiting);
+    };
+    count(1);
+    const mine = last.then(work, work).finally(() => count(-1));
     last = mine.catch(() => undefined);
     return mine;
   };
