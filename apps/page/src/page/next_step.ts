@@ -44,7 +44,11 @@ export const next_step = (shared: Shared): NextStep => {
   button.addEventListener("click", () => {
     const typed = command.textContent ?? "";
     if (shared.act) shared.act(typed);
-    else void copied(command).then((done) => tell(done ? t.page_copied : t.page_press_to_copy));
+    else
+      void copied(command).then((done) => {
+        tell(done ? t.page_copied : t.page_press_to_copy);
+        button.dataset.copied = String(done);
+      });
   });
   const show = (next: Next): void => {
     const why = text_in("p", next.text);
