@@ -8,11 +8,11 @@ build=$(realpath "$1")
 shift
 cd "$(dirname "$0")/.."
 status=0
-sh tests/blas.sh "$build/apps/ballbar" >"$build/blas.txt"
+sh tests/blas.sh "$build/apps/ballbar" "$build/blas" >"$build/blas.txt"
 [ -s "$build/blas.txt" ] || echo 'No BLAS by turns: the program does not load one, or Debian has none here.'
-while read -r name folders; do
+while read -r name folder; do
   echo "== $name"
-  env -i HOME="$HOME" PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 LD_LIBRARY_PATH="$folders" \
+  env -i HOME="$HOME" PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 LD_LIBRARY_PATH="$folder" \
     ctest --test-dir "$build" --output-on-failure -j "$(nproc)" \
     -R '^cli\.|^cli_same|^readme|^page_(installed|numbers|same_numbers)$' "$@" </dev/null || status=$?
 done <"$build/blas.txt"

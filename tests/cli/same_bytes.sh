@@ -7,7 +7,7 @@ set -eu
 program=$1 source=$2 scratch=$3
 rm -rf "$scratch"
 mkdir -p "$scratch"
-sh "$source/tests/blas.sh" "$program" >"$scratch/blas"
+sh "$source/tests/blas.sh" "$program" "$scratch/libraries" >"$scratch/blas"
 if [ "$(wc -l <"$scratch/blas")" -lt 2 ]; then
   echo 'fewer than two BLAS libraries that the program can load; on Debian: apt-get install libblas3 libatlas3-base' \
     'libopenblas0-pthread'
@@ -19,7 +19,7 @@ made_with() {
   cd "$scratch/$1"
   LD_LIBRARY_PATH=$2
   export LD_LIBRARY_PATH
-  ldd "$program" | grep -q "libblas\.so\.3 => ${2%%:*}/" || { echo "expected the program to load $2" && exit 1; }
+  ldd "$program" | grep -q "liblapack\.so\.3 => $2/" || { echo "expected the program to load $2" && exit 1; }
   find "$source/sample-runs" -name '*machine*.toml' | sort | while read -r machine; do
     # A template of make.sh has words for numbers.
     "$program" simulate "$machine" --seed 3 --out "$(echo "${machine#"$source"/}" | tr / -)" >/dev/null 2>>../refused || true
@@ -30,12 +30,10 @@ made_with() {
     grep -q 'built without' ../blind || { cat ../blind && exit 1; }
   fi
 }
-  fi
-}
 
 first=
-while read -r name folders; do
-  (made_with "$name" "$folders")
+while read -r name folder; do
+  (made_with "$name" "$folder")
   if [ -z "$first" ]; then
     first=$name
     files=$(find "$scratch/$name" -type f | wc -l)
