@@ -31,7 +31,8 @@ package='dpkg-dev file lintian mmdebstrap uidmap desktop-file-utils shared-mime-
 test='libgtest-dev librapidcheck-dev python3 python3-numpy python3-pandas python3-sklearn chromium fonts-dejavu-core'
 browsers='chromium firefox-esr fonts-dejavu-core'
 bench='libbenchmark-dev python3 python3-numpy python3-scipy python3-sklearn'
-check='git mypy clang clang-format clang-tidy libclang-rt-14-dev'
+# Every BLAS that Debian has, for tests by each (tests/strangers.sh).
+check='git mypy clang clang-format clang-tidy libclang-rt-14-dev libblas3 libatlas3-base libopenblas0-pthread'
 
 wanted=
 for group in "$@"; do
