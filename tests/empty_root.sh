@@ -45,7 +45,7 @@ set -eux
 cd "$source"
 sh apps/install-packages.sh build page images mat blind python fleet hal test
 node --version
-ctest --test-dir "$build" --output-on-failure -j "$(nproc)" -R '^cli|^readme|^terms|^page_'
+ctest --test-dir "$build" --output-on-failure -j "$(nproc)" -R '^cli|^readme|^terms|^page_' -LE slow
 END_OF_FILE
 fi
 mkdir "$carried/certificates"
