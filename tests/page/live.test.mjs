@@ -36,7 +36,7 @@ const dropped = (page, ...paths) => drop(page, Object.fromEntries(paths.map((pat
 
 const idle = (page) =>
   page.waitForFunction(
-    () => document.querySelector(".live-work").dataset.waiting === "0" && !document.querySelector('.live-loop[data-attempts]:not([data-attempts="0"])'),
+    () => document.querySelector(".live-work").dataset.waiting === "0" && !document.querySelector(".live-loop[aria-busy]"),
     null,
     { timeout: kLong },
   );

@@ -12,7 +12,7 @@ const kRest = 400; // ms in which work may follow on work
 
 const idle = async (tab) => {
   for (let k = 0; k < 3; ++k) {
-    await tab.wait("no work", () => document.querySelector(".live-work").dataset.waiting === "0" && !document.querySelector('.live-loop[data-attempts]:not([data-attempts="0"])'));
+    await tab.wait("no work", () => document.querySelector(".live-work").dataset.waiting === "0" && !document.querySelector(".live-loop[aria-busy]"));
     await new Promise((done) => setTimeout(done, kRest));
   }
 };

@@ -185,15 +185,14 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   };
 
   const attempt = async (work_of: () => Promise<void>): Promise<void> => {
-    all.dataset.attempts = String(++attempts);
+    ++attempts;
     all.setAttribute("aria-busy", "true");
     try {
       await work_of();
     } catch (error) {
       say(reason(error));
     } finally {
-      all.dataset.attempts = String(--attempts);
-      all.removeAttribute("aria-busy");
+      if (--attempts === 0) all.removeAttribute("aria-busy");
       update();
     }
   };
