@@ -16,6 +16,7 @@
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
+#include "ballbar/number_text.hpp"
 #include "commands.hpp"
 #include "diagnose/diagnosis_report.hpp"
 #include "diagnose/effect_test_text.hpp"
@@ -41,6 +42,7 @@ struct AddArguments {
   bool automatic = false;
   bool named_only = false;
   bool prune = false;
+  std::vector<std::string> replace;  // labels of effects of the model, taken out first
 };
 
 // The model as it goes from revision to revision; written once, at the end.
@@ -90,20 +92,53 @@ Story story_of(const AddArguments& options, const ModelData& data) {
   return story;
 }
 
+// Takes the effects out that others replace; their numbers in the file, rising.
+std::vector<std::size_t> taken_out(const AddArguments& options, Story& story) {
+  std::vector<std::size_t> places;
+  for (const std::string& label : options.replace) {
+    const auto at = std::find_if(story.model.terms.begin(), story.model.terms.end(),
+                                 [&](const Term& term) { return label_of(term) == label; });
+    const auto place = static_cast<std::size_t>(at - story.model.terms.begin());
+    if (at == story.model.terms.end() || place < story.not_in_file) {
+      std::vector<std::string> known;
+      for (std::size_t t = story.not_in_file; t < story.model.terms.size(); ++t)
+        known.push_back(label_of(story.model.terms[t]));
+      throw CLI::ValidationError("--replace", fmt::format("expected an effect of {}, one of {}, found {}",
+                                                          options.effect.model.model, fmt::join(known, ", "), label));
+    }
+    places.push_back(place);
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  for (auto place = places.rbegin(); place != places.rend(); ++place)
+    story.model.terms.erase(story.model.terms.begin() + static_cast<std::ptrdiff_t>(*place));
+  for (std::size_t& place : places) place -= story.not_in_file;
+  return places;
+}
+
 // named: the terms were found by a diagnosis, not chosen.
 void add_terms(const AddArguments& options, const ModelData& data, const std::vector<Term>& terms, bool named,
                Story& story) {
   const ModelOptions& how = options.effect.model;
+  std::vector<std::size_t> removed = taken_out(options, story);
   EffectTest tried = with_source(how.data.front(), [&] { return effect_test(story.model, terms, data.series); });
-  std::vector<std::size_t> removed;
+  for (const std::string& label : options.replace) tried.after.change += ", - " + label;
   if (options.prune) {
     Pruned smaller = with_source(how.data.front(), [&] { return pruned(std::move(tried), data.series); });
     tried = std::move(smaller.effect_test);
-    for (const std::size_t term : smaller.removed) removed.push_back(term - story.not_in_file);
+    const std::vector<std::size_t> replaced = removed;
+    for (std::size_t term : smaller.removed) {
+      term -= story.not_in_file;
+      for (const std::size_t gone : replaced) term += gone <= term ? 1 : 0;
+      removed.insert(std::upper_bound(removed.begin(), removed.end(), term), term);
+    }
   }
   if (named) tried.after.verdict = name_of(Verdict::named);
   tried.before.data = tried.after.data = how.data;
-  story.bytes = with_revision(story.bytes, how.model, terms, removed, tried.before, tried.after);
+  // With their shapes begun where they were found: a fit of the file is the fit that is told here.
+  const std::vector<Term> begun(tried.model.terms.end() - static_cast<std::ptrdiff_t>(terms.size()),
+                                tried.model.terms.end());
+  story.bytes = with_revision(story.bytes, how.model, begun, removed, tried.before, tried.after);
   tried.after.revision = read_ledger(story.bytes, how.model).size() - 1;
   story.model = tried.model;
   story.effect_tests.push_back(std::move(tried));
@@ -135,9 +170,9 @@ std::string stop_text(const AddArguments& options, const Diagnosis& diagnosis) {
   const std::string hint = next_hint(written_to(options), diagnosis);
   switch (diagnosis.verdict) {
     case Verdict::nothing:
-      return std::isfinite(diagnosis.smallest_um)
-                 ? fmt::format("Stopped: no further effect is found; {} would have been from {:.3g} um.{}",
-                               label_of(diagnosis.smallest), diagnosis.smallest_um, why)
+      return diagnosis.hidden_um > 0.0
+                 ? fmt::format("Stopped: no further effect is found; {} of up to {} um could hide.{}",
+                               label_of(diagnosis.hidden), size_text(diagnosis.hidden_um), why)
                  : fmt::format("Stopped: no further effect is found.{}", why);
     case Verdict::named:
     case Verdict::probable:
@@ -340,9 +375,16 @@ void add_add(CLI::App& app) {
                      "session, or recordings");
   command->add_option("--out", options->out, "write the new revision there instead of into the model's file")
       ->type_name("FILE");
-  command->add_flag("--auto", options->automatic,
-                    "add what diagnose names; of a series then what predicts, as long as it predicts new cycles");
+  CLI::Option* automatic =
+      command->add_flag("--auto", options->automatic,
+                        "add what diagnose names; of a series then what predicts, as long as it predicts new cycles");
   command->add_flag("--named-only", options->named_only, "with --auto: what diagnose names, and no more");
+  command
+      ->add_option("--replace", options->replace,
+                   "an effect of the model, as its ledger has it, that the added ones replace: it is taken out")
+      ->type_name("EFFECT")
+      ->allow_extra_args(false)
+      ->excludes(automatic);
   command->add_flag("--prune", options->prune, "take earlier effects out that are no longer needed");
   command->footer(
       "Example:\n"

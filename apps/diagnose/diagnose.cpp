@@ -78,7 +78,8 @@ void run(const DiagnoseArguments& options) {
   const Model model = open_model(options.model, data);
   say_start(options.model, data);
   if (model.targets.size() == 1) {
-    const DiagnosisReport diagnosis_report = diagnosis_report_of(options.model, options.how, model, data);
+    DiagnosisReport diagnosis_report = diagnosis_report_of(options.model, options.how, model, data);
+    diagnosis_report.stand_ins = stand_ins_of(options.model, options.how, model, data);
     options.json ? print_json(json_of(diagnosis_report)) : print_text(diagnosis_report, data.title);
     return;
   }

@@ -78,7 +78,7 @@ void add_posterior(const Diagnosis& found, Json& json) {
 }
 
 void add_not_seen(const Diagnosis& found, Json& json) {
-  json["smallest_um"] = number(found.smallest_um);
+  json["hidden_um"] = number(found.hidden_um);
   json["untestable"] = Json::array();
   for (const Detectability& detectable : found.detectability) {
     if (detectable.testability == Testability::testable || detectable.testability == Testability::in_the_model)
@@ -109,6 +109,9 @@ Json json_of(const DiagnosisReport& diagnosis_report) {
   add_posterior(found, json);
   json["candidates"] = Json::array();
   for (const Candidate& candidate : found.candidates) json["candidates"].push_back(json_of(candidate));
+  json["stand_ins"] = Json::array();
+  for (const StandIn& one : diagnosis_report.stand_ins)
+    json["stand_ins"].push_back({{"effect", one.effect}, {"by", one.by}, {"command", one.command}});
   add_not_seen(found, json);
   json["reasons"] = found.reasons;
   json["gains_by_run"] = Json::array();

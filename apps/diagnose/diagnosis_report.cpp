@@ -5,8 +5,13 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "ballbar/diagnosis/verdict/search_options.hpp"
+#include "ballbar/formats/models/model_history.hpp"
+#include "ballbar/formats/models/model_toml.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/revision/replacement.hpp"
 #include "diagnose/next_command.hpp"
 #include "terminal/json_number.hpp"
 #include "terminal/progress.hpp"
@@ -28,7 +33,40 @@ void show_so_far(const std::vector<ProbableSoFar>& effects) {
   show_progress(so_far.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
+// Terms of the model that its file did not have before its first revision.
+std::vector<std::size_t> terms_added(const ModelOptions& options, const Model& model) {
+  if (options.model.empty()) return {};
+  std::string bytes = read_bytes(options.model, kLargestText);
+  const std::size_t revisions = read_ledger(bytes, options.model).size();
+  if (revisions < 2) return {};
+  for (std::size_t revision = 1; revision < revisions; ++revision) bytes = without_last_revision(bytes, options.model);
+  std::set<std::string> first;
+  for (const Term& term : read_model(bytes, options.model).terms) first.insert(label_of(term));
+  std::vector<std::size_t> added;
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    if (!first.contains(label_of(model.terms[t]))) added.push_back(t);
+  }
+  return added;
+}
+
 }  // namespace
+
+std::vector<StandIn> stand_ins_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
+                                  const ModelData& data) {
+  std::vector<StandIn> result;
+  const std::vector<std::size_t> added = terms_added(options, model);
+  if (added.empty() || model.level != Level::series) return result;
+  const ProgressLine line;
+  if (how_to.progress)
+    show_progress(fmt::format("{}: asking {} earlier effects again", model.targets.front(), added.size()));
+  DiagnosisOptions how;
+  how.search.motion = data.motion;
+  how.search.seed = how_to.seed;
+  how.most_rows = how_to.most_rows;
+  for (const Replacement& one : replacements(model, added, data.series, 0, how))
+    result.push_back({one.label, labels(one.without.named, ", "), replace_command(options, one)});
+  return result;
+}
 
 std::string next_text(const DiagnosisReport& diagnosis_report) {
   const Diagnosis& found = diagnosis_report.diagnosis;

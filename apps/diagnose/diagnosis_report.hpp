@@ -22,6 +22,13 @@ struct DiagnoseOptions {
   bool progress = true;  // told on a terminal
 };
 
+// An effect of the model that stood in for others.
+struct StandIn {
+  std::string effect;   // its label
+  std::string by;       // labels of the others
+  std::string command;  // that replaces it
+};
+
 struct DiagnosisReport {
   ResidualReport residual_report;
   Diagnosis diagnosis;
@@ -30,7 +37,12 @@ struct DiagnosisReport {
   std::string command;         // to paste next; empty: none
   std::string plan_command;    // that plans the test which would decide; empty: none, or recordings
   std::string hint;            // what to do where no command does it, a sentence; or empty
+  std::vector<StandIn> stand_ins;
 };
+
+// The effects that were added to the model's file, each a hypothesis again: what stood in for others.
+std::vector<StandIn> stand_ins_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
+                                  const ModelData& data);
 
 // Of the model's only target.
 DiagnosisReport diagnosis_report_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,

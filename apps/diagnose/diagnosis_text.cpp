@@ -144,6 +144,8 @@ void print_text(const DiagnosisReport& diagnosis_report, const std::string& titl
   fmt::print("{}", wrapped(found.sentence));
   if (!diagnosis_report.command.empty()) fmt::print("\n{}\n", diagnosis_report.command);
   if (!diagnosis_report.hint.empty()) fmt::print("\n{}", wrapped(diagnosis_report.hint));
+  for (const StandIn& one : diagnosis_report.stand_ins)
+    fmt::print("\n{}{}\n", wrapped(fmt::format("{} stood in for {}:", one.effect, one.by)), one.command);
   const std::vector<std::string> parts = parts_of(found);
   const std::string next = next_text(diagnosis_report);
   fmt::print("\nVerdict: {}.\n", name_of(found.verdict));

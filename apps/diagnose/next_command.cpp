@@ -38,6 +38,20 @@ std::string word_of(const std::string& label, const std::vector<std::string>& co
 
 std::string word_of(const BoundEffect& bound) { return word_of(label_of(bound), bound.columns); }
 
+// With the moment that was found: "step(onset_s = 33840)". A model may hold several such effects, each by its moment.
+std::string word_of(const BoundEffect& bound, const Diagnosis& found) {
+  const auto one = std::find_if(found.candidates.begin(), found.candidates.end(),
+                                [&](const Candidate& candidate) { return candidate.bound == bound; });
+  if (one == found.candidates.end()) return word_of(bound);
+  std::string label = label_of(bound);
+  for (const FittedParameter& parameter : one->parameters) {
+    if (parameter.shape_of != ShapeOf::onset) continue;
+    if (label.ends_with(')')) label.back() = ',';
+    label += fmt::format("{}{} = {:.8g})", label.ends_with(',') ? " " : "(", parameter.name, parameter.value);
+  }
+  return word_of(label, bound.columns);
+}
+
 std::string word_of(const Term& term) { return word_of(label_of(term), term.columns); }
 
 // Empty where one of the effects cannot be typed.
@@ -94,9 +108,16 @@ std::string next_command(const ModelOptions& options, const Diagnosis& found) {
   std::vector<std::string> words;
   const std::vector<BoundEffect> bounds = says_a_name(found) ? certain : worth_a_try(found);
   words.reserve(bounds.size());
-  for (const BoundEffect& bound : bounds) words.push_back(word_of(bound));
+  for (const BoundEffect& bound : bounds) words.push_back(word_of(bound, found));
   if (words.empty()) return "";
   return command_of(says_a_name(found) ? "add" : "try", words, options, found.target);
+}
+
+std::string replace_command(const ModelOptions& options, const Replacement& replacement) {
+  std::vector<std::string> words;
+  for (const BoundEffect& bound : replacement.without.named) words.push_back(word_of(bound, replacement.without));
+  const std::string command = command_of("add", words, options, replacement.without.target);
+  return command.empty() ? "" : fmt::format("{} --replace {}", command, shell_word(replacement.label));
 }
 
 std::string plan_command(const ModelOptions& options, const Diagnosis& found) {

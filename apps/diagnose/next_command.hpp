@@ -5,6 +5,7 @@
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/revision/effect_test.hpp"
+#include "ballbar/revision/replacement.hpp"
 #include "model/model_options.hpp"
 
 namespace ballbar {
@@ -13,6 +14,9 @@ namespace ballbar {
 // what is probable; else the first that is in question, to `try`. Files as they were typed, quoted where a shell needs
 // it. Empty where there is nothing to add, or no way to type it.
 std::string next_command(const ModelOptions& options, const Diagnosis& found);
+
+// "ballbar add 'step(onset_s = 33840)' run.csv --model model.toml --target y_um --replace 'gradient_bending(T9, T2)'"
+std::string replace_command(const ModelOptions& options, const Replacement& replacement);
 
 // "ballbar plan run.csv --model model.toml --target y_um": the test that would decide. Empty where all is named, or
 // there is nothing to decide.

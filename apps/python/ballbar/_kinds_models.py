@@ -156,7 +156,9 @@ class Diagnosis(Checked):
     p_discrepancy : float
     discrepancy_um : float
     candidates : Rows
-    smallest_um : float
+    stand_ins : Rows
+        Effect, by, command.
+    hidden_um : float
     untestable : Rows
         Effect, why.
     not_searched : list[Any]
@@ -206,7 +208,8 @@ class Diagnosis(Checked):
     p_discrepancy: float
     discrepancy_um: float
     candidates: Rows
-    smallest_um: float
+    stand_ins: Rows
+    hidden_um: float
     untestable: Rows
     not_searched: list[Any]
     reasons: list[str]

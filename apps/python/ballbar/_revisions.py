@@ -60,6 +60,7 @@ def add(
     auto: bool = False,
     named_only: bool = False,
     prune: bool = False,
+    replace: str | Sequence[str] | None = None,
 ) -> Added:
     """A new revision of a model with more effects; earlier effects are tested anew.
 
@@ -77,6 +78,8 @@ def add(
         With `auto`: no more than is named.
     prune : bool
         Takes effects out that are no longer needed.
+    replace : str or list of str
+        Effects of the model that are taken out for those that are added.
 
     Returns
     -------
@@ -100,7 +103,7 @@ def add(
     words = Words("add", *_list(effects), "--json").data(data)
     words.options(
         model=model, target=target, max_gap=max_gap_s, also_input=also_input, out=out, auto=auto, named_only=named_only,
-        prune=prune,
+        prune=prune, replace=replace,
     )
     return Added(words.run())
 

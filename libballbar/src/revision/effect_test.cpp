@@ -56,21 +56,19 @@ Weighed weighed_with(const Model& model, const std::vector<Term>& terms, const S
   for (const Term& term : terms) {
     if (!catalogue || !is_usual(term, model, data)) options.signatures.terms.push_back(term);
   }
-  return weighed(model, data, target, options, bounds_of(terms));
+  return weighed(model, data, target, options);
 }
 
-// Where in the set of all that is tested; nothing: it was not weighed.
-const EffectSet* set_of(const Weighed& found, const std::vector<BoundEffect>& bounds) {
+// The set of all that is tested; nothing: one of them adds nothing of its own.
+const EffectSet* set_of(Weighed& found, const std::vector<BoundEffect>& bounds) {
   std::vector<std::size_t> families;
   for (const BoundEffect& bound : bounds) {
     const std::optional<std::size_t> family = family_of(*found.problem, bound);
     if (!family) return nullptr;
     families.push_back(*family);
   }
-  std::sort(families.begin(), families.end());
-  const auto set = std::find_if(found.posterior.sets.begin(), found.posterior.sets.end(),
-                                [&](const EffectSet& one) { return one.own == 0 && one.families == families; });
-  return set == found.posterior.sets.end() ? nullptr : &*set;
+  if (found.posterior.sets.empty()) return nullptr;
+  return &found.posterior.sets[set_of(*found.problem, found.posterior, std::move(families))];
 }
 
 // What cannot be told from the model: it adds nothing of its own.
@@ -89,8 +87,17 @@ void relabel(std::vector<FittedParameter>& parameters, const std::string& from, 
   }
 }
 
-std::vector<Candidate> tested(const Weighed& found, const std::vector<Term>& terms,
-                              std::vector<FittedParameter>& parameters) {
+void begin_at(Term& term, const Term& fitted) {
+  for (std::size_t k = 0; k < term.settings.size(); ++k) {
+    Setting& setting = term.settings[k];
+    if (setting.held || setting.stated || term.effect->parameters[k].kind == ParameterKind::gain) continue;
+    setting.start = fitted.settings[k].start;
+    setting.stated = true;
+  }
+}
+
+// terms: their shapes begin where they are likeliest, but where a start is stated.
+std::vector<Candidate> tested(Weighed& found, std::vector<Term>& terms, std::vector<FittedParameter>& parameters) {
   const std::vector<BoundEffect> bounds = bounds_of(terms);
   const EffectSet* set = set_of(found, bounds);
   std::vector<Candidate> result;
@@ -106,11 +113,11 @@ std::vector<Candidate> tested(const Weighed& found, const std::vector<Term>& ter
     std::size_t m = 0;
     while (found.problem->library.signatures[set->signatures[m]].family != family) ++m;
     Candidate one = tested_member(found, *set, fitted, at, m, kSurrogates, kSeed);
+    begin_at(terms[t], fitted.model.terms[found.problem->model.terms.size() + m]);
     one.label = label_of(terms[t]);
     relabel(one.parameters, one.parameters.front().effect, one.label);
     relabel(parameters, label_of(fitted.model.terms[found.problem->model.terms.size() + m]), one.label);
-    if (terms.size() > 1 && !(one.likelihood_ratio >= kLeastLikelihoodRatio))
-      one.doubts.emplace(one.doubts.begin(), kLowLikelihoodRatio);
+    if (!(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.emplace(one.doubts.begin(), kLowLikelihoodRatio);
     result.push_back(std::move(one));
   }
   return result;
@@ -143,7 +150,7 @@ std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Se
     if (drop_test.parameters == 0 || term.effect->rules.is_base) continue;
     Model rest = model;
     rest.terms.erase(rest.terms.begin() + static_cast<std::ptrdiff_t>(t));
-    const Weighed found = weighed_with(rest, {term}, data, target, false);
+    Weighed found = weighed_with(rest, {term}, data, target, false);
     if (const EffectSet* set = set_of(found, bounds_of({term}))) {
       drop_test.likelihood_ratio = log_bayes_factor_of_member(found, *set, 0);
     }
@@ -159,12 +166,14 @@ EffectTest effect_test(const Model& model, const std::vector<Term>& added, const
   result.model = model;
   result.model.terms.insert(result.model.terms.end(), added.begin(), added.end());
   if (is_of_machine_errors(result.model, data)) return machine_error_test(model, added, data, target);
+  Weighed found = weighed_with(model, added, data, target, true);
+  std::vector<Term> begun = added;
+  result.added = tested(found, begun, result.parameters);
+  std::copy(begun.begin(), begun.end(), result.model.terms.end() - static_cast<std::ptrdiff_t>(begun.size()));
   result.fit_before = fit(model, data, target);
   result.fit_after = fit(result.model, data, target);
   result.before = row_of(result.fit_before, model, data, target);
   result.after = row_of(result.fit_after, result.model, data, target);
-  const Weighed found = weighed_with(model, added, data, target, true);
-  result.added = tested(found, added, result.parameters);
   std::vector<std::string> changes;
   for (std::size_t t = 0; t < added.size(); ++t) {
     Candidate& one = result.added[t];

@@ -14,6 +14,7 @@
 namespace ballbar {
 namespace {
 
+constexpr double kDropTestOfErrors = 0.001;  // p of chi^2, the same of errors of the axes
 constexpr const char* kNotClear = "it is not clear among all errors of the axes";
 
 struct Errors {

@@ -116,6 +116,17 @@ std::vector<Cell> cells() {
   two.count = 2;
   two.d = 12.0;
   result.push_back(cell("two-12", "right >= 45, any >= 85, driver >= 60, wrong <= 2", two));
+  Recipe step;
+  step.d = 20.0;
+  step.count = 0;
+  step.step = true;
+  result.push_back(cell("step-20", "right >= 95, wrong <= 2", step));
+  step.count = 1;
+  result.push_back(cell("step-one-20", "any >= 95, wrong <= 2", step));
+  two.d = 15.0;
+  result.push_back(cell("two-15", "right >= 50, wrong <= 4", two));
+  poor.d = 15.0;
+  result.push_back(cell("poor-15", "right >= 50, in set >= 85, wrong <= 4", poor));
   add_outside(result);
   add_own(result);
   add_twins(result);

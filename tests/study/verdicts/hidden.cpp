@@ -51,6 +51,9 @@ Track added_by(const Hidden& hidden, const Plan& plan, const Plan& first) {
     if (thinner != 1.0) {
       for (double& value : track) value *= thinner;
     }
+  } else if (hidden.effect == "step") {
+    track.assign(plan[Quantity::speed].size(), 0.0);
+    std::fill(track.begin() + static_cast<std::ptrdiff_t>(shape(1)), track.end(), 1.0);
   } else if (hidden.effect == "load_heating") {
     track = low_pass(input(0), shape(1));
   } else if (hidden.effect == "gradient_bending") {
@@ -93,6 +96,9 @@ Hidden drawn_effect(std::string_view effect, const Plan& plan, double row_s, Cha
     hidden.inputs = {Quantity::speed, inside};
     hidden.parameters = {
         {"gain_um_per_krpm", 1.0, true}, {"time_constant_s", tau_s}, {"viscosity_loss_per_K", loss_per_K}};
+  } else if (effect == "step") {
+    const double share = chance.between(0.1, 0.9);
+    hidden.parameters = {{"gain_um", 1.0, true}, {"onset_s", std::floor(share * static_cast<double>(plan.span_s))}};
   } else if (effect == "load_heating") {
     hidden.inputs = {Quantity::load};
     hidden.parameters = {{"gain_um_per_unit", 1.0, true}, {"time_constant_s", lag_s()}};

@@ -37,6 +37,20 @@ bool are_truths(const Made& made, const std::vector<Member>& members) {
          std::all_of(made.truths.begin(), made.truths.end(), [&](const Truth& t) { return has(members, t); });
 }
 
+// A step is told by its moment, to two rows.
+bool are_steps_placed(const Made& made, const Said& said) {
+  const std::vector<double>& time_s = made.data.time_s;
+  for (const Truth& truth : made.truths) {
+    if (truth.effect != "step") continue;
+    const double two_rows_s = 2.0 * (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
+    const auto placed = [&](const SaidOnset& one) {
+      return std::abs(one.onset_s - truth.parameters.back().value) <= two_rows_s;
+    };
+    if (std::none_of(said.onsets.begin(), said.onsets.end(), placed)) return false;
+  }
+  return true;
+}
+
 bool is_own(const Made& made, const SaidOwn& own) {
   return made.own && made.own->effect == own.effect && made.own->parameter == own.parameter;
 }
@@ -133,7 +147,7 @@ Judged judged(const Made& made, const Said& said) {
     result.right = result.nothing_said;
     return result;
   }
-  result.right = !own_wrong && said.word == Word::named && are_truths(made, said.named);
+  result.right = !own_wrong && said.word == Word::named && are_truths(made, said.named) && are_steps_placed(made, said);
   result.is_clear = made.ideal_p >= kSure;
   result.any = !result.wrong && !said.named.empty();
   result.probably_right = said.word == Word::probable && are_truths(made, said.probable);

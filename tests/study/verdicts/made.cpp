@@ -98,7 +98,8 @@ Bench bench_of(const Recipe& recipe, std::string_view stream, std::uint64_t seed
   Chance chance(stream, seed);
   const std::size_t count = recipe.kind == Kind::nothing ? 0 : recipe.count;
   std::vector<std::string_view> effects;  // drawn first and kept: all alike, however seldom one suits
-  while (effects.size() < count) {
+  if (recipe.step) effects.emplace_back("step");
+  while (effects.size() < count + (recipe.step ? 1 : 0)) {
     const std::string_view next = kHidden[chance.below(kHidden.size())];
     if (std::find(effects.begin(), effects.end(), next) == effects.end()) effects.push_back(next);
   }
@@ -109,7 +110,7 @@ Bench bench_of(const Recipe& recipe, std::string_view stream, std::uint64_t seed
     for (const std::string_view effect : effects) {
       if (!hide(effect, scene, recipe.d, hidden, left, chance)) break;
     }
-    if (hidden.size() < count) continue;
+    if (hidden.size() < effects.size()) continue;
     Track sum(scene.base.track.size(), 0.0);
     std::vector<Quantity> needed;
     for (const Hidden& one : hidden) {

@@ -58,6 +58,7 @@ struct Recipe {
   Kind kind = Kind::effects;
   Course course = Course::rich;
   std::size_t count = 1;  // of hidden effects
+  bool step = false;      // and a step
   double d = 10.0;
   Noise noise = Noise::any;
   Logging logging = Logging::exact;

@@ -75,6 +75,7 @@ Said said_of(const Diagnosis& found) {
     for (std::size_t k = 0; k < candidate.parameters.size(); ++k) {
       const FittedParameter& parameter = candidate.parameters[k];
       const Interval& interval = candidate.intervals[k];
+      if (parameter.shape_of == ShapeOf::onset) said.onsets.push_back({member_of(candidate.bound), parameter.value});
       if (!std::isfinite(interval.low) || !std::isfinite(interval.high)) continue;
       said.intervals.push_back(
           {member_of(candidate.bound), parameter.name, parameter.value, interval.low, interval.high});

@@ -37,6 +37,11 @@ struct SaidInterval {
   double value = 0.0, low = 0.0, high = 0.0;  // 95 %
 };
 
+struct SaidOnset {
+  Member member;
+  double onset_s = 0.0;
+};
+
 struct Said {
   Word word = Word::nothing;
   std::vector<Member> named, probable;
@@ -45,6 +50,7 @@ struct Said {
   std::vector<SaidDriver> drivers;
   std::vector<SaidOwn> own;
   std::vector<SaidInterval> intervals;
+  std::vector<SaidOnset> onsets;  // of effects that begin at a moment
   double p_nothing = 0.0, p_discrepancy = 0.0;
   std::string sentence;
   double took_s = 0.0;

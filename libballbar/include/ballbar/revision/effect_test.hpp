@@ -1,15 +1,14 @@
 // Effects added to a model for a try: before, after, and whether the data demand them.
 //
 //   2 ln B             2 ln of how much more likely the readings are with an effect than without, its gains and shapes
-//   and
-//                      the noise integrated out, as diagnose() weighs it (candidate.hpp)
+//                      and the noise integrated out, as diagnose() weighs it (candidate.hpp)
 //   P not needed       of an effect of the model: 1 / (1 + B); it is needed below 0.05
 //
-// An added effect is supported where 2 ln B is at least 10, its gain is the same in every cycle (p >= 0.001), cycles
-// left out are predicted better, its fall of chi^2 is larger than that of the best of 200 surrogates, its own
-// signatures with random phases, and no other form of an input explains more. That holds for an effect chosen before
-// looking at these data; one found by searching them is for diagnose(). Figures but those of the rows are, of long
-// series, of every second, third ... value, as diagnose() has them.
+// An added effect is supported where 2 ln B is at least 10 and it has no doubt: its gain is the same in every cycle
+// (p >= 0.003), and it does not go with time alone. That holds for an effect chosen before looking at these data; one
+// found by searching them is for diagnose(). The shapes of the added effects begin where they are likeliest, so that a
+// fit of the model is the fit that is told. Figures but those of the rows are, of long series, of every second, third
+// ... value, as diagnose() has them.
 //
 // Errors of linear axes on recordings are judged beside all other errors of the axes: chi^2 in place of 2 ln B, and the
 // p of that, below 0.001 where an error is needed (machine_errors.hpp).

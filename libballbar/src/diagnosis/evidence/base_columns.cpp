@@ -10,6 +10,9 @@
 namespace ballbar {
 namespace {
 
+constexpr std::size_t kMostTimes = 40;  // columns
+constexpr double kChangeTime = 0.25;    // sd of where between straight and at once it went
+
 double deviation_of(const Eigen::VectorXd& column) {
   const double mean = column.mean();
   return std::sqrt((column.array() - mean).square().mean());
@@ -97,6 +100,11 @@ BaseColumns BaseModel::at(const std::vector<double>& parameters, const std::vect
   result.values.resize(n, static_cast<Eigen::Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k) result.values.col(static_cast<Eigen::Index>(k)) = columns[k];
   return result;
+}
+
+Eigen::VectorXd BaseModel::term_at(std::size_t parameter, const std::vector<double>& parameters) const {
+  const std::size_t t = term_[parameter];
+  return rows_.term(t, parameters.data() + rows_.offset(t), nullptr);
 }
 
 Eigen::MatrixXd BaseModel::times_at(const std::vector<double>& parameters) const {

@@ -49,6 +49,9 @@ class BaseModel {
   // Columns of Kind::time about these parameters: what moving the changes of its inputs by what a log leaves open adds.
   Eigen::MatrixXd times_at(const std::vector<double>& parameters) const;
 
+  // The curve of the term of this parameter, um.
+  Eigen::VectorXd term_at(std::size_t parameter, const std::vector<double>& parameters) const;
+
   const Setting& setting(std::size_t parameter) const { return *settings_[parameter]; }
   const Parameter& parameter(std::size_t parameter) const { return *parameters_[parameter]; }
   std::size_t term_of(std::size_t parameter) const { return term_[parameter]; }

@@ -23,21 +23,33 @@ struct Covariance {
   bool operator==(const Covariance&) const = default;
 };
 
-// Memories from half a step to a sixth of the time, shares from nearly white to nearly all; without a discrepancy, and
-// with one of several lengths and sizes. Few rows: white alone.
-// with_slow: whether there may be a discrepancy.
-std::vector<Covariance> covariance_grid(std::span<const double> time_s, bool with_slow = true);
+// Noise alone: white, and with memories from a step to a sixth of the time, from mostly white to hardly white. Few
+// rows: white alone.
+std::vector<Covariance> noise_grid(std::span<const double> time_s);
+
+// About this noise, between it and its neighbours of the grid.
+std::vector<Covariance> noises_about(const Covariance& noise, std::span<const double> time_s);
+
+// This noise beside a discrepancy of several lengths and sizes.
+std::vector<Covariance> with_discrepancy(const Covariance& noise, std::span<const double> time_s);
 
 class CovarianceFilter {
  public:
-  // relative_variance: of the white part of each row, 1 where the reading is as good as the others; empty: all 1.
+  // relative_variance: of the white part of each row, 1 where the reading is as good as the others; shock: of what is
+  // new in the memory there. Empty: all 1.
   CovarianceFilter(const Covariance& covariance, std::span<const double> time_s,
-                   std::span<const double> relative_variance);
+                   std::span<const double> relative_variance, std::span<const double> shock = {});
 
   double log_determinant() const { return log_determinant_; }
 
   // Rows first, first + 1, ... of several columns become white. state: 3 by the columns, 0 before the first block.
   void apply(std::size_t first, RowMajorBlock block, RowMajorMatrix& state) const;
+
+  // The transpose of apply on all rows: W' w of white columns w.
+  void apply_transposed(RowMajorMatrix& white) const;
+
+  // |W s|^2 of each column that is 0 before a row and 1 from it on, n of them.
+  Eigen::VectorXd squares_of_steps() const;
 
  private:
   struct Row {

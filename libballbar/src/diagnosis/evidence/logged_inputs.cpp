@@ -14,6 +14,15 @@
 namespace ballbar {
 namespace {
 
+constexpr std::size_t kMostChanges = 20;    // of a temperature
+constexpr double kLargeChange = 3.0;        // times the usual change of a temperature from sample to sample
+constexpr double kLongestSample_s = 120.0;  // of a logger
+constexpr double kLongestRamp_s = 90.0;     // a change that takes longer is none at once
+constexpr double kJump = 0.03;              // of a column's range, from row to row
+constexpr std::size_t kLongestHeld = 12;    // rows
+constexpr double kBends = 0.9;              // share of the square of a column's bends, at the samples it joins
+constexpr std::size_t kFewestChanges = 8;   // of a column, for its sample to be told
+
 bool is_whole(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }

@@ -20,7 +20,7 @@ At at(const BaseModel& base, const std::vector<double>& parameters, const std::v
       const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known, std::size_t fixed) {
   At result;
   result.columns = base.at(parameters, free, fixed);
-  const Gram gram = gram_of(filter, pool_of(result.columns, times), RowMajorMatrix(times.rows(), 0));
+  const Gram gram = gram_of(filter, pool_of(result.columns, times));
   result.solution = solved(gram, line_of(result.columns, times.cols(), 0), known);
   result.log_evidence = log_evidence(result.solution);
   return result;

@@ -12,6 +12,8 @@
 namespace ballbar {
 namespace {
 
+constexpr double kLookGrowth = 13.0 / 12.0;  // values of a look, of those of the look before
+
 bool is_in(const std::vector<std::string>& labels, const std::string& label) {
   return std::find(labels.begin(), labels.end(), label) != labels.end();
 }

@@ -13,6 +13,10 @@
 namespace ballbar {
 namespace {
 
+constexpr double kForecastSigmas = 2.0;  // of ln of odds, forecast to the planned end
+constexpr double kTwinMoves = 0.2;       // ln of the odds of both, over the last half of the values
+constexpr double kTwinNow = 0.1;         // P of a rival that no reading tells from the first
+
 double log_odds(double p) {
   constexpr double kLeast = 1e-9;  // P is a sum of rounded shares
   const double held = std::clamp(p, kLeast, 1.0 - kLeast);

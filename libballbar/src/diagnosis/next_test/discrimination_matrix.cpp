@@ -12,6 +12,8 @@
 namespace ballbar {
 namespace {
 
+constexpr double kUntilTest_s = 12.0 * 3600.0;  // from the end of the data
+
 bool goes_on(const Effect& effect, const PlannedTest& test) {
   return effect.time_only && effect.inputs.empty() && !test.new_set_up;
 }

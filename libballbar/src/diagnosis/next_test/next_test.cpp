@@ -19,6 +19,10 @@
 namespace ballbar {
 namespace {
 
+constexpr double kNearlyImitated = 0.2;  // the same: d over that of the other order
+constexpr double kImitated = 1.0;        // d of an effect that another makes whatever is done
+constexpr double kUseless = 1.0;         // d
+
 bool suits(const Model& model, const Series& data, const Diagnosis& diagnosis) {
   const Fit& base = diagnosis.base;
   std::size_t parameters = 1;

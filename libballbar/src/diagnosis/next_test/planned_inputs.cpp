@@ -14,6 +14,8 @@
 namespace ballbar {
 namespace {
 
+constexpr double kBelieved = 0.5;  // R2 of the prediction of a column
+
 double mean_of(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) sum += value;

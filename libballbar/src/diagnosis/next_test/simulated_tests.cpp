@@ -20,7 +20,9 @@ namespace {
 
 constexpr std::size_t kSurrogatesSimulated = 50;
 constexpr const char* kAddedSensor = "T_added_degC";
-constexpr std::size_t kSlowStride = 6;       // of the covariances with a slow curve one in so many
+constexpr std::size_t kSlowStride = 3;       // of the covariances with a slow curve one in so many
+constexpr std::size_t kMostCovariances = 8;  // likely ones
+constexpr double kPriorOfSlow = 0.25;
 constexpr std::size_t kRowsSimulated = 500;  // of the target that each diagnosis weighs
 
 // Without what is of the set-up of the data at hand.
@@ -142,21 +144,19 @@ Series SimulatedTests::simulated(const Schedule& schedule, const Truth& truth, s
 // Those that the data make likely, and a few with a slow curve, so that a simulated run may find one.
 std::vector<Covariance> SimulatedTests::simulated_covariances() const {
   std::vector<Covariance> chosen;
+  for (const Point& point : weighed_.posterior.points) {
+    if (chosen.size() < kMostCovariances) chosen.push_back(point.covariance);
+  }
   std::size_t slow = 0;
-  for (const Covariance& one : weighed_.problem->covariances) {
-    const bool is_likely =
-        std::any_of(weighed_.posterior.points.begin(), weighed_.posterior.points.end(), [&](const Point& point) {
-          const Covariance& there = point.covariance;
-          return there.white == one.white && there.time_s == one.time_s && there.slow == one.slow &&
-                 there.slow_time_s == one.slow_time_s;
-        });
-    if (is_likely || (one.slow > 0.0 && slow++ % kSlowStride == 0)) chosen.push_back(one);
+  for (const Covariance& one : with_discrepancy(chosen.front(), weighed_.problem->time_s)) {
+    if (slow++ % kSlowStride == 0 && std::find(chosen.begin(), chosen.end(), one) == chosen.end())
+      chosen.push_back(one);
   }
   // Those that are left share the whole, without and with a slow curve.
   double without = 0.0, with = 0.0;
   for (const Covariance& one : chosen) (one.slow > 0.0 ? with : without) += 1.0;
   for (Covariance& one : chosen) {
-    one.log_prior = std::log(one.slow > 0.0 ? kPriorOfDiscrepancy / with : (1.0 - kPriorOfDiscrepancy) / without);
+    one.log_prior = std::log(one.slow > 0.0 ? kPriorOfSlow / with : (1.0 - kPriorOfSlow) / without);
   }
   return chosen;
 }

@@ -21,8 +21,10 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kScreened = 8;  // truths for a first look at a test
-constexpr std::size_t kTruths = 24;   // for what is promised
+constexpr std::size_t kCurvesShown = 6;  // hypotheses
+constexpr double kLeastPromise = 0.1;    // P(right) below which none is proposed
+constexpr std::size_t kScreened = 8;     // truths for a first look at a test
+constexpr std::size_t kTruths = 24;      // for what is promised
 constexpr std::size_t kKindsKept = 2;
 constexpr double kInQuestion = 0.05;   // P of an effect
 constexpr double kTheSame = 0.9999;    // |cosine| of what two effects add beside the model

@@ -8,6 +8,8 @@
 namespace ballbar {
 namespace {
 
+constexpr std::size_t kComparedPoints = 60;  // of the shapes of all candidates
+
 bool in(const std::vector<BoundEffect>& group, const BoundEffect& bound) {
   return std::find(group.begin(), group.end(), bound) != group.end();
 }

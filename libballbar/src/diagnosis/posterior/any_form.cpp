@@ -13,6 +13,10 @@
 namespace ballbar {
 namespace {
 
+constexpr std::array<double, 3> kFormLagsSquared_s{300.0, 2000.0, 10000.0};
+constexpr std::array<double, 5> kFormLagsOfSquare_s{0.0, 200.0, 700.0, 2500.0, 8000.0};
+constexpr std::array<double, 8> kFormLags_s{0.0, 120.0, 300.0, 800.0, 2000.0, 5000.0, 12000.0, 30000.0};  // of any form
+
 // The input since its first row over its range, and its square, behind low passes; the square of what is behind one.
 std::vector<Eigen::VectorXd> forms_of(const std::vector<double>& time_s, const std::vector<double>& values,
                                       const std::vector<std::size_t>& rows) {

@@ -6,16 +6,15 @@
 #include <utility>
 
 #include "ballbar/diagnosis/thresholds.hpp"
-#include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/evidence/refined.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kLongestStep = 0.7;          // of a shape at a time, in its scale
-constexpr double kShortestStep = 0.01;        // with less all shapes are there
-constexpr std::size_t kEveryCovariance = 19;  // of the grid
-constexpr int kStepsToSettle = 12;            // of Gauss and Newton
+constexpr int kStepsBeside = 4;         // of Gauss and Newton
+constexpr double kSameShape = 0.01;     // relative
+constexpr double kLongestStep = 0.7;    // of a shape at a time, in its scale
+constexpr double kShortestStep = 0.01;  // with less all shapes are there
 
 // A step of Gauss and Newton: a length or a time by a factor, within the bounds of its setting.
 double stepped(const BaseModel& model, const BaseColumn& column, double value, double step) {
@@ -89,7 +88,7 @@ Beside parameters_beside(const Problem& problem, const Variant& variant, const s
     // The set's columns, their gains free, into what moves with the model.
     const Variant with = with_signatures(
         problem, {variant.own, {}, {}, pool_of(columns, variant.times), line_of(columns, times, 0)}, signatures);
-    const Gram gram = gram_of(point.filter, with.pool, RowMajorMatrix(with.pool.rows(), 0));
+    const Gram gram = gram_of(point.filter, with.pool);
     const Solved solution = solved(gram, with.line, problem.known);
     beside.coefficients = solution.coefficients.tail(solution.coefficients.size() - columns.values.cols() - times);
     double largest = 0.0;
@@ -124,39 +123,6 @@ std::vector<double> with_times(const Problem& problem, std::vector<double> param
     if (is_free_time(problem, k)) parameters[k] = std::clamp(time_s, setting.lower, setting.upper);
   }
   return parameters;
-}
-
-bool is_on_bound(const Problem& problem, const Variant& variant) {
-  for (std::size_t k = 1; k < variant.parameters.size(); ++k) {
-    const Setting& setting = problem.base_model->setting(k);
-    if (is_free_time(problem, k) && !(variant.parameters[k] < setting.upper * (1.0 - kSameShape))) return true;
-  }
-  return false;
-}
-
-Beside settled_beside(Problem& problem, const Variant& variant, std::size_t signature) {
-  Beside beside{{signature}, variant.parameters, {}};
-  const auto [model, start] = with_effects(problem, beside);
-  const BaseModel with(model, problem.logged, problem.y, problem.base.row);
-  std::vector<std::vector<double>> starts{start};
-  for (const double time_s : kTimesOfModels_s) {
-    std::vector<double> other = with_times(problem, start, time_s);
-    if (other != start) starts.push_back(std::move(other));
-  }
-  std::vector<Covariance> grid = covariance_grid(problem.time_s, false);
-  std::vector<Refined> best(grid.size() / kEveryCovariance + 1);
-  in_parallel(best.size(), [&](std::size_t k) {
-    const Covariance& one = grid[std::min(k * kEveryCovariance, grid.size() - 1)];
-    const CovarianceFilter filter(one, problem.time_s, problem.relative_variance);
-    best[k].log_evidence = kLogZero;
-    for (const std::vector<double>& from : starts) {
-      Refined now = refined(with, from, {}, variant.times, filter, problem.known, kStepsToSettle);
-      if (now.log_evidence > best[k].log_evidence) best[k] = std::move(now);
-    }
-  });
-  const auto most = std::max_element(
-      best.begin(), best.end(), [](const Refined& a, const Refined& b) { return a.log_evidence < b.log_evidence; });
-  return taken_over(problem, std::move(beside), most->parameters);
 }
 
 Eigen::MatrixXd times_beside(const Problem& problem, const Beside& beside) {

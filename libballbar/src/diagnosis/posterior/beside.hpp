@@ -24,13 +24,8 @@ Beside parameters_beside(const Problem& problem, const Variant& variant, const s
 // shapes of the set at their likeliest become signatures of the library, and of the set in the place of the old ones.
 Beside sharpened(Problem& problem, const Variant& variant, Beside beside, const Point& point);
 
-// Its parameters, all times that it is free in put here; whether one of these is on its upper bound.
+// Its parameters, all times that it is free in put here.
 std::vector<double> with_times(const Problem& problem, std::vector<double> parameters, double time_s);
-bool is_on_bound(const Problem& problem, const Variant& variant);
-
-// The model beside a strong effect, whatever the covariance: where the effect is missing, a time constant runs far off
-// and what is left looks slow. From several values of the model's times; the effect's shapes as sharpened.
-Beside settled_beside(Problem& problem, const Variant& variant, std::size_t signature);
 
 // What is not known of the times of the inputs of the model and of the set: columns of Kind::time.
 Eigen::MatrixXd times_beside(const Problem& problem, const Beside& beside);

@@ -1,114 +1,422 @@
 #include "diagnosis/posterior/posterior.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <string>
+#include <numeric>
+#include <optional>
 #include <utility>
 
+#include "ballbar/numerics/parallel.hpp"
+#include "diagnosis/evidence/refined.hpp"
+#include "diagnosis/posterior/ascent.hpp"
 #include "diagnosis/posterior/beside.hpp"
+#include "diagnosis/posterior/sets.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kSameGainOfSignal = 2.0;  // factor: gains nearer to one another than that are one
-constexpr double kSamplesLeftOpen = 2.0;   // of a logger
+constexpr double kPriorOfNone = 0.8;  // that a single effect is nothing
+constexpr double kPriorOfDiscrepancy = 0.15;
+constexpr double kPriorOfBackground = 0.03;
+constexpr std::array<double, 2> kBackgrounds{6.0, 20.0};  // d of all of it together
+constexpr std::size_t kNoisesBesideMore = 3;  // the likeliest, with a discrepancy or a background beside them
+constexpr double kFarFromBest = 9.0;          // ln: covariances this far are left out
+constexpr double kFarFromOthers = 12.0;       // ln: covariances this far are not looked at twice
+constexpr double kLikely = 0.05;              // P of an identity that carries weight
+constexpr int kRelinearised = 3;              // times
+constexpr double kSameModel = 0.02;           // of a shape's reach
+constexpr std::size_t kPilots = 2;            // covariances at which the model is looked for
+constexpr double kOtherStart = 0.3;
+constexpr std::size_t kSharpenedRivals = 4;  // of a single effect, whose shapes are sought between those of the grid
+constexpr double kFarRival = 7.0;            // ln: one so much weaker than the strongest is not sought
 
-// A time that is no longer than what a logger leaves open.
-bool is_within_a_sample(const LoggedInputs& logged, const Effect& effect, const std::vector<double>& point,
-                        const std::string& column) {
-  const auto input = std::find_if(logged.inputs.begin(), logged.inputs.end(),
-                                  [&](const LoggedInput& one) { return one.column == column; });
-  if (input == logged.inputs.end()) return false;
-  for (std::size_t k = 0; k < point.size(); ++k) {
-    const bool is_time = effect.parameters[k].kind == ParameterKind::shape && effect.parameters[k].unit == "s";
-    if (is_time && std::abs(point[k]) <= kSamplesLeftOpen * input->sample_s) return true;
-  }
-  return false;
+// A covariance with what the ascent finds at it.
+struct Found {
+  Point point{{}, {{}, {}, {}}};
+  double background = 0.0;
+  Ascent ascent;
+  double log_weight = kLogZero;
+  std::vector<std::pair<std::size_t, double>> shares;  // of the background, by family
+};
+
+AscentOptions options_of(const Problem& problem, const Identities& identities, std::size_t largest) {
+  AscentOptions options;
+  SinglePrior prior{std::log(kPriorOfNone), identities.log_prior};
+  for (double& one : prior.log_identity) one += std::log1p(-kPriorOfNone);
+  options.priors = {std::move(prior)};
+  options.largest = largest;
+  options.known = problem.known;
+  options.least_variance = least_variance_of(problem);
+  return options;
 }
 
-// Whether a term of the model that reads the column has about this gain.
-bool has_gain_of(const Model& model, const std::vector<double>& parameters, const std::string& column, double gain) {
-  std::size_t first = 1;  // the constant is before
-  for (const Term& term : model.terms) {
-    const bool reads = std::find(term.columns.begin(), term.columns.end(), column) != term.columns.end();
-    for (std::size_t k = 0; k < term.settings.size() && reads; ++k) {
-      if (term.effect->parameters[k].kind != ParameterKind::gain) continue;
-      const double ratio = gain / parameters[first + k];
-      if (ratio > 1.0 / kSameGainOfSignal && ratio < kSameGainOfSignal) return true;
+// A block of many columns can stand in for several effects: the ascent begins with it, and without it.
+Ascent best_ascent(ColumnsAt& at, const Problem& problem, const Identities& identities, const AscentOptions& options,
+                   const Ascent& start) {
+  Ascent best = ascended(at, identities, options, start);
+  if (identities.families == problem.effects) return best;
+  AscentOptions of_effects = options;
+  for (SinglePrior& prior : of_effects.priors) {
+    for (std::size_t i = problem.effects; i < identities.families; ++i) prior.log_identity[i] = kLogZero;
+  }
+  Ascent other = ascended(at, identities, options, ascended(at, identities, of_effects));
+  return other.bound > best.bound ? other : best;
+}
+
+class Search {
+ public:
+  Search(Problem& problem, std::size_t largest, const std::function<void(const std::vector<double>&)>& so_far)
+      : problem_(problem), largest_(largest), so_far_(so_far) {}
+
+  Posterior run() {
+    std::vector<Covariance> grid = problem_.covariances;
+    const bool is_given = !grid.empty();
+    if (!is_given) grid = noise_grid(problem_.time_s);
+    start(grid);
+
+    for (int round = 0; round < kRelinearised; ++round) {
+      if (!relinearise()) break;
     }
-    first += term.settings.size();
-  }
-  return false;
-}
 
-// An effect on a signal of another one, which has that one's gain, with a gain far from it: something else.
-bool is_inconsistent(const Problem& problem, const SetTable& table, const EffectSet& set) {
-  Eigen::Index column = 0;
-  for (const std::size_t i : set.signatures) {
-    const Signature& one = problem.library.signatures[i];
-    const BoundEffect& bound = problem.library.families[one.family].bound;
-    const std::vector<Input>& inputs = bound.effect->inputs;
-    const auto of_another =
-        std::find_if(inputs.begin(), inputs.end(), [](const Input& input) { return input.of_another_effect; });
-    if (of_another != inputs.end()) {
-      const std::string& name = bound.columns[static_cast<std::size_t>(of_another - inputs.begin())];
-      const Beside beside =
-          parameters_beside(problem, table.variants[set.variant], set.signatures, table.points[set.point]);
-      const double gain = beside.coefficients[column] / problem.deviation[one.first];
-      if (!has_gain_of(problem.model, beside.parameters, name, gain) ||
-          is_within_a_sample(problem.logged, *bound.effect, one.point, name))
-        return true;
-    }
-    column += one.width;
-  }
-  return false;
-}
+    std::vector<Found> found;
+    for (const Covariance& one : grid) found.push_back(found_at(one, 0.0));
+    ascend(found, !is_given);
+    if (!is_given && problem_.model.level == Level::series) add_more(found);
 
-EffectSet summed_set(const SetTable& table, const SetKey& key, const std::vector<FoundSet>& at) {
-  EffectSet set;
-  set.families = key.families;
-  set.own = key.own;
-  set.most = kLogZero;
-  std::vector<double> any, slow;
-  for (std::size_t g = 0; g < at.size(); ++g) {
-    if (at[g].log_weight == kLogZero) continue;
-    any.push_back(at[g].log_weight);
-    if (table.points[g].covariance.slow > 0.0) slow.push_back(at[g].log_weight);
-    if (at[g].most > set.most) {
-      set.most = at[g].most;
-      set.signatures = at[g].signatures;
-      set.point = g;
-      set.variant = at[g].variant;
-    }
+    return averaged(std::move(found));
   }
-  set.log_weight = log_sum(any);
-  set.log_weight_slow = log_sum(slow);
-  return set;
-}
+
+ private:
+  // The likeliest covariances where a little of every input in every form stands for all effects.
+  std::vector<Covariance> likeliest_of(const std::vector<Covariance>& grid, const Variant& variant,
+                                       const Identities& none) const {
+    std::vector<Found> found;
+    for (const Covariance& one : grid)
+      found.push_back({point_at(problem_, one), kBackgrounds.back(), {}, kLogZero, {}});
+    in_parallel(found.size(), [&](std::size_t g) {
+      ColumnsAt at(problem_, none, variant, found[g].point, background_of(found[g].background));
+      found[g].log_weight = ascended(at, none, options_of(problem_, none, 0)).bound + grid[g].log_prior;
+    });
+    sort(found);
+    std::vector<Covariance> likeliest;
+    for (std::size_t g = 0; g < std::min(kPilots, found.size()); ++g) likeliest.push_back(found[g].point.covariance);
+    return likeliest;
+  }
+
+  // The model about its fit by least squares, and about what noise with a memory makes of it.
+  void start(const std::vector<Covariance>& grid) {
+    std::vector<double> fit;
+    for (const FittedParameter& one : problem_.base.parameters) fit.push_back(one.value);
+    fit.front() -= problem_.centre_um;
+    std::vector<Variant> starts{variant_at(problem_, 0, fit)};
+    pilots_ = likeliest_of(grid, starts.front(), restricted(identities_of(problem_, starts.front()), {}));
+    for (const Covariance& one : pilots_) {
+      const Point point = point_at(problem_, one);
+      for (const bool elsewhere : {false, true}) {
+        std::vector<double> from = elsewhere ? with_times(problem_, fit, kUsualTime_s) : fit;
+        const Refined refined_there =
+            refined(*problem_.base_model, std::move(from), {}, starts.front().times, point.filter, problem_.known, 12);
+        if (std::all_of(starts.begin(), starts.end(), [&](const Variant& other) {
+              return is_elsewhere(problem_, other, refined_there.parameters, kOtherStart);
+            }))
+          starts.push_back(variant_at(problem_, 0, refined_there.parameters));
+      }
+    }
+    for (OwnParameter& own : problem_.own) starts.push_back(beside_own(own, fit, starts.front().times));
+    for (Variant& variant : starts) take_if_better(std::move(variant));
+  }
+
+  // The model where a held value is another one, which is remembered; of the line it is held.
+  Variant beside_own(OwnParameter& own, std::vector<double> from, const Eigen::MatrixXd& times) const {
+    const Refined refined_there = refined(*problem_.base_model, std::move(from), {own.parameter}, times,
+                                          point_at(problem_, pilots_.front()).filter, problem_.known, 12);
+    std::vector<double> parameters = refined_there.parameters;
+    own.fitted.push_back(parameters[own.parameter]);
+    parameters[own.parameter] = own.held;
+    return variant_at(problem_, 0, std::move(parameters));
+  }
+
+  // At the pilots; true: the bound is better than the best so far.
+  bool take_if_better(Variant variant) {
+    Identities identities = identities_of(problem_, variant);
+    std::vector<Found> found(pilots_.size());
+    in_parallel(pilots_.size(), [&](std::size_t g) {
+      found[g].point = point_at(problem_, pilots_[g]);
+      ColumnsAt at(problem_, identities, variant, found[g].point, {});
+      const AscentOptions options = options_of(problem_, identities, largest_);
+      found[g].ascent = best_ascent(at, problem_, identities, options, {});
+      found[g].log_weight = found[g].ascent.bound + pilots_[g].log_prior;
+    });
+    auto best = std::max_element(found.begin(), found.end(),
+                                 [](const Found& a, const Found& b) { return a.log_weight < b.log_weight; });
+    const bool better = best->log_weight > best_.log_weight + 0.01;
+    if (!better && variant_) return false;
+    variant_ = std::move(variant);
+    identities_ = std::move(identities);
+    best_ = std::move(*best);
+    return true;
+  }
+
+  // Of one single effect the identities of the catalogue, the strongest first. Where an input of any form is stronger
+  // the shapes of all are too coarse to tell which is near.
+  std::vector<std::size_t> effects_of(const SingleEffect& one) const {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < problem_.effects; ++i) {
+      if (one.strength[i] > kLogZero) order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return one.strength[a] > one.strength[b]; });
+    const auto likeliest = static_cast<std::size_t>(std::max_element(one.p.begin(), one.p.end()) - one.p.begin());
+    const bool is_form = likeliest >= problem_.effects && !identities_.is_own(likeliest);
+    while (order.size() > 1 && !is_form && one.strength[order.back()] < one.strength[order.front()] - kFarRival)
+      order.pop_back();
+    return order;
+  }
+
+  // The model about where the best set of effects has its parameters, the shapes of the set and of its rivals at their
+  // likeliest.
+  bool relinearise() {
+    std::vector<std::size_t> signatures;
+    std::vector<std::pair<std::size_t, std::vector<std::size_t>>> rivals;  // by their place in the set
+    for (const SingleEffect& one : best_.ascent.effects) {
+      if (one.p_any() < 0.5) continue;
+      const std::vector<std::size_t> order = effects_of(one);
+      if (order.empty()) continue;
+      std::vector<std::size_t> shapes;
+      for (std::size_t k = 0; k < std::min(order.size(), kSharpenedRivals); ++k) {
+        if (const auto shape = signature_of(problem_, identities_, one.likeliest[order[k]])) shapes.push_back(*shape);
+      }
+      if (shapes.empty()) continue;
+      if (shapes.size() > 1) rivals.emplace_back(signatures.size(), std::vector(shapes.begin() + 1, shapes.end()));
+      signatures.push_back(shapes.front());
+    }
+    const std::size_t before = problem_.library.signatures.size();
+    const std::optional<std::size_t> own = likeliest_own();
+    if (own) return relinearise_own(problem_.own[*own], *own, signatures);
+    Beside beside = parameters_beside(problem_, *variant_, signatures, best_.point);
+    if (!signatures.empty()) beside = sharpened(problem_, *variant_, std::move(beside), best_.point);
+    for (const auto& [place, others] : rivals) {
+      for (const std::size_t rival : others) {
+        Beside other{beside.signatures, beside.parameters, {}};
+        other.signatures[place] = rival;
+        sharpened(problem_, *variant_, std::move(other), best_.point);
+      }
+    }
+    const bool is_new = problem_.library.signatures.size() > before;
+    if (!is_new && !is_elsewhere(problem_, *variant_, beside.parameters, kSameModel)) return false;
+    Eigen::MatrixXd times = times_beside(problem_, beside);
+    return take_if_better(variant_at(problem_, 0, std::move(beside.parameters), std::move(times)));
+  }
+
+  // The held value that is likelier another one than not.
+  std::optional<std::size_t> likeliest_own() const {
+    for (const SingleEffect& one : best_.ascent.effects) {
+      const auto i = static_cast<std::size_t>(std::max_element(one.p.begin(), one.p.end()) - one.p.begin());
+      if (one.p_any() >= 0.5 && identities_.is_own(i)) return i - identities_.families;
+    }
+    return std::nullopt;
+  }
+
+  bool relinearise_own(OwnParameter& own, std::size_t place, const std::vector<std::size_t>& signatures) {
+    std::vector<double> parameters = variant_->parameters;
+    parameters[own.parameter] = own.fitted.back();
+    const Variant free = variant_at(problem_, place + 1, std::move(parameters));
+    Beside beside = parameters_beside(problem_, free, signatures, best_.point);
+    const double value = beside.parameters[own.parameter];
+    if (std::abs(value - own.fitted.back()) > kSameModel * std::abs(own.held)) own.fitted.push_back(value);
+    beside.parameters[own.parameter] = own.held;
+    if (!is_elsewhere(problem_, *variant_, beside.parameters, kSameModel)) return false;
+    return take_if_better(variant_at(problem_, 0, std::move(beside.parameters)));
+  }
+
+  Found found_at(const Covariance& covariance, double background) const {
+    Found found{point_at(problem_, covariance), background, {}, kLogZero, {}};
+    found.ascent.effects = best_.ascent.effects;
+    return found;
+  }
+
+  DenseBackground background_of(double d) const {
+    DenseBackground background;
+    background.d = d;
+    if (!(d > 0.0)) return background;
+    std::vector<Eigen::Index> columns;
+    for (std::size_t f = problem_.effects; f < problem_.library.families.size(); ++f) {
+      const Signature& one = problem_.library.signatures[problem_.library.families[f].first];
+      for (Eigen::Index k = 0; k < one.width; k += 3) {
+        columns.push_back(one.first + k);
+        background.family.push_back(f);
+      }
+    }
+    background.columns = problem_.signatures(Eigen::all, columns);
+    return background;
+  }
+
+  // What carries weight where the readings are likeliest so far.
+  Identities likely_identities() const {
+    std::vector<std::size_t> likely;
+    for (std::size_t i = 0; i < identities_.log_prior.size(); ++i) {
+      if (std::any_of(best_.ascent.effects.begin(), best_.ascent.effects.end(),
+                      [&](const SingleEffect& one) { return one.p[i] > kLikely; }))
+        likely.push_back(i);
+    }
+    return restricted(identities_, likely);
+  }
+
+  void ascend_at(Found& one, const Identities& identities, bool from_both) const {
+    ColumnsAt at(problem_, identities, *variant_, one.point, background_of(one.background));
+    const AscentOptions options = options_of(problem_, identities, largest_);
+    one.ascent = from_both ? best_ascent(at, problem_, identities, options, one.ascent)
+                           : ascended(at, identities, options, one.ascent);
+    one.log_weight = one.ascent.bound + one.point.covariance.log_prior;
+    if (one.background > 0.0) one.shares = at.background_shares();
+  }
+
+  void scan(std::vector<Found>& found, std::size_t first, const Identities& few) const {
+    in_parallel(found.size() - first, [&](std::size_t g) {
+      Found trial = found[first + g];
+      trial.ascent = {};
+      ascend_at(trial, few, false);
+      found[first + g].log_weight = trial.log_weight;
+    });
+  }
+
+  // With few identities at all covariances, and between those about the likeliest; with all of them at those that are
+  // likely.
+  void ascend(std::vector<Found>& found, bool between) {
+    if (found.empty()) return;
+    const Identities few = likely_identities();
+    scan(found, 0, few);
+    sort(found);
+    if (between) {
+      const std::size_t first = found.size();
+      for (const Covariance& one : noises_about(found.front().point.covariance, problem_.time_s))
+        found.push_back(found_at(one, 0.0));
+      scan(found, first, few);
+      sort(found);
+    }
+    const double likely = found.front().log_weight - kFarFromOthers;
+    const auto end =
+        std::find_if(found.begin(), found.end(), [&](const Found& one) { return one.log_weight < likely; });
+    found.erase(end, found.end());
+    in_parallel(found.size(), [&](std::size_t g) { ascend_at(found[g], identities_, true); });
+    sort(found);
+    if (found.front().log_weight > best_.log_weight) best_ = found.front();
+  }
+
+  static void sort(std::vector<Found>& found) {
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Found& a, const Found& b) { return a.log_weight > b.log_weight; });
+  }
+
+  // The likeliest noises with a discrepancy, and with a background.
+  void add_more(std::vector<Found>& found) {
+    const bool has_inputs = problem_.library.families.size() > problem_.effects;
+    std::vector<Found> more;
+    for (std::size_t g = 0; g < std::min(kNoisesBesideMore, found.size()); ++g) {
+      const Covariance& noise = found[g].point.covariance;
+      for (Covariance one : with_discrepancy(noise, problem_.time_s)) {
+        one.log_prior += std::log(kPriorOfDiscrepancy);
+        more.push_back(found_at(one, 0.0));
+      }
+      for (const double d : kBackgrounds) {
+        if (!has_inputs) continue;
+        Covariance one = noise;
+        one.log_prior +=
+            std::log((1.0 - kPriorOfDiscrepancy) * kPriorOfBackground / static_cast<double>(kBackgrounds.size()));
+        more.push_back(found_at(one, d));
+      }
+    }
+    const double rest = std::log((1.0 - kPriorOfDiscrepancy) * (has_inputs ? 1.0 - kPriorOfBackground : 1.0));
+    for (Found& one : found) {
+      one.point.covariance.log_prior += rest;
+      one.log_weight += rest;
+    }
+    ascend(more, false);
+    std::move(more.begin(), more.end(), std::back_inserter(found));
+    sort(found);
+  }
+
+  Posterior averaged(std::vector<Found> found) {
+    // A better optimum at the likeliest covariance is one everywhere.
+    {
+      ColumnsAt at(problem_, identities_, *variant_, found.front().point, background_of(found.front().background));
+      const AscentOptions options = options_of(problem_, identities_, largest_);
+      Ascent best = rearranged(at, identities_, options, found.front().ascent);
+      if (best.bound > found.front().ascent.bound + 0.05) {
+        for (Found& one : found) {
+          if (one.log_weight > found.front().log_weight - 2.0 * kFarFromBest) one.ascent.effects = best.effects;
+        }
+        std::erase_if(found,
+                      [&](const Found& one) { return one.log_weight < found.front().log_weight - 2.0 * kFarFromBest; });
+        ascend(found, false);
+      }
+    }
+    std::erase_if(found, [&](const Found& one) { return one.log_weight < found.front().log_weight - kFarFromBest; });
+    Posterior result;
+    double total = 0.0;
+    for (const Found& one : found) {
+      result.weight.push_back(std::exp(one.log_weight - found.front().log_weight));
+      total += result.weight.back();
+    }
+    for (double& one : result.weight) one /= total;
+    const std::size_t count = identities_.log_prior.size();
+    std::size_t effects = 0;
+    for (const Found& one : found) effects = std::max(effects, one.ascent.effects.size());
+    result.effects.assign(effects, {0.0, std::vector<double>(count, 0.0)});
+    std::vector<double> p(count, 0.0);
+    result.nothing = result.none = result.discrepancy = 0.0;
+    result.background.assign(identities_.families, 0.0);
+    for (std::size_t g = 0; g < found.size(); ++g) {
+      double none = 1.0;
+      std::vector<double> without(count, 1.0);
+      for (std::size_t l = 0; l < found[g].ascent.effects.size(); ++l) {
+        const SingleEffect& one = found[g].ascent.effects[l];
+        result.effects[l].log_weight += result.weight[g] * std::min(one.log_weight, 1e6);
+        for (std::size_t i = 0; i < count; ++i) {
+          result.effects[l].p[i] += result.weight[g] * one.p[i];
+          without[i] *= std::max(0.0, 1.0 - one.p[i]);
+        }
+        none *= std::max(0.0, 1.0 - one.p_any());
+      }
+      for (std::size_t i = 0; i < count; ++i) p[i] += result.weight[g] * (1.0 - without[i]);
+      const bool slow = found[g].point.covariance.slow > 0.0;
+      result.none += result.weight[g] * none;
+      if (slow) result.discrepancy += result.weight[g];
+      for (const auto& [family, share] : found[g].shares) result.background[family] += result.weight[g] * share;
+      if (!slow && !(found[g].background > 0.0)) result.nothing += result.weight[g] * none;
+    }
+    const auto families = static_cast<std::ptrdiff_t>(identities_.families);
+    result.family.assign(p.begin(), p.begin() + families);
+    result.own.assign(p.begin() + families, p.end());
+    if (so_far_) so_far_(result.family);
+    result.variants.push_back(std::move(*variant_));
+    const Ascent likeliest = std::move(found.front().ascent);
+    for (Found& one : found) result.points.push_back(std::move(one.point));
+    add_sets(problem_, identities_, likeliest, result);
+    return result;
+  }
+
+  static constexpr double kUsualTime_s = 1500.0;  // of a model's times, where their fit has run away
+
+  Problem& problem_;
+  std::size_t largest_;
+  const std::function<void(const std::vector<double>&)>& so_far_;
+  std::vector<Covariance> pilots_;
+  std::optional<Variant> variant_;
+  Identities identities_;
+  Found best_;
+};
 
 }  // namespace
 
+double SinglePosterior::p_any() const { return std::accumulate(p.begin(), p.end(), 0.0); }
+
 double Posterior::p(const EffectSet& set) const { return std::exp(set.log_weight - log_total); }
 
-Posterior summed(const Problem& problem, SetTable table) {
-  Posterior result;
-  std::vector<double> all;
-  for (const auto& [key, at] : table.sets) {
-    EffectSet set = summed_set(table, key, at);
-    if (set.log_weight == kLogZero || is_inconsistent(problem, table, set)) continue;
-    if (!set.families.empty() && set.families.back() >= problem.effects) {
-      result.any_form.push_back(std::move(set));
-      continue;
-    }
-    all.push_back(set.log_weight);
-    result.sets.push_back(std::move(set));
-  }
-  std::stable_sort(result.sets.begin(), result.sets.end(),
-                   [](const EffectSet& a, const EffectSet& b) { return a.log_weight > b.log_weight; });
-  result.log_total = log_sum(all);
-  result.points = std::move(table.points);
-  result.variants = std::move(table.variants);
-  return result;
+Posterior posterior_of(Problem& problem, std::size_t largest,
+                       const std::function<void(const std::vector<double>&)>& so_far) {
+  return Search(problem, largest, so_far).run();
 }
 
 }  // namespace ballbar

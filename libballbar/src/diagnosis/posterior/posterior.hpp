@@ -1,39 +1,66 @@
-// The posterior over sets of effects: what of the table counts, summed over the covariances.
+// What may be missing, as a sum of single effects (ascent.hpp), averaged over the covariances at which the readings are
+// likely.
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <vector>
 
+#include "diagnosis/posterior/identities.hpp"
 #include "diagnosis/posterior/problem.hpp"
-#include "diagnosis/posterior/table.hpp"
 #include "diagnosis/posterior/variant.hpp"
 
 namespace ballbar {
 
-// Effects of the library, beside the model as it is or with one of its own held parameters free.
+// One of the single effects: at most one of its identities is missing.
+struct SinglePosterior {
+  double log_weight = 0.0;  // ln of the weight of any identity over that of none
+  std::vector<double> p;    // of each identity: families of the library, then held values
+  double p_any() const;
+};
+
+// One identity for some of the single effects: a set of effects beside the model, or beside it with one of its held
+// parameters free.
 struct EffectSet {
   std::vector<std::size_t> families;  // rising
   std::size_t own = 0;                // as Variant::own
-  double log_weight = 0.0;            // ln of prior times evidence
-  double log_weight_slow = 0.0;       // the part of it with a discrepancy
-  // Where it is largest:
+  double log_weight = 0.0;            // ln of its probability
+  double log_weight_slow = 0.0;       // with a slow discrepancy beside it
+  // Where it is likeliest:
   std::vector<std::size_t> signatures;
   std::size_t point = 0, variant = 0;
-  double most = 0.0;
 };
 
 struct Posterior {
-  std::vector<Point> points;        // the likely covariances
-  std::vector<Variant> variants;    // the model about the parameters that sets of effects make most likely
-  std::vector<EffectSet> sets;      // the most probable first; the first of no effects is always there
-  double log_total = 0.0;           // of the sets
-  std::vector<EffectSet> any_form;  // one input of any form, alone: rivals, no part of the total
+  std::vector<Point> points;      // covariances, the likeliest first
+  std::vector<double> weight;     // of each
+  std::vector<Variant> variants;  // the model about its likeliest parameters; behind it with a held one free
+  std::vector<SinglePosterior> effects;
+  std::vector<double> family, own;  // P of each family and each held value
+  double nothing = 1.0;             // P of no effect, no other value, no discrepancy, no background
+  double none = 1.0;                // P of no effect and no other value, whatever else
+  double discrepancy = 0.0;         // P of a slow discrepancy
+  std::vector<double> background;   // P of a little of every input, by the family of any form that it mostly is
+  std::vector<EffectSet> sets;  // the most probable first; that of the likeliest identity of each single effect that is
+                                // likely to be there is `best`; the first of no effects is always there
+  std::size_t best = 0;
+  double log_total = 0.0;                                           // of the sets
+  mutable std::map<std::vector<std::size_t>, double> log_evidence;  // of sets that were asked for (log_bayes_factor)
 
   double p(const EffectSet& set) const;
 };
 
-// Without sets in which an effect on a signal of another one has not that one's gain, or is no more than what a logger
-// leaves open.
-Posterior summed(const Problem& problem, SetTable table);
+// largest: number of effects. so_far: told of P of each identity whenever more is known; may be empty. Shapes of likely
+// effects between the points of the grid are added to the library.
+Posterior posterior_of(Problem& problem, std::size_t largest,
+                       const std::function<void(const std::vector<double>&)>& so_far = {});
+
+// A set of effects that is asked for, put behind the others where it is not one of them; its place.
+std::size_t set_of(Problem& problem, Posterior& posterior, std::vector<std::size_t> families);
+
+// 2 ln of how much more likely the readings are with this set beside the model than without: gains, shapes and noise
+// integrated out. -infinity: nothing is left of it beside the model.
+double log_bayes_factor(const Problem& problem, const Posterior& posterior, const std::vector<std::size_t>& families);
 
 }  // namespace ballbar

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <string_view>
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/posterior/any_form.hpp"
@@ -11,6 +13,9 @@
 
 namespace ballbar {
 namespace {
+
+constexpr double kTemperatureJump = 0.2;  // of its range, from row to row
+constexpr std::size_t kRowsBesideJump = 2;
 
 // Effects alike, columns of an effect alike.
 std::vector<double> log_priors_of(const SignatureLibrary& library) {  // those of any form are an effect as well
@@ -77,13 +82,45 @@ std::vector<OwnParameter> own_of(const Model& model) {
       if (!term.settings[k].held || parameter.kind == ParameterKind::gain || parameter.shape_of != ShapeOf::curve)
         continue;
       if (parameter.grid.empty() && parameter.unit != "s") continue;  // a dimension of the part
-      own.push_back({place, term.settings[k].start});
+      own.push_back({place, term.settings[k].start, {}});
     }
   }
   return own;
 }
 
+// Rows about those at which a temperature jumps: what jumps there may be the temperature's, drawn as a curve.
+std::vector<char> rows_of_temperature_jumps(const Series& data, const std::vector<std::size_t>& rows) {
+  std::vector<char> found(rows.size(), 0);
+  for (const Column& column : data.columns) {
+    const std::string_view unit = unit_of(column.name);
+    if (unit != "degC" && unit != "K") continue;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const std::size_t row : rows) {
+      low = std::min(low, column.values[row]);
+      high = std::max(high, column.values[row]);
+    }
+    for (std::size_t k = 1; k < rows.size(); ++k) {
+      if (!(std::abs(column.values[rows[k]] - column.values[rows[k - 1]]) > kTemperatureJump * (high - low))) continue;
+      const std::size_t first = k > kRowsBesideJump ? k - kRowsBesideJump : 0,
+                        last = std::min(rows.size() - 1, k + kRowsBesideJump);
+      std::fill(found.begin() + static_cast<std::ptrdiff_t>(first),
+                found.begin() + static_cast<std::ptrdiff_t>(last) + 1, char{1});
+    }
+  }
+  return found;
+}
+
 }  // namespace
+
+Point point_at(const Problem& problem, const Covariance& covariance) {
+  return {covariance, CovarianceFilter(covariance, problem.time_s, problem.relative_variance, problem.shock)};
+}
+
+double least_variance_of(const Problem& problem) {
+  constexpr double kRounding = 1e-4;  // of the readings' own deviation: no logger resolves less
+  return kRounding * kRounding * problem.y.squaredNorm() /
+         static_cast<double>(std::max<Eigen::Index>(1, problem.y.size()));
+}
 
 void free_rows_at_jumps(Problem& problem, bool wide) {
   const Fit& base = problem.base;
@@ -147,10 +184,12 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   auto problem = std::make_unique<Problem>();
   problem->model = model;
   const std::string& name = model.targets.at(target);
-  problem->logged = logged_inputs(subsampled(data, name, options.most_rows), model.targets);
+  const Series rows = subsampled(data, name, options.most_rows);
+  problem->logged = logged_inputs(rows, model.targets);
   problem->base = base_fit(model, problem->logged.series, target);
   const Fit& base = problem->base;
   problem->time_s = base.time_s;
+  problem->at_jump_of_temperature = rows_of_temperature_jumps(rows, base.row);
   const auto n = static_cast<Eigen::Index>(base.row.size());
   problem->y = Eigen::VectorXd::Map(base.measured_um.data(), n);
   if (model.level == Level::series && !model.constant_um) {
@@ -158,6 +197,7 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
     problem->y.array() -= problem->centre_um;
   }
   problem->relative_variance.assign(base.row.size(), 1.0);
+  problem->shock.assign(base.row.size(), 1.0);
   if (!base.sigma_um.empty()) {
     double mean = 0.0;
     for (const double sigma : base.sigma_um) mean += sigma * sigma / static_cast<double>(n);
@@ -168,7 +208,7 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   free_rows_at_jumps(*problem, false);
   problem->base_model = std::make_unique<BaseModel>(problem->model, problem->logged, problem->y, base.row);
   SignatureOptions signatures = options.signatures;
-  signatures.fine = true;
+  signatures.fine = false;
   signatures.every_onset = false;
   problem->library = signature_library_of(options.catalogue, model, problem->logged.series, base, signatures);
   problem->effects = problem->library.families.size();
@@ -188,9 +228,6 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   problem->own = own_of(model);
   problem->terms = options.signatures.terms;
   problem->covariances = options.covariances;
-  if (problem->covariances.empty()) {
-    problem->covariances = covariance_grid(problem->time_s, model.level == Level::series);
-  }
   return problem;
 }
 

@@ -27,6 +27,7 @@ inline constexpr double kLogZero = -std::numeric_limits<double>::infinity();  //
 struct OwnParameter {
   std::size_t parameter = 0;  // by its place, the constant first
   double held = 0.0;
+  std::vector<double> fitted;  // other values that a fit has found
 };
 
 // A covariance at which the readings are likely.
@@ -40,7 +41,9 @@ struct Problem {
   LoggedInputs logged;
   Fit base;
   std::vector<double> time_s, relative_variance;
-  Eigen::VectorXd y;  // less `centre_um`, where a constant of the model is free
+  std::vector<double> shock;                 // relative variance of what is new in the noise of a row
+  std::vector<char> at_jump_of_temperature;  // of each row: about it a jump may be the temperature\'s
+  Eigen::VectorXd y;                         // less `centre_um`, where a constant of the model is free
   double centre_um = 0.0;
   KnownScatter known;
   std::unique_ptr<BaseModel> base_model;
@@ -61,6 +64,11 @@ struct ProblemOptions {
   std::size_t most_rows = 1000;         // values of the target
   std::vector<Covariance> covariances;  // looked at; none: all of covariance_grid
 };
+
+Point point_at(const Problem& problem, const Covariance& covariance);
+
+// Of the scatter: what a logger makes of readings of this size.
+double least_variance_of(const Problem& problem);
 
 // Row by row what the logs leave open of jumps: rows strictly inside the time of a jump; wide: those at its ends as
 // well.

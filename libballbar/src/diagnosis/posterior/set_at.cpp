@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "diagnosis/posterior/seen.hpp"
-
 namespace ballbar {
 namespace {
 
@@ -31,12 +29,18 @@ SetAt set_at(const Problem& problem, const Posterior& posterior, const EffectSet
   SetAt result;
   result.y = variant.pool.col(variant.line.y);
   result.line = variant.pool(Eigen::all, variant.line.columns);
-  Chosen chosen = chosen_of(problem, set.signatures);
-  result.first = std::move(chosen.first);
-  result.width = std::move(chosen.width);
-  result.members = chosen.columns;
-  const Eigen::Index width = result.members.cols();
   const Eigen::Index n = result.y.size();
+  Eigen::Index width = 0;
+  for (const std::size_t s : set.signatures) {
+    result.first.push_back(width);
+    result.width.push_back(problem.library.signatures[s].width);
+    width += result.width.back();
+  }
+  result.members.resize(n, width);
+  for (std::size_t m = 0; m < set.signatures.size(); ++m) {
+    result.members.middleCols(result.first[m], result.width[m]) =
+        problem.signatures.middleCols(problem.library.signatures[set.signatures[m]].first, result.width[m]);
+  }
   const auto known =
       static_cast<Eigen::Index>(std::count(variant.line.is_free.begin(), variant.line.is_free.end(), char{0}));
   Eigen::MatrixXd all(n, result.line.cols() + width);

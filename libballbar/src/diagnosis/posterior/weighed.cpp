@@ -12,9 +12,8 @@
 #include <vector>
 
 #include "ballbar/diagnosis/thresholds.hpp"
-#include "diagnosis/posterior/search.hpp"
+#include "diagnosis/posterior/identities.hpp"
 #include "diagnosis/posterior/set_at.hpp"
-#include "diagnosis/posterior/set_prior.hpp"
 #include "fit/linearised_fit.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
@@ -22,7 +21,10 @@
 namespace ballbar {
 namespace {
 
-constexpr double kStill_um = 1e-9;  // rms of readings that do not move
+constexpr double kOutlier = 2.0;               // (r^2 + 4) / 5 of a white reading r in heavy tails
+constexpr double kLateClock = 12.0;            // fall of chi^2 by what rows at jumps show of a clock that is late
+constexpr std::size_t kValuesForAnEffect = 4;  // rows beyond the model's
+constexpr double kStill_um = 1e-9;             // rms of readings that do not move
 
 // Whether rows at the ends of jumps show what a clock that is late would.
 bool has_late_clock(const Problem& problem, const Posterior& posterior, const SetAt& at) {
@@ -43,7 +45,7 @@ bool has_late_clock(const Problem& problem, const Posterior& posterior, const Se
     column += 2;
   }
   if (column == 0) return false;
-  const CovarianceFilter& filter = posterior.points[posterior.sets.front().point].filter;
+  const CovarianceFilter& filter = posterior.points[posterior.sets[posterior.best].point].filter;
   Eigen::MatrixXd all(at.white_line.rows(), at.white_line.cols() + at.white_members.cols());
   all << at.white_line, at.white_members;
   const Eigen::MatrixXd basis = orthonormal(all);
@@ -56,39 +58,36 @@ bool has_late_clock(const Problem& problem, const Posterior& posterior, const Se
   return false;
 }
 
-// Readings far from the others count less, as of Student's t with four degrees of freedom. False: there are none.
-bool weigh_down_outliers(Problem& problem, const SetAt& at) {
-  Eigen::MatrixXd all(at.white_line.rows(), at.white_line.cols() + at.white_members.cols());
-  all << at.white_line, at.white_members;
-  const Eigen::VectorXd r = freed(at.white_y, orthonormal(all)).head(at.y.size()) / std::sqrt(at.variance);
-  if (!has_heavy_tails(r)) return false;
+// What a set leaves, white, in units of the scatter; without_jumps: and its jumps.
+Eigen::VectorXd left_by(const Problem& problem, const EffectSet& set, const SetAt& at, bool without_jumps) {
+  Eigen::MatrixXd all = at.white_line;
+  for (std::size_t m = 0; m < set.families.size(); ++m) {
+    if (without_jumps && jumps(problem, set.families[m])) continue;
+    all.conservativeResize(Eigen::NoChange, all.cols() + at.width[m]);
+    all.rightCols(at.width[m]) = at.white_members.middleCols(at.first[m], at.width[m]);
+  }
+  return freed(at.white_y, orthonormal(all)).head(at.y.size()) / std::sqrt(at.variance);
+}
+
+// Readings far from the others count less, as of Student's t with four degrees of freedom; in noise of that kind a jump
+// must show beyond the row at which it jumps. False: there are none.
+bool weigh_down_outliers(Problem& problem, const EffectSet& set, const SetAt& at) {
+  if (!has_heavy_tails(left_by(problem, set, at, false))) return false;
+  const Eigen::VectorXd r = left_by(problem, set, at, true);
   bool any = false;
   for (Eigen::Index i = 0; i < r.size(); ++i) {
     const double weight = (r[i] * r[i] + 4.0) / 5.0;
     if (weight < kOutlier) continue;
-    problem.relative_variance[static_cast<std::size_t>(i)] *= weight * kOutlierVariance;
+    problem.relative_variance[static_cast<std::size_t>(i)] *= weight;
+    problem.shock[static_cast<std::size_t>(i)] *= weight;
     any = true;
   }
   return any;
 }
 
-// Each effect in the sets with it.
-std::vector<ProbableSoFar> probable_so_far(const Problem& problem, const SetTable& table) {
-  std::vector<std::pair<double, const SetKey*>> sets;
-  double largest = kLogZero, total = 0.0;
-  for (const auto& [key, at] : table.sets) {
-    sets.emplace_back(log_weight_of(at), &key);
-    largest = std::max(largest, sets.back().first);
-  }
+std::vector<ProbableSoFar> probable_so_far(const Problem& problem, const std::vector<double>& p) {
   std::vector<ProbableSoFar> effects;
-  for (std::size_t f = 0; f < problem.effects; ++f) effects.push_back({problem.library.families[f].bound, 0.0});
-  for (const auto& [weight, key] : sets) {
-    if (!key->families.empty() && key->families.back() >= problem.effects) continue;  // of any form: a rival
-    const double p = std::exp(weight - largest);
-    total += p;
-    for (const std::size_t f : key->families) effects[f].p += p;
-  }
-  for (ProbableSoFar& one : effects) one.p /= total;
+  for (std::size_t f = 0; f < problem.effects; ++f) effects.push_back({problem.library.families[f].bound, p[f]});
   std::stable_sort(effects.begin(), effects.end(),
                    [](const ProbableSoFar& left, const ProbableSoFar& right) { return left.p > right.p; });
   return effects;
@@ -97,17 +96,12 @@ std::vector<ProbableSoFar> probable_so_far(const Problem& problem, const SetTabl
 }  // namespace
 
 Weighed weighed(const Model& model, const Series& data, std::size_t target, const ProblemOptions& options,
-                const std::vector<BoundEffect>& wanted, const Told& told) {
+                const Told& told) {
   Weighed result;
   result.problem = problem_of(model, data, target, options);
   Problem& problem = *result.problem;
   const std::size_t values = problem.time_s.size(), parameters = used_parameters(problem.base).size();
-  if (values > parameters) result.largest = std::min(kLargestSet, (values - parameters) / kValuesForAnEffect);
-  std::vector<std::size_t> families;
-  for (const BoundEffect& bound : wanted) {
-    if (const auto family = family_of(problem, bound)) families.push_back(*family);
-  }
-  if (families.size() != wanted.size()) families.clear();
+  if (values > parameters) result.largest = std::min(kMostEffects, (values - parameters) / kValuesForAnEffect);
   result.is_still = !(problem.y.squaredNorm() > kStill_um * kStill_um * static_cast<double>(problem.y.size()));
   if (result.largest == 0 || result.is_still) return result;
   std::set<const Effect*> effects;
@@ -115,17 +109,18 @@ Weighed weighed(const Model& model, const Series& data, std::size_t target, cons
   const auto tell = [&](std::string_view step) {
     if (told.step) told.step(step);
   };
-  std::function<void(const SetTable&)> tell_so_far;
-  if (told.so_far) tell_so_far = [&](const SetTable& table) { told.so_far(probable_so_far(problem, table)); };
+  std::function<void(const std::vector<double>&)> tell_so_far;
+  if (told.so_far) tell_so_far = [&](const std::vector<double>& p) { told.so_far(probable_so_far(problem, p)); };
   tell(fmt::format("weighing {} shapes of {} effects", problem.library.signatures.size(), effects.size()));
-  result.posterior = posterior_of(problem, result.largest, families, tell_so_far);
-  const SetAt at = set_at(problem, result.posterior, result.posterior.sets.front());
+  result.posterior = posterior_of(problem, result.largest, tell_so_far);
+  const EffectSet& best = result.posterior.sets[result.posterior.best];
+  const SetAt at = set_at(problem, result.posterior, best);
   const bool late = model.level == Level::series && has_late_clock(problem, result.posterior, at);
   if (late) free_rows_at_jumps(problem, true);
-  const bool outliers = weigh_down_outliers(problem, at);
+  const bool outliers = weigh_down_outliers(problem, best, at);
   if (!late && !outliers) return result;
   tell(late ? "weighing again without the rows at changes of an input" : "weighing again, outliers less");
-  result.posterior = posterior_of(problem, result.largest, families, tell_so_far);
+  result.posterior = posterior_of(problem, result.largest, tell_so_far);
   return result;
 }
 
@@ -135,17 +130,6 @@ std::optional<std::size_t> family_of(const Problem& problem, const BoundEffect& 
     if (one.effect->name == bound.effect->name && one.columns == bound.columns) return f;
   }
   return std::nullopt;
-}
-
-double log_bayes_factor(const Problem& problem, const Posterior& posterior, const std::vector<std::size_t>& families) {
-  double with = -std::numeric_limits<double>::infinity(), without = with;
-  for (const EffectSet& set : posterior.sets) {
-    if (set.own != 0) continue;
-    const double prior = log_prior_of_set(problem, set.families, 0);
-    if (set.families.empty()) without = set.log_weight - prior;
-    if (set.families == families) with = set.log_weight - prior;
-  }
-  return 2.0 * (with - without);
 }
 
 }  // namespace ballbar

@@ -27,16 +27,12 @@ struct Told {
   std::function<void(const std::vector<ProbableSoFar>&)> so_far;
 };
 
-// Where clocks prove late, or readings lie far from the others, once more without what that spoils. wanted: a set that
-// is weighed in any case. Throws Error as fit does.
+// Where clocks prove late, or readings lie far from the others, once more without what that spoils. Throws Error as fit
+// does.
 Weighed weighed(const Model& model, const Series& data, std::size_t target, const ProblemOptions& options,
-                const std::vector<BoundEffect>& wanted = {}, const Told& told = {});
+                const Told& told = {});
 
 // The family of the library; nothing: it has none.
 std::optional<std::size_t> family_of(const Problem& problem, const BoundEffect& bound);
-
-// 2 ln of how much more likely the readings are with this set beside the model than without: gains, shapes and noise
-// integrated out. -infinity: not weighed.
-double log_bayes_factor(const Problem& problem, const Posterior& posterior, const std::vector<std::size_t>& families);
 
 }  // namespace ballbar

@@ -19,6 +19,9 @@
 namespace ballbar {
 namespace {
 
+constexpr std::size_t kComparedShapes = 12;  // of one family, compared with those of the others
+constexpr double kInseparable = 0.95;        // coherence of two effects that cannot be told apart
+
 auto block(const Projected& seen, const Signature& signature) {
   return seen.columns.middleCols(signature.first, signature.width);
 }

@@ -17,6 +17,11 @@
 namespace ballbar {
 namespace {
 
+constexpr double kNothingLeft = 1e-8;    // share of a column's square that is rounding
+constexpr std::size_t kMostWaves = 400;  // of one shape on recordings
+constexpr std::size_t kMostPeriods = 200;
+constexpr std::size_t kMostOnsets = 400;
+
 bool is_constant(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return !(*high > *low);

@@ -16,6 +16,13 @@
 namespace ballbar {
 namespace {
 
+constexpr double kNothingLeftOfASurrogate = 1e-6;  // share of its square, read off a grid, that is rounding
+constexpr double kMostAreItself = 0.01;            // share of the surrogates
+constexpr double kSurrogateIsItself = 0.95;        // coherence
+constexpr double kSameOnRecordings = 0.01;         // share of the square by which curves on recordings may differ
+constexpr std::size_t kFewestOfASweep = 16;        // readings
+constexpr std::size_t kTraceGrid = 512;            // values over the angle
+
 // Readings of one recording by their place on the circle: 0 to 1, of a whole turn from +A round to +A, else from one
 // end of the arc to the other.
 struct Sweep {

@@ -17,6 +17,9 @@
 namespace ballbar {
 namespace {
 
+constexpr std::size_t kSurrogateGrid = 1024;  // values over the time
+constexpr std::size_t kSurrogateShapes = 8;   // of an effect
+
 // What a unit of the first gain adds at all rows of the data, on an even grid over the rows of the target.
 std::vector<double> on_grid(const Effect& effect, const EffectRows& inputs, const std::vector<double>& point,
                             double begin_s, double end_s) {

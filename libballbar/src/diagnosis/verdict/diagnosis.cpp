@@ -18,9 +18,14 @@
 #include "diagnosis/verdict/tested_member.hpp"
 #include "fit/linearised_fit.hpp"
 #include "noise/whitening.hpp"
+#include "numerics/orthonormal.hpp"
 
 namespace ballbar {
 namespace {
+
+constexpr double kStays = 4.4;          // chi^2: a jump is nine times as likely as what dies away
+constexpr std::size_t kMostShown = 12;  // candidates
+constexpr double kCancelled = 1.5;      // amplitude of a member, of that of all together
 
 // Nothing is said of effects that are not searched.
 std::vector<Detectability> detectability_but(const SearchOptions& options, std::vector<Detectability> detectability) {
@@ -46,14 +51,14 @@ class Decision {
  public:
   Decision(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
            const std::vector<Covariance>& covariances)
-      : model_(model), options_(options) {
+      : model_(model), data_(data), target_(target), options_(options) {
     ProblemOptions how;
     how.covariances = covariances;
     how.catalogue = options.search.catalogue;
     how.signatures.motion = options.search.motion;
     how.signatures.without = options.search.without;
     how.most_rows = options.most_rows;
-    weighed_ = weighed(model, data, target, how, {}, {options.search.progress, options.search.so_far});
+    weighed_ = weighed(model, data, target, how, {options.search.progress, options.search.so_far});
     result_.base = problem().base;
     result_.target = problem().base.target;
     result_.where = options.where;
@@ -84,7 +89,6 @@ class Decision {
 
   Diagnosis still() {
     result_.detectability = detectability_by(problem().base.noise);
-    result_.smallest_um = std::numeric_limits<double>::infinity();
     result_.rmse_after_um = problem().base.rmse_um;
     result_.sentence = "The readings do not move: there is nothing to explain.";
     return std::move(result_);
@@ -106,14 +110,14 @@ class Decision {
         Eigen::VectorXd::Map(base.residual_um.data(), static_cast<Eigen::Index>(base.residual_um.size()));
     const Projected seen =
         projected(problem().library, residual, model_columns(base), Whitening(noise, base.time_s, base.sigma_um));
-    result_.smallest_um = std::numeric_limits<double>::infinity();
+    result_.hidden_um = 0.0;
     for (std::size_t i = 0; i < problem().library.signatures.size(); ++i) {
       const std::size_t f = problem().library.signatures[i].family;
-      if (f >= problem().effects || family(f).bound.effect->time_only) continue;
+      if (f >= problem().effects || family(f).bound.effect->time_only || seen.share[i] < kAbsorbed) continue;
       const double um = detectable_um(problem().library, seen, i, kFound);
-      if (um >= result_.smallest_um) continue;
-      result_.smallest_um = um;
-      result_.smallest = family(f).bound;
+      if (!std::isfinite(um) || um <= result_.hidden_um) continue;
+      result_.hidden_um = um;
+      result_.hidden = family(f).bound;
     }
     return detectability_but(options_.search,
                              detectability_of(options_.search.catalogue, problem().library, seen, model_,
@@ -121,25 +125,23 @@ class Decision {
   }
 
   void read_posterior() {
-    p_ = probabilities_of(problem(), posterior());
-    result_.p_nothing = p_.nothing;
-    result_.p_discrepancy = p_.discrepancy;
-    result_.log_bayes_factor = p_.log_bayes_factor;
-    if (model_.level == Level::series) result_.drivers = drivers_of(posterior(), problem(), p_.column);
+    result_.p_nothing = posterior().nothing;
+    result_.p_discrepancy = posterior().discrepancy;
+    result_.log_bayes_factor = log_bayes_factor_of_any(posterior());
+    if (model_.level == Level::series) result_.drivers = drivers_of(problem(), posterior());
     for (std::size_t f = 0; f < problem().effects; ++f) {
-      if (p_.family[f] >= 0.01) result_.effects.push_back({family(f).bound, p_.family[f]});
+      if (posterior().family[f] >= 0.01) result_.effects.push_back({family(f).bound, posterior().family[f]});
     }
     std::stable_sort(result_.effects.begin(), result_.effects.end(),
                      [](const EffectProbability& a, const EffectProbability& b) { return a.p > b.p; });
-    best_ = &posterior().sets.front();
+    best_ = &posterior().sets[posterior().best];
     at_ = set_at(problem(), posterior(), *best_);
     result_.gains_by_run = gains_by_run(problem(), posterior(), *best_, at_);
     const Covariance& covariance = posterior().points[best_->point].covariance;
     result_.noise = noise_of(covariance, at_.variance);
-    for (const EffectSet& set : posterior().sets) {
-      const Covariance& there = posterior().points[set.point].covariance;
-      if (!(there.slow > 0.0)) continue;
-      result_.discrepancy_um = std::sqrt(there.slow * set_at(problem(), posterior(), set).variance);
+    for (const Point& point : posterior().points) {
+      if (!(point.covariance.slow > 0.0)) continue;
+      result_.discrepancy_um = std::sqrt(point.covariance.slow * at_.variance);
       break;
     }
     result_.detectability = detectability_by(result_.noise);
@@ -148,56 +150,116 @@ class Decision {
 
   void add_own() {
     for (std::size_t k = 0; k < problem().own.size(); ++k) {
-      if (p_.own[k] < 0.05) continue;
+      if (posterior().own[k] < 0.05) continue;
       const auto set = std::find_if(posterior().sets.begin(), posterior().sets.end(),
                                     [&](const EffectSet& one) { return one.own == k + 1; });
+      if (set == posterior().sets.end()) continue;
       const FittedSet fitted = fitted_set(problem(), posterior(), *set, false);
       const std::size_t place = problem().own[k].parameter;
       const FittedParameter& parameter = fitted.parameters[place];
       result_.own.push_back({parameter.effect, parameter.name, parameter.unit, problem().own[k].held, parameter.value,
-                             fitted.intervals[place], p_.own[k]});
+                             fitted.intervals[place], posterior().own[k]});
     }
   }
+
+  // As a fit of the model with these effects has it, that of `add` and `check`.
+  double rmse_um_with(const FittedSet& fitted) const { return fit(fitted.model, data_, target_).rmse_um; }
 
   void test_members() {
     if (best_->families.empty()) {
       result_.rmse_after_um =
-          best_->own > 0 ? fitted_set(problem(), posterior(), *best_, false).rmse_um : problem().base.rmse_um;
+          best_->own > 0 ? rmse_um_with(fitted_set(problem(), posterior(), *best_, false)) : problem().base.rmse_um;
       return;
     }
     tell(fmt::format("testing {} effects", best_->families.size()));
     const FittedSet fitted = fitted_set(problem(), posterior(), *best_, true);
-    result_.rmse_after_um = fitted.rmse_um;
+    result_.rmse_after_um = rmse_um_with(fitted);
     for (std::size_t m = 0; m < best_->signatures.size(); ++m) {
       Candidate one = tested_member(weighed_, *best_, fitted, at_, m, options_.surrogates, options_.search.seed);
       one.in_best_set = true;
+      one.rmse_after_um = result_.rmse_after_um;
       one.minor = one.amplitude_um < std::max(kMinor * problem().base.rmse_um, options_.tolerance_um);
-      if (one.bound.effect->time_only)
-        one.doubts.emplace_back("it needs nothing but time, which imitates anything slow");
+      if (may_be_one_change_of_noise(m, one))
+        one.doubts.emplace_back("one large change of the noise would do nearly as well");
+      if (reads_an_open_form(best_->families[m]))
+        one.doubts.emplace_back("more of the same column is missing, of no form that the catalogue has");
       if (one.amplitude_um > kCancelled * fitted.together_um)
         one.doubts.emplace_back("another effect of the set nearly cancels it");
       result_.candidates.push_back(std::move(one));
     }
   }
 
+  // Whether one large change of the noise, which dies away over its memory, would do nearly as well as a jump that
+  // stays: level shift against innovational outlier (Chen and Liu 1993), judged by what each takes away of chi^2.
+  bool may_be_one_change_of_noise(std::size_t m, const Candidate& one) {
+    const auto onset = std::find_if(one.parameters.begin(), one.parameters.end(), [](const FittedParameter& parameter) {
+      return parameter.shape_of == ShapeOf::onset;
+    });
+    const Point& point = posterior().points[best_->point];
+    if (onset == one.parameters.end() || !one.bound.effect->time_only || model_.level != Level::series) return false;
+    if (!(point.covariance.correlated > 0.0)) return false;
+    Eigen::MatrixXd others(at_.white_line.rows(), at_.white_line.cols() + at_.white_members.cols() - at_.width[m]);
+    others << at_.white_line, at_.white_members.leftCols(at_.first[m]),
+        at_.white_members.rightCols(at_.white_members.cols() - at_.first[m] - at_.width[m]);
+    const Eigen::MatrixXd basis = orthonormal(others);
+    const Eigen::VectorXd left = freed(at_.white_y, basis);
+    const std::vector<double>& time_s = problem().time_s;
+    const auto after = std::upper_bound(time_s.begin(), time_s.end(), onset->value) - time_s.begin();
+    const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, after - 1),
+                         end = std::min<std::ptrdiff_t>(std::ssize(time_s), after + 2);
+    Eigen::MatrixXd dying = Eigen::MatrixXd::Zero(at_.y.size(), end - first);
+    for (std::ptrdiff_t row = first; row < end; ++row) {
+      for (Eigen::Index i = row; i < dying.rows(); ++i) {
+        const double since_s = time_s[static_cast<std::size_t>(i)] - time_s[static_cast<std::size_t>(row)];
+        dying(i, row - first) = std::exp(-since_s / point.covariance.time_s);
+      }
+    }
+    const auto fall = [&](const Eigen::VectorXd& white) {
+      const double square = white.squaredNorm();
+      return square > 0.0 ? std::pow(white.dot(left), 2) / square / at_.variance : 0.0;
+    };
+    double most = 0.0;
+    const Eigen::MatrixXd white = freed(at_.white(point.filter, dying), basis);
+    for (Eigen::Index k = 0; k < white.cols(); ++k) most = std::max(most, fall(white.col(k)));
+    const Eigen::VectorXd jump = at_.white_members.col(at_.first[m]);
+    return fall(freed(jump, basis)) < most + kStays;
+  }
+
+  // Whether beside it an input of any form is likelier missing than not, of a column that it reads.
+  bool reads_an_open_form(std::size_t f) const {
+    const std::vector<std::string>& columns = family(f).bound.columns;
+    double without = 1.0;
+    for (const SinglePosterior& one : posterior().effects) {
+      double p = 0.0;
+      for (std::size_t form = problem().effects; form < problem().library.families.size(); ++form) {
+        const std::string& column = family(form).bound.columns.front();
+        if (std::find(columns.begin(), columns.end(), column) != columns.end()) p += one.p[form];
+      }
+      without *= 1.0 - std::min(1.0, p);
+    }
+    return 1.0 - without >= 0.5 && family(f).bound.effect->level == Level::series;
+  }
+
   void decide() {
     Diagnosis& d = result_;
-    const bool sure = p_.discrepancy < kDiscrepancy;
     bool own_named = false, own_probable = false;
     for (const OwnValue& own : d.own) {
-      own_named = own_named || (sure && own.p >= kNamed);
-      own_probable = own_probable || (sure && own.p >= kProbable);
+      own_named = own_named || own.p >= kNamed;
+      own_probable = own_probable || own.p >= kProbable;
     }
-    const std::vector<std::vector<std::size_t>> groups = groups_of(posterior(), *best_, p_.family);
     for (std::size_t m = 0; m < d.candidates.size(); ++m) {
       const Candidate& one = d.candidates[m];
-      if (sure && one.doubts.empty() && one.p >= kNamed) {
+      if (one.doubts.empty() && one.p >= kNamed) {
         d.named.push_back(one.bound);
-      } else if (sure && one.doubts.empty() && one.p >= kProbable) {
+      } else if (one.doubts.empty() && one.p >= kProbable) {
         d.probable.push_back(one.bound);
       } else {
         std::vector<BoundEffect> group;
-        for (const std::size_t f : groups[m]) group.push_back(family(f).bound);
+        const std::size_t l = single_of(posterior(), best_->families[m]);
+        for (const std::size_t i : credible_set(posterior().effects[l])) {
+          if (i < problem().effects) group.push_back(family(i).bound);
+        }
+        if (std::find(group.begin(), group.end(), one.bound) == group.end()) group.push_back(one.bound);
         d.equivalent.push_back(std::move(group));
       }
       for (const GainByRun& gain : d.gains_by_run) {
@@ -206,13 +268,13 @@ class Decision {
       }
       for (const std::string& doubt : one.doubts) d.reasons.push_back(fmt::format("{}: {}.", one.label, doubt));
     }
-    if (p_.discrepancy >= kDiscrepancy) {
-      d.reasons.push_back(fmt::format("A slow curve without any cause is left, P = {:.2f}.", p_.discrepancy));
+    if (d.p_discrepancy >= kDiscrepancy) {
+      d.reasons.push_back(fmt::format("A slow curve without any cause is left, P = {:.2f}.", d.p_discrepancy));
     }
-    const bool driver = model_.level == Level::series &&
-                        std::any_of(d.drivers.begin(), d.drivers.end(),
-                                    [&](const Driver& one) { return one.p >= kSureDriver && is_shown(one.column); });
-    if (d.p_nothing > kNothing) {
+    const bool driver =
+        model_.level == Level::series &&
+        std::any_of(d.drivers.begin(), d.drivers.end(), [&](const Driver& one) { return one.p >= kSureDriver; });
+    if (d.p_nothing >= kNothing) {
       d.named.clear();
       d.probable.clear();
       d.equivalent.clear();
@@ -223,21 +285,16 @@ class Decision {
       d.verdict = Verdict::probable;
     } else if (driver) {
       d.verdict = Verdict::driver;
-    } else if (p_.discrepancy >= kDiscrepancy || p_.time_alone >= 0.5 || best_->families.empty()) {
+    } else if (best_->families.empty() || is_of_time_alone()) {
       d.verdict = Verdict::unexplained;
     } else {
       d.verdict = Verdict::equivalent;
     }
   }
 
-  // Whether some effect of the best set that reads it predicts cycles left out, and better than a curve without cause.
-  bool is_shown(const std::string& column) const {
-    return std::any_of(result_.candidates.begin(), result_.candidates.end(), [&](const Candidate& one) {
-      const std::vector<std::string>& columns = one.bound.columns;
-      return std::find(columns.begin(), columns.end(), column) != columns.end() &&
-             one.held_out_evidence >= kHeldOutEvidence && one.beats_surrogates.value_or(true) &&
-             one.likelihood_ratio >= kLeastLikelihoodRatio;
-    });
+  bool is_of_time_alone() const {
+    return std::all_of(best_->families.begin(), best_->families.end(),
+                       [&](std::size_t f) { return family(f).bound.effect->time_only; });
   }
 
   // Behind the best set what else is probable, beside the rest of its own best set.
@@ -252,10 +309,12 @@ class Decision {
       const auto set = std::find_if(posterior().sets.begin(), posterior().sets.end(), [&](const EffectSet& one) {
         return std::find(one.families.begin(), one.families.end(), f) != one.families.end();
       });
+      if (set == posterior().sets.end()) continue;
       const FittedSet fitted = fitted_set(problem(), posterior(), *set, false);
       std::size_t m = 0;
       while (problem().library.signatures[set->signatures[m]].family != f) ++m;
       Candidate one = described_member(weighed_, *set, fitted, m);
+      one.rmse_after_um = rmse_um_with(fitted);
       result_.candidates.push_back(std::move(one));
     }
     for (const std::vector<BoundEffect>& group : result_.equivalent) {
@@ -269,9 +328,10 @@ class Decision {
   }
 
   const Model& model_;
+  const Series& data_;
+  std::size_t target_;
   const DiagnosisOptions& options_;
   Weighed weighed_;
-  Probabilities p_;
   const EffectSet* best_ = nullptr;
   SetAt at_;
   Diagnosis result_;

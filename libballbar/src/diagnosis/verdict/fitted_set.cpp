@@ -1,9 +1,12 @@
 #include "diagnosis/verdict/fitted_set.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "ballbar/numerics/range.hpp"
 #include "diagnosis/evidence/refined.hpp"
@@ -92,7 +95,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
   const Refined best = refined(model, start, {}, variant.times, filter, problem.known, 12);
 
   const BaseColumns columns = model.at(best.parameters);
-  const Gram gram = gram_of(filter, pool_of(columns, variant.times), RowMajorMatrix(variant.times.rows(), 0));
+  const Gram gram = gram_of(filter, pool_of(columns, variant.times));
   const Line line = line_of(columns, variant.times.cols(), 0);
   const Solved solution = solved(gram, line, problem.known);
   Eigen::MatrixXd a = gram.pool(line.columns, line.columns);
@@ -169,6 +172,14 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
       result.amplitude_sigma_um.push_back(std::sqrt(std::max(0.0, solution.variance * slope.dot(covariance * slope))));
     }
     place += result.model.terms[t].settings.size();
+  }
+  // A fit of this model begins where it has the shapes.
+  place = first_added;
+  for (std::size_t t = problem.model.terms.size(); t < result.model.terms.size(); ++t) {
+    for (std::size_t k = 0; k < result.model.terms[t].settings.size(); ++k, ++place) {
+      if (result.parameters[place].kind != ParameterKind::gain)
+        result.model.terms[t].settings[k].start = std::stod(fmt::format("{:.8g}", best.parameters[place]));
+    }
   }
   result.together_um = together.maxCoeff() - together.minCoeff();
   result.rmse_um = std::sqrt((problem.y - sum).squaredNorm() / static_cast<double>(problem.y.size()));

@@ -10,7 +10,7 @@
 namespace ballbar {
 
 struct FittedSet {
-  Model model;                                           // with the effects behind its terms
+  Model model;                                           // with the effects behind its terms, their shapes begun here
   std::vector<FittedParameter> parameters;               // as Fit::parameters
   std::vector<Interval> intervals;                       // 95 %
   std::vector<double> amplitude_um, amplitude_sigma_um;  // of each effect

@@ -1,7 +1,9 @@
 #include "diagnosis/verdict/gains_by_run.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/series/runs.hpp"
@@ -45,26 +47,73 @@ std::vector<GainColumn> gain_columns(const Problem& problem, const Posterior& po
   return gains;
 }
 
-}  // namespace
-
-std::vector<GainByRun> gains_by_run(const Problem& problem, const Posterior& posterior, const EffectSet& set,
-                                    const SetAt& at) {
-  std::vector<GainByRun> differ;
-  const std::vector<RowRange> runs = runs_of(problem.time_s);
-  if (problem.model.level != Level::series || runs.size() < 2) return differ;
-  Eigen::MatrixXd all(at.white_line.rows(), at.white_line.cols() + at.white_members.cols());
-  all << at.white_line, at.white_members;
-  const std::vector<GainColumn> gains = gain_columns(problem, posterior, set, at);
+// Columns with each of these gains in the place of one for each run.
+Eigen::MatrixXd apart_by_run(const Eigen::MatrixXd& all, const std::vector<Eigen::Index>& gains,
+                             const std::vector<RowRange>& runs) {
   const auto count = static_cast<Eigen::Index>(runs.size());
-  for (const GainColumn& gain : gains) {
-    Eigen::MatrixXd apart = Eigen::MatrixXd::Zero(all.rows(), count);
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < all.cols(); ++k) {
+    if (std::find(gains.begin(), gains.end(), k) == gains.end()) kept.push_back(k);
+  }
+  const auto first = static_cast<Eigen::Index>(kept.size());
+  Eigen::MatrixXd x = Eigen::MatrixXd::Zero(all.rows(), first + count * static_cast<Eigen::Index>(gains.size()));
+  x.leftCols(first) = all(Eigen::all, kept);
+  for (std::size_t g = 0; g < gains.size(); ++g) {
     for (Eigen::Index r = 0; r < count; ++r) {
       const RowRange& run = runs[static_cast<std::size_t>(r)];
       const auto begin = static_cast<Eigen::Index>(run.begin), n = static_cast<Eigen::Index>(run.end - run.begin);
-      apart.col(r).segment(begin, n) = all.col(gain.column).segment(begin, n);
+      x.col(first + static_cast<Eigen::Index>(g) * count + r).segment(begin, n) = all.col(gains[g]).segment(begin, n);
     }
-    Eigen::MatrixXd x(all.rows(), all.cols() - 1 + count);
-    x << all.leftCols(gain.column), all.rightCols(all.cols() - gain.column - 1), apart;
+  }
+  return x;
+}
+
+Eigen::MatrixXd white_columns(const SetAt& at) {
+  Eigen::MatrixXd all(at.white_line.rows(), at.white_line.cols() + at.white_members.cols());
+  all << at.white_line, at.white_members;
+  return all;
+}
+
+// The set where the readings are likeliest with all gains of their own in each run, its scatter what that leaves: one
+// gain for all would make noise of what differs.
+SetAt judged_apart(const Problem& problem, const Posterior& posterior, EffectSet set,
+                   const std::vector<Eigen::Index>& gains, const std::vector<RowRange>& runs) {
+  SetAt best;
+  double most = kLogZero;
+  set.point = 0;
+  for (const Covariance& covariance : noise_grid(problem.time_s)) {
+    Posterior there;
+    there.points = {point_at(problem, covariance)};
+    there.variants = posterior.variants;
+    SetAt at = set_at(problem, there, set);
+    const Eigen::MatrixXd x = apart_by_run(white_columns(at), gains, runs);
+    const double degrees = std::max(1.0, static_cast<double>(at.y.size() - x.cols()));
+    const double variance = std::max(1e-300, freed(at.white_y, orthonormal(x)).squaredNorm() / degrees);
+    const double log_p = -0.5 * there.points.front().filter.log_determinant() - 0.5 * degrees * std::log(variance);
+    if (!(log_p > most)) continue;
+    most = log_p;
+    best = std::move(at);
+    best.variance = variance;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<GainByRun> gains_by_run(const Problem& problem, const Posterior& posterior, const EffectSet& set,
+                                    const SetAt& found_at) {
+  std::vector<GainByRun> differ;
+  const std::vector<RowRange> runs = runs_of(problem.time_s);
+  if (problem.model.level != Level::series || runs.size() < 2) return differ;
+  const std::vector<GainColumn> gains = gain_columns(problem, posterior, set, found_at);
+  if (gains.empty()) return differ;
+  std::vector<Eigen::Index> columns;
+  for (const GainColumn& gain : gains) columns.push_back(gain.column);
+  const SetAt at = judged_apart(problem, posterior, set, columns, runs);
+  const Eigen::MatrixXd all = white_columns(at);
+  const auto count = static_cast<Eigen::Index>(runs.size());
+  for (const GainColumn& gain : gains) {
+    const Eigen::MatrixXd x = apart_by_run(all, {gain.column}, runs);
     const double together = freed(at.white_y, orthonormal(all)).squaredNorm();
     const double each = freed(at.white_y, orthonormal(x)).squaredNorm();
     const double p = chi2_upper_tail((together - each) / at.variance, runs.size() - 1);

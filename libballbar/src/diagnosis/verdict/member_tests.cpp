@@ -15,6 +15,11 @@
 namespace ballbar {
 namespace {
 
+constexpr double kHeldOutEvidence = 3.0;  // ln, of cycles left out, without the best one
+
+constexpr double kLeftOutRidge = 1e-4;  // prior precision of a white column of length 1
+constexpr double kOwnDirection = 1e-3;  // pivot of a gain of one cycle, of the largest, that is one
+
 // Columns of the line and of the other members, then those of this one; white.
 Eigen::MatrixXd others_of(const SetAt& at, std::size_t member, bool white) {
   const Eigen::MatrixXd& line = white ? at.white_line : at.line;
@@ -170,20 +175,19 @@ double held_out_um(const Weighed& weighed) {
   return left_out(at, at.white_line, at.line, fold, *std::max_element(fold.begin(), fold.end()) + 1).rmse_um;
 }
 
-std::vector<std::string> doubts_of(const MemberTests& tests, bool of_recordings) {
+std::vector<std::string> doubts_of(const MemberTests& tests, const Effect& effect) {
+  const bool of_recordings = effect.level == Level::recording;
+  if (effect.time_only && !effect.rules.may_repeat && !of_recordings)
+    return {"it goes with time alone, as a slow drift would"};
   std::vector<std::string> doubts;
   if (tests.p_same_gain < kSameGain) {
     doubts.emplace_back(of_recordings ? "its gain differs from recording to recording"
                                       : "its gain differs from cycle to cycle");
   }
-  if (tests.in_one_fold > kInOneFold) {
-    doubts.emplace_back(of_recordings ? "one recording alone shows it" : "one cycle alone shows it");
-  } else if (tests.held_out_evidence < kHeldOutEvidence) {
+  if (tests.held_out_evidence < kHeldOutEvidence && !effect.time_only) {
     doubts.emplace_back(of_recordings ? "recordings left out are not predicted better"
                                       : "cycles left out are not predicted better");
   }
-  if (tests.surrogate && !(tests.gain > tests.surrogate->gain))
-    doubts.emplace_back("a surrogate of the same smoothness does as well");
   return doubts;
 }
 

@@ -30,6 +30,6 @@ MemberTests member_tests(const Problem& problem, const Posterior& posterior, con
 double held_out_um(const Weighed& weighed);
 
 // Phrases of Candidate::doubts.
-std::vector<std::string> doubts_of(const MemberTests& tests, bool of_recordings);
+std::vector<std::string> doubts_of(const MemberTests& tests, const Effect& effect);
 
 }  // namespace ballbar

@@ -1,9 +1,7 @@
-// What a posterior says of single effects, columns and values, and of what may stand in the place of an effect.
+// What a posterior says of columns, and of what may stand in the place of an effect.
 #pragma once
 
 #include <cstddef>
-#include <map>
-#include <string>
 #include <vector>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
@@ -11,22 +9,16 @@
 
 namespace ballbar {
 
-struct Probabilities {
-  std::vector<double> family;            // of effects
-  std::map<std::string, double> column;  // that drives an effect
-  std::vector<double> own;
-  double nothing = 0.0, discrepancy = 0.0, time_alone = 0.0;
-  double log_bayes_factor = 0.0;  // of any effect or other value against none of them
-};
+// Columns by P that something which reads them is missing, from P = 0.5; the most probable first.
+std::vector<Driver> drivers_of(const Problem& problem, const Posterior& posterior);
 
-Probabilities probabilities_of(const Problem& problem, const Posterior& posterior);
+// The credible set of a single effect: identities that hold 95 % of its probability, the most probable first.
+std::vector<std::size_t> credible_set(const SinglePosterior& effect);
 
-// Of drivers, inputs of any form beside sets of effects; the most probable first.
-std::vector<Driver> drivers_of(const Posterior& posterior, const Problem& problem,
-                               const std::map<std::string, double>& by_effects);
+// The single effect that holds most of this identity.
+std::size_t single_of(const Posterior& posterior, std::size_t identity);
 
-// For each member of the best set what may stand in its place, families; p: of each family.
-std::vector<std::vector<std::size_t>> groups_of(const Posterior& posterior, const EffectSet& best,
-                                                const std::vector<double>& p);
+// ln of how much more likely the readings are with any effect or other value than with none of them.
+double log_bayes_factor_of_any(const Posterior& posterior);
 
 }  // namespace ballbar

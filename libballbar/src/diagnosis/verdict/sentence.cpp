@@ -56,9 +56,22 @@ std::string time_text(const Candidate& one) {
   return "";
 }
 
+// "step, a jump of -2.4 um at 9 h 24 min: very likely (over 99 %)"; empty: it does not begin at a moment
+std::string jump_text(const Diagnosis& d, const Candidate& one) {
+  const auto onset = std::find_if(one.parameters.begin(), one.parameters.end(), [](const FittedParameter& parameter) {
+    return parameter.shape_of == ShapeOf::onset;
+  });
+  if (onset == one.parameters.end() || !one.bound.effect->time_only) return "";
+  return fmt::format("{}, a jump of {} um at {}: {}", label_of(one.bound), size_text(one.parameters.front().value),
+                     duration_text(onset->value), sure_text(p_of(d, one.bound)));
+}
+
 // "expansion(T_room_degC), free expansion with one temperature: 3.2 um, very likely (98 %)"
 std::string effect_text(const Diagnosis& d, const BoundEffect& bound) {
   const Candidate* one = candidate_of(d, bound);
+  if (one != nullptr) {
+    if (std::string jump = jump_text(d, *one); !jump.empty()) return jump;
+  }
   const bool sized = one != nullptr && one->amplitude_um > 0.0;
   return fmt::format("{}, {}: {}{}{}{}", label_of(bound), in_words(*bound.effect),
                      sized ? size_text(one->amplitude_um) + " um, " : "", one != nullptr && one->minor ? "minor, " : "",
@@ -138,23 +151,46 @@ std::string equivalent_text(const Diagnosis& d) {
       if (one != nullptr && one->in_best_set) size_um = std::max(size_um, one->amplitude_um);
     }
   }
-  return fmt::format("{} lacks something{}: {}{}; the data cannot tell {}. {}: {}.", model_text(d, "The"),
+  std::vector<std::string> likely;  // columns
+  for (const Driver& driver : d.drivers)
+    likely.push_back(fmt::format("{} ({})", driver.column, percent_text(driver.p)));
+  return fmt::format("{} lacks something{}: {}{}; the data cannot tell {}. {}: {}.{}", model_text(d, "The"),
                      size_um > 0.0 ? fmt::format(" of about {} um", size_text(size_um)) : "",
                      sure_text(1.0 - d.p_nothing), where_text(d),
                      effects == 1 ? "for certain what it is" : fmt::format("which of {} effects it is", effects),
-                     effects == 1 ? "In question is" : "It may be", open_text(d));
+                     effects == 1 ? "In question is" : "It may be", open_text(d),
+                     likely.empty() ? "" : fmt::format(" What drives it: {}.", fmt::join(likely, ", ")));
+}
+
+// "linear_drift, about 10.6 um": what goes with time alone.
+std::string drifts_text(const Diagnosis& d) {
+  std::vector<std::string> texts;
+  for (const Candidate& one : d.candidates) {
+    if (one.in_best_set && one.bound.effect->time_only)
+      texts.push_back(fmt::format("{}, about {} um", one.label, size_text(one.amplitude_um)));
+  }
+  return fmt::format("{}", fmt::join(texts, "; and "));
 }
 
 std::string unexplained_text(const Diagnosis& d) {
-  const bool slow = d.discrepancy_um > 0.0 && d.p_discrepancy >= kDiscrepancy;
-  if (!slow) {
+  if (d.discrepancy_um > 0.0 && d.p_discrepancy >= kDiscrepancy) {
     return fmt::format(
-        "{} lacks something that goes with time alone, of the {} um that it leaves: {}{}; no logged "
-        "input drives it.",
-        model_text(d, "The"), size_text(d.base.rmse_um), sure_text(1.0 - d.p_nothing), where_text(d));
+        "About {} um of slow drift of {} is unexplained: {}{}. No logged column follows it: log another sensor, such "
+        "as coolant, structure or room temperature.",
+        size_text(d.discrepancy_um), d.target.empty() ? "the readings" : d.target, sure_text(d.p_discrepancy),
+        where_text(d));
   }
-  return fmt::format("{} lacks a slow curve of about {} um either way that no effect of the catalogue explains: {}{}.",
-                     model_text(d, "The"), size_text(d.discrepancy_um), sure_text(d.p_discrepancy), where_text(d));
+  if (const std::string drifts = drifts_text(d); !drifts.empty()) {
+    return fmt::format("{} lacks something that goes with time alone: {}{}. No logged column follows it.",
+                       model_text(d, "The"), drifts, where_text(d));
+  }
+  const std::string candidate = d.candidates.empty()
+                                    ? ""
+                                    : fmt::format(" Best candidate: {}, {}, not proven.", d.candidates.front().label,
+                                                  percent_text(d.candidates.front().p));
+  return fmt::format("Something is probably still missing in {} ({}), of the {} um that it leaves{}.{}",
+                     model_text(d, "the"), percent_text(1.0 - d.p_nothing), size_text(d.base.rmse_um), where_text(d),
+                     candidate);
 }
 
 std::string missing_text(const Diagnosis& d, std::string_view verb, const std::vector<BoundEffect>& bounds) {
@@ -190,10 +226,10 @@ std::string sentence_of(const Diagnosis& d) {
     case Verdict::nothing:
       break;
   }
-  std::string text =
-      fmt::format("{} lacks nothing that these data show: {}", model_text(d, "The"), sure_text(d.p_nothing));
-  if (std::isfinite(d.smallest_um) && d.smallest.effect != nullptr) {
-    text += fmt::format("; {} would have been seen from {} um", label_of(d.smallest), size_text(d.smallest_um));
+  std::string text = fmt::format("Nothing is missing in {} that these data could show: {}", model_text(d, "the"),
+                                 sure_text(d.p_nothing));
+  if (d.hidden_um > 0.0 && d.hidden.effect != nullptr) {
+    text += fmt::format("; {} of up to {} um could hide", label_of(d.hidden), size_text(d.hidden_um));
   }
   return text + '.';
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "ballbar/diagnosis/thresholds.hpp"
-#include "diagnosis/posterior/rivals.hpp"
 #include "diagnosis/verdict/member_tests.hpp"
 #include "series/folds.hpp"
 
@@ -19,13 +18,7 @@ std::size_t family_of_member(const Problem& problem, const EffectSet& set, std::
 
 }  // namespace
 
-double probability_of(const Posterior& posterior, std::size_t family) {
-  double p = 0.0;
-  for (const EffectSet& set : posterior.sets) {
-    if (std::find(set.families.begin(), set.families.end(), family) != set.families.end()) p += posterior.p(set);
-  }
-  return p;
-}
+double probability_of(const Posterior& posterior, std::size_t family) { return posterior.family[family]; }
 
 double log_bayes_factor_of_member(const Weighed& weighed, const EffectSet& set, std::size_t member) {
   const Problem& problem = *weighed.problem;
@@ -63,7 +56,6 @@ Candidate tested_member(const Weighed& weighed, const EffectSet& set, const Fitt
                         std::size_t member, std::size_t surrogates, std::uint64_t seed) {
   const Problem& problem = *weighed.problem;
   Candidate one = described_member(weighed, set, fitted, member);
-  const bool of_recordings = problem.model.level == Level::recording;
   const Signature& signature = problem.library.signatures[set.signatures[member]];
   const std::vector<std::size_t> fold =
       folds_that_tell(problem.logged.series, problem.base.row, folds_of(problem.logged.series, problem.base.row),
@@ -79,21 +71,7 @@ Candidate tested_member(const Weighed& weighed, const EffectSet& set, const Fitt
     one.best_surrogate_fall = tests.surrogate->fall;
     one.beats_surrogates = tests.gain > tests.surrogate->gain;
   }
-  one.doubts = doubts_of(tests, of_recordings);
-  if (log_bayes_factor(problem, weighed.posterior, {signature.family}) < kLeastLikelihoodRatio)
-    one.doubts.emplace_back("by itself, beside the model, it makes the readings hardly more likely");
-  if (one.bound.effect->time_only || of_recordings || surrogates == 0) return one;
-  const Rivals rivals = rivals_of(problem, weighed.posterior, set, member);
-  if (!rivals.inputs.empty() && rivals.inputs.front().log_evidence > rivals.member + kRivalBetter) {
-    one.doubts.push_back(fmt::format("{} in another form explains more", rivals.inputs.front().column));
-  }
-  // One input of any form in the place of the whole set.
-  for (const EffectSet& any : weighed.posterior.any_form) {
-    if (any.log_weight <= set.log_weight + kAnyFormBetter) continue;
-    one.doubts.push_back(fmt::format("{} alone in another form explains as much",
-                                     problem.library.families[any.families.front()].bound.columns.front()));
-    break;
-  }
+  one.doubts = doubts_of(tests, *one.bound.effect);
   return one;
 }
 

@@ -12,7 +12,7 @@
 
 namespace ballbar {
 
-// Share of the posterior in sets with this family.
+// That this family is missing.
 double probability_of(const Posterior& posterior, std::size_t family);
 
 // `member` of the set: its parameters, intervals and amplitude, its probability, its likelihood ratio

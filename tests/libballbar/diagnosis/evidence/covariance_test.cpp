@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
 
-#include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/evidence/dense.hpp"
 
 namespace ballbar {
@@ -126,39 +126,100 @@ TEST(Covariance, two_rows_by_hand) {
   EXPECT_NEAR(column(1, 0), (5.0 - 3.0 * r) / std::sqrt(1.0 - r * r), 1e-12);
 }
 
-TEST(CovarianceGrid, is_a_prior_with_a_discrepancy_and_without) {
-  for (const Rows& rows : {even(400), uneven(400), runs()}) {
-    double without = 0.0, with = 0.0;
-    for (const Covariance& one : covariance_grid(rows.time_s)) {
-      EXPECT_NEAR(one.white + one.correlated, 1.0, 1e-12);
-      EXPECT_GT(one.white, 0.0);
-      EXPECT_GT(one.time_s, 0.0);
-      EXPECT_TRUE(one.slow == 0.0 || one.slow_time_s > 0.0);
-      (one.slow > 0.0 ? with : without) += std::exp(one.log_prior);
+// W' by hand: (W x)' w = x' (W' w) for all x and w.
+TEST(Covariance, transposed_is_the_adjoint) {
+  for (const Covariance& covariance : {white(), memory(), slow_alone(), all()}) {
+    for (const Rows& rows : {uneven(60), weighted(even(60)), runs()}) {
+      const CovarianceFilter filter(covariance, rows.time_s, rows.relative_variance);
+      const Eigen::MatrixXd x = normal_columns(60, 3), w = normal_columns(60, 2);
+      RowMajorMatrix white_x = x, state = RowMajorMatrix::Zero(3, 3), adjoint = w;
+      filter.apply(0, white_x, state);
+      filter.apply_transposed(adjoint);
+      EXPECT_LT((white_x.transpose() * w - x.transpose() * adjoint).cwiseAbs().maxCoeff(), 1e-9);
     }
-    EXPECT_NEAR(without, 1.0 - kPriorOfDiscrepancy, 1e-12);
-    EXPECT_NEAR(with, kPriorOfDiscrepancy, 1e-12);
   }
 }
 
+// Each step written out and filtered.
+TEST(Covariance, squares_of_steps) {
+  for (const Covariance& covariance : {white(), memory(), slow_alone(), all()}) {
+    for (const Rows& rows : {uneven(40), weighted(even(40))}) {
+      const CovarianceFilter filter(covariance, rows.time_s, rows.relative_variance);
+      const Eigen::VectorXd squares = filter.squares_of_steps();
+      for (Eigen::Index k = 0; k < 40; ++k) {
+        RowMajorMatrix step = RowMajorMatrix::Zero(40, 1), state = RowMajorMatrix::Zero(3, 1);
+        step.bottomRows(40 - k).setOnes();
+        filter.apply(0, step, state);
+        EXPECT_NEAR(squares[k], step.squaredNorm(), 1e-9 * step.squaredNorm()) << k;
+      }
+    }
+  }
+}
+
+// What is new in the memory from row 0 to row 1 has four times its variance: C(1, 1) is r^2 + 4 (1 - r^2) of it.
+TEST(Covariance, a_shock_by_hand) {
+  const std::vector<double> time_s{0.0, 50.0}, shock{1.0, 4.0};
+  const CovarianceFilter filter(memory(), time_s, {}, shock);
+  const double r = std::exp(-0.25), c01 = 0.8 * r, c11 = 0.2 + 0.8 * (r * r + 4.0 * (1.0 - r * r));
+  EXPECT_NEAR(filter.log_determinant(), std::log(c11 - c01 * c01), 1e-12);
+}
+
+double sum_of_priors(const std::vector<Covariance>& grid) {
+  double sum = 0.0;
+  for (const Covariance& one : grid) sum += std::exp(one.log_prior);
+  return sum;
+}
+
+TEST(CovarianceGrid, is_a_prior) {
+  for (const Rows& rows : {even(400), uneven(400), runs()}) {
+    const std::vector<Covariance> noises = noise_grid(rows.time_s);
+    EXPECT_NEAR(sum_of_priors(noises), 1.0, 1e-12);
+    for (const Covariance& one : noises) {
+      EXPECT_NEAR(one.white + one.correlated, 1.0, 1e-12);
+      EXPECT_GT(one.white, 0.0);
+      EXPECT_TRUE(one.correlated == 0.0 || one.time_s > 0.0);
+      EXPECT_EQ(one.slow, 0.0);
+      EXPECT_NEAR(sum_of_priors(with_discrepancy(one, rows.time_s)), std::exp(one.log_prior), 1e-12);
+      for (const Covariance& slow : with_discrepancy(one, rows.time_s)) {
+        EXPECT_GT(slow.slow, 0.0);
+        EXPECT_GT(slow.slow_time_s, 0.0);
+      }
+    }
+  }
+}
+
+TEST(CovarianceGrid, noises_about_one_are_nearer_than_its_neighbours) {
+  const std::vector<double> time_s = even(400).time_s;
+  const std::vector<Covariance> grid = noise_grid(time_s);
+  const auto longer = std::find_if(grid.begin(), grid.end(), [](const Covariance& one) { return one.time_s > 100.0; });
+  ASSERT_NE(longer, grid.end());
+  const std::vector<Covariance> about = noises_about(*longer, time_s);
+  EXPECT_EQ(about.size(), 8U);
+  for (const Covariance& one : about) {
+    EXPECT_NEAR(one.white + one.correlated, 1.0, 1e-12);
+    EXPECT_LT(std::abs(std::log(one.time_s / longer->time_s)), std::log(2.0));
+  }
+  EXPECT_TRUE(noises_about(white(), time_s).empty());
+}
+
 TEST(CovarianceGrid, of_few_rows_is_white_alone) {
-  for (const std::size_t n : {std::size_t{0}, std::size_t{1}, kFewestForMemory - 1}) {
-    const std::vector<Covariance> grid = covariance_grid(even(n).time_s);
+  for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{29}}) {
+    const std::vector<Covariance> grid = noise_grid(even(n).time_s);
     ASSERT_EQ(grid.size(), 1U);
     EXPECT_EQ(grid.front().white, 1.0);
     EXPECT_EQ(grid.front().log_prior, 0.0);
+    EXPECT_TRUE(with_discrepancy(grid.front(), even(n).time_s).empty());
   }
 }
 
 // The rows' own units of time: a grid over days is that over seconds, stretched.
 TEST(CovarianceGrid, goes_with_the_steps) {
-  const std::vector<Covariance> seconds = covariance_grid(even(100, 0.001).time_s),
-                                days = covariance_grid(even(100, 86400.0).time_s);
+  const std::vector<Covariance> seconds = noise_grid(even(100, 0.001).time_s),
+                                days = noise_grid(even(100, 86400.0).time_s);
   ASSERT_EQ(seconds.size(), days.size());
   for (std::size_t i = 0; i < days.size(); ++i) {
     EXPECT_NEAR(seconds[i].white, days[i].white, 1e-9);
     EXPECT_NEAR(seconds[i].time_s * 86400.0 / 0.001, days[i].time_s, 1e-6 * days[i].time_s);
-    EXPECT_NEAR(seconds[i].slow_time_s * 86400.0 / 0.001, days[i].slow_time_s, 1e-6 * days[i].slow_time_s + 1e-12);
   }
 }
 

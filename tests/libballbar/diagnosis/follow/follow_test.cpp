@@ -158,7 +158,7 @@ TEST(Follow, rivals_whose_odds_move_are_waited_for) {
   for (int k = 0; k < 20; ++k) {
     const double odds = std::exp(0.03 * k);  // 0.27 while the values double
     moving = after(moving, undecided(odds / (1.0 + odds), 1.0 / (1.0 + odds), 3.0));
-    nothing = after(nothing, undecided(0.3, 0.3, 1.0, 0.3));
+    nothing = after(nothing, undecided(0.2, 0.2, 1.0, 0.6));
     weak = after(weak, undecided(0.9, 0.09, 3.0));
   }
   EXPECT_EQ(moving.outcome, Outcome::open);

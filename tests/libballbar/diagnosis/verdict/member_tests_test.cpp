@@ -80,25 +80,27 @@ TEST(MemberTests, a_cycle_that_shows_it_alone) {
   one.at.white_members = one.at.members;
   const MemberTests tests = one.tests();
   EXPECT_NEAR(tests.in_one_fold, 1.0 / 1.01, 1e-9);
-  EXPECT_EQ(doubts_of(tests, false).front(), "one cycle alone shows it");
-  EXPECT_EQ(doubts_of(tests, true).front(), "one recording alone shows it");
 }
 
 TEST(MemberTests, doubts_in_words) {
+  const Effect& expansion = *find_effect("expansion", Level::series);
   MemberTests passed;
   passed.held_out_evidence = 10.0;
-  EXPECT_TRUE(doubts_of(passed, false).empty());
-  MemberTests failed = passed;
+  EXPECT_TRUE(doubts_of(passed, expansion).empty());
+  MemberTests failed;
   failed.p_same_gain = 0.5 * kSameGain;
-  failed.held_out_evidence = -1.0;
-  failed.gain = 20.0;
-  failed.surrogate = BestSurrogate{25.0, 0.3};
-  EXPECT_EQ(doubts_of(failed, false), (std::vector<std::string>{"its gain differs from cycle to cycle",
-                                                                "cycles left out are not predicted better",
-                                                                "a surrogate of the same smoothness does as well"}));
-  EXPECT_EQ(doubts_of(failed, true).at(1), "recordings left out are not predicted better");
-  failed.surrogate = BestSurrogate{15.0, 0.3};
-  EXPECT_EQ(doubts_of(failed, false).size(), 2U);
+  EXPECT_EQ(doubts_of(failed, expansion), (std::vector<std::string>{"its gain differs from cycle to cycle",
+                                                                    "cycles left out are not predicted better"}));
+  const Effect& slip = *find_effect("mounting_slip", Level::recording);
+  EXPECT_EQ(doubts_of(failed, slip).front(), "its gain differs from recording to recording");
+}
+
+// A drift is no cause that one run could tell; a jump happens once, and a cycle repeats.
+TEST(MemberTests, what_goes_with_time_alone) {
+  EXPECT_EQ(doubts_of({}, *find_effect("settling", Level::series)),
+            (std::vector<std::string>{"it goes with time alone, as a slow drift would"}));
+  EXPECT_TRUE(doubts_of({}, *find_effect("step", Level::series)).empty());
+  EXPECT_TRUE(doubts_of({}, *find_effect("thermostat_cycle", Level::series)).empty());
 }
 
 // 24 values, a straight line of time: slope and sigma of the textbook, S_xy / S_xx and sqrt(S / (n - 2) / S_xx).

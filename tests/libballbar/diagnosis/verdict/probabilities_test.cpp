@@ -1,4 +1,4 @@
-// Figures of a posterior, of sets whose weights are made up.
+// Figures of a posterior that is made up.
 #include "diagnosis/verdict/probabilities.hpp"
 
 #include <gtest/gtest.h>
@@ -8,38 +8,48 @@
 namespace ballbar {
 namespace {
 
-// Nothing 0.2, of which half with a discrepancy, and an effect 0.8.
-Posterior one_of_two() {
-  EffectSet nothing, effect;
-  nothing.log_weight = std::log(0.2);
-  nothing.log_weight_slow = std::log(0.1);
-  effect.families = {0};
-  effect.log_weight = std::log(0.8);
-  effect.log_weight_slow = -1e300;
-  Posterior posterior;
-  posterior.sets = {effect, nothing};
-  return posterior;
-}
-
-Problem with_one_effect() {
+// Two single effects over the expansion with A, that with B, and a bending of both.
+Problem with_three() {
   Problem problem;
-  problem.library.families = {{{find_effect("expansion", Level::series), {"T_a_degC"}}}};
-  problem.effects = 1;
+  problem.library.families = {{{find_effect("expansion", Level::series), {"A_degC"}}},
+                              {{find_effect("expansion", Level::series), {"B_degC"}}},
+                              {{find_effect("gradient_bending", Level::series), {"A_degC", "B_degC"}}}};
+  problem.effects = 3;
   return problem;
 }
 
-// Odds of 4 to 1. Before the readings they are 0.5 to 0.5; with a value that the model holds, which may be another one
-// with 0.2, they are 0.6 to 0.5 x 0.8 = 0.4. A discrepancy is on both sides.
+Posterior of_two() {
+  Posterior posterior;
+  posterior.effects = {{0.0, {0.5, 0.1, 0.3}}, {0.0, {0.0, 0.6, 0.02}}};
+  return posterior;
+}
+
+// A: 1 - (1 - 0.8) (1 - 0.02) = 0.804; B: 1 - (1 - 0.4) (1 - 0.62) = 0.772.
+TEST(Probabilities, of_columns) {
+  const std::vector<Driver> drivers = drivers_of(with_three(), of_two());
+  ASSERT_EQ(drivers.size(), 2U);
+  EXPECT_EQ(drivers[0].column, "A_degC");
+  EXPECT_NEAR(drivers[0].p, 0.804, 1e-12);
+  EXPECT_EQ(drivers[1].column, "B_degC");
+  EXPECT_NEAR(drivers[1].p, 0.772, 1e-12);
+}
+
+// 0.95 of 0.9 is 0.855: 0.5 + 0.3 falls short of it. 0.95 of 0.62 is 0.589.
+TEST(Probabilities, credible_sets) {
+  EXPECT_EQ(credible_set(of_two().effects[0]), (std::vector<std::size_t>{0, 2, 1}));
+  EXPECT_EQ(credible_set(of_two().effects[1]), (std::vector<std::size_t>{1}));
+}
+
+TEST(Probabilities, the_single_effect_of_an_identity) {
+  EXPECT_EQ(single_of(of_two(), 0), 0U);
+  EXPECT_EQ(single_of(of_two(), 1), 1U);
+}
+
+// Odds of 4 to 1 after, of 1 to 4 before: 16 times as likely.
 TEST(Probabilities, log_bayes_factor_of_anything_against_nothing) {
-  Problem problem = with_one_effect();
-  const Probabilities found = probabilities_of(problem, one_of_two());
-  EXPECT_NEAR(found.log_bayes_factor, std::log(4.0), 1e-12);
-  EXPECT_NEAR(found.nothing, 0.1, 1e-12);
-  problem.own = {{1, 1.0}};
-  EXPECT_NEAR(probabilities_of(problem, one_of_two()).log_bayes_factor, std::log(4.0 / 1.5), 1e-12);
-  Posterior nothing = one_of_two();
-  nothing.sets.erase(nothing.sets.begin());
-  EXPECT_EQ(probabilities_of(problem, nothing).log_bayes_factor, 0.0);
+  Posterior posterior;
+  posterior.none = 0.2;
+  EXPECT_NEAR(log_bayes_factor_of_any(posterior), std::log(16.0), 1e-12);
 }
 
 }  // namespace

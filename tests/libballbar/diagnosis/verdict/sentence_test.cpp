@@ -127,23 +127,23 @@ TEST(Sentence, of_what_no_effect_explains) {
   found.p_discrepancy = 0.9;
   found.discrepancy_um = 2.5;
   EXPECT_EQ(sentence_of(found),
-            "The model of z_um lacks a slow curve of about 2.5 um either way that no effect of the catalogue explains: "
-            "very likely (90 %).");
+            "About 2.5 um of slow drift of z_um is unexplained: very likely (90 %). No logged column follows it: log "
+            "another sensor, such as coolant, structure or room temperature.");
   found.p_discrepancy = 0.1;
   found.base.rmse_um = 3.7;
   EXPECT_EQ(sentence_of(found),
-            "The model of z_um lacks something that goes with time alone, of the 3.7 um that it leaves: very likely "
-            "(98 %); no logged input drives it.");
+            "Something is probably still missing in the model of z_um (98 %), of the 3.7 um that it leaves.");
 }
 
 TEST(Sentence, of_nothing) {
   Diagnosis found = with_verdict(Verdict::nothing);
   found.p_nothing = 0.91;
-  found.smallest = expansion("T1_degC");
-  found.smallest_um = 0.534;
-  EXPECT_EQ(sentence_of(found),
-            "The model of z_um lacks nothing that these data show: very likely (91 %); expansion(T1_degC) would have "
-            "been seen from 0.53 um.");
+  found.hidden = expansion("T1_degC");
+  found.hidden_um = 0.534;
+  EXPECT_EQ(
+      sentence_of(found),
+      "Nothing is missing in the model of z_um that these data could show: very likely (91 %); expansion(T1_degC) "
+      "of up to 0.53 um could hide.");
   found.verdict = Verdict::untestable;
   EXPECT_EQ(sentence_of(found), "These data could not have shown a missing effect.");
 }

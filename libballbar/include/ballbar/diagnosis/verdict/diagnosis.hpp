@@ -1,19 +1,19 @@
 // Which physical effect a model lacks - or that the data cannot tell.
 //
-// A falling error proves fit, not cause: on records with a memory a random smooth signal also lowers it. So every set
-// of up to three effects is weighed, and the answer is a posterior: the model alone, each set, each value that the
-// model holds, all with and without a slow discrepancy; gains, shapes and noise are integrated out, inputs are late and
-// rounded as loggers make them (src/diagnosis/README.md). An effect is named where
-//   P >= 0.9, and a discrepancy is improbable,
-//   the same gain holds in every cycle, cycles left out are predicted better and not by one cycle alone, it beats the
-//   best of 200 surrogates of its own smoothness,
-//   no other form of the same or another input, free in its shape, explains the readings better.
+// A falling error proves fit, not cause: on records with a memory a random smooth signal also lowers it. So what is
+// missing is taken as a sum of single effects, each of which is nothing, one effect of the catalogue, an input of any
+// form, or a value that the model holds at another one; beside them noise with a memory, a slow discrepancy, and a
+// little of every input. Gains, shapes and noise are integrated out, inputs are late and rounded as loggers make them
+// (src/diagnosis/README.md). An effect is named where
+//   P >= 0.9,
+//   the same gain holds in every cycle,
+//   nothing more of its column is missing in another form.
 // One that fails is no longer named; the others stay.
 //
-// P holds inside the catalogue (tests/study/verdicts); for physics outside it the tests do.
+// P holds inside the catalogue (tests/study/verdicts).
 //
-// On recordings a cycle is a recording, of one alone a quarter of its sweep; surrogates are curves over the angle, and
-// an effect of one or two waves a turn has none: it is not tested against surrogates.
+// On recordings a cycle is a recording, of one alone a quarter of its sweep. What surrogates and cycles left out say of
+// an effect is told (candidate.hpp), and does not decide.
 //
 // Of more than 1000 values of the target every second, third ... is weighed; figures of the effects are of those.
 #pragma once
@@ -92,8 +92,8 @@ struct Diagnosis {
   double discrepancy_um = 0.0;        // its standard deviation, where it is most likely
   Noise noise;                        // beside the best set
   std::vector<Candidate> candidates;  // the best set first, then by P; at most 12
-  double smallest_um = 0.0;           // amplitude that would have been found, of the effect that shows best
-  BoundEffect smallest;               // that effect
+  double hidden_um = 0.0;             // amplitude up to which some effect could hide: of the one that shows worst
+  BoundEffect hidden;                 // that effect
   double rmse_after_um = 0.0;         // with the best set
   std::size_t searched_effects = 0;
   std::vector<Detectability> detectability;  // what the data could show, as preflight

@@ -1,0 +1,78 @@
+// The columns of all identities at one covariance: white, and freed of the line.
+//
+// With X the columns, W the filter and P what takes the line off, all that a single effect needs is X' W' P W y
+// ("along"), the squares of P W X ("left"), and products of P W X with a curve. Lengths in um, not divided by the
+// scatter.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "diagnosis/posterior/identities.hpp"
+
+namespace ballbar {
+
+// A little of every input in every form: what no single effect is.
+struct DenseBackground {
+  RowMajorMatrix columns;           // n by K, of deviation 1
+  std::vector<std::size_t> family;  // of each column
+  double d = 0.0;                   // of all of it together, in units of the scatter; 0: none
+};
+
+// Columns of a shape of several gains, or of one identity of several, turned so that they are independent.
+struct BlockProduct {
+  std::size_t shape = 0;    // of Identities::shapes
+  Eigen::MatrixXd vectors;  // w by w
+  Eigen::VectorXd values;   // w: square of each direction, of columns of length 1
+  Eigen::VectorXd length;   // w: of each column
+  Eigen::MatrixXd white;    // w by w: products of the columns before the line is taken off
+};
+
+class ColumnsAt {
+ public:
+  // Refers to all but the background.
+  ColumnsAt(const Problem& problem, const Identities& identities, const Variant& variant, const Point& point,
+            const DenseBackground& background);
+
+  // What is known of the line is in um: it needs the variance of the scatter.
+  void settle(double variance);
+
+  double settled = 0.0;              // variance of the scatter
+  double square = 0.0;               // of what is left of the readings
+  double degrees = 0.0;              // n less the columns that are free
+  double constant = 0.0;             // of ln of the evidence, without the scatter
+  Eigen::VectorXd along, left;       // of all columns; left: 0 where too little is left of one
+  std::vector<BlockProduct> blocks;  // by their shape, rising
+
+  // Of what the background makes of the readings, the share of each family of its columns.
+  std::vector<std::pair<std::size_t, double>> background_shares() const;
+
+  // A curve out of some columns, white, and what the line makes of it.
+  struct Curve {
+    Eigen::VectorXd white, line;
+  };
+  Curve curve_of(const std::vector<std::pair<Eigen::Index, double>>& coefficients) const;
+  Eigen::VectorXd products(const Curve& curve) const;  // with what is left of all columns
+  double product(const Curve& a, const Curve& b) const { return a.white.dot(b.white) - a.line.dot(b.line); }
+
+ private:
+  void settle_blocks();
+
+  const Identities& identities_;
+  const CovarianceFilter& filter_;
+  double log_determinant_ = 0.0, background_d_ = 0.0;
+  Eigen::Index line_ = 0;         // columns of the line, the background's behind them
+  std::vector<char> is_free_;     // of the line's
+  Eigen::MatrixXd white_;         // n by C
+  Eigen::MatrixXd pool_, cross_;  // products of y and the line, and of these with all columns
+  Eigen::VectorXd squares_;       // of all columns
+  std::vector<std::size_t> family_of_background_;
+  Eigen::VectorXd background_;  // coefficients of its columns
+  Eigen::VectorXd precision_;   // of the background's columns, in units of the scatter
+  Eigen::MatrixXd solved_;      // line by all columns: `line` of each column
+  Eigen::VectorXd solved_y_;
+};
+
+}  // namespace ballbar

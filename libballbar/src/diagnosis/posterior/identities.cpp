@@ -1,0 +1,156 @@
+#include "diagnosis/posterior/identities.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+namespace ballbar {
+namespace {
+
+constexpr double kPriorOfOwn = 0.4;     // of all held values together, of that of a single effect
+constexpr std::size_t kRowsBeside = 2;  // at either end of the rows no jump is looked for
+
+// Other values of a held parameter that are tried.
+std::vector<double> other_values(const OwnParameter& own, const Parameter& parameter) {
+  std::vector<double> values = own.fitted;
+  if (parameter.unit != "s") {
+    std::copy_if(parameter.grid.begin(), parameter.grid.end(), std::back_inserter(values),
+                 [&](double value) { return std::abs(value - own.held) > 1e-9; });
+    for (const double share : {0.6, 0.8, 0.9, 1.1, 1.25, 1.5}) values.push_back(own.held * share);
+  } else if (own.held > 0.0) {
+    for (const double factor : {0.3, 0.45, 0.67, 0.82, 1.22, 1.5, 2.2, 3.3}) values.push_back(own.held * factor);
+  }
+  std::erase_if(values, [&](double value) { return value < parameter.lower || value > parameter.upper; });
+  return values;
+}
+
+// The curve of a term with another value of one parameter less that with the held one.
+Eigen::VectorXd difference(const Problem& problem, const Variant& variant, std::size_t parameter, double value) {
+  std::vector<double> there = variant.parameters;
+  there[parameter] = value;
+  return problem.base_model->term_at(parameter, there) - problem.base_model->term_at(parameter, variant.parameters);
+}
+
+struct OwnColumn {
+  Shape shape;
+  Eigen::VectorXd values;
+};
+
+std::vector<OwnColumn> own_columns(const Problem& problem, const Variant& variant, std::size_t k) {
+  const std::size_t place = problem.own[k].parameter;
+  std::vector<OwnColumn> found;
+  for (const double value : other_values(problem.own[k], problem.base_model->parameter(place))) {
+    Eigen::VectorXd column = difference(problem, variant, place, value);
+    const double mean = column.mean(), deviation = std::sqrt((column.array() - mean).square().mean());
+    if (!column.allFinite() || !(deviation > 1e-9)) continue;
+    found.push_back({{problem.library.families.size() + k, 0, 1, 0.0, kNoSignature, value}, column / deviation});
+  }
+  for (OwnColumn& one : found) one.shape.log_prior = -std::log(static_cast<double>(found.size()));
+  return found;
+}
+
+}  // namespace
+
+bool jumps(const Problem& problem, std::size_t family) {
+  const Effect& effect = *problem.library.families[family].bound.effect;
+  if (!effect.inputs.empty() || effect.parameters.size() != 2 || !effect.time_only) return false;
+  if (effect.level != Level::series || effect.parameters[1].shape_of != ShapeOf::onset) return false;
+  for (const Term& given : problem.terms) {
+    if (given.effect->name == effect.name) return false;  // its moment may be held
+  }
+  return std::is_sorted(problem.time_s.begin(), problem.time_s.end());
+}
+
+Identities identities_of(const Problem& problem, const Variant& variant) {
+  Identities result;
+  const SignatureLibrary& library = problem.library;
+  const Eigen::Index n = problem.signatures.rows();
+  result.families = library.families.size();
+  result.log_prior = problem.log_prior;
+  if (!problem.own.empty()) {
+    for (double& prior : result.log_prior) prior += std::log1p(-kPriorOfOwn);
+    result.log_prior.resize(result.families + problem.own.size(),
+                            std::log(kPriorOfOwn / static_cast<double>(problem.own.size())));
+  }
+  for (std::size_t f = 0; f < result.families; ++f) {
+    if (!result.jump && jumps(problem, f)) result.jump = f;
+  }
+  std::vector<OwnColumn> own;
+  for (std::size_t k = 0; k < problem.own.size(); ++k) {
+    std::vector<OwnColumn> columns = own_columns(problem, variant, k);
+    std::move(columns.begin(), columns.end(), std::back_inserter(own));
+  }
+  const Eigen::Index behind = problem.signatures.cols();
+  result.columns.resize(n, behind + static_cast<Eigen::Index>(own.size()));
+  result.columns.leftCols(behind) = problem.signatures;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    own[k].shape.first = behind + static_cast<Eigen::Index>(k);
+    result.columns.col(own[k].shape.first) = own[k].values;
+  }
+  for (std::size_t i = 0; i < result.log_prior.size(); ++i) {
+    result.first.push_back(result.shapes.size());
+    if (result.jump == i) {
+      const std::vector<char>& is_confounded = problem.at_jump_of_temperature;
+      for (std::size_t row = kRowsBeside; row + kRowsBeside < is_confounded.size(); ++row) {
+        if (!is_confounded[row])
+          result.shapes.push_back(
+              {i, result.columns.cols() + static_cast<Eigen::Index>(row), 1, 0.0, kNoSignature, 0.0});
+      }
+      const double count = static_cast<double>(result.shapes.size() - result.first.back());
+      for (std::size_t s = result.first.back(); s < result.shapes.size(); ++s)
+        result.shapes[s].log_prior = -std::log(count);
+    } else if (i < result.families) {
+      for (const std::size_t s : shapes_of(library.families[i])) {
+        const Signature& one = library.signatures[s];
+        result.shapes.push_back({i, one.first, one.width, problem.log_prior_of_shape[s], s, 0.0});
+      }
+    } else {
+      for (const OwnColumn& column : own) {
+        if (column.shape.identity == i) result.shapes.push_back(column.shape);
+      }
+    }
+    result.count.push_back(result.shapes.size() - result.first.back());
+  }
+  return result;
+}
+
+Identities restricted(const Identities& all, const std::vector<std::size_t>& identities) {
+  Identities few;
+  few.families = all.families;
+  few.log_prior = all.log_prior;
+  const auto is_wanted = [&](std::size_t i) {
+    return std::find(identities.begin(), identities.end(), i) != identities.end();
+  };
+  if (all.jump && is_wanted(*all.jump)) few.jump = all.jump;
+  std::vector<Eigen::Index> columns;
+  for (std::size_t i = 0; i < all.log_prior.size(); ++i) {
+    few.first.push_back(few.shapes.size());
+    for (std::size_t s = all.first[i]; s < all.first[i] + all.count[i] && is_wanted(i); ++s) {
+      few.shapes.push_back(all.shapes[s]);
+      if (few.jump == i) continue;
+      Shape& shape = few.shapes.back();
+      for (Eigen::Index k = 0; k < shape.width; ++k) columns.push_back(shape.first + k);
+      shape.first = static_cast<Eigen::Index>(columns.size()) - shape.width;
+    }
+    few.count.push_back(few.shapes.size() - few.first.back());
+  }
+  for (Shape& shape : few.shapes) {
+    if (few.jump == shape.identity) shape.first += static_cast<Eigen::Index>(columns.size()) - all.columns.cols();
+  }
+  few.columns = all.columns(Eigen::all, columns);
+  return few;
+}
+
+std::optional<std::size_t> signature_of_jump(Problem& problem, const Identities& identities, std::size_t row) {
+  const Family& family = problem.library.families[*identities.jump];
+  std::vector<double> point = problem.library.signatures[family.first].point;
+  point[1] = problem.time_s[row - 1];  // from there on the whole of row `row` lies behind it
+  for (const std::size_t s : shapes_of(family)) {
+    if (problem.library.signatures[s].point == point) return s;
+  }
+  return add_signature(problem, *identities.jump, point);
+}
+
+}  // namespace ballbar

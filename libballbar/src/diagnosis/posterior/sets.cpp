@@ -1,0 +1,263 @@
+#include "diagnosis/posterior/sets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "ballbar/numerics/parallel.hpp"
+#include "diagnosis/evidence/evidence.hpp"
+#include "diagnosis/posterior/beside.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kLeastOfSet = 1e-3;  // P of a set that is listed
+constexpr std::size_t kMostSets = 200;
+constexpr double kLeastOfIdentity = 2e-3;  // P in its single effect
+constexpr double kSlowPrior = 0.15;
+
+// What one single effect may be: identity or none, and P.
+struct Choice {
+  std::size_t identity = kNoSignature;
+  double p = 0.0;
+};
+
+struct Drawn {
+  double p = 1.0;
+  std::vector<std::size_t> identities;  // of each single effect
+};
+
+std::vector<std::vector<Choice>> choices_of(const Posterior& posterior, std::size_t families_of_effects,
+                                            std::size_t families) {
+  std::vector<std::vector<Choice>> all;
+  for (const SinglePosterior& one : posterior.effects) {
+    std::vector<Choice> choices;
+    double none = 1.0;
+    for (std::size_t i = 0; i < one.p.size(); ++i) {
+      none -= one.p[i];
+      const bool is_form = i >= families_of_effects && i < families;
+      if (one.p[i] > kLeastOfIdentity && !is_form) choices.push_back({i, one.p[i]});
+    }
+    choices.push_back({kNoSignature, std::max(0.0, none)});
+    std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.p > b.p; });
+    all.push_back(std::move(choices));
+  }
+  return all;
+}
+
+// All products of choices that are probable enough.
+std::vector<Drawn> drawn(const std::vector<std::vector<Choice>>& choices) {
+  std::vector<Drawn> all{{}};
+  for (const std::vector<Choice>& of_one : choices) {
+    std::vector<Drawn> next;
+    for (const Drawn& before : all) {
+      for (const Choice& choice : of_one) {
+        if (before.p * choice.p < kLeastOfSet) break;
+        next.push_back(before);
+        next.back().p *= choice.p;
+        next.back().identities.push_back(choice.identity);
+      }
+    }
+    std::stable_sort(next.begin(), next.end(), [](const Drawn& a, const Drawn& b) { return a.p > b.p; });
+    if (next.size() > kMostSets) next.resize(kMostSets);
+    all = std::move(next);
+  }
+  return all;
+}
+
+// The model with a held value at another one.
+std::size_t variant_of_own(const Problem& problem, Posterior& posterior, std::size_t own, double value) {
+  for (std::size_t v = 1; v < posterior.variants.size(); ++v) {
+    if (posterior.variants[v].own == own + 1) return v;
+  }
+  std::vector<double> parameters = posterior.variants.front().parameters;
+  parameters[problem.own[own].parameter] = value;
+  posterior.variants.push_back(variant_at(problem, own + 1, std::move(parameters)));
+  return posterior.variants.size() - 1;
+}
+
+// These effects, and nothing else, beside the model, at every covariance.
+struct Given {
+  std::vector<Covariance> covariances;
+  std::vector<Ascent> ascents;
+  std::vector<double> log_weight;
+  Identities identities;
+};
+
+Given given_of(const Problem& problem, const Posterior& posterior, const std::vector<std::size_t>& families) {
+  Given result;
+  const Variant& variant = posterior.variants.front();
+  result.identities = restricted(identities_of(problem, variant), families);
+  result.covariances = problem.covariances;
+  if (result.covariances.empty()) {
+    result.covariances = noise_grid(problem.time_s);
+    if (problem.model.level == Level::series) {
+      for (Covariance& one : result.covariances) one.log_prior += std::log1p(-kSlowPrior);
+      for (const Point& point : posterior.points) {
+        const Covariance& one = point.covariance;
+        if (std::none_of(result.covariances.begin(), result.covariances.end(), [&](const Covariance& other) {
+              return other.white == one.white && other.time_s == one.time_s && other.slow == one.slow &&
+                     other.slow_time_s == one.slow_time_s;
+            }))
+          result.covariances.push_back(one);
+      }
+    }
+  }
+  AscentOptions options;
+  options.known = problem.known;
+  options.least_variance = least_variance_of(problem);
+  options.least = options.largest = families.size();
+  for (const std::size_t f : families) {
+    SinglePrior prior{kLogZero, std::vector<double>(result.identities.log_prior.size(), kLogZero)};
+    prior.log_identity[f] = 0.0;
+    options.priors.push_back(std::move(prior));
+  }
+  if (families.empty())
+    options.priors.push_back({0.0, std::vector<double>(result.identities.log_prior.size(), kLogZero)});
+  // With nothing added the model may be elsewhere than beside the best set.
+  std::vector<double> fit;
+  for (const FittedParameter& one : problem.base.parameters) fit.push_back(one.value);
+  fit.front() -= problem.centre_um;
+  const Variant alone = variant_at(problem, 0, std::move(fit));
+  std::vector<const Variant*> variants{&variant};
+  if (families.empty()) variants.push_back(&alone);
+  result.ascents.resize(result.covariances.size());
+  result.log_weight.resize(result.covariances.size());
+  in_parallel(result.covariances.size(), [&](std::size_t g) {
+    const Point point = point_at(problem, result.covariances[g]);
+    for (const Variant* one : variants) {
+      ColumnsAt at(problem, result.identities, *one, point, {});
+      Ascent ascent = ascended(at, result.identities, options);
+      if (one == variants.front() || ascent.bound > result.ascents[g].bound) result.ascents[g] = std::move(ascent);
+    }
+    result.log_weight[g] = result.ascents[g].bound + result.covariances[g].log_prior;
+  });
+  return result;
+}
+
+}  // namespace
+
+std::optional<std::size_t> signature_of(Problem& problem, const Identities& identities, std::size_t shape) {
+  const Shape& one = identities.shapes[shape];
+  if (one.signature != kNoSignature) return one.signature;
+  if (identities.jump != one.identity) return std::nullopt;
+  return signature_of_jump(problem, identities, static_cast<std::size_t>(one.first - identities.columns.cols()));
+}
+
+void add_sets(Problem& problem, const Identities& identities, const Ascent& likeliest, Posterior& posterior) {
+  const std::size_t families = identities.families;
+  std::map<std::pair<std::vector<std::size_t>, std::size_t>, std::size_t> place;
+  const double log_slow = std::log(std::max(1e-12, posterior.discrepancy));
+  // The best set first: the likeliest identity of each single effect that is likelier there than not.
+  std::vector<Drawn> all{{}};
+  all.front().identities.reserve(posterior.effects.size());
+  for (const SinglePosterior& one : posterior.effects) {
+    std::size_t identity = kNoSignature;
+    double p = 0.0;
+    for (std::size_t i = 0; i < one.p.size(); ++i) {
+      const bool is_form = i >= problem.effects && i < families;
+      if (!is_form && one.p[i] > p) p = one.p[identity = i];
+    }
+    const bool is_there = one.p_any() >= 0.5 && p > 0.0;
+    all.front().identities.push_back(is_there ? identity : kNoSignature);
+    all.front().p *= is_there ? p : 1.0 - one.p_any();
+  }
+  all.push_back({posterior.none, std::vector<std::size_t>(posterior.effects.size(), kNoSignature)});
+  for (Drawn& one : drawn(choices_of(posterior, problem.effects, families))) all.push_back(std::move(one));
+  for (std::size_t d = 0; d < all.size(); ++d) {
+    EffectSet set;
+    std::vector<std::pair<std::size_t, std::size_t>> members;  // family, signature
+    bool is_whole = true;
+    for (std::size_t l = 0; l < all[d].identities.size(); ++l) {
+      const std::size_t identity = all[d].identities[l];
+      if (identity == kNoSignature) continue;
+      std::size_t shape = l < likeliest.effects.size() ? likeliest.effects[l].likeliest[identity] : kNoSignature;
+      if (shape == kNoSignature) shape = identities.first[identity];
+      if (identities.is_own(identity)) {
+        if (set.own > 0) continue;
+        set.own = identity - families + 1;
+        set.variant = variant_of_own(problem, posterior, set.own - 1, identities.shapes[shape].value);
+        continue;
+      }
+      if (std::any_of(members.begin(), members.end(), [&](const auto& one) { return one.first == identity; })) continue;
+      const auto signature = signature_of(problem, identities, shape);
+      is_whole = is_whole && signature;
+      if (signature) members.emplace_back(identity, *signature);
+    }
+    if (!is_whole) continue;
+    std::sort(members.begin(), members.end());
+    for (const auto& [family, signature] : members) {
+      set.families.push_back(family);
+      set.signatures.push_back(signature);
+    }
+    const auto [known, is_new] = place.try_emplace({set.families, set.own}, posterior.sets.size());
+    const double p = std::max(1e-300, all[d].p);
+    if (!is_new) {
+      // The first two stand there already, by themselves.
+      if (d < 2 || known->second < 2) continue;
+      posterior.sets[known->second].log_weight = std::log(std::exp(posterior.sets[known->second].log_weight) + p);
+      posterior.sets[known->second].log_weight_slow = posterior.sets[known->second].log_weight + log_slow;
+      continue;
+    }
+    set.log_weight = std::log(p);
+    set.log_weight_slow = set.log_weight + log_slow;
+    posterior.sets.push_back(std::move(set));
+  }
+  const EffectSet best = posterior.sets.front();
+  std::stable_sort(posterior.sets.begin(), posterior.sets.end(),
+                   [](const EffectSet& a, const EffectSet& b) { return a.log_weight > b.log_weight; });
+  std::vector<double> weights;
+  for (std::size_t s = 0; s < posterior.sets.size(); ++s) {
+    weights.push_back(posterior.sets[s].log_weight);
+    if (posterior.sets[s].families == best.families && posterior.sets[s].own == best.own) posterior.best = s;
+  }
+  posterior.log_total = log_sum(weights);
+}
+
+std::size_t set_of(Problem& problem, Posterior& posterior, std::vector<std::size_t> families) {
+  std::sort(families.begin(), families.end());
+  for (std::size_t s = 0; s < posterior.sets.size(); ++s) {
+    if (posterior.sets[s].own == 0 && posterior.sets[s].families == families) return s;
+  }
+  const Given given = given_of(problem, posterior, families);
+  const auto g = static_cast<std::size_t>(std::max_element(given.log_weight.begin(), given.log_weight.end()) -
+                                          given.log_weight.begin());
+  EffectSet set;
+  set.log_weight = set.log_weight_slow = kLogZero;
+  set.families = families;
+  for (std::size_t l = 0; l < families.size(); ++l) {
+    const std::size_t shape = given.ascents[g].effects[l].likeliest[families[l]];
+    const auto signature = shape == kNoSignature ? std::nullopt : signature_of(problem, given.identities, shape);
+    set.signatures.push_back(signature.value_or(problem.library.families[families[l]].first));
+  }
+  const auto same = std::find_if(posterior.points.begin(), posterior.points.end(),
+                                 [&](const Point& one) { return one.covariance == given.covariances[g]; });
+  set.point = static_cast<std::size_t>(same - posterior.points.begin());
+  if (same == posterior.points.end()) {
+    posterior.points.push_back(point_at(problem, given.covariances[g]));
+    posterior.weight.push_back(0.0);
+  }
+  // The model beside these effects.
+  Beside beside = parameters_beside(problem, posterior.variants.front(), set.signatures, posterior.points[set.point]);
+  beside = sharpened(problem, posterior.variants.front(), std::move(beside), posterior.points[set.point]);
+  set.signatures = beside.signatures;
+  Eigen::MatrixXd times = times_beside(problem, beside);
+  posterior.variants.push_back(variant_at(problem, 0, std::move(beside.parameters), std::move(times)));
+  set.variant = posterior.variants.size() - 1;
+  posterior.sets.push_back(std::move(set));
+  return posterior.sets.size() - 1;
+}
+
+double log_bayes_factor(const Problem& problem, const Posterior& posterior, const std::vector<std::size_t>& families) {
+  const auto log_evidence = [&](std::vector<std::size_t> of) {
+    std::sort(of.begin(), of.end());
+    const auto [known, is_new] = posterior.log_evidence.try_emplace(of, 0.0);
+    if (is_new) known->second = log_sum(given_of(problem, posterior, of).log_weight);
+    return known->second;
+  };
+  return 2.0 * (log_evidence(families) - log_evidence({}));
+}
+
+}  // namespace ballbar
