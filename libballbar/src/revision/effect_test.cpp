@@ -187,7 +187,9 @@ EffectTest effect_test(const Model& model, const std::vector<Term>& added, const
     if (const auto family = family_of(*found.problem, bound)) families.push_back(*family);
   }
   std::sort(families.begin(), families.end());
-  result.after.likelihood_ratio = std::max(0.0, log_bayes_factor(*found.problem, found.posterior, families));
+  if (!found.posterior.sets.empty()) {  // else nothing moves, or there are too few values
+    result.after.likelihood_ratio = std::max(0.0, log_bayes_factor(*found.problem, found.posterior, families));
+  }
   result.after.threshold = kLeastLikelihoodRatio * static_cast<double>(added.size());
   result.after.change = fmt::format("{}", fmt::join(changes, ", "));
   result.after.verdict = verdict_of(result.added);

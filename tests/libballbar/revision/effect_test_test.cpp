@@ -76,6 +76,20 @@ TEST(EffectTest, columns_that_no_search_tries_are_weighed_all_the_same) {
   EXPECT_NEAR(found.added[0].likelihood_ratio, log_bayes_factor(154.0, 150.0, 5.0), kAscent);
 }
 
+// Nothing to explain, and too few values to explain anything: the effect is not supported.
+TEST(EffectTest, readings_that_tell_nothing) {
+  Series still = six_values();
+  for (double& value : still.columns[1].values) value = 2.0;
+  Series few = six_values();
+  few.time_s.resize(4);
+  for (Column& column : few.columns) column.values.resize(4);
+  for (const Series& data : {still, few}) {
+    const EffectTest found = effect_test(constant(), {term_of("expansion", {"T_degC"})}, data);
+    EXPECT_EQ(found.after.verdict, "not supported");
+    EXPECT_FALSE(found.after.likelihood_ratio > 0.0);
+  }
+}
+
 // As likely beforehand to be needed as not: P = 1 / (1 + B).
 TEST(EffectTest, needed_by_the_bayes_factor) {
   Model model = constant();

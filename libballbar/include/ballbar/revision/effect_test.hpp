@@ -5,7 +5,7 @@
 //   P not needed       of an effect of the model: 1 / (1 + B); it is needed below 0.05
 //
 // An added effect is supported where 2 ln B is at least 10 and it has no doubt: its gain is the same in every cycle
-// (p >= 0.003), and it does not go with time alone. That holds for an effect chosen before looking at these data; one
+// (p >= 0.01), and it does not go with time alone. That holds for an effect chosen before looking at these data; one
 // found by searching them is for diagnose(). The shapes of the added effects begin where they are likeliest, so that a
 // fit of the model is the fit that is told. Figures but those of the rows are, of long series, of every second, third
 // ... value, as diagnose() has them.

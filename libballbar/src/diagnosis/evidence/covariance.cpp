@@ -149,6 +149,7 @@ CovarianceFilter::CovarianceFilter(const Covariance& covariance, std::span<const
 }
 
 void CovarianceFilter::apply(std::size_t first, RowMajorBlock block, RowMajorMatrix& state) const {
+  if (block.cols() == 0) return;
   for (Eigen::Index i = 0; i < block.rows(); ++i) {
     const Row& row = rows_[first + static_cast<std::size_t>(i)];
     auto values = block.row(i).array();

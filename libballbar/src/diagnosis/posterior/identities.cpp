@@ -58,7 +58,7 @@ bool jumps(const Problem& problem, std::size_t family) {
   if (!effect.inputs.empty() || effect.parameters.size() != 2 || !effect.time_only) return false;
   if (effect.level != Level::series || effect.parameters[1].shape_of != ShapeOf::onset) return false;
   for (const Term& given : problem.terms) {
-    if (given.effect->name == effect.name) return false;  // its moment may be held
+    if (given.effect->name == effect.name && given.settings[1].held) return false;  // its moment
   }
   return std::is_sorted(problem.time_s.begin(), problem.time_s.end());
 }

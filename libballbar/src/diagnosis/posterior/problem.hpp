@@ -42,7 +42,7 @@ struct Problem {
   Fit base;
   std::vector<double> time_s, relative_variance;
   std::vector<double> shock;                 // relative variance of what is new in the noise of a row
-  std::vector<char> at_jump_of_temperature;  // of each row: about it a jump may be the temperature\'s
+  std::vector<char> at_jump_of_temperature;  // of each row: about it a jump may be the temperature's
   Eigen::VectorXd y;                         // less `centre_um`, where a constant of the model is free
   double centre_um = 0.0;
   KnownScatter known;

@@ -179,6 +179,8 @@ class Decision {
       one.in_best_set = true;
       one.rmse_after_um = result_.rmse_after_um;
       one.minor = one.amplitude_um < std::max(kMinor * problem().base.rmse_um, options_.tolerance_um);
+      if (!(one.likelihood_ratio >= kLeastLikelihoodRatio))
+        one.doubts.emplace_back("it makes the readings hardly more likely");
       if (may_be_one_change_of_noise(m, one))
         one.doubts.emplace_back("one large change of the noise would do nearly as well");
       if (reads_an_open_form(best_->families[m]))
@@ -198,6 +200,7 @@ class Decision {
     const Point& point = posterior().points[best_->point];
     if (onset == one.parameters.end() || !one.bound.effect->time_only || model_.level != Level::series) return false;
     if (!(point.covariance.correlated > 0.0)) return false;
+    if (!std::is_sorted(problem().time_s.begin(), problem().time_s.end())) return false;  // several runs
     Eigen::MatrixXd others(at_.white_line.rows(), at_.white_line.cols() + at_.white_members.cols() - at_.width[m]);
     others << at_.white_line, at_.white_members.leftCols(at_.first[m]),
         at_.white_members.rightCols(at_.white_members.cols() - at_.first[m] - at_.width[m]);

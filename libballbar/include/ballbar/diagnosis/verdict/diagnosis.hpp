@@ -4,16 +4,14 @@
 // missing is taken as a sum of single effects, each of which is nothing, one effect of the catalogue, an input of any
 // form, or a value that the model holds at another one; beside them noise with a memory, a slow discrepancy, and a
 // little of every input. Gains, shapes and noise are integrated out, inputs are late and rounded as loggers make them
-// (src/diagnosis/README.md). An effect is named where
-//   P >= 0.9,
-//   the same gain holds in every cycle,
-//   nothing more of its column is missing in another form.
+// (src/diagnosis/README.md). An effect is named where P >= 0.9 and no doubt holds: its gain differs from cycle to
+// cycle, cycles left out are not predicted better, it goes with time alone, it makes the readings hardly more likely.
 // One that fails is no longer named; the others stay.
 //
 // P holds inside the catalogue (tests/study/verdicts).
 //
-// On recordings a cycle is a recording, of one alone a quarter of its sweep. What surrogates and cycles left out say of
-// an effect is told (candidate.hpp), and does not decide.
+// On recordings a cycle is a recording, of one alone a quarter of its sweep. What surrogates say of an effect is told
+// (candidate.hpp), and does not decide.
 //
 // Of more than 1000 values of the target every second, third ... is weighed; figures of the effects are of those.
 #pragma once
@@ -39,8 +37,8 @@ enum class Verdict {
   named,        // this effect, or a value that the model holds
   probable,     // likewise, P >= 0.8
   driver,       // this input, its form is open
-  equivalent,   // something real, one of these
-  unexplained,  // something real that is not in the catalogue
+  equivalent,   // something is missing, it may be one of these
+  unexplained,  // something is missing: a slow drift, what goes with time alone, or no effect that is likely
   untestable,   // the data could not have shown it
   nothing,      // no effect
 };
