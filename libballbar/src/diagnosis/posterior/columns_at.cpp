@@ -52,7 +52,7 @@ ColumnsAt::ColumnsAt(const Problem& problem, const Identities& identities, const
   cross_ = Eigen::MatrixXd::Zero(pool.cols(), identities.size());
   squares_ = Eigen::VectorXd::Zero(identities.size());
   RowMajorMatrix state = RowMajorMatrix::Zero(3, c);
-  for (Eigen::Index first = 0; first < n; first += kRowsTogether) {
+  for (Eigen::Index first = 0; c > 0 && first < n; first += kRowsTogether) {
     const Eigen::Index rows = std::min(kRowsTogether, n - first);
     RowMajorMatrix block = identities.columns.middleRows(first, rows);
     filter_.apply(static_cast<std::size_t>(first), block, state);
@@ -126,10 +126,10 @@ void ColumnsAt::settle(double variance) {
   solved_y_.resize(p);
   for (Eigen::Index i = 0; i < p; ++i) {
     const Eigen::Index k = 1 + used[static_cast<std::size_t>(i)];
-    solved_.row(i) = scale[i] * cross_.row(k);
+    if (cross_.cols() > 0) solved_.row(i) = scale[i] * cross_.row(k);
     solved_y_[i] = scale[i] * pool_(k, 0);
   }
-  factor.matrixL().solveInPlace(solved_);
+  if (cross_.cols() > 0) factor.matrixL().solveInPlace(solved_);
   factor.matrixL().solveInPlace(solved_y_);
   square = std::max(pool_(0, 0) - solved_y_.squaredNorm(), 1e-300);
   const Eigen::VectorXd coefficients = scale.asDiagonal() * factor.matrixU().solve(solved_y_);
@@ -138,8 +138,11 @@ void ColumnsAt::settle(double variance) {
     const Eigen::Index k = used[static_cast<std::size_t>(i)];
     if (k >= line_) background_[k - line_] = coefficients[i];
   }
-  along = cross_.row(0).transpose() - solved_.transpose() * solved_y_;
-  left = squares_ - solved_.colwise().squaredNorm().transpose();
+  along = left = squares_;
+  if (cross_.cols() > 0) {
+    along = cross_.row(0).transpose() - solved_.transpose() * solved_y_;
+    left = squares_ - solved_.colwise().squaredNorm().transpose();
+  }
   for (Eigen::Index j = 0; j < left.size(); ++j) {
     if (!(left[j] > kSurviving * squares_[j])) left[j] = 0.0;
   }
