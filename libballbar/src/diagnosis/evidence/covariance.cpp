@@ -35,6 +35,10 @@ double span_of_time_s(std::span<const double> time_s) {
   return longest;
 }
 
+double longest_memory_s(double step_s, std::span<const double> time_s) {
+  return std::max(3.0 * step_s, span_of_time_s(time_s) / 6.0);
+}
+
 // New noise in a step over the white one, e^log_ratio.
 Covariance noise_with(double step_s, double memory_s, double log_ratio) {
   const double ratio = std::exp(log_ratio) / -std::expm1(-2.0 * step_s / memory_s);
@@ -50,7 +54,7 @@ Covariance noise_with(double step_s, double memory_s, double log_ratio) {
 std::vector<Covariance> noise_grid(std::span<const double> time_s) {
   std::vector<Covariance> grid{Covariance{}};
   if (time_s.size() < kFewestForMemory) return grid;
-  const double step_s = usual_step_s(time_s), longest_s = std::max(3.0 * step_s, span_of_time_s(time_s) / 6.0);
+  const double step_s = usual_step_s(time_s), longest_s = longest_memory_s(step_s, time_s);
   for (std::size_t i = 0; i < kMemories; ++i) {
     for (const double log_ratio : kNewOverWhite) {
       const double share = static_cast<double>(i) / static_cast<double>(kMemories - 1);
@@ -64,7 +68,7 @@ std::vector<Covariance> noise_grid(std::span<const double> time_s) {
 std::vector<Covariance> noises_about(const Covariance& noise, std::span<const double> time_s) {
   std::vector<Covariance> about;
   if (!(noise.correlated > 0.0)) return about;
-  const double step_s = usual_step_s(time_s), longest_s = std::max(3.0 * step_s, span_of_time_s(time_s) / 6.0);
+  const double step_s = usual_step_s(time_s), longest_s = longest_memory_s(step_s, time_s);
   const double third = std::pow(longest_s / step_s, 1.0 / static_cast<double>(3 * (kMemories - 1)));
   const double log_ratio = std::log(noise.correlated / noise.white * -std::expm1(-2.0 * step_s / noise.time_s));
   for (const double factor : {1.0 / third, 1.0, third}) {

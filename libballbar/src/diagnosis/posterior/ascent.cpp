@@ -157,15 +157,15 @@ SingleEffect fitted_to(const ColumnsAt& at, const Identities& identities, const 
   return result;
 }
 
-Eigen::VectorXd sum_of(const std::vector<SingleEffect>& effects, const ColumnsAt& at, std::size_t without,
-                       ColumnsAt::Curve& sum) {
-  sum = at.curve_of({});
+// Of all but one of them; of all where `without` is none of them.
+ColumnsAt::Curve sum_of(const std::vector<SingleEffect>& effects, const ColumnsAt& at, std::size_t without) {
+  ColumnsAt::Curve sum = at.curve_of({});
   for (std::size_t l = 0; l < effects.size(); ++l) {
     if (l == without) continue;
     sum.white += effects[l].curve.white;
     sum.line += effects[l].curve.line;
   }
-  return sum.white;
+  return sum;
 }
 
 double along_of(const SingleEffect& effect, const ColumnsAt& at) {
@@ -176,8 +176,7 @@ double along_of(const SingleEffect& effect, const ColumnsAt& at) {
 
 // Expected square of what is left of the readings.
 double square_left(const std::vector<SingleEffect>& effects, const ColumnsAt& at, double variance) {
-  ColumnsAt::Curve all;
-  sum_of(effects, at, effects.size(), all);
+  const ColumnsAt::Curve all = sum_of(effects, at, effects.size());
   double result = at.square + at.product(all, all);
   for (const SingleEffect& one : effects)
     result += variance * one.spread - at.product(one.curve, one.curve) - 2.0 * along_of(one, at);
@@ -197,10 +196,8 @@ const SinglePrior& prior_of(const AscentOptions& options, std::size_t l) {
 }
 
 void fit_again(ColumnsAt& at, const Identities& identities, const SinglePrior& prior, Ascent& ascent, std::size_t l) {
-  ColumnsAt::Curve others;
-  sum_of(ascent.effects, at, l, others);
-  const bool alone = ascent.effects.size() < 2;
-  const Eigen::VectorXd r = alone ? at.along : Eigen::VectorXd(at.along - at.products(others));
+  Eigen::VectorXd r = at.along;
+  if (ascent.effects.size() > 1) r -= at.products(sum_of(ascent.effects, at, l));
   ascent.effects[l] = fitted_to(at, identities, prior, r, ascent.variance);
 }
 

@@ -16,8 +16,6 @@
 namespace ballbar {
 namespace {
 
-constexpr double kPriorOfNone = 0.8;  // that a single effect is nothing
-constexpr double kPriorOfDiscrepancy = 0.15;
 constexpr double kPriorOfBackground = 0.03;
 constexpr std::array<double, 2> kBackgrounds{6.0, 20.0};  // d of all of it together
 constexpr std::size_t kNoisesBesideMore = 3;  // the likeliest, with a discrepancy or a background beside them
@@ -106,9 +104,7 @@ class Search {
 
   // The model about its fit by least squares, and about what noise with a memory makes of it.
   void start(const std::vector<Covariance>& grid) {
-    std::vector<double> fit;
-    for (const FittedParameter& one : problem_.base.parameters) fit.push_back(one.value);
-    fit.front() -= problem_.centre_um;
+    const std::vector<double> fit = fitted_parameters(problem_);
     std::vector<Variant> starts{variant_at(problem_, 0, fit)};
     pilots_ = likeliest_of(grid, starts.front(), restricted(identities_of(problem_, starts.front()), {}));
     for (const Covariance& one : pilots_) {
@@ -354,16 +350,14 @@ class Search {
     }
     std::erase_if(found, [&](const Found& one) { return one.log_weight < found.front().log_weight - kFarFromBest; });
     Posterior result;
-    double total = 0.0;
-    for (const Found& one : found) {
-      result.weight.push_back(std::exp(one.log_weight - found.front().log_weight));
-      total += result.weight.back();
-    }
-    for (double& one : result.weight) one /= total;
+    std::vector<double>& weight = result.weight;
+    for (const Found& one : found) weight.push_back(std::exp(one.log_weight - found.front().log_weight));
+    const double total = std::accumulate(weight.begin(), weight.end(), 0.0);
+    for (double& one : weight) one /= total;
     const std::size_t count = identities_.log_prior.size();
     std::size_t effects = 0;
     for (const Found& one : found) effects = std::max(effects, one.ascent.effects.size());
-    result.effects.assign(effects, {0.0, std::vector<double>(count, 0.0)});
+    result.effects.assign(effects, {std::vector<double>(count, 0.0)});
     std::vector<double> p(count, 0.0);
     result.nothing = result.none = result.discrepancy = 0.0;
     result.background.assign(identities_.families, 0.0);
@@ -372,19 +366,18 @@ class Search {
       std::vector<double> without(count, 1.0);
       for (std::size_t l = 0; l < found[g].ascent.effects.size(); ++l) {
         const SingleEffect& one = found[g].ascent.effects[l];
-        result.effects[l].log_weight += result.weight[g] * std::min(one.log_weight, 1e6);
         for (std::size_t i = 0; i < count; ++i) {
-          result.effects[l].p[i] += result.weight[g] * one.p[i];
+          result.effects[l].p[i] += weight[g] * one.p[i];
           without[i] *= std::max(0.0, 1.0 - one.p[i]);
         }
         none *= std::max(0.0, 1.0 - one.p_any());
       }
-      for (std::size_t i = 0; i < count; ++i) p[i] += result.weight[g] * (1.0 - without[i]);
+      for (std::size_t i = 0; i < count; ++i) p[i] += weight[g] * (1.0 - without[i]);
       const bool slow = found[g].point.covariance.slow > 0.0;
-      result.none += result.weight[g] * none;
-      if (slow) result.discrepancy += result.weight[g];
-      for (const auto& [family, share] : found[g].shares) result.background[family] += result.weight[g] * share;
-      if (!slow && !(found[g].background > 0.0)) result.nothing += result.weight[g] * none;
+      result.none += weight[g] * none;
+      if (slow) result.discrepancy += weight[g];
+      for (const auto& [family, share] : found[g].shares) result.background[family] += weight[g] * share;
+      if (!slow && !(found[g].background > 0.0)) result.nothing += weight[g] * none;
     }
     const auto families = static_cast<std::ptrdiff_t>(identities_.families);
     result.family.assign(p.begin(), p.begin() + families);

@@ -14,9 +14,11 @@
 namespace ballbar {
 
 // One of the single effects: at most one of its identities is missing.
+inline constexpr double kPriorOfNone = 0.8;          // that a single effect is nothing
+inline constexpr double kPriorOfDiscrepancy = 0.15;  // that there is a slow one
+
 struct SinglePosterior {
-  double log_weight = 0.0;  // ln of the weight of any identity over that of none
-  std::vector<double> p;    // of each identity: families of the library, then held values
+  std::vector<double> p;  // of each identity: families of the library, then held values
   double p_any() const;
 };
 

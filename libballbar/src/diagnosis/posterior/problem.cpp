@@ -116,6 +116,13 @@ Point point_at(const Problem& problem, const Covariance& covariance) {
   return {covariance, CovarianceFilter(covariance, problem.time_s, problem.relative_variance, problem.shock)};
 }
 
+std::vector<double> fitted_parameters(const Problem& problem) {
+  std::vector<double> parameters;
+  for (const FittedParameter& one : problem.base.parameters) parameters.push_back(one.value);
+  parameters.front() -= problem.centre_um;
+  return parameters;
+}
+
 double least_variance_of(const Problem& problem) {
   constexpr double kRounding = 1e-4;  // of the readings' own deviation: no logger resolves less
   return kRounding * kRounding * problem.y.squaredNorm() /
@@ -208,7 +215,6 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   free_rows_at_jumps(*problem, false);
   problem->base_model = std::make_unique<BaseModel>(problem->model, problem->logged, problem->y, base.row);
   SignatureOptions signatures = options.signatures;
-  signatures.fine = false;
   signatures.every_onset = false;
   problem->library = signature_library_of(options.catalogue, model, problem->logged.series, base, signatures);
   problem->effects = problem->library.families.size();

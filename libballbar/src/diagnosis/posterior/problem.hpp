@@ -68,6 +68,9 @@ struct ProblemOptions {
 Point point_at(const Problem& problem, const Covariance& covariance);
 
 // Of the scatter: what a logger makes of readings of this size.
+// Where the least-squares fit has the model's parameters, of readings less `centre_um`.
+std::vector<double> fitted_parameters(const Problem& problem);
+
 double least_variance_of(const Problem& problem);
 
 // Row by row what the logs leave open of jumps: rows strictly inside the time of a jump; wide: those at its ends as

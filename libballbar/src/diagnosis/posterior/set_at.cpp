@@ -15,12 +15,32 @@ Eigen::MatrixXd filtered(const CovarianceFilter& filter, const Eigen::MatrixXd& 
   return block;
 }
 
+Eigen::MatrixXd side_by_side(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  Eigen::MatrixXd all(a.rows(), a.cols() + b.cols());
+  all << a, b;
+  return all;
+}
+
+Eigen::MatrixXd without(const Eigen::MatrixXd& columns, Eigen::Index first, Eigen::Index width) {
+  return side_by_side(columns.leftCols(first), columns.rightCols(columns.cols() - first - width));
+}
+
 }  // namespace
 
 Eigen::MatrixXd SetAt::white(const CovarianceFilter& filter, const Eigen::MatrixXd& columns) const {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(white_y.size(), columns.cols());
   result.topRows(columns.rows()) = filtered(filter, columns);
   return result;
+}
+
+Eigen::MatrixXd SetAt::white_columns() const { return side_by_side(white_line, white_members); }
+
+Eigen::MatrixXd SetAt::white_columns_but(std::size_t member) const {
+  return side_by_side(white_line, without(white_members, first[member], width[member]));
+}
+
+Eigen::MatrixXd SetAt::columns_but(std::size_t member) const {
+  return side_by_side(line, without(members, first[member], width[member]));
 }
 
 SetAt set_at(const Problem& problem, const Posterior& posterior, const EffectSet& set) {
@@ -43,8 +63,7 @@ SetAt set_at(const Problem& problem, const Posterior& posterior, const EffectSet
   }
   const auto known =
       static_cast<Eigen::Index>(std::count(variant.line.is_free.begin(), variant.line.is_free.end(), char{0}));
-  Eigen::MatrixXd all(n, result.line.cols() + width);
-  all << result.line, result.members;
+  const Eigen::MatrixXd all = side_by_side(result.line, result.members);
   const Eigen::MatrixXd white_all = filtered(point.filter, all);
   const Eigen::VectorXd white_y = filtered(point.filter, result.y);
   result.degrees = std::max(1.0, static_cast<double>(n - result.line.cols() + known - width));

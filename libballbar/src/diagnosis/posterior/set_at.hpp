@@ -21,6 +21,9 @@ struct SetAt {
   double degrees = 0.0;
 
   Eigen::MatrixXd white(const CovarianceFilter& filter, const Eigen::MatrixXd& columns) const;  // rows of 0 more
+  Eigen::MatrixXd white_columns() const;                        // of the line, then of all members
+  Eigen::MatrixXd white_columns_but(std::size_t member) const;  // without those of one member
+  Eigen::MatrixXd columns_but(std::size_t member) const;        // likewise, not white
 };
 
 SetAt set_at(const Problem& problem, const Posterior& posterior, const EffectSet& set);

@@ -16,7 +16,6 @@ namespace {
 constexpr double kLeastOfSet = 1e-3;  // P of a set that is listed
 constexpr std::size_t kMostSets = 200;
 constexpr double kLeastOfIdentity = 2e-3;  // P in its single effect
-constexpr double kSlowPrior = 0.15;
 
 // What one single effect may be: identity or none, and P.
 struct Choice {
@@ -94,7 +93,7 @@ Given given_of(const Problem& problem, const Posterior& posterior, const std::ve
   if (result.covariances.empty()) {
     result.covariances = noise_grid(problem.time_s);
     if (problem.model.level == Level::series) {
-      for (Covariance& one : result.covariances) one.log_prior += std::log1p(-kSlowPrior);
+      for (Covariance& one : result.covariances) one.log_prior += std::log1p(-kPriorOfDiscrepancy);
       for (const Point& point : posterior.points) {
         const Covariance& one = point.covariance;
         if (std::none_of(result.covariances.begin(), result.covariances.end(), [&](const Covariance& other) {
@@ -114,15 +113,10 @@ Given given_of(const Problem& problem, const Posterior& posterior, const std::ve
     prior.log_identity[f] = 0.0;
     options.priors.push_back(std::move(prior));
   }
-  if (families.empty())
-    options.priors.push_back({0.0, std::vector<double>(result.identities.log_prior.size(), kLogZero)});
   // With nothing added the model may be elsewhere than beside the best set.
-  std::vector<double> fit;
-  for (const FittedParameter& one : problem.base.parameters) fit.push_back(one.value);
-  fit.front() -= problem.centre_um;
-  const Variant alone = variant_at(problem, 0, std::move(fit));
+  std::optional<Variant> alone;
   std::vector<const Variant*> variants{&variant};
-  if (families.empty()) variants.push_back(&alone);
+  if (families.empty()) variants.push_back(&alone.emplace(variant_at(problem, 0, fitted_parameters(problem))));
   result.ascents.resize(result.covariances.size());
   result.log_weight.resize(result.covariances.size());
   in_parallel(result.covariances.size(), [&](std::size_t g) {

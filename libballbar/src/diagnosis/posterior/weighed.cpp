@@ -46,9 +46,7 @@ bool has_late_clock(const Problem& problem, const Posterior& posterior, const Se
   }
   if (column == 0) return false;
   const CovarianceFilter& filter = posterior.points[posterior.sets[posterior.best].point].filter;
-  Eigen::MatrixXd all(at.white_line.rows(), at.white_line.cols() + at.white_members.cols());
-  all << at.white_line, at.white_members;
-  const Eigen::MatrixXd basis = orthonormal(all);
+  const Eigen::MatrixXd basis = orthonormal(at.white_columns());
   const Eigen::VectorXd r = freed(at.white_y, basis);
   const Eigen::MatrixXd left = freed(at.white(filter, pulses.leftCols(column)), basis);
   for (Eigen::Index k = 0; k < column; ++k) {
@@ -69,8 +67,8 @@ Eigen::VectorXd left_by(const Problem& problem, const EffectSet& set, const SetA
   return freed(at.white_y, orthonormal(all)).head(at.y.size()) / std::sqrt(at.variance);
 }
 
-// Readings far from the others count less, as of Student's t with four degrees of freedom; in noise of that kind a jump
-// must show beyond the row at which it jumps. False: there are none.
+// Readings far from the others count less, as in Student's t with four degrees of freedom. How far is judged without
+// the jumps of the set: one reading far off is no jump. False: there are none.
 bool weigh_down_outliers(Problem& problem, const EffectSet& set, const SetAt& at) {
   if (!has_heavy_tails(left_by(problem, set, at, false))) return false;
   const Eigen::VectorXd r = left_by(problem, set, at, true);

@@ -59,24 +59,6 @@ bool is_same_as_input(const Effect& effect, const EffectRows& inputs, const std:
   return std::abs(a.dot(b)) > *effect.rules.same_as_input * a.norm() * b.norm();
 }
 
-std::size_t times_of(const Effect& effect) {
-  return static_cast<std::size_t>(
-      std::count_if(effect.parameters.begin(), effect.parameters.end(), [](const Parameter& parameter) {
-        return parameter.kind == ParameterKind::shape && parameter.unit == "s" && !parameter.grid.empty();
-      }));
-}
-
-// From its least to its largest value that is not 0 in steps of at most this factor.
-std::vector<double> refined_grid(const std::vector<double>& grid, double factor) {
-  const auto first = std::find_if(grid.begin(), grid.end(), [](double value) { return value > 0.0; });
-  if (grid.end() - first < 2) return grid;
-  const double low = *first, high = grid.back();
-  const auto steps = static_cast<int>(std::ceil(std::log(high / low) / std::log(factor)));
-  std::vector<double> result(grid.begin(), first);
-  for (int i = 0; i <= steps; ++i) result.push_back(low * std::pow(high / low, static_cast<double>(i) / steps));
-  return result;
-}
-
 std::vector<double> onsets(const EffectRows& rows, std::size_t most) {
   std::vector<double> grid;
   const std::size_t n = rows.time_s.size();
@@ -128,9 +110,6 @@ std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRow
     const std::size_t most = effect.level == Level::series ? kMostPeriods : kMostWaves;
     std::vector<double> grid = grid_of(parameter, rows, parameter.lower, parameter.upper, most);
     if (parameter.shape_of == ShapeOf::onset) grid = onsets(rows, options.every_onset ? kMostOnsets : 7);
-    if (options.fine && parameter.unit == "s" && parameter.shape_of == ShapeOf::curve && !parameter.grid_on) {
-      grid = refined_grid(grid, times_of(effect) > 1 ? 1.9 : 1.6);
-    }
     if (parameter.unit == "Hz") std::erase_if(grid, [&](double f) { return f > options.highest_Hz; });
     if (grid.empty()) continue;
     std::vector<std::vector<double>> more;

@@ -46,7 +46,6 @@ struct SignatureLibrary {
 struct SignatureOptions {
   std::optional<Motion> motion;      // of recordings
   bool every_onset = true;           // up to 400 of them; else 7
-  bool fine = false;                 // neighbouring time constants within a factor of 1.6, 1.9 where there are two
   std::vector<std::string> without;  // names of effects that are left out
   std::vector<Term> terms;           // in the place of what the catalogue has of them: held where they hold a shape
   // signature_library_of: half the rate of the rows that are fitted.

@@ -201,10 +201,7 @@ class Decision {
     if (onset == one.parameters.end() || !one.bound.effect->time_only || model_.level != Level::series) return false;
     if (!(point.covariance.correlated > 0.0)) return false;
     if (!std::is_sorted(problem().time_s.begin(), problem().time_s.end())) return false;  // several runs
-    Eigen::MatrixXd others(at_.white_line.rows(), at_.white_line.cols() + at_.white_members.cols() - at_.width[m]);
-    others << at_.white_line, at_.white_members.leftCols(at_.first[m]),
-        at_.white_members.rightCols(at_.white_members.cols() - at_.first[m] - at_.width[m]);
-    const Eigen::MatrixXd basis = orthonormal(others);
+    const Eigen::MatrixXd basis = orthonormal(at_.white_columns_but(m));
     const Eigen::VectorXd left = freed(at_.white_y, basis);
     const std::vector<double>& time_s = problem().time_s;
     const auto after = std::upper_bound(time_s.begin(), time_s.end(), onset->value) - time_s.begin();

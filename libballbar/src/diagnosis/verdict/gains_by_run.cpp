@@ -68,12 +68,6 @@ Eigen::MatrixXd apart_by_run(const Eigen::MatrixXd& all, const std::vector<Eigen
   return x;
 }
 
-Eigen::MatrixXd white_columns(const SetAt& at) {
-  Eigen::MatrixXd all(at.white_line.rows(), at.white_line.cols() + at.white_members.cols());
-  all << at.white_line, at.white_members;
-  return all;
-}
-
 // The set where the readings are likeliest with all gains of their own in each run, its scatter what that leaves: one
 // gain for all would make noise of what differs.
 SetAt judged_apart(const Problem& problem, const Posterior& posterior, EffectSet set,
@@ -86,7 +80,7 @@ SetAt judged_apart(const Problem& problem, const Posterior& posterior, EffectSet
     there.points = {point_at(problem, covariance)};
     there.variants = posterior.variants;
     SetAt at = set_at(problem, there, set);
-    const Eigen::MatrixXd x = apart_by_run(white_columns(at), gains, runs);
+    const Eigen::MatrixXd x = apart_by_run(at.white_columns(), gains, runs);
     const double degrees = std::max(1.0, static_cast<double>(at.y.size() - x.cols()));
     const double variance = std::max(1e-300, freed(at.white_y, orthonormal(x)).squaredNorm() / degrees);
     const double log_p = -0.5 * there.points.front().filter.log_determinant() - 0.5 * degrees * std::log(variance);
@@ -110,7 +104,7 @@ std::vector<GainByRun> gains_by_run(const Problem& problem, const Posterior& pos
   std::vector<Eigen::Index> columns;
   for (const GainColumn& gain : gains) columns.push_back(gain.column);
   const SetAt at = judged_apart(problem, posterior, set, columns, runs);
-  const Eigen::MatrixXd all = white_columns(at);
+  const Eigen::MatrixXd all = at.white_columns();
   const auto count = static_cast<Eigen::Index>(runs.size());
   for (const GainColumn& gain : gains) {
     const Eigen::MatrixXd x = apart_by_run(all, {gain.column}, runs);

@@ -20,21 +20,6 @@ constexpr double kHeldOutEvidence = 3.0;  // ln, of cycles left out, without the
 constexpr double kLeftOutRidge = 1e-4;  // prior precision of a white column of length 1
 constexpr double kOwnDirection = 1e-3;  // pivot of a gain of one cycle, of the largest, that is one
 
-// Columns of the line and of the other members, then those of this one; white.
-Eigen::MatrixXd others_of(const SetAt& at, std::size_t member, bool white) {
-  const Eigen::MatrixXd& line = white ? at.white_line : at.line;
-  const Eigen::MatrixXd& members = white ? at.white_members : at.members;
-  Eigen::MatrixXd result(line.rows(), line.cols() + members.cols() - at.width[member]);
-  result.leftCols(line.cols()) = line;
-  Eigen::Index next = line.cols();
-  for (std::size_t k = 0; k < at.first.size(); ++k) {
-    if (k == member) continue;
-    result.middleCols(next, at.width[k]) = members.middleCols(at.first[k], at.width[k]);
-    next += at.width[k];
-  }
-  return result;
-}
-
 double p_same_gain(const SetAt& at, const Eigen::MatrixXd& others, const Eigen::MatrixXd& own,
                    const std::vector<std::size_t>& fold, std::size_t folds) {
   Eigen::MatrixXd apart = Eigen::MatrixXd::Zero(own.rows(), own.cols() * static_cast<Eigen::Index>(folds));
@@ -118,9 +103,9 @@ std::optional<BestSurrogate> surrogate_of(const Problem& problem, const Posterio
   Background background;
   background.row = problem.base.row;
   background.whiten = [&](const Eigen::MatrixXd& columns) { return at.white(filter, columns); };
-  background.white.basis = orthonormal(others_of(at, member, true));
+  background.white.basis = orthonormal(at.white_columns_but(member));
   background.white.residual = freed(at.white_y, background.white.basis);
-  background.plain.basis = orthonormal(others_of(at, member, false));
+  background.plain.basis = orthonormal(at.columns_but(member));
   background.plain.residual = freed(at.y, background.plain.basis);
   SurrogateSource source{family.bound, {signature.point}, {}};
   std::optional<BestSurrogate> best;
@@ -140,7 +125,7 @@ MemberTests member_tests(const Problem& problem, const Posterior& posterior, con
                          std::size_t member, const std::vector<std::size_t>& fold, std::size_t surrogates,
                          std::uint64_t seed) {
   const std::size_t folds = *std::max_element(fold.begin(), fold.end()) + 1;
-  const Eigen::MatrixXd others = others_of(at, member, true), plain_others = others_of(at, member, false);
+  const Eigen::MatrixXd others = at.white_columns_but(member), plain_others = at.columns_but(member);
   const Eigen::MatrixXd own = at.white_members.middleCols(at.first[member], at.width[member]);
   Eigen::MatrixXd with(others.rows(), others.cols() + own.cols()), plain_with(plain_others.rows(), with.cols());
   with << others, own;

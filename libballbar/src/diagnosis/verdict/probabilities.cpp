@@ -11,7 +11,6 @@ namespace ballbar {
 namespace {
 
 constexpr double kCredible = 0.95;
-constexpr double kPriorOfNone = 0.8;  // of a single effect (posterior.cpp)
 
 }  // namespace
 

@@ -18,8 +18,6 @@ std::size_t family_of_member(const Problem& problem, const EffectSet& set, std::
 
 }  // namespace
 
-double probability_of(const Posterior& posterior, std::size_t family) { return posterior.family[family]; }
-
 double log_bayes_factor_of_member(const Weighed& weighed, const EffectSet& set, std::size_t member) {
   const Problem& problem = *weighed.problem;
   std::vector<std::size_t> rest = set.families;
@@ -35,7 +33,7 @@ Candidate described_member(const Weighed& weighed, const EffectSet& set, const F
   Candidate one;
   one.bound = problem.library.families[family].bound;
   one.label = label_of(one.bound);
-  one.p = probability_of(weighed.posterior, family);
+  one.p = weighed.posterior.family[family];
   std::size_t first = 1;
   for (const Term& term : problem.model.terms) first += term.settings.size();
   for (std::size_t k = 0; k < member; ++k) {

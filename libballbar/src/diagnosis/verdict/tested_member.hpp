@@ -12,9 +12,6 @@
 
 namespace ballbar {
 
-// That this family is missing.
-double probability_of(const Posterior& posterior, std::size_t family);
-
 // `member` of the set: its parameters, intervals and amplitude, its probability, its likelihood ratio
 // beside the others.
 Candidate described_member(const Weighed& weighed, const EffectSet& set, const FittedSet& fitted, std::size_t member);

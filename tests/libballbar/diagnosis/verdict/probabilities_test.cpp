@@ -20,7 +20,7 @@ Problem with_three() {
 
 Posterior of_two() {
   Posterior posterior;
-  posterior.effects = {{0.0, {0.5, 0.1, 0.3}}, {0.0, {0.0, 0.6, 0.02}}};
+  posterior.effects = {{{0.5, 0.1, 0.3}}, {{0.0, 0.6, 0.02}}};
   return posterior;
 }
 
