@@ -106,7 +106,7 @@ SingleEffect fitted_to(const ColumnsAt& at, const Identities& identities, const 
     const double log_prior = prior.log_identity[shape.identity] + shape.log_prior;
     const bool is_block = shape.width > 1;
     const std::size_t place = is_block ? b++ : 0;
-    if (log_prior == kLogZero || !(at.left[shape.first] > 0.0)) continue;
+    if (log_prior == kLogZero || !(at.left.segment(shape.first, shape.width).maxCoeff() > 0.0)) continue;
     if (is_block) {
       of_blocks[place] = of_block(at.blocks[place], r.segment(shape.first, shape.width), variance);
       of[s] = of_blocks[place].of_shape;
@@ -201,6 +201,13 @@ void fit_again(ColumnsAt& at, const Identities& identities, const SinglePrior& p
   ascent.effects[l] = fitted_to(at, identities, prior, r, ascent.variance);
 }
 
+// Variance of the scatter by what the single effects leave.
+double scatter_of(const ColumnsAt& at, const AscentOptions& options, const Ascent& ascent) {
+  const KnownScatter& known = options.known;
+  const double left = square_left(ascent.effects, at, ascent.variance) + known.readings * known.variance;
+  return std::max(left / (at.degrees + known.readings), options.least_variance);
+}
+
 void settle(ColumnsAt& at, Ascent& ascent, double variance) {
   ascent.variance = variance;
   at.settle(variance);
@@ -218,8 +225,7 @@ void converge(ColumnsAt& at, const Identities& identities, const AscentOptions& 
   double last = kLogZero;
   for (int n = 0; n < kMostSweeps; ++n) {
     sweep(at, identities, options, ascent);
-    const double left = square_left(ascent.effects, at, ascent.variance) + known.readings * known.variance;
-    const double next = std::max(left / (at.degrees + known.readings), options.least_variance);
+    const double next = scatter_of(at, options, ascent);
     const bool same = std::abs(std::log(next / ascent.variance)) < kSameScatter;
     ascent.variance = next;
     if (std::abs(std::log(next / at.settled)) > kSettled) {
@@ -284,6 +290,7 @@ Ascent rearranged(ColumnsAt& at, const Identities& identities, const AscentOptio
         for (std::size_t j = 0; j < other.effects.size(); ++j) {
           if (j != l) fit_again(at, identities, prior_of(options, j), other, j);
         }
+        other.variance = scatter_of(at, options, other);  // that of the forced effect, else the next sweep undoes it
         other = ascended(at, identities, options, std::move(other));
         if (other.bound > best.bound + 10.0 * kRises) {
           best = std::move(other);

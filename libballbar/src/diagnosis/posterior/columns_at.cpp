@@ -118,8 +118,8 @@ void ColumnsAt::settle(double variance) {
   }
   a = scale.asDiagonal() * a * scale.asDiagonal();
   a.diagonal().array() += kJitter;
-  const Eigen::LLT<Eigen::MatrixXd> factor(a);
-  const Eigen::MatrixXd lower = factor.matrixL();
+  factor_.compute(a);
+  const Eigen::MatrixXd lower = factor_.matrixL();
   for (Eigen::Index i = 0; i < p; ++i) half_log += std::log(lower(i, i)) - std::log(scale[i]);
   constant = -0.5 * log_determinant_ - half_log;
   solved_.resize(p, cross_.cols());
@@ -129,15 +129,9 @@ void ColumnsAt::settle(double variance) {
     if (cross_.cols() > 0) solved_.row(i) = scale[i] * cross_.row(k);
     solved_y_[i] = scale[i] * pool_(k, 0);
   }
-  if (cross_.cols() > 0) factor.matrixL().solveInPlace(solved_);
-  factor.matrixL().solveInPlace(solved_y_);
+  if (cross_.cols() > 0) factor_.matrixL().solveInPlace(solved_);
+  factor_.matrixL().solveInPlace(solved_y_);
   square = std::max(pool_(0, 0) - solved_y_.squaredNorm(), 1e-300);
-  const Eigen::VectorXd coefficients = scale.asDiagonal() * factor.matrixU().solve(solved_y_);
-  background_ = Eigen::VectorXd::Zero(precision_.size());
-  for (Eigen::Index i = 0; i < p; ++i) {
-    const Eigen::Index k = used[static_cast<std::size_t>(i)];
-    if (k >= line_) background_[k - line_] = coefficients[i];
-  }
   along = left = squares_;
   if (cross_.cols() > 0) {
     along = cross_.row(0).transpose() - solved_.transpose() * solved_y_;
@@ -147,6 +141,8 @@ void ColumnsAt::settle(double variance) {
     if (!(left[j] > kSurviving * squares_[j])) left[j] = 0.0;
   }
   settle_blocks();
+  used_ = std::move(used);
+  scale_ = std::move(scale);
   settled = variance;
 }
 
@@ -156,6 +152,10 @@ void ColumnsAt::settle_blocks() {
     const auto line = solved_.middleCols(shape.first, shape.width);
     const Eigen::MatrixXd product = block.white - line.transpose() * line;
     block.length = product.diagonal().cwiseMax(1e-300).cwiseSqrt();
+    for (Eigen::Index k = 0; k < shape.width; ++k) {
+      if (left[shape.first + k] > 0.0) continue;
+      block.length[k] = std::numeric_limits<double>::infinity();  // the line has it
+    }
     const Eigen::VectorXd inverse = block.length.cwiseInverse();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(inverse.asDiagonal() * product * inverse.asDiagonal());
     block.vectors = eigen.eigenvectors();
@@ -163,7 +163,12 @@ void ColumnsAt::settle_blocks() {
   }
 }
 
-std::vector<std::pair<std::size_t, double>> ColumnsAt::background_shares() const {
+std::vector<std::pair<std::size_t, double>> ColumnsAt::background_shares(const Eigen::VectorXd& line) const {
+  const Eigen::VectorXd coefficients = scale_.asDiagonal() * factor_.matrixU().solve(solved_y_ - line);
+  Eigen::VectorXd background = Eigen::VectorXd::Zero(precision_.size());
+  for (std::size_t i = 0; i < used_.size(); ++i) {
+    if (used_[i] >= line_) background[used_[i] - line_] = coefficients[static_cast<Eigen::Index>(i)];
+  }
   std::map<std::size_t, std::vector<Eigen::Index>> columns;
   for (std::size_t k = 0; k < family_of_background_.size(); ++k)
     columns[family_of_background_[k]].push_back(static_cast<Eigen::Index>(k));
@@ -172,7 +177,7 @@ std::vector<std::pair<std::size_t, double>> ColumnsAt::background_shares() const
   for (const auto& [family, of] : columns) {
     std::vector<Eigen::Index> place;
     for (const Eigen::Index k : of) place.push_back(1 + line_ + k);
-    const Eigen::VectorXd b = background_(of);
+    const Eigen::VectorXd b = background(of);
     shares.emplace_back(family, b.dot(pool_(place, place) * b));
     all += shares.back().second;
   }

@@ -5,6 +5,7 @@
 // scatter.
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <cstddef>
 #include <utility>
@@ -46,8 +47,9 @@ class ColumnsAt {
   Eigen::VectorXd along, left;       // of all columns; left: 0 where too little is left of one
   std::vector<BlockProduct> blocks;  // by their shape, rising
 
-  // Of what the background makes of the readings, the share of each family of its columns.
-  std::vector<std::pair<std::size_t, double>> background_shares() const;
+  // Of what the background makes of the readings, the share of each family of its columns. line: of the curve of all
+  // single effects, which is taken off before.
+  std::vector<std::pair<std::size_t, double>> background_shares(const Eigen::VectorXd& line) const;
 
   // A curve out of some columns, white, and what the line makes of it.
   struct Curve {
@@ -69,9 +71,11 @@ class ColumnsAt {
   Eigen::MatrixXd pool_, cross_;  // products of y and the line, and of these with all columns
   Eigen::VectorXd squares_;       // of all columns
   std::vector<std::size_t> family_of_background_;
-  Eigen::VectorXd background_;  // coefficients of its columns
-  Eigen::VectorXd precision_;   // of the background's columns, in units of the scatter
-  Eigen::MatrixXd solved_;      // line by all columns: `line` of each column
+  std::vector<Eigen::Index> used_;  // of the line and the background, those that are solved for
+  Eigen::VectorXd scale_;           // of these
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+  Eigen::VectorXd precision_;  // of the background's columns, in units of the scatter
+  Eigen::MatrixXd solved_;     // line by all columns: `line` of each column
   Eigen::VectorXd solved_y_;
 };
 

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "diagnosis/evidence/evidence.hpp"
+
 namespace ballbar {
 namespace {
 
@@ -102,10 +104,17 @@ Identities identities_of(const Problem& problem, const Variant& variant) {
       for (std::size_t s = result.first.back(); s < result.shapes.size(); ++s)
         result.shapes[s].log_prior = -std::log(count);
     } else if (i < result.families) {
+      std::vector<double> log_priors, log_priors_of_grid;
       for (const std::size_t s : shapes_of(library.families[i])) {
         const Signature& one = library.signatures[s];
-        result.shapes.push_back({i, one.first, one.width, problem.log_prior_of_shape[s], s, 0.0});
+        const double log_prior = problem.log_prior_of_shape[s];
+        result.shapes.push_back({i, one.first, one.width, log_prior, s, 0.0});
+        log_priors.push_back(log_prior);
+        if (log_priors.size() <= library.families[i].count) log_priors_of_grid.push_back(log_prior);
       }
+      // Shapes that were added between those of the grid share what these have.
+      const double added = log_priors.empty() ? 0.0 : log_sum(log_priors) - log_sum(log_priors_of_grid);
+      for (std::size_t s = result.first.back(); s < result.shapes.size(); ++s) result.shapes[s].log_prior -= added;
     } else {
       for (const OwnColumn& column : own) {
         if (column.shape.identity == i) result.shapes.push_back(column.shape);

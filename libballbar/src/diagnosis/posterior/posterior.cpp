@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ballbar/numerics/parallel.hpp"
+#include "diagnosis/evidence/evidence.hpp"
 #include "diagnosis/evidence/refined.hpp"
 #include "diagnosis/posterior/ascent.hpp"
 #include "diagnosis/posterior/beside.hpp"
@@ -27,6 +28,7 @@ constexpr double kSameModel = 0.02;           // of a shape's reach
 constexpr std::size_t kPilots = 2;            // covariances at which the model is looked for
 constexpr double kOtherStart = 0.3;
 constexpr std::size_t kSharpenedRivals = 4;  // of a single effect, whose shapes are sought between those of the grid
+constexpr double kSameBound = 0.01;          // ln: two ascents that differ by less are one
 constexpr double kFarRival = 7.0;            // ln: one so much weaker than the strongest is not sought
 
 // A covariance with what the ascent finds at it.
@@ -59,7 +61,7 @@ Ascent best_ascent(ColumnsAt& at, const Problem& problem, const Identities& iden
     for (std::size_t i = problem.effects; i < identities.families; ++i) prior.log_identity[i] = kLogZero;
   }
   Ascent other = ascended(at, identities, options, ascended(at, identities, of_effects));
-  return other.bound > best.bound ? other : best;
+  return other.bound > best.bound + kSameBound ? other : best;
 }
 
 class Search {
@@ -220,9 +222,10 @@ class Search {
     const Variant free = variant_at(problem_, place + 1, std::move(parameters));
     Beside beside = parameters_beside(problem_, free, signatures, best_.point);
     const double value = beside.parameters[own.parameter];
-    if (std::abs(value - own.fitted.back()) > kSameModel * std::abs(own.held)) own.fitted.push_back(value);
+    const bool is_new = std::abs(value - own.fitted.back()) > kSameModel * std::abs(own.held);
+    if (is_new) own.fitted.push_back(value);
     beside.parameters[own.parameter] = own.held;
-    if (!is_elsewhere(problem_, *variant_, beside.parameters, kSameModel)) return false;
+    if (!is_new && !is_elsewhere(problem_, *variant_, beside.parameters, kSameModel)) return false;
     return take_if_better(variant_at(problem_, 0, std::move(beside.parameters)));
   }
 
@@ -265,7 +268,11 @@ class Search {
     one.ascent = from_both ? best_ascent(at, problem_, identities, options, one.ascent)
                            : ascended(at, identities, options, one.ascent);
     one.log_weight = one.ascent.bound + one.point.covariance.log_prior;
-    if (one.background > 0.0) one.shares = at.background_shares();
+    if (!(one.background > 0.0)) return;
+    at.settle(one.ascent.variance);  // the last ascent may have been another one
+    Eigen::VectorXd line = at.curve_of({}).line;
+    for (const SingleEffect& effect : one.ascent.effects) line += at.curve_of(effect.mean).line;
+    one.shares = at.background_shares(line);
   }
 
   void scan(std::vector<Found>& found, std::size_t first, const Identities& few) const {
@@ -305,21 +312,31 @@ class Search {
                      [](const Found& a, const Found& b) { return a.log_weight > b.log_weight; });
   }
 
+  // ln of what the first few weigh together.
+  static double log_weight_of(const std::vector<Found>& found, std::size_t count) {
+    std::vector<double> weights;
+    for (std::size_t g = 0; g < std::min(count, found.size()); ++g) weights.push_back(found[g].log_weight);
+    return log_sum(weights);
+  }
+
   // The likeliest noises with a discrepancy, and with a background.
   void add_more(std::vector<Found>& found) {
     const bool has_inputs = problem_.library.families.size() > problem_.effects;
     std::vector<Found> more;
+    // These few stand for all noises.
+    const double represented = log_weight_of(found, found.size()) - log_weight_of(found, kNoisesBesideMore);
     for (std::size_t g = 0; g < std::min(kNoisesBesideMore, found.size()); ++g) {
       const Covariance& noise = found[g].point.covariance;
       for (Covariance one : with_discrepancy(noise, problem_.time_s)) {
-        one.log_prior += std::log(kPriorOfDiscrepancy);
+        one.log_prior += std::log(kPriorOfDiscrepancy) + represented;
         more.push_back(found_at(one, 0.0));
       }
       for (const double d : kBackgrounds) {
         if (!has_inputs) continue;
         Covariance one = noise;
         one.log_prior +=
-            std::log((1.0 - kPriorOfDiscrepancy) * kPriorOfBackground / static_cast<double>(kBackgrounds.size()));
+            std::log((1.0 - kPriorOfDiscrepancy) * kPriorOfBackground / static_cast<double>(kBackgrounds.size())) +
+            represented;
         more.push_back(found_at(one, d));
       }
     }
@@ -331,6 +348,24 @@ class Search {
     ascend(more, false);
     std::move(more.begin(), more.end(), std::back_inserter(found));
     sort(found);
+  }
+
+  // Puts single effects in the order of others that they are most alike to: the order of a sum is of no account.
+  static void align(const std::vector<SingleEffect>& to, std::size_t identities, std::vector<SingleEffect>& effects) {
+    const auto likeness = [](const SingleEffect& a, const SingleEffect& b) {
+      return std::inner_product(a.p.begin(), a.p.end(), b.p.begin(), 0.0);
+    };
+    while (effects.size() < to.size()) {
+      effects.emplace_back();
+      effects.back().p.assign(identities, 0.0);
+    }
+    for (std::size_t l = 0; l < to.size(); ++l) {
+      std::size_t best = l;
+      for (std::size_t k = l + 1; k < effects.size(); ++k) {
+        if (likeness(effects[k], to[l]) > likeness(effects[best], to[l])) best = k;
+      }
+      std::swap(effects[l], effects[best]);
+    }
   }
 
   Posterior averaged(std::vector<Found> found) {
@@ -355,6 +390,7 @@ class Search {
     const double total = std::accumulate(weight.begin(), weight.end(), 0.0);
     for (double& one : weight) one /= total;
     const std::size_t count = identities_.log_prior.size();
+    for (Found& one : found) align(found.front().ascent.effects, count, one.ascent.effects);
     std::size_t effects = 0;
     for (const Found& one : found) effects = std::max(effects, one.ascent.effects.size());
     result.effects.assign(effects, {std::vector<double>(count, 0.0)});

@@ -15,6 +15,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kTemperatureJump = 0.2;  // of its range, from row to row
+constexpr double kMostJumps = 0.02;       // of the rows
 constexpr std::size_t kRowsBesideJump = 2;
 
 // Effects alike, columns of an effect alike.
@@ -99,8 +100,14 @@ std::vector<char> rows_of_temperature_jumps(const Series& data, const std::vecto
       low = std::min(low, column.values[row]);
       high = std::max(high, column.values[row]);
     }
+    const auto jumps = [&](std::size_t k) {
+      return std::abs(column.values[rows[k]] - column.values[rows[k - 1]]) > kTemperatureJump * (high - low);
+    };
+    std::size_t count = 0;
+    for (std::size_t k = 1; k < rows.size(); ++k) count += jumps(k) ? 1 : 0;
+    if (static_cast<double>(count) > kMostJumps * static_cast<double>(rows.size())) continue;  // it is noise
     for (std::size_t k = 1; k < rows.size(); ++k) {
-      if (!(std::abs(column.values[rows[k]] - column.values[rows[k - 1]]) > kTemperatureJump * (high - low))) continue;
+      if (!jumps(k)) continue;
       const std::size_t first = k > kRowsBesideJump ? k - kRowsBesideJump : 0,
                         last = std::min(rows.size() - 1, k + kRowsBesideJump);
       std::fill(found.begin() + static_cast<std::ptrdiff_t>(first),

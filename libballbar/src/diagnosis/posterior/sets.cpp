@@ -96,10 +96,7 @@ Given given_of(const Problem& problem, const Posterior& posterior, const std::ve
       for (Covariance& one : result.covariances) one.log_prior += std::log1p(-kPriorOfDiscrepancy);
       for (const Point& point : posterior.points) {
         const Covariance& one = point.covariance;
-        if (std::none_of(result.covariances.begin(), result.covariances.end(), [&](const Covariance& other) {
-              return other.white == one.white && other.time_s == one.time_s && other.slow == one.slow &&
-                     other.slow_time_s == one.slow_time_s;
-            }))
+        if (std::find(result.covariances.begin(), result.covariances.end(), one) == result.covariances.end())
           result.covariances.push_back(one);
       }
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -225,6 +226,14 @@ class Decision {
     return fall(freed(jump, basis)) < most + kStays;
   }
 
+  // Whether a single effect is likelier an input of a form that the catalogue does not have than one that it has.
+  bool is_of_any_form(std::size_t l) const {
+    const std::vector<double>& p = posterior().effects[l].p;
+    const auto first = p.begin() + static_cast<std::ptrdiff_t>(problem().effects),
+               end = p.begin() + static_cast<std::ptrdiff_t>(problem().library.families.size());
+    return std::accumulate(first, end, 0.0) > std::accumulate(p.begin(), first, 0.0);
+  }
+
   // Whether beside it an input of any form is likelier missing than not, of a column that it reads.
   bool reads_an_open_form(std::size_t f) const {
     const std::vector<std::string>& columns = family(f).bound.columns;
@@ -260,7 +269,7 @@ class Decision {
           if (i < problem().effects) group.push_back(family(i).bound);
         }
         if (std::find(group.begin(), group.end(), one.bound) == group.end()) group.push_back(one.bound);
-        d.equivalent.push_back(std::move(group));
+        if (!is_of_any_form(l)) d.equivalent.push_back(std::move(group));
       }
       for (const GainByRun& gain : d.gains_by_run) {
         if (gain.effect == one.label)
@@ -285,7 +294,7 @@ class Decision {
       d.verdict = Verdict::probable;
     } else if (driver) {
       d.verdict = Verdict::driver;
-    } else if (best_->families.empty() || is_of_time_alone()) {
+    } else if (d.equivalent.empty() || is_of_time_alone()) {
       d.verdict = Verdict::unexplained;
     } else {
       d.verdict = Verdict::equivalent;

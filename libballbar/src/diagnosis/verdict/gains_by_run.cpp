@@ -81,7 +81,7 @@ SetAt judged_apart(const Problem& problem, const Posterior& posterior, EffectSet
     there.variants = posterior.variants;
     SetAt at = set_at(problem, there, set);
     const Eigen::MatrixXd x = apart_by_run(at.white_columns(), gains, runs);
-    const double degrees = std::max(1.0, static_cast<double>(at.y.size() - x.cols()));
+    const double degrees = std::max(1.0, static_cast<double>(at.white_y.size() - x.cols()));
     const double variance = std::max(1e-300, freed(at.white_y, orthonormal(x)).squaredNorm() / degrees);
     const double log_p = -0.5 * there.points.front().filter.log_determinant() - 0.5 * degrees * std::log(variance);
     if (!(log_p > most)) continue;

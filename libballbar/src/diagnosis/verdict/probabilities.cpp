@@ -62,7 +62,8 @@ std::size_t single_of(const Posterior& posterior, std::size_t identity) {
 
 double log_bayes_factor_of_any(const Posterior& posterior) {
   const double none = std::clamp(posterior.none, 1e-300, 1.0 - 1e-12);
-  return std::log1p(-none) - std::log(none) - std::log((1.0 - kPriorOfNone) / kPriorOfNone);
+  const double prior = std::pow(kPriorOfNone, static_cast<double>(std::max<std::size_t>(1, posterior.effects.size())));
+  return std::log1p(-none) - std::log(none) - std::log((1.0 - prior) / prior);
 }
 
 }  // namespace ballbar

@@ -141,6 +141,14 @@ std::string open_text(const Diagnosis& d) {
   return text;
 }
 
+// " What drives it: T_room_degC (64 %)."
+std::string likely_drivers_text(const Diagnosis& d) {
+  std::vector<std::string> likely;
+  for (const Driver& driver : d.drivers)
+    likely.push_back(fmt::format("{} ({})", driver.column, percent_text(driver.p)));
+  return likely.empty() ? "" : fmt::format(" What drives it: {}.", fmt::join(likely, ", "));
+}
+
 std::string equivalent_text(const Diagnosis& d) {
   double size_um = 0.0;
   std::size_t effects = 0;
@@ -151,15 +159,11 @@ std::string equivalent_text(const Diagnosis& d) {
       if (one != nullptr && one->in_best_set) size_um = std::max(size_um, one->amplitude_um);
     }
   }
-  std::vector<std::string> likely;  // columns
-  for (const Driver& driver : d.drivers)
-    likely.push_back(fmt::format("{} ({})", driver.column, percent_text(driver.p)));
   return fmt::format("{} lacks something{}: {}{}; the data cannot tell {}. {}: {}.{}", model_text(d, "The"),
                      size_um > 0.0 ? fmt::format(" of about {} um", size_text(size_um)) : "",
                      sure_text(1.0 - d.p_nothing), where_text(d),
                      effects == 1 ? "for certain what it is" : fmt::format("which of {} effects it is", effects),
-                     effects == 1 ? "In question is" : "It may be", open_text(d),
-                     likely.empty() ? "" : fmt::format(" What drives it: {}.", fmt::join(likely, ", ")));
+                     effects == 1 ? "In question is" : "It may be", open_text(d), likely_drivers_text(d));
 }
 
 // "linear_drift, about 10.6 um": what goes with time alone.
@@ -184,8 +188,9 @@ std::string unexplained_text(const Diagnosis& d) {
     return fmt::format("{} lacks something that goes with time alone: {}{}. No logged column follows it.",
                        model_text(d, "The"), drifts, where_text(d));
   }
-  const std::string candidate = d.candidates.empty()
-                                    ? ""
+  const std::string drivers = likely_drivers_text(d);
+  const std::string candidate = !drivers.empty() || d.candidates.empty()
+                                    ? drivers
                                     : fmt::format(" Best candidate: {}, {}, not proven.", d.candidates.front().label,
                                                   percent_text(d.candidates.front().p));
   return fmt::format("Something is probably still missing in {} ({}), of the {} um that it leaves{}.{}",
