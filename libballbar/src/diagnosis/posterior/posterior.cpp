@@ -80,6 +80,7 @@ class Search {
     }
 
     std::vector<Found> found;
+    found.reserve(grid.size());
     for (const Covariance& one : grid) found.push_back(found_at(one, 0.0));
     ascend(found, !is_given);
     if (!is_given && problem_.model.level == Level::series) add_more(found);
@@ -92,6 +93,7 @@ class Search {
   std::vector<Covariance> likeliest_of(const std::vector<Covariance>& grid, const Variant& variant,
                                        const Identities& none) const {
     std::vector<Found> found;
+    found.reserve(grid.size());
     for (const Covariance& one : grid)
       found.push_back({point_at(problem_, one), kBackgrounds.back(), {}, kLogZero, {}});
     in_parallel(found.size(), [&](std::size_t g) {

@@ -102,6 +102,7 @@ std::vector<GainByRun> gains_by_run(const Problem& problem, const Posterior& pos
   const std::vector<GainColumn> gains = gain_columns(problem, posterior, set, found_at);
   if (gains.empty()) return differ;
   std::vector<Eigen::Index> columns;
+  columns.reserve(gains.size());
   for (const GainColumn& gain : gains) columns.push_back(gain.column);
   const SetAt at = judged_apart(problem, posterior, set, columns, runs);
   const Eigen::MatrixXd all = at.white_columns();
