@@ -6,7 +6,8 @@
 
 namespace ballbar {
 
-Series subsampled(const Series& data, const std::string& target, std::size_t most) {
+Series subsampled(const Series& data, const std::string& target, std::size_t most,
+                  std::span<const double> whole_about_s) {
   const std::vector<double>& values = find_column(data, target)->values;
   const auto known = static_cast<std::size_t>(
       std::count_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); }));
@@ -15,9 +16,21 @@ Series subsampled(const Series& data, const std::string& target, std::size_t mos
   Series result = data;
   const auto column =
       std::find_if(result.columns.begin(), result.columns.end(), [&](const Column& one) { return one.name == target; });
-  std::size_t count = 0;
-  for (double& value : column->values) {
-    if (!std::isnan(value) && count++ % each != 0) value = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    if (!std::isnan(values[row])) rows.push_back(row);
+  }
+  std::vector<char> is_kept(rows.size(), 0);
+  for (std::size_t k = 0; k < rows.size(); k += each) is_kept[k] = 1;
+  for (const double moment_s : whole_about_s) {
+    const auto after = static_cast<std::size_t>(
+        std::find_if(rows.begin(), rows.end(), [&](std::size_t row) { return data.time_s[row] > moment_s; }) -
+        rows.begin());
+    for (std::size_t k = after - std::min(after, 3 * each); k < std::min(rows.size(), after + 3 * each); ++k)
+      is_kept[k] = 1;
+  }
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (is_kept[k] == 0) column->values[rows[k]] = std::numeric_limits<double>::quiet_NaN();
   }
   return result;
 }

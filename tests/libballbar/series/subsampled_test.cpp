@@ -27,5 +27,17 @@ TEST(Subsampled, keeps_every_kth_value_of_the_target_and_all_inputs) {
   EXPECT_EQ(subsampled(data, "z_um", 5).columns[0].values[1], 3.0);
 }
 
+TEST(Subsampled, keeps_all_values_about_a_moment) {
+  Series data = by_hand::rows_of(40, 10.0);
+  data.columns = {{"z_um", Role::measured, std::vector<double>(40, 1.0)}};
+  const std::vector<double> moments{200.0};
+  const Series found = subsampled(data, "z_um", 20, moments);  // every second, and six to either side of 205 s
+  std::vector<double> kept_s;
+  for (std::size_t row = 0; row < 40; ++row) {
+    if (!std::isnan(found.columns[0].values[row]) && row % 2 == 1) kept_s.push_back(found.time_s[row]);
+  }
+  EXPECT_EQ(kept_s, (std::vector<double>{150.0, 170.0, 190.0, 210.0, 230.0, 250.0}));
+}
+
 }  // namespace
 }  // namespace ballbar

@@ -16,6 +16,7 @@ constexpr double kRises = 0.01;         // of the bound: less is no rise
 constexpr double kSameScatter = 0.005;  // ln of its variance
 constexpr double kSettled = 0.1;        // the same: the line is taken off anew
 constexpr int kMostSweeps = 40;
+constexpr double kHardlyThere = 0.2;    // P of a further single effect beside the others as they are
 constexpr double kNegligible = 1e-5;    // P of a shape that adds nothing to the mean
 constexpr std::size_t kRivals = 6;      // of a single effect, that are put in its place
 constexpr double kLeastRival = 1e-3;    // P of one
@@ -237,6 +238,7 @@ void converge(ColumnsAt& at, const Identities& identities, const AscentOptions& 
     if (same && ascent.bound - last < kRises) break;
     last = ascent.bound;
   }
+  if (std::abs(std::log(ascent.variance / at.settled)) < kSameScatter) return;
   settle(at, ascent, ascent.variance);
   sweep(at, identities, options, ascent);
   ascent.bound = bound_of(ascent, at, known);
@@ -262,6 +264,11 @@ Ascent ascended(ColumnsAt& at, const Identities& identities, const AscentOptions
     if (ascent.effects.size() > options.least && ascent.effects.back().p_any() < 0.5) break;
     ascent.effects.emplace_back();
     ascent.effects.back().curve = at.curve_of({});
+    fit_again(at, identities, prior_of(options, ascent.effects.size() - 1), ascent, ascent.effects.size() - 1);
+    if (ascent.effects.size() > options.least && ascent.effects.back().p_any() < kHardlyThere) {
+      ascent.bound = bound_of(ascent, at, options.known);  // the others stay as they are
+      break;
+    }
     converge(at, identities, options, ascent);
   }
   return ascent;

@@ -20,8 +20,8 @@ namespace {
 constexpr double kPriorOfBackground = 0.03;
 constexpr std::array<double, 2> kBackgrounds{6.0, 20.0};  // d of all of it together
 constexpr std::size_t kNoisesBesideMore = 3;  // the likeliest, with a discrepancy or a background beside them
-constexpr double kFarFromBest = 9.0;          // ln: covariances this far are left out
-constexpr double kFarFromOthers = 12.0;       // ln: covariances this far are not looked at twice
+constexpr double kFarFromBest = 7.0;          // ln: covariances this far are left out
+constexpr double kFarFromOthers = 8.0;        // ln: covariances this far are not looked at twice
 constexpr double kLikely = 0.05;              // P of an identity that carries weight
 constexpr int kRelinearised = 3;              // times
 constexpr double kSameModel = 0.02;           // of a shape's reach

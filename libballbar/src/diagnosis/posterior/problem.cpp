@@ -198,7 +198,7 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   auto problem = std::make_unique<Problem>();
   problem->model = model;
   const std::string& name = model.targets.at(target);
-  const Series rows = subsampled(data, name, options.most_rows);
+  const Series rows = subsampled(data, name, options.most_rows, options.whole_about_s);
   problem->logged = logged_inputs(rows, model.targets);
   problem->base = base_fit(model, problem->logged.series, target);
   const Fit& base = problem->base;

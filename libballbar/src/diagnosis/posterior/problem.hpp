@@ -62,15 +62,16 @@ struct ProblemOptions {
   SignatureOptions signatures;
   Catalogue catalogue;
   std::size_t most_rows = 1000;         // values of the target
+  std::vector<double> whole_about_s;    // about these moments all of its values
   std::vector<Covariance> covariances;  // looked at; none: all of covariance_grid
 };
 
 Point point_at(const Problem& problem, const Covariance& covariance);
 
-// Of the scatter: what a logger makes of readings of this size.
 // Where the least-squares fit has the model's parameters, of readings less `centre_um`.
 std::vector<double> fitted_parameters(const Problem& problem);
 
+// Of the scatter: what a logger makes of readings of this size.
 double least_variance_of(const Problem& problem);
 
 // Row by row what the logs leave open of jumps: rows strictly inside the time of a jump; wide: those at its ends as

@@ -83,6 +83,23 @@ bool weigh_down_outliers(Problem& problem, const EffectSet& set, const SetAt& at
   return any;
 }
 
+// Of a long series every k-th value is weighed: where the best set has jumps, all values about them. False: all are
+// weighed already.
+bool weigh_all_about_jumps(Weighed& weighed, const Model& model, const Series& data, std::size_t target,
+                           ProblemOptions options) {
+  const Problem& problem = *weighed.problem;
+  const EffectSet& best = weighed.posterior.sets[weighed.posterior.best];
+  for (std::size_t m = 0; m < best.families.size(); ++m) {
+    if (jumps(problem, best.families[m]))
+      options.whole_about_s.push_back(problem.library.signatures[best.signatures[m]].point[1]);
+  }
+  if (options.whole_about_s.empty()) return false;
+  std::unique_ptr<Problem> whole = problem_of(model, data, target, options);
+  if (whole->time_s.size() == problem.time_s.size()) return false;
+  weighed.problem = std::move(whole);
+  return true;
+}
+
 std::vector<ProbableSoFar> probable_so_far(const Problem& problem, const std::vector<double>& p) {
   std::vector<ProbableSoFar> effects;
   for (std::size_t f = 0; f < problem.effects; ++f) effects.push_back({problem.library.families[f].bound, p[f]});
@@ -97,20 +114,25 @@ Weighed weighed(const Model& model, const Series& data, std::size_t target, cons
                 const Told& told) {
   Weighed result;
   result.problem = problem_of(model, data, target, options);
-  Problem& problem = *result.problem;
-  const std::size_t values = problem.time_s.size(), parameters = used_parameters(problem.base).size();
+  const Problem& first = *result.problem;
+  const std::size_t values = first.time_s.size(), parameters = used_parameters(first.base).size();
   if (values > parameters) result.largest = std::min(kMostEffects, (values - parameters) / kValuesForAnEffect);
-  result.is_still = !(problem.y.squaredNorm() > kStill_um * kStill_um * static_cast<double>(problem.y.size()));
+  result.is_still = !(first.y.squaredNorm() > kStill_um * kStill_um * static_cast<double>(first.y.size()));
   if (result.largest == 0 || result.is_still) return result;
   std::set<const Effect*> effects;
-  for (std::size_t f = 0; f < problem.effects; ++f) effects.insert(problem.library.families[f].bound.effect);
+  for (std::size_t f = 0; f < first.effects; ++f) effects.insert(first.library.families[f].bound.effect);
   const auto tell = [&](std::string_view step) {
     if (told.step) told.step(step);
   };
   std::function<void(const std::vector<double>&)> tell_so_far;
-  if (told.so_far) tell_so_far = [&](const std::vector<double>& p) { told.so_far(probable_so_far(problem, p)); };
-  tell(fmt::format("weighing {} shapes of {} effects", problem.library.signatures.size(), effects.size()));
-  result.posterior = posterior_of(problem, result.largest, tell_so_far);
+  if (told.so_far) tell_so_far = [&](const std::vector<double>& p) { told.so_far(probable_so_far(*result.problem, p)); };
+  tell(fmt::format("weighing {} shapes of {} effects", first.library.signatures.size(), effects.size()));
+  result.posterior = posterior_of(*result.problem, result.largest, tell_so_far);
+  if (weigh_all_about_jumps(result, model, data, target, options)) {
+    tell("weighing again, every value about a jump");
+    result.posterior = posterior_of(*result.problem, result.largest, tell_so_far);
+  }
+  Problem& problem = *result.problem;
   const EffectSet& best = result.posterior.sets[result.posterior.best];
   const SetAt at = set_at(problem, result.posterior, best);
   const bool late = model.level == Level::series && has_late_clock(problem, result.posterior, at);
