@@ -14,6 +14,7 @@
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/posterior/identities.hpp"
 #include "diagnosis/posterior/set_at.hpp"
+#include "diagnosis/posterior/shock.hpp"
 #include "fit/linearised_fit.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
@@ -56,22 +57,26 @@ bool has_late_clock(const Problem& problem, const Posterior& posterior, const Se
   return false;
 }
 
-// What a set leaves, white, in units of the scatter; without_jumps: and its jumps.
-Eigen::VectorXd left_by(const Problem& problem, const EffectSet& set, const SetAt& at, bool without_jumps) {
+// What a set without these members leaves, white, in units of the scatter.
+Eigen::VectorXd left_by(const SetAt& at, const std::vector<std::size_t>& without) {
   Eigen::MatrixXd all = at.white_line;
-  for (std::size_t m = 0; m < set.families.size(); ++m) {
-    if (without_jumps && jumps(problem, set.families[m])) continue;
+  for (std::size_t m = 0; m < at.first.size(); ++m) {
+    if (std::find(without.begin(), without.end(), m) != without.end()) continue;
     all.conservativeResize(Eigen::NoChange, all.cols() + at.width[m]);
     all.rightCols(at.width[m]) = at.white_members.middleCols(at.first[m], at.width[m]);
   }
   return freed(at.white_y, orthonormal(all)).head(at.y.size()) / std::sqrt(at.variance);
 }
 
-// Readings far from the others count less, as in Student's t with four degrees of freedom. How far is judged without
-// the jumps of the set: one reading far off is no jump. False: there are none.
-bool weigh_down_outliers(Problem& problem, const EffectSet& set, const SetAt& at) {
-  if (!has_heavy_tails(left_by(problem, set, at, false))) return false;
-  const Eigen::VectorXd r = left_by(problem, set, at, true);
+// Readings far from the others count less, as in Student's t with four degrees of freedom. A jump that may be one large
+// change of the noise is such a reading. False: there are none.
+bool weigh_down_outliers(Problem& problem, const Posterior& posterior, const EffectSet& set, const SetAt& at) {
+  if (!has_heavy_tails(left_by(at, {}))) return false;
+  std::vector<std::size_t> shocks;
+  for (std::size_t m = 0; m < set.families.size(); ++m) {
+    if (may_be_shock(problem, posterior, set, at, m)) shocks.push_back(m);
+  }
+  const Eigen::VectorXd r = left_by(at, shocks);
   bool any = false;
   for (Eigen::Index i = 0; i < r.size(); ++i) {
     const double weight = (r[i] * r[i] + 4.0) / 5.0;
@@ -137,7 +142,7 @@ Weighed weighed(const Model& model, const Series& data, std::size_t target, cons
   const SetAt at = set_at(problem, result.posterior, best);
   const bool late = model.level == Level::series && has_late_clock(problem, result.posterior, at);
   if (late) free_rows_at_jumps(problem, true);
-  const bool outliers = weigh_down_outliers(problem, best, at);
+  const bool outliers = weigh_down_outliers(problem, result.posterior, best, at);
   if (!late && !outliers) return result;
   tell(late ? "weighing again without the rows at changes of an input" : "weighing again, outliers less");
   result.posterior = posterior_of(problem, result.largest, tell_so_far);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "diagnosis/posterior/set_at.hpp"
+#include "diagnosis/posterior/shock.hpp"
 #include "diagnosis/posterior/weighed.hpp"
 #include "diagnosis/signatures/detectability.hpp"
 #include "diagnosis/verdict/diagnosis_at.hpp"
@@ -24,7 +25,6 @@
 namespace ballbar {
 namespace {
 
-constexpr double kStays = 4.4;          // chi^2: a jump is nine times as likely as what dies away
 constexpr std::size_t kMostShown = 12;  // candidates
 constexpr double kCancelled = 1.5;      // amplitude of a member, of that of all together
 
@@ -105,21 +105,33 @@ class Decision {
     return std::move(result_);
   }
 
+  // Of the effects of the machine the one that shows worst, each in the middle of its shapes.
+  void find_what_could_hide(const Projected& seen) {
+    result_.hidden_um = 0.0;
+    for (std::size_t f = 0; f < problem().effects; ++f) {
+      const Effect& effect = *family(f).bound.effect;
+      if (effect.time_only || (effect.level == Level::series && !effect.rules.hidden_in_challenges)) continue;
+      std::vector<double> all_um;
+      for (const std::size_t i : shapes_of(family(f))) {
+        const double um = detectable_um(problem().library, seen, i, kFound);
+        if (seen.share[i] >= kAbsorbed && std::isfinite(um)) all_um.push_back(um);
+      }
+      if (all_um.empty()) continue;
+      const auto middle = all_um.begin() + static_cast<std::ptrdiff_t>(all_um.size() / 2);
+      std::nth_element(all_um.begin(), middle, all_um.end());
+      if (*middle <= result_.hidden_um) continue;
+      result_.hidden_um = *middle;
+      result_.hidden = family(f).bound;
+    }
+  }
+
   std::vector<Detectability> detectability_by(const Noise& noise) {
     const Fit& base = problem().base;
     const Eigen::VectorXd residual =
         Eigen::VectorXd::Map(base.residual_um.data(), static_cast<Eigen::Index>(base.residual_um.size()));
     const Projected seen =
         projected(problem().library, residual, model_columns(base), Whitening(noise, base.time_s, base.sigma_um));
-    result_.hidden_um = 0.0;
-    for (std::size_t i = 0; i < problem().library.signatures.size(); ++i) {
-      const std::size_t f = problem().library.signatures[i].family;
-      if (f >= problem().effects || family(f).bound.effect->time_only || seen.share[i] < kAbsorbed) continue;
-      const double um = detectable_um(problem().library, seen, i, kFound);
-      if (!std::isfinite(um) || um <= result_.hidden_um) continue;
-      result_.hidden_um = um;
-      result_.hidden = family(f).bound;
-    }
+    find_what_could_hide(seen);
     return detectability_but(options_.search,
                              detectability_of(options_.search.catalogue, problem().library, seen, model_,
                                               problem().logged.series, options_.search.motion));
@@ -182,7 +194,7 @@ class Decision {
       one.minor = one.amplitude_um < std::max(kMinor * problem().base.rmse_um, options_.tolerance_um);
       if (!(one.likelihood_ratio >= kLeastLikelihoodRatio))
         one.doubts.emplace_back("it makes the readings hardly more likely");
-      if (may_be_one_change_of_noise(m, one))
+      if (may_be_shock(problem(), posterior(), *best_, at_, m))
         one.doubts.emplace_back("one large change of the noise would do nearly as well");
       if (reads_an_open_form(best_->families[m]))
         one.doubts.emplace_back("more of the same column is missing, of no form that the catalogue has");
@@ -190,40 +202,6 @@ class Decision {
         one.doubts.emplace_back("another effect of the set nearly cancels it");
       result_.candidates.push_back(std::move(one));
     }
-  }
-
-  // Whether one large change of the noise, which dies away over its memory, would do nearly as well as a jump that
-  // stays: level shift against innovational outlier (Chen and Liu 1993), judged by what each takes away of chi^2.
-  bool may_be_one_change_of_noise(std::size_t m, const Candidate& one) {
-    const auto onset = std::find_if(one.parameters.begin(), one.parameters.end(), [](const FittedParameter& parameter) {
-      return parameter.shape_of == ShapeOf::onset;
-    });
-    const Point& point = posterior().points[best_->point];
-    if (onset == one.parameters.end() || !one.bound.effect->time_only || model_.level != Level::series) return false;
-    if (!(point.covariance.correlated > 0.0)) return false;
-    if (!std::is_sorted(problem().time_s.begin(), problem().time_s.end())) return false;  // several runs
-    const Eigen::MatrixXd basis = orthonormal(at_.white_columns_but(m));
-    const Eigen::VectorXd left = freed(at_.white_y, basis);
-    const std::vector<double>& time_s = problem().time_s;
-    const auto after = std::upper_bound(time_s.begin(), time_s.end(), onset->value) - time_s.begin();
-    const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, after - 1),
-                         end = std::min<std::ptrdiff_t>(std::ssize(time_s), after + 2);
-    Eigen::MatrixXd dying = Eigen::MatrixXd::Zero(at_.y.size(), end - first);
-    for (std::ptrdiff_t row = first; row < end; ++row) {
-      for (Eigen::Index i = row; i < dying.rows(); ++i) {
-        const double since_s = time_s[static_cast<std::size_t>(i)] - time_s[static_cast<std::size_t>(row)];
-        dying(i, row - first) = std::exp(-since_s / point.covariance.time_s);
-      }
-    }
-    const auto fall = [&](const Eigen::VectorXd& white) {
-      const double square = white.squaredNorm();
-      return square > 0.0 ? std::pow(white.dot(left), 2) / square / at_.variance : 0.0;
-    };
-    double most = 0.0;
-    const Eigen::MatrixXd white = freed(at_.white(point.filter, dying), basis);
-    for (Eigen::Index k = 0; k < white.cols(); ++k) most = std::max(most, fall(white.col(k)));
-    const Eigen::VectorXd jump = at_.white_members.col(at_.first[m]);
-    return fall(freed(jump, basis)) < most + kStays;
   }
 
   // Whether a single effect is likelier an input of a form that the catalogue does not have than one that it has.

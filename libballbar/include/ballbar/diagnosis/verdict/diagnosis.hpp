@@ -90,7 +90,7 @@ struct Diagnosis {
   double discrepancy_um = 0.0;        // its standard deviation, where it is most likely
   Noise noise;                        // beside the best set
   std::vector<Candidate> candidates;  // the best set first, then by P; at most 12
-  double hidden_um = 0.0;             // amplitude up to which some effect could hide: of the one that shows worst
+  double hidden_um = 0.0;             // up to which an effect of the machine could hide: that which shows worst, in the middle of its shapes
   BoundEffect hidden;                 // that effect
   double rmse_after_um = 0.0;         // with the best set
   std::size_t searched_effects = 0;
