@@ -111,18 +111,21 @@ class Search {
     const std::vector<double> fit = fitted_parameters(problem_);
     std::vector<Variant> starts{variant_at(problem_, 0, fit)};
     pilots_ = likeliest_of(grid, starts.front(), restricted(identities_of(problem_, starts.front()), {}));
+    const auto add = [&](const Point& point, std::vector<double> from, int rounds) {
+      const Refined there = refined(*problem_.base_model, std::move(from), {}, starts.front().times, point.filter,
+                                    problem_.known, rounds);
+      if (std::all_of(starts.begin(), starts.end(), [&](const Variant& other) {
+            return is_elsewhere(problem_, other, there.parameters, kOtherStart);
+          }))
+        starts.push_back(variant_at(problem_, 0, there.parameters));
+    };
+    const std::vector<double> usual = with_times(problem_, fit, kUsualTime_s);
     for (const Covariance& one : pilots_) {
       const Point point = point_at(problem_, one);
-      for (const bool elsewhere : {false, true}) {
-        std::vector<double> from = elsewhere ? with_times(problem_, fit, kUsualTime_s) : fit;
-        const Refined refined_there =
-            refined(*problem_.base_model, std::move(from), {}, starts.front().times, point.filter, problem_.known, 12);
-        if (std::all_of(starts.begin(), starts.end(), [&](const Variant& other) {
-              return is_elsewhere(problem_, other, refined_there.parameters, kOtherStart);
-            }))
-          starts.push_back(variant_at(problem_, 0, refined_there.parameters));
-      }
+      for (const std::vector<double>& from : {fit, usual}) add(point, from, 12);
     }
+    // What is missing draws the times away: there they may be once it is in the sum.
+    add(point_at(problem_, pilots_.front()), usual, 0);
     for (OwnParameter& own : problem_.own) starts.push_back(beside_own(own, fit, starts.front().times));
     for (Variant& variant : starts) take_if_better(std::move(variant));
   }
