@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "ballbar/numerics/parallel.hpp"
@@ -199,17 +200,38 @@ class Search {
     if (own) return relinearise_own(problem_.own[*own], *own, signatures);
     Beside beside = parameters_beside(problem_, *variant_, signatures, best_.point);
     if (!signatures.empty()) beside = sharpened(problem_, *variant_, std::move(beside), best_.point);
+    std::vector<Beside> all{beside};
     for (const auto& [place, others] : rivals) {
       for (const std::size_t rival : others) {
         Beside other{beside.signatures, beside.parameters, {}};
         other.signatures[place] = rival;
-        sharpened(problem_, *variant_, std::move(other), best_.point);
+        all.push_back(sharpened(problem_, *variant_, std::move(other), best_.point));
       }
     }
     const bool is_new = problem_.library.signatures.size() > before;
     if (!is_new && !is_elsewhere(problem_, *variant_, beside.parameters, kSameModel)) return false;
-    Eigen::MatrixXd times = times_beside(problem_, beside);
-    return take_if_better(variant_at(problem_, 0, std::move(beside.parameters), std::move(times)));
+    return take_if_better(likeliest_beside(all));
+  }
+
+  // The model beside one of these sets. What logs leave open of the times of its inputs is that of its own effects, so
+  // that a rival is likelier beside itself than beside another.
+  Variant likeliest_beside(const std::vector<Beside>& all) const {
+    std::set<std::size_t> few;
+    for (const Beside& one : all) {
+      for (const std::size_t i : one.signatures) few.insert(problem_.library.signatures[i].family);
+    }
+    std::vector<Variant> variants;
+    for (const Beside& one : all)
+      variants.push_back(variant_at(problem_, 0, one.parameters, times_beside(problem_, one)));
+    if (variants.size() == 1) return std::move(variants.front());
+    std::vector<double> log_weight(variants.size());
+    in_parallel(variants.size(), [&](std::size_t v) {
+      const Identities identities = restricted(identities_of(problem_, variants[v]), {few.begin(), few.end()});
+      ColumnsAt at(problem_, identities, variants[v], best_.point, {});
+      log_weight[v] = ascended(at, identities, options_of(problem_, identities, largest_)).bound;
+    });
+    return std::move(variants[static_cast<std::size_t>(std::max_element(log_weight.begin(), log_weight.end()) -
+                                                       log_weight.begin())]);
   }
 
   // The held value that is likelier another one than not.
