@@ -130,7 +130,8 @@ Weighed weighed(const Model& model, const Series& data, std::size_t target, cons
     if (told.step) told.step(step);
   };
   std::function<void(const std::vector<double>&)> tell_so_far;
-  if (told.so_far) tell_so_far = [&](const std::vector<double>& p) { told.so_far(probable_so_far(*result.problem, p)); };
+  if (told.so_far)
+    tell_so_far = [&](const std::vector<double>& p) { told.so_far(probable_so_far(*result.problem, p)); };
   tell(fmt::format("weighing {} shapes of {} effects", first.library.signatures.size(), effects.size()));
   result.posterior = posterior_of(*result.problem, result.largest, tell_so_far);
   if (weigh_all_about_jumps(result, model, data, target, options)) {

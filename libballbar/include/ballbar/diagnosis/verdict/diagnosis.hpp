@@ -13,7 +13,8 @@
 // On recordings a cycle is a recording, of one alone a quarter of its sweep. What surrogates say of an effect is told
 // (candidate.hpp), and does not decide.
 //
-// Of more than 1000 values of the target every second, third ... is weighed; figures of the effects are of those.
+// Of more than 1000 values of the target every second, third ... is weighed, and all about a jump that is found; figures
+// of the effects are of those.
 #pragma once
 
 #include <cstddef>
@@ -90,9 +91,10 @@ struct Diagnosis {
   double discrepancy_um = 0.0;        // its standard deviation, where it is most likely
   Noise noise;                        // beside the best set
   std::vector<Candidate> candidates;  // the best set first, then by P; at most 12
-  double hidden_um = 0.0;             // up to which an effect of the machine could hide: that which shows worst, in the middle of its shapes
-  BoundEffect hidden;                 // that effect
-  double rmse_after_um = 0.0;         // with the best set
+  double hidden_um =
+      0.0;  // up to which an effect of the machine could hide: that which shows worst, in the middle of its shapes
+  BoundEffect hidden;          // that effect
+  double rmse_after_um = 0.0;  // with the best set
   std::size_t searched_effects = 0;
   std::vector<Detectability> detectability;  // what the data could show, as preflight
   std::vector<std::string> reasons;          // why not `named`; whole sentences
