@@ -247,7 +247,8 @@ class Decision {
           if (i < problem().effects) group.push_back(family(i).bound);
         }
         if (std::find(group.begin(), group.end(), one.bound) == group.end()) group.push_back(one.bound);
-        if (!is_of_any_form(l)) d.equivalent.push_back(std::move(group));
+        const bool is_told = std::find(d.equivalent.begin(), d.equivalent.end(), group) != d.equivalent.end();
+        if (!is_of_any_form(l) && !is_told) d.equivalent.push_back(std::move(group));
       }
       for (const GainByRun& gain : d.gains_by_run) {
         if (gain.effect == one.label)
