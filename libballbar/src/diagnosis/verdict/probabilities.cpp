@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace ballbar {
 namespace {
@@ -53,9 +54,13 @@ std::vector<std::size_t> credible_set(const SinglePosterior& effect) {
 }
 
 std::size_t single_of(const Posterior& posterior, std::size_t identity) {
+  const auto strength = [&](std::size_t l) {
+    const SinglePosterior& one = posterior.effects[l];
+    return std::pair(one.p_any() >= 0.5, one.p[identity]);
+  };
   std::size_t best = 0;
   for (std::size_t l = 1; l < posterior.effects.size(); ++l) {
-    if (posterior.effects[l].p[identity] > posterior.effects[best].p[identity]) best = l;
+    if (strength(l) > strength(best)) best = l;
   }
   return best;
 }
