@@ -6,6 +6,8 @@
 
 namespace ballbar {
 
+constexpr std::size_t kMostAbout = 120;  // values about a moment
+
 Series subsampled(const Series& data, const std::string& target, std::size_t most,
                   std::span<const double> whole_about_s) {
   const std::vector<double>& values = find_column(data, target)->values;
@@ -26,8 +28,8 @@ Series subsampled(const Series& data, const std::string& target, std::size_t mos
     const auto after = static_cast<std::size_t>(
         std::find_if(rows.begin(), rows.end(), [&](std::size_t row) { return data.time_s[row] > moment_s; }) -
         rows.begin());
-    for (std::size_t k = after - std::min(after, 3 * each); k < std::min(rows.size(), after + 3 * each); ++k)
-      is_kept[k] = 1;
+    const std::size_t first = after - std::min(after, 3 * each), end = std::min(rows.size(), after + 3 * each);
+    for (std::size_t k = first; k < end; k += 1 + (end - first) / kMostAbout) is_kept[k] = 1;
   }
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (is_kept[k] == 0) column->values[rows[k]] = std::numeric_limits<double>::quiet_NaN();

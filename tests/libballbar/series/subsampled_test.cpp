@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "diagnosis/by_hand.hpp"
@@ -37,6 +38,18 @@ TEST(Subsampled, keeps_all_values_about_a_moment) {
     if (!std::isnan(found.columns[0].values[row]) && row % 2 == 1) kept_s.push_back(found.time_s[row]);
   }
   EXPECT_EQ(kept_s, (std::vector<double>{150.0, 170.0, 190.0, 210.0, 230.0, 250.0}));
+}
+
+// 30000 values to either side of the moment would be whole: 120 are kept.
+TEST(Subsampled, keeps_no_more_about_a_moment_of_a_very_long_series) {
+  Series data = by_hand::rows_of(100000, 1.0);
+  data.columns = {{"z_um", Role::measured, std::vector<double>(100000, 1.0)}};
+  const std::vector<double> moments{50000.0};
+  const std::vector<double> kept = subsampled(data, "z_um", 10, moments).columns[0].values;
+  const auto count = kept.size() - static_cast<std::size_t>(std::count_if(
+                                       kept.begin(), kept.end(), [](double value) { return std::isnan(value); }));
+  EXPECT_GT(count, 110U);
+  EXPECT_LE(count, 130U);
 }
 
 }  // namespace

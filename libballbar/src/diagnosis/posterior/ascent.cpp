@@ -238,7 +238,7 @@ void converge(ColumnsAt& at, const Identities& identities, const AscentOptions& 
     if (same && ascent.bound - last < kRises) break;
     last = ascent.bound;
   }
-  if (std::abs(std::log(ascent.variance / at.settled)) < kSameScatter) return;
+  if (last > kLogZero && std::abs(std::log(ascent.variance / at.settled)) < kSameScatter) return;
   settle(at, ascent, ascent.variance);
   sweep(at, identities, options, ascent);
   ascent.bound = bound_of(ascent, at, known);

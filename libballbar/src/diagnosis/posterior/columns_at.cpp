@@ -1,6 +1,5 @@
 #include "diagnosis/posterior/columns_at.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>

@@ -100,9 +100,16 @@ Identities identities_of(const Problem& problem, const Variant& variant) {
           result.shapes.push_back(
               {i, result.columns.cols() + static_cast<Eigen::Index>(row), 1, 0.0, kNoSignature, 0.0});
       }
-      const double count = static_cast<double>(result.shapes.size() - result.first.back());
+      // At any time alike: of a row by the time since the row before it.
+      double all_s = 0.0;
+      for (std::size_t s = result.first.back(); s < result.shapes.size(); ++s) {
+        const auto row = static_cast<std::size_t>(result.shapes[s].first - result.columns.cols());
+        const double since_s = problem.time_s[row] - problem.time_s[row - 1];
+        all_s += since_s;
+        result.shapes[s].log_prior = std::log(since_s);
+      }
       for (std::size_t s = result.first.back(); s < result.shapes.size(); ++s)
-        result.shapes[s].log_prior = -std::log(count);
+        result.shapes[s].log_prior -= std::log(all_s);
     } else if (i < result.families) {
       std::vector<double> log_priors, log_priors_of_grid;
       for (const std::size_t s : shapes_of(library.families[i])) {

@@ -125,7 +125,7 @@ class Search {
       const Point point = point_at(problem_, one);
       for (const std::vector<double>& from : {fit, usual}) add(point, from, 12);
     }
-    // What is missing draws the times away: there they may be once it is in the sum.
+    // A missing effect pulls the fitted times away: once from usual ones, as they are.
     add(point_at(problem_, pilots_.front()), usual, 0);
     for (OwnParameter& own : problem_.own) starts.push_back(beside_own(own, fit, starts.front().times));
     for (Variant& variant : starts) take_if_better(std::move(variant));
@@ -221,6 +221,7 @@ class Search {
       for (const std::size_t i : one.signatures) few.insert(problem_.library.signatures[i].family);
     }
     std::vector<Variant> variants;
+    variants.reserve(all.size());
     for (const Beside& one : all)
       variants.push_back(variant_at(problem_, 0, one.parameters, times_beside(problem_, one)));
     if (variants.size() == 1) return std::move(variants.front());
@@ -417,7 +418,7 @@ class Search {
     const double total = std::accumulate(weight.begin(), weight.end(), 0.0);
     for (double& one : weight) one /= total;
     const std::size_t count = identities_.log_prior.size();
-    for (Found& one : found) align(found.front().ascent.effects, count, one.ascent.effects);
+    for (std::size_t g = 1; g < found.size(); ++g) align(found.front().ascent.effects, count, found[g].ascent.effects);
     std::size_t effects = 0;
     for (const Found& one : found) effects = std::max(effects, one.ascent.effects.size());
     result.effects.assign(effects, {std::vector<double>(count, 0.0)});

@@ -32,6 +32,7 @@ struct EffectSet {
   // Where it is likeliest:
   std::vector<std::size_t> signatures;
   std::size_t point = 0, variant = 0;
+  std::vector<std::size_t> single;  // of each family the single effect that it is; empty of a set that was asked for
 };
 
 struct Posterior {

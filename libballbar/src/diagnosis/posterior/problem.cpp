@@ -15,7 +15,8 @@ namespace ballbar {
 namespace {
 
 constexpr double kTemperatureJump = 0.2;  // of its range, from row to row
-constexpr double kMostJumps = 0.02;       // of the rows
+constexpr double kMostJumps = 0.02;       // of the rows, and in any case as many as
+constexpr double kFewJumps = 5.0;
 constexpr std::size_t kRowsBesideJump = 2;
 
 // Effects alike, columns of an effect alike.
@@ -105,7 +106,8 @@ std::vector<char> rows_of_temperature_jumps(const Series& data, const std::vecto
     };
     std::size_t count = 0;
     for (std::size_t k = 1; k < rows.size(); ++k) count += jumps(k) ? 1 : 0;
-    if (static_cast<double>(count) > kMostJumps * static_cast<double>(rows.size())) continue;  // it is noise
+    if (static_cast<double>(count) > std::max(kFewJumps, kMostJumps * static_cast<double>(rows.size())))
+      continue;  // it is noise
     for (std::size_t k = 1; k < rows.size(); ++k) {
       if (!jumps(k)) continue;
       const std::size_t first = k > kRowsBesideJump ? k - kRowsBesideJump : 0,

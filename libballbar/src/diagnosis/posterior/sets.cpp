@@ -1,6 +1,7 @@
 #include "diagnosis/posterior/sets.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -99,6 +100,12 @@ Given given_of(const Problem& problem, const Posterior& posterior, const std::ve
         if (std::find(result.covariances.begin(), result.covariances.end(), one) == result.covariances.end())
           result.covariances.push_back(one);
       }
+      // A discrepancy that is unlikely beside the likeliest set may be likely beside this one.
+      for (Covariance one : with_discrepancy(posterior.points.front().covariance, problem.time_s)) {
+        one.log_prior += std::log(kPriorOfDiscrepancy);
+        if (std::find(result.covariances.begin(), result.covariances.end(), one) == result.covariances.end())
+          result.covariances.push_back(one);
+      }
     }
   }
   AscentOptions options;
@@ -159,7 +166,7 @@ void add_sets(Problem& problem, const Identities& identities, const Ascent& like
   for (Drawn& one : drawn(choices_of(posterior, problem.effects, families))) all.push_back(std::move(one));
   for (std::size_t d = 0; d < all.size(); ++d) {
     EffectSet set;
-    std::vector<std::pair<std::size_t, std::size_t>> members;  // family, signature
+    std::vector<std::array<std::size_t, 3>> members;  // family, signature, single effect
     bool is_whole = true;
     for (std::size_t l = 0; l < all[d].identities.size(); ++l) {
       const std::size_t identity = all[d].identities[l];
@@ -172,16 +179,17 @@ void add_sets(Problem& problem, const Identities& identities, const Ascent& like
         set.variant = variant_of_own(problem, posterior, set.own - 1, identities.shapes[shape].value);
         continue;
       }
-      if (std::any_of(members.begin(), members.end(), [&](const auto& one) { return one.first == identity; })) continue;
+      if (std::any_of(members.begin(), members.end(), [&](const auto& one) { return one[0] == identity; })) continue;
       const auto signature = signature_of(problem, identities, shape);
       is_whole = is_whole && signature;
-      if (signature) members.emplace_back(identity, *signature);
+      if (signature) members.push_back({identity, *signature, l});
     }
     if (!is_whole) continue;
     std::sort(members.begin(), members.end());
-    for (const auto& [family, signature] : members) {
+    for (const auto& [family, signature, single] : members) {
       set.families.push_back(family);
       set.signatures.push_back(signature);
+      set.single.push_back(single);
     }
     const auto [known, is_new] = place.try_emplace({set.families, set.own}, posterior.sets.size());
     const double p = std::max(1e-300, all[d].p);

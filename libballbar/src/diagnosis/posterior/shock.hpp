@@ -8,8 +8,8 @@
 
 namespace ballbar {
 
-// Whether a member of a set is a jump, and such a change at its moment would do nearly as well: chi^2 of the jump is
-// less by under 4.4, which is nine to one.
+// Whether a member of a set begins at a moment (time alone, an onset), and such a change there would do nearly as well:
+// chi^2 of the member is less by under 4.4, which is nine to one.
 bool may_be_shock(const Problem& problem, const Posterior& posterior, const EffectSet& set, const SetAt& at,
                   std::size_t member);
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -88,20 +87,21 @@ bool weigh_down_outliers(Problem& problem, const Posterior& posterior, const Eff
   return any;
 }
 
-// Of a long series every k-th value is weighed: where the best set has jumps, all values about them. False: all are
-// weighed already.
+// Of a long series every k-th value is weighed: where the best set has jumps, all values about them. False: it has
+// none, or all are weighed already.
 bool weigh_all_about_jumps(Weighed& weighed, const Model& model, const Series& data, std::size_t target,
                            ProblemOptions options) {
   const Problem& problem = *weighed.problem;
+  const std::vector<double>& values = find_column(data, model.targets[target])->values;
+  const auto known = std::count_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
+  if (static_cast<std::size_t>(known) <= options.most_rows) return false;
   const EffectSet& best = weighed.posterior.sets[weighed.posterior.best];
   for (std::size_t m = 0; m < best.families.size(); ++m) {
     if (jumps(problem, best.families[m]))
       options.whole_about_s.push_back(problem.library.signatures[best.signatures[m]].point[1]);
   }
   if (options.whole_about_s.empty()) return false;
-  std::unique_ptr<Problem> whole = problem_of(model, data, target, options);
-  if (whole->time_s.size() == problem.time_s.size()) return false;
-  weighed.problem = std::move(whole);
+  weighed.problem = problem_of(model, data, target, options);
   return true;
 }
 

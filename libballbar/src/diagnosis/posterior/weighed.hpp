@@ -27,8 +27,8 @@ struct Told {
   std::function<void(const std::vector<ProbableSoFar>&)> so_far;
 };
 
-// Where clocks prove late, or readings lie far from the others, once more without what that spoils. Throws Error as fit
-// does.
+// Once more with every value about a jump that is found; and where clocks prove late, or readings lie far from the
+// others, without what that spoils. Throws Error as fit does.
 Weighed weighed(const Model& model, const Series& data, std::size_t target, const ProblemOptions& options,
                 const Told& told = {});
 

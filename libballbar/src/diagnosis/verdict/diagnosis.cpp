@@ -20,7 +20,6 @@
 #include "diagnosis/verdict/tested_member.hpp"
 #include "fit/linearised_fit.hpp"
 #include "noise/whitening.hpp"
-#include "numerics/orthonormal.hpp"
 
 namespace ballbar {
 namespace {
@@ -105,14 +104,14 @@ class Decision {
     return std::move(result_);
   }
 
-  // Of the effects of the machine the one that shows worst, each in the middle of its shapes.
+  // Of the effects that blind challenges hide the one that shows worst, each in the middle of the shapes of its grid.
   void find_what_could_hide(const Projected& seen) {
     result_.hidden_um = 0.0;
     for (std::size_t f = 0; f < problem().effects; ++f) {
       const Effect& effect = *family(f).bound.effect;
       if (effect.time_only || (effect.level == Level::series && !effect.rules.hidden_in_challenges)) continue;
       std::vector<double> all_um;
-      for (const std::size_t i : shapes_of(family(f))) {
+      for (std::size_t i = family(f).first; i < family(f).first + family(f).count; ++i) {
         const double um = detectable_um(problem().library, seen, i, kFound);
         if (seen.share[i] >= kAbsorbed && std::isfinite(um)) all_um.push_back(um);
       }
@@ -204,7 +203,7 @@ class Decision {
     }
   }
 
-  // Whether a single effect is likelier an input of a form that the catalogue does not have than one that it has.
+  // Whether a single effect is likelier an input of any form than an effect of the catalogue.
   bool is_of_any_form(std::size_t l) const {
     const std::vector<double>& p = posterior().effects[l].p;
     const auto first = p.begin() + static_cast<std::ptrdiff_t>(problem().effects),
@@ -242,13 +241,17 @@ class Decision {
         d.probable.push_back(one.bound);
       } else {
         std::vector<BoundEffect> group;
-        const std::size_t l = single_of(posterior(), best_->families[m]);
+        const std::size_t l = best_->single[m];
         for (const std::size_t i : credible_set(posterior().effects[l])) {
           if (i < problem().effects) group.push_back(family(i).bound);
         }
         if (std::find(group.begin(), group.end(), one.bound) == group.end()) group.push_back(one.bound);
         const bool is_told = std::find(d.equivalent.begin(), d.equivalent.end(), group) != d.equivalent.end();
-        if (!is_of_any_form(l) && !is_told) d.equivalent.push_back(std::move(group));
+        if (is_of_any_form(l)) {
+          d.reasons.push_back(fmt::format("{}: its column in another form is likelier.", one.label));
+        } else if (!is_told) {
+          d.equivalent.push_back(std::move(group));
+        }
       }
       for (const GainByRun& gain : d.gains_by_run) {
         if (gain.effect == one.label)

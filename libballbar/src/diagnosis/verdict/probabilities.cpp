@@ -6,7 +6,6 @@
 #include <numeric>
 #include <set>
 #include <string>
-#include <utility>
 
 namespace ballbar {
 namespace {
@@ -51,18 +50,6 @@ std::vector<std::size_t> credible_set(const SinglePosterior& effect) {
     sum += effect.p[i];
   }
   return set;
-}
-
-std::size_t single_of(const Posterior& posterior, std::size_t identity) {
-  const auto strength = [&](std::size_t l) {
-    const SinglePosterior& one = posterior.effects[l];
-    return std::pair(one.p_any() >= 0.5, one.p[identity]);
-  };
-  std::size_t best = 0;
-  for (std::size_t l = 1; l < posterior.effects.size(); ++l) {
-    if (strength(l) > strength(best)) best = l;
-  }
-  return best;
 }
 
 double log_bayes_factor_of_any(const Posterior& posterior) {

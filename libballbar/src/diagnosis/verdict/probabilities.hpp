@@ -15,9 +15,6 @@ std::vector<Driver> drivers_of(const Problem& problem, const Posterior& posterio
 // The credible set of a single effect: identities that hold 95 % of its probability, the most probable first.
 std::vector<std::size_t> credible_set(const SinglePosterior& effect);
 
-// The single effect that holds most of this identity; one that is there, P >= 0.5, before one that is not.
-std::size_t single_of(const Posterior& posterior, std::size_t identity);
-
 // ln of how much more likely the readings are with any effect or other value than with none of them.
 double log_bayes_factor_of_any(const Posterior& posterior);
 

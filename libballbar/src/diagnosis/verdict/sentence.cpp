@@ -177,18 +177,18 @@ std::string drifts_text(const Diagnosis& d) {
 }
 
 std::string unexplained_text(const Diagnosis& d) {
+  const std::string drivers = likely_drivers_text(d);
   if (d.discrepancy_um > 0.0 && d.p_discrepancy >= kDiscrepancy) {
-    return fmt::format(
-        "About {} um of slow drift of {} is unexplained: {}{}. No logged column follows it: log another sensor, such "
-        "as coolant, structure or room temperature.",
-        size_text(d.discrepancy_um), d.target.empty() ? "the readings" : d.target, sure_text(d.p_discrepancy),
-        where_text(d));
+    return fmt::format("About {} um of slow drift of {} is unexplained: {}{}.{}", size_text(d.discrepancy_um),
+                       d.target.empty() ? "the readings" : d.target, sure_text(d.p_discrepancy), where_text(d),
+                       drivers.empty() ? " No logged column follows it: log another sensor, such as coolant, structure "
+                                         "or room temperature."
+                                       : drivers);
   }
-  if (const std::string drifts = drifts_text(d); !drifts.empty()) {
+  if (const std::string drifts = drifts_text(d); !drifts.empty() && drivers.empty()) {
     return fmt::format("{} lacks something that goes with time alone: {}{}. No logged column follows it.",
                        model_text(d, "The"), drifts, where_text(d));
   }
-  const std::string drivers = likely_drivers_text(d);
   const std::string candidate = !drivers.empty() || d.candidates.empty()
                                     ? drivers
                                     : fmt::format(" Best candidate: {}, {}, not proven.", d.candidates.front().label,

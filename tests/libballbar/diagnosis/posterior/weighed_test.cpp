@@ -59,6 +59,23 @@ TEST(Problem, frees_the_rows_at_the_ends_of_jumps) {
   EXPECT_EQ(unknown_rows(*problem), 9U);
 }
 
+// The room steps by 1.5 degC at row 211; in few rows one jump is no noise.
+TEST(Problem, knows_the_rows_about_a_jump_of_a_temperature) {
+  const auto rows_of = [](const Problem& problem) {
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < problem.at_jump_of_temperature.size(); ++i) {
+      if (problem.at_jump_of_temperature[i] != 0) rows.push_back(i);
+    }
+    return rows;
+  };
+  const auto problem = problem_of(made::by_speed(), made::drift({1.0, 1, 300}), 0, usual());
+  EXPECT_EQ(rows_of(*problem), (std::vector<std::size_t>{209, 210, 211, 212, 213}));
+  Series few = made::drift({1.0, 1, 40});
+  std::vector<double>& room = made::values_of(few, "T_room_degC");
+  for (std::size_t i = 20; i < 40; ++i) room[i] += 8.0;
+  EXPECT_EQ(rows_of(*problem_of(made::by_speed(), few, 0, usual())), (std::vector<std::size_t>{18, 19, 20, 21, 22}));
+}
+
 // Stated sigmas are relative: their mean square is 1, and what is known of the scatter is that mean.
 TEST(Problem, takes_stated_sigmas) {
   Series data = made::drift({1.0, 1, 200});
@@ -84,6 +101,34 @@ TEST(Weighed, readings_far_from_the_others_count_less) {
   const Diagnosis without = diagnose(made::by_speed(), made::drift({1.0, 1, 300}), 0, made::quick());
   const Diagnosis with = diagnose(made::by_speed(), data, 0, made::quick());
   EXPECT_EQ(made::labels_of(with.named), made::labels_of(without.named));
+}
+
+// Beside readings that are far off a step of the readings stays one.
+TEST(Weighed, a_jump_that_stays_is_no_reading_far_from_the_others) {
+  Series data = made::drift({0.0, 1, 300});
+  std::vector<double>& values = made::values_of(data, "z_um");
+  for (const std::size_t row : {50, 101, 251}) values[row] += 6.0;
+  for (std::size_t row = 150; row < 300; ++row) values[row] += 6.0;
+  const Weighed found = weighed(made::by_speed(), data, 0, usual());
+  EXPECT_GT(found.problem->relative_variance[50], 10.0);
+  EXPECT_EQ(found.problem->relative_variance[150], 1.0);
+  const EffectSet& best = found.posterior.sets[found.posterior.best];
+  ASSERT_EQ(best.families.size(), 1U);
+  EXPECT_EQ(found.problem->library.families[best.families[0]].bound.effect->name, "step");
+  EXPECT_NEAR(found.problem->library.signatures[best.signatures[0]].point[1], 14900.0, 100.0);
+}
+
+// Of 3000 values every third is weighed, and about a jump all: its moment is that of a row.
+TEST(Weighed, every_value_about_a_jump) {
+  Series data = made::drift({0.0, 1, 3000});
+  std::vector<double>& values = made::values_of(data, "z_um");
+  for (std::size_t row = 1501; row < 3000; ++row) values[row] += 4.0;
+  const Weighed found = weighed(made::by_speed(), data, 0, usual());
+  EXPECT_GT(found.problem->time_s.size(), 1005U);
+  EXPECT_LT(found.problem->time_s.size(), 1020U);
+  const EffectSet& best = found.posterior.sets[found.posterior.best];
+  ASSERT_EQ(best.families.size(), 1U);
+  EXPECT_NEAR(found.problem->library.signatures[best.signatures[0]].point[1], 150000.0, 100.0);
 }
 
 TEST(Weighed, normal_readings_all_count_alike) {

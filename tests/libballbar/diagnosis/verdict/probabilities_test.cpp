@@ -40,11 +40,6 @@ TEST(Probabilities, credible_sets) {
   EXPECT_EQ(credible_set(of_two().effects[1]), (std::vector<std::size_t>{1}));
 }
 
-TEST(Probabilities, the_single_effect_of_an_identity) {
-  EXPECT_EQ(single_of(of_two(), 0), 0U);
-  EXPECT_EQ(single_of(of_two(), 1), 1U);
-}
-
 // Odds of 4 to 1 after, of 1 to 4 before: 16 times as likely.
 TEST(Probabilities, log_bayes_factor_of_anything_against_nothing) {
   Posterior posterior;

@@ -129,6 +129,10 @@ TEST(Sentence, of_what_no_effect_explains) {
   EXPECT_EQ(sentence_of(found),
             "About 2.5 um of slow drift of z_um is unexplained: very likely (90 %). No logged column follows it: log "
             "another sensor, such as coolant, structure or room temperature.");
+  found.drivers = {{"T1_degC", 0.64}};
+  EXPECT_EQ(sentence_of(found),
+            "About 2.5 um of slow drift of z_um is unexplained: very likely (90 %). What drives it: T1_degC (64 %).");
+  found.drivers.clear();
   found.p_discrepancy = 0.1;
   found.base.rmse_um = 3.7;
   EXPECT_EQ(sentence_of(found),

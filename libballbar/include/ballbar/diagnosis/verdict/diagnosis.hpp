@@ -13,8 +13,8 @@
 // On recordings a cycle is a recording, of one alone a quarter of its sweep. What surrogates say of an effect is told
 // (candidate.hpp), and does not decide.
 //
-// Of more than 1000 values of the target every second, third ... is weighed, and all about a jump that is found; figures
-// of the effects are of those.
+// Of more than 1000 values of the target every second, third ... is weighed, and all about a jump that is found;
+// figures of the effects are of those.
 #pragma once
 
 #include <cstddef>
@@ -91,8 +91,9 @@ struct Diagnosis {
   double discrepancy_um = 0.0;        // its standard deviation, where it is most likely
   Noise noise;                        // beside the best set
   std::vector<Candidate> candidates;  // the best set first, then by P; at most 12
-  double hidden_um =
-      0.0;  // up to which an effect of the machine could hide: that which shows worst, in the middle of its shapes
+  // Amplitude up to which an effect that blind challenges hide could be there: that which shows worst, in the middle of
+  // its shapes.
+  double hidden_um = 0.0;
   BoundEffect hidden;          // that effect
   double rmse_after_um = 0.0;  // with the best set
   std::size_t searched_effects = 0;
