@@ -100,12 +100,6 @@ Given given_of(const Problem& problem, const Posterior& posterior, const std::ve
         if (std::find(result.covariances.begin(), result.covariances.end(), one) == result.covariances.end())
           result.covariances.push_back(one);
       }
-      // A discrepancy that is unlikely beside the likeliest set may be likely beside this one.
-      for (Covariance one : with_discrepancy(posterior.points.front().covariance, problem.time_s)) {
-        one.log_prior += std::log(kPriorOfDiscrepancy);
-        if (std::find(result.covariances.begin(), result.covariances.end(), one) == result.covariances.end())
-          result.covariances.push_back(one);
-      }
     }
   }
   AscentOptions options;

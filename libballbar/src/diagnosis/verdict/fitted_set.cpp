@@ -146,6 +146,16 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
     interval.low = profile_end(model, best, k, interval.low, variant.times, filter, problem.known, solution.degrees);
     interval.high = profile_end(model, best, k, interval.high, variant.times, filter, problem.known, solution.degrees);
   }
+  // Where between two rows something begins no reading tells.
+  const std::vector<double>& time_s = problem.time_s;
+  for (std::size_t k = first_added; k < result.parameters.size() && !time_s.empty(); ++k) {
+    if (result.parameters[k].state != ParameterState::free || result.parameters[k].shape_of != ShapeOf::onset) continue;
+    if (!std::is_sorted(time_s.begin(), time_s.end())) break;  // several runs
+    const auto after = std::upper_bound(time_s.begin(), time_s.end(), result.parameters[k].value);
+    Interval& interval = result.intervals[k];
+    if (after != time_s.begin()) interval.low = std::min(interval.low, *(after - 1));
+    if (after != time_s.end()) interval.high = std::max(interval.high, *after);
+  }
   // What each adds, by its columns and their covariance about its largest difference.
   const ModelRows rows(result.model, problem.logged.series, problem.base.row);
   Eigen::VectorXd sum = Eigen::VectorXd::Constant(problem.y.size(), best.parameters[0]);
