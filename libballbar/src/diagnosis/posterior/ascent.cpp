@@ -238,10 +238,6 @@ void converge(ColumnsAt& at, const Identities& identities, const AscentOptions& 
     if (same && ascent.bound - last < kRises) break;
     last = ascent.bound;
   }
-  if (last > kLogZero && std::abs(std::log(ascent.variance / at.settled)) < kSameScatter) return;
-  settle(at, ascent, ascent.variance);
-  sweep(at, identities, options, ascent);
-  ascent.bound = bound_of(ascent, at, known);
 }
 
 }  // namespace
@@ -265,12 +261,12 @@ Ascent ascended(ColumnsAt& at, const Identities& identities, const AscentOptions
     ascent.effects.emplace_back();
     ascent.effects.back().curve = at.curve_of({});
     fit_again(at, identities, prior_of(options, ascent.effects.size() - 1), ascent, ascent.effects.size() - 1);
-    if (ascent.effects.size() > options.least && ascent.effects.back().p_any() < kHardlyThere) {
-      ascent.bound = bound_of(ascent, at, options.known);  // the others stay as they are
-      break;
-    }
+    if (ascent.effects.size() > options.least && ascent.effects.back().p_any() < kHardlyThere) break;
     converge(at, identities, options, ascent);
   }
+  settle(at, ascent, ascent.variance);
+  sweep(at, identities, options, ascent);
+  ascent.bound = bound_of(ascent, at, options.known);
   return ascent;
 }
 
