@@ -5,8 +5,11 @@
 #include <limits>
 
 namespace ballbar {
+namespace {
 
 constexpr std::size_t kMostAbout = 120;  // values about a moment
+
+}  // namespace
 
 Series subsampled(const Series& data, const std::string& target, std::size_t most,
                   std::span<const double> whole_about_s) {

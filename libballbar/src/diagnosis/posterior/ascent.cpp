@@ -219,8 +219,8 @@ void sweep(ColumnsAt& at, const Identities& identities, const AscentOptions& opt
   for (std::size_t l = 0; l < ascent.effects.size(); ++l) fit_again(at, identities, prior_of(options, l), ascent, l);
 }
 
-// Sweeps until the bound rises no more, the scatter with it. What is known of the line is about the same scatter until
-// the end.
+// Sweeps until the bound rises no more, the scatter with it. What is known of the line is about nearly the same
+// scatter.
 void converge(ColumnsAt& at, const Identities& identities, const AscentOptions& options, Ascent& ascent) {
   const KnownScatter& known = options.known;
   double last = kLogZero;

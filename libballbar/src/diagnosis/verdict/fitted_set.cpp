@@ -148,9 +148,9 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
   }
   // Where between two rows something begins no reading tells.
   const std::vector<double>& time_s = problem.time_s;
-  for (std::size_t k = first_added; k < result.parameters.size() && !time_s.empty(); ++k) {
+  const bool is_one_run = std::is_sorted(time_s.begin(), time_s.end());
+  for (std::size_t k = first_added; k < result.parameters.size() && is_one_run; ++k) {
     if (result.parameters[k].state != ParameterState::free || result.parameters[k].shape_of != ShapeOf::onset) continue;
-    if (!std::is_sorted(time_s.begin(), time_s.end())) break;  // several runs
     const auto after = std::upper_bound(time_s.begin(), time_s.end(), result.parameters[k].value);
     Interval& interval = result.intervals[k];
     if (after != time_s.begin()) interval.low = std::min(interval.low, *(after - 1));
