@@ -463,7 +463,7 @@ export const de: Texts = {
   diagnosis_closest_short: "nicht angenommen",
   diagnosis_falling: "Der Fehler von Schritt zu Schritt; ein Abfall allein ist kein Beweis.",
   diagnosis_no_evidence:
-    "Entscheidend ist, dass er unter die Linie des besten Surrogats fällt, einer gleich glatten Zufallskurve ohne Ursache.",
+    "Auch eine gleich glatte Zufallskurve ohne Ursache senkt ihn: Die Linie des besten Surrogats zeigt, wie weit. P entscheidet, nicht der Abfall.",
   diagnosis_no_evidence_of_several:
     ({ effects, percent }) => `Auch eine gleich glatte Zufallskurve ohne Ursache senkt ihn. Ein solches Surrogat stand an der Stelle eines der ${effects} Effekte, neben den anderen${percent === "" ? "" : `: Es nahm bis zu ${percent} % des RMSE weg, den sie übrig lassen`}. Wie tief das ist, ist nicht bekannt, und keine Linie ist gezeichnet.`,
   diagnosis_not_known: ({ missing }) => `Nicht bekannt: ${missing}.`,
@@ -472,9 +472,9 @@ export const de: Texts = {
   diagnosis_the_left_out: "der Fehler des Ausgelassenen",
   diagnosis_fall_none: "Kein Effekt wurde gefunden, keiner wird vorgeschlagen.",
   diagnosis_fall_hollow:
-    "Der hohle Balken ist nicht im Modell. Ob ein Effekt die Surrogate schlägt, ist mit dem Gedächtnis des Rauschens beurteilt, in der Tabelle.",
+    "Der hohle Balken ist nicht im Modell.",
   diagnosis_fall_closest:
-    "Der hohle Balken ist das Nächstliegende im Katalog, nicht angenommen: Er ist nicht im Modell. Ob ein Effekt die Surrogate schlägt, ist mit dem Gedächtnis des Rauschens beurteilt, in der Tabelle.",
+    "Der hohle Balken ist das Nächstliegende im Katalog, nicht angenommen: Er ist nicht im Modell.",
   diagnosis_fall_left_out:
     ({ last, now }) => `Frühere Revisionen sind nicht gezeichnet: Die letzte im Protokoll hat einen RMSE von ${last} µm statt ${now} µm hier; sie stehen im Abschnitt des Protokolls.`,
   diagnosis_fall_title: "Wie weit der Fehler sinkt",

@@ -468,7 +468,7 @@ export const en = {
   diagnosis_closest_short: "not accepted",
   diagnosis_falling: "The error from step to step; a fall alone is no evidence.",
   diagnosis_no_evidence:
-    "What counts is that it falls below the line of the best surrogate, a random curve as smooth that has no cause.",
+    "A random curve as smooth, without a cause, lowers it too: the line of the best surrogate shows how far. P decides, not the fall.",
   diagnosis_no_evidence_of_several:
     ({ effects, percent }: { effects: number; percent: string }) => `A random curve as smooth that has no cause lowers it too. Such a surrogate stood in the place of one of the ${effects} effects, beside the others${percent === "" ? "" : `: it took up to ${percent} % off the RMSE that they leave`}. How low that is is not known, and no line is drawn.`,
   diagnosis_not_known: ({ missing }: { missing: string }) => `Not known: ${missing}.`,
@@ -477,9 +477,9 @@ export const en = {
   diagnosis_the_left_out: "the error of what was left out",
   diagnosis_fall_none: "No effect was found, and none is proposed.",
   diagnosis_fall_hollow:
-    "The hollow bar is not in the model. Whether an effect beats the surrogates is judged with the memory of the noise, in the table.",
+    "The hollow bar is not in the model.",
   diagnosis_fall_closest:
-    "The hollow bar is the closest that the catalogue comes, not accepted: it is not in the model. Whether an effect beats the surrogates is judged with the memory of the noise, in the table.",
+    "The hollow bar is the closest that the catalogue comes, not accepted: it is not in the model.",
   diagnosis_fall_left_out:
     ({ last, now }: { last: string; now: string }) => `The revisions before are not drawn: the last of the ledger has an RMSE of ${last} µm, other than the ${now} µm here; the section of the ledger has them.`,
   diagnosis_fall_title: "How far the error falls",

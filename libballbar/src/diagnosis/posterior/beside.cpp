@@ -54,19 +54,26 @@ std::pair<Model, std::vector<double>> with_effects(const Problem& problem, const
 Beside taken_over(Problem& problem, Beside beside, const std::vector<double>& fitted) {
   std::size_t place = beside.parameters.size();
   std::copy_n(fitted.begin(), place, beside.parameters.begin());
+  std::vector<double> coefficients;
   for (std::size_t& i : beside.signatures) {
     const std::size_t family = problem.library.signatures[i].family;
     const std::vector<Parameter>& parameters = problem.library.families[family].bound.effect->parameters;
-    std::vector<double> shape = problem.library.signatures[i].point;
+    std::vector<double> shape = problem.library.signatures[i].point, gains;
     bool moved = false;
     for (std::size_t k = 0; k < shape.size(); ++k, ++place) {
-      if (parameters[k].kind == ParameterKind::gain) continue;
+      if (parameters[k].kind == ParameterKind::gain) {
+        gains.push_back(fitted[place]);
+        continue;
+      }
       moved = moved || std::abs(fitted[place] - shape[k]) > kSameShape * std::abs(shape[k]);
       shape[k] = fitted[place];
     }
-    if (!moved) continue;
-    if (const std::optional<std::size_t> added = add_signature(problem, family, shape)) i = *added;
+    if (moved) i = add_signature(problem, family, shape).value_or(i);
+    const Signature& signature = problem.library.signatures[i];
+    for (Eigen::Index k = 0; k < signature.width; ++k)
+      coefficients.push_back(gains[static_cast<std::size_t>(k)] * problem.deviation[signature.first + k]);
   }
+  beside.coefficients = Eigen::VectorXd::Map(coefficients.data(), static_cast<Eigen::Index>(coefficients.size()));
   return beside;
 }
 
