@@ -1,0 +1,84 @@
+#include "diagnosis/posterior/found.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/posterior/posterior.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kSameBound = 0.01;  // ln: two ascents that differ by less are one
+
+}  // namespace
+
+void sort_found(std::vector<Found>& found) {
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Found& a, const Found& b) { return a.log_weight > b.log_weight; });
+}
+
+AscentOptions ascent_options(const Problem& problem, const Identities& identities, std::size_t largest,
+                             std::size_t without) {
+  AscentOptions options;
+  SinglePrior prior{std::log(kPriorOfNone), identities.log_prior};
+  for (double& one : prior.log_identity) one += std::log1p(-kPriorOfNone);
+  if (without != kNoSignature) prior.log_identity[without] = kLogZero;
+  options.priors = {std::move(prior)};
+  options.largest = largest;
+  options.known = problem.known;
+  options.least_variance = least_variance_of(problem);
+  return options;
+}
+
+Ascent best_ascent(ColumnsAt& at, const Problem& problem, const Identities& identities, const AscentOptions& options,
+                   const Ascent& start) {
+  Ascent best = ascended(at, identities, options, start);
+  if (identities.families == problem.effects) return best;
+  AscentOptions of_effects = options;
+  for (SinglePrior& prior : of_effects.priors) {
+    for (std::size_t i = problem.effects; i < identities.families; ++i) prior.log_identity[i] = kLogZero;
+  }
+  Ascent other = ascended(at, identities, options, ascended(at, identities, of_effects));
+  return other.bound > best.bound + kSameBound ? other : best;
+}
+
+Ascent ascended_from(ColumnsAt& at, const Identities& identities, const AscentOptions& options,
+                     const std::vector<std::size_t>& set) {
+  AscentOptions pinned = options;
+  pinned.least = pinned.largest = set.size();
+  pinned.priors.clear();
+  for (const std::size_t i : set) {
+    SinglePrior prior{kLogZero, std::vector<double>(identities.log_prior.size(), kLogZero)};
+    prior.log_identity[i] = options.priors.front().log_identity[i];
+    pinned.priors.push_back(std::move(prior));
+  }
+  if (set.empty()) return ascended(at, identities, options);
+  return ascended(at, identities, options, ascended(at, identities, pinned));
+}
+
+std::vector<std::size_t> likeliest_set(const Ascent& ascent) {
+  std::vector<std::size_t> set;
+  for (const SingleEffect& one : ascent.effects) {
+    if (one.p_any() >= 0.5)
+      set.push_back(static_cast<std::size_t>(std::max_element(one.p.begin(), one.p.end()) - one.p.begin()));
+  }
+  return set;
+}
+
+DenseBackground background_of(const Problem& problem, double d) {
+  DenseBackground background;
+  background.d = d;
+  if (!(d > 0.0)) return background;
+  std::vector<Eigen::Index> columns;
+  for (std::size_t f = problem.effects; f < problem.library.families.size(); ++f) {
+    const Signature& one = problem.library.signatures[problem.library.families[f].first];
+    for (Eigen::Index k = 0; k < one.width; k += 3) {
+      columns.push_back(one.first + k);
+      background.family.push_back(f);
+    }
+  }
+  background.columns = problem.signatures(Eigen::all, columns);
+  return background;
+}
+
+}  // namespace ballbar

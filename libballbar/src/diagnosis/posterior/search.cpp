@@ -1,0 +1,294 @@
+#include "diagnosis/posterior/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "ballbar/numerics/parallel.hpp"
+#include "diagnosis/evidence/refined.hpp"
+#include "diagnosis/posterior/beside.hpp"
+#include "diagnosis/posterior/sets.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr int kRelinearised = 3;             // times
+constexpr double kSameModel = 0.02;          // of a shape's reach
+constexpr std::size_t kPilots = 2;           // covariances at which the model is looked for
+constexpr double kOtherStart = 0.3;          // of a shape's reach
+constexpr double kUsualTime_s = 1500.0;      // of a model's times, where their fit has run away
+constexpr std::size_t kSharpenedRivals = 4;  // of a single effect, whose shapes are sought between those of the grid
+constexpr double kFarRival = 7.0;            // ln: one so much weaker than the strongest is not sought
+constexpr double kFarMode = 7.0;             // ln: a mode so much less likely than the best is none
+constexpr double kBetter = 0.01;             // ln: what is better by less is the same
+
+class Search {
+ public:
+  Search(Problem& problem, std::size_t largest) : problem_(problem), largest_(largest) {}
+
+  Searched run(const std::vector<Covariance>& grid) {
+    start(grid);
+    std::vector<Mode> modes;
+    for (int round = 0; round < kRelinearised; ++round) {
+      int step = 0;
+      while (step < kRelinearised && relinearise()) ++step;
+      bool is_better = false;
+      modes = other_modes(is_better);
+      if (!is_better) break;
+    }
+    return {std::move(*variant_), std::move(identities_), std::move(best_), std::move(modes)};
+  }
+
+ private:
+  // The likeliest covariances where a little of every input in every form stands for all effects.
+  std::vector<Covariance> likeliest_of(const std::vector<Covariance>& grid, const Variant& variant) const {
+    const Identities none = restricted(identities_of(problem_, variant), {});
+    std::vector<Found> found(grid.size());
+    in_parallel(found.size(), [&](std::size_t g) {
+      found[g].point = point_at(problem_, grid[g]);
+      ColumnsAt at(problem_, none, variant, found[g].point, background_of(problem_, kOfBackground));
+      found[g].log_weight = ascended(at, none, ascent_options(problem_, none, 0)).bound + grid[g].log_prior;
+    });
+    sort_found(found);
+    std::vector<Covariance> likeliest;
+    for (std::size_t g = 0; g < std::min(kPilots, found.size()); ++g) likeliest.push_back(found[g].point.covariance);
+    return likeliest;
+  }
+
+  // The model about its fit by least squares, and about what noise with a memory makes of it.
+  void start(const std::vector<Covariance>& grid) {
+    const std::vector<double> fit = fitted_parameters(problem_);
+    std::vector<Variant> starts{variant_at(problem_, 0, fit)};
+    pilots_ = likeliest_of(grid, starts.front());
+    const auto add = [&](const Point& point, std::vector<double> from, int rounds) {
+      const Refined there = refined(*problem_.base_model, std::move(from), {}, starts.front().times, point.filter,
+                                    problem_.known, rounds);
+      if (std::all_of(starts.begin(), starts.end(), [&](const Variant& other) {
+            return is_elsewhere(problem_, other, there.parameters, kOtherStart);
+          }))
+        starts.push_back(variant_at(problem_, 0, there.parameters));
+    };
+    const std::vector<double> usual = with_times(problem_, fit, kUsualTime_s);
+    for (const Covariance& one : pilots_) {
+      const Point point = point_at(problem_, one);
+      for (const std::vector<double>& from : {fit, usual}) add(point, from, 12);
+    }
+    // A missing effect pulls the fitted times away: once from usual ones, as they are.
+    add(point_at(problem_, pilots_.front()), usual, 0);
+    for (OwnParameter& own : problem_.own) starts.push_back(beside_own(own, fit, starts.front().times));
+    for (Variant& variant : starts) {
+      Identities identities = identities_of(problem_, variant);
+      Found found = best_at_pilots(variant, identities, {});
+      if (variant_ && !(found.log_weight > best_.log_weight + kBetter)) continue;
+      take(std::move(variant), std::move(identities), std::move(found));
+    }
+  }
+
+  // The model where a held value is another one, which is remembered; of the line it is held.
+  Variant beside_own(OwnParameter& own, std::vector<double> from, const Eigen::MatrixXd& times) const {
+    const Refined refined_there = refined(*problem_.base_model, std::move(from), {own.parameter}, times,
+                                          point_at(problem_, pilots_.front()).filter, problem_.known, 12);
+    std::vector<double> parameters = refined_there.parameters;
+    own.fitted.push_back(parameters[own.parameter]);
+    parameters[own.parameter] = own.held;
+    return variant_at(problem_, 0, std::move(parameters));
+  }
+
+  void take(Variant variant, Identities identities, Found found) {
+    variant_ = std::move(variant);
+    identities_ = std::move(identities);
+    best_ = std::move(found);
+  }
+
+  // At the likelier pilot; the ascent begins with a set, with nothing where there is none.
+  Found best_at_pilots(const Variant& variant, const Identities& identities,
+                       const std::vector<std::size_t>& set) const {
+    std::vector<Found> found(pilots_.size());
+    in_parallel(pilots_.size(), [&](std::size_t g) {
+      found[g].point = point_at(problem_, pilots_[g]);
+      ColumnsAt at(problem_, identities, variant, found[g].point, {});
+      const AscentOptions options = ascent_options(problem_, identities, largest_);
+      found[g].ascent = set.empty() ? best_ascent(at, problem_, identities, options, {})
+                                    : ascended_from(at, identities, options, set);
+      found[g].log_weight = found[g].ascent.bound + pilots_[g].log_prior;
+    });
+    sort_found(found);
+    return std::move(found.front());
+  }
+
+  // Of one single effect the identities of the catalogue, the strongest first. Where an input of any form is stronger
+  // the shapes of all are too coarse to tell which is near.
+  std::vector<std::size_t> effects_of(const SingleEffect& one) const {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < problem_.effects; ++i) {
+      if (one.strength[i] > kLogZero) order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return one.strength[a] > one.strength[b]; });
+    const auto likeliest = static_cast<std::size_t>(std::max_element(one.p.begin(), one.p.end()) - one.p.begin());
+    const bool is_form = likeliest >= problem_.effects && !identities_.is_own(likeliest);
+    while (order.size() > 1 && !is_form && one.strength[order.back()] < one.strength[order.front()] - kFarRival)
+      order.pop_back();
+    return order;
+  }
+
+  // A set of effects, and for each place in it the rivals.
+  struct Rivals {
+    std::vector<std::size_t> signatures;
+    std::vector<std::vector<std::size_t>> others;
+  };
+
+  Rivals rivals_of(const Ascent& ascent) {
+    Rivals result;
+    for (const SingleEffect& one : ascent.effects) {
+      if (one.p_any() < 0.5) continue;
+      const auto likeliest = static_cast<std::size_t>(std::max_element(one.p.begin(), one.p.end()) - one.p.begin());
+      if (identities_.is_own(likeliest)) continue;
+      const std::vector<std::size_t> order = effects_of(one);
+      std::vector<std::size_t> shapes;
+      for (std::size_t k = 0; k < std::min(order.size(), kSharpenedRivals); ++k) {
+        if (const auto shape = signature_of(problem_, identities_, one.likeliest[order[k]])) shapes.push_back(*shape);
+      }
+      if (shapes.empty()) continue;
+      result.signatures.push_back(shapes.front());
+      result.others.emplace_back(shapes.begin() + 1, shapes.end());
+    }
+    return result;
+  }
+
+  // The shapes of a set and of its rivals at their likeliest become signatures. In `open`, of all: what logs leave open
+  // of the times of an input is open for each effect that reads it, or the one that needs no time would win.
+  Beside sharpened_with_rivals(const Rivals& rivals, Beside beside, Beside& open) {
+    if (!rivals.signatures.empty()) beside = sharpened(problem_, *variant_, std::move(beside), best_.point);
+    const auto add = [&](const Beside& from, std::size_t place) {
+      const std::size_t signature = from.signatures[place];
+      if (std::find(open.signatures.begin(), open.signatures.end(), signature) != open.signatures.end()) return;
+      Eigen::Index first = 0;
+      for (std::size_t m = 0; m < place; ++m) first += problem_.library.signatures[from.signatures[m]].width;
+      const Eigen::Index width = problem_.library.signatures[signature].width, size = open.coefficients.size();
+      open.signatures.push_back(signature);
+      open.coefficients.conservativeResize(size + width);
+      open.coefficients.tail(width) = from.coefficients.segment(first, width);
+    };
+    for (std::size_t m = 0; m < beside.signatures.size(); ++m) add(beside, m);
+    for (std::size_t m = 0; m < rivals.others.size(); ++m) {
+      for (const std::size_t rival : rivals.others[m]) {
+        Beside other{beside.signatures, beside.parameters, {}};
+        other.signatures[m] = rival;
+        add(sharpened(problem_, *variant_, std::move(other), best_.point), m);
+      }
+    }
+    return beside;
+  }
+
+  // The held value that is likelier another one than not.
+  std::optional<std::size_t> likeliest_own(const Ascent& ascent) const {
+    for (const std::size_t i : likeliest_set(ascent)) {
+      if (identities_.is_own(i)) return i - identities_.families;
+    }
+    return std::nullopt;
+  }
+
+  // The model about where the best sum has its parameters, the shapes of its effects and of their rivals at their
+  // likeliest. False: it is there already.
+  bool relinearise() {
+    const Ascent& ascent = best_.ascent;
+    const std::size_t before = problem_.library.signatures.size();
+    const std::vector<std::size_t> set = likeliest_set(ascent);
+    const Rivals rivals = rivals_of(ascent);
+    const std::optional<std::size_t> own = likeliest_own(ascent);
+    bool is_new = false;
+    Beside beside;
+    if (own) {
+      OwnParameter& parameter = problem_.own[*own];
+      std::vector<double> parameters = variant_->parameters;
+      parameters[parameter.parameter] = parameter.fitted.back();
+      beside = parameters_beside(problem_, variant_at(problem_, *own + 1, std::move(parameters)), rivals.signatures,
+                                 best_.point);
+      const double value = beside.parameters[parameter.parameter];
+      is_new = std::abs(value - parameter.fitted.back()) > kSameModel * std::abs(parameter.held);
+      if (is_new) parameter.fitted.push_back(value);
+      beside.parameters[parameter.parameter] = parameter.held;
+    } else {
+      beside = parameters_beside(problem_, *variant_, rivals.signatures, best_.point);
+    }
+    Beside open{{}, {}, {}};
+    beside = sharpened_with_rivals(rivals, std::move(beside), open);
+    open.parameters = beside.parameters;
+    is_new = is_new || problem_.library.signatures.size() > before || !are_open(open.signatures) ||
+             is_elsewhere(problem_, *variant_, beside.parameters, kSameModel);
+    if (!is_new) return false;
+    open_ = open;
+    Variant variant = variant_at(problem_, 0, std::move(beside.parameters), times_beside(problem_, open));
+    Identities identities = identities_of(problem_, variant);
+    Found found = best_at_pilots(variant, identities, set);
+    take(std::move(variant), std::move(identities), std::move(found));
+    return true;
+  }
+
+  bool are_open(const std::vector<std::size_t>& signatures) const {
+    return std::all_of(signatures.begin(), signatures.end(), [&](std::size_t i) {
+      return std::find(open_.signatures.begin(), open_.signatures.end(), i) != open_.signatures.end();
+    });
+  }
+
+  // Sums without one of the best sum's identities that are nearly as likely, the shapes of their effects at their
+  // likeliest. A sum that proves likelier becomes the best one: is_better.
+  std::vector<Mode> other_modes(bool& is_better) {
+    std::vector<Mode> modes;
+    const std::vector<std::size_t> best_set = likeliest_set(best_.ascent);
+    std::vector<Ascent> others(best_set.size());
+    in_parallel(best_set.size(), [&](std::size_t k) {
+      ColumnsAt at(problem_, identities_, *variant_, best_.point, {});
+      const AscentOptions options = ascent_options(problem_, identities_, largest_, best_set[k]);
+      others[k] = best_ascent(at, problem_, identities_, options, {});
+    });
+    Beside open = open_;
+    const std::size_t before = problem_.library.signatures.size();
+    for (std::size_t k = 0; k < others.size(); ++k) {
+      if (others[k].bound < best_.ascent.bound - kFarMode) continue;
+      modes.push_back({best_set[k], likeliest_set(others[k])});
+      const Rivals rivals = rivals_of(others[k]);
+      sharpened_with_rivals(rivals, {rivals.signatures, variant_->parameters, {}}, open);
+    }
+    if (problem_.library.signatures.size() > before || !are_open(open.signatures)) {
+      open_ = std::move(open);
+      open_.parameters = variant_->parameters;
+      Variant variant = variant_at(problem_, 0, variant_->parameters, times_beside(problem_, open_));
+      Identities identities = identities_of(problem_, variant);
+      Found found = best_at_pilots(variant, identities, best_set);
+      take(std::move(variant), std::move(identities), std::move(found));
+    }
+    is_better = false;
+    if (modes.empty()) return modes;
+    ColumnsAt at(problem_, identities_, *variant_, best_.point, {});
+    const double bound = best_.ascent.bound;
+    for (Mode& mode : modes) {
+      Ascent other =
+          ascended_from(at, identities_, ascent_options(problem_, identities_, largest_, mode.without), mode.set);
+      mode.set = likeliest_set(other);
+      if (!(other.bound > best_.ascent.bound + kBetter)) continue;
+      best_.ascent = std::move(other);
+      is_better = true;
+    }
+    best_.log_weight += best_.ascent.bound - bound;
+    return modes;
+  }
+
+  Problem& problem_;
+  std::size_t largest_;
+  std::vector<Covariance> pilots_;
+  std::optional<Variant> variant_;
+  Identities identities_;
+  Found best_;
+  Beside open_;  // whose input times are open
+};
+
+}  // namespace
+
+Searched searched(Problem& problem, std::size_t largest, const std::vector<Covariance>& grid) {
+  return Search(problem, largest).run(grid);
+}
+
+}  // namespace ballbar
