@@ -85,14 +85,12 @@ class Average {
     return restricted(identities(), likely);
   }
 
-  void ascend_at(Found& one, const Identities& few, bool from_both) const {
+  void ascend_at(Found& one, const Identities& few) const {
     ColumnsAt at(problem_, few, searched_.variant, one.point, background_of(problem_, one.background));
     const AscentOptions options = ascent_options(problem_, few, largest_);
-    one.ascent =
-        from_both ? best_ascent(at, problem_, few, options, one.ascent) : ascended(at, few, options, one.ascent);
+    one.ascent = ascended(at, few, options, one.ascent);
     one.log_weight = one.ascent.bound + one.point.covariance.log_prior;
     if (!(one.background > 0.0)) return;
-    at.settle(one.ascent.variance);  // the last ascent may have been another one
     Eigen::VectorXd line = at.curve_of({}).line;
     for (const SingleEffect& effect : one.ascent.effects) line += at.curve_of(effect.mean).line;
     one.shares = at.background_shares(line);
@@ -102,7 +100,7 @@ class Average {
     in_parallel(found.size() - first, [&](std::size_t g) {
       Found trial = found[first + g];
       trial.ascent = {};
-      ascend_at(trial, few, false);
+      ascend_at(trial, few);
       found[first + g].log_weight = trial.log_weight;
     });
   }
@@ -123,7 +121,7 @@ class Average {
     }
     const double likely = found.front().log_weight - kFarFromOthers;
     std::erase_if(found, [&](const Found& one) { return one.log_weight < likely; });
-    in_parallel(found.size(), [&](std::size_t g) { ascend_at(found[g], identities(), true); });
+    in_parallel(found.size(), [&](std::size_t g) { ascend_at(found[g], identities()); });
     sort_found(found);
     if (found.front().log_weight > searched_.best.log_weight) searched_.best = found.front();
   }
