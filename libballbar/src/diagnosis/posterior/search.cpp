@@ -91,8 +91,17 @@ class Search {
                                           point_at(problem_, pilots_.front()).filter, problem_.known, 12);
     std::vector<double> parameters = refined_there.parameters;
     own.fitted.push_back(parameters[own.parameter]);
+    return variant_at(problem_, 0, held_again(own, std::move(parameters), times));
+  }
+
+  // The parameters with this one at the value that the model holds, the gains to it: what is not known of times is in
+  // units of the gains.
+  std::vector<double> held_again(const OwnParameter& own, std::vector<double> parameters,
+                                 const Eigen::MatrixXd& times) const {
     parameters[own.parameter] = own.held;
-    return variant_at(problem_, 0, std::move(parameters));
+    return refined(*problem_.base_model, std::move(parameters), {}, times, point_at(problem_, pilots_.front()).filter,
+                   problem_.known, 0)
+        .parameters;
   }
 
   void take(Variant variant, Identities identities, Found found) {
@@ -209,7 +218,7 @@ class Search {
       const double value = beside.parameters[parameter.parameter];
       is_new = std::abs(value - parameter.fitted.back()) > kSameModel * std::abs(parameter.held);
       if (is_new) parameter.fitted.push_back(value);
-      beside.parameters[parameter.parameter] = parameter.held;
+      beside.parameters = held_again(parameter, std::move(beside.parameters), variant_->times);
     } else {
       beside = parameters_beside(problem_, *variant_, rivals.signatures, best_.point);
     }
@@ -237,7 +246,8 @@ class Search {
   // likeliest. A sum that proves likelier becomes the best one: is_better.
   std::vector<Mode> other_modes(bool& is_better) {
     std::vector<Mode> modes;
-    const std::vector<std::size_t> best_set = likeliest_set(best_.ascent);
+    std::vector<std::size_t> best_set = likeliest_set(best_.ascent);
+    std::erase_if(best_set, [&](std::size_t i) { return identities_.is_own(i); });
     std::vector<Ascent> others(best_set.size());
     in_parallel(best_set.size(), [&](std::size_t k) {
       ColumnsAt at(problem_, identities_, *variant_, best_.point, {});
@@ -257,7 +267,7 @@ class Search {
       open_.parameters = variant_->parameters;
       Variant variant = variant_at(problem_, 0, variant_->parameters, times_beside(problem_, open_));
       Identities identities = identities_of(problem_, variant);
-      Found found = best_at_pilots(variant, identities, best_set);
+      Found found = best_at_pilots(variant, identities, likeliest_set(best_.ascent));
       take(std::move(variant), std::move(identities), std::move(found));
     }
     is_better = false;
