@@ -99,39 +99,55 @@ bool are_pair(const FittedRecording& first, const FittedRecording& second) {
   return first.circle && second.circle && are_both_directions(first.recording, second.recording);
 }
 
+void add_file(Fitted& fitted, const std::string& file, const CircleOptions& options, const StatedCircle& stated,
+              std::size_t& next_of_pair) {
+  RecordingFile opened = open_recording(file, known_readers(), stated);
+  std::move(opened.remarks.begin(), opened.remarks.end(), std::back_inserter(fitted.remarks));
+  if (opened.recordings.empty() && opened.b5r) {
+    fitted.results_alone.push_back({file, std::move(*opened.b5r)});
+    next_of_pair = fitted.recordings.size();
+    return;
+  }
+  const std::size_t first_of_file = fitted.recordings.size();
+  for (std::size_t i = 0; i < opened.recordings.size(); ++i) {
+    try {
+      fitted.recordings.push_back(fit_recording(file, i, std::move(opened.recordings[i]), opened.b5r, options));
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}.", file, error.what()));
+    }
+  }
+  if (opened.b5r) next_of_pair = std::max(next_of_pair, first_of_file);
+  const std::size_t n = fitted.recordings.size();
+  if (n >= next_of_pair + 2 && are_pair(fitted.recordings[n - 2], fitted.recordings[n - 1])) {
+    FittedPair pair = fit_pair(fitted.recordings[n - 2], fitted.recordings[n - 1], opened.b5r);
+    const bool ccw_first = fitted.recordings[n - 2].recording.direction == Direction::CCW;
+    pair.ccw = ccw_first ? n - 2 : n - 1;
+    pair.cw = ccw_first ? n - 1 : n - 2;
+    fitted.pairs.push_back(std::move(pair));
+    next_of_pair = n;
+  }
+  if (opened.b5r) next_of_pair = n;
+}
+
 }  // namespace
 
-Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options, bool results_alone) {
+Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options, Faults faults,
+                 const StatedCircle& stated) {
   Fitted fitted;
   std::size_t next_of_pair = 0;  // recordings before it are in a pair already, or cannot be
   for (const std::string& file : files) {
-    RecordingFile opened = open_recording(file);
-    std::move(opened.remarks.begin(), opened.remarks.end(), std::back_inserter(fitted.remarks));
-    if (results_alone && opened.recordings.empty() && opened.b5r) {
-      fitted.results_alone.push_back({file, std::move(*opened.b5r)});
-      next_of_pair = fitted.recordings.size();
-      continue;
+    const std::size_t before = fitted.recordings.size();
+    try {
+      add_file(fitted, file, options, stated, next_of_pair);
+    } catch (const Error& error) {
+      if (faults == Faults::end_all || files.size() == 1) throw;
+      fitted.recordings.resize(before);
+      fitted.skipped.push_back({file, error.what()});
+      next_of_pair = before;
     }
-    expect_readings(opened, file);
-    const std::size_t first_of_file = fitted.recordings.size();
-    for (std::size_t i = 0; i < opened.recordings.size(); ++i) {
-      try {
-        fitted.recordings.push_back(fit_recording(file, i, std::move(opened.recordings[i]), opened.b5r, options));
-      } catch (const Error& error) {
-        throw Error(fmt::format("{}: {}.", file, error.what()));
-      }
-    }
-    if (opened.b5r) next_of_pair = std::max(next_of_pair, first_of_file);
-    const std::size_t n = fitted.recordings.size();
-    if (n >= next_of_pair + 2 && are_pair(fitted.recordings[n - 2], fitted.recordings[n - 1])) {
-      FittedPair pair = fit_pair(fitted.recordings[n - 2], fitted.recordings[n - 1], opened.b5r);
-      const bool ccw_first = fitted.recordings[n - 2].recording.direction == Direction::CCW;
-      pair.ccw = ccw_first ? n - 2 : n - 1;
-      pair.cw = ccw_first ? n - 1 : n - 2;
-      fitted.pairs.push_back(std::move(pair));
-      next_of_pair = n;
-    }
-    if (opened.b5r) next_of_pair = n;
+  }
+  if (fitted.recordings.empty() && fitted.results_alone.empty() && !fitted.skipped.empty()) {
+    throw Error(fitted.skipped.front().why);
   }
   return fitted;
 }

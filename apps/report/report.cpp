@@ -8,13 +8,16 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "ballbar/drift/comparison.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/formats/recordings/test_folder.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/sessions/runs_toml.hpp"
+#include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/series/runs.hpp"
 #include "batches/batches.hpp"
@@ -31,6 +34,7 @@
 #include "report/report_inside.hpp"
 #include "report/report_parts.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/left_out.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
@@ -66,6 +70,7 @@ struct ReportArguments {
 struct Made {
   Json json;
   std::vector<fs::path> files;
+  std::vector<SkippedFile> skipped;
 
   void conclude(const std::string& sentence) { json["summary"].push_back(sentence); }
 };
@@ -78,29 +83,54 @@ std::string file_name(const fs::path& path) {
 }
 
 // Of several tests the page says each conclusion with its table.
-void add_machine_errors(Made& made, const Fitted& fitted) {
-  MachineErrorsPart part = machine_errors_part(fitted);
+void add_machine_errors(Made& made, const Fitted& fitted, const StatedCircle& stated) {
+  MachineErrorsPart part = machine_errors_part(fitted, stated);
   for (const std::string& remark : part.remarks) made.json["fit"]["remarks"].push_back(remark);
   if (part.tests.empty()) return;
   if (part.conclusions.size() == 1) made.conclude(part.conclusions.front());
   made.json["machine_errors"] = std::move(part.tests);
 }
 
+// Of files without readings the page has what they store.
+void add_results_alone(Made& made, const Fitted& fitted) {
+  for (const ResultsAlone& alone : fitted.results_alone) {
+    made.conclude(fmt::format("{} stores results alone, no readings.", file_name(alone.file)));
+  }
+}
+
+// The page is mailed: a sentence has the file's name alone.
+void add_skipped(Made& made, const std::vector<SkippedFile>& skipped) {
+  for (const SkippedFile& one : skipped) {
+    std::string why = one.why;
+    if (why.starts_with(one.file)) why.replace(0, one.file.size(), file_name(one.file));
+    made.json["fit"]["remarks"].push_back("Left out: " + why);
+  }
+  made.skipped.insert(made.skipped.end(), skipped.begin(), skipped.end());
+}
+
+// The name of the test where all recordings, or stored results, are of one.
+std::string test_name_of(const Fitted& fitted) {
+  std::set<std::string> names;
+  for (const FittedRecording& one : fitted.recordings) names.insert(one.test_name);
+  for (const ResultsAlone& one : fitted.results_alone) names.insert(one.b5r.test_name);
+  return names.size() == 1 ? *names.begin() : std::string();
+}
+
 void add_recordings(Made& made, const ReportArguments& options) {
-  const Fitted fitted = fit_files(options.model.data, {});
+  const Fitted fitted = fit_files(options.model.data, {}, Faults::skip, options.model.circle);
   made.json["fit"] = recordings_part(fitted);
-  add_machine_errors(made, fitted);
-  const std::string& test_name = fitted.recordings.front().test_name;
-  const bool one_name = std::all_of(fitted.recordings.begin(), fitted.recordings.end(),
-                                    [&](const FittedRecording& one) { return one.test_name == test_name; });
-  if (one_name && !test_name.empty()) {
+  add_machine_errors(made, fitted, options.model.circle);
+  add_results_alone(made, fitted);
+  add_skipped(made, fitted.skipped);
+  const std::string test_name = test_name_of(fitted);
+  if (!test_name.empty()) {
     made.json["title"] = test_name;
   } else if (options.model.data.size() > 1) {
     made.json["title"] = fmt::format("{} recordings of {} files", fitted.recordings.size(), options.model.data.size());
   } else {
     made.json["title"] = file_name(options.model.data.front());
   }
-  made.files.insert(made.files.end(), options.model.data.begin(), options.model.data.end());
+  for (const std::string& file : options.model.data) made.files.push_back(file_on_disk(file));
 }
 
 void add_session(Made& made, const SessionFiles& files, const ReportArguments& options) {
@@ -111,7 +141,9 @@ void add_session(Made& made, const SessionFiles& files, const ReportArguments& o
   for (const TestFile& one : files.recordings) recordings.push_back(one.file.string());
   const Fitted fitted = fit_files(recordings, {});
   made.json["fit"] = recordings_part(fitted, files);
-  add_machine_errors(made, fitted);
+  add_machine_errors(made, fitted, options.model.circle);
+  add_results_alone(made, fitted);
+  add_skipped(made, files.skipped);
   const DriftSeries drift = drift_of(session);
   made.json["drift"] = drift_part(drift);
   for (const std::string& largest : largest_drifts(drift)) made.conclude(fmt::format("Largest drift: {}.", largest));
@@ -241,23 +273,46 @@ void expect_use(const ReportArguments& options, bool of_recordings, bool of_batc
   expect(!options.probes.any() || !of_recordings, "options of five probes", "a session or a series");
 }
 
+// Of folders and archives that are no session, the recordings below them; why a folder is none goes to `remarks`.
+FoundFiles expanded(ReportArguments& options, std::vector<std::string>& remarks) {
+  std::vector<std::string>& data = options.model.data;
+  if (std::none_of(data.begin(), data.end(), is_folder_of_tests)) return {};
+  if (data.size() == 1) {
+    try {
+      open_session(data.front());
+      return {};
+    } catch (const Error& error) {
+      remarks.emplace_back(error.what());
+    }
+  }
+  FoundFiles found = recordings_below(data);
+  if (found.files.empty()) throw Error(remarks.empty() ? found.faults.front().why : remarks.front());
+  data.clear();
+  for (const fs::path& file : found.files) data.push_back(file.string());
+  return found;
+}
+
 // Recordings are told from a session and a series by what open_model_data() makes of them.
-Made made_of(const ReportArguments& options) {
+Made made_of(ReportArguments options) {
   Made made;
   made.json = {{"format", "ballbar-report 1"}, {"title", ""}, {"made_by", "ballbar " BALLBAR_VERSION}};
   made.json["made_on"] = page_date();
   made.json["files"] = Json::array();
   made.json["summary"] = Json::array();
   made.json["signals"] = Json::array();
+  std::vector<std::string> no_session;
+  const FoundFiles found = expanded(options, no_session);
   const bool has_model = !options.model.model.empty();
   const bool of_batches = has_model && is_batch_model(options.model.model);
-  const bool of_recordings = is_recording_file(options.model.data.front());
+  const bool of_recordings = !found.files.empty() || is_recording_file(options.model.data.front());
   expect_use(options, of_recordings, of_batches);
   if (of_recordings) {
     if (!options.compare.empty())
       throw Error("--compare: expected a session or a series to compare, found recordings.");
     if (of_batches) throw Error(options.model.model + ": expected a series to predict, found recordings.");
     add_recordings(made, options);
+    add_skipped(made, found.faults);
+    for (const std::string& why : no_session) made.conclude("No drift: " + why);
     if (has_model || options.diagnose) add_model(made, options);
     return made;
   }
@@ -394,6 +449,7 @@ void run(ReportArguments options) {
   if (options.format == Format::svg) return write_pictures(made.json, options);
   write_bytes(options.out, options.format == Format::html ? html_of(made, options) : text_of(made.json) + "\n");
   for (const Json& sentence : made.json["summary"]) print_for_people(wrapped(sentence.get<std::string>()));
+  print_for_people(left_out_text(made.skipped));
   stderr_line(fmt::format("wrote {}", options.out));
   if (options.open && !started({"xdg-open", fs::absolute(options.out).string()})) {
     warning_line(fmt::format("no program xdg-open to open it with; open {} in a browser.", options.out));

@@ -35,7 +35,7 @@ FileKind kind_of(const std::string& path) {
   std::error_code absent;
   if (std::filesystem::is_directory(path, absent)) return FileKind::session;
   const Reader* const reader = reader_of_file(path);
-  if (read_of<ReadRecordings>(reader) != nullptr) return FileKind::recording;
+  if (reads_recordings(reader)) return FileKind::recording;
   if (read_of<ReadSession>(reader) != nullptr) return FileKind::session;
   if (found_in(reader) == "a model") {
     throw Error(fmt::format(

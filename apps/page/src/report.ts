@@ -76,7 +76,12 @@ export interface FitPart {
   iso230_4?: Pair;
   iso230_4_pairs?: Pair[];
   results: { of: string; rows: Result[] }[]; // tables, one a recording and one a pair
+  stored_alone?: StoredAlone[]; // files without readings
   remarks: string[];
+}
+export interface StoredAlone {
+  file: string;
+  stored: { of: string; name: string; value: Num; unit: string }[];
 }
 
 // The errors of a machine from one test, ranked: the keys of `diagnose --json` of recordings, and what the page draws.

@@ -1,9 +1,10 @@
 // Results of the recordings: what was fitted, and what the instrument's file stores beside it.
 import type { TextTable } from "../picture";
 import { labels_of } from "./recording_groups";
-import type { FitPart, Num, Recording, Result } from "../report";
+import type { FitPart, Num, Recording, Result, StoredAlone } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
+import { unit_shown } from "../drawing/units";
 import { with_sigma } from "../drawing/with_sigma";
 import { named, t } from "../texts/texts";
 
@@ -110,6 +111,12 @@ const result_tables = (fit: FitPart): TextTable[] => {
   return [...groups.values()].map(table_of);
 };
 
+const stored_alone_table = ({ file, stored }: StoredAlone): TextTable => ({
+  title: t.recordings_stored_alone({ file: plain(file, 60) }),
+  heading: [t.recordings_quantity, t.recordings_stored, "", ""],
+  rows: stored.map((one) => [plain(one.name, 60), shown(one.value), unit_shown(one.unit), plain(one.of, 60)]),
+});
+
 export const recording_tables = (
   fit: FitPart,
   circles: readonly Recording[],
@@ -119,4 +126,5 @@ export const recording_tables = (
   ...(circles.length > 0 ? [circles_table(circles, choose.circle)] : []),
   ...(axial.length > 0 ? [axial_table(axial, choose.axial)] : []),
   ...result_tables(fit),
+  ...(fit.stored_alone ?? []).map(stored_alone_table),
 ];

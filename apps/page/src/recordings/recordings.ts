@@ -34,7 +34,7 @@ const next_of = (report: Report): Next => ({
 
 export const recordings_section = (report: Report): Section[] => {
   const { fit } = report;
-  if (!fit || fit.recordings.length === 0) return [];
+  if (!fit || (fit.recordings.length === 0 && !fit.stored_alone)) return [];
   const drawn_circles = fit.recordings.filter(is_circle);
   const drawn_axial = fit.recordings.filter(is_axial);
   const groups = pairs_and_singles(drawn_circles, pairs_of(fit));

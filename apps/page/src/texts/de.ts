@@ -154,6 +154,7 @@ export const de: Texts = {
   recordings_quantity: "Größe",
   recordings_beside_stored: "Messläufe, daneben die in der Datei gespeicherten Werte",
   recordings_both_directions: "Beide Richtungen, ISO 230-4",
+  recordings_stored_alone: ({ file }: { file: string }) => `Gespeichert in ${file}, ohne Messwerte`,
   recordings_count: ({ n }) => `${n} ${n === 1 ? "Messlauf" : "Messläufe"}`,
   recordings_result: ({ count, circularity }) => `${count}, Kreisformabweichung ${circularity} µm`,
   recordings_next: "Die Fehler dahinter finden",

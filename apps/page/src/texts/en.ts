@@ -156,6 +156,7 @@ export const en = {
   recordings_quantity: "quantity",
   recordings_beside_stored: "Recordings, beside what the file stores",
   recordings_both_directions: "Both directions, ISO 230-4",
+  recordings_stored_alone: ({ file }: { file: string }) => `Stored in ${file}, which has no readings`,
   recordings_count: ({ n }: { n: number }) => `${n} ${n === 1 ? "recording" : "recordings"}`,
   recordings_result:
     ({ count, circularity }: { count: string; circularity: string }) => `${count}, circularity ${circularity} µm`,

@@ -147,6 +147,7 @@ export const zh: Texts = {
   recordings_quantity: "量",
   recordings_beside_stored: "测量记录及文件存储值",
   recordings_both_directions: "双向，ISO 230-4",
+  recordings_stored_alone: ({ file }: { file: string }) => `${file} 中的存储值（无读数）`,
   recordings_count: ({ n }) => `${n} 条记录`,
   recordings_result: ({ count, circularity }) => `${count}，圆度 ${circularity} µm`,
   recordings_next: "查找其背后的误差",
