@@ -22,6 +22,8 @@ struct Compared {
   int decimals = 2;
   double ours = 0.0;
   std::optional<double> stored;
+  LimitRange limits{};                   // that the file states for it
+  std::optional<Judgement> judgement{};  // of ours, by them
 };
 
 struct FittedRecording {

@@ -28,6 +28,7 @@
 #include "measure/drift_text.hpp"
 #include "measure/recording_fits.hpp"
 #include "model/model_options.hpp"
+#include "page/pdf_file.hpp"
 #include "page/report_page.hpp"
 #include "predict/predict_batch.hpp"
 #include "programs/child_process.hpp"
@@ -47,7 +48,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-enum class Format { html, svg, json };
+enum class Format { html, svg, json, pdf };
 
 struct ReportArguments {
   ModelOptions model;
@@ -375,6 +376,7 @@ void write_pictures(const Json& report, const ReportArguments& options) {
 Format format_of(const ReportArguments& options) {
   if (options.chosen_format) return *options.chosen_format;
   const std::string ending = ending_of(options.out);
+  if (ending == ".pdf") return Format::pdf;
   return ending == ".svg" ? Format::svg : ending == ".json" ? Format::json : Format::html;
 }
 
@@ -383,10 +385,11 @@ void expect_fitting_options(const ReportArguments& options) {
     if (!fits) throw CLI::ValidationError(sentence);
   };
   const PictureOptions& pictures = options.pictures;
-  expect(options.format == Format::svg || (pictures.names.empty() && pictures.choices.empty()),
+  const bool sheet = options.format == Format::pdf && pictures.names.empty();  // its one picture may be chosen in
+  expect(options.format == Format::svg || sheet || (pictures.names.empty() && pictures.choices.empty()),
          fmt::format("--{}: expected --format svg with it; the page has all pictures",
                      pictures.names.empty() ? "choose" : "picture"));
-  expect(pictures.choices.empty() || pictures.names.size() == 1,
+  expect(sheet || pictures.choices.empty() || pictures.names.size() == 1,
          "--choose: expected one --picture with it, whose choice it is");
   if (options.json) {
     expect(options.out.empty() && !options.chosen_format && !options.open,
@@ -397,7 +400,10 @@ void expect_fitting_options(const ReportArguments& options) {
                                    ? "--format svg: expected --out with a folder, or a name that ends in .svg"
                                    : "expected --out with the name of the page, as in --out page.html");
   const std::string ending = ending_of(options.out);
-  const std::string wanted = options.format == Format::html ? ".html" : options.format == Format::json ? ".json" : "";
+  const std::string wanted = options.format == Format::html   ? ".html"
+                             : options.format == Format::json ? ".json"
+                             : options.format == Format::pdf  ? ".pdf"
+                                                              : "";
   expect(wanted.empty() || ending == wanted, fmt::format("--out {}: expected a name that ends in {}, found {}",
                                                          options.out, wanted, ending.empty() ? "no ending" : ending));
   expect(!options.open || options.format == Format::html, "--open: expected a page to open, not --format");
@@ -413,6 +419,7 @@ void expect_out(const ReportArguments& options) {
     throw Error(fmt::format("--out {}: expected a folder to write to, found none of that name.", options.out));
   }
   if (options.format != Format::json) expect_page();
+  if (options.format == Format::pdf) expect_pdf("--format pdf");
 }
 
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
@@ -424,6 +431,12 @@ std::string html_of(const Made& made, const ReportArguments& options) {
     stderr_line(fmt::format("the files are not in the page: more than {} MB, or of a pipe", kMostInside >> 20));
   }
   return page_of(made.json, inside);
+}
+
+std::string bytes_of(const Made& made, const ReportArguments& options) {
+  if (options.format == Format::json) return text_of(made.json) + "\n";
+  if (options.format == Format::html) return html_of(made, options);
+  return pdf_of(handover_of(made.json, options.pictures.choices), made.json["title"].get<std::string>());
 }
 
 void run(ReportArguments options) {
@@ -447,7 +460,7 @@ void run(ReportArguments options) {
   if (options.json) return print_json(made.json, -1);
   expect_no_input({options.out}, made.files);
   if (options.format == Format::svg) return write_pictures(made.json, options);
-  write_bytes(options.out, options.format == Format::html ? html_of(made, options) : text_of(made.json) + "\n");
+  write_bytes(options.out, bytes_of(made, options));
   for (const Json& sentence : made.json["summary"]) print_for_people(wrapped(sentence.get<std::string>()));
   print_for_people(left_out_text(made.skipped));
   stderr_line(fmt::format("wrote {}", options.out));
@@ -472,18 +485,20 @@ void add_report(CLI::App& app) {
       ->excludes(diagnose);
   command->add_flag("--anyway", options->anyway, "model of `train`: predict though a sensor looks broken");
   command
-      ->add_option("--out", options->out, "page.html; one picture .svg, or a folder with --format svg; .json: its data")
+      ->add_option("--out", options->out,
+                   "page.html; one picture .svg, or a folder with --format svg; .json: its data; .pdf: one sheet")
       ->type_name("FILE");
-  add_choice(*command, "--format", {"html", "svg", "json"}, "by the ending of --out",
-             "html: the page; svg: its pictures, drawn by node; json: its data",
+  add_choice(*command, "--format", {"html", "svg", "json", "pdf"}, "by the ending of --out",
+             "html: the page; svg: its pictures, drawn by node; json: its data; pdf: one ballbar test on one sheet",
              [options](std::size_t at) { options->chosen_format = static_cast<Format>(at); });
   command->add_flag("--json", options->json, "the result for a program: the data of the page");
   command->add_option("--picture", options->pictures.names, "with --format svg: only this one; may be repeated")
       ->type_name("NAME")
       ->allow_extra_args(false);
   command
-      ->add_option("--choose", options->pictures.choices,
-                   "with --picture: what the page would choose in it, such as \"recording=64 min, XY CCW\"")
+      ->add_option(
+          "--choose", options->pictures.choices,
+          "with --picture, or of the sheet: what the page would choose in it, such as \"recording=64 min, XY CCW\"")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command->add_option("--width", options->pictures.width_px, "of --format svg, in pixels; default 900")

@@ -57,6 +57,11 @@ Json results_of(const std::string& name, const std::vector<Compared>& results) {
   for (const Compared& result : results) {
     Json row{{"label", result.label}, {"decimals", result.decimals}, {"ours", number(result.ours)}};
     row["stored"] = result.stored ? number(*result.stored) : Json(nullptr);
+    if (result.judgement) {
+      const auto end = [](const std::optional<double>& limit) { return limit ? number(*limit) : Json(nullptr); };
+      row["limits"] = {end(result.limits.lower), end(result.limits.upper)};
+      row["judgement"] = name_of(*result.judgement);
+    }
     rows.push_back(std::move(row));
   }
   return {{"of", name}, {"rows", rows}};

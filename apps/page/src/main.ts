@@ -1,5 +1,6 @@
 // The page: the verdict and what proves it, then the sections, folded.
 import { kept_view } from "./page/kept_view";
+import { one_sheet, type OneSheet } from "./page/one_sheet";
 import { page_tools } from "./page/page_tools";
 import { element, text_in } from "./elements/elements";
 import { first_screen, type Proved } from "./page/first_screen";
@@ -24,13 +25,14 @@ const files_of = (files: readonly string[]): HTMLElement => {
   return files.length <= 3 ? list : element("details", { class: "files-of" }, element("summary", {}, t.page_from_files({ files: files.length })), list);
 };
 
-const header_of = (report: Report, wide: boolean): HTMLElement =>
+const header_of = (report: Report, wide: boolean, sheet: OneSheet | null): HTMLElement =>
   element(
     "header",
     wide ? { class: "wide" } : {},
     text_in("h1", report.title),
     files_of(report.files),
     element("p", { class: "made" }, t.page_made({ by: report.made_by, on: report.made_on })),
+    ...(sheet ? [sheet.print] : []),
   );
 
 const contents_of = (sections: readonly Section[], tools: HTMLElement): HTMLElement =>
@@ -62,8 +64,14 @@ const open: Open = (report, shared, tools, by_hand) => {
     ...(by_hand ? [by_hand.element] : []),
     ...made.map((one) => one.element),
   );
+  const sheet = one_sheet(report, shared);
   return {
-    parts: [contents_of(all, tools), header_of(report, first[0]?.beside !== undefined), main],
+    parts: [
+      ...(sheet ? [sheet.sheet] : []),
+      contents_of(all, tools),
+      header_of(report, first[0]?.beside !== undefined, sheet),
+      main,
+    ],
     // What is on the screen is drawn at once; the rest when it comes near.
     draw: () => proved.forEach(({ figure }) => figure.draw_now()),
   };

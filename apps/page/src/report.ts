@@ -28,6 +28,7 @@ export interface Recording {
   plane?: string;
   direction?: "CCW" | "CW";
   arc_deg?: number;
+  feed_mm_per_min?: Num;
   centre_a_um?: Num;
   centre_b_um?: Num;
   radius_mm?: Num;
@@ -69,6 +70,8 @@ export interface Result {
   decimals: number;
   ours: Num;
   stored: Num;
+  limits?: [Num, Num]; // of the file, lower and upper; and what they say of ours
+  judgement?: "pass" | "warning" | "fail";
 }
 export interface FitPart {
   recordings: Recording[];

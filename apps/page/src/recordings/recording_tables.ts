@@ -47,7 +47,7 @@ const axial_table = (axial: readonly Recording[], choose: TextTable["choose"]): 
 });
 
 // Labels of the terminal's table begin with spaces where they belong to the one above.
-const full_labels = (rows: readonly Result[]): string[] => {
+export const full_labels = (rows: readonly Result[]): string[] => {
   let above = "";
   return rows.map(({ label }) => {
     if (!/^\s/.test(label)) above = label.trim();

@@ -267,6 +267,25 @@ export const en = {
     `${what} changes most: by ${range}, from ${from} to ${to}.`,
   drift_measured_and_signals: "Measured, and signals",
 
+  // handover
+  handover: "One page to hand over",
+  handover_title: "Ballbar test, ISO 230-4",
+  handover_about: "Print the test on one sheet",
+  handover_late: ({ calibrated }: { calibrated: string }) => `Calibration ran out: the ballbar was last calibrated on ${calibrated}, more than a year before this test.`,
+  handover_circle: "circle",
+  handover_circle_of: ({ plane, length, arc, readings }: { plane: string; length: string; arc: string; readings: string }) =>
+    `${plane}, bar of ${length} mm, ${arc}°, ${readings} readings`,
+  handover_feeds: "feeds",
+  handover_files: "files",
+  handover_limit: "limit µm",
+  handover_no_limits: "The file states no limits for these.",
+  handover_name: "Name",
+  handover_date: "Date",
+  handover_signature: "Signature",
+  handover_uncertainty: ({ each }: { each: string }) => `Uncertainty of the circular deviation G, one sigma: ${each}. ± in the table of errors is one sigma too.`,
+  handover_more: ({ n }: { n: number }) => `and ${n} more rows`,
+  judgements: { pass: "pass", warning: "warning", fail: "fail" },
+
   // comparison
   comparison: "Comparison",
   comparison_verdict: "verdict",
