@@ -1,6 +1,6 @@
 // The page: the verdict and what proves it, then the sections, folded.
 import { kept_view } from "./page/kept_view";
-import { one_sheet, type OneSheet } from "./page/one_sheet";
+import { one_sheet } from "./page/one_sheet";
 import { page_tools } from "./page/page_tools";
 import { element, text_in } from "./elements/elements";
 import { first_screen, type Proved } from "./page/first_screen";
@@ -25,17 +25,16 @@ const files_of = (files: readonly string[]): HTMLElement => {
   return files.length <= 3 ? list : element("details", { class: "files-of" }, element("summary", {}, t.page_from_files({ files: files.length })), list);
 };
 
-const header_of = (report: Report, wide: boolean, sheet: OneSheet | null): HTMLElement =>
+const header_of = (report: Report, wide: boolean): HTMLElement =>
   element(
     "header",
     wide ? { class: "wide" } : {},
     text_in("h1", report.title),
     files_of(report.files),
     element("p", { class: "made" }, t.page_made({ by: report.made_by, on: report.made_on })),
-    ...(sheet ? [sheet.print] : []),
   );
 
-const contents_of = (sections: readonly Section[], tools: HTMLElement): HTMLElement =>
+const contents_of = (sections: readonly Section[], ...tools: readonly HTMLElement[]): HTMLElement =>
   element(
     "nav",
     { "aria-label": t.page_contents },
@@ -44,7 +43,7 @@ const contents_of = (sections: readonly Section[], tools: HTMLElement): HTMLElem
       {},
       ...sections.map(({ id, heading }) => element("li", {}, element("a", { href: `#${id}` }, heading))),
     ),
-    tools,
+    ...tools,
   );
 
 const voice = element("div", { class: "voice", role: "status", "aria-live": "polite" });
@@ -68,8 +67,8 @@ const open: Open = (report, shared, tools, by_hand) => {
   return {
     parts: [
       ...(sheet ? [sheet.sheet] : []),
-      contents_of(all, tools),
-      header_of(report, first[0]?.beside !== undefined, sheet),
+      contents_of(all, ...(sheet ? [sheet.print] : []), tools),
+      header_of(report, first[0]?.beside !== undefined),
       main,
     ],
     // What is on the screen is drawn at once; the rest when it comes near.

@@ -4,7 +4,7 @@ namespace ballbar {
 
 bool is_archive(const std::filesystem::path& /*path*/) { return false; }
 
-std::vector<std::filesystem::path> files_in_archive(const std::filesystem::path& /*archive*/) { return {}; }
+std::vector<std::filesystem::path> files_in_archive(const std::filesystem::path& /*path*/) { return {}; }
 
 std::optional<std::string> bytes_in_archive(const std::filesystem::path& /*path*/, std::size_t /*limit*/) {
   return std::nullopt;

@@ -86,3 +86,8 @@ export const table_at = (
   rows.forEach((row, k) => row.forEach((words, column) => (svg += cell(k, column, words, ruled + (k + 1) * step, false))));
   return { svg, below: ruled + (rows.length + 1) * step };
 };
+
+// A white sheet with all of that.
+export const sheet_of = (width: number, height: number, drawn: string): string =>
+  `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">` +
+  `<rect width="${width}" height="${height}" fill="#fff"/>${drawn}</svg>\n`;

@@ -1,7 +1,7 @@
 // A ballbar test on one sheet of A4, to hand over: what was measured and with what, the circle with one of the errors,
 // ISO 230-4 against the limits of the file, the errors, and room for a signature. The same drawing is printed by a
 // browser and written as PDF.
-import { line_at, paragraph_at, table_at, text_at } from "./drawing";
+import { line_at, paragraph_at, sheet_of, table_at, text_at } from "./drawing";
 import { error_tests, type ErrorTest } from "../machine_errors/error_curves";
 import { errors_table, stated_table } from "../machine_errors/error_tables";
 import { verdict_of } from "../machine_errors/machine_errors";
@@ -191,10 +191,6 @@ export const handover_sheet = (report: Report, error?: string): string | null =>
   const picture = picture_at(test, error, kLeft - 8, middle);
   const iso = iso_at(report.fit, test, kLeft + kPicture_px + 8, middle + 22);
   const errors = errors_at(test, Math.max(picture.below, iso.below) + 18);
-  const { width, height } = kSheet_px;
-  return (
-    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">` +
-    `<rect width="${width}" height="${height}" fill="#fff"/>` +
-    `${head.svg}${late.svg}${verdict.svg}${picture.svg}${iso.svg}${errors.svg}${foot_at(report)}</svg>\n`
-  );
+  const drawn = [head, late, verdict, picture, iso, errors].map(({ svg }) => svg).join("");
+  return sheet_of(kSheet_px.width, kSheet_px.height, drawn + foot_at(report));
 };

@@ -40,5 +40,5 @@ export const one_sheet = (report: Report, shared: Shared): OneSheet | null => {
       delete root.dataset["print"];
     });
   });
-  return { sheet: element("div", { class: "handover" }, image), print: element("p", { class: "to-paper" }, print) };
+  return { sheet: element("div", { class: "handover" }, image), print };
 };

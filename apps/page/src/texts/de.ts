@@ -275,7 +275,7 @@ export const de: Texts = {
   handover_files: "Dateien",
   handover_limit: "Grenze µm",
   handover_no_limits: "Die Datei nennt dafür keine Grenzen.",
-  handover_name: "Name",
+  handover_name: "Name, Vorname",
   handover_date: "Datum",
   handover_signature: "Unterschrift",
   handover_uncertainty: ({ each }: { each: string }) => `Unsicherheit der Kreisformabweichung G, ein Sigma: ${each}. Auch ± in der Tabelle der Fehler ist ein Sigma.`,

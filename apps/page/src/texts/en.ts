@@ -279,7 +279,7 @@ export const en = {
   handover_files: "files",
   handover_limit: "limit µm",
   handover_no_limits: "The file states no limits for these.",
-  handover_name: "Name",
+  handover_name: "Name in full",
   handover_date: "Date",
   handover_signature: "Signature",
   handover_uncertainty: ({ each }: { each: string }) => `Uncertainty of the circular deviation G, one sigma: ${each}. ± in the table of errors is one sigma too.`,

@@ -15,7 +15,7 @@ bool is_archive(const std::filesystem::path& path);
 
 // Paths of the `.b5r` files inside, sorted. Throws Error: damaged, more than 10 000 entries or 1 GiB unpacked, a name
 // that is absolute or has "..".
-std::vector<std::filesystem::path> files_in_archive(const std::filesystem::path& archive);
+std::vector<std::filesystem::path> files_in_archive(const std::filesystem::path& path);
 
 // The bytes of a path through an archive; nothing where no part of the path is one. Throws Error: no such file inside,
 // locked by a password, damaged, more than `limit` bytes whatever size the archive claims.
