@@ -26,6 +26,6 @@ struct TestFiles {
 // folders are passed over, and files that are no recording, unless their name ends in .b5r. Two logs that stand one
 // after the other and differ in direction alone are one test. Throws Error for a path that is not there or no test at
 // all; strict: at the first file that would be skipped.
-TestFiles read_tests(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated);
+TestFiles read_tests(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated = {});
 
 }  // namespace ballbar

@@ -111,10 +111,13 @@ const result_tables = (fit: FitPart): TextTable[] => {
   return [...groups.values()].map(table_of);
 };
 
+// As the file writes it.
+const as_stored = (value: Num): string => shown(value, Math.min(6, (String(value).split(".")[1] ?? "").length));
+
 const stored_alone_table = ({ file, stored }: StoredAlone): TextTable => ({
   title: t.recordings_stored_alone({ file: plain(file, 60) }),
   heading: [t.recordings_quantity, t.recordings_stored, "", ""],
-  rows: stored.map((one) => [plain(one.name, 60), shown(one.value), unit_shown(one.unit), plain(one.of, 60)]),
+  rows: stored.map((one) => [plain(one.name, 60), as_stored(one.value), unit_shown(one.unit), plain(one.of, 60)]),
 });
 
 export const recording_tables = (
