@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/error.hpp"
+#include "ballbar/formats/recordings/test_folder.hpp"
 #include "commands.hpp"
 #include "diagnose/diagnosis_report.hpp"
 #include "diagnose/follow.hpp"
@@ -52,26 +55,39 @@ void show_one_of_several(const DiagnoseArguments& options, const Model& model, c
   }
 }
 
+// Of folders and archives that are no session, the recordings below them; they go in place of these.
+std::vector<SkippedFile> expand(ModelOptions& options) {
+  if (!options.model.empty() || std::none_of(options.data.begin(), options.data.end(), is_folder_of_tests)) return {};
+  FoundFiles found = recordings_below(options.data);
+  if (found.files.empty()) return {};  // told where it is opened
+  options.data.clear();
+  for (const std::filesystem::path& file : found.files) options.data.push_back(file.string());
+  return found.faults;
+}
+
 // Recordings of two linear axes: all of their errors together, ranked.
-void run_on_circles(DiagnoseArguments options) {
+void run_on_circles(DiagnoseArguments options, const std::vector<SkippedFile>& faults) {
   if (!options.model.model.empty()) {
     const ModelData data = open_data(options.model);
     for (const Term& term : open_model(options.model, data).terms)
       options.errors.in_the_model.insert(term.effect->name);
   }
-  const ErrorsReports reports = errors_reports_of(options.model.data, options.errors);
+  options.errors.circle = options.model.circle;
+  ErrorsReports reports = errors_reports_of(options.model.data, options.errors);
+  reports.skipped.insert(reports.skipped.end(), faults.begin(), faults.end());
   options.json ? print_json(json_of(reports)) : print_text(reports);
   for (const std::string& remark : reports.remarks) warning_line(remark);
 }
 
-void run(const DiagnoseArguments& options) {
+void run(DiagnoseArguments options) {
   expect_follow(options.follow);
   if (options.follow.follow) {
     follow(options.model, options.how, options.follow, options.json);
     return;
   }
+  const std::vector<SkippedFile> faults = expand(options.model);
   if (are_of_linear_axes(options.model.data)) {
-    run_on_circles(options);
+    run_on_circles(options, faults);
     return;
   }
   const ModelData data = open_data(options.model);

@@ -12,7 +12,6 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/stored_errors.hpp"
-#include "ballbar/formats/text/given_data.hpp"
 
 namespace ballbar {
 namespace {
@@ -35,8 +34,8 @@ ErrorsReport& group_of(ErrorsReports& reports, const Recording& recording) {
   return reports.groups.emplace_back();
 }
 
-void read_into(ErrorsReports& reports, const std::string& file) {
-  RecordingFile read = open_recording(file);
+void read_into(ErrorsReports& reports, const std::string& file, const StatedCircle& stated) {
+  RecordingFile read = open_recording(file, known_readers(), stated);
   std::move(read.remarks.begin(), read.remarks.end(), std::back_inserter(reports.remarks));
   if (read.recordings.empty() && read.b5r) {
     reports.without_readings.push_back(std::move(*read.b5r));
@@ -86,7 +85,7 @@ bool are_of_linear_axes(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     std::error_code error;
     const bool has_bytes = std::filesystem::is_regular_file(file, error) && std::filesystem::file_size(file, error) > 0;
-    const bool is_recording = (has_bytes || given_recordings(file) != nullptr) && is_recording_file(file);
+    const bool is_recording = is_recording_file(file);
     if (!is_recording && !has_bytes && !std::filesystem::is_directory(file, error)) continue;  // told where it is read
     if (!is_recording) return false;
     any = true;
@@ -105,7 +104,7 @@ ErrorsReports errors_reports_of(const std::vector<std::string>& files, const Err
   ErrorsReports reports;
   for (const std::string& file : files) {
     try {
-      read_into(reports, file);
+      read_into(reports, file, options.circle);
     } catch (const Error& error) {
       if (options.strict || files.size() == 1) throw;
       reports.skipped.push_back({file, error.what()});

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "ballbar/formats/recordings/b5r.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/formats/recordings/test_folder.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
 
 namespace ballbar {
@@ -18,6 +20,7 @@ struct ErrorsOptions {
   bool strict = false;                 // a file that cannot be read ends all
   std::optional<double> tolerance_um;  // of the circularity
   std::set<std::string> in_the_model;  // effects that a model has already
+  StatedCircle circle;                 // of files that do not state theirs
 };
 
 // One group of recordings: those of one plane and one bar, whatever their feed.
@@ -27,11 +30,6 @@ struct ErrorsReport {
   std::optional<B5r> b5r;  // of the only file, where it is a `.b5r`; its runs are in `recordings`
   MachineErrors found;
   ErrorsOptions options;
-};
-
-struct SkippedFile {
-  std::string file;
-  std::string why;
 };
 
 struct ErrorsReports {

@@ -9,6 +9,7 @@
 
 #include "ballbar/units.hpp"
 #include "diagnose/machine_errors_report.hpp"
+#include "terminal/left_out.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -174,11 +175,7 @@ void print_text(const ErrorsReports& reports) {
     }
     fmt::print("{}", table.text(table_width(kWidest)));
   }
-  if (!reports.skipped.empty()) {
-    fmt::print("\nLeft out: {}\n",
-               reports.skipped.size() == 1 ? "one file" : fmt::format("{} files", reports.skipped.size()));
-    for (const SkippedFile& skipped : reports.skipped) fmt::print("  {}\n", shortened(skipped.why, 1000));
-  }
+  if (!reports.skipped.empty()) fmt::print("\n{}", left_out_text(reports.skipped));
 }
 
 }  // namespace ballbar

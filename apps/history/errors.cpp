@@ -21,11 +21,12 @@ namespace {
 
 struct ErrorsArguments {
   std::vector<std::string> paths, out;
+  StatedCircle circle;
   bool strict = false, json = false;
 };
 
 void run(const ErrorsArguments& options) {
-  const TestFiles files = read_tests(options.paths, options.strict);
+  const TestFiles files = read_tests(options.paths, options.strict, options.circle);
   expect_no_input(options.out, files.files);
   for (const std::string& path : options.out) {
     write_bytes(path, path.ends_with(".csv") ? test_table_csv(files.tests) : json_of(files).dump(2) + '\n');
@@ -42,6 +43,7 @@ void add_errors(CLI::App& app) {
   command->add_option("FILE", options->paths, ".b5r files, ballbar logs, and folders of them with those below")
       ->required()
       ->type_name("");
+  add_radius(*command, options->circle);
   command->add_flag("--strict", options->strict, "stop at a file that would be skipped");
   command
       ->add_option("--out", options->out,

@@ -33,6 +33,7 @@ struct HistoryArguments {
   std::vector<std::string> folders;
   std::vector<std::string> tolerances;
   std::vector<std::string> out;  // each by its ending
+  StatedCircle circle;
   bool all = false;
   bool strict = false;
   bool json = false;
@@ -81,7 +82,7 @@ void run(const HistoryArguments& options) {
   for (const std::string& text : options.tolerances) tolerances.push_back(tolerance_of(text));
   const auto is_page = [](const std::string& path) { return path.ends_with(".html"); };
   if (std::any_of(options.out.begin(), options.out.end(), is_page)) expect_page("--out");
-  const TestFiles files = read_tests(options.folders, options.strict);
+  const TestFiles files = read_tests(options.folders, options.strict, options.circle);
   expect_no_input(options.out, files.files);
   expect_known(tolerances, files.tests);
   const std::vector<MachineHistory> machines = history_of(files.tests, tolerances);
@@ -109,6 +110,7 @@ void add_history(CLI::App& app) {
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   command->add_flag("--all", options->all, "show quantities too that say nothing");
+  add_radius(*command, options->circle);
   command->add_flag("--strict", options->strict, "stop at a file that would be skipped");
   command
       ->add_option("--out", options->out,

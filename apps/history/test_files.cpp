@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <optional>
-#include <set>
 #include <thread>
 #include <unordered_map>
 
@@ -17,6 +15,8 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/stored_errors.hpp"
+#include "ballbar/formats/recordings/test_folder.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "history/stored_test.hpp"
 #include "terminal/progress.hpp"
@@ -25,15 +25,6 @@ namespace ballbar {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
-
-bool is_b5r(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".b5r";
-}
 
 // By content; XML of another kind is none.
 bool is_kind_of_recording(const fs::path& path) {
@@ -51,47 +42,17 @@ struct ReadFile {
   std::string fault;
 };
 
-// A folder that cannot be listed is a fault of its own.
-std::vector<ReadFile> files_below(const std::vector<std::string>& paths) {
+std::vector<ReadFile> found_files(const std::vector<std::string>& paths) {
+  FoundFiles found = files_below(paths);
   std::vector<ReadFile> files;
-  std::vector<fs::path> folders;
-  for (const std::string& path : paths) {
-    std::error_code error;
-    if (fs::is_directory(path, error)) {
-      folders.emplace_back(path);
-    } else {
-      files.push_back({path});
-      if (!fs::exists(path, error)) {
-        throw Error(fmt::format("{}: expected a folder of tests, found nothing of that name.", path));
-      }
-    }
-  }
-  while (!folders.empty()) {
-    const fs::path folder = std::move(folders.back());
-    folders.pop_back();
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-      std::error_code unknown;
-      if (is_hidden(entry->path())) continue;
-      if (entry->is_directory(unknown)) {
-        if (!entry->is_symlink(unknown)) folders.push_back(entry->path());
-      } else if (is_b5r(entry->path()) || entry->is_regular_file(unknown)) {
-        files.push_back({entry->path()});
-      }
-    }
-    if (error) {
-      files.push_back({folder});
-      files.back().fault = fmt::format("{}: expected a readable folder, found: {}.", folder.string(), error.message());
-    }
+  files.reserve(found.files.size() + found.faults.size());
+  for (fs::path& path : found.files) files.push_back({std::move(path)});
+  for (SkippedFile& fault : found.faults) {
+    files.push_back({fault.file});
+    files.back().fault = std::move(fault.why);
   }
   std::sort(files.begin(), files.end(),
             [](const ReadFile& left, const ReadFile& right) { return left.path < right.path; });
-  std::set<fs::path> seen;  // by two of the paths given
-  std::erase_if(files, [&](const ReadFile& file) {
-    std::error_code error;
-    const fs::path canonical = fs::canonical(file.path, error);
-    return !error && !seen.insert(canonical).second;
-  });
   return files;
 }
 
@@ -137,15 +98,17 @@ MachineTest test_of(const RecordingFile& file) {
   return test;
 }
 
-void read(ReadFile& file) {
+void read(ReadFile& file, const StatedCircle& stated) {
   if (!file.fault.empty()) return;
   try {
-    file.is_recording = is_b5r(file.path) || is_kind_of_recording(file.path);
+    file.is_recording = ends_in(file.path, ".b5r") || is_kind_of_recording(file.path);
     if (!file.is_recording) return;
-    RecordingFile opened = open_recording(file.path);
+    RecordingFile opened = open_recording(file.path, known_readers(), stated);
     file.remarks = std::move(opened.remarks);
     if (opened.b5r) {
       file.test = test_of(opened);
+    } else if (opened.recordings.size() > 1) {  // both directions in a table
+      file.test = fitted_test(opened.recordings, {});
     } else {
       file.log = std::move(opened.recordings.front());
       expect_two_axes(*file.log);
@@ -208,9 +171,9 @@ std::size_t hash_of(const MachineTest& test) {
 
 }  // namespace
 
-TestFiles read_tests(const std::vector<std::string>& paths, bool strict) {
-  std::vector<ReadFile> files = files_below(paths);
-  in_parallel_told("reading file", files.size(), [&](std::size_t i) { read(files[i]); });
+TestFiles read_tests(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated) {
+  std::vector<ReadFile> files = found_files(paths);
+  in_parallel_told("reading file", files.size(), [&](std::size_t i) { read(files[i], stated); });
   fit_logs(files);
   TestFiles found;
   std::unordered_multimap<std::size_t, std::size_t> known;  // places in tests by hash

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/history/machine_test.hpp"
 
 namespace ballbar {
@@ -21,10 +22,10 @@ struct TestFiles {
   std::vector<std::filesystem::path> files;  // all that were read
 };
 
-// Recordings in the folders and those below them; a path may be a file too. Hidden ones and links to folders are passed
-// over, and files that are no recording, unless their name ends in .b5r. Two logs that stand one after the other and
-// differ in direction alone are one test. Throws Error for a path that is not there or no test at all; strict: at the
-// first file that would be skipped.
-TestFiles read_tests(const std::vector<std::string>& paths, bool strict);
+// Recordings in the folders and those below them, and in archives; a path may be a file too. Hidden ones and links to
+// folders are passed over, and files that are no recording, unless their name ends in .b5r. Two logs that stand one
+// after the other and differ in direction alone are one test. Throws Error for a path that is not there or no test at
+// all; strict: at the first file that would be skipped.
+TestFiles read_tests(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated = {});
 
 }  // namespace ballbar

@@ -2,6 +2,7 @@
 #include "ballbar/drift/drift.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -18,6 +19,7 @@
 #include "measure/five_probe_drift.hpp"
 #include "measure/five_probe_options.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/left_out.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -109,12 +111,26 @@ void print_text(const Session& session, const DriftSeries& series, const DriftAr
   fmt::print("{}",
              wrapped("± is one sigma of the difference to the reference test; all rows share the reference's part. " +
                      series.not_cancelled));
+  std::vector<std::string> stored;
+  for (const SessionTest& test : session.tests) {
+    if (!test.stored.empty()) stored.push_back(test.name);
+  }
+  if (!stored.empty()) {
+    fmt::print("{}",
+               wrapped(fmt::format("Without readings, by the centres that they store, whose sigma is not known: {}.",
+                                   fmt::join(stored, ", "))));
+  }
   for (const Position& position : series.positions) {
     if (position.discounted > 0) {
       fmt::print("At {:g} min {} {} discounted.\n", min_from_s(position.time_s), position.discounted,
                  position.discounted == 1 ? "reading was" : "readings were");
     }
   }
+}
+
+nlohmann::ordered_json with_skipped(nlohmann::ordered_json json, const std::vector<SkippedFile>& skipped) {
+  for (const SkippedFile& one : skipped) json["skipped"].push_back({{"file", one.file}, {"why", one.why}});
+  return json;
 }
 
 // The five probes of a series, or those of a session.
@@ -182,9 +198,10 @@ void run(const DriftArguments& options) {
   const DriftSeries series = drift_of(session, how);
   for (const std::string& path : options.out) write_drift(series, path);
   if (options.json) {
-    print_json(json_of(series));
+    print_json(with_skipped(json_of(series), data.session->skipped));
   } else {
     print_text(session, series, options);
+    fmt::print("{}", left_out_text(data.session->skipped));
   }
   for (const Position& position : series.positions) {
     if (!position.converged) {

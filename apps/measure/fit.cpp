@@ -7,6 +7,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "ballbar/error.hpp"
+#include "ballbar/formats/recordings/test_folder.hpp"
+#include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/units.hpp"
 #include "commands.hpp"
@@ -21,6 +24,7 @@ namespace ballbar::commands {
 namespace {
 
 struct FitArguments {
+  StatedCircle circle;
   std::vector<std::string> files;
   std::string out;
   bool polar = false;
@@ -204,12 +208,22 @@ std::string text_of(const Fitted& fitted, const FitArguments& options) {
   return text;
 }
 
-void run(const FitArguments& options) {
+// Archives stand for the files inside them.
+void open_archives(std::vector<std::string>& files) {
+  if (std::none_of(files.begin(), files.end(), is_archive)) return;
+  const FoundFiles found = recordings_below(files);
+  if (!found.faults.empty()) throw Error(found.faults.front().why);
+  files.clear();
+  for (const std::filesystem::path& file : found.files) files.push_back(file.string());
+}
+
+void run(FitArguments options) {
+  open_archives(options.files);
   CircleOptions how;
   how.model = options.polar ? CircleModel::polar : CircleModel::length_equation;
   how.robust = options.robust;
   if (!options.out.empty()) expect_no_input({options.out}, {options.files.begin(), options.files.end()});
-  const Fitted fitted = fit_files(options.files, how, true);
+  const Fitted fitted = fit_files(options.files, how, Faults::end_all, options.circle);
   for (const std::string& remark : fitted.remarks) warning_line(remark);
   if (!options.out.empty()) write_bytes(options.out, json_of(fitted).dump(2) + '\n');
   options.json ? print_json(json_of(fitted)) : fmt::print("{}", text_of(fitted, options));
@@ -222,6 +236,7 @@ void add_fit(CLI::App& app) {
   const auto options = std::make_shared<FitArguments>();
   CLI::App* command = app.add_subcommand("fit", "Circle or axial fit of each recording; ISO 230-4 of a CCW/CW pair");
   command->add_option("FILE", options->files, ".b5r files or ballbar logs")->required()->type_name("");
+  add_radius(*command, options->circle);
   command->add_flag("--polar", options->polar, "the circle through the polar points, as instrument software does");
   command->add_flag("--robust", options->robust, "discount outlying readings (Tukey's biweight) and list them");
   command->add_flag("--json", options->json, "the result for a program");

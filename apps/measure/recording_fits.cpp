@@ -49,42 +49,49 @@ FittedRecording fit_recording(const std::string& file, std::size_t index, Record
   return fitted;
 }
 
+// What the file stores for a result of ours, and its limits.
+void compare(Compared& result, const std::optional<B5r>& b5r, const char* edition, const char* name,
+             const char* data_type = "UT_LENGTH_UM") {
+  if (!b5r) return;
+  result.stored = stored_value(*b5r, edition, name, data_type);
+  result.judgement = judged(b5r->limits, name, result.ours, data_type);
+  result.limits = range_of(b5r->limits, name, data_type);
+}
+
 FittedPair fit_pair(const FittedRecording& first, const FittedRecording& second, const std::optional<B5r>& b5r) {
   const bool first_is_ccw = first.recording.direction == Direction::CCW;
   const FittedRecording& ccw = first_is_ccw ? first : second;
   const FittedRecording& cw = first_is_ccw ? second : first;
   const Bidirectional both = bidirectional(ccw.recording, *ccw.circle, cw.recording, *cw.circle);
-  const auto stored = [&](const char* edition, const char* name, const char* data_type = "UT_LENGTH_UM") {
-    return b5r ? stored_value(*b5r, edition, name, data_type) : std::nullopt;
-  };
   const char* old_edition = "ISO230_4 1996";
   const char* new_edition = "ISO230_4 2005";
   FittedPair pair;
   pair.file = first.file;
-  pair.results = {
-      {"g_ccw_um", "circular deviation G, CCW um", 2, ccw.circularity->circular_deviation_um,
-       stored(old_edition, "AF_CIRCULAR_DEVIATION_CCW")},
-      {"g_cw_um", "circular deviation G, CW um", 2, cw.circularity->circular_deviation_um,
-       stored(old_edition, "AF_CIRCULAR_DEVIATION_CW")},
-      {"bidirectional_2005_um", "bidirectional, 2005 um", 2, both.bidirectional_2005_um,
-       stored(new_edition, "AF_BIDIRECTIONAL_CIRCULAR_DEVIATION")},
-      {"bidirectional_1996_um", "bidirectional, 1996 um", 2, both.bidirectional_1996_um,
-       stored(old_edition, "AF_CIRCULAR_DEVIATION_BIDIRECTIONAL")},
-      {"d_um", "mean radial deviation D um", 2, both.mean_radial_um,
-       stored(new_edition, "AF_MEAN_BIDIRECTIONAL_RADIAL_DEVIATION")},
-      {"h_um", "hysteresis H um", 2, both.hysteresis_um, stored(old_edition, "AF_CIRCULAR_HYSTERESIS")},
-      {"h_at_deg", "  at deg", 2, both.hysteresis_at_deg,
-       stored(old_edition, "AF_CIRCULAR_HYSTERESIS_LOCATION", "UT_ANGLE")},
-      {"f_max_ccw_um", "radial deviation F max, CCW um", 2, ccw.circularity->max_radial_um,
-       stored(old_edition, "AF_MAX_RADIAL_DEVIATION_CCW")},
-      {"f_min_ccw_um", "radial deviation F min, CCW um", 2, ccw.circularity->min_radial_um,
-       stored(old_edition, "AF_MIN_RADIAL_DEVIATION_CCW")},
-      {"f_max_cw_um", "radial deviation F max, CW um", 2, cw.circularity->max_radial_um,
-       stored(old_edition, "AF_MAX_RADIAL_DEVIATION_CW")},
-      {"f_min_cw_um", "radial deviation F min, CW um", 2, cw.circularity->min_radial_um,
-       stored(old_edition, "AF_MIN_RADIAL_DEVIATION_CW")},
+  const auto add = [&](const char* key, const char* label, double ours, const char* edition, const char* name,
+                       const char* data_type = "UT_LENGTH_UM") {
+    pair.results.push_back({key, label, 2, ours});
+    compare(pair.results.back(), b5r, edition, name, data_type);
   };
-  const auto stored_h = stored(old_edition, "AF_CIRCULAR_HYSTERESIS");
+  add("g_ccw_um", "circular deviation G, CCW um", ccw.circularity->circular_deviation_um, old_edition,
+      "AF_CIRCULAR_DEVIATION_CCW");
+  add("g_cw_um", "circular deviation G, CW um", cw.circularity->circular_deviation_um, old_edition,
+      "AF_CIRCULAR_DEVIATION_CW");
+  add("bidirectional_2005_um", "bidirectional, 2005 um", both.bidirectional_2005_um, new_edition,
+      "AF_BIDIRECTIONAL_CIRCULAR_DEVIATION");
+  add("bidirectional_1996_um", "bidirectional, 1996 um", both.bidirectional_1996_um, old_edition,
+      "AF_CIRCULAR_DEVIATION_BIDIRECTIONAL");
+  add("d_um", "mean radial deviation D um", both.mean_radial_um, new_edition, "AF_MEAN_BIDIRECTIONAL_RADIAL_DEVIATION");
+  add("h_um", "hysteresis H um", both.hysteresis_um, old_edition, "AF_CIRCULAR_HYSTERESIS");
+  add("h_at_deg", "  at deg", both.hysteresis_at_deg, old_edition, "AF_CIRCULAR_HYSTERESIS_LOCATION", "UT_ANGLE");
+  add("f_max_ccw_um", "radial deviation F max, CCW um", ccw.circularity->max_radial_um, old_edition,
+      "AF_MAX_RADIAL_DEVIATION_CCW");
+  add("f_min_ccw_um", "radial deviation F min, CCW um", ccw.circularity->min_radial_um, old_edition,
+      "AF_MIN_RADIAL_DEVIATION_CCW");
+  add("f_max_cw_um", "radial deviation F max, CW um", cw.circularity->max_radial_um, old_edition,
+      "AF_MAX_RADIAL_DEVIATION_CW");
+  add("f_min_cw_um", "radial deviation F min, CW um", cw.circularity->min_radial_um, old_edition,
+      "AF_MIN_RADIAL_DEVIATION_CW");
+  const auto stored_h = b5r ? stored_value(*b5r, old_edition, "AF_CIRCULAR_HYSTERESIS", "UT_LENGTH_UM") : std::nullopt;
   if (stored_h && *stored_h == 0.0 && both.hysteresis_um >= 0.05) {
     pair.remarks.push_back(
         fmt::format("The file stores a hysteresis of 0.0 um, a known defect of the instrument's software{}; the "
@@ -99,39 +106,55 @@ bool are_pair(const FittedRecording& first, const FittedRecording& second) {
   return first.circle && second.circle && are_both_directions(first.recording, second.recording);
 }
 
+void add_file(Fitted& fitted, const std::string& file, const CircleOptions& options, const StatedCircle& stated,
+              std::size_t& next_of_pair) {
+  RecordingFile opened = open_recording(file, known_readers(), stated);
+  std::move(opened.remarks.begin(), opened.remarks.end(), std::back_inserter(fitted.remarks));
+  if (opened.recordings.empty() && opened.b5r) {
+    fitted.results_alone.push_back({file, std::move(*opened.b5r)});
+    next_of_pair = fitted.recordings.size();
+    return;
+  }
+  const std::size_t first_of_file = fitted.recordings.size();
+  for (std::size_t i = 0; i < opened.recordings.size(); ++i) {
+    try {
+      fitted.recordings.push_back(fit_recording(file, i, std::move(opened.recordings[i]), opened.b5r, options));
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}.", file, error.what()));
+    }
+  }
+  if (opened.b5r) next_of_pair = std::max(next_of_pair, first_of_file);
+  const std::size_t n = fitted.recordings.size();
+  if (n >= next_of_pair + 2 && are_pair(fitted.recordings[n - 2], fitted.recordings[n - 1])) {
+    FittedPair pair = fit_pair(fitted.recordings[n - 2], fitted.recordings[n - 1], opened.b5r);
+    const bool ccw_first = fitted.recordings[n - 2].recording.direction == Direction::CCW;
+    pair.ccw = ccw_first ? n - 2 : n - 1;
+    pair.cw = ccw_first ? n - 1 : n - 2;
+    fitted.pairs.push_back(std::move(pair));
+    next_of_pair = n;
+  }
+  if (opened.b5r) next_of_pair = n;
+}
+
 }  // namespace
 
-Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options, bool results_alone) {
+Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options, Faults faults,
+                 const StatedCircle& stated) {
   Fitted fitted;
   std::size_t next_of_pair = 0;  // recordings before it are in a pair already, or cannot be
   for (const std::string& file : files) {
-    RecordingFile opened = open_recording(file);
-    std::move(opened.remarks.begin(), opened.remarks.end(), std::back_inserter(fitted.remarks));
-    if (results_alone && opened.recordings.empty() && opened.b5r) {
-      fitted.results_alone.push_back({file, std::move(*opened.b5r)});
-      next_of_pair = fitted.recordings.size();
-      continue;
+    const std::size_t before = fitted.recordings.size();
+    try {
+      add_file(fitted, file, options, stated, next_of_pair);
+    } catch (const Error& error) {
+      if (faults == Faults::end_all || files.size() == 1) throw;
+      fitted.recordings.resize(before);
+      fitted.skipped.push_back({file, error.what()});
+      next_of_pair = before;
     }
-    expect_readings(opened, file);
-    const std::size_t first_of_file = fitted.recordings.size();
-    for (std::size_t i = 0; i < opened.recordings.size(); ++i) {
-      try {
-        fitted.recordings.push_back(fit_recording(file, i, std::move(opened.recordings[i]), opened.b5r, options));
-      } catch (const Error& error) {
-        throw Error(fmt::format("{}: {}.", file, error.what()));
-      }
-    }
-    if (opened.b5r) next_of_pair = std::max(next_of_pair, first_of_file);
-    const std::size_t n = fitted.recordings.size();
-    if (n >= next_of_pair + 2 && are_pair(fitted.recordings[n - 2], fitted.recordings[n - 1])) {
-      FittedPair pair = fit_pair(fitted.recordings[n - 2], fitted.recordings[n - 1], opened.b5r);
-      const bool ccw_first = fitted.recordings[n - 2].recording.direction == Direction::CCW;
-      pair.ccw = ccw_first ? n - 2 : n - 1;
-      pair.cw = ccw_first ? n - 1 : n - 2;
-      fitted.pairs.push_back(std::move(pair));
-      next_of_pair = n;
-    }
-    if (opened.b5r) next_of_pair = n;
+  }
+  if (fitted.recordings.empty() && fitted.results_alone.empty() && !fitted.skipped.empty()) {
+    throw Error(fitted.skipped.front().why);
   }
   return fitted;
 }

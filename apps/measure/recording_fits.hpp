@@ -10,6 +10,8 @@
 #include "ballbar/circle/circle_fit.hpp"
 #include "ballbar/circle/circularity.hpp"
 #include "ballbar/formats/recordings/b5r.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/formats/recordings/test_folder.hpp"
 
 namespace ballbar {
 
@@ -20,6 +22,8 @@ struct Compared {
   int decimals = 2;
   double ours = 0.0;
   std::optional<double> stored;
+  LimitRange limits{};                   // that the file states for it
+  std::optional<Judgement> judgement{};  // of ours, by them
 };
 
 struct FittedRecording {
@@ -50,13 +54,17 @@ struct Fitted {
   std::vector<FittedRecording> recordings;
   std::vector<FittedPair> pairs;
   std::vector<ResultsAlone> results_alone;
+  std::vector<SkippedFile> skipped;
   std::vector<std::string> remarks;  // of the readers
 };
 
+enum class Faults { end_all, skip };
+
 // Opens and fits every file. A pair is the two directions of one `.b5r`, or two logs that stand one after the
-// other and differ only in direction. Throws Error with the file's name; for a file without readings too, unless
-// `results_alone` keeps those.
-Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options, bool results_alone = false);
+// other and differ only in direction. Throws Error with the file's name, or skips that file; throws where all are
+// skipped.
+Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options, Faults faults = Faults::end_all,
+                 const StatedCircle& stated = {});
 
 // What a file without readings stores, as a table for the terminal.
 std::string text_of(const ResultsAlone& alone);

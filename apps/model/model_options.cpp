@@ -83,6 +83,7 @@ void add_model_options(CLI::App& command, ModelOptions& options, bool model_requ
       ->type_name("COLUMN")
       ->allow_extra_args(false);
   add_max_gap(command, options.max_gap_s);
+  add_radius(command, options.circle);
 }
 
 void add_also_input(CLI::App& command, ModelOptions& options) {
@@ -105,8 +106,8 @@ void add_fit_options(CLI::App& command, ModelOptions& options) {
 }
 
 ModelData open_data(const ModelOptions& options) {
-  ModelData data =
-      open_model_data({options.data.begin(), options.data.end()}, {}, options.max_gap_s.value_or(kUsualGap_s));
+  ModelData data = open_model_data({options.data.begin(), options.data.end()}, {},
+                                   options.max_gap_s.value_or(kUsualGap_s), known_readers(), options.circle);
   tell(data.remarks);
   return data;
 }

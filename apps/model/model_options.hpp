@@ -8,6 +8,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/sessions/data_file.hpp"
 #include "ballbar/model/model.hpp"
 
@@ -24,6 +25,7 @@ struct ModelOptions {
   std::vector<std::string> also_input;  // targets that effects may read
   std::vector<std::string> set;         // parameters held: with_held_values()
   std::optional<double> max_gap_s;
+  StatedCircle circle;
   bool robust = false;
   bool white = false;
 };

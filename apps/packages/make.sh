@@ -24,7 +24,7 @@ sh apps/page/build-tool.sh
 
 step "Build (Release, in $build)"
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DBALLBAR_PACKAGES=ON \
-  -DBALLBAR_PAGE=ON -DBALLBAR_IMAGES=ON -DBALLBAR_MAT=ON -DBALLBAR_XLSX=ON -DBALLBAR_BLIND=ON -DBALLBAR_PYTHON=ON -DBALLBAR_HAL=OFF
+  -DBALLBAR_PAGE=ON -DBALLBAR_IMAGES=ON -DBALLBAR_MAT=ON -DBALLBAR_PDF=OFF -DBALLBAR_XLSX=ON -DBALLBAR_BLIND=ON -DBALLBAR_PYTHON=ON -DBALLBAR_HAL=OFF
 cmake --build "$build" --target ballbar ballbar_python ballbar_python_files -j "$(nproc)"
 
 step 'Packages'

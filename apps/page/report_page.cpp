@@ -88,6 +88,16 @@ Json drawn(const std::string& option, std::string_view function, const std::stri
   return answer;
 }
 
+// Throws Error where a name or a choice is not there.
+void expect_choices(const Json& answer) {
+  if (!answer.contains("option")) return;
+  const auto known = answer["expected"].get<std::vector<std::string>>();
+  throw Error(fmt::format(
+      "{}: {}{}, found {}.", answer["option"].get<std::string>(),
+      known.empty() ? "expected none, there is nothing to choose in this picture" : "expected one of these: ",
+      fmt::join(known, "; "), in_quotes(answer["found"].get<std::string>())));
+}
+
 // Each @MARK@ of the text once; what is put in is not looked at.
 std::string filled(std::string_view text, const std::map<std::string, std::string, std::less<>>& marks) {
   std::string page;
@@ -140,19 +150,23 @@ std::vector<NamedPicture> pictures_of(const Json& report, const PictureOptions& 
   const Json answer = drawn("--format svg", "draw",
                             fmt::format("{},{},{},{}", as_argument(report), as_script(Json(options.names)),
                                         as_script(Json(options.choices)), options.width_px));
-  if (answer.contains("option")) {
-    const auto known = answer["expected"].get<std::vector<std::string>>();
-    throw Error(fmt::format(
-        "{}: {}{}, found {}.", answer["option"].get<std::string>(),
-        known.empty() ? "expected none, there is nothing to choose in this picture" : "expected one of these: ",
-        fmt::join(known, "; "), in_quotes(answer["found"].get<std::string>())));
-  }
+  expect_choices(answer);
   std::vector<NamedPicture> pictures;
   for (const Json& one : answer["drawn"]) {
     pictures.push_back(
         {one["name"].get<std::string>(), one["title"].get<std::string>(), one["svg"].get<std::string>()});
   }
   return pictures;
+}
+
+std::string handover_of(const Json& report, const std::vector<std::string>& choices) {
+  const Json answer =
+      drawn("--format pdf", "draw_handover", fmt::format("{},{}", as_argument(report), as_script(Json(choices))));
+  expect_choices(answer);
+  if (answer["drawn"].empty()) {
+    throw Error("--format pdf: expected one ballbar test of two linear axes, with readings, found another report.");
+  }
+  return answer["drawn"][0]["svg"].get<std::string>();
 }
 
 std::string plot_of(const Json& parts, const std::string& conclusion) {

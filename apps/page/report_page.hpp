@@ -35,6 +35,10 @@ struct PictureOptions {
 // not have, with those that it has.
 std::vector<NamedPicture> pictures_of(const nlohmann::ordered_json& report, const PictureOptions& options);
 
+// One ballbar test on a sheet of A4, SVG. `choices`: "error=backlash_a", the error in its picture. By node too. Throws
+// Error where the report is not of one test.
+std::string handover_of(const nlohmann::ordered_json& report, const std::vector<std::string>& choices);
+
 // For --plot: all pictures of these parts of a report in one .svg, one below the other, under the conclusion. By node
 // too.
 std::string plot_of(const nlohmann::ordered_json& parts, const std::string& conclusion);

@@ -51,10 +51,10 @@ const std::vector<std::string>& column(const Texts& texts, const std::string& na
 }
 
 Plane plane_of(const std::string& name) {
-  for (const Plane plane : {Plane::XY, Plane::YZ, Plane::ZX}) {
+  for (const Plane plane : kPlanes) {
     if (name_of(plane) == name) return plane;
   }
-  throw Error(fmt::format("plane: expected XY, YZ or ZX, found {}.", name));
+  throw Error(fmt::format("plane: expected XY, YZ or ZX (or XZ and the like), found {}.", name));
 }
 
 std::vector<MachineTest> tests_of(const Texts& texts, const Columns& columns,

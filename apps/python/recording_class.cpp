@@ -112,7 +112,7 @@ std::shared_ptr<Recording> recording_of(const py::object& length_mm, const py::o
   if (!std::isfinite(of.height_offset_mm)) {
     throw Error(fmt::format("height_offset_mm: expected a finite number, found {}.", of.height_offset_mm));
   }
-  recording->plane = named("plane", of.plane, {Plane::XY, Plane::YZ, Plane::ZX});
+  recording->plane = named("plane", of.plane, {Plane::XY, Plane::YZ, Plane::ZX, Plane::YX, Plane::ZY, Plane::XZ});
   recording->direction = named("direction", of.direction, {Direction::CCW, Direction::CW});
   recording->motion = named("motion", of.motion, {Motion::linear_axes, Motion::rotary_axis, Motion::spindle});
   recording->nominal_length_mm = of.nominal_length_mm;

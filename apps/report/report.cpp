@@ -8,13 +8,16 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "ballbar/drift/comparison.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/formats/recordings/test_folder.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/sessions/runs_toml.hpp"
+#include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/series/runs.hpp"
 #include "batches/batches.hpp"
@@ -25,12 +28,14 @@
 #include "measure/drift_text.hpp"
 #include "measure/recording_fits.hpp"
 #include "model/model_options.hpp"
+#include "page/pdf_file.hpp"
 #include "page/report_page.hpp"
 #include "predict/predict_batch.hpp"
 #include "programs/child_process.hpp"
 #include "report/report_inside.hpp"
 #include "report/report_parts.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/left_out.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
@@ -43,7 +48,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-enum class Format { html, svg, json };
+enum class Format { html, svg, json, pdf };
 
 struct ReportArguments {
   ModelOptions model;
@@ -66,6 +71,7 @@ struct ReportArguments {
 struct Made {
   Json json;
   std::vector<fs::path> files;
+  std::vector<SkippedFile> skipped;
 
   void conclude(const std::string& sentence) { json["summary"].push_back(sentence); }
 };
@@ -78,29 +84,54 @@ std::string file_name(const fs::path& path) {
 }
 
 // Of several tests the page says each conclusion with its table.
-void add_machine_errors(Made& made, const Fitted& fitted) {
-  MachineErrorsPart part = machine_errors_part(fitted);
+void add_machine_errors(Made& made, const Fitted& fitted, const StatedCircle& stated) {
+  MachineErrorsPart part = machine_errors_part(fitted, stated);
   for (const std::string& remark : part.remarks) made.json["fit"]["remarks"].push_back(remark);
   if (part.tests.empty()) return;
   if (part.conclusions.size() == 1) made.conclude(part.conclusions.front());
   made.json["machine_errors"] = std::move(part.tests);
 }
 
+// Of files without readings the page has what they store.
+void add_results_alone(Made& made, const Fitted& fitted) {
+  for (const ResultsAlone& alone : fitted.results_alone) {
+    made.conclude(fmt::format("{} stores results alone, no readings.", file_name(alone.file)));
+  }
+}
+
+// The page is mailed: a sentence has the file's name alone.
+void add_skipped(Made& made, const std::vector<SkippedFile>& skipped) {
+  for (const SkippedFile& one : skipped) {
+    std::string why = one.why;
+    if (why.starts_with(one.file)) why.replace(0, one.file.size(), file_name(one.file));
+    made.json["fit"]["remarks"].push_back("Left out: " + why);
+  }
+  made.skipped.insert(made.skipped.end(), skipped.begin(), skipped.end());
+}
+
+// The name of the test where all recordings, or stored results, are of one.
+std::string test_name_of(const Fitted& fitted) {
+  std::set<std::string> names;
+  for (const FittedRecording& one : fitted.recordings) names.insert(one.test_name);
+  for (const ResultsAlone& one : fitted.results_alone) names.insert(one.b5r.test_name);
+  return names.size() == 1 ? *names.begin() : std::string();
+}
+
 void add_recordings(Made& made, const ReportArguments& options) {
-  const Fitted fitted = fit_files(options.model.data, {});
+  const Fitted fitted = fit_files(options.model.data, {}, Faults::skip, options.model.circle);
   made.json["fit"] = recordings_part(fitted);
-  add_machine_errors(made, fitted);
-  const std::string& test_name = fitted.recordings.front().test_name;
-  const bool one_name = std::all_of(fitted.recordings.begin(), fitted.recordings.end(),
-                                    [&](const FittedRecording& one) { return one.test_name == test_name; });
-  if (one_name && !test_name.empty()) {
+  add_machine_errors(made, fitted, options.model.circle);
+  add_results_alone(made, fitted);
+  add_skipped(made, fitted.skipped);
+  const std::string test_name = test_name_of(fitted);
+  if (!test_name.empty()) {
     made.json["title"] = test_name;
   } else if (options.model.data.size() > 1) {
     made.json["title"] = fmt::format("{} recordings of {} files", fitted.recordings.size(), options.model.data.size());
   } else {
     made.json["title"] = file_name(options.model.data.front());
   }
-  made.files.insert(made.files.end(), options.model.data.begin(), options.model.data.end());
+  for (const std::string& file : options.model.data) made.files.push_back(file_on_disk(file));
 }
 
 void add_session(Made& made, const SessionFiles& files, const ReportArguments& options) {
@@ -111,7 +142,9 @@ void add_session(Made& made, const SessionFiles& files, const ReportArguments& o
   for (const TestFile& one : files.recordings) recordings.push_back(one.file.string());
   const Fitted fitted = fit_files(recordings, {});
   made.json["fit"] = recordings_part(fitted, files);
-  add_machine_errors(made, fitted);
+  add_machine_errors(made, fitted, options.model.circle);
+  add_results_alone(made, fitted);
+  add_skipped(made, files.skipped);
   const DriftSeries drift = drift_of(session);
   made.json["drift"] = drift_part(drift);
   for (const std::string& largest : largest_drifts(drift)) made.conclude(fmt::format("Largest drift: {}.", largest));
@@ -241,23 +274,46 @@ void expect_use(const ReportArguments& options, bool of_recordings, bool of_batc
   expect(!options.probes.any() || !of_recordings, "options of five probes", "a session or a series");
 }
 
+// Of folders and archives that are no session, the recordings below them; why a folder is none goes to `remarks`.
+FoundFiles expanded(ReportArguments& options, std::vector<std::string>& remarks) {
+  std::vector<std::string>& data = options.model.data;
+  if (std::none_of(data.begin(), data.end(), is_folder_of_tests)) return {};
+  if (data.size() == 1) {
+    try {
+      open_session(data.front());
+      return {};
+    } catch (const Error& error) {
+      remarks.emplace_back(error.what());
+    }
+  }
+  FoundFiles found = recordings_below(data);
+  if (found.files.empty()) throw Error(remarks.empty() ? found.faults.front().why : remarks.front());
+  data.clear();
+  for (const fs::path& file : found.files) data.push_back(file.string());
+  return found;
+}
+
 // Recordings are told from a session and a series by what open_model_data() makes of them.
-Made made_of(const ReportArguments& options) {
+Made made_of(ReportArguments options) {
   Made made;
   made.json = {{"format", "ballbar-report 1"}, {"title", ""}, {"made_by", "ballbar " BALLBAR_VERSION}};
   made.json["made_on"] = page_date();
   made.json["files"] = Json::array();
   made.json["summary"] = Json::array();
   made.json["signals"] = Json::array();
+  std::vector<std::string> no_session;
+  const FoundFiles found = expanded(options, no_session);
   const bool has_model = !options.model.model.empty();
   const bool of_batches = has_model && is_batch_model(options.model.model);
-  const bool of_recordings = is_recording_file(options.model.data.front());
+  const bool of_recordings = !found.files.empty() || is_recording_file(options.model.data.front());
   expect_use(options, of_recordings, of_batches);
   if (of_recordings) {
     if (!options.compare.empty())
       throw Error("--compare: expected a session or a series to compare, found recordings.");
     if (of_batches) throw Error(options.model.model + ": expected a series to predict, found recordings.");
     add_recordings(made, options);
+    add_skipped(made, found.faults);
+    for (const std::string& why : no_session) made.conclude("No drift: " + why);
     if (has_model || options.diagnose) add_model(made, options);
     return made;
   }
@@ -320,6 +376,7 @@ void write_pictures(const Json& report, const ReportArguments& options) {
 Format format_of(const ReportArguments& options) {
   if (options.chosen_format) return *options.chosen_format;
   const std::string ending = ending_of(options.out);
+  if (ending == ".pdf") return Format::pdf;
   return ending == ".svg" ? Format::svg : ending == ".json" ? Format::json : Format::html;
 }
 
@@ -328,10 +385,11 @@ void expect_fitting_options(const ReportArguments& options) {
     if (!fits) throw CLI::ValidationError(sentence);
   };
   const PictureOptions& pictures = options.pictures;
-  expect(options.format == Format::svg || (pictures.names.empty() && pictures.choices.empty()),
+  const bool sheet = options.format == Format::pdf && pictures.names.empty();  // its one picture may be chosen in
+  expect(options.format == Format::svg || sheet || (pictures.names.empty() && pictures.choices.empty()),
          fmt::format("--{}: expected --format svg with it; the page has all pictures",
                      pictures.names.empty() ? "choose" : "picture"));
-  expect(pictures.choices.empty() || pictures.names.size() == 1,
+  expect(sheet || pictures.choices.empty() || pictures.names.size() == 1,
          "--choose: expected one --picture with it, whose choice it is");
   if (options.json) {
     expect(options.out.empty() && !options.chosen_format && !options.open,
@@ -342,7 +400,10 @@ void expect_fitting_options(const ReportArguments& options) {
                                    ? "--format svg: expected --out with a folder, or a name that ends in .svg"
                                    : "expected --out with the name of the page, as in --out page.html");
   const std::string ending = ending_of(options.out);
-  const std::string wanted = options.format == Format::html ? ".html" : options.format == Format::json ? ".json" : "";
+  const std::string wanted = options.format == Format::html   ? ".html"
+                             : options.format == Format::json ? ".json"
+                             : options.format == Format::pdf  ? ".pdf"
+                                                              : "";
   expect(wanted.empty() || ending == wanted, fmt::format("--out {}: expected a name that ends in {}, found {}",
                                                          options.out, wanted, ending.empty() ? "no ending" : ending));
   expect(!options.open || options.format == Format::html, "--open: expected a page to open, not --format");
@@ -358,6 +419,7 @@ void expect_out(const ReportArguments& options) {
     throw Error(fmt::format("--out {}: expected a folder to write to, found none of that name.", options.out));
   }
   if (options.format != Format::json) expect_page();
+  if (options.format == Format::pdf) expect_pdf("--format pdf");
 }
 
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
@@ -369,6 +431,12 @@ std::string html_of(const Made& made, const ReportArguments& options) {
     stderr_line(fmt::format("the files are not in the page: more than {} MB, or of a pipe", kMostInside >> 20));
   }
   return page_of(made.json, inside);
+}
+
+std::string bytes_of(const Made& made, const ReportArguments& options) {
+  if (options.format == Format::json) return text_of(made.json) + "\n";
+  if (options.format == Format::html) return html_of(made, options);
+  return pdf_of(handover_of(made.json, options.pictures.choices), made.json["title"].get<std::string>());
 }
 
 void run(ReportArguments options) {
@@ -392,8 +460,9 @@ void run(ReportArguments options) {
   if (options.json) return print_json(made.json, -1);
   expect_no_input({options.out}, made.files);
   if (options.format == Format::svg) return write_pictures(made.json, options);
-  write_bytes(options.out, options.format == Format::html ? html_of(made, options) : text_of(made.json) + "\n");
+  write_bytes(options.out, bytes_of(made, options));
   for (const Json& sentence : made.json["summary"]) print_for_people(wrapped(sentence.get<std::string>()));
+  print_for_people(left_out_text(made.skipped));
   stderr_line(fmt::format("wrote {}", options.out));
   if (options.open && !started({"xdg-open", fs::absolute(options.out).string()})) {
     warning_line(fmt::format("no program xdg-open to open it with; open {} in a browser.", options.out));
@@ -416,18 +485,20 @@ void add_report(CLI::App& app) {
       ->excludes(diagnose);
   command->add_flag("--anyway", options->anyway, "model of `train`: predict though a sensor looks broken");
   command
-      ->add_option("--out", options->out, "page.html; one picture .svg, or a folder with --format svg; .json: its data")
+      ->add_option("--out", options->out,
+                   "page.html; one picture .svg, or a folder with --format svg; .json: its data; .pdf: one sheet")
       ->type_name("FILE");
-  add_choice(*command, "--format", {"html", "svg", "json"}, "by the ending of --out",
-             "html: the page; svg: its pictures, drawn by node; json: its data",
+  add_choice(*command, "--format", {"html", "svg", "json", "pdf"}, "by the ending of --out",
+             "html: the page; svg: its pictures, drawn by node; json: its data; pdf: one ballbar test on one sheet",
              [options](std::size_t at) { options->chosen_format = static_cast<Format>(at); });
   command->add_flag("--json", options->json, "the result for a program: the data of the page");
   command->add_option("--picture", options->pictures.names, "with --format svg: only this one; may be repeated")
       ->type_name("NAME")
       ->allow_extra_args(false);
   command
-      ->add_option("--choose", options->pictures.choices,
-                   "with --picture: what the page would choose in it, such as \"recording=64 min, XY CCW\"")
+      ->add_option(
+          "--choose", options->pictures.choices,
+          "with --picture, or of the sheet: what the page would choose in it, such as \"recording=64 min, XY CCW\"")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command->add_option("--width", options->pictures.width_px, "of --format svg, in pixels; default 900")

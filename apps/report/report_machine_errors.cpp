@@ -120,7 +120,7 @@ std::vector<Places> tests_of(const Fitted& fitted) {
 
 }  // namespace
 
-MachineErrorsPart machine_errors_part(const Fitted& fitted) {
+MachineErrorsPart machine_errors_part(const Fitted& fitted, const StatedCircle& stated) {
   MachineErrorsPart part{Json::array(), {}, {}};
   for (const Places& places : tests_of(fitted)) {
     std::vector<std::string> files;
@@ -129,7 +129,7 @@ MachineErrorsPart machine_errors_part(const Fitted& fitted) {
       if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
     }
     try {
-      const ErrorsReports found = errors_reports_of(files, {});
+      const ErrorsReports found = errors_reports_of(files, {.circle = stated});
       if (found.groups.size() != 1 || found.groups.front().recordings.size() != places.size()) continue;
       part.tests.push_back(part_of(found.groups.front(), places));
       part.conclusions.push_back(conclusion(found.groups.front()));

@@ -39,7 +39,7 @@ struct MachineErrorsPart {
   std::vector<std::string> conclusions;  // one a test
   std::vector<std::string> remarks;
 };
-MachineErrorsPart machine_errors_part(const Fitted& fitted);
+MachineErrorsPart machine_errors_part(const Fitted& fitted, const StatedCircle& stated);
 
 nlohmann::ordered_json drift_part(const DriftSeries& drift);
 nlohmann::ordered_json probes_part(const MeasuredDrift& drift);

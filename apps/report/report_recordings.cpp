@@ -57,6 +57,11 @@ Json results_of(const std::string& name, const std::vector<Compared>& results) {
   for (const Compared& result : results) {
     Json row{{"label", result.label}, {"decimals", result.decimals}, {"ours", number(result.ours)}};
     row["stored"] = result.stored ? number(*result.stored) : Json(nullptr);
+    if (result.judgement) {
+      const auto end = [](const std::optional<double>& limit) { return limit ? number(*limit) : Json(nullptr); };
+      row["limits"] = {end(result.limits.lower), end(result.limits.upper)};
+      row["judgement"] = name_of(*result.judgement);
+    }
     rows.push_back(std::move(row));
   }
   return {{"of", name}, {"rows", rows}};
@@ -76,7 +81,9 @@ Json part(const Fitted& fitted, const SessionFiles* session) {
   std::size_t place = 0;  // in session->recordings
   for (std::size_t i = 0; i < fitted.recordings.size(); ++i) {
     const FittedRecording& one = fitted.recordings[i];
-    if (i > 0 && one.index == 0) ++place;
+    if (session != nullptr) {
+      while (session->recordings[place].file != one.file) ++place;
+    }
     const std::string file = std::filesystem::path(one.file).filename().string();
     Json recording = json_of(one);
     recording["file"] = file;  // where it lay is nobody's business whom the page is mailed to
@@ -102,6 +109,11 @@ Json part(const Fitted& fitted, const SessionFiles* session) {
     const std::string file = std::filesystem::path(pair.file).filename().string();
     json["results"].push_back(results_of("ISO 230-4, " + file, pair.results));
     for (const std::string& remark : pair.remarks) json["remarks"].push_back(fmt::format("{}: {}", file, remark));
+  }
+  for (const ResultsAlone& alone : fitted.results_alone) {
+    Json stored = json_of(alone);
+    stored["file"] = std::filesystem::path(alone.file).filename().string();
+    json["stored_alone"].push_back(std::move(stored));
   }
   const Json all = json_of(fitted);
   for (const char* key : {"iso230_4", "iso230_4_pairs"}) {

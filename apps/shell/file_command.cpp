@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/reader.hpp"
 #include "shell/usage_fault.hpp"
 #include "terminal/stderr_line.hpp"
@@ -33,9 +34,9 @@ std::string_view name_of(FileKind kind) {
 // Told by content. A file of no known format is taken for a series, whose reader says what is wrong with it.
 FileKind kind_of(const std::string& path) {
   std::error_code absent;
-  if (std::filesystem::is_directory(path, absent)) return FileKind::session;
+  if (std::filesystem::is_directory(path, absent) || is_archive(path)) return FileKind::session;
   const Reader* const reader = reader_of_file(path);
-  if (read_of<ReadRecordings>(reader) != nullptr) return FileKind::recording;
+  if (reads_recordings(reader)) return FileKind::recording;
   if (read_of<ReadSession>(reader) != nullptr) return FileKind::session;
   if (found_in(reader) == "a model") {
     throw Error(fmt::format(

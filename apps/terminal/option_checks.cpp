@@ -85,6 +85,21 @@ void take_time(CLI::Option& option, bool above_0) {
   }));
 }
 
+void add_radius(CLI::App& command, StatedCircle& circle) {
+  CLI::AsNumberWithUnit mm(std::map<std::string, double>{{"mm", 1.0}, {"m", 1e3}, {"in", 25.4}},
+                           CLI::AsNumberWithUnit::CASE_SENSITIVE);
+  command
+      .add_option("--radius", circle.radius_mm,
+                  "nominal radius of circles whose files do not state it: 100, 100mm or 0.1m")
+      ->type_name("LENGTH")
+      ->transform(mm.description(""))
+      ->check(validator([](const std::string& found) {
+        double radius_mm = 0.0;
+        if (is_number(found, radius_mm) && std::isfinite(radius_mm) && radius_mm > 0.0) return std::string();
+        return fmt::format("expected a finite length above 0, found {}", in_quotes(found));
+      }));
+}
+
 void add_choice(CLI::App& command, const std::string& name, std::vector<std::string> words,
                 const std::string& otherwise, const std::string& help, const std::function<void(std::size_t)>& at) {
   const std::string all = fmt::format("{}", fmt::join(words, "|"));

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ballbar/formats/recordings/recording_file.hpp"
+
 namespace ballbar {
 
 inline constexpr double kLargestSeed = 9.2e18;  // a whole number of 63 bits
@@ -29,6 +31,9 @@ CLI::Validator name_that_ends_in(std::vector<std::string> endings);
 
 // Shown as TIME: 3840, 3840s, 64min or 1.5h, which becomes a number of seconds. `above_0`: of no other kind.
 void take_time(CLI::Option& option, bool above_0);
+
+// --radius: 100, 100mm or 0.1m, which becomes mm; of circles whose files do not state it.
+void add_radius(CLI::App& command, StatedCircle& circle);
 
 // An option whose value is one of these words; `at` takes its place among them.
 void add_choice(CLI::App& command, const std::string& name, std::vector<std::string> words,

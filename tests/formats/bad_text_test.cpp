@@ -33,8 +33,9 @@ constexpr BadText kBadTexts[] = {
     {"log", "motion = \"linear_axes\"", "motion = linear_axes",
      "file:3:12: expected TOML, found text that its parser refuses: Error while parsing value: could not determine "
      "value type."},
-    {"log", "plane = \"XY\"", "plane = \"XZ\"",
-     "file:4:11: expected one of \"XY\", \"YZ\", \"ZX\" for plane, found the text \"XZ\"."},
+    {"log", "plane = \"XY\"", "plane = \"XX\"",
+     "file:4:11: expected one of \"XY\", \"YZ\", \"ZX\", \"YX\", \"ZY\", \"XZ\" for plane, found the text "
+     "\"XX\"."},
     {"log", "moving_ball = \"spindle\"", "moving_ball = true",
      "file:5:17: expected one of \"spindle\", \"table\" for moving_ball, found true."},
     {"log", "nominal_length_mm = 100.0", "nominal_length_mm = 0",
@@ -320,8 +321,8 @@ constexpr BadText kBadTexts[] = {
      "file:9:10: expected START_ANGLE and END_ANGLE, the arc of the readings in deg, found no END_ANGLE."},
     {"b5r", "<END_ANGLE>80", "<END_ANGLE>80 deg",
      "file:9:20: expected a finite number for END_ANGLE, decimals with a point, found \"80 deg\"."},
-    {"b5r", "TEST_PLANE=\"ZX\"", "TEST_PLANE=\"XZ\"",
-     "file:10:10: expected a PLANE with TEST_PLANE XY, YZ or ZX, found \"XZ\"."},
+    {"b5r", "TEST_PLANE=\"ZX\"", "TEST_PLANE=\"XX\"",
+     "file:10:10: expected a PLANE with TEST_PLANE XY, YZ or ZX, or YX, ZY or XZ, found \"XX\"."},
     {"b5r", "TEST_PLANE=\"ZX\"", "TEST_PLANE=\"YZ\"",
      "file:11:24: expected A_AXIS_NAME Y for the plane YZ, found \"Z\"."},
     {"b5r", "<RUN_DIRECTION>CW", "<RUN_DIRECTION>cw", "file:24:22: expected RUN_DIRECTION CCW or CW, found \"cw\"."},

@@ -5,8 +5,8 @@ seconds=${1:-60}
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 build=$root/build-fuzz
-targets="b5r ballbar_log log series session machine model runs batch_model effect_regression picture live_rows
-  compensation_state schedule"
+targets="archive b5r ballbar_log circle_table log series session machine model runs batch_model effect_regression picture
+  live_rows compensation_state schedule"
 
 cmake -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang -DCMAKE_BUILD_TYPE=RelWithDebInfo \
   -DBALLBAR_FUZZ=ON -DBALLBAR_SANITIZE=address,undefined > /dev/null

@@ -76,9 +76,10 @@ test("glossaries: every effect, verdict and error of the machine", () => {
 const meant = [
   /^drawing\/(command|sequence_colour|theme)\.ts/,
   /^figure\/(csv|files|sheet|still)\.ts/,
+  /^handover\/drawing\.ts/,
   /^(boot|shell|worker)\.ts/,
   /^engine\.ts:\d+: (the engine gave no answer|no file 0)$/,
-  /: (600 13px 0|12px 0|\(prefers-color-scheme: dark\)|first wide|ballbar (add|history) |⺀|←|→)$/,
+  /: (600 13px 0|12px 0|\(prefers-color-scheme: dark\)|first wide|ballbar (add|history) |⺀|←|→|≤ 0|≥ 0)$/,
 ];
 
 test("code: what a reader sees comes from the texts alone", () => {

@@ -1,5 +1,6 @@
 // The page: the verdict and what proves it, then the sections, folded.
 import { kept_view } from "./page/kept_view";
+import { one_sheet } from "./page/one_sheet";
 import { page_tools } from "./page/page_tools";
 import { element, text_in } from "./elements/elements";
 import { first_screen, type Proved } from "./page/first_screen";
@@ -33,7 +34,7 @@ const header_of = (report: Report, wide: boolean): HTMLElement =>
     element("p", { class: "made" }, t.page_made({ by: report.made_by, on: report.made_on })),
   );
 
-const contents_of = (sections: readonly Section[], tools: HTMLElement): HTMLElement =>
+const contents_of = (sections: readonly Section[], ...tools: readonly HTMLElement[]): HTMLElement =>
   element(
     "nav",
     { "aria-label": t.page_contents },
@@ -42,7 +43,7 @@ const contents_of = (sections: readonly Section[], tools: HTMLElement): HTMLElem
       {},
       ...sections.map(({ id, heading }) => element("li", {}, element("a", { href: `#${id}` }, heading))),
     ),
-    tools,
+    ...tools,
   );
 
 const voice = element("div", { class: "voice", role: "status", "aria-live": "polite" });
@@ -62,8 +63,14 @@ const open: Open = (report, shared, tools, by_hand) => {
     ...(by_hand ? [by_hand.element] : []),
     ...made.map((one) => one.element),
   );
+  const sheet = one_sheet(report, shared);
   return {
-    parts: [contents_of(all, tools), header_of(report, first[0]?.beside !== undefined), main],
+    parts: [
+      ...(sheet ? [sheet.sheet] : []),
+      contents_of(all, ...(sheet ? [sheet.print] : []), tools),
+      header_of(report, first[0]?.beside !== undefined),
+      main,
+    ],
     // What is on the screen is drawn at once; the rest when it comes near.
     draw: () => proved.forEach(({ figure }) => figure.draw_now()),
   };

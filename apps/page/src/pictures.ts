@@ -2,6 +2,8 @@
 import type { Picture, State } from "./picture";
 import type { Report } from "./report";
 import { sections_of } from "./sections";
+import { handover_sheet, kSheet_px } from "./handover/handover";
+import { kErrors_picture } from "./machine_errors/errors_picture";
 import { sheet } from "./figure/sheet";
 import { initial_state, kCaption_px, svg_file } from "./figure/still";
 
@@ -55,4 +57,17 @@ const draw_sheet = (report: Report, width_px: number): Answer => {
   return { drawn: [{ name: "sheet", title: report.title, svg: sheet(report.summary, pictures, width_px) }] };
 };
 
-(globalThis as unknown as Record<string, unknown>)["ballbar_pictures"] = { draw, draw_sheet };
+// One test on a sheet of A4 for `--format pdf`; none where the report is of no test or several. `choices`: "error=NAME".
+const draw_handover = (report: Report, choices: readonly string[]): Answer => {
+  const picture = sections_of(report).flatMap((section) => [...section.pictures]).find(({ name }) => name === kErrors_picture);
+  if (!picture) return { drawn: [] };
+  let state: State | Answer = initial_state(picture, false, kSheet_px.width);
+  for (const wanted of choices) {
+    state = choose(picture, state, wanted);
+    if (!("look" in state)) return state;
+  }
+  const svg = handover_sheet(report, state.chosen["error"]);
+  return { drawn: svg === null ? [] : [{ name: "handover", title: report.title, svg }] };
+};
+
+(globalThis as unknown as Record<string, unknown>)["ballbar_pictures"] = { draw, draw_handover, draw_sheet };

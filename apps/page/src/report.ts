@@ -28,6 +28,7 @@ export interface Recording {
   plane?: string;
   direction?: "CCW" | "CW";
   arc_deg?: number;
+  feed_mm_per_min?: Num;
   centre_a_um?: Num;
   centre_b_um?: Num;
   radius_mm?: Num;
@@ -69,6 +70,8 @@ export interface Result {
   decimals: number;
   ours: Num;
   stored: Num;
+  limits?: [Num, Num]; // of the file, lower and upper; and what they say of ours
+  judgement?: "pass" | "warning" | "fail";
 }
 export interface FitPart {
   recordings: Recording[];
@@ -76,7 +79,12 @@ export interface FitPart {
   iso230_4?: Pair;
   iso230_4_pairs?: Pair[];
   results: { of: string; rows: Result[] }[]; // tables, one a recording and one a pair
+  stored_alone?: StoredAlone[]; // files without readings
   remarks: string[];
+}
+export interface StoredAlone {
+  file: string;
+  stored: { of: string; name: string; value: Num; unit: string }[];
 }
 
 // The errors of a machine from one test, ranked: the keys of `diagnose --json` of recordings, and what the page draws.

@@ -15,6 +15,7 @@
 #include "ballbar/nearest_name.hpp"
 #include "logs/log_sources.hpp"
 #include "logs/number_format.hpp"
+#include "text/zip_part.hpp"
 
 namespace ballbar {
 namespace {
@@ -39,26 +40,21 @@ Archive opened(std::string_view bytes, const std::string& name) {
 std::optional<std::string> part_of(zip_t* archive, const std::string& part, const std::string& name) {
   const zip_int64_t index = zip_name_locate(archive, part.c_str(), ZIP_FL_NOCASE);
   if (index < 0) return std::nullopt;
-  const std::unique_ptr<zip_file_t, decltype(&zip_fclose)> file(
-      zip_fopen_index(archive, static_cast<zip_uint64_t>(index), 0), &zip_fclose);
-  if (!file)
-    throw Error(
-        fmt::format("{}:1: expected a part {} that can be unpacked, found one that cannot.", name, in_quotes(part)));
-  std::string text;
-  // In blocks, whatever size the archive claims.
-  char block[1 << 16];
-  for (;;) {
-    const zip_int64_t count = zip_fread(file.get(), block, sizeof block);
-    if (count < 0)
+  ZipPart unzipped = unpacked(archive, static_cast<zip_uint64_t>(index), kLargestPart);
+  switch (unzipped.outcome) {
+    case Unpacking::whole:
+      return std::move(unzipped.bytes);
+    case Unpacking::locked:
+      throw Error(
+          fmt::format("{}:1: expected a part {} that can be unpacked, found one that cannot.", name, in_quotes(part)));
+    case Unpacking::damaged:
       throw Error(fmt::format("{}:1: expected a whole part {}, found a damaged one.", name, in_quotes(part)));
-    if (count == 0) return text;
-    text.append(block, static_cast<std::size_t>(count));
-    if (text.size() > kLargestPart) {
-      throw Error(fmt::format(
-          "{}:1: expected parts of at most 256 MiB when unpacked, found a larger one, {}; export the sheet as text.",
-          name, in_quotes(part)));
-    }
+    case Unpacking::too_large:
+      break;
   }
+  throw Error(fmt::format(
+      "{}:1: expected parts of at most 256 MiB when unpacked, found a larger one, {}; export the sheet as text.", name,
+      in_quotes(part)));
 }
 
 void parse(std::string& text, const std::string& part, const std::string& name, pugi::xml_document& document) {

@@ -19,24 +19,37 @@
 namespace ballbar {
 namespace {
 
-Plane plane_of(const SourceText& text, pugi::xml_node ballbar) {
+// Of two axes' names; nothing where they are none of a plane.
+std::optional<Plane> plane_called(std::string_view name) {
+  const auto* const found =
+      std::find_if(kPlanes.begin(), kPlanes.end(), [&](Plane plane) { return name_of(plane) == name; });
+  return found == kPlanes.end() ? std::nullopt : std::optional(*found);
+}
+
+// The axes' names decide which is first: TEST_PLANE may say XZ or ZX of the same axes.
+Plane plane_of(const SourceText& text, pugi::xml_node ballbar, B5rRemarks& remarks) {
   const pugi::xml_node node = child_of(text, ballbar, "PLANE");
   const std::string_view name = node.attribute("TEST_PLANE").value();
-  constexpr std::string_view kAxes[] = {"X", "Y", "Z"};
-  for (const Plane plane : {Plane::XY, Plane::YZ, Plane::ZX}) {
-    if (name != name_of(plane)) continue;
-    const std::pair<const char*, int> axes[] = {{"A_AXIS_NAME", axes_of(plane)[0]}, {"B_AXIS_NAME", axes_of(plane)[1]}};
-    for (const auto& [element, axis] : axes) {
-      const Text found = text_of(text, child_of(text, node, element));
-      if (found.value == kAxes[axis]) continue;
-      fail_at(text, found.offset,
-              fmt::format("expected {} {} for the plane {}, found {}.", element, kAxes[axis], name,
-                          in_quotes(found.value)));
-    }
-    return plane;
+  const std::optional<Plane> stated = plane_called(name);
+  if (!stated) {
+    fail_at(text, offset_of(node),
+            fmt::format("expected a PLANE with TEST_PLANE XY, YZ or ZX, or YX, ZY or XZ, found {}.", in_quotes(name)));
   }
-  fail_at(text, offset_of(node),
-          fmt::format("expected a PLANE with TEST_PLANE XY, YZ or ZX, found {}.", in_quotes(name)));
+  const Text a = text_of(text, child_of(text, node, "A_AXIS_NAME"));
+  const Text b = text_of(text, child_of(text, node, "B_AXIS_NAME"));
+  if (a.value == name.substr(0, 1) && b.value == name.substr(1)) return *stated;
+  if (a.value == name.substr(1) && b.value == name.substr(0, 1)) {
+    const std::string axes = fmt::format("{}{}", a.value, b.value);
+    remarks.add(a.offset, fmt::format("expected the axes {} and {} of the plane {}, found {} first; it is read as the "
+                                      "plane {}.",
+                                      name[0], name[1], name, a.value, axes));
+    return *plane_called(axes);
+  }
+  const bool of_a = a.value != name.substr(0, 1);
+  const Text& found = of_a ? a : b;
+  fail_at(text, found.offset,
+          fmt::format("expected {} {} for the plane {}, found {}.", of_a ? "A_AXIS_NAME" : "B_AXIS_NAME",
+                      of_a ? name[0] : name[1], name, in_quotes(found.value)));
 }
 
 void add_features(const SourceText& text, pugi::xml_node node, const std::string& parent,
@@ -249,7 +262,7 @@ B5r read_b5r(std::string_view bytes, std::string_view name) {
   b5r.nominal_length_mm = positive_in(text, ballbar, "NOMINAL_LENGTH");
   b5r.start_deg = stated_angle(text, ballbar, "START_ANGLE");
   b5r.end_deg = stated_angle(text, ballbar, "END_ANGLE");
-  b5r.plane = plane_of(text, ballbar);
+  b5r.plane = plane_of(text, ballbar, remarks);
   read_head(text, document, b5r, remarks);
   read_limits(text, test, b5r, remarks);
   read_runs(text, document, ballbar, b5r, remarks);

@@ -5,7 +5,8 @@ namespace {
 
 constexpr Key kTest[] = {
     {"NOMINAL_LENGTH", "mm", "of the bar, above 0; needed"},
-    {"PLANE", "text", "`TEST_PLANE` is XY, YZ or ZX, and the names of its axes agree with that; needed"},
+    {"PLANE", "text",
+     "`TEST_PLANE` is XY, YZ or ZX, or YX, ZY or XZ; the names of its axes decide which is first; needed"},
     {"START_ANGLE", "deg", "where the arc of the readings begins, counter-clockwise; readings need it"},
     {"END_ANGLE", "deg", "where it ends, the same for a full circle; readings need it"},
     {"OVERSHOOT_ANGLE", "deg", "travelled before and after the arc"},

@@ -23,7 +23,7 @@ constexpr Key kKeys[] = {
     {"format", "text", "\"ballbar-log 1\"; needed"},
     {"kind", "text", "\"circle\", or \"axial\": a bar along the spindle's axis, without angle; needed"},
     {"motion", "text", "what drives the circle: \"linear_axes\", \"rotary_axis\" or \"spindle\"; a circle needs it"},
-    {"plane", "text", "\"XY\", \"YZ\" or \"ZX\"; a circle needs it"},
+    {"plane", "text", "\"XY\", \"YZ\" or \"ZX\", or axes exchanged, such as \"XZ\"; a circle needs it"},
     {"moving_ball", "text", "which ball travels, \"spindle\" or \"table\"; a circle needs it"},
     {"nominal_length_mm", "mm", "of the bar, above 0; needed"},
     {"direction", "text", "\"CCW\" or \"CW\", as the angles run; a circle needs it"},
@@ -43,7 +43,9 @@ Recording header_of(const TomlTable& header) {
   if (recording.kind == Kind::circle) {
     expect_keys(header, kKeys);
     recording.motion = required_choice(header, "motion", {Motion::linear_axes, Motion::rotary_axis, Motion::spindle});
-    recording.plane = required_choice(header, "plane", {Plane::XY, Plane::YZ, Plane::ZX});
+    const std::optional<Plane> plane = choice(header, "plane", std::span<const Plane>(kPlanes));
+    if (!plane) fail_missing(header, "plane");
+    recording.plane = *plane;
     recording.moving_ball = required_choice(header, "moving_ball", {MovingBall::spindle, MovingBall::table});
     recording.direction = required_choice(header, "direction", {Direction::CCW, Direction::CW});
   } else {

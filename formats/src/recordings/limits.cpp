@@ -25,6 +25,10 @@ std::optional<double> conversion(std::string_view from, std::string_view to) {
   return std::nullopt;
 }
 
+bool is_of(const Limit& limit, std::string_view result) {
+  return limit.name == result || limit.name == limit_name(result);
+}
+
 }  // namespace
 
 std::optional<Judgement> judged(std::span<const Limit> limits, std::string_view name, double value,
@@ -32,7 +36,7 @@ std::optional<Judgement> judged(std::span<const Limit> limits, std::string_view 
   if (!std::isfinite(value)) return std::nullopt;
   std::optional<Judgement> worst;
   for (const Limit& limit : limits) {
-    if (limit.name != name && limit.name != limit_name(name)) continue;
+    if (!is_of(limit, name)) continue;
     if (!parent.empty() && limit.parent != parent) continue;
     const std::optional<double> factor = conversion(limit.data_type, data_type);
     if (!factor) continue;
@@ -45,6 +49,17 @@ std::optional<Judgement> judged(std::span<const Limit> limits, std::string_view 
     worst = worst ? std::max(*worst, one) : one;
   }
   return worst;
+}
+
+LimitRange range_of(std::span<const Limit> limits, std::string_view name, std::string_view data_type) {
+  LimitRange range;
+  for (const Limit& limit : limits) {
+    const std::optional<double> factor = conversion(limit.data_type, data_type);
+    if (!factor || !is_of(limit, name)) continue;
+    if (limit.lower) range.lower = std::max(range.lower.value_or(*limit.lower * *factor), *limit.lower * *factor);
+    if (limit.upper) range.upper = std::min(range.upper.value_or(*limit.upper * *factor), *limit.upper * *factor);
+  }
+  return range;
 }
 
 std::string_view name_of(Judgement judgement) {

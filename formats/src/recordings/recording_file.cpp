@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/given_data.hpp"
 
@@ -25,20 +26,35 @@ std::string known_recordings(std::span<const Reader> readers) {
   return text;
 }
 
+// The only file of an archive stands for it.
+std::filesystem::path file_of(const std::filesystem::path& path) {
+  if (!is_archive(path)) return path;
+  const std::vector<std::filesystem::path> inside = files_in_archive(path);
+  if (inside.size() == 1) return inside.front();
+  throw Error(fmt::format("{}: expected an archive of one .b5r file, found {}; {} is one of them.", path.string(),
+                          inside.size(), inside.front().string()));
+}
+
 }  // namespace
 
 bool is_recording_file(const std::filesystem::path& path, std::span<const Reader> readers) {
   if (given_recordings(path) != nullptr) return true;
+  if (is_archive(path)) return files_in_archive(path).size() == 1;
   const Reader* const reader = reader_of_file(path, readers);
-  return reader != nullptr && std::holds_alternative<ReadRecordings>(reader->read);
+  return reader != nullptr &&
+         (std::holds_alternative<ReadRecordings>(reader->read) || read_of<ReadCircle>(reader) != nullptr);
 }
 
-RecordingFile open_recording(const std::filesystem::path& path, std::span<const Reader> readers) {
+RecordingFile open_recording(const std::filesystem::path& path, std::span<const Reader> readers,
+                             const StatedCircle& stated) {
   if (const std::vector<Recording>* const given = given_recordings(path)) return {*given, std::nullopt};
-  const std::string bytes = read_bytes(path, kLargestTable);
-  const std::string name = path.string();
+  const std::filesystem::path file = file_of(path);
+  const std::optional<std::string> inside = bytes_in_archive(file, kLargestText);
+  const std::string bytes = inside ? *inside : read_bytes(file, kLargestTable);
+  const std::string name = file.string();
   const Reader* const reader = reader_of(bytes, readers);
   if (const auto read = read_of<ReadRecordings>(reader)) return read(bytes, name);
+  if (const auto read = read_of<ReadCircle>(reader)) return read(bytes, name, stated);
   throw Error(fmt::format("{}:1:1: expected a recording, which is {}, found {}.", name, known_recordings(readers),
                           found_in(reader)));
 }

@@ -11,6 +11,7 @@
 #include "ballbar/formats/series/drift_files.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/sessions/runs_toml.hpp"
+#include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/series/merged_series.hpp"
 #include "ballbar/series/runs.hpp"
@@ -21,7 +22,8 @@ namespace {
 // An empty file and one of another kind, told here with all that would do.
 void expect_data(const std::filesystem::path& path, const Reader* reader) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return;  // a folder, or nothing: told by open_drift_data
+  if (!std::filesystem::is_regular_file(path, error) || is_archive(path))
+    return;  // a folder, or nothing: told by open_drift_data
   if (reads_series(reader) || read_of<ReadSession>(reader) != nullptr) return;
   throw Error(
       fmt::format("{}: expected a log of columns over time (.csv, .xlsx, .mat), a session.toml or recordings (.b5r, "
@@ -61,7 +63,8 @@ void expect_one_plane(const std::vector<Recording>& recordings, const std::files
   }
 }
 
-ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths, std::span<const Reader> readers) {
+ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths, std::span<const Reader> readers,
+                             const StatedCircle& stated) {
   ModelData data;
   data.level = Level::recording;
   expect_once(paths);
@@ -71,7 +74,7 @@ ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths, st
       throw Error(fmt::format("{}: expected a recording as the other files are, a .b5r or a log, found something else.",
                               path.string()));
     }
-    RecordingFile file = open_recording(path, readers);
+    RecordingFile file = open_recording(path, readers, stated);
     expect_readings(file, path);
     std::move(file.recordings.begin(), file.recordings.end(), std::back_inserter(recordings));
     expect_one_plane(recordings, path);
@@ -102,6 +105,7 @@ ModelData data_of_drift(const std::filesystem::path& path, const DriftOptions& o
     parts.push_back(*source.series);
   } else {
     if (!source.session->session.title.empty()) data.title = source.session->session.title;
+    for (const SkippedFile& one : source.session->skipped) data.remarks.push_back("left out: " + one.why);
     parts.push_back(series_of(drift_of(source.session->session, options)));
     for (const std::filesystem::path& signals : source.session->signals) {
       OpenedSeries opened = opened_series(signals, readers);
@@ -172,8 +176,8 @@ ModelData data_of_runs(const std::vector<RunOfMachine>& listed_runs, const std::
 }  // namespace
 
 ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,
-                          double max_gap_s, std::span<const Reader> readers) {
-  if (is_recording_file(paths.front(), readers)) return data_of_recordings(paths, readers);
+                          double max_gap_s, std::span<const Reader> readers, const StatedCircle& stated) {
+  if (is_recording_file(paths.front(), readers)) return data_of_recordings(paths, readers, stated);
   std::string title;
   const std::vector<RunOfMachine> runs = listed(paths, readers, title);
   if (runs.size() == 1) return data_of_drift(runs.front().file, options, max_gap_s, readers);

@@ -8,6 +8,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/logs/log.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/given_data.hpp"
 
@@ -49,7 +50,7 @@ DriftData open_drift_data(const std::filesystem::path& path, std::span<const Rea
     return data;
   }
   std::error_code error;
-  if (std::filesystem::is_regular_file(path, error)) {
+  if (std::filesystem::is_regular_file(path, error) && !is_archive(path)) {
     const Reader* const reader = reader_of_file(path, readers);
     if (reads_series(reader)) {
       OpenedSeries opened = opened_by(reader, path, {});

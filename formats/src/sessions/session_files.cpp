@@ -1,14 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <set>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/formats/recordings/stored_circles.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
+#include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "text/path_inside.hpp"
 
@@ -26,16 +27,30 @@ void expect_nominal_length(const Recording& recording, const fs::path& path, dou
                           nominal_length_mm, recording.nominal_length_mm));
 }
 
-std::vector<Recording> readings_in(const fs::path& path, Readers readers) {
-  RecordingFile file = open_recording(path, readers);
-  expect_readings(file, path);
-  return std::move(file.recordings);
+// Of a file with results alone, the circles that it stores.
+void add_circles(SessionTest& test, const fs::path& path, Readers readers, const StatedCircle& stated = {}) {
+  RecordingFile file = open_recording(path, readers, stated);
+  test.circles = std::move(file.recordings);
+  if (!test.circles.empty()) return;
+  if (file.b5r) {
+    for (StoredCircle& one : stored_circles(*file.b5r)) {
+      test.circles.push_back(std::move(one.recording));
+      test.stored.push_back(std::move(one.circle));
+    }
+  }
+  if (test.circles.empty()) {
+    throw Error(fmt::format(
+        "{}: expected readings, or the stored centre and radius of a run (AF_CENTRE_OFFSET_A, AF_CENTRE_OFFSET_B, "
+        "AF_BEST_RADIUS), found neither.",
+        path.string()));
+  }
 }
 
 std::vector<Recording> recordings_in(const SessionPlan& plan, const fs::path& path, Readers readers) {
-  std::vector<Recording> recordings = readings_in(path, readers);
-  for (const Recording& recording : recordings) expect_nominal_length(recording, path, plan.nominal_length_mm);
-  return recordings;
+  RecordingFile file = open_recording(path, readers, {plan.nominal_length_mm});
+  expect_readings(file, path);
+  for (const Recording& recording : file.recordings) expect_nominal_length(recording, path, plan.nominal_length_mm);
+  return std::move(file.recordings);
 }
 
 Recording only_recording(const SessionPlan& plan, const fs::path& path, Readers readers) {
@@ -87,8 +102,9 @@ SessionTest test_of(const SessionPlan& plan, const SessionPlan::Test& planned, c
   } else {
     test.name = planned.circle;
     const fs::path path = path_inside(folder, planned.circle, kOwner);
-    test.circles = recordings_in(plan, path, readers);
+    add_circles(test, path, readers, {plan.nominal_length_mm});
     for (const Recording& circle : test.circles) {
+      expect_nominal_length(circle, path, plan.nominal_length_mm);
       if (circle.kind != Kind::circle)
         throw Error(fmt::format("{}: expected a circle for circle, found {}.", path.string(), phrase(circle)));
     }
@@ -134,15 +150,9 @@ SessionFiles planned_session(const fs::path& path, Readers readers) {
   return files;
 }
 
-bool is_b5r(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-  return extension == ".b5r";
-}
-
 // A drift is a change: of tests of one plane each there is none, but what a machine's file says.
-void expect_a_repeated_plane(const fs::path& folder, const std::vector<SessionTest>& tests) {
+void expect_a_repeated_plane(const fs::path& folder, const std::vector<SessionTest>& tests,
+                             const std::vector<SkippedFile>& skipped) {
   std::map<Plane, std::size_t> tests_in;
   for (const SessionTest& test : tests) {
     std::set<Plane> planes;
@@ -156,53 +166,88 @@ void expect_a_repeated_plane(const fs::path& folder, const std::vector<SessionTe
   }
   throw Error(
       fmt::format("{0}: expected at least two tests of the same plane for a drift, found one of {1}; ballbar history "
-                  "{0} gives squareness and scales.",
-                  folder.string(), found));
+                  "{0} gives squareness and scales.{2}",
+                  folder.string(), found, skipped.empty() ? "" : " Left out: " + skipped.front().why));
 }
 
-// Each `.b5r` a test, at its own DATE_STARTED.
-SessionFiles session_of_folder(const fs::path& folder, Readers readers) {
+// The `.b5r` files of the folder itself, or of the archive.
+std::vector<fs::path> tests_in(const fs::path& folder) {
+  if (is_archive(folder)) return files_in_archive(folder);
   std::vector<fs::path> paths;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (is_b5r(entry->path())) paths.push_back(entry->path());
+    if (ends_in(entry->path(), ".b5r")) paths.push_back(entry->path());
   }
   if (error) throw Error(fmt::format("{}: expected a readable folder, found: {}.", folder.string(), error.message()));
   if (paths.empty()) {
     throw Error(fmt::format("{}: expected a folder with session.toml or .b5r files, found neither.", folder.string()));
   }
   std::sort(paths.begin(), paths.end());
-  SessionFiles files;
-  files.files = paths;
-  struct Started {
-    std::int64_t started_s = 0;
-    SessionTest test;
-  };
-  std::vector<Started> tests;
+  return paths;
+}
+
+struct StartedTest {
+  fs::path path;
+  std::int64_t started_s = 0;
+  SessionTest test;
+};
+
+StartedTest started_test(const fs::path& path, Readers readers) {
+  StartedTest started{path};
+  add_circles(started.test, path, readers);
+  started.test.name = path.filename().string();
+  const std::optional<std::int64_t> started_s = started.test.circles.front().started_s;
+  if (!started_s) {
+    throw Error(
+        fmt::format("{}: expected DATE_STARTED, the time of this test in the session, found none that can be read.",
+                    path.string()));
+  }
+  started.started_s = *started_s;
+  return started;
+}
+
+// By their times. What is at fault, and a second test of one moment, is skipped.
+std::vector<StartedTest> started_tests(const std::vector<fs::path>& paths, Readers readers,
+                                       std::vector<SkippedFile>& skipped) {
+  std::vector<StartedTest> tests;
   for (const fs::path& path : paths) {
-    Started started;
-    started.test.name = path.filename().string();
-    started.test.circles = readings_in(path, readers);
-    const std::optional<std::int64_t> started_s = started.test.circles.front().started_s;
-    if (!started_s)
-      throw Error(
-          fmt::format("{}: expected DATE_STARTED, the time of this test in the session, found none that can be read.",
-                      path.string()));
-    started.started_s = *started_s;
-    tests.push_back(std::move(started));
+    try {
+      tests.push_back(started_test(path, readers));
+    } catch (const Error& error) {
+      skipped.push_back({path.string(), error.what()});
+    }
   }
   std::stable_sort(tests.begin(), tests.end(),
-                   [](const Started& left, const Started& right) { return left.started_s < right.started_s; });
+                   [](const StartedTest& left, const StartedTest& right) { return left.started_s < right.started_s; });
+  const auto again = std::unique(tests.begin(), tests.end(), [&](const StartedTest& first, const StartedTest& second) {
+    if (first.started_s != second.started_s) return false;
+    skipped.push_back({second.path.string(),
+                       fmt::format("{}: expected tests that started at different times, found the same DATE_STARTED as "
+                                   "{} has.",
+                                   second.path.string(), first.test.name)});
+    return true;
+  });
+  tests.erase(again, tests.end());
+  return tests;
+}
+
+// Each `.b5r` a test, at its own DATE_STARTED.
+SessionFiles session_of_folder(const fs::path& folder, Readers readers) {
+  SessionFiles files;
+  const std::vector<fs::path> paths = tests_in(folder);
+  files.files = is_archive(folder) ? std::vector{folder} : paths;
+  std::vector<StartedTest> tests = started_tests(paths, readers, files.skipped);
+  if (tests.empty()) {
+    throw Error(files.skipped.size() == 1 ? files.skipped.front().why
+                                          : fmt::format("{}: expected .b5r files that can be read, found none: {}",
+                                                        folder.string(), files.skipped.front().why));
+  }
+  std::error_code error;
   files.session.method = Method::circles;
   files.session.title = fs::weakly_canonical(folder, error).filename().string();
   files.session.nominal_length_mm = tests.front().test.circles.front().nominal_length_mm;
   for (std::size_t i = 0; i < tests.size(); ++i) {
-    Started& started = tests[i];
-    if (i > 0 && started.started_s == tests[i - 1].started_s) {
-      throw Error(
-          fmt::format("{}: expected tests that started at different times, found the same DATE_STARTED in {} and {}.",
-                      folder.string(), files.session.tests.back().name, started.test.name));
-    }
+    StartedTest& started = tests[i];
     for (const Recording& circle : started.test.circles) {
       if (circle.nominal_length_mm == files.session.nominal_length_mm) continue;
       throw Error(
@@ -212,10 +257,10 @@ SessionFiles session_of_folder(const fs::path& folder, Readers readers) {
                       circle.nominal_length_mm, started.test.name));
     }
     started.test.elapsed_s = static_cast<double>(started.started_s - tests.front().started_s);
-    files.recordings.push_back({folder / started.test.name, i});
+    files.recordings.push_back({started.path, i});
     files.session.tests.push_back(std::move(started.test));
   }
-  expect_a_repeated_plane(folder, files.session.tests);
+  expect_a_repeated_plane(folder, files.session.tests, files.skipped);
   return files;
 }
 
@@ -223,7 +268,9 @@ SessionFiles session_of_folder(const fs::path& folder, Readers readers) {
 
 SessionFiles open_session(const fs::path& path, Readers readers) {
   std::error_code error;
-  if (!fs::is_directory(path, error)) return planned_session(path, readers);
+  if (!fs::is_directory(path, error)) {
+    return is_archive(path) ? session_of_folder(path, readers) : planned_session(path, readers);
+  }
   const fs::path plan = path / "session.toml";
   return fs::exists(plan, error) ? planned_session(plan, readers) : session_of_folder(path, readers);
 }

@@ -113,6 +113,12 @@ fs::path replace(const fs::path& path, const std::function<void(const fs::path&)
 
 }  // namespace
 
+bool ends_in(const fs::path& path, std::string_view ending) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return extension == ending;
+}
+
 std::string read_head(const fs::path& path, std::size_t most) {
   std::ifstream file = opened(path);
   std::string bytes(most, '\0');

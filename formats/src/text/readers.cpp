@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "text/head.hpp"
 #include "text/located_text.hpp"
@@ -30,6 +31,7 @@ std::span<const Reader> known_readers() {
       readers::kModel,
       readers::kSeries,
       readers::kSchedule,
+      readers::kCircleTable,
       // Of these two it is only known what they are not.
       readers::kLogWithoutHeader,
       readers::kOtherXml,
@@ -54,8 +56,9 @@ const Reader* reader_of(std::string_view head, std::span<const Reader> readers) 
 
 const Reader* reader_of_file(const std::filesystem::path& path, std::span<const Reader> readers) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return nullptr;
-  return reader_of(read_head(path, kHeadBytes), readers);
+  if (std::filesystem::is_regular_file(path, error)) return reader_of(read_head(path, kHeadBytes), readers);
+  const std::optional<std::string> inside = bytes_in_archive(path, kLargestText);
+  return inside ? reader_of(*inside, readers) : nullptr;
 }
 
 std::string_view found_in(const Reader* reader) {

@@ -12,6 +12,7 @@ extern const Reader kRuns;
 extern const Reader kModel;
 extern const Reader kSeries;
 extern const Reader kSchedule;
+extern const Reader kCircleTable;
 extern const Reader kLogWithoutHeader;
 extern const Reader kLog;
 extern const Reader kOtherXml;

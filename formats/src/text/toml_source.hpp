@@ -83,12 +83,17 @@ std::optional<std::size_t> choice_index(const TomlTable& table, std::string_view
 
 // One of the values that name_of() names.
 template <class Value>
-std::optional<Value> choice(const TomlTable& table, std::string_view key, std::initializer_list<Value> values) {
+std::optional<Value> choice(const TomlTable& table, std::string_view key, std::span<const Value> values) {
   std::vector<std::string_view> names;
   for (const Value value : values) names.push_back(name_of(value));
   const std::optional<std::size_t> index = choice_index(table, key, names);
   if (!index) return std::nullopt;
-  return values.begin()[*index];
+  return values[*index];
+}
+
+template <class Value>
+std::optional<Value> choice(const TomlTable& table, std::string_view key, std::initializer_list<Value> values) {
+  return choice(table, key, std::span<const Value>(values.begin(), values.size()));
 }
 
 // Throws Error: the table lacks the key.

@@ -61,9 +61,15 @@ std::array<int, 2> axes_of(Plane plane) {
     case Plane::YZ:
       return {1, 2};
     case Plane::ZX:
+      return {2, 0};
+    case Plane::YX:
+      return {1, 0};
+    case Plane::ZY:
+      return {2, 1};
+    case Plane::XZ:
       break;
   }
-  return {2, 0};
+  return {0, 2};
 }
 
 double arc_rad(const Recording& recording) {
@@ -109,9 +115,15 @@ std::string_view name_of(Plane plane) {
     case Plane::YZ:
       return "YZ";
     case Plane::ZX:
+      return "ZX";
+    case Plane::YX:
+      return "YX";
+    case Plane::ZY:
+      return "ZY";
+    case Plane::XZ:
       break;
   }
-  return "ZX";
+  return "XZ";
 }
 
 std::string_view name_of(MovingBall moving_ball) { return moving_ball == MovingBall::spindle ? "spindle" : "table"; }

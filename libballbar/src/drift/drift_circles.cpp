@@ -10,8 +10,6 @@
 namespace ballbar {
 namespace {
 
-constexpr std::array kPlanes{Plane::XY, Plane::YZ, Plane::ZX};
-
 double sign_of(const Recording& recording) { return recording.moving_ball == MovingBall::spindle ? 1.0 : -1.0; }
 
 // The recordings of one plane in one test, each with its circle.
@@ -101,7 +99,9 @@ DriftSeries drift_by_circles(const Session& session, const DriftOptions& options
     fits.push_back(in_test(test, [&] {
       if (test.circles.empty()) throw Error("circles needs at least one circle recording in every test");
       std::vector<Circle> circles;
-      for (const Recording& recording : test.circles) circles.push_back(fit_circle(recording, options.circle));
+      for (std::size_t i = 0; i < test.circles.size(); ++i) {
+        circles.push_back(test.stored.empty() ? fit_circle(test.circles[i], options.circle) : test.stored[i]);
+      }
       return circles;
     }));
     series.positions.push_back(position_of(test, fits.back()));

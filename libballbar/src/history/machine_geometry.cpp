@@ -13,7 +13,6 @@
 namespace ballbar {
 namespace {
 
-constexpr std::array kPlanesInOrder{Plane::XY, Plane::YZ, Plane::ZX};
 constexpr double kDisagree = 0.01;  // p
 
 bool tells(const MachineTest& test) { return test.scales || test.squareness; }
@@ -30,7 +29,7 @@ std::vector<std::size_t> newest_set(std::span<const MachineTest> tests) {
     if (tells(test) && !test.stored) newest_s = std::max(newest_s, test.started_s);
   }
   std::vector<std::size_t> set;
-  for (const Plane plane : kPlanesInOrder) {
+  for (const Plane plane : kPlanes) {
     std::vector<std::size_t> of_plane;
     std::optional<std::size_t> newest;
     for (std::size_t i = 0; i < tests.size(); ++i) {
@@ -245,7 +244,7 @@ MachineGeometry machine_geometry(std::span<const MachineTest> tests) {
   MachineGeometry geometry;
   geometry.tests = newest_set(tests);
   geometry.within_a_day = within_a_day_of_each_other(tests, geometry.tests);
-  for (const Plane plane : kPlanesInOrder) {
+  for (const Plane plane : kPlanes) {
     if (auto found = squareness_in(tests, geometry.tests, plane)) geometry.squareness.push_back(std::move(*found));
   }
   solve_scales(tests, geometry);

@@ -13,8 +13,6 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kPlanes = 3;
-
 std::string machine_of(const MachineTest& test) {
   if (!test.machine.empty()) return test.machine;
   const std::size_t slash = test.file.find_last_of('/');
@@ -97,7 +95,7 @@ std::vector<QuantitySeries> series_of(std::span<const MachineTest> tests, std::s
         QuantitySeries& one = by_name[number];
         one.name = quantity.name;
         one.unit = quantity.unit;
-        one.family = kPlanes * number + static_cast<std::size_t>(test.plane);
+        one.family = kPlanes.size() * number + static_cast<std::size_t>(test.plane);
         days[number].add(places[i], test, quantity);
       }
     }
@@ -126,7 +124,7 @@ AllSeries all_series(std::span<const MachineTest> tests) {
     all.tests.push_back(std::move(places));
   }
   const Numbers numbers = numbers_of(tests);
-  all.families = kPlanes * numbers.size();
+  all.families = kPlanes.size() * numbers.size();
   std::vector<std::vector<QuantitySeries>> parts(all.machines.size());
   in_parallel(parts.size(), [&](std::size_t i) { parts[i] = series_of(tests, i, all.tests[i], numbers); });
   for (std::vector<QuantitySeries>& part : parts) {

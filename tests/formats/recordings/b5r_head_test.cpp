@@ -256,7 +256,9 @@ TEST(b5r_results_alone, are_refused_where_readings_are_needed) {
   const std::string expected =
       "DIR/tests/alone.b5r: expected readings, found stored results alone; ballbar fit prints those.";
   EXPECT_EQ(complaint(folder, [&] { expect_readings(file, alone); }), expected);
-  EXPECT_EQ(complaint(folder, [&] { open_session(folder.path() / "tests"); }), expected);
+  EXPECT_EQ(complaint(folder, [&] { open_session(folder.path() / "tests"); }),
+            "DIR/tests/alone.b5r: expected readings, or the stored centre and radius of a run (AF_CENTRE_OFFSET_A, "
+            "AF_CENTRE_OFFSET_B, AF_BEST_RADIUS), found neither.");
   EXPECT_EQ(complaint(folder, [&] { open_model_data({alone}, {}, 0.0); }), expected);
   EXPECT_EQ(complaint(folder, [&] { expect_readings(RecordingFile(), "log"); }), "log: expected readings, found none.");
 }

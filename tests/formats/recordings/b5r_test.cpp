@@ -77,6 +77,21 @@ TEST(b5r, deep_nesting_is_only_a_missing_element) {
   EXPECT_THROW(read_b5r(text, "file"), Error);
 }
 
+// The axes' names decide: of the plane XZ whose axes are called Z and X, it is Z that the angle begins at.
+TEST(b5r, the_plane_is_that_of_the_axes_names) {
+  const B5r by_names = read_b5r(changed("b5r", "TEST_PLANE=\"ZX\"", "TEST_PLANE=\"XZ\""), "file");
+  EXPECT_EQ(by_names.plane, Plane::ZX);
+  ASSERT_EQ(by_names.remarks.size(), 2u);  // one of the run that misses
+  EXPECT_EQ(by_names.remarks.front(),
+            "file:11:24: expected the axes X and Z of the plane XZ, found Z first; it is read as the plane ZX.");
+  std::string text = changed("b5r", "TEST_PLANE=\"ZX\"", "TEST_PLANE=\"XZ\"");
+  text.replace(text.find(">Z</A_AXIS_NAME>"), 2, ">X");
+  text.replace(text.find(">X</B_AXIS_NAME>"), 2, ">Z");
+  const B5r exchanged = read_b5r(text, "file");
+  EXPECT_EQ(exchanged.plane, Plane::XZ);
+  EXPECT_EQ(axes_of(exchanged.plane), (std::array{0, 2}));
+}
+
 // A test of any plane, arc and reading count, both directions, with names that need escaping.
 B5r arbitrary_test() {
   B5r test;
@@ -90,7 +105,7 @@ B5r arbitrary_test() {
   const int arc_deg = *rc::gen::inRange(1, 361);
   for (const Direction direction : {Direction::CCW, Direction::CW}) {
     Recording run;
-    run.plane = *rc::gen::element(Plane::XY, Plane::YZ, Plane::ZX);
+    run.plane = *rc::gen::element(Plane::XY, Plane::YZ, Plane::ZX, Plane::YX, Plane::ZY, Plane::XZ);
     if (!test.runs.empty()) run.plane = test.runs[0].plane;
     run.direction = direction;
     run.nominal_length_mm = test.runs.empty() ? *rc::gen::element(50.0, 100.0, 150.25) : test.runs[0].nominal_length_mm;

@@ -59,5 +59,16 @@ TEST(limits, judgements_have_names) {
   EXPECT_EQ(name_of(Judgement::fail), "fail");
 }
 
+// In um: 10 of the one, 5 of the other, which is the narrower.
+TEST(limits, the_range_is_the_narrowest_of_all_in_one_unit) {
+  const LimitRange circularity = range_of(kLimits, "AF_CIRCULARITY", "UT_LENGTH_UM");
+  EXPECT_FALSE(circularity.lower);
+  EXPECT_DOUBLE_EQ(circularity.upper.value_or(0.0), 5.0);
+  const LimitRange offset = range_of(kLimits, "AF_CENTRE_OFFSET_A", "UT_LENGTH_MM");
+  EXPECT_EQ(offset.lower, -0.1);
+  EXPECT_EQ(offset.upper, 0.1);
+  EXPECT_FALSE(range_of(kLimits, "AF_OTHER", "UT_LENGTH_MM").upper);
+}
+
 }  // namespace
 }  // namespace ballbar

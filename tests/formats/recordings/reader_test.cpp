@@ -123,10 +123,11 @@ TEST(reader, messages_are_of_the_list_that_was_handed_in) {
   const std::vector<Reader> readers = with_own();
   const auto circle = folder.write("circle", kText);
   const auto logger = folder.write("logger", "Zeit;Z\n0;1,5\n");
-  EXPECT_EQ(complaint(folder, [&] { open_recording(logger, readers); }),
-            "DIR/logger:1:1: expected a recording, which is a circle test (XML, root CircleTest), a Renishaw .b5r file "
-            "(XML) or a ballbar log (a table whose first lines say # format = \"ballbar-log 1\"), found a logger's "
-            "table.");
+  EXPECT_EQ(
+      complaint(folder, [&] { open_recording(logger, readers); }),
+      "DIR/logger:1:1: expected a recording, which is a circle test (XML, root CircleTest), a Renishaw .b5r file "
+      "(XML), a ballbar log (a table whose first lines say # format = \"ballbar-log 1\") or a table whose numbers "
+      "are a circle (angle and radius, or two coordinates), found a logger's table.");
   EXPECT_EQ(complaint(folder, [&] { open_drift_data(circle, readers); }),
             "DIR/circle:1:1: expected a session, which is a folder or a file that says format = \"ballbar-session 1\", "
             "or a series of columns over time, found a circle test of another maker.");

@@ -28,9 +28,9 @@ TEST(recording_file, says_what_it_found_instead) {
     return complaint(folder, [&] { open_recording(file); });
   };
   const std::string expected =
-      "DIR/f:1:1: expected a recording, which is a Renishaw .b5r file (XML) or a ballbar log (a table whose first "
-      "lines "
-      "say # format = \"ballbar-log 1\"), found ";
+      "DIR/f:1:1: expected a recording, which is a Renishaw .b5r file (XML), a ballbar log (a table whose first lines "
+      "say # format = \"ballbar-log 1\") or a table whose numbers are a circle (angle and radius, or two coordinates), "
+      "found ";
   EXPECT_EQ(opening(""), expected + "an empty file.");
   EXPECT_EQ(opening("\xEF\xBB\xBF\n \n"), expected + "an empty file.");
   EXPECT_EQ(opening(std::string_view("PK\3\4\0\0", 6)), expected + "a log of columns over time.");

@@ -2,6 +2,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bad_text.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
@@ -241,16 +242,57 @@ TEST(session, folders_that_are_no_session) {
   EXPECT_EQ(opening(), "DIR: expected a folder with session.toml or .b5r files, found neither.");
   folder.write("a.b5r", good_text("b5r"));
   folder.write("b.b5r", good_text("b5r"));
-  EXPECT_EQ(opening(),
-            "DIR: expected tests that started at different times, found the same DATE_STARTED in a.b5r and b.b5r.");
+  const std::string no_drift =
+      "DIR: expected at least two tests of the same plane for a drift, found one of ZX; ballbar history DIR gives "
+      "squareness and scales. Left out: DIR/b.b5r: ";
+  EXPECT_EQ(opening(), no_drift +
+                           "expected tests that started at different times, found the same DATE_STARTED as "
+                           "a.b5r has.");
   folder.write("b.b5r", changed("b5r", "  <DATE_STARTED>20200229-120001</DATE_STARTED>\n", ""));
   EXPECT_EQ(opening(),
-            "DIR/b.b5r: expected DATE_STARTED, the time of this test in the session, found none that can be read.");
+            no_drift + "expected DATE_STARTED, the time of this test in the session, found none that can be read.");
   folder.write("b.b5r", replaced(changed("b5r", "20200229-120001", "20200301-000001"), "<NOMINAL_LENGTH>100",
                                  "<NOMINAL_LENGTH>50"));
   EXPECT_EQ(opening(),
             "DIR: expected tests of one nominal length for a drift, found 100 mm in a.b5r and 50 mm in b.b5r; ballbar "
             "history DIR keeps them apart.");
+}
+
+// A test of results alone, whose run stores its circle.
+std::string stored_alone(std::string_view started, std::string_view centre_a_mm) {
+  std::string text = changed("b5r", "20200229-120001", std::string(started));
+  const std::size_t readings = text.find("      <READINGS>");
+  text.erase(readings, text.find('\n', readings) + 1 - readings);
+  text.insert(text.find("      <FEATURE NAME=\"AF_BEST_RADIUS\""),
+              "      <FEATURE NAME=\"AF_CENTRE_OFFSET_A\" DT=\"UT_LENGTH_MM\">" + std::string(centre_a_mm) +
+                  "</FEATURE>\n      <FEATURE NAME=\"AF_CENTRE_OFFSET_B\" DT=\"UT_LENGTH_MM\">-0.003</FEATURE>\n");
+  return text;
+}
+
+TEST(session, of_a_folder_does_without_what_cannot_be_read) {
+  const ScratchFolder folder;
+  folder.write("a.b5r", good_text("b5r"));
+  folder.write("b.b5r", good_text("b5r").substr(0, 300));
+  folder.write("c.b5r", stored_alone("20200301-000001", "0.0125"));
+  const SessionFiles files = open_session(folder.path());
+  ASSERT_EQ(files.session.tests.size(), 2u);
+  ASSERT_EQ(files.skipped.size(), 1u);
+  EXPECT_EQ(files.skipped[0].file, (folder.path() / "b.b5r").string());
+  EXPECT_TRUE(files.session.tests[0].stored.empty());
+  ASSERT_EQ(files.session.tests[1].stored.size(), 1u);
+  EXPECT_NEAR(files.session.tests[1].stored[0].centre_a_um, 12.5, 1e-9);
+}
+
+TEST(session, stored_circles_give_a_drift_whose_sigma_is_not_known) {
+  const ScratchFolder folder;
+  folder.write("a.b5r", stored_alone("20200229-120001", "0.010"));
+  folder.write("b.b5r", stored_alone("20200301-000001", "0.0125"));
+  const DriftSeries drift = drift_of(open_session(folder.path()).session);
+  // The plane ZX: its first axis is Z.
+  ASSERT_TRUE(drift.points[1].z && drift.points[1].x);
+  EXPECT_NEAR(drift.points[1].z->value_um, 2.5, 1e-9);
+  EXPECT_NEAR(drift.points[1].x->value_um, 0.0, 1e-9);
+  EXPECT_TRUE(std::isnan(drift.points[1].z->sigma_um));
 }
 
 TEST(session, a_folder_of_one_test_a_plane_has_no_drift) {

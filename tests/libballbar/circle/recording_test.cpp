@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "ballbar/series/series.hpp"
 #include "ballbar/units.hpp"
@@ -56,6 +58,15 @@ TEST(arc, of_few_readings) {
   Recording sixth;
   sixth.angle_rad = {0.0, kPi / 3.0};
   EXPECT_NEAR(arc_rad(sixth), 2.0 * kPi / 3.0, 1e-15);
+}
+
+TEST(plane, axes_exchanged_are_those_of_the_other_hand) {
+  for (const auto& [plane, exchanged] :
+       {std::pair(Plane::XY, Plane::YX), std::pair(Plane::YZ, Plane::ZY), std::pair(Plane::ZX, Plane::XZ)}) {
+    const auto [a, b] = axes_of(plane);
+    EXPECT_EQ(axes_of(exchanged), (std::array{b, a}));
+    EXPECT_EQ(name_of(exchanged), std::string({"XYZ"[b], "XYZ"[a]}));
+  }
 }
 
 TEST(plane, axes_are_right_handed) {

@@ -23,7 +23,7 @@ const remedy_said = (error: string, effect: string, remedy: string): Said => {
 };
 
 // In English the program's own sentences.
-const verdict_of = ({ part, recordings }: ErrorTest): Said => {
+export const verdict_of = ({ part, recordings }: ErrorTest): Said => {
   const circularity = shown(part.circularity_um, 1);
   if (part.conclusion === "") return t.errors_circularity_is({ value: shown(part.circularity_um, 2) });
   if (language === "en") return english(part.conclusion);

@@ -1,9 +1,10 @@
 // Results of the recordings: what was fitted, and what the instrument's file stores beside it.
 import type { TextTable } from "../picture";
 import { labels_of } from "./recording_groups";
-import type { FitPart, Num, Recording, Result } from "../report";
+import type { FitPart, Num, Recording, Result, StoredAlone } from "../report";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
+import { unit_shown } from "../drawing/units";
 import { with_sigma } from "../drawing/with_sigma";
 import { named, t } from "../texts/texts";
 
@@ -46,7 +47,7 @@ const axial_table = (axial: readonly Recording[], choose: TextTable["choose"]): 
 });
 
 // Labels of the terminal's table begin with spaces where they belong to the one above.
-const full_labels = (rows: readonly Result[]): string[] => {
+export const full_labels = (rows: readonly Result[]): string[] => {
   let above = "";
   return rows.map(({ label }) => {
     if (!/^\s/.test(label)) above = label.trim();
@@ -110,6 +111,15 @@ const result_tables = (fit: FitPart): TextTable[] => {
   return [...groups.values()].map(table_of);
 };
 
+// As the file writes it.
+const as_stored = (value: Num): string => shown(value, Math.min(6, (String(value).split(".")[1] ?? "").length));
+
+const stored_alone_table = ({ file, stored }: StoredAlone): TextTable => ({
+  title: t.recordings_stored_alone({ file: plain(file, 60) }),
+  heading: [t.recordings_quantity, t.recordings_stored, "", ""],
+  rows: stored.map((one) => [plain(one.name, 60), as_stored(one.value), unit_shown(one.unit), plain(one.of, 60)]),
+});
+
 export const recording_tables = (
   fit: FitPart,
   circles: readonly Recording[],
@@ -119,4 +129,5 @@ export const recording_tables = (
   ...(circles.length > 0 ? [circles_table(circles, choose.circle)] : []),
   ...(axial.length > 0 ? [axial_table(axial, choose.axial)] : []),
   ...result_tables(fit),
+  ...(fit.stored_alone ?? []).map(stored_alone_table),
 ];

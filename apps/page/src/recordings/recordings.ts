@@ -4,7 +4,7 @@ import { all_unrolled_picture } from "./all_unrolled_picture";
 import { axial_picture } from "./axial_picture";
 import { circle_picture } from "./circle_picture";
 import { command_of, data_files } from "../drawing/command";
-import { capital } from "../drawing/text";
+import { capital, plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import type { Next, Picture, Section } from "../picture";
 import { is_axial, is_circle, pairs_and_singles, pairs_of, repeated } from "./recording_groups";
@@ -34,7 +34,7 @@ const next_of = (report: Report): Next => ({
 
 export const recordings_section = (report: Report): Section[] => {
   const { fit } = report;
-  if (!fit || fit.recordings.length === 0) return [];
+  if (!fit || (fit.recordings.length === 0 && !fit.stored_alone)) return [];
   const drawn_circles = fit.recordings.filter(is_circle);
   const drawn_axial = fit.recordings.filter(is_axial);
   const groups = pairs_and_singles(drawn_circles, pairs_of(fit));
@@ -61,7 +61,10 @@ export const recordings_section = (report: Report): Section[] => {
     {
       id: "recordings",
       heading: t.recordings,
-      result: result_of(fit.recordings),
+      result:
+        fit.recordings.length > 0
+          ? result_of(fit.recordings)
+          : (fit.stored_alone ?? []).map(({ file }) => plain(file, 60)).join(", "),
       ...(first
         ? {
             first: {

@@ -154,6 +154,7 @@ export const de: Texts = {
   recordings_quantity: "Größe",
   recordings_beside_stored: "Messläufe, daneben die in der Datei gespeicherten Werte",
   recordings_both_directions: "Beide Richtungen, ISO 230-4",
+  recordings_stored_alone: ({ file }: { file: string }) => `Gespeichert in ${file}, ohne Messwerte`,
   recordings_count: ({ n }) => `${n} ${n === 1 ? "Messlauf" : "Messläufe"}`,
   recordings_result: ({ count, circularity }) => `${count}, Kreisformabweichung ${circularity} µm`,
   recordings_next: "Die Fehler dahinter finden",
@@ -261,6 +262,25 @@ export const de: Texts = {
   drift_signals_next: "Ansehen, was darin steckt",
   drift_moves_most: ({ what, range, from, to }) => `${what} ändert sich am meisten: um ${range}, von ${from} bis ${to}.`,
   drift_measured_and_signals: "Gemessenes und Signale",
+
+  // handover
+  handover: "Eine Seite zum Übergeben",
+  handover_title: "Kreisformtest, ISO 230-4",
+  handover_about: "Den Test auf einem Blatt drucken",
+  handover_late: ({ calibrated }: { calibrated: string }) => `Kalibrierung abgelaufen: zuletzt kalibriert am ${calibrated}, mehr als ein Jahr vor diesem Test.`,
+  handover_circle: "Kreis",
+  handover_circle_of: ({ plane, length, arc, readings }: { plane: string; length: string; arc: string; readings: string }) =>
+    `${plane}, Länge ${length} mm, ${arc}°, ${readings} Messwerte`,
+  handover_feeds: "Vorschübe",
+  handover_files: "Dateien",
+  handover_limit: "Grenze µm",
+  handover_no_limits: "Die Datei nennt dafür keine Grenzen.",
+  handover_name: "Name, Vorname",
+  handover_date: "Datum",
+  handover_signature: "Unterschrift",
+  handover_uncertainty: ({ each }: { each: string }) => `Unsicherheit der Kreisformabweichung G, ein Sigma: ${each}. Auch ± in der Tabelle der Fehler ist ein Sigma.`,
+  handover_more: ({ n }: { n: number }) => `und ${n} weitere Zeilen`,
+  judgements: { pass: "bestanden", warning: "Warnung", fail: "nicht bestanden" },
 
   // comparison
   comparison: "Vergleich",

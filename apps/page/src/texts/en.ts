@@ -156,6 +156,7 @@ export const en = {
   recordings_quantity: "quantity",
   recordings_beside_stored: "Recordings, beside what the file stores",
   recordings_both_directions: "Both directions, ISO 230-4",
+  recordings_stored_alone: ({ file }: { file: string }) => `Stored in ${file}, which has no readings`,
   recordings_count: ({ n }: { n: number }) => `${n} ${n === 1 ? "recording" : "recordings"}`,
   recordings_result:
     ({ count, circularity }: { count: string; circularity: string }) => `${count}, circularity ${circularity} µm`,
@@ -265,6 +266,25 @@ export const en = {
   drift_moves_most: ({ what, range, from, to }: { what: string; range: string; from: string; to: string }) =>
     `${what} changes most: by ${range}, from ${from} to ${to}.`,
   drift_measured_and_signals: "Measured, and signals",
+
+  // handover
+  handover: "One page to hand over",
+  handover_title: "Ballbar test, ISO 230-4",
+  handover_about: "Print the test on one sheet",
+  handover_late: ({ calibrated }: { calibrated: string }) => `Calibration ran out: the ballbar was last calibrated on ${calibrated}, more than a year before this test.`,
+  handover_circle: "circle",
+  handover_circle_of: ({ plane, length, arc, readings }: { plane: string; length: string; arc: string; readings: string }) =>
+    `${plane}, bar of ${length} mm, ${arc}°, ${readings} readings`,
+  handover_feeds: "feeds",
+  handover_files: "files",
+  handover_limit: "limit µm",
+  handover_no_limits: "The file states no limits for these.",
+  handover_name: "Name in full",
+  handover_date: "Date",
+  handover_signature: "Signature",
+  handover_uncertainty: ({ each }: { each: string }) => `Uncertainty of the circular deviation G, one sigma: ${each}. ± in the table of errors is one sigma too.`,
+  handover_more: ({ n }: { n: number }) => `and ${n} more rows`,
+  judgements: { pass: "pass", warning: "warning", fail: "fail" },
 
   // comparison
   comparison: "Comparison",

@@ -147,6 +147,7 @@ export const zh: Texts = {
   recordings_quantity: "量",
   recordings_beside_stored: "测量记录及文件存储值",
   recordings_both_directions: "双向，ISO 230-4",
+  recordings_stored_alone: ({ file }: { file: string }) => `${file} 中的存储值（无读数）`,
   recordings_count: ({ n }) => `${n} 条记录`,
   recordings_result: ({ count, circularity }) => `${count}，圆度 ${circularity} µm`,
   recordings_next: "查找其背后的误差",
@@ -250,6 +251,25 @@ export const zh: Texts = {
   drift_signals_next: "查看其中内容",
   drift_moves_most: ({ what, range, from, to }) => `${what} 变化最大：${range}，从 ${from} 到 ${to}。`,
   drift_measured_and_signals: "测量值与信号",
+
+  // handover
+  handover: "单页报告",
+  handover_title: "球杆仪测试，ISO 230-4",
+  handover_about: "将测试打印在一页上",
+  handover_late: ({ calibrated }: { calibrated: string }) => `校准已过期：上次校准于 ${calibrated}，距本次测试超过一年。`,
+  handover_circle: "圆",
+  handover_circle_of: ({ plane, length, arc, readings }: { plane: string; length: string; arc: string; readings: string }) =>
+    `${plane}，杆长 ${length} mm，${arc}°，${readings} 个读数`,
+  handover_feeds: "进给速度",
+  handover_files: "文件",
+  handover_limit: "限值 µm",
+  handover_no_limits: "文件未给出这些项的限值。",
+  handover_name: "姓名",
+  handover_date: "日期",
+  handover_signature: "签名",
+  handover_uncertainty: ({ each }: { each: string }) => `圆度偏差 G 的不确定度（一倍标准差）：${each}。误差表中的 ± 同为一倍标准差。`,
+  handover_more: ({ n }: { n: number }) => `另有 ${n} 行`,
+  judgements: { pass: "合格", warning: "警告", fail: "不合格" },
 
   // comparison
   comparison: "比较",

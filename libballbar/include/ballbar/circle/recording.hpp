@@ -1,6 +1,7 @@
 // One ballbar recording: the bar's length along a circular path, or along one line (axial).
 //
-// Plane (A,B) is XY, YZ or ZX, right-handed; the angle runs from +A towards +B. Of the two balls one
+// Plane (A,B) is XY, YZ or ZX, right-handed, or one of these with its axes exchanged (YX, ZY, XZ), as some controls
+// name it; the angle runs from +A towards +B whatever the hand, and so does CCW. Of the two balls one
 // stays (F) and one travels (M). For a circle the length equation holds without a small-angle step:
 //
 //   M - F = c + R (cos theta, sin theta) + h n,      L(theta) = |M - F|
@@ -20,7 +21,8 @@ namespace ballbar {
 
 enum class Kind { circle, axial };
 enum class Motion { linear_axes, rotary_axis, spindle };  // what drives the circle
-enum class Plane { XY, YZ, ZX };
+enum class Plane { XY, YZ, ZX, YX, ZY, XZ };
+inline constexpr std::array kPlanes{Plane::XY, Plane::YZ, Plane::ZX, Plane::YX, Plane::ZY, Plane::XZ};
 enum class MovingBall { spindle, table };
 enum class Direction { CCW, CW };
 
@@ -43,7 +45,7 @@ struct Recording {
   std::vector<double> length_mm;                 // n readings, > 0
 };
 
-// The two axes of a plane as indices into (x, y, z): XY -> {0,1}, YZ -> {1,2}, ZX -> {2,0}.
+// The two axes of a plane as indices into (x, y, z): XY -> {0,1}, YZ -> {1,2}, ZX -> {2,0}, XZ -> {0,2}.
 std::array<int, 2> axes_of(Plane plane);
 
 // Arc covered by the readings, rad, in (0, 2 pi]: 2 pi less the largest gap, with one reading's share

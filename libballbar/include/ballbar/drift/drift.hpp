@@ -19,7 +19,8 @@
 // (spindle_above; the other way round otherwise), which also corrects the radial test.
 //
 // circles. One or more circle recordings a test (a `.b5r` has two, CCW and CW): the centres of one
-// plane are averaged, weighted equally, and give that plane's two axes. Each plane has its own reference
+// plane are averaged, weighted equally, and give that plane's two axes. A test without readings has its stored circles
+// in place of fits, whose sigma is not known (NaN). Each plane has its own reference
 // (tests may take the planes in turn); an axis that two planes of one test show is averaged.
 //
 // Every sigma is that of the difference to the reference test (covariance_of_change_um2 of circle_fit.hpp): a residual
@@ -44,6 +45,7 @@ enum class Method { two_arcs, spindle_rotation, circles };
 struct SessionTest {
   double elapsed_s = 0.0;
   std::vector<Recording> circles;  // circles: one or more
+  std::vector<Circle> stored;      //   of circles without readings: each one's circle, sigma NaN; else empty
   std::optional<Recording> c_arc;  // two_arcs
   std::optional<Recording> a_arc;
   std::optional<Recording> rotation;  // spindle_rotation

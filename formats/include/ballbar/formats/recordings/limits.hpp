@@ -26,6 +26,12 @@ enum class Judgement { pass, warning, fail };
 std::optional<Judgement> judged(std::span<const Limit> limits, std::string_view name, double value,
                                 std::string_view data_type, std::string_view parent = {});
 
+// The narrowest ends of the limits of that name, in the unit of data_type; as judged() takes them.
+struct LimitRange {
+  std::optional<double> lower, upper;
+};
+LimitRange range_of(std::span<const Limit> limits, std::string_view name, std::string_view data_type);
+
 // "pass", "warning", "fail".
 std::string_view name_of(Judgement judgement);
 

@@ -8,6 +8,7 @@
 
 #include "ballbar/drift/drift.hpp"
 #include "ballbar/effects/effect.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/text/reader.hpp"
 #include "ballbar/series/series.hpp"
 
@@ -27,6 +28,7 @@ struct ModelData {
 // one or more recordings (.b5r, logs) of one plane: their trace. Throws Error for anything else, a mixture, or the same
 // file twice.
 ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,
-                          double max_gap_s, std::span<const Reader> readers = known_readers());
+                          double max_gap_s, std::span<const Reader> readers = known_readers(),
+                          const StatedCircle& stated = {});
 
 }  // namespace ballbar

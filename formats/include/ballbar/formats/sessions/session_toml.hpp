@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ballbar/drift/drift.hpp"
+#include "ballbar/formats/recordings/test_folder.hpp"
 #include "ballbar/formats/text/reader.hpp"
 
 namespace ballbar {
@@ -56,10 +57,12 @@ struct SessionFiles {
   BallPlace ball;
   std::vector<TestFile> recordings;          // in the order of the tests
   std::vector<std::filesystem::path> files;  // all that make up the session, itself included
+  std::vector<SkippedFile> skipped;          // of a folder without session.toml: files at fault
 };
 
 // A session.toml, or a folder: of a session.toml, else of `.b5r` files (each a test at its DATE_STARTED,
-// counted from the first; other files are ignored).
+// counted from the first; other files are ignored); or an archive of `.b5r` files. A test with results alone has its
+// stored circles.
 SessionFiles open_session(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
 
 }  // namespace ballbar

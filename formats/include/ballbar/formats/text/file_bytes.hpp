@@ -12,6 +12,9 @@ namespace ballbar {
 inline constexpr std::size_t kLargestTable = std::size_t{1} << 30;  // a .csv: 1 GiB
 inline constexpr std::size_t kLargestText = std::size_t{16} << 20;  // .b5r and .toml: 16 MiB
 
+// "A.B5R" ends in ".b5r": an ending in small letters, whatever letters the name has.
+bool ends_in(const std::filesystem::path& path, std::string_view ending);
+
 // The bytes of a regular file. Throws Error: missing, a directory or other special file, unreadable,
 // larger than `limit`.
 std::string read_bytes(const std::filesystem::path& path, std::size_t limit);

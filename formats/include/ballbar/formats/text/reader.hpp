@@ -20,12 +20,14 @@ struct LogRecipe;
 struct RecordingFile;
 struct Series;
 struct SessionPlan;
+struct StatedCircle;
 
 inline constexpr std::size_t kHeadBytes = std::size_t{1} << 16;  // a header is far shorter
 
 // What a reader makes of the bytes of a whole file. `name` stands in messages; throws Error with name:line:column. A
 // null function: known, so that a message can say what was found, but not to be read.
 using ReadRecordings = RecordingFile (*)(std::string_view bytes, std::string_view name);
+using ReadCircle = RecordingFile (*)(std::string_view bytes, std::string_view name, const StatedCircle& stated);
 using ReadSeries = Series (*)(std::string_view bytes, std::string_view name);
 using ReadLog = Log (*)(const std::filesystem::path& path, const LogRecipe& recipe);  // not held in memory
 using ReadSession = SessionPlan (*)(std::string_view bytes, std::string_view name);
@@ -35,7 +37,8 @@ struct Reader {
   std::string_view recording;  // after "expected a recording, which is"; empty: not listed there
   bool (*is_yours)(std::string_view head) =
       nullptr;  // of the first kHeadBytes of a file, or of all where it is shorter
-  std::variant<std::monostate, ReadRecordings, ReadSeries, ReadLog, ReadSession> read;  // monostate: for another opener
+  // monostate: for another opener
+  std::variant<std::monostate, ReadRecordings, ReadCircle, ReadSeries, ReadLog, ReadSession> read;
 };
 
 // All formats, in the order in which they are asked.
@@ -44,8 +47,8 @@ std::span<const Reader> known_readers();
 // The first that says the head is its own; null for text of no known format.
 const Reader* reader_of(std::string_view head, std::span<const Reader> readers = known_readers());
 
-// The same of a file, of which only the head is read; null too for a folder or nothing of that name. Throws Error as
-// read_bytes.
+// The same of a file, of which only the head is read, or of one inside an archive (archive.hpp); null too for a folder
+// or nothing of that name. Throws Error as read_bytes.
 const Reader* reader_of_file(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
 
 // For "found ...": the reader's own words; without one "text of no known format".
@@ -56,6 +59,11 @@ template <class Read>
 Read read_of(const Reader* reader) {
   const Read* const read = reader == nullptr ? nullptr : std::get_if<Read>(&reader->read);
   return read == nullptr ? nullptr : *read;
+}
+
+// A recording, though it may have faults; false of a format that is only known by what it lacks.
+inline bool reads_recordings(const Reader* reader) {
+  return read_of<ReadRecordings>(reader) != nullptr || read_of<ReadCircle>(reader) != nullptr;
 }
 
 // A series, or a log that is taken for one.

@@ -1,0 +1,245 @@
+#include "recordings/circle_find.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "ballbar/circle/circle_fit.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/units.hpp"
+#include "recordings/circle_runs.hpp"
+#include "recordings/circle_words.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kFewest = 12;        // readings
+constexpr std::size_t kMostColumns = 8;    // that are tried without names
+constexpr std::size_t kMostPoints = 4000;  // that a circle is looked for with
+constexpr double kOff = 0.02;              // of the radius: not on the circle
+constexpr double kOn = 0.01;               // of the radius: rms of what is
+constexpr double kLeastArc_rad = 150.0 * kPi / 180.0;
+constexpr double kLeastArcCutOff_rad = 30.0 * kPi / 180.0;
+constexpr double kLeastLength = 5.0;  // mm or um: less is a deviation
+constexpr double kWidestStep_rad = 60.0 * kPi / 180.0;
+
+double span_of(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *high - *low;
+}
+
+PlaneCircle circle_through(const std::vector<double>& x, const std::vector<double>& y,
+                           const std::vector<std::size_t>& rows) {
+  const std::size_t every = rows.size() / kMostPoints + 1;
+  const auto n = static_cast<Eigen::Index>((rows.size() + every - 1) / every);
+  Eigen::ArrayXd some_x(n), some_y(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::size_t row = rows[static_cast<std::size_t>(i) * every];
+    some_x[i] = x[row];
+    some_y[i] = y[row];
+  }
+  return algebraic_circle(some_x, some_y);
+}
+
+// Whether these points go round: steadily, over enough of an arc.
+bool goes_round(const std::vector<double>& x, const std::vector<double>& y, const CoordinateCircle& circle,
+                double least_arc_rad) {
+  std::vector<double> angle_rad;
+  angle_rad.reserve(circle.rows.size());
+  for (const std::size_t row : circle.rows) {
+    angle_rad.push_back(std::atan2(y[row] - circle.centre_b, x[row] - circle.centre_a));
+  }
+  angle_rad = unwrapped(std::move(angle_rad));
+  return span_of(angle_rad) >= least_arc_rad && middle_step_rad(angle_rad) < kWidestStep_rad;
+}
+
+// Throws Error where there is none: points on one line.
+std::optional<CoordinateCircle> circle_of(const ColumnTable& table, std::size_t a, std::size_t b, bool cut_off) {
+  const std::vector<double>&x = table.columns[a].values, &y = table.columns[b].values;
+  CoordinateCircle circle;
+  circle.a = a;
+  circle.b = b;
+  for (std::size_t row = 0; row < x.size(); ++row) circle.rows.push_back(row);
+  const std::size_t all = circle.rows.size();
+  double rms = 0.0;
+  for (int pass = 0; pass < 3; ++pass) {
+    const PlaneCircle fitted = circle_through(x, y, circle.rows);
+    if (!std::isfinite(fitted.radius) || !(fitted.radius > 0.0)) return std::nullopt;
+    circle.centre_a = fitted.centre_x;
+    circle.centre_b = fitted.centre_y;
+    circle.radius = fitted.radius;
+    circle.rows.clear();
+    double sum = 0.0;
+    // The way in and out pulls at the first circle.
+    const double off = (pass == 0 ? 5.0 : 1.0) * kOff * circle.radius;
+    for (std::size_t row = 0; row < all; ++row) {
+      const double left = std::hypot(x[row] - circle.centre_a, y[row] - circle.centre_b) - circle.radius;
+      if (std::abs(left) > off) continue;
+      circle.rows.push_back(row);
+      sum += left * left;
+    }
+    if (circle.rows.size() < kFewest || 5 * circle.rows.size() < 3 * all) return std::nullopt;
+    rms = std::sqrt(sum / static_cast<double>(circle.rows.size()));
+  }
+  if (rms > kOn * circle.radius) return std::nullopt;
+  return goes_round(x, y, circle, cut_off ? kLeastArcCutOff_rad : kLeastArc_rad) ? std::optional(circle) : std::nullopt;
+}
+
+std::optional<CoordinateCircle> circle_or_none(const ColumnTable& table, std::size_t a, std::size_t b, bool cut_off) {
+  try {
+    return circle_of(table, a, b, cut_off);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+// Right-handed: X and Z are Z and X.
+std::optional<Plane> plane_of(int a, int b) {
+  for (const Plane plane : {Plane::XY, Plane::YZ, Plane::ZX}) {
+    if (axes_of(plane) == std::array{a, b}) return plane;
+  }
+  return std::nullopt;
+}
+
+struct AxisColumn {
+  std::size_t column = 0;
+  int axis = 0;
+};
+
+std::vector<AxisColumn> axis_columns(const ColumnTable& table, bool commanded) {
+  std::vector<AxisColumn> columns;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const auto axis = axis_of(table.columns[i]);
+    if (axis && is_commanded(table.columns[i]) == commanded) columns.push_back({i, *axis});
+  }
+  return columns;
+}
+
+std::optional<CoordinateCircle> named_circle(const ColumnTable& table, bool commanded, bool cut_off) {
+  const std::vector<AxisColumn> columns = axis_columns(table, commanded);
+  for (const AxisColumn& a : columns) {
+    for (const AxisColumn& b : columns) {
+      const std::optional<Plane> plane = plane_of(a.axis, b.axis);
+      if (!plane) continue;
+      auto circle = circle_or_none(table, a.column, b.column, cut_off);
+      if (!circle) continue;
+      circle->plane = plane;
+      return circle;
+    }
+  }
+  return std::nullopt;
+}
+
+bool could_be_coordinate(const NumberColumn& column) {
+  const ColumnWord word = word_of(column);
+  return (word == ColumnWord::none || word == ColumnWord::coordinate) && !is_commanded(column);
+}
+
+std::optional<CoordinateCircle> nameless_circle(const ColumnTable& table) {
+  const std::size_t columns = std::min(table.columns.size(), kMostColumns);
+  for (std::size_t a = 0; a < columns; ++a) {
+    if (!could_be_coordinate(table.columns[a])) continue;
+    for (std::size_t b = a + 1; b < columns; ++b) {
+      if (!could_be_coordinate(table.columns[b])) continue;
+      if (auto circle = circle_or_none(table, a, b, false)) return circle;
+    }
+  }
+  return std::nullopt;
+}
+
+// A turn, of 360 deg or 2 pi, to a reading's step.
+std::optional<double> unit_of_a_turn(const std::vector<double>& angle) {
+  const double span = span_of(angle);
+  const auto [low, high] = std::minmax_element(angle.begin(), angle.end());
+  if (std::max(std::abs(*low), std::abs(*high)) > 2.1 * span) return std::nullopt;
+  for (const double turn : {360.0, 2.0 * kPi}) {
+    if (std::abs(span - turn) <= 0.03 * turn) return 2.0 * kPi / turn;
+  }
+  return std::nullopt;
+}
+
+// Deg, or rad where the numbers stay within a turn of those.
+double likely_unit(const std::vector<double>& angle) {
+  const double span = span_of(angle);
+  return span > 2.0 && span <= 2.05 * kPi ? 1.0 : rad_from_deg(1.0);
+}
+
+bool runs_round(const std::vector<double>& angle, double rad_per_unit, bool cut_off) {
+  std::vector<double> angle_rad(angle.size());
+  std::transform(angle.begin(), angle.end(), angle_rad.begin(), [&](double value) { return value * rad_per_unit; });
+  angle_rad = unwrapped(std::move(angle_rad));
+  const double step_rad = middle_step_rad(angle_rad);
+  const double least_rad = cut_off ? kLeastArcCutOff_rad : kLeastArc_rad;
+  return span_of(angle_rad) >= least_rad && step_rad > 0.0 && step_rad < kWidestStep_rad;
+}
+
+std::optional<std::size_t> column_called(const ColumnTable& table, ColumnWord word) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    if (word_of(table.columns[i]) == word) return i;
+  }
+  return std::nullopt;
+}
+
+bool has_no_names(const ColumnTable& table) {
+  return std::all_of(table.columns.begin(), table.columns.end(),
+                     [](const NumberColumn& column) { return column.name.empty() && column.unit.empty(); });
+}
+
+// A table over time may hold an angle beside other things: there, only a column that is named. Both columns of a table
+// with one a direction, else the first that can be.
+std::vector<std::size_t> value_columns(const ColumnTable& table, std::size_t angle) {
+  std::vector<std::size_t> named, of_direction, others;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const ColumnWord word = word_of(table.columns[i]);
+    if (i == angle || is_commanded(table.columns[i])) continue;
+    if (!table.columns[i].unit.empty() && !mm_per_unit(table.columns[i])) continue;  // an angle's error, say
+    if (word == ColumnWord::length || word == ColumnWord::deviation) {
+      (direction_of(table.columns[i]) ? of_direction : named).push_back(i);
+    } else if (word == ColumnWord::none) {
+      others.push_back(i);
+    }
+  }
+  if (of_direction.size() == 2 &&
+      direction_of(table.columns[of_direction[0]]) != direction_of(table.columns[of_direction[1]])) {
+    return of_direction;
+  }
+  if (column_called(table, ColumnWord::time)) others.clear();
+  for (const std::vector<std::size_t>& columns : {named, of_direction, others}) {
+    if (!columns.empty()) return {columns.front()};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<CoordinateCircle> coordinate_circle(const ColumnTable& table, bool cut_off) {
+  if (table.columns.size() < 2 || table.columns.front().values.size() < kFewest) return std::nullopt;
+  std::optional<CoordinateCircle> circle = named_circle(table, false, cut_off);
+  if (!circle && !cut_off) circle = nameless_circle(table);
+  if (!circle) return std::nullopt;
+  if (const auto commanded = named_circle(table, true, cut_off)) circle->commanded_radius = commanded->radius;
+  return circle;
+}
+
+std::optional<PolarCircle> polar_circle(const ColumnTable& table, bool cut_off) {
+  if (table.columns.size() < 2 || table.columns.front().values.size() < kFewest) return std::nullopt;
+  PolarCircle circle;
+  const std::optional<std::size_t> named = column_called(table, ColumnWord::angle);
+  const std::optional<double> turn = named ? std::nullopt : unit_of_a_turn(table.columns.front().values);
+  if (!named && !(turn && has_no_names(table))) return std::nullopt;
+  circle.angle = named.value_or(0);
+  const NumberColumn& angle = table.columns[circle.angle];
+  circle.rad_per_unit = turn ? *turn : rad_per_unit(angle).value_or(likely_unit(angle.values));
+  if (!runs_round(angle.values, circle.rad_per_unit, cut_off)) return std::nullopt;
+  circle.values = value_columns(table, circle.angle);
+  if (circle.values.empty()) return std::nullopt;
+  const std::vector<double>& values = table.columns[circle.values.front()].values;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  circle.are_lengths = *low > kLeastLength && *high - *low <= 0.2 * *high;
+  const bool said = word_of(table.columns[circle.values.front()]) == ColumnWord::deviation;
+  circle.are_lengths = circle.are_lengths && !said;
+  return circle;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,34 @@
+// What of a table is a circle.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "ballbar/circle/recording.hpp"
+#include "recordings/column_table.hpp"
+
+namespace ballbar {
+
+// Two columns of coordinates.
+struct CoordinateCircle {
+  std::size_t a = 0, b = 0;                             // columns
+  std::optional<Plane> plane;                           // where the columns' names say so
+  double centre_a = 0.0, centre_b = 0.0, radius = 0.0;  // in the columns' unit
+  std::vector<std::size_t> rows;                        // on the circle
+  std::optional<double> commanded_radius;               // of the path that the control wanted, where that is there too
+};
+
+// An angle beside lengths or deviations.
+struct PolarCircle {
+  std::size_t angle = 0;
+  std::vector<std::size_t> values;  // columns; two: one a direction
+  double rad_per_unit = 0.0;
+  bool are_lengths = true;  // else deviations
+};
+
+// `cut_off`: of a longer file, so that the circle need not be whole, but must be named.
+std::optional<CoordinateCircle> coordinate_circle(const ColumnTable& table, bool cut_off);
+std::optional<PolarCircle> polar_circle(const ColumnTable& table, bool cut_off);
+
+}  // namespace ballbar

@@ -1,0 +1,260 @@
+#include "ballbar/formats/recordings/circle_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ballbar/error.hpp"
+#include "ballbar/units.hpp"
+#include "recordings/circle_find.hpp"
+#include "recordings/circle_runs.hpp"
+#include "recordings/circle_words.hpp"
+#include "recordings/column_table.hpp"
+#include "text/head.hpp"
+#include "text/readers.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr double kAgrees = 0.02;         // of the radius: a nominal one and that of the readings
+constexpr double kFarFromZero = 0.01;    // of the radius: the circle's centre is no centre offset
+constexpr double kLargestRadius = 2000;  // in mm; more is um
+constexpr double kLeastSpread = 0.3;     // of deviations in um; less is mm
+
+// Readings round a circle, before they are cut into runs.
+struct Readings {
+  std::vector<double> angle_rad, length_mm, time_s;  // time_s may be empty
+  std::optional<Direction> direction;                // that the column states
+  std::string what;                                  // "X and Z in mm"
+};
+
+bool is_radius(const std::optional<double>& radius_mm) {
+  return radius_mm && std::isfinite(*radius_mm) && *radius_mm > 0.0;
+}
+
+// A radius in the unit of the column, or in the likely one.
+double mm_of_lengths(const NumberColumn& column, double radius, const StatedCircle& stated) {
+  if (const auto known = mm_per_unit(column)) return *known;
+  if (stated.radius_mm) {
+    for (const double factor : {1.0, 1e-3, 1e3, 25.4}) {
+      if (std::abs(factor * radius - *stated.radius_mm) <= kAgrees * *stated.radius_mm) return factor;
+    }
+  }
+  return radius > kLargestRadius ? 1e-3 : 1.0;
+}
+
+std::string_view unit_of(double mm) {
+  if (mm == 1.0) return "mm";
+  if (mm == 1e-3) return "um";
+  if (mm == 25.4) return "inch";
+  return mm == 1e3 ? "m" : "nm";
+}
+
+// The nominal radius: as stated, as the header says, as the control wanted it. `radius_mm`: of the readings, where they
+// have one.
+double nominal_radius_mm(std::string_view name, const ColumnTable& table, const StatedCircle& stated,
+                         const std::optional<double>& commanded_mm, const std::optional<double>& radius_mm) {
+  const auto agrees = [&](const std::optional<double>& nominal_mm) {
+    if (!is_radius(nominal_mm)) return false;
+    return !radius_mm || std::abs(*nominal_mm - *radius_mm) <= kAgrees * *nominal_mm;
+  };
+  if (stated.radius_mm) {
+    if (agrees(stated.radius_mm)) return *stated.radius_mm;
+    throw Error(
+        fmt::format("{}: expected a circle of about the nominal radius {:g} mm that --radius states, found one of "
+                    "{:.4f} mm.",
+                    name, *stated.radius_mm, *radius_mm));
+  }
+  const std::optional<double> in_header = stated_radius_mm(table.preamble);
+  if (agrees(in_header)) return *in_header;
+  if (agrees(commanded_mm)) return std::round(1e3 * *commanded_mm) / 1e3;
+  const std::string found =
+      radius_mm ? fmt::format("a circle of {:.4f} mm, whose nominal radius the file does not state", *radius_mm)
+                : std::string("deviations alone");
+  const double likely_mm = radius_mm ? std::max(1.0, std::round(*radius_mm)) : 100.0;
+  throw Error(fmt::format("{}: expected the nominal radius of this circle, found {}; state it, as in --radius {:g}mm.",
+                          name, found, likely_mm));
+}
+
+// The first column of time; empty where there is none, or its unit is not known.
+std::vector<double> times_s(const ColumnTable& table, const std::vector<std::size_t>& rows) {
+  for (const NumberColumn& column : table.columns) {
+    if (word_of(column) != ColumnWord::time) continue;
+    const auto seconds = seconds_per_unit(column);
+    if (!seconds) continue;
+    std::vector<double> time_s;
+    time_s.reserve(rows.size());
+    for (const std::size_t row : rows) time_s.push_back(*seconds * column.values[row]);
+    const bool rises = std::adjacent_find(time_s.begin(), time_s.end(), std::greater_equal<>()) == time_s.end();
+    if (rises) return time_s;
+  }
+  return {};
+}
+
+std::optional<double> feed_of(const Readings& readings, const CircleRun& run, double radius_mm) {
+  if (readings.time_s.empty()) return std::nullopt;
+  const double time_s = readings.time_s[run.last] - readings.time_s[run.first];
+  const double feed = radius_mm * std::abs(run.travel_rad) / time_s * 60.0;
+  return std::isfinite(feed) && feed > 0.0 ? std::optional(feed) : std::nullopt;
+}
+
+void add_runs(std::vector<Recording>& recordings, const Readings& readings, const Recording& like,
+              const ColumnTable& table) {
+  const std::vector<double> angle_rad = unwrapped(readings.angle_rad);
+  for (const CircleRun& run : runs_of(angle_rad)) {
+    Recording recording = like;
+    recording.direction = readings.direction.value_or(run.travel_rad > 0.0 ? Direction::CCW : Direction::CW);
+    recording.feed_mm_per_min = stated_feed_mm_per_min(table.preamble);
+    if (!recording.feed_mm_per_min) recording.feed_mm_per_min = feed_of(readings, run, like.nominal_length_mm);
+    for (std::size_t i = run.first; i <= run.last; ++i) {
+      recording.angle_rad.push_back(angle_rad[i]);
+      recording.length_mm.push_back(readings.length_mm[i]);
+      if (!readings.time_s.empty()) recording.time_s.push_back(readings.time_s[i] - readings.time_s[run.first]);
+    }
+    recordings.push_back(std::move(recording));
+  }
+}
+
+Readings readings_of(const ColumnTable& table, const CoordinateCircle& circle, double mm) {
+  Readings readings;
+  const bool far = std::hypot(circle.centre_a, circle.centre_b) > kFarFromZero * circle.radius;
+  const double a = far ? circle.centre_a : 0.0, b = far ? circle.centre_b : 0.0;
+  for (const std::size_t row : circle.rows) {
+    const double x = table.columns[circle.a].values[row] - a, y = table.columns[circle.b].values[row] - b;
+    readings.angle_rad.push_back(std::atan2(y, x));
+    readings.length_mm.push_back(mm * std::hypot(x, y));
+  }
+  readings.time_s = times_s(table, circle.rows);
+  const std::string_view axes = circle.plane ? name_of(*circle.plane) : "XY";
+  readings.what = fmt::format("coordinates {} and {} in {}{}", axes[0], axes[1], unit_of(mm),
+                              far ? ", from the centre of their circle" : "");
+  return readings;
+}
+
+double middle_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Deviations are added to the nominal radius.
+Readings readings_of(const ColumnTable& table, const PolarCircle& circle, std::size_t column, double nominal_mm,
+                     double mm) {
+  Readings readings;
+  std::vector<std::size_t> rows;
+  const NumberColumn& values = table.columns[column];
+  for (std::size_t row = 0; row < values.values.size(); ++row) {
+    rows.push_back(row);
+    readings.angle_rad.push_back(circle.rad_per_unit * table.columns[circle.angle].values[row]);
+    readings.length_mm.push_back((circle.are_lengths ? 0.0 : nominal_mm) + mm * values.values[row]);
+  }
+  readings.time_s = times_s(table, rows);
+  readings.direction = circle.values.size() == 2 ? direction_of(values) : std::nullopt;
+  readings.what = fmt::format("angles in {} and {} in {}", circle.rad_per_unit == 1.0 ? "rad" : "deg",
+                              circle.are_lengths ? "lengths" : "deviations", unit_of(mm));
+  return readings;
+}
+
+double mm_of_deviations(const NumberColumn& column) {
+  if (const auto known = mm_per_unit(column)) return *known;
+  const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
+  return *high - *low < kLeastSpread ? 1.0 : 1e-3;
+}
+
+void expect_lengths(std::string_view name, const RecordingFile& file) {
+  for (const Recording& recording : file.recordings) {
+    for (const double length_mm : recording.length_mm) {
+      if (std::abs(length_mm - recording.nominal_length_mm) <= 0.1 * recording.nominal_length_mm) continue;
+      throw Error(fmt::format("{}: expected readings within a tenth of the nominal radius {:g} mm, found {:g} mm.",
+                              name, recording.nominal_length_mm, length_mm));
+    }
+  }
+  if (file.recordings.empty()) {
+    throw Error(fmt::format("{}: expected a run of at least 30 deg round a circle, found none.", name));
+  }
+}
+
+void say(RecordingFile& file, std::string_view name, const Readings& readings, bool plane_known) {
+  std::string runs;
+  for (const Recording& one : file.recordings) {
+    runs += fmt::format("{}{} of {} readings", runs.empty() ? "" : ", ", name_of(one.direction), one.length_mm.size());
+  }
+  const Recording& first = file.recordings.front();
+  file.remarks.push_back(fmt::format("{}: read as a circle by {}; plane {}{}, nominal radius {:g} mm; {}.", name,
+                                     readings.what, name_of(first.plane), plane_known ? "" : " (not stated)",
+                                     first.nominal_length_mm, runs));
+}
+
+RecordingFile file_of(std::string_view name, const ColumnTable& table, const CoordinateCircle& circle,
+                      const StatedCircle& stated) {
+  RecordingFile file;
+  const double mm = mm_of_lengths(table.columns[circle.a], circle.radius, stated);
+  std::optional<double> commanded_mm = circle.commanded_radius;
+  if (commanded_mm) *commanded_mm *= mm;
+  Recording like;
+  like.nominal_length_mm = nominal_radius_mm(name, table, stated, commanded_mm, mm * circle.radius);
+  const std::optional<Plane> plane = circle.plane ? circle.plane : stated_plane(table.preamble);
+  like.plane = plane.value_or(Plane::XY);
+  const Readings readings = readings_of(table, circle, mm);
+  add_runs(file.recordings, readings, like, table);
+  expect_lengths(name, file);
+  say(file, name, readings, plane.has_value());
+  return file;
+}
+
+RecordingFile file_of(std::string_view name, const ColumnTable& table, const PolarCircle& circle,
+                      const StatedCircle& stated) {
+  RecordingFile file;
+  const NumberColumn& values = table.columns[circle.values.front()];
+  const double length = middle_of(values.values);
+  const double mm = circle.are_lengths ? mm_of_lengths(values, length, stated) : mm_of_deviations(values);
+  Recording like;
+  like.nominal_length_mm =
+      nominal_radius_mm(name, table, stated, {}, circle.are_lengths ? std::optional(mm * length) : std::nullopt);
+  const std::optional<Plane> plane = stated_plane(table.preamble);
+  like.plane = plane.value_or(Plane::XY);
+  Readings readings;
+  for (const std::size_t column : circle.values) {
+    readings = readings_of(table, circle, column, like.nominal_length_mm, mm);
+    add_runs(file.recordings, readings, like, table);
+  }
+  expect_lengths(name, file);
+  say(file, name, readings, plane.has_value());
+  return file;
+}
+
+}  // namespace
+
+bool holds_circle(std::string_view head) {
+  if (format_name(head).starts_with("ballbar") || text_of_head(head).starts_with('<')) return false;
+  const bool cut_off = head.size() >= kHeadBytes;
+  try {
+    const ColumnTable table = column_table(head, {});
+    return coordinate_circle(table, cut_off) || polar_circle(table, cut_off);
+  } catch (const Error&) {  // no table
+    return false;
+  }
+}
+
+RecordingFile read_circle_table(std::string_view bytes, std::string_view name, const StatedCircle& stated) {
+  const ColumnTable table = column_table(bytes, std::string(name));
+  if (const auto circle = coordinate_circle(table, false)) return file_of(name, table, *circle, stated);
+  if (const auto circle = polar_circle(table, false)) return file_of(name, table, *circle, stated);
+  throw Error(
+      fmt::format("{}: expected a circle: coordinates that lie on one, or an angle that runs through at least 150 "
+                  "deg beside a length or a deviation, found neither.",
+                  name));
+}
+
+constinit const Reader readers::kCircleTable = {
+    .found = "a circle in a table of numbers",
+    .recording = "a table whose numbers are a circle (angle and radius, or two coordinates)",
+    .is_yours = holds_circle,
+    .read = read_circle_table,
+};
+
+}  // namespace ballbar

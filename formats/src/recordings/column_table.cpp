@@ -1,0 +1,73 @@
+#include "recordings/column_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "ballbar/error.hpp"
+#include "logs/log_cells.hpp"
+#include "logs/log_shape.hpp"
+#include "logs/log_text.hpp"
+#include "logs/log_units.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kMostRows = 2000000;
+
+// Columns that are numbers in most of the first rows.
+std::vector<std::size_t> numeric_columns(const LogShape& shape) {
+  std::vector<std::size_t> numbers(shape.headers.size(), 0);
+  std::vector<std::string_view> cells;
+  for (const HeadLine& row : shape.rows) {
+    split_cells(row.text, shape.delimiter, cells);
+    for (std::size_t i = 0; i < std::min(cells.size(), numbers.size()); ++i) {
+      numbers[i] += cell_number(cells[i], shape.decimal).has_value();
+    }
+  }
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (2 * numbers[i] > shape.rows.size()) columns.push_back(i);
+  }
+  return columns;
+}
+
+}  // namespace
+
+ColumnTable column_table(std::string_view bytes, const std::string& name) {
+  ByteSource source = ByteSource::of_bytes(bytes, name);
+  const LogShape shape = log_shape(source, name, {});
+  const std::vector<std::size_t> places = numeric_columns(shape);
+  ColumnTable table;
+  for (const HeadLine& line : shape.preamble) table.preamble.push_back(line.text);
+  for (const std::size_t place : places) {
+    const NameAndUnit header = name_and_unit(shape.headers[place]);
+    const std::string& below = shape.units[place];
+    table.columns.push_back({header.name, below.empty() ? header.unit : below, {}});
+  }
+  source.rewind();
+  LogLines lines(source, shape.encoding);
+  std::vector<std::string_view> cells;
+  std::vector<double> row(places.size());
+  std::size_t rows = 0;
+  while (lines.next(true)) {
+    if (lines.number() < shape.first_row_line) continue;
+    split_cells(lines.line(), shape.delimiter, cells);
+    const bool whole = std::all_of(places.begin(), places.end(), [&](const std::size_t& place) {
+      if (place >= cells.size()) return false;
+      const std::optional<double> value = cell_number(cells[place], shape.decimal);
+      row[static_cast<std::size_t>(&place - places.data())] = value.value_or(0.0);
+      return value && std::isfinite(*value);
+    });
+    if (!whole) continue;
+    if (++rows > kMostRows) {
+      throw Error(fmt::format("{}:{}: expected at most {} readings, found more.", name, lines.number(), kMostRows));
+    }
+    for (std::size_t i = 0; i < row.size(); ++i) table.columns[i].values.push_back(row[i]);
+  }
+  return table;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,205 @@
+#include "ballbar/formats/recordings/circle_table.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/text/reader.hpp"
+#include "ballbar/units.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr int kReadings = 360;
+
+// Of a circle of no more than a scale mismatch: 4 um cos 2t.
+double deviation_um(double angle_rad) { return 4.0 * std::cos(2.0 * angle_rad); }
+
+double angle_rad_of(int i, bool ccw = true) { return rad_from_deg((ccw ? i : kReadings - 1 - i) * 360.0 / kReadings); }
+
+std::string with_commas(std::string text) {
+  for (char& c : text) c = c == '.' ? ',' : c;
+  return text;
+}
+
+using Row = std::function<std::string(double angle_rad, double radius_mm)>;
+
+std::string rows(double radius_mm, const Row& row, bool ccw = true) {
+  std::string text;
+  for (int i = 0; i < kReadings; ++i) {
+    const double angle_rad = angle_rad_of(i, ccw);
+    text += row(angle_rad, radius_mm + mm_from_um(deviation_um(angle_rad))) + '\n';
+  }
+  return text;
+}
+
+std::string polar(double angle_rad, double radius_mm) {
+  return fmt::format("{:.4f};{:.6f}", deg_from_rad(angle_rad), radius_mm);
+}
+
+std::string point(double angle_rad, double radius_mm) {
+  return fmt::format("{:.6f}\t{:.6f}", radius_mm * std::cos(angle_rad), radius_mm * std::sin(angle_rad));
+}
+
+// The text is known as a circle, and read as these runs of that radius.
+RecordingFile expect_circle(const std::string& text, double radius_mm, std::vector<Direction> directions,
+                            const StatedCircle& stated = {}) {
+  EXPECT_EQ(found_in(reader_of(text)), "a circle in a table of numbers");
+  RecordingFile file = read_circle_table(text, "f", stated);
+  EXPECT_EQ(file.recordings.size(), directions.size());
+  for (std::size_t k = 0; k < std::min(directions.size(), file.recordings.size()); ++k) {
+    const Recording& recording = file.recordings[k];
+    EXPECT_EQ(recording.direction, directions[k]);
+    EXPECT_NEAR(recording.nominal_length_mm, radius_mm, 1e-12);
+    EXPECT_EQ(recording.length_mm.size(), static_cast<std::size_t>(kReadings));
+    for (std::size_t i = 0; i < recording.length_mm.size(); ++i) {
+      EXPECT_NEAR(recording.length_mm[i], radius_mm + mm_from_um(deviation_um(recording.angle_rad[i])), 2e-6);
+    }
+  }
+  return file;
+}
+
+std::string complaint_of(const std::string& text, const StatedCircle& stated = {}) {
+  try {
+    read_circle_table(text, "f", stated);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no complaint";
+}
+
+TEST(circle_table, angle_and_radius_with_semicolons_and_decimal_commas) {
+  const std::string text = "Winkel [°];Radius [mm]\n" + with_commas(rows(100.0, polar));
+  const RecordingFile file = expect_circle(text, 100.0, {Direction::CCW}, {100.0});
+  EXPECT_EQ(file.recordings[0].plane, Plane::XY);
+  EXPECT_EQ(file.remarks, (std::vector<std::string>{"f: read as a circle by angles in deg and lengths in mm; plane XY "
+                                                    "(not stated), nominal radius 100 mm; CCW of 360 readings."}));
+}
+
+TEST(circle_table, without_a_header) {
+  expect_circle(rows(
+                    100.0, [](double t, double r) { return fmt::format("{:.3f},{:.6f}", deg_from_rad(t), r); }, false),
+                100.0, {Direction::CW}, {100.0});
+  expect_circle(rows(100.0, [](double t, double r) { return fmt::format("{:.6f} {:.6f}", t, r); }), 100.0,
+                {Direction::CCW}, {100.0});
+}
+
+TEST(circle_table, the_heading_angle_and_length_is_no_log) {
+  const std::string text = "angle,length\n" + rows(100.0, [](double t, double r) {
+                             return fmt::format("{:.3f},{:.6f}", deg_from_rad(t), r);
+                           });
+  expect_circle(text, 100.0, {Direction::CCW}, {100.0});
+}
+
+TEST(circle_table, units_are_those_of_the_header_or_the_likely_ones) {
+  const auto um_of = [](double t, double r) { return fmt::format("{:.6f};{:.4f}", t, um_from_mm(r - 100.0)); };
+  expect_circle("phi [rad];deviation [um]\n" + rows(100.0, um_of), 100.0, {Direction::CCW}, {100.0});
+  expect_circle("phi;deviation\n" + rows(100.0, um_of), 100.0, {Direction::CCW}, {100.0});
+  const auto mm_of = [](double t, double r) { return fmt::format("{:.4f};{:.7f}", deg_from_rad(t), r - 100.0); };
+  expect_circle("phi;deviation\n" + rows(100.0, mm_of), 100.0, {Direction::CCW}, {100.0});
+  const auto long_um = [](double t, double r) { return fmt::format("{:.4f};{:.3f}", deg_from_rad(t), um_from_mm(r)); };
+  expect_circle("phi;radius\n" + rows(100.0, long_um), 100.0, {Direction::CCW}, {100.0});
+}
+
+TEST(circle_table, a_column_a_direction) {
+  const std::string text = "Angle deg\tCCW mm\tCW mm\n" + rows(100.0, [](double t, double r) {
+                             return fmt::format("{:.4f}\t{:.6f}\t{:.6f}", deg_from_rad(t), r, r);
+                           });
+  expect_circle(text, 100.0, {Direction::CCW, Direction::CW}, {100.0});
+}
+
+// Both directions one after the other, with the way in along a radius; the centre is anywhere on the machine.
+TEST(circle_table, coordinates_with_what_the_header_states) {
+  const Row row = [](double t, double r) {
+    return fmt::format("{:.6f}\t{:.6f}", 250.0 + r * std::cos(t), -80.0 + r * std::sin(t));
+  };
+  std::string text = "Grid encoder\nNominal radius: 50,000 mm\nFeedrate: 1000 mm/min\n\nX [mm]\tY [mm]\n";
+  for (int i = 10; i < 20; ++i) text += fmt::format("{:.6f}\t{:.6f}\n", 250.0 + 2.0 * i, -80.0);
+  text = with_commas(text + rows(50.0, row) + rows(50.0, row, false));
+  EXPECT_EQ(found_in(reader_of(text)), "a circle in a table of numbers");
+  const RecordingFile file = read_circle_table(text, "f", {});
+  ASSERT_EQ(file.recordings.size(), 2u);
+  EXPECT_EQ(file.recordings[0].direction, Direction::CCW);
+  EXPECT_EQ(file.recordings[1].direction, Direction::CW);
+  EXPECT_EQ(file.recordings[0].nominal_length_mm, 50.0);
+  EXPECT_EQ(file.recordings[0].feed_mm_per_min, 1000.0);
+  for (const Recording& recording : file.recordings) {
+    EXPECT_NEAR(static_cast<double>(recording.length_mm.size()), kReadings, 1.0);
+    for (std::size_t i = 0; i < recording.length_mm.size(); ++i) {
+      // 0.1 um: the centre is the fitted one
+      EXPECT_NEAR(recording.length_mm[i], 50.0 + mm_from_um(deviation_um(recording.angle_rad[i])), 1e-4);
+    }
+  }
+}
+
+TEST(circle_table, x_and_z_are_the_plane_zx) {
+  // From Z towards X: CCW of the plane ZX.
+  const std::string text = "Radius 100\nX;Z\n" + rows(100.0, [](double t, double r) {
+                             return fmt::format("{:.6f};{:.6f}", r * std::sin(t), r * std::cos(t));
+                           });
+  const RecordingFile file = expect_circle(text, 100.0, {Direction::CCW});
+  EXPECT_EQ(file.recordings[0].plane, Plane::ZX);
+}
+
+TEST(circle_table, the_commanded_path_states_the_radius_and_the_time_the_feed) {
+  int i = 0;
+  const std::string text = "Time [s];X cmd;Y cmd;X act;Y act\n" + rows(50.0, [&](double t, double r) {
+                             return fmt::format("{:.4f};{:.6f};{:.6f};{:.6f};{:.6f}", 0.01 * i++, 50.0 * std::cos(t),
+                                                50.0 * std::sin(t), r * std::cos(t), r * std::sin(t));
+                           });
+  const RecordingFile file = expect_circle(text, 50.0, {Direction::CCW});
+  // 50 mm x 1 deg in 0.01 s
+  EXPECT_NEAR(file.recordings[0].feed_mm_per_min.value_or(0.0), 50.0 * rad_from_deg(1.0) / 0.01 * 60.0, 0.1);
+  EXPECT_NEAR(file.recordings[0].time_s.back(), 3.59, 1e-9);
+}
+
+TEST(circle_table, asks_for_the_radius) {
+  EXPECT_EQ(
+      complaint_of(rows(49.987, point)),
+      "f: expected the nominal radius of this circle, found a circle of 49.9870 mm, whose nominal radius the file "
+      "does not state; state it, as in --radius 50mm.");
+  EXPECT_EQ(complaint_of(rows(49.987, point), {100.0}),
+            "f: expected a circle of about the nominal radius 100 mm that --radius states, found one of 49.9870 mm.");
+  const auto um_of = [](double t, double r) {
+    return fmt::format("{:.4f};{:.4f}", deg_from_rad(t), um_from_mm(r - 100.0));
+  };
+  EXPECT_EQ(complaint_of("angle;deviation\n" + rows(100.0, um_of)),
+            "f: expected the nominal radius of this circle, found deviations alone; state it, as in --radius 100mm.");
+}
+
+TEST(circle_table, other_tables_are_none) {
+  const auto kind = [](const std::string& text) { return found_in(reader_of(text)); };
+  std::string temperatures = "Zeit [s];T1 [°C];T2 [°C]\n", rotary = "angle;error [arcsec]\n", oven = "t;a\n";
+  for (int i = 0; i < kReadings; ++i) {
+    temperatures +=
+        fmt::format("{};{:.2f};{:.2f}\n", 10 * i, 20.0 + 5.0 * (1.0 - std::exp(-0.01 * i)), 20.0 + 0.01 * i);
+    rotary += fmt::format("{};{:.2f}\n", i, 2.0 * std::sin(rad_from_deg(i)));
+    oven += fmt::format("{};{:.3f}\n", i, 20.0 + 0.001 * i);
+  }
+  EXPECT_EQ(kind(with_commas(temperatures)), "a log of columns over time");
+  EXPECT_EQ(kind(rotary), "a log of columns over time");
+  EXPECT_EQ(kind(oven), "a log of columns over time");
+  EXPECT_FALSE(holds_circle(""));
+  EXPECT_FALSE(holds_circle("1e308;1e308\n-1e308;1e308\n"));
+  // On one line, and all one point.
+  EXPECT_FALSE(holds_circle("X;Y\n" + rows(50.0, [](double t, double) { return fmt::format("{:.3f};{:.3f}", t, t); })));
+  EXPECT_FALSE(holds_circle("X;Y\n" + rows(50.0, [](double, double) { return std::string("50.0;50.0"); })));
+}
+
+// Of a longer file only the head is looked at.
+TEST(circle_table, is_known_by_the_first_part_of_a_long_file) {
+  std::string text = "Radius;50\nX;Y\n";
+  for (int i = 0; i < 20000; ++i) {
+    const double angle_rad = 2.0 * kPi * i / 20000.0;
+    text += fmt::format("{:.6f};{:.6f}\n", 50.0 * std::cos(angle_rad), 50.0 * std::sin(angle_rad));
+  }
+  EXPECT_EQ(found_in(reader_of(text)), "a circle in a table of numbers");
+  EXPECT_EQ(read_circle_table(text, "f", {}).recordings.front().length_mm.size(), 20000u);
+}
+
+}  // namespace
+}  // namespace ballbar
