@@ -64,32 +64,49 @@ std::string head_text(const ErrorsReport& report) {
   return text;
 }
 
+// Of a row the value by the instrument's software; of an effect its share and rank there.
+std::vector<std::string> instrument_cells(const ErrorsReport& report, const MachineError& error,
+                                          const RankedError* ranked) {
+  const bool is_ranked = ranked != nullptr && ranked->as_instrument;
+  std::vector<std::string> cells{
+      error.as_instrument ? plain(*error.as_instrument, error.unit == "ms" ? 2 : 1) : "-",
+      ranked == nullptr ? "" : is_ranked ? fmt::format("{:.0f}", ranked->as_instrument->share_percent) : "-",
+      ranked == nullptr ? "" : is_ranked ? fmt::format("{}", ranked->as_instrument->rank) : "-"};
+  if (!report.b5r) return cells;
+  const std::optional<double> stored = stored_value_of(report, error);
+  const std::optional<bool> same = same_as_stored(report, error);
+  cells.emplace_back(!stored ? "-" : same.value_or(false) ? "same" : fmt::format("{:g}", *stored));
+  const std::optional<int> rank = ranked == nullptr ? std::nullopt : stored_rank_of(report, *ranked);
+  const bool same_rank = rank && is_ranked && *rank == static_cast<int>(ranked->as_instrument->rank);
+  cells.emplace_back(ranked == nullptr ? "" : same_rank ? "same" : rank ? fmt::format("{}", *rank) : "-");
+  return cells;
+}
+
 std::string table_text(const ErrorsReport& report) {
-  const bool has_stored = report.b5r.has_value();
-  std::vector<std::string> heading{"error", "value", "unit", "IC um", "share %", "rank"};
-  if (has_stored) heading.insert(heading.end(), {"stored", "its rank"});
-  heading.insert(heading.end(), {"predicts the other run", "without it um"});
+  std::vector<std::string> heading{"error", "value", "unit", "rank", "gain um", "IC um", "as instrument", "share %",
+                                   "its rank"};
+  if (report.b5r) heading.insert(heading.end(), {"stored", "stored rank"});
+  heading.emplace_back("predicts the other run");
   Table table(heading);
   const auto add = [&](const MachineError& error, const RankedError* ranked, bool first) {
     const int decimals = decimals_of_sigma(error.sigma);
     const bool marked = ranked != nullptr && report.options.in_the_model.contains(ranked->effect->name);
     std::vector<std::string> row{(marked ? "+ " : "") + error.name, with_sigma(error.value, error.sigma, decimals),
                                  error.unit};
-    const auto once = [&](const std::string& text) { row.push_back(ranked == nullptr || !first ? "" : text); };
+    const RankedError* const of_effect = first ? ranked : nullptr;
+    const auto once = [&](const std::string& text) { row.push_back(of_effect == nullptr ? "" : text); };
+    once(ranked == nullptr      ? ""
+         : ranked->rank         ? fmt::format("{}", *ranked->rank)
+         : !ranked->significant ? "not significant"
+                                : "none");
+    once(ranked == nullptr || !ranked->significant ? ""
+         : std::isnan(ranked->gain_sigma_um)
+             ? plain(ranked->gain_um, 1)
+             : with_sigma(ranked->gain_um, ranked->gain_sigma_um, decimals_of_sigma(ranked->gain_sigma_um)));
     once(ranked == nullptr ? "" : plain(ranked->individual_circularity_um, 2));
-    once(ranked == nullptr ? "" : fmt::format("{:.0f}", ranked->share_percent));
-    once(ranked == nullptr     ? ""
-         : ranked->significant ? fmt::format("{}", *ranked->rank)
-         : ranked->rank        ? fmt::format("({})", *ranked->rank)
-                               : "not significant");
-    if (has_stored) {
-      const std::optional<double> stored = stored_value_of(report, error);
-      row.push_back(stored ? fmt::format("{:g}", *stored) : "-");
-      const std::optional<int> rank = ranked == nullptr ? std::nullopt : stored_rank_of(report, *ranked);
-      once(rank ? fmt::format("{}", *rank) : "-");
-    }
+    const std::vector<std::string> instrument = instrument_cells(report, error, of_effect);
+    row.insert(row.end(), instrument.begin(), instrument.end());
     once(ranked == nullptr || !ranked->predicts_other_run ? "-" : *ranked->predicts_other_run ? "yes" : "no");
-    once(ranked == nullptr ? "" : plain(ranked->circularity_without_um, 1));
     table.add(row);
   };
   std::vector<bool> listed(report.found.errors.size(), false);
@@ -131,14 +148,13 @@ std::string prior_text(const ErrorsReport& report) {
 void print_group(const ErrorsReport& report) {
   const MachineErrors& found = report.found;
   fmt::print("{}\n{}", head_text(report), wrapped(conclusion(report)));
-  const auto largest =
-      std::find_if(found.ranked.begin(), found.ranked.end(), [](const RankedError& one) { return one.significant; });
-  if (largest != found.ranked.end()) fmt::print("\nballbar effects {}\n", largest->effect->name);
+  if (const RankedError* const first = first_of(found)) fmt::print("\nballbar effects {}\n", first->effect->name);
   for (const std::string& text : tolerance_texts(report)) fmt::print("{}\n", shortened(text, 100));
   fmt::print("\n{}", table_text(report));
-  fmt::print("{}", wrapped("IC: circularity that this error alone would make; ± one sigma by the noise that all errors "
-                           "together leave; rank in brackets: clear alone (2.6 sigma), not among so many; without it: "
-                           "circularity that would remain."));
+  fmt::print("{}", wrapped("gain: by how much mending it lowers the circularity, none where that stays as it is; IC: "
+                           "circularity that this error alone would make; ± one sigma; as instrument: what the "
+                           "instrument's software would say, without a sigma; same: it is stored so."));
+  for (const std::string& text : difference_texts(report)) fmt::print("{}", wrapped(text));
   std::size_t said = 0;
   for (const RankedError& ranked : found.ranked) {
     if (!ranked.significant || said == kRemedies) continue;

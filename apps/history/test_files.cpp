@@ -124,7 +124,9 @@ void expect_two_axes(const Recording& recording) {
 
 MachineTest fitted_test(std::span<const Recording> recordings, const MachineErrorOptions& options) {
   for (const Recording& recording : recordings) expect_two_axes(recording);
-  return machine_test(machine_errors(recordings, options), recordings);
+  MachineErrorOptions without_gain_sigmas = options;  // no table of tests has them
+  without_gain_sigmas.gain_sigmas = false;
+  return machine_test(machine_errors(recordings, without_gain_sigmas), recordings);
 }
 
 MachineTest test_of(const RecordingFile& file) {

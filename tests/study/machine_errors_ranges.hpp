@@ -15,6 +15,8 @@ struct Ranges {
   double several = 0.85;                             // all of them, at least
   double wrong_of_several = 0.05;
   OfSixth sixth_1_um = {}, sixth_2_um = {};
+  double spike = 0.98;     // of 1 um at one axis: named, at least
+  double no_spike = 0.01;  // named where there is none, at most
 };
 
 constexpr Ranges kAim;

@@ -4,10 +4,12 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "ballbar/circle/trace.hpp"
 #include "ballbar/units.hpp"
+#include "machine_errors/as_instrument.hpp"
 #include "machine_errors/error_blocks.hpp"
 #include "machine_errors/gain_maps.hpp"
 #include "machine_errors/reversal_noise.hpp"
@@ -54,7 +56,7 @@ void free_of_second_order(ErrorFitted& fitted, const ErrorColumns& circle, doubl
 
 // What the catalogue has, by where it is fitted.
 struct ErrorKinds {
-  std::vector<const Effect*> together, along_the_travel, where_they_show;
+  std::vector<const Effect*> together, along_the_travel, where_they_show, at_reversals;
 };
 
 ErrorKinds error_kinds(double arc_rad, std::vector<std::string>& left_out) {
@@ -72,9 +74,10 @@ ErrorKinds error_kinds(double arc_rad, std::vector<std::string>& left_out) {
           left_out.push_back(effect->name + ", for which a full turn is needed");
           break;
         }
-        [[fallthrough]];
-      case ErrorFit::at_reversals:
         kinds.where_they_show.push_back(effect.get());
+        break;
+      case ErrorFit::at_reversals:
+        kinds.at_reversals.push_back(effect.get());
         break;
       case ErrorFit::none:
         break;
@@ -165,23 +168,59 @@ CyclicPart cyclic_part(const std::vector<const Effect*>& effects, const ErrorRow
   return cyclic;
 }
 
-// Of shapes the one that lowers most what all others leave.
+// Of shapes the one that lowers most what all others leave, over the readings of these weights.
 Part extra_part(const std::vector<const Effect*>& effects, const ErrorRows& rows, const Base& base,
-                const Eigen::VectorXd& left) {
+                const Eigen::VectorXd& left, const Eigen::VectorXd& weight) {
   std::vector<std::pair<FittedEffect, ErrorColumns>> own;
   own.reserve(effects.size());
   for (const Effect* effect : effects) {
     const std::size_t shape = shape_of(*effect);
     const std::vector<double> tried = shape == kNoShape ? std::vector<double>{0.0} : effect->parameters[shape].grid;
-    const double best = best_shape(*effect, tried, rows, base, left, rows.count);
+    const double best = best_shape(*effect, tried, rows, base, left, weight);
     own.emplace_back(FittedEffect{effect,
                                   shape == kNoShape ? std::nullopt : std::optional<double>(best),
                                   {},
                                   tried.size() == 1 ? 1.0 : kIndependentWidths,
                                   false},
-                     present(effect_columns(*effect, best, rows, false), rows.count));
+                     present(effect_columns(*effect, best, rows, false), weight));
   }
   return part_of(own);
+}
+
+struct SpikePart {
+  Part part;
+  Eigen::MatrixXd near;  // its columns, with the weights of the readings near their own reversal
+};
+
+// Each of the readings within reach of its own reversal, of all recordings.
+SpikePart spike_part(const std::vector<const Effect*>& effects, const ErrorRows& rows, const Eigen::VectorXd& left) {
+  SpikePart spikes;
+  std::vector<Eigen::VectorXd> weights;
+  std::vector<std::pair<FittedEffect, ErrorColumns>> own;
+  for (const Effect* effect : effects) {
+    Eigen::VectorXd weight = rows.count;
+    Indices near;
+    for (Eigen::Index i = 0; i < rows.size(); ++i) {
+      if (from_reversal_deg(rows.angle_rad[i], effect->rules.reversal_deg) <= kNearReversal_deg) {
+        near.push_back(i);
+      } else {
+        weight[i] = 0.0;
+      }
+    }
+    if (near.empty()) continue;
+    const std::vector<double>& tried = effect->parameters[shape_of(*effect)].grid;
+    const double width_deg = best_shape(*effect, tried, rows_at(rows, near), {}, left(near), weight(near));
+    own.emplace_back(FittedEffect{effect, width_deg, {}, kIndependentWidths, false},
+                     present(effect_columns(*effect, width_deg, rows, false), weight));
+    for (Eigen::Index k = 0; k < own.back().second.size(); ++k) weights.push_back(weight);
+  }
+  spikes.part = part_of(own);
+  spikes.near = spikes.part.columns.values;
+  spikes.near.conservativeResize(rows.size(), Eigen::NoChange);
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    spikes.near.col(static_cast<Eigen::Index>(k)).array() *= weights[k].array();
+  }
+  return spikes;
 }
 
 // Which of the extra errors are clear beside all others: then they are in the fit.
@@ -244,44 +283,56 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
   fitted.arc_rad = set_up.arc_rad;
   fitted.rows = std::move(rows);
   const ErrorRows& of = fitted.rows;
+  const Eigen::VectorXd measured = of.deviation_um;
   const ErrorColumns circle = circle_columns(of);
   free_of_second_order(fitted, circle, set_up.length_mm, set_up.height_mm);
   const ErrorKinds kinds = error_kinds(set_up.arc_rad, fitted.undetermined);
   const Part together = together_part(circle, kinds.together, of);
   const Eigen::MatrixXd& columns = together.columns.values;
-  if (options.prior)
-    fitted.prior = prior_of(together.columns, of.count.sum() / static_cast<double>(of.recordings), set_up.arc_rad,
-                            set_up.middle_rad);
-  const Eigen::MatrixXd precision = precision_of(fitted.prior, together.columns.size());
+  const std::vector<PriorStatement> prior = prior_of(
+      together.columns, of.count.sum() / static_cast<double>(of.recordings), set_up.arc_rad, set_up.middle_rad);
+  const Eigen::MatrixXd usual = precision_of(prior, columns.cols());
+  if (options.prior) fitted.prior = prior;
+  const Eigen::MatrixXd precision = precision_of(fitted.prior, columns.cols());
 
-  // The first fit without the reversals, and the cyclic errors on what it leaves.
+  // The first fit without the reversals, and the cyclic errors on what it leaves; then both as the instrument has them.
   const Eigen::VectorXd far =
       of.count.cwiseProduct((of.from_reversal_deg.array() > kAtReversal_deg).cast<double>().matrix());
-  const Block first = block_of(columns, far, precision);
+  const Block first = block_of(columns, far, usual);
   const Eigen::VectorXd first_left = of.deviation_um - columns * first.solve(of.deviation_um);
   const CyclicPart cyclic = cyclic_part(kinds.along_the_travel, of, set_up, columns, first, first_left);
   const Eigen::Index p = columns.cols(), c = cyclic.part.columns.size();
   const Eigen::VectorXd without_cyclic = of.deviation_um - cyclic.part.columns.values * cyclic.block.solve(first_left);
 
   // Errors that are fitted where they show, on what all others leave.
-  const Block all_rows = block_of(columns, of.count, precision);
-  const Eigen::VectorXd left = without_cyclic - columns * all_rows.solve(without_cyclic);
-  Part extra = extra_part(kinds.where_they_show, of, {&columns, &all_rows}, left);
-  fitted.columns = joined({&together.columns, &cyclic.part.columns, &extra.columns});
-  const QuietRows quiet = quiet_rows(of, fitted.columns.values);
+  const Block own = options.prior ? first : block_of(columns, far, precision);
+  const Eigen::VectorXd left = without_cyclic - columns * own.solve(without_cyclic);
+  Part extra = extra_part(kinds.where_they_show, of, {&columns, &own}, left, far);
+  SpikePart spikes = spike_part(kinds.at_reversals, of, left);
+  const ErrorColumns smooth = joined({&together.columns, &cyclic.part.columns, &extra.columns});
+  const QuietRows quiet = quiet_rows(of, smooth.values);
   fitted.noise = error_noise(quiet.rows, quiet.columns);
   fitted.slow_variance_um2 = slow_variance_um2(of, fitted.noise);
+  fitted.columns = joined({&smooth, &spikes.part.columns});
+  const Eigen::Index e = extra.columns.size(), s = spikes.part.columns.size();
+  fitted.as_instrument = Eigen::VectorXd::Constant(p + c + e + s, std::numeric_limits<double>::quiet_NaN());
+  const Eigen::VectorXd waves = cyclic.block.solve(measured - columns * first.solve(measured));
+  fitted.as_instrument.head(p) = first.solve(measured - cyclic.part.columns.values * waves);
+  fitted.as_instrument.segment(p, c) = waves;
 
   const GainMaps maps({&of, &far, &first, &together.columns, &cyclic.part.columns, &cyclic.block, &extra.columns,
-                       &precision, fitted.slow_variance_um2});
-  const Eigen::MatrixXd scatter = scatter_of(excess_of(of, left).asDiagonal() * maps.z(), of, fitted.noise);
+                       &spikes.part.columns, &spikes.near, &precision, fitted.slow_variance_um2});
   const Eigen::VectorXd z_data = maps.z().transpose() * of.deviation_um;
+  const GainMap whole = maps.of(maps.all());
+  const GainMap everything = maps.joined(whole, maps.all(), whole);
+  const Eigen::VectorXd all_left = of.deviation_um - fitted.columns.values * (everything.t * z_data);
+  const Eigen::MatrixXd scatter = scatter_of(excess_of(of, all_left).asDiagonal() * maps.z(), of, fitted.noise);
   const std::vector<std::string> alike = undetermined(maps.normal(), joined({&together.columns, &extra.columns}));
   fitted.undetermined.insert(fitted.undetermined.begin(), alike.begin(), alike.end());
 
   // What the prior says, by the readings alone.
   if (!fitted.prior.empty()) {
-    const GainMap alone = maps.of(range_of(0, p), false, false);
+    const GainMap alone = maps.of(range_of(0, p), false);
     const Eigen::VectorXd gains = alone.t * z_data;
     const Eigen::MatrixXd covariance = alone.t * scatter * alone.t.transpose() + alone.open;
     for (PriorStatement& statement : fitted.prior) {
@@ -293,24 +344,27 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
     }
   }
 
-  // All of them together tells which of the extra ones show; these are fitted with the rest.
-  const GainMap whole = maps.of(maps.all(), true);
-  const auto looked_at =
-      static_cast<double>(kinds.together.size() + kinds.along_the_travel.size() + kinds.where_they_show.size());
+  // All of them together tells which of the extra ones show; these are fitted with the rest, and the spikes on what
+  // that leaves.
+  const auto looked_at = static_cast<double>(kinds.together.size() + kinds.along_the_travel.size() +
+                                             kinds.where_they_show.size() + kinds.at_reversals.size());
   choose(extra.effects, whole.t * z_data, whole.t * scatter * whole.t.transpose() + whole.open, p, looked_at);
   Indices chosen = range_of(0, p);
-  bool with_reversals = false;
   for (const FittedEffect& effect : extra.effects) {
     if (!effect.in_the_fit) continue;
     for (const std::size_t k : effect.columns) chosen.push_back(p + static_cast<Eigen::Index>(k));
-    with_reversals = with_reversals || effect.effect->rules.error_fit == ErrorFit::at_reversals;
   }
-  const GainMap map = maps.joined(whole, chosen, maps.of(chosen, with_reversals));
+  const GainMap map = maps.joined(whole, chosen, maps.of(chosen));
   fitted.gains = map.t * z_data;
   fitted.covariance = map.t * scatter * map.t.transpose() + map.open;
+  fitted.map = map.t;
+  fitted.weighted = maps.z();
+  choose(spikes.part.effects, fitted.gains, fitted.covariance, p + c + e, looked_at);
   append(fitted.effects, extra.effects, p + c);
+  append(fitted.effects, spikes.part.effects, p + c + e);
   append(fitted.effects, together.effects, 0);
   append(fitted.effects, cyclic.part.effects, p);
+  add_spikes_as_instrument(fitted, options.cyclic_of_runs);
   return fitted;
 }
 

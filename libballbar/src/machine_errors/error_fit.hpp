@@ -25,7 +25,9 @@ struct ErrorFitted {
   ErrorRows rows;  // deviation_um freed of what a centre adds in second order
   ErrorColumns columns;
   Eigen::VectorXd gains;       // one a column
+  Eigen::VectorXd as_instrument;  // likewise, by the estimator of as_instrument.hpp; NaN: it has none
   Eigen::MatrixXd covariance;  // of the gains
+  Eigen::MatrixXd map, weighted;  // gains = map weighted' deviation of the rows
   std::vector<FittedEffect> effects;
   std::vector<WeightedNoise> noise;
   std::vector<PriorStatement> prior;
@@ -66,6 +68,9 @@ ErrorFitted error_fitted(const Series& trace, const MachineErrorOptions& options
 // Arc that the longest recording of a trace covers.
 double longest_arc_rad(const Series& trace);
 inline constexpr double kShortestArc_rad = 60.0 * kPi / 180.0;  // below it the errors are all alike
+
+// Whether it is of the centre: of all, or of one recording beside it; not what CCW and CW differ by.
+bool is_centre(const ErrorColumn& column);
 
 // Deviation freed of the fitted centre: readings of the trace.
 std::vector<double> freed_of_centre(const ErrorFitted& fitted, const Series& trace);

@@ -12,11 +12,6 @@
 namespace ballbar {
 namespace {
 
-// Of all, or of one recording beside it; not what CCW and CW differ by.
-bool is_centre(const ErrorColumn& column) {
-  return column.effect == nullptr && (column.name.starts_with("centre_a") || column.name.starts_with("centre_b"));
-}
-
 const std::vector<double>& values_of(const Series& trace, std::string_view role) {
   return find_column(trace, trace_column(role))->values;
 }
@@ -70,6 +65,10 @@ double within_rows_um2(const ErrorFitted& fitted, const Series& trace) {
 }
 
 }  // namespace
+
+bool is_centre(const ErrorColumn& column) {
+  return column.effect == nullptr && (column.name.starts_with("centre_a") || column.name.starts_with("centre_b"));
+}
 
 double longest_arc_rad(const Series& trace) {
   const std::vector<double>& angle_rad = values_of(trace, "angle");

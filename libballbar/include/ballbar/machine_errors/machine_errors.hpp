@@ -31,7 +31,8 @@ namespace ballbar {
 enum class CyclicOfRuns { larger, mean };
 
 struct MachineErrorOptions {
-  bool prior = true;  // false: `--prior none`
+  bool prior = true;         // false: `--prior none`
+  bool gain_sigmas = true;  // of RankedError::gain_sigma_um; false: a third faster
   // What an amplitude of the cyclic error is of several recordings, each of which has its own.
   CyclicOfRuns cyclic_of_runs = CyclicOfRuns::larger;
 };
@@ -43,6 +44,14 @@ struct MachineError {
   double value = 0.0;
   double sigma = 0.0;
   const Effect* effect = nullptr;  // whose it is; nullptr: of the circle (set-up and scale), which is not ranked
+  std::optional<double> as_instrument = {};  // the value by the instrument's software; nothing: it has no such error
+};
+
+// What the instrument's software would say of an effect.
+struct InstrumentRank {
+  double individual_circularity_um = 0.0;
+  double share_percent = 0.0;  // of the sum of all it ranks
+  std::size_t rank = 0;        // 1: the largest circularity
 };
 
 // One effect with all of its rows: what the circle shows of it.
@@ -52,13 +61,16 @@ struct RankedError {
   std::vector<std::size_t> rows;           // places in MachineErrors::errors
   double individual_circularity_um = 0.0;  // IC: peak to peak of its own curve over all recordings
   double share_percent = 0.0;              // of the sum of all IC
-  std::optional<std::size_t> rank;         // 1: the largest IC; nothing: not significant, no row above 2.6 sigma
+  std::optional<std::size_t> rank;  // 1: the largest gain; nothing: not significant, or the circularity stays
   double chi2 = 0.0;                       // of all of its gains together: z^2 of one
   double chi2_needed = 0.0;                // from which it is significant
   double p_value = 1.0;                    // of noise that shows as much, by all of its gains or by the clearest
   bool significant = false;                // p_value small enough for as many errors as were looked at
   std::optional<bool> predicts_other_run;  // its value from one run alone lowers what is left in the other
   double circularity_without_um = 0.0;     // that remains if it is mended
+  double gain_um = 0.0;                    // circularity now less that
+  double gain_sigma_um = 0.0;              // by resampled blocks of what is left; NaN: not asked for
+  std::optional<InstrumentRank> as_instrument = {};
 };
 
 // A harmonic that is left in the residual.
@@ -97,8 +109,9 @@ struct AddedError {
 struct MachineErrors {
   std::vector<MachineError> errors;
   Eigen::MatrixXd covariance;       // of the values, in the order of errors
-  std::vector<RankedError> ranked;  // falling IC
+  std::vector<RankedError> ranked;  // by rank, then the others by falling IC
   double circularity_um = 0.0;      // max - min of all readings about the fitted centre
+  double circularity_without_all_um = 0.0;  // that remains if all significant errors are mended
   double circle_rms_um = 0.0;       // that the circles alone leave
   double residual_rms_um = 0.0;     // that all errors leave
   // Significant errors one by one, each time the one that leaves least beside the circles and those before it.
