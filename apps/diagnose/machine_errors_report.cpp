@@ -14,13 +14,14 @@
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/stored_errors.hpp"
 #include "ballbar/formats/text/given_data.hpp"
+#include "ballbar/units.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr double kNothing_um = 0.02;      // readings are written to 0.01 um
 constexpr double kMoreThanRepeats = 1.5;  // times the repeatability: a form is left
-constexpr double kDiffers = 2.0;            // sigma
+constexpr double kDiffers = 2.0;          // sigma
 constexpr double kDiffers_um = 0.3;
 
 MachineErrorOptions fit_options(const ErrorsReport& report, const ErrorsOptions& options) {
@@ -159,8 +160,11 @@ const RankedError* first_of(const MachineErrors& found) {
 
 std::vector<std::string> difference_texts(const ErrorsReport& report) {
   const MachineErrors& found = report.found;
-  // What ours has and the instrument's has not.
-  std::string why = "what the centre adds in second order is not taken off there";
+  // What ours has and the instrument's has not, or the other way round.
+  std::string why = "there it is held near 0, which this arc hardly tells";
+  if (deg_from_rad(arc_rad(report.recordings.front())) > 358.0) {
+    why = "what the centre adds in second order is not taken off there";
+  }
   double most_um = 0.0;
   for (const RankedError& one : found.ranked) {
     const bool is_extra = one.effect->rules.error_fit == ErrorFit::where_it_shows && one.significant;
@@ -168,7 +172,6 @@ std::vector<std::string> difference_texts(const ErrorsReport& report) {
     most_um = one.individual_circularity_um;
     why = fmt::format("{} took it, which the instrument does not have", one.effect->name);
   }
-  if (!report.options.prior || found.prior_contradicted) why = "the prior makes the difference, which ours did not use";
   std::vector<std::string> texts;
   for (const RankedError& one : found.ranked) {
     if (one.effect->rules.error_fit == ErrorFit::at_reversals) continue;  // of another rule by what it is
@@ -205,16 +208,16 @@ std::string conclusion(const ErrorsReport& report) {
   if (words.ends_with('.')) words.pop_back();
   words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
   const std::string first = fmt::format("{} ({})", most.effect->name, words);
-  std::string text =
-      most.rank ? fmt::format("Mending {} takes the circularity from {:.1f} to {:.1f} um; ", first, found.circularity_um,
-                              most.circularity_without_um)
-                : fmt::format("The circularity is {:.1f} um, and mending {} alone leaves it so; ", found.circularity_um,
-                              first);
+  std::string text = most.rank ? fmt::format("Mending {} takes the circularity from {:.1f} to {:.1f} um; ", first,
+                                             found.circularity_um, most.circularity_without_um)
+                               : fmt::format("The circularity is {:.1f} um, and mending {} alone leaves it so; ",
+                                             found.circularity_um, first);
   if (significant.size() == 1) return text + "no other error stands out of the noise.";
   std::vector<std::string> others;
   for (std::size_t k = 1; k < significant.size(); ++k) others.push_back(significant[k]->effect->name);
-  text += fmt::format("all {} significant errors together, to {:.1f}. The other{}: {}.", number_word(significant.size()),
-                      found.circularity_without_all_um, others.size() == 1 ? "" : "s", fmt::join(others, ", "));
+  text +=
+      fmt::format("all {} significant errors together, to {:.1f}. The other{}: {}.", number_word(significant.size()),
+                  found.circularity_without_all_um, others.size() == 1 ? "" : "s", fmt::join(others, ", "));
   return text;
 }
 

@@ -15,7 +15,6 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kRemedies = 3;
-constexpr double kApart = 2.6;  // sigma
 constexpr std::size_t kWidest = 140;
 
 std::string plain(double value, int decimals) { return fixed(value, decimals); }
@@ -68,10 +67,13 @@ std::string head_text(const ErrorsReport& report) {
 std::vector<std::string> instrument_cells(const ErrorsReport& report, const MachineError& error,
                                           const RankedError* ranked) {
   const bool is_ranked = ranked != nullptr && ranked->as_instrument;
-  std::vector<std::string> cells{
-      error.as_instrument ? plain(*error.as_instrument, error.unit == "ms" ? 2 : 1) : "-",
-      ranked == nullptr ? "" : is_ranked ? fmt::format("{:.0f}", ranked->as_instrument->share_percent) : "-",
-      ranked == nullptr ? "" : is_ranked ? fmt::format("{}", ranked->as_instrument->rank) : "-"};
+  std::vector<std::string> cells{error.as_instrument ? plain(*error.as_instrument, error.unit == "ms" ? 2 : 1) : "-",
+                                 ranked == nullptr ? ""
+                                 : is_ranked       ? fmt::format("{:.0f}", ranked->as_instrument->share_percent)
+                                                   : "-",
+                                 ranked == nullptr ? ""
+                                 : is_ranked       ? fmt::format("{}", ranked->as_instrument->rank)
+                                                   : "-"};
   if (!report.b5r) return cells;
   const std::optional<double> stored = stored_value_of(report, error);
   const std::optional<bool> same = same_as_stored(report, error);
@@ -83,10 +85,10 @@ std::vector<std::string> instrument_cells(const ErrorsReport& report, const Mach
 }
 
 std::string table_text(const ErrorsReport& report) {
-  std::vector<std::string> heading{"error", "value", "unit", "rank", "gain um", "IC um", "as instrument", "share %",
-                                   "its rank"};
-  if (report.b5r) heading.insert(heading.end(), {"stored", "stored rank"});
-  heading.emplace_back("predicts the other run");
+  std::vector<std::string> heading{"error", "value",      "unit",    "rank",    "gain um",
+                                   "IC um", "instrument", "share %", "its rank"};
+  if (report.b5r) heading.insert(heading.end(), {"stored", "rank"});
+  heading.emplace_back("predicts");
   Table table(heading);
   const auto add = [&](const MachineError& error, const RankedError* ranked, bool first) {
     const int decimals = decimals_of_sigma(error.sigma);
@@ -95,10 +97,7 @@ std::string table_text(const ErrorsReport& report) {
                                  error.unit};
     const RankedError* const of_effect = first ? ranked : nullptr;
     const auto once = [&](const std::string& text) { row.push_back(of_effect == nullptr ? "" : text); };
-    once(ranked == nullptr      ? ""
-         : ranked->rank         ? fmt::format("{}", *ranked->rank)
-         : !ranked->significant ? "not significant"
-                                : "none");
+    once(ranked == nullptr || !ranked->significant ? "-" : ranked->rank ? fmt::format("{}", *ranked->rank) : "none");
     once(ranked == nullptr || !ranked->significant ? ""
          : std::isnan(ranked->gain_sigma_um)
              ? plain(ranked->gain_um, 1)
@@ -123,26 +122,14 @@ std::string table_text(const ErrorsReport& report) {
 }
 
 std::string prior_text(const ErrorsReport& report) {
-  if (report.found.prior.empty()) {
-    return report.options.prior ? "" : "Without a prior: the readings alone.\n";
-  }
+  if (!report.options.prior) return "Without the instrument's damping: curves and ranks by the readings alone.\n";
   std::vector<std::string> texts;
   texts.reserve(report.found.prior.size());
   for (const PriorOfError& prior : report.found.prior) {
     texts.push_back(fmt::format("{} 0 ± {} {}", prior.name, plain(prior.sigma, 2), prior.unit));
   }
-  std::vector<std::string> apart;
-  for (const PriorOfError& prior : report.found.prior) {
-    if (std::abs(prior.alone) < kApart * std::hypot(prior.alone_sigma, prior.sigma)) continue;
-    apart.push_back(fmt::format("{} {} {}", prior.name, with_sigma(prior.alone, prior.alone_sigma, 1), prior.unit));
-  }
-  if (report.found.prior_contradicted) {
-    return wrapped(
-        fmt::format("The usual prior was not used: the readings contradict it ({}).", fmt::join(apart, ", ")));
-  }
-  std::string text = fmt::format("Prior: {}; --prior none does without.", fmt::join(texts, ", "));
-  if (!apart.empty()) text += fmt::format(" The readings alone say {}.", fmt::join(apart, ", "));
-  return wrapped(text);
+  if (texts.empty()) return "";
+  return wrapped(fmt::format("Held near 0 in the instrument's column: {}.", fmt::join(texts, ", ")));
 }
 
 void print_group(const ErrorsReport& report) {
@@ -151,9 +138,13 @@ void print_group(const ErrorsReport& report) {
   if (const RankedError* const first = first_of(found)) fmt::print("\nballbar effects {}\n", first->effect->name);
   for (const std::string& text : tolerance_texts(report)) fmt::print("{}\n", shortened(text, 100));
   fmt::print("\n{}", table_text(report));
-  fmt::print("{}", wrapped("gain: by how much mending it lowers the circularity, none where that stays as it is; IC: "
-                           "circularity that this error alone would make; ± one sigma; as instrument: what the "
-                           "instrument's software would say, without a sigma; same: it is stored so."));
+  fmt::print(
+      "{}",
+      wrapped("rank by the gain, by how much mending it lowers the circularity; none: that stays as it is, -: not "
+              "significant; IC: "
+              "circularity that this error alone would make; ± one sigma; instrument: what its "
+              "software would say; same: the file stores it so; predicts: the other run is predicted better with "
+              "it."));
   for (const std::string& text : difference_texts(report)) fmt::print("{}", wrapped(text));
   std::size_t said = 0;
   for (const RankedError& ranked : found.ranked) {

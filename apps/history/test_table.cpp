@@ -132,8 +132,8 @@ std::string test_table_text(const TestFiles& files) {
                test.machine.empty() ? "-" : one_line(test.machine), std::string(name_of(test.plane)),
                test.feed_mm_per_min ? fmt::format("{:.0f}", *test.feed_mm_per_min) : "-",
                round == nullptr ? "-" : with_sigma(round->value, round->sigma, 2),
-               first == nullptr ? "none" : first->name, first == nullptr ? "" : with_sigma(first->value, first->sigma, 2),
-               first == nullptr ? "" : first->unit});
+               first == nullptr ? "none" : first->name,
+               first == nullptr ? "" : with_sigma(first->value, first->sigma, 2), first == nullptr ? "" : first->unit});
   }
   text += table.text();
   for (const SkippedTest& file : files.skipped) text += "\n" + wrapped(file.sentence);

@@ -176,8 +176,8 @@ TEST(StoredDiagnostics, ValuesAreFoundInTheReadings) {
   }
 }
 
-// The reversal spikes apart: the software draws each as a polyline of its own, by a rule that is not known, and stores a
-// largest point of it; ours is the largest reading.
+// The reversal spikes apart: the software draws each as a polyline of its own, by a rule that is not known, and stores
+// a largest point of it; ours is the largest reading.
 bool is_of_reversals(const std::string& effect) { return effect.starts_with("reversal_spike"); }
 
 TEST(StoredDiagnostics, CircularitiesSharesAndRanksAreFoundInTheReadings) {
@@ -210,8 +210,8 @@ TEST(StoredDiagnostics, CircularitiesSharesAndRanksAreFoundInTheReadings) {
     EXPECT_GE(places.size(), 8U) << name;
     for (const Place& a : places) {
       // Of the sum without spikes: 0.3 um of it.
-      EXPECT_NEAR(a.error->as_instrument->individual_circularity_um / without_spikes, a.stored_um / stored_without_spikes,
-                  0.3 / stored_without_spikes)
+      EXPECT_NEAR(a.error->as_instrument->individual_circularity_um / without_spikes,
+                  a.stored_um / stored_without_spikes, 0.3 / stored_without_spikes)
           << name << " " << a.error->effect->name;
       for (const Place& b : places) {
         // Two that differ by more than both limits stand in the same order.

@@ -14,7 +14,7 @@
 //   sixth      1 or 2 um of a 6th harmonic on the CCW run alone: said to be left, and nothing named
 //   spikes     1 um after both reversals of one axis, where these are in the arc: that axis named and not the other
 //
-// An arc is fitted with the prior (what it holds near 0 is drawn as it says) and, `arc-no-prior`, without.
+// An error of an arc has to show with the instrument's damping too, but for `arc-no-prior`.
 // Beside each figure stands the aim; fails (exit 1) where one is worse than what was reached
 // (machine_errors_ranges.hpp) by more than 3 standard deviations of that many seeds.
 #include "ballbar/machine_errors/machine_errors.hpp"
@@ -80,7 +80,6 @@ struct Row {
 
 struct InNoise {
   std::map<std::string, Row> rows;
-  std::map<std::string, double> prior;  // mean sigma of what is held near 0
 };
 
 InNoise in_noise(const Plan& plan) {
@@ -89,7 +88,6 @@ InNoise in_noise(const Plan& plan) {
   for (int seed = 0; seed < kTests; ++seed) {
     std::mt19937_64 random = random_of("rows " + plan.name, seed);
     const MachineErrors one = found_in(plan, plan.test, random);
-    for (const PriorOfError& prior : one.prior) found.prior[prior.name] += prior.sigma / kTests;
     for (const MachineError& error : one.errors) {
       Row& row = found.rows[error.name];
       row.sigma += error.sigma / kTests;
@@ -116,29 +114,10 @@ void nothing(Study& study, const Plan& plan) {
     left += found.left ? 1 : 0;
   }
   fmt::print("  nothing   named {}   left {}   a spike {}", study.at_most(any, plan.reached.any, kAim.any),
-             study.at_most(left, plan.reached.any, kAim.any), study.at_most(spikes, plan.reached.no_spike, kAim.no_spike));
+             study.at_most(left, plan.reached.any, kAim.any),
+             study.at_most(spikes, plan.reached.no_spike, kAim.no_spike));
   for (const auto& [name, count] : named) fmt::print("   {} {}", name, count);
   fmt::print("\n");
-}
-
-// What the prior says is small is drawn as it says, else it would be the prior that is judged: one row, or half of the
-// sum or difference of two.
-void draw_by_prior(const std::map<std::string, double>& prior, made::ErrorTest& test, std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  for (const auto& [name, sigma] : prior) {
-    const double drawn = sigma * normal(random);
-    if (!name.starts_with("(")) {
-      test.errors[name] = drawn;
-      continue;
-    }
-    const std::size_t sign = name.find("_pos") + 4;
-    const std::string pos = name.substr(1, sign - 1);
-    const std::string neg = pos.substr(0, pos.size() - 4) + "_neg";
-    const double sum = (test.of(pos) + test.of(neg)) / 2.0, difference = (test.of(pos) - test.of(neg)) / 2.0;
-    const bool of_the_sum = name[sign] == '+';
-    test.errors[pos] = of_the_sum ? drawn + difference : sum + drawn;
-    test.errors[neg] = of_the_sum ? drawn - difference : sum - drawn;
-  }
 }
 
 struct Coverage {
@@ -162,7 +141,6 @@ void drawn(Study& study, const Plan& plan, const InNoise& noise) {
       const double value = size * normal(random);
       test.errors[name] = amplitude ? std::abs(value) : value;
     }
-    draw_by_prior(noise.prior, test, random);
     for (const MachineError& row : found_in(plan, test, random).errors) {
       const double off = row.value - test.of(row.name);
       Coverage& one = coverage[row.name];

@@ -11,6 +11,8 @@
 namespace ballbar {
 namespace {
 
+constexpr double kStep_deg = 0.3;  // after a reversal: there the step of the play is not over
+
 // Fine rows of the curve of the effects that are fitted together, and of the circles (nullptr).
 Eigen::VectorXd curve_as_instrument(const ErrorFitted& fitted, const Effect* effect) {
   Eigen::VectorXd curve = Eigen::VectorXd::Zero(fitted.columns.fine.rows());
@@ -40,7 +42,7 @@ double spike_of(const ErrorFitted& fitted, const Eigen::VectorXd& left, double r
   for (std::size_t i = 0; i < angle_rad.size(); ++i) {
     if (fitted.rows.recording[fitted.rows.row_of[i]] != recording) continue;
     const double since_deg = direction[i] * std::remainder(deg_from_rad(angle_rad[i]) - reversal_deg, 360.0);
-    if (since_deg < 0.0 || since_deg > kNearReversal_deg) continue;
+    if (since_deg < kStep_deg || since_deg > kNearReversal_deg) continue;
     const double value = left[static_cast<Eigen::Index>(i)];
     if (!(std::abs(value) <= std::abs(largest))) largest = value;
   }

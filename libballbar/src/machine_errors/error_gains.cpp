@@ -110,7 +110,8 @@ void add_sigmas(std::vector<RankedError>& ranked, const ErrorFitted& fitted, con
       Eigen::VectorXd curve = curves.of_each[k];
       for (std::size_t c = 0; c < fitted.columns.columns.size(); ++c) {
         const auto column = static_cast<Eigen::Index>(c);
-        if (fitted.columns.columns[c].effect == ranked[k].effect) curve += gains[column] * fitted.columns.fine.col(column);
+        if (fitted.columns.columns[c].effect == ranked[k].effect)
+          curve += gains[column] * fitted.columns.fine.col(column);
       }
       const double gain = circularity_um - now.range_without(curve);
       sums[k] += gain;

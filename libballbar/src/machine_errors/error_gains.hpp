@@ -1,7 +1,7 @@
 // What mending each error gains: the circularity now less that without its curve, and the ranks by it.
 //
-// Sigma by resampling: what is left of the readings, in blocks of 10 deg of one recording drawn with replacement, is put
-// in place of itself; the gains of the fit follow it, and both circularities. 40 times, always with the same draws.
+// Sigma by resampling: what is left of the readings, in blocks of 10 deg of one recording drawn with replacement, is
+// put in place of itself; the gains of the fit follow it, and both circularities. 40 times, always with the same draws.
 #pragma once
 
 #include <set>

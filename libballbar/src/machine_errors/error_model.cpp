@@ -14,8 +14,9 @@
 namespace ballbar {
 namespace {
 
-constexpr double kShiftReadings = 80.0;    // of what CCW and CW differ by, on an arc
-constexpr double kRadiusReadings = 20.0;   // of how their radii differ, on a full turn: nearly that of both lateral plays
+constexpr double kShiftReadings = 80.0;  // of what CCW and CW differ by, on an arc
+constexpr double kRadiusReadings =
+    20.0;  // of how their radii differ, on a full turn: nearly that of both lateral plays
 constexpr double kUsualReadings = 1550.0;  // of a recording, by which these are meant
 constexpr double kOpenSideReadings = 2.0;  // of the centre, along the middle of the arc
 constexpr double kLeftOfNormal = 0.01;     // share of a combination's square that readings must see
@@ -217,14 +218,14 @@ Eigen::MatrixXd precision_of(const std::vector<PriorStatement>& prior, Eigen::In
   return precision;
 }
 
-std::vector<std::string> undetermined(const Eigen::MatrixXd& normal, const ErrorColumns& columns) {
+std::vector<std::string> undetermined(const Eigen::MatrixXd& normal, const std::vector<ErrorColumn>& columns) {
   const Eigen::VectorXd size = normal.diagonal().cwiseMax(1e-300).cwiseSqrt();
   const Eigen::MatrixXd scaled = size.cwiseInverse().asDiagonal() * normal * size.cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(scaled);
   std::vector<std::string> phrases;
   for (Eigen::Index k = 0; k < scaled.cols() && solved.eigenvalues()[k] < kLeftOfNormal; ++k) {
     const Eigen::VectorXd direction = solved.eigenvectors().col(k);
-    std::vector<std::size_t> order(columns.columns.size());
+    std::vector<std::size_t> order(columns.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto loading = [&](std::size_t i) { return std::abs(direction[static_cast<Eigen::Index>(i)]); };
     // What is alike but for rounding stays in the order of the columns, whatever computer rounds.
@@ -233,7 +234,7 @@ std::vector<std::string> undetermined(const Eigen::MatrixXd& normal, const Error
     std::vector<std::string> names;
     for (const std::size_t i : order) {
       if (loading(i) < kLoading * loading(order.front())) break;
-      const ErrorColumn& column = columns.columns[i];
+      const ErrorColumn& column = columns[i];
       const std::string& name = column.effect == nullptr ? column.name : column.effect->name;
       if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }

@@ -190,11 +190,13 @@ std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::Matri
   data.leftCols(span.cols()) = span;
   data.col(span.cols()) = rows.deviation_um;
   const std::array<double, kMemories> memories = memories_s(rows);
+  // The first look is at what plain least squares leaves: one column in place of all, and near enough.
+  const RowMajor left = rows.deviation_um - span * (span.transpose() * rows.deviation_um);
   std::size_t best = 0;
   double most = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < memories.size(); ++k) {
     const RowMemory memory = row_memory(rows, memories[k]);
-    const double log_likelihood = restricted(rows, data, memory, kWhiteOfCorrelated[kUsualWhite]).log_likelihood;
+    const double log_likelihood = restricted(rows, left, memory, kWhiteOfCorrelated[kUsualWhite]).log_likelihood;
     if (log_likelihood > most) most = log_likelihood, best = k;
   }
   std::vector<double> fine_s;
@@ -253,6 +255,25 @@ Eigen::MatrixXd scatter_of(const Eigen::MatrixXd& columns, const ErrorRows& rows
   Eigen::MatrixXd scatter(columns.cols(), columns.cols());
   scatter.triangularView<Eigen::Lower>() = columns.transpose() * spread_of(columns, rows, noises);
   return scatter.selfadjointView<Eigen::Lower>();
+}
+
+Eigen::MatrixXd covariance_of(const ErrorRows& rows, const std::vector<Eigen::Index>& which, const Noise& noise) {
+  const auto n = static_cast<Eigen::Index>(which.size());
+  const double q2 = noise.correlated_um * noise.correlated_um, w2 = noise.white_um * noise.white_um;
+  Eigen::MatrixXd covariance(n, n);
+  std::vector<double> with_others(which.size());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index row = which[static_cast<std::size_t>(i)];
+    const auto [others, own] = mean_of_row(rows.count[row], rows.interval_s[row], noise.correlation_time_s);
+    with_others[static_cast<std::size_t>(i)] = others;
+    covariance(i, i) = q2 * (others * others + own) + w2 / rows.count[row] + kLeastVariance;
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const double apart_s = std::abs(rows.time_s[row] - rows.time_s[which[static_cast<std::size_t>(j)]]);
+      covariance(i, j) = covariance(j, i) =
+          q2 * others * with_others[static_cast<std::size_t>(j)] * std::exp(-apart_s / noise.correlation_time_s);
+    }
+  }
+  return covariance;
 }
 
 double slow_variance_um2(const ErrorRows& rows, const std::vector<WeightedNoise>& noises) {

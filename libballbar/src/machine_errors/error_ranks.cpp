@@ -113,7 +113,7 @@ Eigen::VectorXd fitted_curve(const ErrorFitted& fitted, const std::set<const Eff
     if (!effect.in_the_fit || !effects.contains(effect.effect)) continue;
     for (const std::size_t k : effect.columns) {
       const auto column = static_cast<Eigen::Index>(k);
-      curve += fitted.gains[column] * fitted.columns.values.col(column);
+      curve += fitted.curve_gains[column] * fitted.columns.values.col(column);
     }
   }
   return curve;
@@ -250,12 +250,12 @@ std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTab
     const Eigen::MatrixXd shared = shared_gains(fitted, effect);
     const Eigen::VectorXd values = shared * fitted.gains;
     const Eigen::MatrixXd covariance = shared * fitted.covariance * shared.transpose();
-    const auto looked_at = static_cast<double>(fitted.effects.size());
     one.chi2 = values.dot(covariance.ldlt().solve(values));
-    one.chi2_needed = chi2_of_p(kFalseErrors / (looked_at * effect.searched), static_cast<std::size_t>(values.size()));
-    one.p_value = std::min(1.0, effect.searched * p_of(values, covariance));
+    one.chi2_needed =
+        chi2_of_p(kFalseErrors / (effect.looked_at * effect.searched), static_cast<std::size_t>(values.size()));
+    one.p_value = std::min(1.0, effect.searched * std::max(effect.p_damped, p_of(values, covariance)));
     one.predicts_other_run = predicts_other(fitted, effect, residual, directions);
-    one.significant = one.p_value * looked_at < kFalseErrors;
+    one.significant = one.p_value * effect.looked_at < kFalseErrors;
     const bool of_each_recording = fitted.columns.columns[effect.columns.front()].recording.has_value();
     if (of_each_recording && one.predicts_other_run == false) one.significant = false;
     ranked.push_back(std::move(one));

@@ -53,7 +53,7 @@ double within_rows_um2(const ErrorFitted& fitted, const Series& trace) {
   }
   for (std::size_t k = 0; k < out.size(); ++k) {
     if (!out[k] && !is_centre(fitted.columns.columns[k])) {
-      rest += fitted.gains[static_cast<Eigen::Index>(k)] * fitted.columns.fine.col(static_cast<Eigen::Index>(k));
+      rest += fitted.curve_gains[static_cast<Eigen::Index>(k)] * fitted.columns.fine.col(static_cast<Eigen::Index>(k));
     }
   }
   double squares = 0.0;
@@ -103,14 +103,6 @@ ErrorFitted error_fitted(const Series& trace, const MachineErrorOptions& options
   }
   const ErrorRows rows = error_rows(lacks ? stated_feed : trace);
   ErrorFitted fitted = error_fitted(rows, options, set_up);
-  if (fitted.prior_contradicted) {
-    const std::vector<PriorStatement> prior = std::move(fitted.prior);
-    MachineErrorOptions without = options;
-    without.prior = false;
-    fitted = error_fitted(rows, without, set_up);
-    fitted.prior = prior;
-    fitted.prior_contradicted = true;
-  }
   fitted.within_um2 = within_rows_um2(fitted, trace);
   return fitted;
 }
@@ -126,7 +118,7 @@ std::vector<double> freed_of_centre(const ErrorFitted& fitted, const Series& tra
     if (!is_centre(column)) continue;
     std::vector<double>& centre_um = column.name.starts_with("centre_a") ? a_um : b_um;
     for (std::size_t one = 0; one < centre_um.size(); ++one) {
-      if (column.recording.value_or(one) == one) centre_um[one] += fitted.gains[static_cast<Eigen::Index>(k)];
+      if (column.recording.value_or(one) == one) centre_um[one] += fitted.curve_gains[static_cast<Eigen::Index>(k)];
     }
   }
   std::vector<double> freed = find_column(trace, "deviation_um")->values;

@@ -15,11 +15,11 @@ GainMaps::GainMaps(const GainStages& stages)
   z_.resize(n, p_ + e_ + c_ + s_);
   z_.leftCols(p_ + e_) = stages.far->asDiagonal() * columns;
   z_.middleCols(p_ + e_, c_) = stages.cyclic_block->weighted;
-  z_.rightCols(s_) = *stages.near_spikes;
+  z_.rightCols(s_) = *stages.filters;
   normal_ = columns.transpose() * z_.leftCols(p_ + e_);
   with_cyclic_ = z_.leftCols(p_ + e_).transpose() * stages.cyclic->values;
-  spike_squares_ = (stages.near_spikes->array() * stages.spikes->values.array()).colwise().sum().max(1e-12).transpose();
-  const Eigen::MatrixXd per_square = *stages.near_spikes * spike_squares_.cwiseInverse().asDiagonal();
+  spike_squares_ = (stages.filters->array() * stages.spikes->values.array()).colwise().sum().max(1e-12).transpose();
+  const Eigen::MatrixXd per_square = *stages.filters * spike_squares_.cwiseInverse().asDiagonal();
   spikes_of_ = per_square.transpose() * columns;
   spikes_of_cyclic_ = per_square.transpose() * stages.cyclic->values;
   // G (C' y - C' M b), b = N^-1 M' y of the first fit.
@@ -30,8 +30,7 @@ GainMaps::GainMaps(const GainStages& stages)
   t_cyclic_.middleCols(p_ + e_, c_) += cyclic.inverse;
 }
 
-GainMap GainMaps::of(const Indices& chosen, bool with_prior) const {
-  const Eigen::MatrixXd prior = with_prior ? *stages_.precision : Eigen::MatrixXd::Zero(p_, p_);
+GainMap GainMaps::of(const Indices& chosen, const Eigen::MatrixXd& prior) const {
   const Eigen::MatrixXd normal = normal_(chosen, chosen);
   const Eigen::MatrixXd inverse = inverse_of(normal, prior);
   GainMap map{Eigen::MatrixXd::Zero(inverse.rows(), z_.cols()), {}};
@@ -39,9 +38,9 @@ GainMap GainMaps::of(const Indices& chosen, bool with_prior) const {
   map.t -= inverse * with_cyclic_(chosen, Eigen::all) * t_cyclic_;
   // What the prior leaves open: N^-1 L T L N^-1 with L T = s^2. The ridge is one too: without it, a combination that no
   // reading sees would have the sigma of its sum alone, or of rounding.
-  Eigen::MatrixXd precision = (kRidge * normal.diagonal()).asDiagonal();
-  precision.topLeftCorner(p_, p_) += prior;
-  map.open = stages_.slow_variance_um2 * inverse * precision * inverse;
+  Eigen::MatrixXd held = (kRidge * normal.diagonal()).asDiagonal();
+  held.topLeftCorner(p_, p_) += prior;
+  map.open = stages_.slow_variance_um2 * inverse * held * inverse;
   return map;
 }
 
@@ -55,7 +54,7 @@ GainMap GainMaps::joined(const GainMap& whole, const Indices& chosen, const Gain
   for (const Eigen::Index k : chosen) places.push_back(k < p_ ? k : k + c_);
   map.t(places, Eigen::all) = own.t;
   map.open(places, places) = own.open;
-  // (S' y - S' X b - S' C g) / S' S
+  // (F' y - F' X b - F' C g) / f' s
   const Eigen::MatrixXd of_chosen = spikes_of_(Eigen::all, chosen);
   map.t.bottomRows(s_) = -of_chosen * own.t - spikes_of_cyclic_ * t_cyclic_;
   map.t.bottomRightCorner(s_, s_) += spike_squares_.cwiseInverse().asDiagonal().toDenseMatrix();

@@ -25,8 +25,7 @@ struct GainStages {
   const Block* cyclic_block = nullptr;
   const ErrorColumns* extra = nullptr;
   const ErrorColumns* spikes = nullptr;
-  const Eigen::MatrixXd* near_spikes = nullptr;  // the spikes' columns, with the weights of the readings that tell them
-  const Eigen::MatrixXd* precision = nullptr;
+  const Eigen::MatrixXd* filters = nullptr;  // of the spikes
   double slow_variance_um2 = 0.0;
 };
 
@@ -34,14 +33,14 @@ class GainMaps {
  public:
   explicit GainMaps(const GainStages& stages);
 
-  // Weighted columns: together, extra, cyclic, spikes.
+  // Weighted columns: together, extra, cyclic; the filters of the spikes.
   const Eigen::MatrixXd& z() const { return z_; }
   // X' X of together and extra.
   const Eigen::MatrixXd& normal() const { return normal_; }
   Indices all() const { return range_of(0, p_ + e_); }
 
-  // Some columns of together and extra, freed of the cyclic errors.
-  GainMap of(const Indices& chosen, bool with_prior = true) const;
+  // Some columns of together and extra, freed of the cyclic errors; `precision` of those together.
+  GainMap of(const Indices& chosen, const Eigen::MatrixXd& precision) const;
   // All gains in the order together, cyclic, extra, spikes: those chosen by their own map, the other extra ones by that
   // of all, and the spikes on what the cyclic errors and those chosen leave.
   GainMap joined(const GainMap& whole, const Indices& chosen, const GainMap& own) const;
@@ -51,11 +50,11 @@ class GainMaps {
   Eigen::Index p_ = 0, c_ = 0, e_ = 0, s_ = 0;
   Eigen::MatrixXd z_;
   Eigen::MatrixXd t_cyclic_;
-  Eigen::MatrixXd normal_;           // X' W X of together and extra
-  Eigen::MatrixXd with_cyclic_;      // X' W C
-  Eigen::MatrixXd spikes_of_;        // S' W X, S' W S of its diagonal taken out
-  Eigen::MatrixXd spikes_of_cyclic_;  // S' W C likewise
-  Eigen::VectorXd spike_squares_;
+  Eigen::MatrixXd normal_;            // X' W X of together and extra
+  Eigen::MatrixXd with_cyclic_;       // X' W C
+  Eigen::VectorXd spike_squares_;     // f' s of each spike
+  Eigen::MatrixXd spikes_of_;         // F' X over them
+  Eigen::MatrixXd spikes_of_cyclic_;  // F' C over them
 };
 
 }  // namespace ballbar

@@ -85,7 +85,6 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
   found.ranked = ranked_errors(fitted, table);
   found.undetermined = fitted.undetermined;
   found.noise = fitted.noise.front().noise;
-  found.prior_contradicted = fitted.prior_contradicted;
   found.prior.reserve(fitted.prior.size());
   for (const PriorStatement& statement : fitted.prior) {
     found.prior.push_back({statement.name, std::sqrt(fitted.slow_variance_um2 / statement.precision), statement.alone,
@@ -101,18 +100,20 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
       shape = effect.shape.value_or(0.0);
       in_the_fit = effect.in_the_fit;
     }
-    found.gains.push_back({column.effect, column.gain, column.recording, fitted.gains[static_cast<Eigen::Index>(k)],
-                           shape, column.name, in_the_fit});
+    found.gains.push_back({column.effect, column.gain, column.recording,
+                           fitted.curve_gains[static_cast<Eigen::Index>(k)], shape, column.name, in_the_fit});
   }
   add_ranks_as_instrument(fitted, found.errors, found.ranked);
-  add_gains(found, fitted, trace, options.gain_sigmas);
+  add_gains(found, fitted, trace, options.details);
   found.circle_rms_um = rms_with_um(fitted, {});
-  found.one_by_one = one_by_one(fitted, found.ranked);
+  if (options.details) found.one_by_one = one_by_one(fitted, found.ranked);
   const Eigen::VectorXd residual = fitted.residual();
   found.residual_rms_um = fitted.rms_um(residual);
   const double repeats_um = repeatability_um(fitted.rows, residual);
   found.repeatability_um = std::sqrt(fitted.within_um2 + repeats_um * repeats_um);  // of readings, as the residual
-  found.left = left_harmonic(fitted.rows, residual, fitted.noise, fitted.arc_rad);
+  if (options.details) {
+    found.left = left_harmonic(fitted.rows, fitted.columns.values, residual, fitted.noise, fitted.arc_rad);
+  }
   return found;
 }
 
