@@ -215,9 +215,9 @@ std::string conclusion(const ErrorsReport& report) {
   if (significant.size() == 1) return text + "no other error stands out of the noise.";
   std::vector<std::string> others;
   for (std::size_t k = 1; k < significant.size(); ++k) others.push_back(significant[k]->effect->name);
-  text +=
-      fmt::format("all {} significant errors together, to {:.1f}. The other{}: {}.", number_word(significant.size()),
-                  found.circularity_without_all_um, others.size() == 1 ? "" : "s", fmt::join(others, ", "));
+  text += fmt::format("{} significant errors together, to {:.1f}. The other{}: {}.",
+                      significant.size() == 2 ? "both" : "all " + number_word(significant.size()),
+                      found.circularity_without_all_um, others.size() == 1 ? "" : "s", fmt::join(others, ", "));
   return text;
 }
 

@@ -19,6 +19,7 @@
 namespace ballbar {
 namespace {
 
+constexpr double kWidthsOfSpike = 4.0;                    // to where 2 % of its height are left
 constexpr double kFromOwnReversal_deg[2] = {12.0, 63.0};  // where cyclic errors are read
 
 // What the centre adds beyond its first order, at these angles: exact length less radius, a cos and b sin.
@@ -382,12 +383,12 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
   }
   fit_all(fitted, stages, far, damping);
 
-  // Where a spike shows, its readings tell nothing of the others.
+  // Where a spike shows, the readings under it tell nothing of the others.
   Eigen::VectorXd beyond = far;
   for (const FittedEffect& effect : stages.spikes.effects) {
+    const double reach_deg = std::min(kNearReversal_deg, kWidthsOfSpike * effect.shape.value_or(0.0));
     for (Eigen::Index i = 0; effect.in_the_fit && i < of.size(); ++i) {
-      const double from_deg = from_reversal_deg(of.angle_rad[i], effect.effect->rules.reversal_deg);
-      if (from_deg <= kNearReversal_deg) beyond[i] = 0.0;
+      if (since_reversal_deg(of, i, effect.effect->rules.reversal_deg) <= reach_deg) beyond[i] = 0.0;
     }
   }
   if (beyond != far) {

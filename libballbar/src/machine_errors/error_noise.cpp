@@ -190,13 +190,11 @@ std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::Matri
   data.leftCols(span.cols()) = span;
   data.col(span.cols()) = rows.deviation_um;
   const std::array<double, kMemories> memories = memories_s(rows);
-  // The first look is at what plain least squares leaves: one column in place of all, and near enough.
-  const RowMajor left = rows.deviation_um - span * (span.transpose() * rows.deviation_um);
   std::size_t best = 0;
   double most = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < memories.size(); ++k) {
     const RowMemory memory = row_memory(rows, memories[k]);
-    const double log_likelihood = restricted(rows, left, memory, kWhiteOfCorrelated[kUsualWhite]).log_likelihood;
+    const double log_likelihood = restricted(rows, data, memory, kWhiteOfCorrelated[kUsualWhite]).log_likelihood;
     if (log_likelihood > most) most = log_likelihood, best = k;
   }
   std::vector<double> fine_s;

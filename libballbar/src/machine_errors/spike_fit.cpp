@@ -25,8 +25,7 @@ std::vector<Window> windows_of(const ErrorRows& rows, double reversal_deg, const
   std::vector<Window> windows;
   Eigen::Index last = -1;
   for (Eigen::Index i = 0; i < rows.size(); ++i) {
-    const double travelled_deg = rows.direction[i] * (deg_from_rad(rows.angle_rad[i]) - reversal_deg);
-    if (travelled_deg - 180.0 * std::floor(travelled_deg / 180.0) > kNearReversal_deg) continue;
+    if (since_reversal_deg(rows, i, reversal_deg) > kNearReversal_deg) continue;
     const bool goes_on =
         last >= 0 && rows.recording[static_cast<std::size_t>(i)] == rows.recording[static_cast<std::size_t>(last)] &&
         std::abs(std::remainder(deg_from_rad(rows.angle_rad[i] - rows.angle_rad[last]), 360.0)) < kGap_deg;

@@ -265,7 +265,7 @@ TEST(MachineErrors, CircularityWithoutTheOnlyErrorIsNothing) {
 TEST(MachineErrors, WhatIsLeftFallsErrorByError) {
   made::ErrorTest test = made::noisy(made::full_turn());
   test.errors = {{"scale_mismatch", 8.0}, {"squareness", 20.0}, {"backlash_a_pos", 2.0}, {"backlash_a_neg", 2.0}};
-  const MachineErrors found = machine_errors(made::both_runs(test));
+  const MachineErrors found = machine_errors(made::both_runs(test, 2));
   // by hand: (mismatch / 4)^2 / 2 + (squareness R / 2)^2 / 2 + backlash^2 / 8 + noise^2 are 2 + 1.125 + 0.5 + 0.1
   EXPECT_NEAR(found.circle_rms_um, std::sqrt(3.7), 0.15);
   ASSERT_EQ(found.one_by_one.size(), 3U);
