@@ -354,18 +354,20 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
   fitted.prior = prior;
   const Eigen::MatrixXd* const damping = is_full || !options.prior ? nullptr : &usual;
 
-  // As the instrument: the first fit without the reversals, and the cyclic errors on what it leaves.
+  // The first fit without the reversals, and the cyclic errors on what it leaves.
   const Eigen::VectorXd far =
       of.count.cwiseProduct((of.from_reversal_deg.array() > kAtReversal_deg).cast<double>().matrix());
-  stages.first = block_of(columns, far, usual);
+  const Eigen::MatrixXd nothing = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
+  stages.first = block_of(columns, far, nothing);
   const Eigen::VectorXd first_left = of.deviation_um - columns * stages.first.solve(of.deviation_um);
   stages.cyclic = cyclic_part(kinds.along_the_travel, of, set_up, columns, stages.first, first_left);
-  const Eigen::VectorXd waves = stages.cyclic.block.solve(measured - columns * stages.first.solve(measured));
-  const Eigen::VectorXd gains = stages.first.solve(measured - stages.cyclic.part.columns.values * waves);
 
-  // Ours, without a prior.
-  const Eigen::MatrixXd nothing = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
-  refit(stages, far, nothing);
+  // As the instrument: with its prior, and the cyclic errors taken off first.
+  const Block damped = block_of(columns, far, usual);
+  const Block damped_waves{stages.cyclic.block.weighted, cyclic_inverse(stages.cyclic, columns, damped)};
+  const Eigen::VectorXd waves = damped_waves.solve(measured - columns * damped.solve(measured));
+  const Eigen::VectorXd gains = damped.solve(measured - stages.cyclic.part.columns.values * waves);
+
   const Eigen::VectorXd left = left_by(stages, of);
   stages.extra = extra_part(kinds.where_they_show, of, {&columns, &stages.first}, left, far);
   Eigen::MatrixXd smooth(of.size(), columns.cols() + waves.size() + stages.extra.columns.size());
