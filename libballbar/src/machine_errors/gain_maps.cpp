@@ -30,16 +30,16 @@ GainMaps::GainMaps(const GainStages& stages)
   t_cyclic_.middleCols(p_ + e_, c_) += cyclic.inverse;
 }
 
-GainMap GainMaps::of(const Indices& chosen, const Eigen::MatrixXd& prior) const {
+GainMap GainMaps::of(const Indices& chosen, const Eigen::MatrixXd& precision) const {
   const Eigen::MatrixXd normal = normal_(chosen, chosen);
-  const Eigen::MatrixXd inverse = inverse_of(normal, prior);
+  const Eigen::MatrixXd inverse = inverse_of(normal, precision);
   GainMap map{Eigen::MatrixXd::Zero(inverse.rows(), z_.cols()), {}};
   map.t(Eigen::all, chosen) = inverse;
   map.t -= inverse * with_cyclic_(chosen, Eigen::all) * t_cyclic_;
   // What the prior leaves open: N^-1 L T L N^-1 with L T = s^2. The ridge is one too: without it, a combination that no
   // reading sees would have the sigma of its sum alone, or of rounding.
   Eigen::MatrixXd held = (kRidge * normal.diagonal()).asDiagonal();
-  held.topLeftCorner(p_, p_) += prior;
+  held.topLeftCorner(p_, p_) += precision;
   map.open = stages_.slow_variance_um2 * inverse * held * inverse;
   return map;
 }
