@@ -17,16 +17,31 @@ Json or_null(const std::optional<Value>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+Json instrument_json(const MachineError& error, const RankedError* ranked) {
+  if (!error.as_instrument) return nullptr;
+  Json json{{"value", number(*error.as_instrument)}};
+  const bool is_ranked = ranked != nullptr && ranked->as_instrument;
+  json["individual_circularity_um"] =
+      is_ranked ? number(ranked->as_instrument->individual_circularity_um) : Json(nullptr);
+  json["share_percent"] = is_ranked ? number(ranked->as_instrument->share_percent) : Json(nullptr);
+  json["rank"] = is_ranked ? Json(ranked->as_instrument->rank) : Json(nullptr);
+  return json;
+}
+
 Json row_json(const ErrorsReport& report, const MachineError& error, const RankedError* ranked) {
   Json json{{"name", error.name}, {"value", number(error.value)}, {"sigma", number(error.sigma)}, {"unit", error.unit}};
+  json["as_instrument"] = instrument_json(error, ranked);
   json["significant"] = ranked == nullptr ? Json(nullptr) : Json(ranked->significant);
   json["predicts_other_run"] = ranked == nullptr ? Json(nullptr) : or_null(ranked->predicts_other_run);
   json["individual_circularity_um"] = ranked == nullptr ? Json(nullptr) : number(ranked->individual_circularity_um);
   json["share_percent"] = ranked == nullptr ? Json(nullptr) : number(ranked->share_percent);
   json["rank"] = ranked == nullptr ? Json(nullptr) : or_null(ranked->rank);
   json["stored"] = or_null(stored_value_of(report, error));
+  json["stored_is_same"] = or_null(same_as_stored(report, error));
   json["stored_rank"] = ranked == nullptr ? Json(nullptr) : or_null(stored_rank_of(report, *ranked));
   json["circularity_without_um"] = ranked == nullptr ? Json(nullptr) : number(ranked->circularity_without_um);
+  json["gain_um"] = ranked == nullptr ? Json(nullptr) : number(ranked->gain_um);
+  json["gain_sigma_um"] = ranked == nullptr ? Json(nullptr) : number(ranked->gain_sigma_um);
   if (ranked == nullptr) return json;
   json["effect"] = ranked->effect->name;
   json["stored_individual_circularity_um"] =
@@ -102,6 +117,8 @@ nlohmann::ordered_json json_of(const ErrorsReport& report) {
   }
   json["circle_rms_um"] = number(found.circle_rms_um);
   json["circularity_um"] = number(found.circularity_um);
+  json["circularity_without_all_um"] = number(found.circularity_without_all_um);
+  json["differences"] = difference_texts(report);
   json["residual_rms_um"] = number(found.residual_rms_um);
   json["repeatability_um"] = number(found.repeatability_um);
   json["noise"] = {{"white_um", number(found.noise.white_um)},

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
@@ -12,12 +13,15 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/stored_errors.hpp"
+#include "ballbar/units.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr double kNothing_um = 0.02;      // readings are written to 0.01 um
 constexpr double kMoreThanRepeats = 1.5;  // times the repeatability: a form is left
+constexpr double kDiffers = 2.0;          // sigma
+constexpr double kDiffers_um = 0.3;
 
 MachineErrorOptions fit_options(const ErrorsReport& report, const ErrorsOptions& options) {
   MachineErrorOptions how = report.b5r ? error_options(*report.b5r) : MachineErrorOptions{};
@@ -68,6 +72,11 @@ void expect_once(const std::vector<std::string>& files) {
     throw Error(fmt::format("{}: expected each file once, found it again{}.", *file,
                             *before == *file ? "" : fmt::format(", the same as {}", *before)));
   }
+}
+
+std::string number_word(std::size_t number) {
+  constexpr std::array kWords{"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"};
+  return number < kWords.size() ? kWords[number] : fmt::format("{}", number);
 }
 
 std::vector<const RankedError*> significant_of(const MachineErrors& found) {
@@ -136,6 +145,51 @@ std::optional<int> stored_rank_of(const ErrorsReport& report, const RankedError&
   return report.b5r ? stored_rank(*report.b5r, ranked.effect->name) : std::nullopt;
 }
 
+std::optional<bool> same_as_stored(const ErrorsReport& report, const MachineError& error) {
+  const std::optional<double> stored = stored_value_of(report, error);
+  if (!stored || !error.as_instrument) return std::nullopt;
+  const double digit = error.unit == "um/m" ? 1.0 : error.unit == "ms" ? 0.01 : 0.1;
+  return std::abs(*error.as_instrument - *stored) <= 1.5 * digit + 1e-6;
+}
+
+const RankedError* first_of(const MachineErrors& found) {
+  const std::vector<const RankedError*> significant = significant_of(found);
+  return significant.empty() ? nullptr : significant.front();
+}
+
+std::vector<std::string> difference_texts(const ErrorsReport& report) {
+  const MachineErrors& found = report.found;
+  // What ours has and the instrument's has not, or the other way round.
+  std::string why = "there it is held near 0, which this arc hardly tells";
+  if (deg_from_rad(arc_rad(report.recordings.front())) > 358.0) {
+    why = "what the centre adds in second order is not taken off there";
+  }
+  double most_um = 0.0;
+  for (const RankedError& one : found.ranked) {
+    const bool is_extra = one.effect->rules.error_fit == ErrorFit::where_it_shows && one.significant;
+    if (!is_extra || one.individual_circularity_um <= most_um) continue;
+    most_um = one.individual_circularity_um;
+    why = fmt::format("{} took it, which the instrument does not have", one.effect->name);
+  }
+  std::vector<std::string> texts;
+  for (const RankedError& one : found.ranked) {
+    if (one.effect->rules.error_fit == ErrorFit::at_reversals) continue;  // of another rule by what it is
+    for (const std::size_t row : one.rows) {
+      const MachineError& error = found.errors[row];
+      if (!error.as_instrument) continue;
+      const double apart = std::abs(error.value - *error.as_instrument);
+      const double um = error.unit == "um" || error.value == 0.0
+                            ? apart
+                            : apart * one.individual_circularity_um / std::abs(error.value);
+      if (apart <= kDiffers * error.sigma || um <= kDiffers_um) continue;
+      const int decimals = error.unit == "ms" ? 2 : 1;
+      texts.push_back(fmt::format("{}: {:.{}f} here, {:.{}f} there; {}.", error.name, error.value, decimals,
+                                  *error.as_instrument, decimals, why));
+    }
+  }
+  return texts;
+}
+
 std::string verdict_of(const ErrorsReport& report) {
   if (!significant_of(report.found).empty()) return "named";
   return report.found.left ? "unexplained" : "nothing";
@@ -148,21 +202,21 @@ std::string conclusion(const ErrorsReport& report) {
     return fmt::format("The circularity is {:.1f} um, and no error of the axes stands out of the noise.",
                        found.circularity_um);
   }
-  std::vector<std::string> names;
-  names.reserve(significant.size());
-  for (const RankedError* one : significant) names.push_back(one->effect->name);
   const RankedError& most = *significant.front();
   std::string words = most.effect->explanation.summary;
   if (words.ends_with('.')) words.pop_back();
   words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
-  std::string text = fmt::format("The circularity is {:.1f} um; {} ({}) alone makes {:.1f} um, clear of the noise",
-                                 found.circularity_um, most.effect->name, words, most.individual_circularity_um);
-  if (most.circularity_without_um < found.circularity_um) {
-    text += fmt::format("; without it {:.1f} um would remain", most.circularity_without_um);
-  }
-  text += ". ";
-  text += names.size() == 1 ? "No other error stands out of the noise."
-                            : fmt::format("Out of the noise stand {}.", fmt::join(names, ", "));
+  const std::string first = fmt::format("{} ({})", most.effect->name, words);
+  std::string text = most.rank ? fmt::format("Mending {} takes the circularity from {:.1f} to {:.1f} um; ", first,
+                                             found.circularity_um, most.circularity_without_um)
+                               : fmt::format("The circularity is {:.1f} um, and mending {} alone leaves it so; ",
+                                             found.circularity_um, first);
+  if (significant.size() == 1) return text + "no other error stands out of the noise.";
+  std::vector<std::string> others;
+  for (std::size_t k = 1; k < significant.size(); ++k) others.push_back(significant[k]->effect->name);
+  text += fmt::format("{} significant errors together, to {:.1f}. The other{}: {}.",
+                      significant.size() == 2 ? "both" : "all " + number_word(significant.size()),
+                      found.circularity_without_all_um, others.size() == 1 ? "" : "s", fmt::join(others, ", "));
   return text;
 }
 

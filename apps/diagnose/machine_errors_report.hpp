@@ -50,6 +50,17 @@ ErrorsReports errors_reports_of(const std::vector<std::string>& files, const Err
 std::optional<double> stored_value_of(const ErrorsReport& report, const MachineError& error);
 std::optional<int> stored_rank_of(const ErrorsReport& report, const RankedError& ranked);
 
+// Whether the file stores what our estimator of the instrument's software says: within 0.1 um, 1 um/m, 0.01 ms and half
+// of the digit it is printed with.
+std::optional<bool> same_as_stored(const ErrorsReport& report, const MachineError& error);
+
+// The one to mend first: the first rank, else the first that is significant; nullptr: none.
+const RankedError* first_of(const MachineErrors& found);
+
+// Where ours and the instrument's value differ by more than 2 sigma and 0.3 um: both, and what makes the difference. A
+// line each.
+std::vector<std::string> difference_texts(const ErrorsReport& report);
+
 // Whole sentences: what is out most, and what is left.
 std::string conclusion(const ErrorsReport& report);
 std::string left_text(const ErrorsReport& report);

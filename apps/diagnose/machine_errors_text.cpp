@@ -16,7 +16,6 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kRemedies = 3;
-constexpr double kApart = 2.6;  // sigma
 constexpr std::size_t kWidest = 140;
 
 std::string plain(double value, int decimals) { return fixed(value, decimals); }
@@ -65,32 +64,49 @@ std::string head_text(const ErrorsReport& report) {
   return text;
 }
 
+// Of a row the value by the instrument's software; of an effect its share and rank there.
+std::vector<std::string> instrument_cells(const ErrorsReport& report, const MachineError& error,
+                                          const RankedError* ranked) {
+  const bool is_ranked = ranked != nullptr && ranked->as_instrument;
+  std::vector<std::string> cells{error.as_instrument ? plain(*error.as_instrument, error.unit == "ms" ? 2 : 1) : "-",
+                                 ranked == nullptr ? ""
+                                 : is_ranked       ? fmt::format("{:.0f}", ranked->as_instrument->share_percent)
+                                                   : "-",
+                                 ranked == nullptr ? ""
+                                 : is_ranked       ? fmt::format("{}", ranked->as_instrument->rank)
+                                                   : "-"};
+  if (!report.b5r) return cells;
+  const std::optional<double> stored = stored_value_of(report, error);
+  const std::optional<bool> same = same_as_stored(report, error);
+  cells.emplace_back(!stored ? "-" : same.value_or(false) ? "same" : fmt::format("{:g}", *stored));
+  const std::optional<int> rank = ranked == nullptr ? std::nullopt : stored_rank_of(report, *ranked);
+  const bool same_rank = rank && is_ranked && *rank == static_cast<int>(ranked->as_instrument->rank);
+  cells.emplace_back(ranked == nullptr ? "" : same_rank ? "same" : rank ? fmt::format("{}", *rank) : "-");
+  return cells;
+}
+
 std::string table_text(const ErrorsReport& report) {
-  const bool has_stored = report.b5r.has_value();
-  std::vector<std::string> heading{"error", "value", "unit", "IC um", "share %", "rank"};
-  if (has_stored) heading.insert(heading.end(), {"stored", "its rank"});
-  heading.insert(heading.end(), {"predicts the other run", "without it um"});
+  std::vector<std::string> heading{"error", "value",      "unit",    "rank",    "gain um",
+                                   "IC um", "instrument", "share %", "its rank"};
+  if (report.b5r) heading.insert(heading.end(), {"stored", "rank"});
+  heading.emplace_back("predicts");
   Table table(heading);
   const auto add = [&](const MachineError& error, const RankedError* ranked, bool first) {
     const int decimals = decimals_of_sigma(error.sigma);
     const bool marked = ranked != nullptr && report.options.in_the_model.contains(ranked->effect->name);
     std::vector<std::string> row{(marked ? "+ " : "") + error.name, with_sigma(error.value, error.sigma, decimals),
                                  error.unit};
-    const auto once = [&](const std::string& text) { row.push_back(ranked == nullptr || !first ? "" : text); };
+    const RankedError* const of_effect = first ? ranked : nullptr;
+    const auto once = [&](const std::string& text) { row.push_back(of_effect == nullptr ? "" : text); };
+    once(ranked == nullptr || !ranked->significant ? "-" : ranked->rank ? fmt::format("{}", *ranked->rank) : "none");
+    once(ranked == nullptr || !ranked->significant ? ""
+         : std::isnan(ranked->gain_sigma_um)
+             ? plain(ranked->gain_um, 1)
+             : with_sigma(ranked->gain_um, ranked->gain_sigma_um, decimals_of_sigma(ranked->gain_sigma_um)));
     once(ranked == nullptr ? "" : plain(ranked->individual_circularity_um, 2));
-    once(ranked == nullptr ? "" : fmt::format("{:.0f}", ranked->share_percent));
-    once(ranked == nullptr     ? ""
-         : ranked->significant ? fmt::format("{}", *ranked->rank)
-         : ranked->rank        ? fmt::format("({})", *ranked->rank)
-                               : "not significant");
-    if (has_stored) {
-      const std::optional<double> stored = stored_value_of(report, error);
-      row.push_back(stored ? fmt::format("{:g}", *stored) : "-");
-      const std::optional<int> rank = ranked == nullptr ? std::nullopt : stored_rank_of(report, *ranked);
-      once(rank ? fmt::format("{}", *rank) : "-");
-    }
+    const std::vector<std::string> instrument = instrument_cells(report, error, of_effect);
+    row.insert(row.end(), instrument.begin(), instrument.end());
     once(ranked == nullptr || !ranked->predicts_other_run ? "-" : *ranked->predicts_other_run ? "yes" : "no");
-    once(ranked == nullptr ? "" : plain(ranked->circularity_without_um, 1));
     table.add(row);
   };
   std::vector<bool> listed(report.found.errors.size(), false);
@@ -107,39 +123,30 @@ std::string table_text(const ErrorsReport& report) {
 }
 
 std::string prior_text(const ErrorsReport& report) {
-  if (report.found.prior.empty()) {
-    return report.options.prior ? "" : "Without a prior: the readings alone.\n";
-  }
+  if (!report.options.prior) return "Without the instrument's damping: curves and ranks by the readings alone.\n";
   std::vector<std::string> texts;
   texts.reserve(report.found.prior.size());
   for (const PriorOfError& prior : report.found.prior) {
     texts.push_back(fmt::format("{} 0 ± {} {}", prior.name, plain(prior.sigma, 2), prior.unit));
   }
-  std::vector<std::string> apart;
-  for (const PriorOfError& prior : report.found.prior) {
-    if (std::abs(prior.alone) < kApart * std::hypot(prior.alone_sigma, prior.sigma)) continue;
-    apart.push_back(fmt::format("{} {} {}", prior.name, with_sigma(prior.alone, prior.alone_sigma, 1), prior.unit));
-  }
-  if (report.found.prior_contradicted) {
-    return wrapped(
-        fmt::format("The usual prior was not used: the readings contradict it ({}).", fmt::join(apart, ", ")));
-  }
-  std::string text = fmt::format("Prior: {}; --prior none does without.", fmt::join(texts, ", "));
-  if (!apart.empty()) text += fmt::format(" The readings alone say {}.", fmt::join(apart, ", "));
-  return wrapped(text);
+  if (texts.empty()) return "";
+  return wrapped(fmt::format("Held near 0 in the instrument's column: {}.", fmt::join(texts, ", ")));
 }
 
 void print_group(const ErrorsReport& report) {
   const MachineErrors& found = report.found;
   fmt::print("{}\n{}", head_text(report), wrapped(conclusion(report)));
-  const auto largest =
-      std::find_if(found.ranked.begin(), found.ranked.end(), [](const RankedError& one) { return one.significant; });
-  if (largest != found.ranked.end()) fmt::print("\nballbar effects {}\n", largest->effect->name);
+  if (const RankedError* const first = first_of(found)) fmt::print("\nballbar effects {}\n", first->effect->name);
   for (const std::string& text : tolerance_texts(report)) fmt::print("{}\n", shortened(text, 100));
   fmt::print("\n{}", table_text(report));
-  fmt::print("{}", wrapped("IC: circularity that this error alone would make; ± one sigma by the noise that all errors "
-                           "together leave; rank in brackets: clear alone (2.6 sigma), not among so many; without it: "
-                           "circularity that would remain."));
+  fmt::print(
+      "{}",
+      wrapped("rank by the gain, by how much mending it lowers the circularity; none: that stays as it is, -: not "
+              "significant; IC: "
+              "circularity that this error alone would make; ± one sigma; instrument: what its "
+              "software would say; same: the file stores it so; predicts: the other run is predicted better with "
+              "it."));
+  for (const std::string& text : difference_texts(report)) fmt::print("{}", wrapped(text));
   std::size_t said = 0;
   for (const RankedError& ranked : found.ranked) {
     if (!ranked.significant || said == kRemedies) continue;

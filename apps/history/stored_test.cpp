@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "ballbar/formats/recordings/stored_errors.hpp"
+
 namespace ballbar {
 namespace {
 
@@ -53,6 +55,15 @@ std::string quantity_of(std::string_view stored, Plane plane) {
 
 bool is_of_set_up(std::string_view quantity) { return quantity.starts_with("centre_"); }
 
+// Of the quantity "backlash_a_pos" that of "backlash_a".
+std::optional<std::size_t> rank_of(const B5r& b5r, std::string_view quantity) {
+  for (const std::string_view end : {"_pos", "_neg", "_fwd", "_rev"}) {
+    if (quantity.ends_with(end)) quantity.remove_suffix(end.size());
+  }
+  const std::optional<int> rank = stored_rank(b5r, quantity);
+  return rank ? std::optional(static_cast<std::size_t>(*rank)) : std::nullopt;
+}
+
 }  // namespace
 
 MachineTest stored_test(const B5r& b5r) {
@@ -75,6 +86,7 @@ MachineTest stored_test(const B5r& b5r) {
     const double value = unit->factor * stored.value;
     constexpr double kNoSigma = std::numeric_limits<double>::quiet_NaN();
     test.quantities.push_back({name, std::string(unit->unit), value, kNoSigma, is_of_set_up(name)});
+    test.quantities.back().rank = rank_of(b5r, name);
     if (stored.data_type == "UT_SQUARENESS") test.squareness = MachineError{name, "um/m", value, kNoSigma};
     if (name == scale_name(axes_of(b5r.plane)[0])) scale_a = value;
     if (name == scale_name(axes_of(b5r.plane)[1])) scale_b = value;

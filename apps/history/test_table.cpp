@@ -19,14 +19,11 @@ using Json = nlohmann::ordered_json;
 
 std::string optional_cell(const std::optional<double>& value) { return value ? csv_number(*value) : ""; }
 
-// The error of the machine that is largest in sigmas of those that the test shows; nullptr: none.
-const TestQuantity* clearest(const MachineTest& test) {
+// The larger end of the error that is to be mended first; nullptr: none.
+const TestQuantity* first_to_mend(const MachineTest& test) {
   const TestQuantity* found = nullptr;
   for (const TestQuantity& one : test.quantities) {
-    if (one.of_set_up || !one.significant || one.unit != "um" || one.name == "circularity" ||
-        one.name == "residual_rms" || one.name == "global_scale" || one.name == "radius_change") {
-      continue;
-    }
+    if (one.rank != std::size_t{1}) continue;
     if (found == nullptr || std::abs(one.value) > std::abs(found->value)) found = &one;
   }
   return found;
@@ -108,6 +105,7 @@ Json json_of(const MachineTest& test) {
                               {"sigma", number(one.sigma)},
                               {"unit", one.unit},
                               {"significant", one.significant},
+                              {"rank", one.rank ? Json(*one.rank) : Json(nullptr)},
                               {"of_set_up", one.of_set_up}});
   }
   return json;
@@ -126,15 +124,16 @@ Json json_of(const TestFiles& files) {
 
 std::string test_table_text(const TestFiles& files) {
   std::string text = heading_text(files) + "\n";
-  Table table({"file", "date", "machine", "plane", "mm/min", "circularity um", "largest error um", ""});
+  Table table({"file", "date", "machine", "plane", "mm/min", "circularity um", "first to mend", "", ""});
   for (const MachineTest& test : files.tests) {
     const TestQuantity* const round = quantity_of(test, "circularity");
-    const TestQuantity* const most = clearest(test);
+    const TestQuantity* const first = first_to_mend(test);
     table.add({one_line(test.file), test.started_s ? date_text(static_cast<double>(*test.started_s)) : "-",
                test.machine.empty() ? "-" : one_line(test.machine), std::string(name_of(test.plane)),
                test.feed_mm_per_min ? fmt::format("{:.0f}", *test.feed_mm_per_min) : "-",
                round == nullptr ? "-" : with_sigma(round->value, round->sigma, 2),
-               most == nullptr ? "-" : with_sigma(most->value, most->sigma, 2), most == nullptr ? "none" : most->name});
+               first == nullptr ? "none" : first->name,
+               first == nullptr ? "" : with_sigma(first->value, first->sigma, 2), first == nullptr ? "" : first->unit});
   }
   text += table.text();
   for (const SkippedTest& file : files.skipped) text += "\n" + wrapped(file.sentence);

@@ -163,57 +163,62 @@ TEST(StoredDiagnostics, ValuesAreFoundInTheReadings) {
     for (const MachineError& row : found.errors) {
       const std::optional<double> stored = stored_error(*file.b5r, row.name);
       if (!stored) continue;
-      fmt::print("  {:<22} {:9.3f} ± {:.3f} {:<4}, stored {:7.2f}\n", row.name, row.value, row.sigma, row.unit,
-                 *stored);
+      ASSERT_TRUE(row.as_instrument.has_value()) << name << " " << row.name;
+      fmt::print("  {:<22} {:9.3f} ± {:.3f} {:<4}, as instrument {:8.3f}, stored {:7.2f}\n", row.name, row.value,
+                 row.sigma, row.unit, *row.as_instrument, *stored);
       for (const Limit& limit : kLimits) {
         if (!row.name.starts_with(limit.name)) continue;
         ++compared;
-        EXPECT_NEAR(row.value, *stored, limit.limit + 1e-6) << name << " " << row.name;
+        EXPECT_NEAR(*row.as_instrument, *stored, limit.limit + 1e-6) << name << " " << row.name;
       }
     }
     EXPECT_GE(compared, 19) << name;
   }
 }
 
-// Without the reversal spikes: the software draws each as a polyline of its own, by a rule that is not known, and
-// stores its largest point; ours are one exponential for all, fitted beside backlash.
+// The reversal spikes apart: the software draws each as a polyline of its own, by a rule that is not known, and stores
+// a largest point of it; ours is the largest reading.
 bool is_of_reversals(const std::string& effect) { return effect.starts_with("reversal_spike"); }
 
-TEST(StoredDiagnostics, CircularitiesAndTheFirstRankAreFoundInTheReadings) {
+TEST(StoredDiagnostics, CircularitiesSharesAndRanksAreFoundInTheReadings) {
   REQUIRE_EXTERNAL_DATA(data);
   for (const char* name : kFiles) {
     const RecordingFile file = opened(data, name);
     const MachineErrors found = found_in(file);
     fmt::print("{}\n", name);
-    const RankedError* ours = nullptr;
-    const RankedError* theirs = nullptr;
-    double first_um = 0.0, second_um = 0.0, sigma_um = 0.0;
+    struct Place {
+      const RankedError* error;
+      double stored_um;
+      int stored_rank;
+    };
+    std::vector<Place> places;
+    double without_spikes = 0.0, stored_without_spikes = 0.0;  // sums of IC
     for (const RankedError& one : found.ranked) {
-      if (is_of_reversals(one.effect->name)) continue;
       const std::optional<double> stored_um = stored_individual_circularity_um(*file.b5r, one.effect->name);
-      if (ours == nullptr)
-        ours = &one, first_um = one.individual_circularity_um;
-      else if (second_um == 0.0)
-        second_um = one.individual_circularity_um;
-      if (!stored_um) continue;
-      fmt::print("  {:<16} IC {:.2f} um, stored {:.1f}, rank {}, stored {}\n", one.effect->name,
-                 one.individual_circularity_um, *stored_um, one.rank ? fmt::format("{}", *one.rank) : "-",
+      EXPECT_EQ(one.as_instrument.has_value(), stored_um.has_value()) << name << " " << one.effect->name;
+      if (!stored_um || !one.as_instrument) continue;
+      const InstrumentRank& ours = *one.as_instrument;
+      fmt::print("  {:<16} IC {:.2f} um, stored {:.1f}, share {:.1f} %, rank {}, stored {}\n", one.effect->name,
+                 ours.individual_circularity_um, *stored_um, ours.share_percent, ours.rank,
                  stored_rank(*file.b5r, one.effect->name).value_or(0));
-      EXPECT_NEAR(one.individual_circularity_um, *stored_um, 0.3 + 1e-6) << name << " " << one.effect->name;
-      if (theirs == nullptr || *stored_um > *stored_individual_circularity_um(*file.b5r, theirs->effect->name)) {
-        theirs = &one;
-      }
+      if (is_of_reversals(one.effect->name)) continue;
+      EXPECT_NEAR(ours.individual_circularity_um, *stored_um, 0.3 + 1e-6) << name << " " << one.effect->name;
+      places.push_back({&one, *stored_um, *stored_rank(*file.b5r, one.effect->name)});
+      without_spikes += ours.individual_circularity_um;
+      stored_without_spikes += *stored_um;
     }
-    ASSERT_TRUE(ours != nullptr && theirs != nullptr) << name;
-    // sigma of an IC: its value's, as IC is in proportion to it
-    for (const std::size_t row : ours->rows) {
-      const MachineError& error = found.errors[row];
-      if (std::abs(error.value) > 0.0) {
-        sigma_um = std::max(sigma_um, first_um * error.sigma / std::abs(error.value));
+    EXPECT_GE(places.size(), 8U) << name;
+    for (const Place& a : places) {
+      // Of the sum without spikes: 0.3 um of it.
+      EXPECT_NEAR(a.error->as_instrument->individual_circularity_um / without_spikes,
+                  a.stored_um / stored_without_spikes, 0.3 / stored_without_spikes)
+          << name << " " << a.error->effect->name;
+      for (const Place& b : places) {
+        // Two that differ by more than both limits stand in the same order.
+        if (a.stored_um - b.stored_um <= 0.1 || a.stored_rank > b.stored_rank) continue;
+        EXPECT_LT(a.error->as_instrument->rank, b.error->as_instrument->rank)
+            << name << " " << a.error->effect->name << " " << b.error->effect->name;
       }
-    }
-    if (first_um - second_um > sigma_um) {
-      EXPECT_EQ(ours->effect->name, theirs->effect->name) << name;
     }
   }
 }

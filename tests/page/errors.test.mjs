@@ -72,10 +72,10 @@ test("first screen: circle and table side by side, both whole", async () => {
 test("the table: by rank, what is not significant last, stored values beside", async () => {
   const rows = await Promise.all((await table().locator("tbody tr").all()).map(cells));
   assert.deepEqual(rows, [
-    ["squareness", "18.0 ± 1.5", "µm/m", "1.80", "35.3", "1", "17.6 (1)", "yes", "2.87"],
-    ["backlash X +", "1.40 ± 0.13", "µm", "1.40", "27.5", "2", "1.37 (2)", "yes", "3.21"],
-    ["backlash X −", "-0.40 ± 0.13", "µm", "", "", "", "-0.41 (2)", "", ""],
-    ["straightness Y", "-0.20 ± 0.30", "µm", "1.90", "37.3", "not significant", "–", "no", "4.55"],
+    ["squareness", "18.0 ± 1.5", "µm/m", "1.80", "35.3", "1", "17.7 (1)", "17.6 (1)", "yes", "2.87"],
+    ["backlash X +", "1.40 ± 0.13", "µm", "1.40", "27.5", "2", "–", "1.37 (2)", "yes", "3.21"],
+    ["backlash X −", "-0.40 ± 0.13", "µm", "", "", "", "–", "-0.41 (2)", "", ""],
+    ["straightness Y", "-0.20 ± 0.30", "µm", "1.90", "37.3", "not significant", "–", "–", "no", "4.55"],
   ]);
   const bars = await table().locator("td.bar").evaluateAll((all) => all.map((one) => Number(one.style.getPropertyValue("--share"))));
   close_to(bars, [35.3 / 37.3, 27.5 / 37.3, 1], "bars");

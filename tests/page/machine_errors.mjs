@@ -62,7 +62,7 @@ export const part_of = ({ fit }, places, renamed = {}) => {
       row("backlash_a_pos", name_of("backlash_a"), { ...backlash, value: 1.4, stored: 1.37, stored_rank: 2 }),
       row("backlash_a_neg", name_of("backlash_a"), { ...backlash, value: -0.4, stored: -0.41, stored_rank: 2 }),
       row(name_of("squareness"), name_of("squareness"), {
-        value: 18.04, sigma: 1.46, unit: "um/m", individual_circularity_um: 1.8, share_percent: 35.3, rank: 1, stored: 17.63, stored_rank: 1,
+        value: 18.04, sigma: 1.46, unit: "um/m", individual_circularity_um: 1.8, share_percent: 35.3, rank: 1, as_instrument: { value: 17.68, rank: 1 }, stored: 17.63, stored_rank: 1,
         circularity_without_um: 2.87, remedy: "Square the axes.",
       }),
       row("centre_a", null, { value: a, sigma: 0.05, stored: 1.5 }),

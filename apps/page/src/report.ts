@@ -94,10 +94,12 @@ export interface MachineErrorRow {
   value: Num;
   sigma: Num;
   unit: string;
+  as_instrument?: { value: Num; rank: number | null } | null; // by the estimator of the instrument's software
+  significant?: boolean | null;
   predicts_other_run: boolean | null;
   individual_circularity_um: Num; // this and what follows but `stored` are alike in all rows of an effect
   share_percent: Num;
-  rank: number | null; // null: not significant
+  rank: number | null; // by what mending it gains; null: not significant, or the circularity stays
   stored: Num;
   stored_rank: number | null;
   circularity_without_um: Num;

@@ -176,11 +176,16 @@ class Diagnosis(Checked):
     conclusion : str
         A sentence.
     errors : Rows
-        Name, value, sigma, unit, significant, individual_circularity_um, share_percent, rank, remedy, ....
+        Name, value, sigma, unit, as_instrument, significant, gain_um, gain_sigma_um, rank, individual_circularity_um,
+        share_percent, remedy, ....
     one_by_one : Rows
         Effect, rms_um.
     circle_rms_um : float
     circularity_um : float
+    circularity_without_all_um : float
+        That remains once all significant errors are mended.
+    differences : list[str]
+        Where ours and the instrument's values differ, and why.
     residual_rms_um : float
     repeatability_um : float
     left : Result or None
@@ -225,6 +230,8 @@ class Diagnosis(Checked):
     one_by_one: Rows
     circle_rms_um: float
     circularity_um: float
+    circularity_without_all_um: float
+    differences: list[str]
     residual_rms_um: float
     repeatability_um: float
     left: Result | None

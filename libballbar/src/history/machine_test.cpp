@@ -70,7 +70,10 @@ MachineTest machine_test(const MachineErrors& errors, std::span<const Recording>
     test.quantities.push_back({row.name, row.unit, row.value, row.sigma, of_set_up});
   }
   for (const RankedError& ranked : errors.ranked) {
-    for (const std::size_t row : ranked.rows) test.quantities[row].significant = ranked.significant;
+    for (const std::size_t row : ranked.rows) {
+      test.quantities[row].significant = ranked.significant;
+      test.quantities[row].rank = ranked.rank;
+    }
   }
   test.quantities.push_back({"circularity", "um", errors.circularity_um,
                              std::sqrt(2.0) * std::hypot(errors.noise.white_um, errors.noise.correlated_um)});

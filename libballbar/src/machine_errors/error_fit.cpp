@@ -1,24 +1,25 @@
 #include "machine_errors/error_fit.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "ballbar/circle/trace.hpp"
 #include "ballbar/units.hpp"
+#include "machine_errors/as_instrument.hpp"
+#include "machine_errors/cyclic_fit.hpp"
 #include "machine_errors/error_blocks.hpp"
 #include "machine_errors/gain_maps.hpp"
 #include "machine_errors/reversal_noise.hpp"
+#include "machine_errors/spike_fit.hpp"
 #include "numerics/tails.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kFromOwnReversal_deg[2] = {12.0, 63.0};  // where cyclic errors are read
-constexpr double kContradicts = 5.0;                      // sigma
-constexpr double kIndependentWidths = 2.0;                // of a spike: the curves of all are alike
+constexpr double kWidthsOfSpike = 4.0;  // to where 2 % of its height are left
 
 // What the centre adds beyond its first order, at these angles: exact length less radius, a cos and b sin.
 Eigen::VectorXd second_order(const Eigen::VectorXd& circle, std::span<const double> angle_rad, double length_mm,
@@ -54,7 +55,7 @@ void free_of_second_order(ErrorFitted& fitted, const ErrorColumns& circle, doubl
 
 // What the catalogue has, by where it is fitted.
 struct ErrorKinds {
-  std::vector<const Effect*> together, along_the_travel, where_they_show;
+  std::vector<const Effect*> together, along_the_travel, where_they_show, at_reversals;
 };
 
 ErrorKinds error_kinds(double arc_rad, std::vector<std::string>& left_out) {
@@ -72,37 +73,16 @@ ErrorKinds error_kinds(double arc_rad, std::vector<std::string>& left_out) {
           left_out.push_back(effect->name + ", for which a full turn is needed");
           break;
         }
-        [[fallthrough]];
-      case ErrorFit::at_reversals:
         kinds.where_they_show.push_back(effect.get());
+        break;
+      case ErrorFit::at_reversals:
+        kinds.at_reversals.push_back(effect.get());
         break;
       case ErrorFit::none:
         break;
     }
   }
   return kinds;
-}
-
-// Some effects with their columns, those of all in one; FittedEffect::columns are places in it.
-struct Part {
-  ErrorColumns columns;
-  std::vector<FittedEffect> effects;
-};
-
-Part part_of(const std::vector<std::pair<FittedEffect, ErrorColumns>>& own) {
-  Part part;
-  std::vector<const ErrorColumns*> pointers;
-  pointers.reserve(own.size());
-  part.effects.reserve(own.size());
-  std::size_t at = 0;
-  for (const auto& [effect, columns] : own) {
-    pointers.push_back(&columns);
-    part.effects.push_back(effect);
-    for (Eigen::Index k = 0; k < columns.size(); ++k) part.effects.back().columns.push_back(at++);
-  }
-  part.columns = joined(pointers);
-  std::erase_if(part.effects, [](const FittedEffect& effect) { return effect.columns.empty() && effect.effect; });
-  return part;
 }
 
 // The circles, without an effect, and the errors that are fitted together.
@@ -117,81 +97,34 @@ Part together_part(const ErrorColumns& circle, const std::vector<const Effect*>&
   return part;
 }
 
-struct CyclicPart {
-  Part part;
-  Block block;  // all of them at once, each read on its own rows: the inverse is not symmetric
-};
-
-// left: of the data after the first fit, a block of columns `together`. What that fit takes of the cyclic errors
-// themselves is in the equations.
-CyclicPart cyclic_part(const std::vector<const Effect*>& effects, const ErrorRows& rows, const ErrorSetUp& set_up,
-                       const Eigen::MatrixXd& together, const Block& first, const Eigen::VectorXd& left) {
-  std::vector<std::pair<FittedEffect, ErrorColumns>> own;
-  std::vector<Eigen::MatrixXd> weighted;
-  own.reserve(effects.size());
-  weighted.reserve(effects.size());
-  for (const Effect* effect : effects) {
-    Eigen::VectorXd weight = Eigen::VectorXd::Zero(rows.size());
-    Indices read;
-    read.reserve(rows.recording.size());
-    for (Eigen::Index i = 0; i < rows.size(); ++i) {
-      const double from_deg = from_reversal_deg(rows.angle_rad[i], effect->rules.reversal_deg);
-      if (from_deg < kFromOwnReversal_deg[0] || from_deg > kFromOwnReversal_deg[1]) continue;
-      weight[i] = rows.count[i];
-      read.push_back(i);
-    }
-    const std::optional<double> known = effect->rules.reversal_deg == 0.0 ? set_up.pitch_a_mm : set_up.pitch_b_mm;
-    const std::vector<double> tried = known ? std::vector<double>{*known} : effect->parameters[shape_of(*effect)].grid;
-    const double pitch_mm = tried.size() == 1
-                                ? tried.front()
-                                : best_shape(*effect, tried, rows_at(rows, read), {}, left(read), weight(read));
-    ErrorColumns columns = present(effect_columns(*effect, pitch_mm, rows, true), weight);
-    weighted.emplace_back(weight.asDiagonal() * columns.values);
-    own.emplace_back(FittedEffect{effect, pitch_mm, {}, static_cast<double>(tried.size())}, std::move(columns));
-  }
-  CyclicPart cyclic;
-  cyclic.part = part_of(own);
-  const Eigen::MatrixXd& columns = cyclic.part.columns.values;
-  cyclic.block.weighted.resize(rows.size(), columns.cols());
-  Eigen::Index at = 0;
-  for (const Eigen::MatrixXd& of_one : weighted) {
-    cyclic.block.weighted.middleCols(at, of_one.cols()) = of_one;
-    at += of_one.cols();
-  }
-  const Eigen::MatrixXd taken = first.inverse * (first.weighted.transpose() * columns);
-  Eigen::MatrixXd equations = cyclic.block.weighted.transpose() * (columns - together * taken);
-  equations.diagonal() *= 1.0 + kRidge;
-  cyclic.block.inverse = equations.partialPivLu().inverse();
-  return cyclic;
-}
-
-// Of shapes the one that lowers most what all others leave.
+// Of shapes the one that lowers most what all others leave, over the readings of these weights.
 Part extra_part(const std::vector<const Effect*>& effects, const ErrorRows& rows, const Base& base,
-                const Eigen::VectorXd& left) {
+                const Eigen::VectorXd& left, const Eigen::VectorXd& weight) {
   std::vector<std::pair<FittedEffect, ErrorColumns>> own;
   own.reserve(effects.size());
   for (const Effect* effect : effects) {
     const std::size_t shape = shape_of(*effect);
     const std::vector<double> tried = shape == kNoShape ? std::vector<double>{0.0} : effect->parameters[shape].grid;
-    const double best = best_shape(*effect, tried, rows, base, left, rows.count);
+    const double best = best_shape(*effect, tried, rows, base, left, weight);
     own.emplace_back(FittedEffect{effect,
                                   shape == kNoShape ? std::nullopt : std::optional<double>(best),
                                   {},
-                                  tried.size() == 1 ? 1.0 : kIndependentWidths,
+                                  static_cast<double>(tried.size()),
+                                  1.0,
                                   false},
-                     present(effect_columns(*effect, best, rows, false), rows.count));
+                     present(effect_columns(*effect, best, rows, false), weight));
   }
   return part_of(own);
 }
 
 // Which of the extra errors are clear beside all others: then they are in the fit.
 void choose(std::vector<FittedEffect>& effects, const Eigen::VectorXd& gains, const Eigen::MatrixXd& covariance,
-            Eigen::Index first, double looked_at) {
+            Eigen::Index first) {
   for (FittedEffect& effect : effects) {
     Indices own;
     own.reserve(effect.columns.size());
     for (const std::size_t k : effect.columns) own.push_back(first + static_cast<Eigen::Index>(k));
-    effect.in_the_fit = effect.searched * looked_at * p_of(gains(own), covariance(own, own)) < kFalseErrors;
+    effect.in_the_fit = effect.searched * effect.looked_at * p_of(gains(own), covariance(own, own)) < kFalseErrors;
   }
 }
 
@@ -199,6 +132,94 @@ void append(std::vector<FittedEffect>& all, std::vector<FittedEffect> effects, E
   for (FittedEffect& effect : effects) {
     for (std::size_t& column : effect.columns) column += static_cast<std::size_t>(first);
     all.push_back(std::move(effect));
+  }
+}
+
+// What is fitted one after another.
+struct Stages {
+  Part together;
+  Block first;  // of the columns together, over the rows of `far`
+  CyclicPart cyclic;
+  Part extra;
+  Spikes spikes;
+};
+
+// The first fit over other rows and with another prior, and the cyclic errors, of the same pitches, on what it leaves.
+void refit(Stages& stages, const Eigen::VectorXd& far, const Eigen::MatrixXd& precision) {
+  stages.first = block_of(stages.together.columns.values, far, precision);
+  stages.cyclic.block.inverse = cyclic_inverse(stages.cyclic, stages.together.columns.values, stages.first);
+}
+
+// Of the rows, once both are taken off.
+Eigen::VectorXd left_by(const Stages& stages, const ErrorRows& rows) {
+  const Eigen::MatrixXd& columns = stages.together.columns.values;
+  const Eigen::VectorXd first_left = rows.deviation_um - columns * stages.first.solve(rows.deviation_um);
+  const Eigen::VectorXd without_cyclic =
+      rows.deviation_um - stages.cyclic.part.columns.values * stages.cyclic.block.solve(first_left);
+  return without_cyclic - columns * stages.first.solve(without_cyclic);
+}
+
+Indices columns_of(const FittedEffect& effect) {
+  Indices columns;
+  columns.reserve(effect.columns.size());
+  for (const std::size_t k : effect.columns) columns.push_back(static_cast<Eigen::Index>(k));
+  return columns;
+}
+
+// All gains with their covariance: those together with the extra ones that are clear, then the spikes. `damping`: on an
+// arc, where curves are drawn with it, since two errors that the arc hardly tells apart would be large ones against
+// each other; and an error must show with it too.
+void fit_all(ErrorFitted& fitted, Stages& stages, const Eigen::VectorXd& far, const Eigen::MatrixXd* damping) {
+  const ErrorRows& of = fitted.rows;
+  const Eigen::Index p = stages.together.columns.size(), c = stages.cyclic.part.columns.size();
+  const Eigen::Index e = stages.extra.columns.size();
+  const std::vector<const ErrorColumns*> all{&stages.together.columns, &stages.cyclic.part.columns,
+                                             &stages.extra.columns, &stages.spikes.columns};
+  fitted.columns = joined(all);
+  const GainMaps maps({&of, &far, &stages.first, &stages.together.columns, &stages.cyclic.part.columns,
+                       &stages.cyclic.block, &stages.extra.columns, &stages.spikes.columns, &stages.spikes.filters,
+                       fitted.slow_variance_um2});
+  const Eigen::VectorXd z_data = maps.z().transpose() * of.deviation_um;
+  const Eigen::MatrixXd nothing = Eigen::MatrixXd::Zero(p, p);
+  const GainMap whole = maps.of(maps.all(), nothing);
+  const GainMap everything = maps.joined(whole, maps.all(), whole);
+  const Eigen::VectorXd left = of.deviation_um - fitted.columns.values * (everything.t * z_data);
+  const Eigen::MatrixXd scatter = scatter_of(excess_of(of, left).asDiagonal() * maps.z(), of, fitted.noise);
+  const auto covariance = [&](const GainMap& map) -> Eigen::MatrixXd { return map.t * scatter * map.t.transpose(); };
+
+  choose(stages.extra.effects, whole.t * z_data, covariance(whole) + whole.open, p);
+  Indices chosen = range_of(0, p);
+  for (const FittedEffect& effect : stages.extra.effects) {
+    if (!effect.in_the_fit) continue;
+    for (const std::size_t k : effect.columns) chosen.push_back(p + static_cast<Eigen::Index>(k));
+  }
+  const GainMap map = maps.joined(whole, chosen, maps.of(chosen, nothing));
+  fitted.gains = map.t * z_data;
+  fitted.covariance = covariance(map) + map.open;
+  fitted.map = map.t;
+  fitted.weighted = maps.z();
+  fitted.normal = maps.normal();
+  choose(stages.spikes.effects, fitted.gains, fitted.covariance, p + c + e);
+  fitted.effects.clear();
+  append(fitted.effects, stages.extra.effects, p + c);
+  append(fitted.effects, stages.spikes.effects, p + c + e);
+  append(fitted.effects, stages.together.effects, 0);
+  append(fitted.effects, stages.cyclic.part.effects, p);
+  for (PriorStatement& statement : fitted.prior) {
+    statement.alone = statement.coefficients.dot(fitted.gains.head(p));
+    statement.alone_sigma =
+        std::sqrt(statement.coefficients.dot(fitted.covariance.topLeftCorner(p, p) * statement.coefficients));
+  }
+  fitted.curve_gains = fitted.gains;
+  if (damping == nullptr) return;
+  const GainMap damped = maps.joined(whole, chosen, maps.of(chosen, *damping));
+  const Eigen::VectorXd gains = damped.t * z_data;
+  const Eigen::MatrixXd spread = covariance(damped);
+  fitted.curve_gains = gains;
+  fitted.map = damped.t;
+  for (FittedEffect& effect : fitted.effects) {
+    const Indices own = columns_of(effect);
+    effect.p_damped = p_of(gains(own), spread(own, own));
   }
 }
 
@@ -217,7 +238,7 @@ Eigen::VectorXd ErrorFitted::fine_curve(const Effect* effect) const {
   for (std::size_t k = 0; k < columns.columns.size(); ++k) {
     if (columns.columns[k].effect != effect) continue;
     const auto column = static_cast<Eigen::Index>(k);
-    curve += gains[column] * columns.fine.col(column);
+    curve += curve_gains[column] * columns.fine.col(column);
   }
   return curve;
 }
@@ -230,7 +251,7 @@ Eigen::VectorXd ErrorFitted::residual() const {
   }
   for (std::size_t k = 0; k < out.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    if (!out[k]) left -= gains[column] * columns.values.col(column);
+    if (!out[k]) left -= curve_gains[column] * columns.values.col(column);
   }
   return left;
 }
@@ -244,73 +265,71 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
   fitted.arc_rad = set_up.arc_rad;
   fitted.rows = std::move(rows);
   const ErrorRows& of = fitted.rows;
+  const Eigen::VectorXd measured = of.deviation_um;
   const ErrorColumns circle = circle_columns(of);
   free_of_second_order(fitted, circle, set_up.length_mm, set_up.height_mm);
   const ErrorKinds kinds = error_kinds(set_up.arc_rad, fitted.undetermined);
-  const Part together = together_part(circle, kinds.together, of);
-  const Eigen::MatrixXd& columns = together.columns.values;
-  if (options.prior)
-    fitted.prior = prior_of(together.columns, of.count.sum() / static_cast<double>(of.recordings), set_up.arc_rad,
-                            set_up.middle_rad);
-  const Eigen::MatrixXd precision = precision_of(fitted.prior, together.columns.size());
+  Stages stages{together_part(circle, kinds.together, of), {}, {}, {}, {}};
+  const Eigen::MatrixXd& columns = stages.together.columns.values;
+  const std::vector<PriorStatement> prior = prior_of(
+      stages.together.columns, of.count.sum() / static_cast<double>(of.recordings), set_up.arc_rad, set_up.middle_rad);
+  const Eigen::MatrixXd usual = precision_of(prior, columns.cols());
+  const bool is_full = set_up.arc_rad >= kFullTurn_rad;
+  fitted.prior = prior;
+  const Eigen::MatrixXd* const damping = is_full || !options.prior ? nullptr : &usual;
 
   // The first fit without the reversals, and the cyclic errors on what it leaves.
   const Eigen::VectorXd far =
       of.count.cwiseProduct((of.from_reversal_deg.array() > kAtReversal_deg).cast<double>().matrix());
-  const Block first = block_of(columns, far, precision);
-  const Eigen::VectorXd first_left = of.deviation_um - columns * first.solve(of.deviation_um);
-  const CyclicPart cyclic = cyclic_part(kinds.along_the_travel, of, set_up, columns, first, first_left);
-  const Eigen::Index p = columns.cols(), c = cyclic.part.columns.size();
-  const Eigen::VectorXd without_cyclic = of.deviation_um - cyclic.part.columns.values * cyclic.block.solve(first_left);
+  const Eigen::MatrixXd nothing = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
+  stages.first = block_of(columns, far, nothing);
+  const Eigen::VectorXd first_left = of.deviation_um - columns * stages.first.solve(of.deviation_um);
+  stages.cyclic = cyclic_part(kinds.along_the_travel, of, set_up, columns, stages.first, first_left);
 
-  // Errors that are fitted where they show, on what all others leave.
-  const Block all_rows = block_of(columns, of.count, precision);
-  const Eigen::VectorXd left = without_cyclic - columns * all_rows.solve(without_cyclic);
-  Part extra = extra_part(kinds.where_they_show, of, {&columns, &all_rows}, left);
-  fitted.columns = joined({&together.columns, &cyclic.part.columns, &extra.columns});
-  const QuietRows quiet = quiet_rows(of, fitted.columns.values);
+  // As the instrument: with its prior, and the cyclic errors taken off first.
+  const Block damped = block_of(columns, far, usual);
+  const Block damped_waves{stages.cyclic.block.weighted, cyclic_inverse(stages.cyclic, columns, damped)};
+  const Eigen::VectorXd waves = damped_waves.solve(measured - columns * damped.solve(measured));
+  const Eigen::VectorXd gains = damped.solve(measured - stages.cyclic.part.columns.values * waves);
+
+  const Eigen::VectorXd left = left_by(stages, of);
+  stages.extra = extra_part(kinds.where_they_show, of, {&columns, &stages.first}, left, far);
+  Eigen::MatrixXd smooth(of.size(), columns.cols() + waves.size() + stages.extra.columns.size());
+  smooth.leftCols(columns.cols()) = columns;
+  if (waves.size() > 0) smooth.middleCols(columns.cols(), waves.size()) = stages.cyclic.part.columns.values;
+  if (stages.extra.columns.size() > 0) smooth.rightCols(stages.extra.columns.size()) = stages.extra.columns.values;
+  const QuietRows quiet = quiet_rows(of, smooth);
   fitted.noise = error_noise(quiet.rows, quiet.columns);
   fitted.slow_variance_um2 = slow_variance_um2(of, fitted.noise);
+  stages.spikes = spikes_in(kinds.at_reversals, of, left, fitted.noise.front().noise);
+  const auto errors =
+      static_cast<double>(kinds.together.size() + kinds.along_the_travel.size() + kinds.where_they_show.size());
+  for (Part* part : {&stages.together, &stages.cyclic.part, &stages.extra}) {
+    for (FittedEffect& effect : part->effects) effect.looked_at = errors;
+  }
+  fit_all(fitted, stages, far, damping);
 
-  const GainMaps maps({&of, &far, &first, &together.columns, &cyclic.part.columns, &cyclic.block, &extra.columns,
-                       &precision, fitted.slow_variance_um2});
-  const Eigen::MatrixXd scatter = scatter_of(excess_of(of, left).asDiagonal() * maps.z(), of, fitted.noise);
-  const Eigen::VectorXd z_data = maps.z().transpose() * of.deviation_um;
-  const std::vector<std::string> alike = undetermined(maps.normal(), joined({&together.columns, &extra.columns}));
-  fitted.undetermined.insert(fitted.undetermined.begin(), alike.begin(), alike.end());
-
-  // What the prior says, by the readings alone.
-  if (!fitted.prior.empty()) {
-    const GainMap alone = maps.of(range_of(0, p), false, false);
-    const Eigen::VectorXd gains = alone.t * z_data;
-    const Eigen::MatrixXd covariance = alone.t * scatter * alone.t.transpose() + alone.open;
-    for (PriorStatement& statement : fitted.prior) {
-      statement.alone = statement.coefficients.dot(gains);
-      statement.alone_sigma = std::sqrt(statement.coefficients.dot(covariance * statement.coefficients));
-      const double held = fitted.slow_variance_um2 / statement.precision;
-      const double apart = std::abs(statement.alone) / std::hypot(statement.alone_sigma, std::sqrt(held));
-      fitted.prior_contradicted = fitted.prior_contradicted || apart > kContradicts;
+  // Where a spike shows, the readings under it tell nothing of the others.
+  Eigen::VectorXd beyond = far;
+  for (const FittedEffect& effect : stages.spikes.effects) {
+    const double reach_deg = std::min(kNearReversal_deg, kWidthsOfSpike * effect.shape.value_or(0.0));
+    for (Eigen::Index i = 0; effect.in_the_fit && i < of.size(); ++i) {
+      if (since_reversal_deg(of, i, effect.effect->rules.reversal_deg) <= reach_deg) beyond[i] = 0.0;
     }
   }
-
-  // All of them together tells which of the extra ones show; these are fitted with the rest.
-  const GainMap whole = maps.of(maps.all(), true);
-  const auto looked_at =
-      static_cast<double>(kinds.together.size() + kinds.along_the_travel.size() + kinds.where_they_show.size());
-  choose(extra.effects, whole.t * z_data, whole.t * scatter * whole.t.transpose() + whole.open, p, looked_at);
-  Indices chosen = range_of(0, p);
-  bool with_reversals = false;
-  for (const FittedEffect& effect : extra.effects) {
-    if (!effect.in_the_fit) continue;
-    for (const std::size_t k : effect.columns) chosen.push_back(p + static_cast<Eigen::Index>(k));
-    with_reversals = with_reversals || effect.effect->rules.error_fit == ErrorFit::at_reversals;
+  if (beyond != far) {
+    refit(stages, beyond, nothing);
+    stages.spikes = spikes_in(kinds.at_reversals, of, left_by(stages, of), fitted.noise.front().noise);
+    fit_all(fitted, stages, beyond, damping);
   }
-  const GainMap map = maps.joined(whole, chosen, maps.of(chosen, with_reversals));
-  fitted.gains = map.t * z_data;
-  fitted.covariance = map.t * scatter * map.t.transpose() + map.open;
-  append(fitted.effects, extra.effects, p + c);
-  append(fitted.effects, together.effects, 0);
-  append(fitted.effects, cyclic.part.effects, p);
+  std::vector<ErrorColumn> names = stages.together.columns.columns;
+  names.insert(names.end(), stages.extra.columns.columns.begin(), stages.extra.columns.columns.end());
+  const std::vector<std::string> alike = undetermined(fitted.normal, names);
+  fitted.undetermined.insert(fitted.undetermined.begin(), alike.begin(), alike.end());
+  fitted.as_instrument = Eigen::VectorXd::Constant(fitted.gains.size(), std::numeric_limits<double>::quiet_NaN());
+  fitted.as_instrument.head(gains.size()) = gains;
+  fitted.as_instrument.segment(gains.size(), waves.size()) = waves;
+  add_spikes_as_instrument(fitted, options.cyclic_of_runs);
   return fitted;
 }
 

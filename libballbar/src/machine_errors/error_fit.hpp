@@ -18,23 +18,28 @@ struct FittedEffect {
   std::optional<double> shape;
   std::vector<std::size_t> columns;  // among ErrorFitted::columns
   double searched = 1.0;             // independent shapes that were tried
+  double looked_at = 1.0;            // errors of its kind: the four spikes, or all that are not spikes
   bool in_the_fit = true;            // false: fitted beside it, to be looked at alone
+  double p_damped = 0.0;             // chance that noise shows what the usual prior lets through of it; 0: no prior
 };
 
 struct ErrorFitted {
   ErrorRows rows;  // deviation_um freed of what a centre adds in second order
   ErrorColumns columns;
-  Eigen::VectorXd gains;       // one a column
-  Eigen::MatrixXd covariance;  // of the gains
+  Eigen::VectorXd gains;          // one a column
+  Eigen::VectorXd as_instrument;  // likewise, by the estimator of as_instrument.hpp; NaN: it has none
+  Eigen::MatrixXd covariance;     // of the gains
+  Eigen::VectorXd curve_gains;    // that curves are drawn with and residuals left by: on an arc damped ones
+  Eigen::MatrixXd map, weighted;  // curve gains = map weighted' deviation of the rows
+  Eigen::MatrixXd normal;         // X' X of the columns together and the extra ones
   std::vector<FittedEffect> effects;
   std::vector<WeightedNoise> noise;
-  std::vector<PriorStatement> prior;
+  std::vector<PriorStatement> prior;  // of the instrument's estimator
   std::vector<std::string> undetermined;
   Eigen::VectorXd second_order_um;  // of the fine rows, taken off
   double slow_variance_um2 = 0.0;
   double arc_rad = 0.0;
-  bool prior_contradicted = false;  // by the readings, beyond 5 sigma: it was not used
-  double within_um2 = 0.0;          // mean square of readings about the mean of their row
+  double within_um2 = 0.0;  // mean square of readings about the mean of their row
 
   // Fine rows of the curve of one effect; nullptr: the circles.
   Eigen::VectorXd fine_curve(const Effect* effect) const;
@@ -47,7 +52,7 @@ struct ErrorFitted {
 // Chance that noise alone shows these gains: all together (chi^2), or the clearest of them.
 double p_of(const Eigen::VectorXd& values, const Eigen::MatrixXd& covariance);
 
-// Significance of one effect among `looked_at`: 1 % that any is found in noise.
+// Significance of one effect among `looked_at`: 1 % that any of a kind is found in noise.
 inline constexpr double kFalseErrors = 0.01;
 
 // What is the same for all readings of a test.
@@ -66,6 +71,9 @@ ErrorFitted error_fitted(const Series& trace, const MachineErrorOptions& options
 // Arc that the longest recording of a trace covers.
 double longest_arc_rad(const Series& trace);
 inline constexpr double kShortestArc_rad = 60.0 * kPi / 180.0;  // below it the errors are all alike
+
+// Whether it is of the centre: of all, or of one recording beside it; not what CCW and CW differ by.
+bool is_centre(const ErrorColumn& column);
 
 // Deviation freed of the fitted centre: readings of the trace.
 std::vector<double> freed_of_centre(const ErrorFitted& fitted, const Series& trace);

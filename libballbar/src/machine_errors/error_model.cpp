@@ -14,7 +14,9 @@
 namespace ballbar {
 namespace {
 
-constexpr double kShiftReadings = 80.0;    // of what CCW and CW differ by
+constexpr double kShiftReadings = 80.0;  // of what CCW and CW differ by, on an arc
+constexpr double kRadiusReadings =
+    20.0;  // of how their radii differ, on a full turn: nearly that of both lateral plays
 constexpr double kUsualReadings = 1550.0;  // of a recording, by which these are meant
 constexpr double kOpenSideReadings = 2.0;  // of the centre, along the middle of the arc
 constexpr double kLeftOfNormal = 0.01;     // share of a combination's square that readings must see
@@ -33,7 +35,6 @@ double circle_part(std::size_t part, double angle_rad) {
 
 double share_of(Damping::Where where, double arc_rad, double middle_rad) {
   const bool full = arc_rad >= kFullTurn_rad;
-  if (where == Damping::Where::full_turns) return full ? 1.0 : 0.0;
   if (full) return 0.0;
   const double cos = std::cos(middle_rad), cos_2 = std::cos(2.0 * middle_rad);
   switch (where) {
@@ -185,11 +186,12 @@ std::vector<PriorStatement> prior_of(const ErrorColumns& columns, double reading
   for (std::size_t k = 0; k < columns.columns.size(); ++k) {
     const ErrorColumn& column = columns.columns[k];
     if (column.effect == nullptr) {
-      if (full || column.recording) continue;
+      if (column.recording) continue;
       for (std::size_t part = 0; part < 3; ++part) {
+        const double shift = !full ? kShiftReadings : part == 0 ? kRadiusReadings : 0.0;
         if (column.name == kCircleParts[part].shift)
-          add(prior, columns, column.name, "um", unit_vector(k), share * kShiftReadings);
-        if (part == 0 || column.name != kCircleParts[part].mean) continue;
+          add(prior, columns, column.name, "um", unit_vector(k), share * shift);
+        if (full || part == 0 || column.name != kCircleParts[part].mean) continue;
         const double along = circle_part(part, middle_rad);
         add(prior, columns, column.name, "um", unit_vector(k), share * kOpenSideReadings * along * along);
       }
@@ -216,14 +218,14 @@ Eigen::MatrixXd precision_of(const std::vector<PriorStatement>& prior, Eigen::In
   return precision;
 }
 
-std::vector<std::string> undetermined(const Eigen::MatrixXd& normal, const ErrorColumns& columns) {
+std::vector<std::string> undetermined(const Eigen::MatrixXd& normal, const std::vector<ErrorColumn>& columns) {
   const Eigen::VectorXd size = normal.diagonal().cwiseMax(1e-300).cwiseSqrt();
   const Eigen::MatrixXd scaled = size.cwiseInverse().asDiagonal() * normal * size.cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(scaled);
   std::vector<std::string> phrases;
   for (Eigen::Index k = 0; k < scaled.cols() && solved.eigenvalues()[k] < kLeftOfNormal; ++k) {
     const Eigen::VectorXd direction = solved.eigenvectors().col(k);
-    std::vector<std::size_t> order(columns.columns.size());
+    std::vector<std::size_t> order(columns.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto loading = [&](std::size_t i) { return std::abs(direction[static_cast<Eigen::Index>(i)]); };
     // What is alike but for rounding stays in the order of the columns, whatever computer rounds.
@@ -232,7 +234,7 @@ std::vector<std::string> undetermined(const Eigen::MatrixXd& normal, const Error
     std::vector<std::string> names;
     for (const std::size_t i : order) {
       if (loading(i) < kLoading * loading(order.front())) break;
-      const ErrorColumn& column = columns.columns[i];
+      const ErrorColumn& column = columns[i];
       const std::string& name = column.effect == nullptr ? column.name : column.effect->name;
       if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }

@@ -55,6 +55,6 @@ std::vector<PriorStatement> prior_of(const ErrorColumns& columns, double reading
 Eigen::MatrixXd precision_of(const std::vector<PriorStatement>& prior, Eigen::Index columns);
 
 // Combinations of columns that these readings do not tell apart, as phrases: of the undamped X' X.
-std::vector<std::string> undetermined(const Eigen::MatrixXd& normal, const ErrorColumns& columns);
+std::vector<std::string> undetermined(const Eigen::MatrixXd& normal, const std::vector<ErrorColumn>& columns);
 
 }  // namespace ballbar

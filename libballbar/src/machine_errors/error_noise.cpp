@@ -255,6 +255,25 @@ Eigen::MatrixXd scatter_of(const Eigen::MatrixXd& columns, const ErrorRows& rows
   return scatter.selfadjointView<Eigen::Lower>();
 }
 
+Eigen::MatrixXd covariance_of(const ErrorRows& rows, const std::vector<Eigen::Index>& which, const Noise& noise) {
+  const auto n = static_cast<Eigen::Index>(which.size());
+  const double q2 = noise.correlated_um * noise.correlated_um, w2 = noise.white_um * noise.white_um;
+  Eigen::MatrixXd covariance(n, n);
+  std::vector<double> with_others(which.size());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index row = which[static_cast<std::size_t>(i)];
+    const auto [others, own] = mean_of_row(rows.count[row], rows.interval_s[row], noise.correlation_time_s);
+    with_others[static_cast<std::size_t>(i)] = others;
+    covariance(i, i) = q2 * (others * others + own) + w2 / rows.count[row] + kLeastVariance;
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const double apart_s = std::abs(rows.time_s[row] - rows.time_s[which[static_cast<std::size_t>(j)]]);
+      covariance(i, j) = covariance(j, i) =
+          q2 * others * with_others[static_cast<std::size_t>(j)] * std::exp(-apart_s / noise.correlation_time_s);
+    }
+  }
+  return covariance;
+}
+
 double slow_variance_um2(const ErrorRows& rows, const std::vector<WeightedNoise>& noises) {
   const double readings = rows.count.sum();
   const double whole_s = rows.time_s[rows.size() - 1] - rows.time_s[0];

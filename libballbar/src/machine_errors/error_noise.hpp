@@ -37,6 +37,9 @@ Eigen::MatrixXd spread_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,
 Eigen::MatrixXd scatter_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,
                            const std::vector<WeightedNoise>& noises);
 
+// Of these rows alone, ascending and of one recording.
+Eigen::MatrixXd covariance_of(const ErrorRows& rows, const std::vector<Eigen::Index>& which, const Noise& noise);
+
 // Variance of one reading by which a mean of many scatters as if its readings were independent: that of slow columns.
 double slow_variance_um2(const ErrorRows& rows, const std::vector<WeightedNoise>& noises);
 

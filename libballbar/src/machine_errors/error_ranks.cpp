@@ -12,7 +12,6 @@
 namespace ballbar {
 namespace {
 
-constexpr double kRanked = 2.6;     // sigma
 constexpr double kTwoSided = 1.96;  // sigma of a 95 % interval
 
 // Columns of one row: one, or a sine and a cosine for each recording or for all.
@@ -45,6 +44,23 @@ struct Amplitude {
   double sigma = 0.0;
   Eigen::RowVectorXd slope;  // of the value with each gain
 };
+
+// The same of the instrument's gains; nothing where it has none.
+std::optional<double> amplitude_as_instrument(const ErrorFitted& fitted, const std::vector<std::size_t>& columns,
+                                              CyclicOfRuns of_runs) {
+  std::map<std::size_t, double> squares;
+  for (const std::size_t k : columns) {
+    const double gain = fitted.as_instrument[static_cast<Eigen::Index>(k)];
+    if (std::isnan(gain)) return std::nullopt;
+    squares[fitted.columns.columns[k].recording.value_or(0)] += gain * gain;
+  }
+  double largest = 0.0, sum = 0.0;
+  for (const auto& [recording, square] : squares) {
+    largest = std::max(largest, std::sqrt(square));
+    sum += std::sqrt(square);
+  }
+  return of_runs == CyclicOfRuns::mean ? sum / static_cast<double>(squares.size()) : largest;
+}
 
 Amplitude amplitude_of(const ErrorFitted& fitted, const std::vector<std::size_t>& columns, CyclicOfRuns of_runs,
                        double searched) {
@@ -97,7 +113,7 @@ Eigen::VectorXd fitted_curve(const ErrorFitted& fitted, const std::set<const Eff
     if (!effect.in_the_fit || !effects.contains(effect.effect)) continue;
     for (const std::size_t k : effect.columns) {
       const auto column = static_cast<Eigen::Index>(k);
-      curve += fitted.gains[column] * fitted.columns.values.col(column);
+      curve += fitted.curve_gains[column] * fitted.columns.values.col(column);
     }
   }
   return curve;
@@ -191,6 +207,7 @@ ErrorTable error_table(const ErrorFitted& fitted, CyclicOfRuns cyclic_of_runs) {
       const auto k = static_cast<Eigen::Index>(rows[r].columns.front());
       row.value = fitted.gains[k];
       row.sigma = std::sqrt(std::max(0.0, fitted.covariance(k, k)));
+      if (!std::isnan(fitted.as_instrument[k])) row.as_instrument = fitted.as_instrument[k];
       slopes(static_cast<Eigen::Index>(r), k) = 1.0;
     } else {
       double searched = 1.0;
@@ -200,6 +217,7 @@ ErrorTable error_table(const ErrorFitted& fitted, CyclicOfRuns cyclic_of_runs) {
       const Amplitude amplitude = amplitude_of(fitted, rows[r].columns, cyclic_of_runs, searched);
       row.value = amplitude.value;
       row.sigma = amplitude.sigma;
+      row.as_instrument = amplitude_as_instrument(fitted, rows[r].columns, cyclic_of_runs);
       slopes.row(static_cast<Eigen::Index>(r)) = amplitude.slope;
     }
     table.rows.push_back(std::move(row));
@@ -223,11 +241,8 @@ std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTab
     RankedError one;
     one.effect = effect.effect;
     one.shape = effect.shape;
-    double clearest = 0.0;
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
-      if (table.rows[r].effect != effect.effect) continue;
-      one.rows.push_back(r);
-      if (table.rows[r].sigma > 0.0) clearest = std::max(clearest, std::abs(table.rows[r].value) / table.rows[r].sigma);
+      if (table.rows[r].effect == effect.effect) one.rows.push_back(r);
     }
     const Eigen::VectorXd curve = fitted.fine_curve(effect.effect);
     one.individual_circularity_um = curve.maxCoeff() - curve.minCoeff();
@@ -235,24 +250,21 @@ std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTab
     const Eigen::MatrixXd shared = shared_gains(fitted, effect);
     const Eigen::VectorXd values = shared * fitted.gains;
     const Eigen::MatrixXd covariance = shared * fitted.covariance * shared.transpose();
-    const auto looked_at = static_cast<double>(fitted.effects.size());
     one.chi2 = values.dot(covariance.ldlt().solve(values));
-    one.chi2_needed = chi2_of_p(kFalseErrors / (looked_at * effect.searched), static_cast<std::size_t>(values.size()));
-    one.p_value = std::min(1.0, effect.searched * p_of(values, covariance));
+    one.chi2_needed =
+        chi2_of_p(kFalseErrors / (effect.looked_at * effect.searched), static_cast<std::size_t>(values.size()));
+    one.p_value = std::min(1.0, effect.searched * std::max(effect.p_damped, p_of(values, covariance)));
     one.predicts_other_run = predicts_other(fitted, effect, residual, directions);
-    one.significant = one.p_value * looked_at < kFalseErrors;
+    one.significant = one.p_value * effect.looked_at < kFalseErrors;
     const bool of_each_recording = fitted.columns.columns[effect.columns.front()].recording.has_value();
     if (of_each_recording && one.predicts_other_run == false) one.significant = false;
-    if (clearest >= kRanked || one.significant) one.rank = 0;
     ranked.push_back(std::move(one));
   }
   std::stable_sort(ranked.begin(), ranked.end(), [](const RankedError& a, const RankedError& b) {
     return a.individual_circularity_um > b.individual_circularity_um;
   });
-  std::size_t rank = 0;
   for (RankedError& one : ranked) {
     one.share_percent = sum_um > 0.0 ? 100.0 * one.individual_circularity_um / sum_um : 0.0;
-    if (one.rank) one.rank = ++rank;
   }
   return ranked;
 }

@@ -19,7 +19,7 @@ struct ErrorTable {
 // widened where its 95 % interval reaches 0: an amplitude is never negative, and in noise alone it is not 0.
 ErrorTable error_table(const ErrorFitted& fitted, CyclicOfRuns cyclic_of_runs);
 
-// Falling IC. A rank wants a row of 2.6 sigma.
+// Falling IC, without ranks: these are by the gain (error_gains.hpp).
 std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTable& table);
 
 // RMS of the rows of one direction, the errors of these effects taken from the readings of the other (all else as

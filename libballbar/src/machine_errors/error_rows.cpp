@@ -54,6 +54,11 @@ double from_reversal_deg(double angle_rad, double reversal_deg) {
   return std::abs(angle_deg - 180.0 * std::round(angle_deg / 180.0));
 }
 
+double since_reversal_deg(const ErrorRows& rows, Eigen::Index row, double reversal_deg) {
+  const double travelled_deg = rows.direction[row] * (deg_from_rad(rows.angle_rad[row]) - reversal_deg);
+  return travelled_deg - 180.0 * std::floor(travelled_deg / 180.0);
+}
+
 Eigen::VectorXd ErrorRows::mean(std::span<const double> of_fine) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(size());
   for (std::size_t i = 0; i < of_fine.size(); ++i) {

@@ -45,6 +45,9 @@ ErrorRows rows_at(const ErrorRows& rows, const std::vector<Eigen::Index>& which)
 // Angle from the nearest end of an axis' travel, which reverses at this angle and opposite: 0 to 90 deg.
 double from_reversal_deg(double angle_rad, double reversal_deg);
 
+// Angle travelled at a row since an axis that turns back at this angle and opposite did so last: 0 to 180 deg.
+double since_reversal_deg(const ErrorRows& rows, Eigen::Index row, double reversal_deg);
+
 // What a unit of each gain of the effect adds at each fine row, its shapes as they are given: fine rows by gains.
 Eigen::MatrixXd unit_curves(const Effect& effect, const Series& fine, double shape);
 

@@ -12,11 +12,6 @@
 namespace ballbar {
 namespace {
 
-// Of all, or of one recording beside it; not what CCW and CW differ by.
-bool is_centre(const ErrorColumn& column) {
-  return column.effect == nullptr && (column.name.starts_with("centre_a") || column.name.starts_with("centre_b"));
-}
-
 const std::vector<double>& values_of(const Series& trace, std::string_view role) {
   return find_column(trace, trace_column(role))->values;
 }
@@ -58,7 +53,7 @@ double within_rows_um2(const ErrorFitted& fitted, const Series& trace) {
   }
   for (std::size_t k = 0; k < out.size(); ++k) {
     if (!out[k] && !is_centre(fitted.columns.columns[k])) {
-      rest += fitted.gains[static_cast<Eigen::Index>(k)] * fitted.columns.fine.col(static_cast<Eigen::Index>(k));
+      rest += fitted.curve_gains[static_cast<Eigen::Index>(k)] * fitted.columns.fine.col(static_cast<Eigen::Index>(k));
     }
   }
   double squares = 0.0;
@@ -70,6 +65,10 @@ double within_rows_um2(const ErrorFitted& fitted, const Series& trace) {
 }
 
 }  // namespace
+
+bool is_centre(const ErrorColumn& column) {
+  return column.effect == nullptr && (column.name.starts_with("centre_a") || column.name.starts_with("centre_b"));
+}
 
 double longest_arc_rad(const Series& trace) {
   const std::vector<double>& angle_rad = values_of(trace, "angle");
@@ -104,14 +103,6 @@ ErrorFitted error_fitted(const Series& trace, const MachineErrorOptions& options
   }
   const ErrorRows rows = error_rows(lacks ? stated_feed : trace);
   ErrorFitted fitted = error_fitted(rows, options, set_up);
-  if (fitted.prior_contradicted) {
-    const std::vector<PriorStatement> prior = std::move(fitted.prior);
-    MachineErrorOptions without = options;
-    without.prior = false;
-    fitted = error_fitted(rows, without, set_up);
-    fitted.prior = prior;
-    fitted.prior_contradicted = true;
-  }
   fitted.within_um2 = within_rows_um2(fitted, trace);
   return fitted;
 }
@@ -127,7 +118,7 @@ std::vector<double> freed_of_centre(const ErrorFitted& fitted, const Series& tra
     if (!is_centre(column)) continue;
     std::vector<double>& centre_um = column.name.starts_with("centre_a") ? a_um : b_um;
     for (std::size_t one = 0; one < centre_um.size(); ++one) {
-      if (column.recording.value_or(one) == one) centre_um[one] += fitted.gains[static_cast<Eigen::Index>(k)];
+      if (column.recording.value_or(one) == one) centre_um[one] += fitted.curve_gains[static_cast<Eigen::Index>(k)];
     }
   }
   std::vector<double> freed = find_column(trace, "deviation_um")->values;

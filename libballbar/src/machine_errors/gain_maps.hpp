@@ -14,7 +14,8 @@ struct GainMap {
   Eigen::MatrixXd open;
 };
 
-// What the stages are made of. p columns that are fitted together, c cyclic ones on what the first fit leaves, e extra.
+// What the stages are made of. p columns that are fitted together, c cyclic ones on what the first fit leaves, e extra
+// ones beside those together, s spikes on what all these leave near their own reversals.
 struct GainStages {
   const ErrorRows* rows = nullptr;
   const Eigen::VectorXd* far = nullptr;  // weights without the reversals
@@ -23,7 +24,8 @@ struct GainStages {
   const ErrorColumns* cyclic = nullptr;
   const Block* cyclic_block = nullptr;
   const ErrorColumns* extra = nullptr;
-  const Eigen::MatrixXd* precision = nullptr;
+  const ErrorColumns* spikes = nullptr;
+  const Eigen::MatrixXd* filters = nullptr;  // of the spikes
   double slow_variance_um2 = 0.0;
 };
 
@@ -31,27 +33,28 @@ class GainMaps {
  public:
   explicit GainMaps(const GainStages& stages);
 
-  // Weighted columns: together and extra without the reversals, cyclic, together and extra with them.
+  // Weighted columns: together, extra, cyclic; the filters of the spikes.
   const Eigen::MatrixXd& z() const { return z_; }
-  // X' X of together and extra, all rows.
-  const Eigen::MatrixXd& normal() const { return all_rows_.normal; }
+  // X' X of together and extra.
+  const Eigen::MatrixXd& normal() const { return normal_; }
   Indices all() const { return range_of(0, p_ + e_); }
 
-  // Some columns of together and extra, over the rows with or without reversals, freed of the cyclic errors.
-  GainMap of(const Indices& chosen, bool with_reversals, bool with_prior = true) const;
-  // All gains in the order together, cyclic, extra: those chosen by their own map, the other extra ones by that of all.
+  // Some columns of together and extra, freed of the cyclic errors; `precision` of those together.
+  GainMap of(const Indices& chosen, const Eigen::MatrixXd& precision) const;
+  // All gains in the order together, cyclic, extra, spikes: those chosen by their own map, the other extra ones by that
+  // of all, and the spikes on what the cyclic errors and those chosen leave.
   GainMap joined(const GainMap& whole, const Indices& chosen, const GainMap& own) const;
 
  private:
   GainStages stages_;
-  Eigen::Index p_ = 0, c_ = 0, e_ = 0;
+  Eigen::Index p_ = 0, c_ = 0, e_ = 0, s_ = 0;
   Eigen::MatrixXd z_;
   Eigen::MatrixXd t_cyclic_;
-  struct Products {
-    Eigen::MatrixXd normal;  // X' W X of together and extra
-    Eigen::MatrixXd cyclic;  // X' W C
-  };
-  Products far_rows_, all_rows_;
+  Eigen::MatrixXd normal_;            // X' W X of together and extra
+  Eigen::MatrixXd with_cyclic_;       // X' W C
+  Eigen::VectorXd spike_squares_;     // f' s of each spike
+  Eigen::MatrixXd spikes_of_;         // F' X over them
+  Eigen::MatrixXd spikes_of_cyclic_;  // F' C over them
 };
 
 }  // namespace ballbar

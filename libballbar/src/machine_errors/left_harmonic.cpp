@@ -9,12 +9,14 @@
 #include <map>
 
 #include "ballbar/units.hpp"
+#include "machine_errors/reversal_noise.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr int kFirst = 5, kLast = 30;  // lower ones are the model's own
 constexpr double kClear = 0.001;
+constexpr double kPerhaps = 0.5;  // with the noise beside it, it may be clear
 
 struct Wave {
   double cos_um = 0.0, sin_um = 0.0;
@@ -61,6 +63,20 @@ std::vector<Wave> waves_of(const ErrorRows& all, const Eigen::VectorXd& residual
   return waves;
 }
 
+// The noise that is left beside this wave too.
+std::vector<WeightedNoise> noise_beside(const ErrorRows& rows, const Eigen::MatrixXd& columns,
+                                        const LeftHarmonic& wave) {
+  Eigen::MatrixXd with(columns.rows(), columns.cols() + 2);
+  with.leftCols(columns.cols()) = columns;
+  for (Eigen::Index i = 0; i < rows.size(); ++i) {
+    const double of_it = rows.recording[static_cast<std::size_t>(i)] == wave.recording ? 1.0 : 0.0;
+    with(i, columns.cols()) = of_it * std::cos(wave.harmonic * rows.angle_rad[i]);
+    with(i, columns.cols() + 1) = of_it * std::sin(wave.harmonic * rows.angle_rad[i]);
+  }
+  const QuietRows quiet = quiet_rows(rows, with);
+  return error_noise(quiet.rows, quiet.columns);
+}
+
 }  // namespace
 
 double repeatability_um(const ErrorRows& rows, const Eigen::VectorXd& residual) {
@@ -84,8 +100,9 @@ double repeatability_um(const ErrorRows& rows, const Eigen::VectorXd& residual) 
   return number == 0 ? std::numeric_limits<double>::quiet_NaN() : std::sqrt(squares / static_cast<double>(number));
 }
 
-std::optional<LeftHarmonic> left_harmonic(const ErrorRows& rows, const Eigen::VectorXd& residual,
-                                          const std::vector<WeightedNoise>& noises, double arc_rad) {
+std::optional<LeftHarmonic> left_harmonic(const ErrorRows& rows, const Eigen::MatrixXd& columns,
+                                          const Eigen::VectorXd& residual, const std::vector<WeightedNoise>& noises,
+                                          double arc_rad) {
   if (arc_rad < kPi) return std::nullopt;  // waves of a short arc are not told apart
   std::vector<std::vector<Wave>> waves;
   waves.reserve(rows.recordings);
@@ -100,7 +117,14 @@ std::optional<LeftHarmonic> left_harmonic(const ErrorRows& rows, const Eigen::Ve
       most = {harmonic, recording, 2.0 * std::hypot(wave.cos_um, wave.sin_um), wave.p_value, false};
     }
   }
-  most.p_value *= static_cast<double>(rows.recordings) * (kLast - kFirst + 1);
+  if (most.harmonic == 0) return std::nullopt;
+  const double looked_at = static_cast<double>(rows.recordings) * (kLast - kFirst + 1);
+  if (most.p_value * looked_at >= kClear && most.p_value * looked_at < kPerhaps) {
+    const std::vector<WeightedNoise> beside = noise_beside(rows, columns, most);
+    most.p_value =
+        waves_of(rows, residual, beside, most.recording)[static_cast<std::size_t>(most.harmonic - kFirst)].p_value;
+  }
+  most.p_value *= looked_at;
   if (!(most.p_value < kClear)) return std::nullopt;
   for (std::size_t recording = 0; recording < rows.recordings; ++recording) {
     if (recording == most.recording) continue;

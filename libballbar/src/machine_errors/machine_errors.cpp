@@ -9,7 +9,9 @@
 #include "ballbar/circle/trace.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
+#include "machine_errors/as_instrument.hpp"
 #include "machine_errors/error_fit.hpp"
+#include "machine_errors/error_gains.hpp"
 #include "machine_errors/error_ranks.hpp"
 #include "machine_errors/left_harmonic.hpp"
 
@@ -42,16 +44,6 @@ void expect_one_plane(std::span<const Recording> recordings) {
       expected(fmt::format("at least {} readings", kFewestReadings), fmt::format("{}", one.length_mm.size()));
     }
   }
-}
-
-double range_without(const std::vector<double>& freed, const ErrorRows& rows, const Eigen::VectorXd* curve) {
-  double least = INFINITY, most = -INFINITY;
-  for (std::size_t i = 0; i < freed.size(); ++i) {
-    const double value = freed[i] - (curve == nullptr ? 0.0 : (*curve)[static_cast<Eigen::Index>(rows.fine_of[i])]);
-    least = std::min(least, value);
-    most = std::max(most, value);
-  }
-  return most - least;
 }
 
 std::vector<AddedError> one_by_one(const ErrorFitted& fitted, const std::vector<RankedError>& ranked) {
@@ -93,7 +85,6 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
   found.ranked = ranked_errors(fitted, table);
   found.undetermined = fitted.undetermined;
   found.noise = fitted.noise.front().noise;
-  found.prior_contradicted = fitted.prior_contradicted;
   found.prior.reserve(fitted.prior.size());
   for (const PriorStatement& statement : fitted.prior) {
     found.prior.push_back({statement.name, std::sqrt(fitted.slow_variance_um2 / statement.precision), statement.alone,
@@ -109,22 +100,20 @@ MachineErrors machine_errors_of_trace(const Series& trace, const MachineErrorOpt
       shape = effect.shape.value_or(0.0);
       in_the_fit = effect.in_the_fit;
     }
-    found.gains.push_back({column.effect, column.gain, column.recording, fitted.gains[static_cast<Eigen::Index>(k)],
-                           shape, column.name, in_the_fit});
+    found.gains.push_back({column.effect, column.gain, column.recording,
+                           fitted.curve_gains[static_cast<Eigen::Index>(k)], shape, column.name, in_the_fit});
   }
-  const std::vector<double> freed = freed_of_centre(fitted, trace);
-  found.circularity_um = range_without(freed, fitted.rows, nullptr);
-  for (RankedError& one : found.ranked) {
-    const Eigen::VectorXd curve = fitted.fine_curve(one.effect);
-    one.circularity_without_um = range_without(freed, fitted.rows, &curve);
-  }
+  add_ranks_as_instrument(fitted, found.errors, found.ranked);
+  add_gains(found, fitted, trace, options.details);
   found.circle_rms_um = rms_with_um(fitted, {});
-  found.one_by_one = one_by_one(fitted, found.ranked);
+  if (options.details) found.one_by_one = one_by_one(fitted, found.ranked);
   const Eigen::VectorXd residual = fitted.residual();
   found.residual_rms_um = fitted.rms_um(residual);
   const double repeats_um = repeatability_um(fitted.rows, residual);
   found.repeatability_um = std::sqrt(fitted.within_um2 + repeats_um * repeats_um);  // of readings, as the residual
-  found.left = left_harmonic(fitted.rows, residual, fitted.noise, fitted.arc_rad);
+  if (options.details) {
+    found.left = left_harmonic(fitted.rows, fitted.columns.values, residual, fitted.noise, fitted.arc_rad);
+  }
   return found;
 }
 

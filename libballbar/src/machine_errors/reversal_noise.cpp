@@ -1,7 +1,10 @@
 #include "machine_errors/reversal_noise.hpp"
 
+#include <array>
 #include <cmath>
 #include <vector>
+
+#include "ballbar/units.hpp"
 
 namespace ballbar {
 namespace {
@@ -57,19 +60,24 @@ QuietRows quiet_rows(const ErrorRows& rows, const Eigen::MatrixXd& columns) {
 }
 
 Eigen::VectorXd excess_of(const ErrorRows& rows, const Eigen::VectorXd& residual) {
-  double squares[2] = {0.0, 0.0}, count[2] = {0.0, 0.0};
+  // Of the four reversals each, and of all rows that are near none.
+  constexpr std::size_t kReversals = 4;
+  const auto place_of = [&](Eigen::Index i) {
+    if (rows.from_reversal_deg[i] > kNearReversal_deg) return kReversals;
+    return static_cast<std::size_t>(std::llround(deg_from_rad(rows.angle_rad[i]) / 90.0) % 4 + 4) % kReversals;
+  };
+  std::array<double, kReversals + 1> squares{}, count{};
   for (Eigen::Index i = 0; i < rows.size(); ++i) {
-    if (rows.from_reversal_deg[i] <= kAtReversal_deg) continue;
-    const std::size_t near = rows.from_reversal_deg[i] <= kNearReversal_deg ? 1 : 0;
-    squares[near] += rows.count[i] * residual[i] * residual[i];
-    count[near] += rows.count[i];
+    squares[place_of(i)] += rows.count[i] * residual[i] * residual[i];
+    count[place_of(i)] += rows.count[i];
   }
   Eigen::VectorXd excess = Eigen::VectorXd::Ones(rows.size());
-  if (!(count[0] > 0.0) || !(count[1] > 0.0) || !(squares[0] > 0.0)) return excess;
-  const double ratio = (squares[1] / count[1]) / (squares[0] / count[0]);
-  if (ratio < kClearExcess) return excess;
+  if (!(squares[kReversals] > 0.0)) return excess;
+  const double quiet = squares[kReversals] / count[kReversals];
   for (Eigen::Index i = 0; i < rows.size(); ++i) {
-    if (rows.from_reversal_deg[i] <= kNearReversal_deg) excess[i] = std::sqrt(ratio);
+    const std::size_t place = place_of(i);
+    const double ratio = place == kReversals ? 1.0 : squares[place] / count[place] / quiet;
+    if (ratio >= kClearExcess) excess[i] = std::sqrt(ratio);
   }
   return excess;
 }

@@ -15,8 +15,8 @@ struct QuietRows {
 };
 QuietRows quiet_rows(const ErrorRows& rows, const Eigen::MatrixXd& columns);
 
-// By how much the readings within the reach of a reversal scatter more than the others, a factor for each row; 1 where
-// that is not clear.
+// By how much the readings within the reach of each reversal scatter more than those of none, a factor for each row; 1
+// where that is not clear.
 Eigen::VectorXd excess_of(const ErrorRows& rows, const Eigen::VectorXd& residual);
 
 }  // namespace ballbar

@@ -96,7 +96,6 @@ TEST(MachineErrors, AllTogetherAreFound) {
   made::ErrorTest test = made::full_turn();
   for (const Alone& one : kErrors) test.errors[one.name] = is_wave(one.name) ? 0.0 : one.value;
   const MachineErrors found = without_prior(test);
-  EXPECT_TRUE(found.prior.empty());
   for (const MachineError& row : found.errors) EXPECT_NEAR(row.value, test.of(row.name), 0.05) << row.name;
   EXPECT_LT(found.residual_rms_um, 0.04);  // the curves at means of half a degree
 }
@@ -174,17 +173,81 @@ TEST(MachineErrors, IndividualCircularityIsPeakToPeakOfItsOwnCurve) {
         << one.effect->name;
     sum_um += one.individual_circularity_um;
   }
-  ASSERT_GE(found.ranked.size(), 6U);
-  const std::vector<std::string> order{"scale_mismatch", "squareness",     "straightness_a",
-                                       "backlash_a",     "lateral_play_b", "servo_mismatch"};
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    EXPECT_EQ(found.ranked[k].effect->name, order[k]);
-    EXPECT_EQ(found.ranked[k].rank, k + 1);
-    EXPECT_TRUE(found.ranked[k].significant);
-    EXPECT_EQ(found.ranked[k].predicts_other_run, true);
-    EXPECT_NEAR(found.ranked[k].share_percent, 100.0 * found.ranked[k].individual_circularity_um / sum_um, 1e-9);
-    EXPECT_LT(found.ranked[k].circularity_without_um, found.circularity_um + 0.5);
+  int significant = 0;
+  for (const RankedError& one : found.ranked) {
+    if (!by_hand.contains(one.effect->name)) continue;
+    significant += one.significant ? 1 : 0;
+    EXPECT_EQ(one.predicts_other_run, true);
+    EXPECT_NEAR(one.share_percent, 100.0 * one.individual_circularity_um / sum_um, 1e-9);
   }
+  EXPECT_EQ(significant, 6);
+}
+
+// Ovals of 4 um along the axes and of 3 um along the diagonals: together sqrt(4^2 + 3^2) = 5 um. Without one of them
+// the other is left, so that the first gains 2 and the second 1; without both nothing is left.
+TEST(MachineErrors, RankIsByWhatMendingGains) {
+  made::ErrorTest test = made::full_turn();
+  test.errors = {{"scale_mismatch", 8.0}, {"squareness", 20.0}};
+  const MachineErrors found = without_prior(test);
+  EXPECT_NEAR(found.circularity_um, 5.0, 0.02);
+  EXPECT_NEAR(found.circularity_without_all_um, 0.0, 0.1);
+  ASSERT_GE(found.ranked.size(), 3U);
+  EXPECT_EQ(found.ranked[0].effect->name, "scale_mismatch");
+  EXPECT_EQ(found.ranked[0].rank, 1U);
+  EXPECT_NEAR(found.ranked[0].gain_um, 2.0, 0.05);
+  EXPECT_EQ(found.ranked[1].effect->name, "squareness");
+  EXPECT_EQ(found.ranked[1].rank, 2U);
+  EXPECT_NEAR(found.ranked[1].gain_um, 1.0, 0.05);
+  for (std::size_t k = 2; k < found.ranked.size(); ++k) EXPECT_EQ(found.ranked[k].rank, std::nullopt);
+}
+
+// Sigma of a gain is what the gain scatters by from one noise to another, within a factor of 2.
+TEST(MachineErrors, SigmaOfAGainIsItsScatter) {
+  made::ErrorTest test = made::noisy(made::full_turn());
+  test.errors = {{"scale_mismatch", 8.0}};
+  double sum = 0.0, squares = 0.0, sigmas = 0.0;
+  constexpr int kTests = 20;
+  for (int seed = 1; seed <= kTests; ++seed) {
+    const RankedError first = machine_errors(made::both_runs(test, static_cast<std::uint64_t>(seed))).ranked.front();
+    EXPECT_EQ(first.effect->name, "scale_mismatch");
+    sum += first.gain_um;
+    squares += first.gain_um * first.gain_um;
+    sigmas += first.gain_sigma_um;
+  }
+  const double scatter = std::sqrt(squares / kTests - sum * sum / kTests / kTests);
+  EXPECT_GT(sigmas / kTests, 0.5 * scatter);
+  EXPECT_LT(sigmas / kTests, 2.0 * scatter);
+}
+
+// A full turn without noise: the instrument's estimator gives back the values, but for the far centre's second order.
+TEST(MachineErrors, AsInstrumentAreTheValuesOfAFullTurn) {
+  made::ErrorTest test = made::full_turn();
+  test.errors = {{"squareness", 20.0},        {"scale_mismatch", 8.0},     {"straightness_a", -5.0},
+                 {"servo_mismatch", 0.09},    {"backlash_a_pos", 2.0},     {"backlash_a_neg", 1.0},
+                 {"lateral_play_b_pos", 1.7}, {"lateral_play_b_neg", 0.7}, {"sin_4_theta", 1.0},
+                 {"offset_a_shift", 1.0},     {"global_scale", 3.0}};
+  const MachineErrors found = machine_errors(made::both_runs(test));
+  int compared = 0;
+  for (const MachineError& row : found.errors) {
+    if (row.name.starts_with("cubic_error")) {
+      EXPECT_EQ(row.as_instrument, std::nullopt);
+      continue;
+    }
+    // Of the radius' change 2.5 % are damped away, which the lateral plays take up.
+    ASSERT_TRUE(row.as_instrument.has_value()) << row.name;
+    EXPECT_NEAR(*row.as_instrument, test.of(row.name), row.name.starts_with("reversal") ? 0.3 : 0.1) << row.name;
+    ++compared;
+  }
+  EXPECT_GE(compared, 25);
+  double sum_percent = 0.0;
+  std::size_t ranks = 0;
+  for (const RankedError& one : found.ranked) {
+    if (!one.as_instrument) continue;
+    ++ranks;
+    sum_percent += one.as_instrument->share_percent;
+  }
+  EXPECT_EQ(ranks, 13U);  // all but sin 4 theta and the cubic error
+  EXPECT_NEAR(sum_percent, 100.0, 1e-9);
 }
 
 // An oval of 4 um and nothing else: 4 um of circularity, and nothing is left if it is mended.
@@ -202,7 +265,7 @@ TEST(MachineErrors, CircularityWithoutTheOnlyErrorIsNothing) {
 TEST(MachineErrors, WhatIsLeftFallsErrorByError) {
   made::ErrorTest test = made::noisy(made::full_turn());
   test.errors = {{"scale_mismatch", 8.0}, {"squareness", 20.0}, {"backlash_a_pos", 2.0}, {"backlash_a_neg", 2.0}};
-  const MachineErrors found = machine_errors(made::both_runs(test));
+  const MachineErrors found = machine_errors(made::both_runs(test, 2));
   // by hand: (mismatch / 4)^2 / 2 + (squareness R / 2)^2 / 2 + backlash^2 / 8 + noise^2 are 2 + 1.125 + 0.5 + 0.1
   EXPECT_NEAR(found.circle_rms_um, std::sqrt(3.7), 0.15);
   ASSERT_EQ(found.one_by_one.size(), 3U);

@@ -18,6 +18,16 @@ const stored_value = (row: MachineErrorRow): string => shown(row.stored, Math.mi
 const stored = (row: MachineErrorRow): string =>
   row.stored === null || row.stored_rank === null ? stored_value(row) : `${stored_value(row)} (${row.stored_rank})`;
 
+// What the instrument's software would say, with its rank.
+const as_instrument = ({ as_instrument: said, unit }: MachineErrorRow, is_first: boolean): string => {
+  if (!said) return "–";
+  const value = shown(said.value, unit === "ms" ? 2 : 1);
+  return is_first && said.rank !== null ? `${value} (${said.rank})` : value;
+};
+
+const rank_of = ({ rank, significant }: MachineErrorRow): string =>
+  rank !== null ? String(rank) : significant === true ? "–" : t.errors_not_significant;
+
 const yes_no = (value: boolean | null): string => (value === null ? "–" : value ? t.yes : t.no);
 
 // What belongs to the effect stands in the first of its rows.
@@ -31,8 +41,9 @@ const cells_of = ({ first, rows }: RankedError, plane: string | undefined): stri
       : [
           shown(first.individual_circularity_um, 2),
           shown(first.share_percent, 1),
-          first.rank === null ? t.errors_not_significant : String(first.rank),
+          rank_of(first),
         ]),
+    as_instrument(row, k === 0),
     stored(row),
     ...(k > 0 ? ["", ""] : [yes_no(first.predicts_other_run), shown(first.circularity_without_um, 2)]),
   ]);
@@ -46,8 +57,8 @@ export const errors_table = ({ part, recordings }: ErrorTest): TextTable => {
   return {
     title: t.errors_table_title,
     heading: [
-      t.errors_one, t.value, t.unit, "IC µm", t.errors_share, t.errors_rank, t.errors_stored_rank, t.errors_predicts,
-      t.errors_g_without,
+      t.errors_one, t.value, t.unit, "IC µm", t.errors_share, t.errors_rank, t.errors_instrument_rank,
+      t.errors_stored_rank, t.errors_predicts, t.errors_g_without,
     ],
     rows: ranked.flatMap((one) => cells_of(one, plane)),
     choose: {

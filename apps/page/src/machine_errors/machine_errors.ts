@@ -29,12 +29,10 @@ export const verdict_of = ({ part, recordings }: ErrorTest): Said => {
   if (language === "en") return english(part.conclusion);
   const first = ranked_errors(part).find((one) => one.first.rank !== null);
   if (!first) return t.errors_conclusion_none({ circularity });
-  const { individual_circularity_um: alone_um, circularity_without_um: without_um } = first.first;
   return t.errors_conclusion({
     circularity,
     error: error_name(first.effect, recordings[0]?.plane),
-    alone: shown(alone_um, 1),
-    without: without_um !== null && part.circularity_um !== null && without_um < part.circularity_um ? shown(without_um, 1) : "",
+    without: shown(first.first.circularity_without_um, 1),
   });
 };
 
@@ -79,7 +77,7 @@ const result_of = (tests: readonly ErrorTest[]): string => {
   return t.errors_result({ circularity, tests: tests.length });
 };
 
-// The largest error is mended, and the test made again.
+// The error that gains most is mended, and the test made again.
 const told_first = (test: ErrorTest): ToldFirst => {
   const { part, recordings } = test;
   const largest = ranked_errors(part).find(({ first }) => first.rank !== null && first.remedy);

@@ -175,16 +175,17 @@ export const de: Texts = {
   errors_one: "Fehler",
   errors_share: "Anteil %",
   errors_rank: "Rang",
+  errors_instrument_rank: "wie das Messgerät (Rang)",
   errors_stored_rank: "gespeichert (Rang)",
   errors_stored: "gespeichert",
   errors_predicts: "sagt anderen Lauf voraus",
   errors_g_without: "G ohne ihn µm",
   errors_not_significant: "nicht signifikant",
-  errors_table_title: "Nach der Kreisformabweichung, die jeder allein verursacht (IC)",
+  errors_table_title: "Nach dem, was die Behebung jedes Fehlers bringt",
   errors_set_up: "Aufbau und Maßstab, ohne Rang",
   errors_stated: "Angaben der Datei",
   errors_explained:
-    "IC: Spitze-Spitze-Wert der eigenen Kurve eines Fehlers. G ohne ihn: die Kreisformabweichung, die nach seiner Behebung bleibt.",
+    "IC: Spitze-Spitze-Wert der eigenen Kurve eines Fehlers. G ohne ihn: die Kreisformabweichung, die nach seiner Behebung bleibt. Wie das Messgerät: was dessen Software angäbe.",
   errors_remedies: "Abhilfe",
   errors_remedy: ({ error, remedy }) => `${error}: ${remedy}`,
   errors_tolerances: "Toleranzen",
@@ -198,7 +199,7 @@ export const de: Texts = {
     ({ circularity, tests }) => `${circularity === "" ? "" : `Kreisformabweichung ${circularity} µm, `}${tests === 1 ? "Rest, Abhilfe und Toleranzen" : `${tests} Prüfungen`}`,
   errors_circularity_is: ({ value }) => `Kreisformabweichung ${value} µm.`,
   errors_conclusion:
-    ({ circularity, error, alone, without }) => `Die Kreisformabweichung beträgt ${circularity} µm; ${error} allein verursacht ${alone} µm, klar über dem Rauschen${without === "" ? "" : `; ohne diesen Fehler blieben ${without} µm`}.`,
+    ({ circularity, error, without }) => `Die Behebung von ${error} senkt die Kreisformabweichung von ${circularity} auf ${without} µm.`,
   errors_conclusion_none:
     ({ circularity }) => `Die Kreisformabweichung beträgt ${circularity} µm, und kein Fehler der Achsen ragt aus dem Rauschen.`,
   errors_next: "Erneut prüfen und vergleichen",

@@ -178,16 +178,17 @@ export const en = {
   errors_one: "error",
   errors_share: "share %",
   errors_rank: "rank",
+  errors_instrument_rank: "as instrument (rank)",
   errors_stored_rank: "stored (rank)",
   errors_stored: "stored",
   errors_predicts: "predicts other run",
   errors_g_without: "G without µm",
   errors_not_significant: "not significant",
-  errors_table_title: "Ranked by the circularity that each makes alone (IC)",
+  errors_table_title: "Ranked by what mending each gains",
   errors_set_up: "Set-up and scale, not ranked",
   errors_stated: "What the file states",
   errors_explained:
-    "IC: peak to peak of an error's own curve. G without: the circularity that remains if it is mended.",
+    "IC: peak to peak of an error's own curve. G without: the circularity that remains if it is mended. As instrument: what the instrument's software would say.",
   errors_remedies: "Remedies",
   errors_remedy: ({ error, remedy }: { error: string; remedy: string }) => `${error}: ${remedy}`,
   errors_tolerances: "Tolerances",
@@ -201,7 +202,7 @@ export const en = {
     ({ circularity, tests }: { circularity: string; tests: number }) => `${circularity === "" ? "" : `circularity ${circularity} µm, `}${tests === 1 ? "what is left, remedies and tolerances" : `${tests} tests`}`,
   errors_circularity_is: ({ value }: { value: string }) => `Circularity ${value} µm.`,
   errors_conclusion:
-    ({ circularity, error, alone, without }: { circularity: string; error: string; alone: string; without: string }) => `The circularity is ${circularity} µm; ${error} alone makes ${alone} µm, clear of the noise${without === "" ? "" : `; without it ${without} µm would remain`}.`,
+    ({ circularity, error, without }: { circularity: string; error: string; without: string }) => `Mending ${error} takes the circularity from ${circularity} to ${without} µm.`,
   errors_conclusion_none:
     ({ circularity }: { circularity: string }) => `The circularity is ${circularity} µm, and no error of the axes stands out of the noise.`,
   errors_next: "Test again, and compare",

@@ -146,9 +146,12 @@ enum class ErrorFit {
   none,              // it is none
   together,          // with all others of this kind, on all readings but those at a reversal
   where_it_shows,    // with them where it is clear, on full turns alone
-  at_reversals,      // likewise; a shape is its width
+  at_reversals,      // on what they leave within 9 deg of its own reversals; a shape is its width
   along_the_travel,  // on what they leave, between the reversals; a shape is its wave length; each recording its own
 };
+
+// Where instrument software gives an error of the machine a rank.
+enum class RankedByInstrument { always, on_full_turns, never };
 
 // Of an error of the machine: a sum of its gains that is held near 0 where the readings say little
 // of it, as if so many readings more, all of them where it shows most, had found nothing of it. Worked out from what
@@ -160,7 +163,6 @@ struct Damping {
     arcs_on_b,          // along B: sin^2
     arcs_on_axes,       // along an axis: cos^2 of twice the middle
     arcs_on_diagonals,  // between them: sin^2
-    full_turns,
   };
   std::vector<double> gains;  // the sum, a number for each gain
   double readings = 0.0;
@@ -200,6 +202,7 @@ struct EffectRules {
   ErrorFit error_fit = ErrorFit::none;
   double reversal_deg = 0.0;  // of an error of one axis: where the axis turns back at its + end, 0 (A) or 90 (B)
   std::vector<Damping> damping = {};
+  RankedByInstrument ranked_by_instrument = RankedByInstrument::always;
   AxisRelation relation = AxisRelation::none;
   std::vector<ExplainedCause> explains = {};
   std::optional<PredictorRule> predictor = std::nullopt;

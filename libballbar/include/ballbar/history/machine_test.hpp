@@ -18,8 +18,9 @@ struct TestQuantity {
   std::string unit;
   double value = 0.0;
   double sigma = std::numeric_limits<double>::quiet_NaN();  // NaN: not known, as of a value that a file stores
-  bool of_set_up = false;   // where the bar was put: it says nothing of the machine, and has no history
-  bool significant = true;  // false: of an error that the test does not show
+  bool of_set_up = false;                // where the bar was put: it says nothing of the machine, and has no history
+  bool significant = true;               // false: of an error that the test does not show
+  std::optional<std::size_t> rank = {};  // of its error by what mending it gains, 1 the most; nothing: it has none
 };
 
 // In the quantity's unit; either end may be open.

@@ -2,12 +2,19 @@
 //
 // Linear in every error, so that one least squares gives them all (y: deviations in um, X: what a unit of each adds):
 //
-//   b = (X' X + L)^-1 X' y,      cov b = (X' X + L)^-1 (X' V X + L T L) (X' X + L)^-1
+//   b = (X' X)^-1 X' y,      cov b = (X' X)^-1 X' V X (X' X)^-1
 //
-// Unweighted over the readings farther than 1.5 deg from a reversal, as instrument software does, so that its stored
-// values are found again. L are the precisions of the prior, T its variances; V the covariance of the noise that this
-// full model leaves: white and with a memory, by restricted likelihood, averaged over memory and share. The
-// width of the reversal spikes and the pitch of the cyclic errors are the only shapes; both are searched on a grid.
+// Unweighted over the readings farther than 1.5 deg from a reversal. V is the covariance of the noise that this full
+// model leaves: white and with a memory, by restricted likelihood, averaged over memory and share. A reversal spike is
+// measured on what all others leave within 9 deg after its own reversal; where it shows, these readings are left out of
+// the others' fit. The width of the spikes and the pitch of the cyclic errors are the only shapes; both are searched on
+// a grid.
+//
+// Beside each value stands what instrument software would say (`as_instrument`): (X' X + L)^-1 X' y with precisions L
+// that hold near 0 what an arc hardly tells, worked out from stored values and curves; no sigma. On an arc, curves are
+// drawn with L too, and an error is significant only if it is so with L as well: two errors that the arc hardly tells
+// apart are easily large ones against each other.
+//
 // Errors are the catalogue's effects with EffectRules::error_fit, one row a gain, or a pair of sine and cosine.
 //
 // Sources: the forward model is worked out from simulated curves that instrument software stores in `.b5r` files, which
@@ -31,7 +38,9 @@ namespace ballbar {
 enum class CyclicOfRuns { larger, mean };
 
 struct MachineErrorOptions {
-  bool prior = true;  // false: `--prior none`
+  bool prior = true;  // false, `--prior none`: on an arc curves and significance are without L
+  // Sigmas of the gains, what is left error by error, and harmonics in it; false: faster, for tables of many tests.
+  bool details = true;
   // What an amplitude of the cyclic error is of several recordings, each of which has its own.
   CyclicOfRuns cyclic_of_runs = CyclicOfRuns::larger;
 };
@@ -43,6 +52,14 @@ struct MachineError {
   double value = 0.0;
   double sigma = 0.0;
   const Effect* effect = nullptr;  // whose it is; nullptr: of the circle (set-up and scale), which is not ranked
+  std::optional<double> as_instrument = {};  // the value by the instrument's software; nothing: it has no such error
+};
+
+// What the instrument's software would say of an effect.
+struct InstrumentRank {
+  double individual_circularity_um = 0.0;
+  double share_percent = 0.0;  // of the sum of all it ranks
+  std::size_t rank = 0;        // 1: the largest circularity
 };
 
 // One effect with all of its rows: what the circle shows of it.
@@ -52,13 +69,16 @@ struct RankedError {
   std::vector<std::size_t> rows;           // places in MachineErrors::errors
   double individual_circularity_um = 0.0;  // IC: peak to peak of its own curve over all recordings
   double share_percent = 0.0;              // of the sum of all IC
-  std::optional<std::size_t> rank;         // 1: the largest IC; nothing: not significant, no row above 2.6 sigma
+  std::optional<std::size_t> rank;         // 1: the largest gain; nothing: not significant, or the circularity stays
   double chi2 = 0.0;                       // of all of its gains together: z^2 of one
   double chi2_needed = 0.0;                // from which it is significant
   double p_value = 1.0;                    // of noise that shows as much, by all of its gains or by the clearest
   bool significant = false;                // p_value small enough for as many errors as were looked at
   std::optional<bool> predicts_other_run;  // its value from one run alone lowers what is left in the other
   double circularity_without_um = 0.0;     // that remains if it is mended
+  double gain_um = 0.0;                    // circularity now less that
+  double gain_sigma_um = 0.0;              // by resampled blocks of what is left; NaN: not asked for
+  std::optional<InstrumentRank> as_instrument = {};
 };
 
 // A harmonic that is left in the residual.
@@ -70,6 +90,7 @@ struct LeftHarmonic {
   bool in_both = false;  // alike in the other direction too
 };
 
+// What the instrument's estimator holds near 0.
 struct PriorOfError {
   std::string name;
   double sigma = 0.0;                     // 0 +- sigma, in the row's unit
@@ -96,19 +117,19 @@ struct AddedError {
 
 struct MachineErrors {
   std::vector<MachineError> errors;
-  Eigen::MatrixXd covariance;       // of the values, in the order of errors
-  std::vector<RankedError> ranked;  // falling IC
-  double circularity_um = 0.0;      // max - min of all readings about the fitted centre
-  double circle_rms_um = 0.0;       // that the circles alone leave
-  double residual_rms_um = 0.0;     // that all errors leave
+  Eigen::MatrixXd covariance;               // of the values, in the order of errors
+  std::vector<RankedError> ranked;          // by rank, then the others by falling IC
+  double circularity_um = 0.0;              // max - min of all readings about the fitted centre
+  double circularity_without_all_um = 0.0;  // that remains if all significant errors are mended
+  double circle_rms_um = 0.0;               // that the circles alone leave
+  double residual_rms_um = 0.0;             // that all errors leave
   // Significant errors one by one, each time the one that leaves least beside the circles and those before it.
   std::vector<AddedError> one_by_one;
   double repeatability_um = 0.0;     // what of the residual is not the same in both directions; NaN: one direction
   std::optional<LeftHarmonic> left;  // what the model does not explain; nothing: nothing clear
   // What the readings do not tell apart: "scale_mismatch with straightness_b, centre_a".
   std::vector<std::string> undetermined;
-  std::vector<PriorOfError> prior;  // empty: none
-  bool prior_contradicted = false;  // the readings are beyond 5 sigma from it: it was not used
+  std::vector<PriorOfError> prior;  // of as_instrument
   std::vector<FittedGain> gains;
   Noise noise;  // the most likely one
 };

@@ -56,10 +56,9 @@ Effect lateral_play(Axis axis) {
       evaluated_by<2>(LateralPlay{axis}),
       false,
       {Motion::linear_axes},
-      // On a full turn the difference of both axes' plays is nearly that of both directions' radii.
       {.error_fit = ErrorFit::together,
        .reversal_deg = a ? 0.0 : 90.0,
-       .damping = {{{0.5, -0.5}, 320.0, Damping::Where::arcs}, {{0.5, 0.5}, 24.0, Damping::Where::full_turns}}},
+       .damping = {{{0.5, -0.5}, 320.0, Damping::Where::arcs}}},
   };
 }
 

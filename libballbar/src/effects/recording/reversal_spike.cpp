@@ -59,7 +59,7 @@ Effect reversal_spike(Axis axis) {
         3.0,
         0.2,
         9.0,
-        {0.5, 1.0, 2.0, 4.0, 8.0},
+        {0.5, 1.0, 2.0, 4.0},
         "angle over which it falls to 37 %"}},
       evaluated_by<3>(ReversalSpike{axis}),
       false,

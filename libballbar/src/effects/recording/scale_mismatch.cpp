@@ -42,7 +42,8 @@ extern const Effect kScaleMismatch{
     false,
     {Motion::linear_axes},
     {.error_fit = ErrorFit::together,
-     .damping = {{{1.0}, 555.0, Damping::Where::arcs_on_axes}},
+     .damping = {{{1.0}, 61.0, Damping::Where::arcs_on_axes}},
+     .ranked_by_instrument = RankedByInstrument::on_full_turns,
      .relation = AxisRelation::scale},
 };
 

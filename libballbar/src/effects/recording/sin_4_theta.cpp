@@ -38,7 +38,7 @@ extern const Effect kSin4Theta{
     evaluated_by<1>(Sin4Theta{}),
     false,
     {Motion::linear_axes},
-    {.error_fit = ErrorFit::together},
+    {.error_fit = ErrorFit::together, .ranked_by_instrument = RankedByInstrument::never},
 };
 
 }  // namespace ballbar::catalogue

@@ -45,7 +45,7 @@ extern const Effect kSquareness{
     false,
     {Motion::linear_axes},
     {.error_fit = ErrorFit::together,
-     .damping = {{{1.0}, 555.0, Damping::Where::arcs_on_diagonals}},
+     .damping = {{{1.0}, 61.0, Damping::Where::arcs_on_diagonals}},
      .relation = AxisRelation::angle},
 };
 

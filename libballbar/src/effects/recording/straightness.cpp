@@ -48,7 +48,8 @@ Effect straightness(Axis axis) {
       {Motion::linear_axes},
       // An arc about +A or -A sees little of cos 3 theta beside the centre, one about B of sin 3 theta.
       {.error_fit = ErrorFit::together,
-       .damping = {{{1.0}, 309.0, a ? Damping::Where::arcs_on_b : Damping::Where::arcs_on_a}}},
+       .damping = {{{1.0}, 700.0, a ? Damping::Where::arcs_on_b : Damping::Where::arcs_on_a}},
+       .ranked_by_instrument = RankedByInstrument::on_full_turns},
   };
 }
 
