@@ -10,8 +10,9 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kMostTimes = 40;  // columns
-constexpr double kChangeTime = 0.25;    // sd of where between straight and at once it went
+constexpr std::size_t kMostTimes = 40;     // columns, and
+constexpr std::size_t kRowsForATime = 10;  // rows for each
+constexpr double kChangeTime = 0.25;       // sd of where between straight and at once it went
 
 double deviation_of(const Eigen::VectorXd& column) {
   const double mean = column.mean();
@@ -148,7 +149,7 @@ Eigen::MatrixXd BaseModel::times_at(const std::vector<double>& parameters) const
     }
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  const std::size_t count = std::min(found.size(), kMostTimes);
+  const std::size_t count = std::min({found.size(), kMostTimes, rows_.rows() / kRowsForATime});
   Eigen::MatrixXd result(static_cast<Eigen::Index>(rows_.rows()), static_cast<Eigen::Index>(count));
   for (std::size_t k = 0; k < count; ++k) result.col(static_cast<Eigen::Index>(k)) = found[k].second;
   return result;

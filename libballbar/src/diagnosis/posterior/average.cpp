@@ -18,6 +18,7 @@ constexpr std::array<double, 2> kBackgrounds{6.0, kOfBackground};  // d of all o
 constexpr std::size_t kNoisesBesideMore = 3;  // the likeliest, with a discrepancy or a background beside them
 constexpr double kFarFromBest = 7.0;          // ln: covariances this far are left out
 constexpr double kFarFromOthers = 8.0;        // ln: covariances this far are not looked at twice
+constexpr int kRounds = 2;                    // where the sum at the likeliest covariance is another one than before
 constexpr double kNearBest = 3.0;             // ln: covariances this near stand for all where other modes are looked at
 constexpr double kLikely = 0.05;              // P of an identity that carries weight
 constexpr double kBetterOptimum = 0.05;       // ln
@@ -55,10 +56,12 @@ class Average {
 
   Posterior run(const std::vector<Covariance>& grid, bool is_given) {
     std::vector<Found> found;
-    found.reserve(grid.size());
-    for (const Covariance& one : grid) found.push_back(found_at(one, 0.0));
-    ascend(found, !is_given);
-    if (!is_given && problem_.model.level == Level::series) add_more(found, grid);
+    for (int round = 0; round < kRounds; ++round) {
+      const std::vector<std::size_t> start = likeliest_set(searched_.best.ascent);
+      found = ascended_everywhere(grid, is_given);
+      if (likeliest_set(found.front().ascent) == start) break;
+      searched_.best = found.front();
+    }
     take_better_optimum(found);
     leave_out_far(found);
     add_modes(found);
@@ -124,6 +127,16 @@ class Average {
     in_parallel(found.size(), [&](std::size_t g) { ascend_at(found[g], identities()); });
     sort_found(found);
     if (found.front().log_weight > searched_.best.log_weight) searched_.best = found.front();
+  }
+
+  // From the best sum so far.
+  std::vector<Found> ascended_everywhere(const std::vector<Covariance>& grid, bool is_given) {
+    std::vector<Found> found;
+    found.reserve(grid.size());
+    for (const Covariance& one : grid) found.push_back(found_at(one, 0.0));
+    ascend(found, !is_given);
+    if (!is_given && problem_.model.level == Level::series) add_more(found, grid);
+    return found;
   }
 
   struct Noises {
