@@ -40,8 +40,8 @@ Json row_json(const ErrorsReport& report, const MachineError& error, const Ranke
   json["stored_is_same"] = or_null(same_as_stored(report, error));
   json["stored_rank"] = ranked == nullptr ? Json(nullptr) : or_null(stored_rank_of(report, *ranked));
   json["circularity_without_um"] = ranked == nullptr ? Json(nullptr) : number(ranked->circularity_without_um);
-  json["gain_um"] = ranked == nullptr ? Json(nullptr) : number(ranked->gain_um);
-  json["gain_sigma_um"] = ranked == nullptr ? Json(nullptr) : number(ranked->gain_sigma_um);
+  json["circularity_gain_um"] = ranked == nullptr ? Json(nullptr) : number(ranked->gain_um);
+  json["circularity_gain_sigma_um"] = ranked == nullptr ? Json(nullptr) : number(ranked->gain_sigma_um);
   if (ranked == nullptr) return json;
   json["effect"] = ranked->effect->name;
   json["stored_individual_circularity_um"] =

@@ -176,8 +176,8 @@ class Diagnosis(Checked):
     conclusion : str
         A sentence.
     errors : Rows
-        Name, value, sigma, unit, as_instrument, significant, gain_um, gain_sigma_um, rank, individual_circularity_um,
-        share_percent, remedy, ....
+        Name, value, sigma, unit, as_instrument, significant, circularity_gain_um, circularity_gain_sigma_um, rank,
+        individual_circularity_um, share_percent, remedy, ....
     one_by_one : Rows
         Effect, rms_um.
     circle_rms_um : float

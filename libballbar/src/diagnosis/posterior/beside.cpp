@@ -50,6 +50,13 @@ std::pair<Model, std::vector<double>> with_effects(const Problem& problem, const
   return {std::move(model), std::move(parameters)};
 }
 
+// The prior of a shape reaches as far as its grid: beyond it, a lag of nearly 0 would stand for the effect without one.
+double within_grid(const Parameter& parameter, double value) {
+  if (parameter.grid.size() < 2) return value;
+  const auto [low, high] = std::minmax_element(parameter.grid.begin(), parameter.grid.end());
+  return std::clamp(value, *low, *high);
+}
+
 // The set and the model where a fit of both has them: its shapes become signatures.
 Beside taken_over(Problem& problem, Beside beside, const std::vector<double>& fitted) {
   std::size_t place = beside.parameters.size();
@@ -65,8 +72,9 @@ Beside taken_over(Problem& problem, Beside beside, const std::vector<double>& fi
         gains.push_back(fitted[place]);
         continue;
       }
-      moved = moved || std::abs(fitted[place] - shape[k]) > kSameShape * std::abs(shape[k]);
-      shape[k] = fitted[place];
+      const double value = within_grid(parameters[k], fitted[place]);
+      moved = moved || std::abs(value - shape[k]) > kSameShape * std::abs(shape[k]);
+      shape[k] = value;
     }
     if (moved) i = add_signature(problem, family, shape).value_or(i);
     const Signature& signature = problem.library.signatures[i];

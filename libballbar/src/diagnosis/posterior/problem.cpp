@@ -18,6 +18,7 @@ constexpr double kTemperatureJump = 0.2;  // of its range, from row to row
 constexpr double kMostJumps = 0.02;       // of the rows, and in any case as many as
 constexpr double kFewJumps = 5.0;
 constexpr std::size_t kRowsBesideJump = 2;
+constexpr double kShortestLag = 2.0;  // samples
 
 // Effects alike, columns of an effect alike.
 std::vector<double> log_priors_of(const SignatureLibrary& library) {  // those of any form are an effect as well
@@ -41,16 +42,49 @@ bool acts_at_once(const Effect& effect, const std::vector<double>& point) {
   return false;
 }
 
-std::vector<double> log_priors_of_shapes(const SignatureLibrary& library) {
+bool is_time(const Parameter& parameter) { return parameter.kind == ParameterKind::shape && parameter.unit == "s"; }
+
+// Whether the effect has lags so short that a clock that is late by part of a sample makes them, and the catalogue has
+// the effect without a lag.
+bool is_without_its_lag(const SignatureLibrary& library, const LoggedInputs& logged, const BoundEffect& bound,
+                        const std::vector<double>& point) {
+  const bool is_twin = std::any_of(library.families.begin(), library.families.end(), [&](const Family& other) {
+    const Effect& effect = *other.bound.effect;
+    return effect.name == bound.effect->rules.becomes && other.bound.columns == bound.columns &&
+           std::none_of(effect.parameters.begin(), effect.parameters.end(), is_time);
+  });
+  if (!is_twin) return false;
+  double sample_s = 0.0;
+  for (const LoggedInput& input : logged.inputs) {
+    if (std::find(bound.columns.begin(), bound.columns.end(), input.column) != bound.columns.end())
+      sample_s = std::max(sample_s, input.sample_s);
+  }
+  for (std::size_t k = 0; k < point.size(); ++k) {
+    if (is_time(bound.effect->parameters[k]) && point[k] < kShortestLag * sample_s) return true;
+  }
+  return false;
+}
+
+std::vector<double> log_priors_of_shapes(const SignatureLibrary& library, const LoggedInputs& logged) {
   std::vector<double> result(library.signatures.size());
   for (const Family& family : library.families) {
+    const auto is_short = [&](std::size_t i) {
+      return is_without_its_lag(library, logged, family.bound, library.signatures[i].point);
+    };
+    std::size_t too_short = 0;
+    for (std::size_t i = family.first; i < family.first + family.count; ++i) too_short += is_short(i) ? 1 : 0;
+    if (too_short == family.count) too_short = 0;
     std::size_t at_once = 0;
     const auto is_at_once = [&](std::size_t i) {
       return acts_at_once(*family.bound.effect, library.signatures[i].point);
     };
     for (std::size_t i = family.first; i < family.first + family.count; ++i) at_once += is_at_once(i) ? 1 : 0;
-    const std::size_t others = family.count - at_once;
+    const std::size_t others = family.count - at_once - too_short;
     for (std::size_t i = family.first; i < family.first + family.count; ++i) {
+      if (too_short > 0 && is_short(i)) {
+        result[i] = kLogZero;
+        continue;
+      }
       const double share = at_once == 0 || others == 0 ? 1.0 : 0.5;
       result[i] = std::log(share / static_cast<double>(is_at_once(i) ? at_once : others));
     }
@@ -161,6 +195,7 @@ std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, c
   for (const std::size_t i : of.more) {
     if (library.signatures[i].point == point) return std::nullopt;
   }
+  if (is_without_its_lag(library, problem.logged, of.bound, point)) return std::nullopt;
   const Effect& effect = *of.bound.effect;
   const BoundInputs inputs = inputs_of(effect, of.bound.columns, problem.logged.series);
   const Eigen::MatrixXd gains = effect_at(effect, inputs.rows, point, problem.base.row).gains(effect);
@@ -239,7 +274,7 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
     problem->deviation[k] = deviation;
   }
   problem->log_prior = log_priors_of(problem->library);
-  problem->log_prior_of_shape = log_priors_of_shapes(problem->library);
+  problem->log_prior_of_shape = log_priors_of_shapes(problem->library, problem->logged);
   problem->own = own_of(model);
   problem->terms = options.signatures.terms;
   problem->covariances = options.covariances;
