@@ -180,12 +180,12 @@ test("choice: the page is written anew, with what was chosen, zoomed and unfolde
   assert.equal(await page.getAttribute("html", "lang"), "de");
   assert.equal(await page.evaluate(() => window.ballbar.figures.get("machine-errors").state().chosen.error), "squareness");
   assert.ok(await page.locator("section#recordings > details").evaluate((one) => one.open));
-  assert.match(await page.locator(".verdict").textContent(), /^Die Kreisformabweichung beträgt 5,6 µm/);
+  assert.match(await page.locator(".verdict").textContent(), /^Die Behebung von Skalierungsdifferenz senkt die Kreisformabweichung von 5,6 auf 2,3 µm/);
   assert.equal(await figure(page, "machine-errors").count(), 1);
   await page.getByLabel("Sprache").selectOption("中文");
-  assert.match(await page.locator(".verdict").textContent(), /^圆度为 5\.6 µm/);
+  assert.match(await page.locator(".verdict").textContent(), /^修复比例不匹配后，圆度从 5\.6 µm 降至 2\.3 µm/);
   await page.getByLabel("语言").selectOption("English");
-  assert.match(await page.locator(".verdict").textContent(), /^The circularity is 5\.6 µm/);
+  assert.match(await page.locator(".verdict").textContent(), /^Mending scale_mismatch .*takes the circularity from 5\.6 to 2\.3 µm/);
   assert.deepEqual(wrong, []);
   await close();
 });

@@ -178,7 +178,7 @@ export const en = {
   errors_one: "error",
   errors_share: "share %",
   errors_rank: "rank",
-  errors_instrument_rank: "as instrument (rank)",
+  errors_instrument_rank: "instrument",
   errors_stored_rank: "stored (rank)",
   errors_stored: "stored",
   errors_predicts: "predicts other run",
