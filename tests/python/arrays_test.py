@@ -71,7 +71,7 @@ class Arrays(unittest.TestCase):
             "later than the row before": lambda: ballbar.Series(time_s[::-1], {}),
             "one dimension": lambda: ballbar.Series(np.ones((2, 2)), {}),
             "expected a role": lambda: ballbar.Series(time_s, {"T_degC": time_s}, roles={"T_degC": "weather"}),
-            "plane: expected one of XY, YZ, ZX, found \"XX\"": lambda: ballbar.Recording(np.ones(9), np.arange(9.0), plane="XX"),
+            "plane: expected one of XY, YZ, ZX, YX, ZY, XZ, found \"XX\"": lambda: ballbar.Recording(np.ones(9), np.arange(9.0), plane="XX"),
             "length above 0": lambda: ballbar.Recording(np.zeros(9), np.arange(9.0)),
             "angle_deg: expected 9 values": lambda: ballbar.Recording(np.ones(9), np.arange(8.0)),
         }.items():
