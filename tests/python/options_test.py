@@ -10,7 +10,7 @@ import ballbar
 from ballbar._words import FLAGS
 
 PROGRAM = os.environ["BALLBAR"]
-NOT_OF_PYTHON = {"help", "json", "follow", "page", "open", "signals", "format", "all"}
+NOT_OF_PYTHON = {"help", "json", "follow", "page", "open", "signals", "format", "all", "radius"}
 FUNCTIONS = {
     "fit": ballbar.fit, "errors": ballbar.errors, "drift": ballbar.drift, "compare": ballbar.compare, "import": ballbar.import_log,
     "merge": ballbar.merge, "history": ballbar.history, "effects": ballbar.effects, "preflight": ballbar.preflight,
