@@ -4,9 +4,6 @@
 // put in place of itself; the gains of the fit follow it, and both circularities. 40 times, always with the same draws.
 #pragma once
 
-#include <set>
-#include <vector>
-
 #include "ballbar/machine_errors/machine_errors.hpp"
 #include "machine_errors/error_fit.hpp"
 

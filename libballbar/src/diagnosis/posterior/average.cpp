@@ -77,6 +77,13 @@ class Average {
     return found;
   }
 
+  std::vector<Found> found_at_all(const std::vector<Covariance>& covariances) const {
+    std::vector<Found> found;
+    found.reserve(covariances.size());
+    for (const Covariance& one : covariances) found.push_back(found_at(one, 0.0));
+    return found;
+  }
+
   // What carries weight where the readings are likeliest so far.
   Identities likely_identities() const {
     std::vector<std::size_t> likely;
@@ -131,9 +138,7 @@ class Average {
 
   // From the best sum so far.
   std::vector<Found> ascended_everywhere(const std::vector<Covariance>& grid, bool is_given) {
-    std::vector<Found> found;
-    found.reserve(grid.size());
-    for (const Covariance& one : grid) found.push_back(found_at(one, 0.0));
+    std::vector<Found> found = found_at_all(grid);
     ascend(found, !is_given);
     if (!is_given && problem_.model.level == Level::series) add_more(found, grid);
     return found;
@@ -152,11 +157,9 @@ class Average {
     return result;
   }
 
-  std::vector<Found> scanned(const std::vector<Covariance>& covariances) const {
-    std::vector<Found> found;
-    found.reserve(covariances.size());
-    for (const Covariance& one : covariances) found.push_back(found_at(one, 0.0));
-    scan(found, 0, likely_identities());
+  std::vector<Found> scanned(const std::vector<Covariance>& covariances, const Identities& few) const {
+    std::vector<Found> found = found_at_all(covariances);
+    scan(found, 0, few);
     sort_found(found);
     return found;
   }
@@ -164,7 +167,8 @@ class Average {
   // Noise alone takes a slow curve in where it can, so that beside a discrepancy it is another one: all noises are
   // weighed beside the discrepancy that is likeliest beside the likeliest noise alone.
   Noises noises_beside_discrepancy(const std::vector<Covariance>& grid, const Covariance& alone) const {
-    const std::vector<Found> first = scanned(with_discrepancy(alone, problem_.time_s));
+    const Identities few = likely_identities();
+    const std::vector<Found> first = scanned(with_discrepancy(alone, problem_.time_s), few);
     if (first.empty()) return {};
     std::vector<Covariance> beside;
     for (const Covariance& noise : grid) {
@@ -173,7 +177,7 @@ class Average {
       }
     }
     std::vector<Found> noises;  // of each what its discrepancies weigh together
-    for (Found& one : scanned(beside)) {
+    for (Found& one : scanned(beside, few)) {
       Covariance& noise = one.point.covariance;
       noise.slow = noise.slow_time_s = 0.0;
       noise.log_prior = grid.front().log_prior;

@@ -56,11 +56,14 @@ Ascent ascended_from(ColumnsAt& at, const Identities& identities, const AscentOp
   return ascended(at, identities, options, ascended(at, identities, pinned));
 }
 
+std::size_t likeliest_identity(const SingleEffect& one) {
+  return static_cast<std::size_t>(std::max_element(one.p.begin(), one.p.end()) - one.p.begin());
+}
+
 std::vector<std::size_t> likeliest_set(const Ascent& ascent) {
   std::vector<std::size_t> set;
   for (const SingleEffect& one : ascent.effects) {
-    if (one.p_any() >= 0.5)
-      set.push_back(static_cast<std::size_t>(std::max_element(one.p.begin(), one.p.end()) - one.p.begin()));
+    if (one.p_any() >= 0.5) set.push_back(likeliest_identity(one));
   }
   return set;
 }

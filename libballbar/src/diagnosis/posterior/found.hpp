@@ -33,7 +33,9 @@ Ascent best_ascent(ColumnsAt& at, const Problem& problem, const Identities& iden
 Ascent ascended_from(ColumnsAt& at, const Identities& identities, const AscentOptions& options,
                      const std::vector<std::size_t>& set);
 
-// The likeliest identity of each single effect that is likelier there than not.
+std::size_t likeliest_identity(const SingleEffect& one);
+
+// That of each single effect that is likelier there than not.
 std::vector<std::size_t> likeliest_set(const Ascent& ascent);
 
 DenseBackground background_of(const Problem& problem, double d);

@@ -135,7 +135,7 @@ class Search {
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return one.strength[a] > one.strength[b]; });
-    const auto likeliest = static_cast<std::size_t>(std::max_element(one.p.begin(), one.p.end()) - one.p.begin());
+    const std::size_t likeliest = likeliest_identity(one);
     const bool is_form = likeliest >= problem_.effects && !identities_.is_own(likeliest);
     while (order.size() > 1 && !is_form && one.strength[order.back()] < one.strength[order.front()] - kFarRival)
       order.pop_back();
@@ -152,8 +152,7 @@ class Search {
     Rivals result;
     for (const SingleEffect& one : ascent.effects) {
       if (one.p_any() < 0.5) continue;
-      const auto likeliest = static_cast<std::size_t>(std::max_element(one.p.begin(), one.p.end()) - one.p.begin());
-      if (identities_.is_own(likeliest)) continue;
+      if (identities_.is_own(likeliest_identity(one))) continue;
       const std::vector<std::size_t> order = effects_of(one);
       std::vector<std::size_t> shapes;
       for (std::size_t k = 0; k < std::min(order.size(), kSharpenedRivals); ++k) {
@@ -228,12 +227,17 @@ class Search {
     is_new = is_new || problem_.library.signatures.size() > before || !are_open(open.signatures) ||
              is_elsewhere(problem_, *variant_, beside.parameters, kSameModel);
     if (!is_new) return false;
-    open_ = open;
-    Variant variant = variant_at(problem_, 0, std::move(beside.parameters), times_beside(problem_, open));
+    put_beside(std::move(open), set);
+    return true;
+  }
+
+  // The model at these parameters, the times of these signatures' inputs open; the best sum from a set on.
+  void put_beside(Beside open, const std::vector<std::size_t>& set) {
+    open_ = std::move(open);
+    Variant variant = variant_at(problem_, 0, open_.parameters, times_beside(problem_, open_));
     Identities identities = identities_of(problem_, variant);
     Found found = best_at_pilots(variant, identities, set);
     take(std::move(variant), std::move(identities), std::move(found));
-    return true;
   }
 
   bool are_open(const std::vector<std::size_t>& signatures) const {
@@ -263,12 +267,8 @@ class Search {
       sharpened_with_rivals(rivals, {rivals.signatures, variant_->parameters, {}}, open);
     }
     if (problem_.library.signatures.size() > before || !are_open(open.signatures)) {
-      open_ = std::move(open);
-      open_.parameters = variant_->parameters;
-      Variant variant = variant_at(problem_, 0, variant_->parameters, times_beside(problem_, open_));
-      Identities identities = identities_of(problem_, variant);
-      Found found = best_at_pilots(variant, identities, likeliest_set(best_.ascent));
-      take(std::move(variant), std::move(identities), std::move(found));
+      open.parameters = variant_->parameters;
+      put_beside(std::move(open), likeliest_set(best_.ascent));
     }
     is_better = false;
     if (modes.empty()) return modes;
