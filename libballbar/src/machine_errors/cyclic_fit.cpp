@@ -9,7 +9,7 @@ constexpr double kFromOwnReversal_deg[2] = {12.0, 63.0};  // where cyclic errors
 
 }  // namespace
 
-Part part_of(const std::vector<std::pair<FittedEffect, ErrorColumns>>& own) {
+Part part_of(const std::vector<std::pair<FittedEffect, ErrorColumns>>& own, const ErrorRows& rows) {
   Part part;
   std::vector<const ErrorColumns*> pointers;
   pointers.reserve(own.size());
@@ -20,7 +20,7 @@ Part part_of(const std::vector<std::pair<FittedEffect, ErrorColumns>>& own) {
     part.effects.push_back(effect);
     for (Eigen::Index k = 0; k < columns.size(); ++k) part.effects.back().columns.push_back(at++);
   }
-  part.columns = joined(pointers);
+  part.columns = joined(pointers, rows);
   std::erase_if(part.effects, [](const FittedEffect& effect) { return effect.columns.empty() && effect.effect; });
   return part;
 }
@@ -59,7 +59,7 @@ CyclicPart cyclic_part(const std::vector<const Effect*>& effects, const ErrorRow
     weighted.emplace_back(weight.asDiagonal() * columns.values);
     own.emplace_back(FittedEffect{effect, pitch_mm, {}, static_cast<double>(tried.size())}, std::move(columns));
   }
-  cyclic.part = part_of(own);
+  cyclic.part = part_of(own, rows);
   const Eigen::MatrixXd& columns = cyclic.part.columns.values;
   cyclic.block.weighted.resize(rows.size(), columns.cols());
   Eigen::Index at = 0;

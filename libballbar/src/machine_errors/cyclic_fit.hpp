@@ -16,7 +16,7 @@ struct Part {
   std::vector<FittedEffect> effects;
 };
 
-Part part_of(const std::vector<std::pair<FittedEffect, ErrorColumns>>& own);
+Part part_of(const std::vector<std::pair<FittedEffect, ErrorColumns>>& own, const ErrorRows& rows);
 
 struct CyclicPart {
   Part part;

@@ -92,7 +92,7 @@ Part together_part(const ErrorColumns& circle, const std::vector<const Effect*>&
   for (const Effect* effect : effects) {
     own.emplace_back(FittedEffect{effect}, present(effect_columns(*effect, 0.0, rows, false), rows.count));
   }
-  Part part = part_of(own);
+  Part part = part_of(own, rows);
   part.effects.erase(part.effects.begin());
   return part;
 }
@@ -114,7 +114,7 @@ Part extra_part(const std::vector<const Effect*>& effects, const ErrorRows& rows
                                   false},
                      present(effect_columns(*effect, best, rows, false), weight));
   }
-  return part_of(own);
+  return part_of(own, rows);
 }
 
 // Which of the extra errors are clear beside all others: then they are in the fit.
@@ -175,7 +175,7 @@ void fit_all(ErrorFitted& fitted, Stages& stages, const Eigen::VectorXd& far, co
   const Eigen::Index e = stages.extra.columns.size();
   const std::vector<const ErrorColumns*> all{&stages.together.columns, &stages.cyclic.part.columns,
                                              &stages.extra.columns, &stages.spikes.columns};
-  fitted.columns = joined(all);
+  fitted.columns = joined(all, of);
   const GainMaps maps({&of, &far, &stages.first, &stages.together.columns, &stages.cyclic.part.columns,
                        &stages.cyclic.block, &stages.extra.columns, &stages.spikes.columns, &stages.spikes.filters,
                        fitted.slow_variance_um2});
@@ -296,8 +296,8 @@ ErrorFitted error_fitted(ErrorRows rows, const MachineErrorOptions& options, con
   stages.extra = extra_part(kinds.where_they_show, of, {&columns, &stages.first}, left, far);
   Eigen::MatrixXd smooth(of.size(), columns.cols() + waves.size() + stages.extra.columns.size());
   smooth.leftCols(columns.cols()) = columns;
-  if (waves.size() > 0) smooth.middleCols(columns.cols(), waves.size()) = stages.cyclic.part.columns.values;
-  if (stages.extra.columns.size() > 0) smooth.rightCols(stages.extra.columns.size()) = stages.extra.columns.values;
+  smooth.middleCols(columns.cols(), waves.size()) = stages.cyclic.part.columns.values;
+  smooth.rightCols(stages.extra.columns.size()) = stages.extra.columns.values;
   const QuietRows quiet = quiet_rows(of, smooth);
   fitted.noise = error_noise(quiet.rows, quiet.columns);
   fitted.slow_variance_um2 = slow_variance_um2(of, fitted.noise);

@@ -153,16 +153,12 @@ ErrorColumns effect_columns(const Effect& effect, double shape, const ErrorRows&
   return columns;
 }
 
-ErrorColumns joined(const std::vector<const ErrorColumns*>& parts) {
+ErrorColumns joined(const std::vector<const ErrorColumns*>& parts, const ErrorRows& rows) {
   ErrorColumns all;
-  Eigen::Index columns = 0, rows = 0, fine = 0;
-  for (const ErrorColumns* part : parts) {
-    columns += part->size();
-    rows = std::max(rows, part->values.rows());
-    fine = std::max(fine, part->fine.rows());
-  }
-  all.values.resize(rows, columns);
-  all.fine.resize(fine, columns);
+  Eigen::Index columns = 0;
+  for (const ErrorColumns* part : parts) columns += part->size();
+  all.values.resize(rows.size(), columns);
+  all.fine.resize(static_cast<Eigen::Index>(rows.row_of.size()), columns);
   all.columns.reserve(static_cast<std::size_t>(columns));
   Eigen::Index at = 0;
   for (const ErrorColumns* part : parts) {

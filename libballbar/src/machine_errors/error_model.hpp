@@ -37,7 +37,7 @@ ErrorColumns circle_columns(const ErrorRows& rows);
 // Of one effect; `recordings`: for each recording its own.
 ErrorColumns effect_columns(const Effect& effect, double shape, const ErrorRows& rows, bool of_each_recording);
 
-ErrorColumns joined(const std::vector<const ErrorColumns*>& parts);
+ErrorColumns joined(const std::vector<const ErrorColumns*>& parts, const ErrorRows& rows);
 
 // One statement of the prior: sum of coefficients times gains = 0, as `readings` readings would say.
 struct PriorStatement {

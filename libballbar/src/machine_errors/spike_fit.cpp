@@ -96,9 +96,7 @@ Spikes spikes_in(const std::vector<const Effect*>& effects, const ErrorRows& row
   std::vector<const ErrorColumns*> parts;
   parts.reserve(own.size());
   for (const ErrorColumns& one : own) parts.push_back(&one);
-  spikes.columns = joined(parts);
-  spikes.columns.values.conservativeResize(rows.size(), Eigen::NoChange);
-  spikes.columns.fine.conservativeResize(static_cast<Eigen::Index>(rows.row_of.size()), Eigen::NoChange);
+  spikes.columns = joined(parts, rows);
   spikes.filters.resize(rows.size(), static_cast<Eigen::Index>(at));
   Eigen::Index column = 0;
   for (const Eigen::MatrixXd& filter : filters) {
