@@ -125,6 +125,8 @@ std::vector<Cell> cells() {
   result.push_back(cell("step-one-20", "any >= 95, wrong <= 2", step));
   two.d = 15.0;
   result.push_back(cell("two-15", "right >= 50, wrong <= 4", two));
+  two.d = 20.0;
+  result.push_back(cell("two-20", "right >= 60, wrong <= 4", two));
   poor.d = 15.0;
   result.push_back(cell("poor-15", "right >= 50, in set >= 85, wrong <= 4", poor));
   add_outside(result);
