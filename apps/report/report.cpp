@@ -105,6 +105,7 @@ void add_skipped(Made& made, const std::vector<SkippedFile>& skipped) {
     std::string why = one.why;
     if (why.starts_with(one.file)) why.replace(0, one.file.size(), file_name(one.file));
     made.json["fit"]["remarks"].push_back("Left out: " + why);
+    made.json["skipped"].push_back({{"file", file_name(one.file)}, {"why", why}});
   }
   made.skipped.insert(made.skipped.end(), skipped.begin(), skipped.end());
 }

@@ -345,6 +345,7 @@ export interface Report {
   made_on: string; // "2026-11-22"
   files: string[];
   summary: string[]; // the conclusions, whole sentences, first to be read
+  skipped?: { file: string; why: string }[]; // files that cannot be read, by their names
   fit?: FitPart;
   machine_errors?: MachineErrorsPart[]; // one a test
   drift?: DriftPart;

@@ -112,6 +112,14 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     }
     return { ...group, data: sound };
   };
+  // What the program left out, and why, stands beside these files too.
+  const note_skipped = async ({ files }: Group, { skipped = [] }: Report): Promise<void> => {
+    for (const { path } of files) {
+      if (!skipped.some(({ file }) => path.endsWith(`/${file}`))) continue;
+      const fault = await fault_of(path);
+      if (fault !== "") intake.faults().set(path, fault);
+    }
+  };
 
   const make_loop = async (of: Subject, first: Report): Promise<Loop | null> => {
     const checked = first.check?.targets.map(({ target }) => target) ?? [];
@@ -155,6 +163,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     const began = performance.now();
     const first = await runs.report(next);
     const took_ms = performance.now() - began;
+    await note_skipped(next.group, first);
     const its_loop = await make_loop(next, first);
     if (!its_loop) return show_alone(next, first);
     subject = next;

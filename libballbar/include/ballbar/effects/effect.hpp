@@ -46,8 +46,12 @@ inline double zero_of(const EffectRows& rows, std::size_t input) {
 enum class ShapeOf {
   curve,      // a time constant, an exponent, a width ...
   onset,      // a moment in the time of the data, s: searched from row to row, and no better known than their distance
+  period,     // of what repeats, s
   recording,  // the number of the recording that a term belongs to, 0, 1 ...; -1: all. Held; a term's label tells it
 };
+
+// Whether it is a number of the physics: not a moment, nor what the term belongs to.
+inline bool is_of_curve(ShapeOf shape_of) { return shape_of == ShapeOf::curve || shape_of == ShapeOf::period; }
 
 // Starts to try on given rows, in the parameter's unit, within [lower, upper] and at most `most`. Of what repeats,
 // every half of what the length of the rows can resolve: a sinusoid is found only from a start that near.

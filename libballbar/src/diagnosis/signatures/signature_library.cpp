@@ -97,6 +97,13 @@ BoundInputs inputs_of(const Effect& effect, const std::vector<std::string>& name
   return bound;
 }
 
+// 0: nothing that repeats.
+double frequency_Hz(const Parameter& parameter, double value) {
+  if (parameter.shape_of == ShapeOf::period) return 1.0 / value;
+  return parameter.unit == "Hz" ? value : 0.0;
+}
+
+// Empty: at these rows every one would pass for a slower one.
 std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRows& rows,
                                            const SignatureOptions& options) {
   std::vector<double> first;
@@ -110,8 +117,8 @@ std::vector<std::vector<double>> shapes_of(const Effect& effect, const EffectRow
     const std::size_t most = effect.level == Level::series ? kMostPeriods : kMostWaves;
     std::vector<double> grid = grid_of(parameter, rows, parameter.lower, parameter.upper, most);
     if (parameter.shape_of == ShapeOf::onset) grid = onsets(rows, options.every_onset ? kMostOnsets : 7);
-    if (parameter.unit == "Hz") std::erase_if(grid, [&](double f) { return f > options.highest_Hz; });
     if (grid.empty()) continue;
+    std::erase_if(grid, [&](double value) { return frequency_Hz(parameter, value) > options.highest_Hz; });
     std::vector<std::vector<double>> more;
     for (const std::vector<double>& point : points) {
       for (const double value : grid) {

@@ -276,16 +276,18 @@ class Decision {
       d.verdict = Verdict::probable;
     } else if (driver) {
       d.verdict = Verdict::driver;
-    } else if (d.equivalent.empty() || is_of_time_alone()) {
+    } else if (is_of_time_alone()) {
       d.verdict = Verdict::unexplained;
     } else {
       d.verdict = Verdict::equivalent;
     }
   }
 
+  // Whether nothing that may be missing reads a column.
   bool is_of_time_alone() const {
-    return std::all_of(best_->families.begin(), best_->families.end(),
-                       [&](std::size_t f) { return family(f).bound.effect->time_only; });
+    const auto goes_with_time = [](const BoundEffect& bound) { return bound.effect->time_only; };
+    return std::all_of(result_.equivalent.begin(), result_.equivalent.end(),
+                       [&](const auto& group) { return std::all_of(group.begin(), group.end(), goes_with_time); });
   }
 
   // Behind the best set what else is probable, beside the rest of its own best set.

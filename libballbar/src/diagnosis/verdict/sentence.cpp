@@ -46,7 +46,7 @@ std::string time_text(const Candidate& one) {
   constexpr std::string_view kUnit = "_s";
   for (const FittedParameter& parameter : one.parameters) {
     const bool found = parameter.state == ParameterState::free && std::isfinite(parameter.sigma);
-    if (parameter.unit != "s" || !found || parameter.shape_of != ShapeOf::curve || !parameter.name.ends_with(kUnit)) {
+    if (parameter.unit != "s" || !found || !is_of_curve(parameter.shape_of) || !parameter.name.ends_with(kUnit)) {
       continue;
     }
     std::string words = parameter.name.substr(0, parameter.name.size() - kUnit.size());

@@ -27,7 +27,7 @@ extern const Effect kDayCycle{
       {},
       "24 h",
       true,
-      ShapeOf::curve,
+      ShapeOf::period,
       cycle_periods}},
     by_row<3>(Cycle{}),
     true,

@@ -29,7 +29,7 @@ extern const Effect kThermostatCycle{
       {180.0, 236.0, 310.0, 407.0, 535.0, 702.0, 922.0, 1211.0, 1590.0, 2088.0, 2742.0, 3600.0},
       "of the thermostat",
       false,
-      ShapeOf::curve,
+      ShapeOf::period,
       cycle_periods}},
     by_row<3>(Cycle{}),
     true,
