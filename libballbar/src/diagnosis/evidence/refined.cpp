@@ -71,10 +71,10 @@ RowMajorMatrix pool_of(const BaseColumns& columns, const Eigen::MatrixXd& times)
 }
 
 Refined refined(const BaseModel& base, std::vector<double> parameters, const std::vector<std::size_t>& free,
-                const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known, int rounds,
+                const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known, Steps steps,
                 std::size_t fixed) {
   At now = at(base, parameters, free, times, filter, known, fixed);
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < steps.most; ++round) {
     double share = 1.0;
     bool better = false;
     for (int half = 0; half < 3 && !better; ++half, share *= 0.4) {
@@ -82,7 +82,7 @@ Refined refined(const BaseModel& base, std::vector<double> parameters, const std
       At there = at(base, next, free, times, filter, known, fixed);
       if (!(there.solution.square < now.solution.square) && half < 2) continue;
       if (!(there.solution.square <= now.solution.square * (1.0 + 1e-9))) break;
-      better = now.solution.square - there.solution.square > 1e-3 * now.solution.variance;
+      better = now.solution.square - there.solution.square > steps.least_fall * now.solution.variance;
       parameters = next;
       now = std::move(there);
       break;

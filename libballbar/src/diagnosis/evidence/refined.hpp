@@ -17,10 +17,17 @@ struct Refined {
   double square = 0.0;        // what is left of the white readings
 };
 
+// How long it goes on: at most so many steps, and while one lowers `square` by more than this share of the scatter.
+struct Steps {
+  int most = 12;
+  double least_fall = 1e-3;  // of what a search tells apart
+};
+inline constexpr Steps kToTheEnd{60, 1e-9};  // of numbers that are printed
+
 // Gauss-Newton, shapes within their bounds. times: columns of Kind::time. free: shapes that are free though held;
 // fixed: as BaseModel::at.
 Refined refined(const BaseModel& base, std::vector<double> parameters, const std::vector<std::size_t>& free,
-                const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known, int rounds,
+                const Eigen::MatrixXd& times, const CovarianceFilter& filter, const KnownScatter& known, Steps steps,
                 std::size_t fixed = 0);
 
 // Line of these columns in a pool where they stand from `first` on: y, the columns, times.

@@ -128,7 +128,7 @@ Beside sharpened(Problem& problem, const Variant& variant, Beside beside, const 
   const auto [model, start] = with_effects(problem, beside);
   const BaseModel with(model, problem.logged, problem.y, problem.base.row);
   const Refined best =
-      refined(with, start, free_of(problem, variant.own), variant.times, point.filter, problem.known, kStepsBeside);
+      refined(with, start, free_of(problem, variant.own), variant.times, point.filter, problem.known, {kStepsBeside});
   return taken_over(problem, std::move(beside), best.parameters);
 }
 

@@ -63,7 +63,7 @@ class Search {
     pilots_ = likeliest_of(grid, starts.front());
     const auto add = [&](const Point& point, std::vector<double> from, int rounds) {
       const Refined there = refined(*problem_.base_model, std::move(from), {}, starts.front().times, point.filter,
-                                    problem_.known, rounds);
+                                    problem_.known, {rounds});
       if (std::all_of(starts.begin(), starts.end(), [&](const Variant& other) {
             return is_elsewhere(problem_, other, there.parameters, kOtherStart);
           }))
@@ -88,7 +88,7 @@ class Search {
   // The model where a held value is another one, which is remembered; of the line it is held.
   Variant beside_own(OwnParameter& own, std::vector<double> from, const Eigen::MatrixXd& times) const {
     const Refined refined_there = refined(*problem_.base_model, std::move(from), {own.parameter}, times,
-                                          point_at(problem_, pilots_.front()).filter, problem_.known, 12);
+                                          point_at(problem_, pilots_.front()).filter, problem_.known, {});
     std::vector<double> parameters = refined_there.parameters;
     own.fitted.push_back(parameters[own.parameter]);
     return variant_at(problem_, 0, held_again(own, std::move(parameters), times));
@@ -100,7 +100,7 @@ class Search {
                                  const Eigen::MatrixXd& times) const {
     parameters[own.parameter] = own.held;
     return refined(*problem_.base_model, std::move(parameters), {}, times, point_at(problem_, pilots_.front()).filter,
-                   problem_.known, 0)
+                   problem_.known, {0})
         .parameters;
   }
 

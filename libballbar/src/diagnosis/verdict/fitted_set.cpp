@@ -60,7 +60,7 @@ double profile_end(const BaseModel& model, const Refined& best, std::size_t para
   std::vector<double> start = best.parameters;
   for (int tries = 0; tries < kMostTries; ++tries) {
     start[parameter] = at(factor);
-    const Refined now = refined(model, start, {}, times, filter, known, 4, parameter);
+    const Refined now = refined(model, start, {}, times, filter, known, {4}, parameter);
     const double fall =
         0.5 * (degrees + known.readings) *
         std::log((now.square + known.readings * known.variance) / (best.square + known.readings * known.variance));
@@ -92,7 +92,7 @@ FittedSet fitted_set(const Problem& problem, const Posterior& posterior, const E
     for (const Setting& setting : result.model.terms[t].settings) start.push_back(setting.start);
   }
   const BaseModel model(result.model, problem.logged, problem.y, problem.base.row);
-  const Refined best = refined(model, start, {}, variant.times, filter, problem.known, 12);
+  const Refined best = refined(model, start, {}, variant.times, filter, problem.known, kToTheEnd);
 
   const BaseColumns columns = model.at(best.parameters);
   const Gram gram = gram_of(filter, pool_of(columns, variant.times));
