@@ -11,7 +11,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/test_folder.hpp"
 #include "commands.hpp"
-#include "diagnose/diagnosis_report.hpp"
+#include "diagnose/diagnosis_result.hpp"
 #include "diagnose/follow.hpp"
 #include "diagnose/machine_errors_report.hpp"
 #include "model/model_options.hpp"

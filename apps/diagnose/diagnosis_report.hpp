@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,9 +55,6 @@ std::string labels(const std::vector<BoundEffect>& bounds, std::string_view betw
 
 // What was not searched of the columns that the data offer: "gradient_bending on 16 of 528 choices of columns".
 std::string not_searched_text(const Diagnosis& found);
-
-// The keys of `diagnose --json`.
-nlohmann::ordered_json json_of(const DiagnosisReport& diagnosis_report);
 
 // The same for the terminal, the verdict first.
 void print_text(const DiagnosisReport& diagnosis_report, const std::string& title);

@@ -4,34 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "ballbar/fit/parameter_correlation.hpp"
 #include "ballbar/model/measured_input.hpp"
 #include "ballbar/number_text.hpp"
 #include "ballbar/series/runs.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {
 
 std::string independent_text(double n) { return n < 100.0 ? fmt::format("{:.1f}", n) : fmt::format("{:.0f}", n); }
-
-const char* state_name(ParameterState state) {
-  switch (state) {
-    case ParameterState::free:
-      return "free";
-    case ParameterState::held:
-      return "held";
-    case ParameterState::on_lower_bound:
-      return "on lower bound";
-    case ParameterState::on_upper_bound:
-      return "on upper bound";
-    case ParameterState::undetermined:
-      return "undetermined";
-  }
-  return "free";
-}
 
 }  // namespace
 
@@ -83,53 +67,8 @@ std::string floor_text(const Fit& fit) {
                      independent_text(fit.n_effective));
 }
 
-nlohmann::ordered_json json_of(const ResidualReport& residual_report) {
-  const Fit& fit = residual_report.fit;
-  nlohmann::ordered_json json;
-  json["target"] = fit.target;
-  json["rmse_um"] = number(fit.rmse_um);
-  json["floor_um"] = has_floor(fit) ? number(fit.floor.rms_um) : nullptr;
-  json["floor_source"] = fit.floor.source;
-  json["n"] = fit.residual_um.size();
-  json["n_effective"] = number(fit.n_effective);
-  json["adequate"] = is_adequate(fit, residual_report.whiteness);
-  json["where"] = nlohmann::ordered_json::array();
-  for (const Misfit& misfit : residual_report.where) {
-    json["where"].push_back({{"what", misfit.what},
-                             {"from", misfit.from},
-                             {"to", misfit.to},
-                             {"n", misfit.n},
-                             {"bias_um", number(misfit.bias_um)},
-                             {"bias_sigma_um", number(misfit.bias_sigma_um)},
-                             {"rmse_um", number(misfit.rmse_um)},
-                             {"share", number(misfit.share)}});
-  }
-  json["parameters"] = nlohmann::ordered_json::array();
-  for (const FittedParameter& parameter : fit.parameters) {
-    json["parameters"].push_back({{"effect", parameter.effect},
-                                  {"name", parameter.name},
-                                  {"value", number(parameter.value)},
-                                  {"sigma", number(parameter.sigma)},
-                                  {"unit", parameter.unit},
-                                  {"state", state_name(parameter.state)}});
-  }
-  json["correlation"] = nlohmann::ordered_json::array();
-  const Eigen::MatrixXd correlation = correlation_of(fit);
-  for (Eigen::Index i = 0; i < correlation.rows(); ++i) {
-    nlohmann::ordered_json row = nlohmann::ordered_json::array();
-    for (Eigen::Index j = 0; j < correlation.cols(); ++j) row.push_back(number(correlation(i, j)));
-    json["correlation"].push_back(std::move(row));
-  }
-  json["noise"] = {{"white_um", number(fit.noise.white_um)},
-                   {"correlated_um", number(fit.noise.correlated_um)},
-                   {"correlation_time_s", number(fit.noise.correlation_time_s)}};
-  json["whiteness"] = {{"autocorrelation", residual_report.whiteness.autocorrelation},
-                       {"periodogram_distance", number(residual_report.whiteness.periodogram_distance)},
-                       {"p", number(residual_report.whiteness.p)}};
-  json["sentences"] = sentences(fit, residual_report.where, residual_report.whiteness);
-  json["converged"] = fit.converged;
-  json["remarks"] = fit.remarks;
-  return json;
+std::optional<double> floor_um(const ResidualReport& report) {
+  return has_floor(report.fit) ? std::optional(report.fit.floor.rms_um) : std::nullopt;
 }
 
 }  // namespace ballbar

@@ -1,12 +1,14 @@
 // A model held against data, as `check` and `diagnose` show it.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ballbar/fit/fit.hpp"
+#include "ballbar/fit/parameter_correlation.hpp"
 #include "ballbar/fit/residual.hpp"
+#include "ballbar/formats/results/fit_results.hpp"
 #include "model/model_options.hpp"
 
 namespace ballbar {
@@ -33,7 +35,33 @@ int decimals_of(double rmse_um);
 
 bool has_floor(const Fit& fit);
 
-// The keys of `check --json`.
-nlohmann::ordered_json json_of(const ResidualReport& residual_report);
+// Absent where none is known.
+std::optional<double> floor_um(const ResidualReport& report);
+
+// What `check --json` prints of one target.
+template <>
+struct ResultType<ResidualReport> {
+  using Report = const ResidualReport&;
+  static constexpr std::string_view name = "Checked";
+  static constexpr std::string_view meaning = "A model fitted, and where it fails.";
+  static constexpr std::tuple fields{
+      Field{"target", [](Report of) { return of.fit.target; }, "column that is explained"},
+      Field{"rmse_um", [](Report of) { return of.fit.rmse_um; }, "that the model leaves"},
+      Field{"floor_um", &floor_um, "that no model could explain; null: not known"},
+      Field{"floor_source", [](Report of) { return of.fit.floor.source; }, "what tells the floor"},
+      Field{"n", [](Report of) { return of.fit.residual_um.size(); }, "readings"},
+      Field{"n_effective", [](Report of) { return of.fit.n_effective; }, "independent readings that they are worth"},
+      Field{"adequate", [](Report of) { return is_adequate(of.fit, of.whiteness); },
+            "whether the model leaves noise alone"},
+      Field{"where", &ResidualReport::where, "where it fails"},
+      Field{"parameters", [](Report of) { return of.fit.parameters; }, ""},
+      Field{"correlation", [](Report of) { return correlation_of(of.fit); }, "of the parameters, row by row"},
+      Field{"noise", [](Report of) { return of.fit.noise; }, "of the residual"},
+      Field{"whiteness", &ResidualReport::whiteness, ""},
+      Field{"sentences", [](Report of) { return sentences(of.fit, of.where, of.whiteness); },
+            "how far from the floor, where worst, what is left"},
+      Field{"converged", [](Report of) { return of.fit.converged; }, "whether the fit came to an end"},
+      Field{"remarks", [](Report of) { return of.fit.remarks; }, ""}};
+};
 
 }  // namespace ballbar

@@ -11,6 +11,7 @@
 #include "ballbar/series/folds.hpp"
 #include "ballbar/series/runs.hpp"
 #include "ballbar/units.hpp"
+#include "diagnose/diagnosis_result.hpp"
 #include "report/report_parts.hpp"
 #include "terminal/json_number.hpp"
 

@@ -1,0 +1,71 @@
+// What `diagnose --json` prints of one target.
+#pragma once
+
+#include "ballbar/formats/results/diagnosis_results.hpp"
+#include "diagnose/diagnosis_report.hpp"
+
+namespace ballbar {
+
+template <>
+struct ResultType<StandIn> {
+  static constexpr std::string_view name = "StandIn";
+  static constexpr std::string_view meaning = "An effect added earlier that others explain better.";
+  static constexpr std::tuple fields{Field{"effect", &StandIn::effect, ""}, Field{"by", &StandIn::by, "the others"},
+                                     Field{"command", &StandIn::command, "that replaces it"}};
+};
+
+// The test that would decide.
+struct NextStep {
+  std::string text;
+  MayLack<double> separation;
+  MayLack<std::string> command;
+};
+std::optional<NextStep> next_step(const DiagnosisReport& report);
+
+template <>
+struct ResultType<NextStep> {
+  static constexpr std::string_view name = "NextStep";
+  static constexpr std::string_view meaning = "The test that would decide.";
+  static constexpr std::tuple fields{
+      Field{"text", &NextStep::text, "what to do"},
+      Field{"separation", &NextStep::separation, "of recordings: d of the two that are hardest to tell"},
+      Field{"command", &NextStep::command, "of a series: that plans it"}};
+};
+
+template <>
+struct ResultType<DiagnosisReport> {
+  using Report = const DiagnosisReport&;
+  static constexpr std::string_view name = "Diagnosed";
+  static constexpr std::string_view meaning = "Which effect a model lacks.";
+  static constexpr std::tuple of_diagnosis{
+      Field{"verdict", &Diagnosis::verdict, "named, probable, driver, equivalent, unexplained, untestable, nothing"},
+      Field{"sentence", &Diagnosis::sentence, "what it says in plain words"}};
+  static constexpr std::tuple found{
+      Field{"named", &Diagnosis::named, "that are missing"},
+      Field{"probable", &Diagnosis::probable, "that are probably missing"},
+      Field{"equivalent", &Diagnosis::equivalent, "sets, of each of which one may be missing, the likeliest first"},
+      Field{"drivers", &Diagnosis::drivers, "from p = 0.5 on"},
+      Field{"own", &Diagnosis::own, "values that the model holds and that may be others, from p = 0.05 on"},
+      Field{"effects", &Diagnosis::effects, "from p = 0.01 on"},
+      Field{"p_nothing", &Diagnosis::p_nothing, "probability that nothing is missing"},
+      Field{"p_discrepancy", &Diagnosis::p_discrepancy, "probability of a slow curve without a cause"},
+      Field{"discrepancy_um", &Diagnosis::discrepancy_um, "its standard deviation"},
+      Field{"candidates", &Diagnosis::candidates, "the likeliest set, then others by probability"}};
+  static constexpr std::tuple hidden{
+      Field{"hidden_um", &Diagnosis::hidden_um, "amplitude up to which an effect could hide in these data"},
+      Field{"untestable", [](const Diagnosis& of) { return untestable_of(of); }, "effects that these data cannot show"},
+      Field{"not_searched", [](const Diagnosis& of) { return not_searched_of(of); },
+            "effects with more choices of columns than were searched"},
+      Field{"reasons", &Diagnosis::reasons, "why it is not named, or not all of it"},
+      Field{"gains_by_run", &Diagnosis::gains_by_run, "of several runs: gains that differ"}};
+  static constexpr std::tuple fields = std::tuple_cat(
+      fields_through(&DiagnosisReport::residual_report, ResultType<ResidualReport>::fields),
+      fields_through(&DiagnosisReport::diagnosis, of_diagnosis),
+      std::tuple{Field{"command", &DiagnosisReport::command, "to type next; empty: none"}},
+      fields_through(&DiagnosisReport::diagnosis, found),
+      std::tuple{Field{"stand_ins", &DiagnosisReport::stand_ins, "effects added earlier that others explain better"}},
+      fields_through(&DiagnosisReport::diagnosis, hidden),
+      std::tuple{Field{"next_test", &next_step, "that would decide; null: nothing is open"}});
+};
+
+}  // namespace ballbar

@@ -1,0 +1,140 @@
+// Results described once. A type of result lists its fields: the name with its unit, where the value is had from, and a
+// line of meaning. Its JSON follows from that list, and so does its schema, of which the keys of TypeScript, of Python
+// and of the READMEs are written (schema.hpp).
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <concepts>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace ballbar {
+
+// `get`: a pointer to a member of the result, or a function of the result.
+template <class Get>
+struct Field {
+  std::string_view name;
+  Get get;
+  std::string_view meaning;
+};
+template <class Get>
+Field(std::string_view, Get, std::string_view) -> Field<Get>;
+
+// Value of a field that a result may lack; a std::optional without value is there, and null.
+template <class Value>
+struct MayLack {
+  std::optional<Value> value;
+};
+
+// Values by a text, in their order.
+template <class Value>
+using TableOf = std::vector<std::pair<std::string, Value>>;
+
+// Of each type of result: `name`, as TypeScript and Python have it, `meaning`, and `fields`, a tuple of Field, in the
+// order of the JSON. A type that has another's fields joins them by std::tuple_cat and fields_through().
+template <class Type>
+struct ResultType;
+
+// The fields of a part of a result, as fields of the result.
+template <class Part, class... Gets>
+constexpr auto fields_through(Part part, const std::tuple<Field<Gets>...>& fields) {
+  const auto through = [part](const auto& field) {
+    const auto get = field.get;
+    return Field{field.name,
+                 [part, get](const auto& result) -> decltype(auto) {
+                   return std::invoke(get, std::invoke(part, result));
+                 },
+                 field.meaning};
+  };
+  return std::apply([&](const auto&... field) { return std::tuple{through(field)...}; }, fields);
+}
+
+template <class Type>
+concept Described = requires { ResultType<Type>::name; };
+
+template <class Type>
+concept Named = std::is_enum_v<Type> && requires(Type value) { std::string(name_of(value)); };
+
+template <Described Type>
+nlohmann::ordered_json json_of(const Type& result);
+
+// A number that is not finite is null, which JSON has no number for.
+inline nlohmann::ordered_json json_value(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+template <std::integral Type>
+nlohmann::ordered_json json_value(Type value) {
+  return value;
+}
+inline nlohmann::ordered_json json_value(std::string_view value) { return std::string(value); }
+inline nlohmann::ordered_json json_value(const std::string& value) { return value; }
+template <Named Type>
+nlohmann::ordered_json json_value(Type value) {
+  return std::string(name_of(value));
+}
+template <Described Type>
+nlohmann::ordered_json json_value(const Type& value) {
+  return json_of(value);
+}
+template <class Type>
+nlohmann::ordered_json json_value(const std::optional<Type>& value);
+template <class Type>
+nlohmann::ordered_json json_value(const TableOf<Type>& values);
+template <class Type>
+nlohmann::ordered_json json_value(const std::vector<Type>& values);
+
+// Rows.
+inline nlohmann::ordered_json json_value(const Eigen::MatrixXd& matrix) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    nlohmann::ordered_json row = nlohmann::ordered_json::array();
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.push_back(json_value(matrix(i, j)));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+template <class Type>
+nlohmann::ordered_json json_value(const std::optional<Type>& value) {
+  return value ? json_value(*value) : nlohmann::ordered_json(nullptr);
+}
+template <class Type>
+nlohmann::ordered_json json_value(const TableOf<Type>& values) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const auto& [key, value] : values) json[key] = json_value(value);
+  return json;
+}
+template <class Type>
+nlohmann::ordered_json json_value(const std::vector<Type>& values) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const Type& value : values) json.push_back(json_value(value));
+  return json;
+}
+
+// `json` with the field, where the result has it.
+template <class Value>
+void add_value(nlohmann::ordered_json& json, std::string_view name, const Value& value) {
+  json[std::string(name)] = json_value(value);
+}
+template <class Value>
+void add_value(nlohmann::ordered_json& json, std::string_view name, const MayLack<Value>& value) {
+  if (value.value) json[std::string(name)] = json_value(*value.value);
+}
+
+template <Described Type>
+nlohmann::ordered_json json_of(const Type& result) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  std::apply([&](const auto&... field) { (add_value(json, field.name, std::invoke(field.get, result)), ...); },
+             ResultType<Type>::fields);
+  return json;
+}
+
+}  // namespace ballbar
