@@ -24,4 +24,5 @@ if [ $readme = yes ]; then
     python3 tests/cli/readme.py "$program" "$source" "$scratch/readme" "$page" --update
   done < tests/cli/readme-pages.txt
   "$(dirname "$program")/../tests/formats/format_keys" formats/README.md --update
+  "$(dirname "$program")/../tests/apps/result_keys" . --update
 fi

@@ -2,8 +2,9 @@
 // there (`ballbar fit --json`, drift, compare, check, diagnose, ledger); the keys added for the page are the curves.
 // `--plot` of other commands gives the parts that it draws.
 // A number that is not known is null. Long columns are arrays of numbers, rounded to seven digits.
+import type * as results from "./results";
 
-export type Num = number | null;
+export type Num = results.Num;
 
 // Columns on one clock. Role as in a series file: "structure", "ambient", "speed", "measured" ...
 export interface Column {
@@ -163,18 +164,7 @@ export interface Parameter {
   unit: string;
   state?: string;
 }
-export interface Checked {
-  target: string;
-  rmse_um: Num;
-  floor_um: Num;
-  floor_source: string;
-  n: number;
-  n_effective: Num;
-  adequate: boolean;
-  where: { what: string; from: string; to: string; n: number; bias_um: Num; bias_sigma_um: Num; rmse_um: Num; share: Num }[];
-  parameters: Parameter[];
-  sentences: string[];
-  remarks: string[];
+export interface Checked extends results.Checked {
   // for the page
   level: "series" | "recording";
   floor_text: string;
@@ -194,52 +184,22 @@ export interface Checked {
   steps: { effect: string; input: string; from: number; to: number; unit: string; time_s: number[]; response_um: Num[] }[];
 }
 
-export interface Bound {
-  effect: string;
-  columns: Record<string, string>;
-}
-export interface Candidate extends Bound {
+export type Bound = results.Bound;
+export interface Candidate extends results.Candidate {
   label: string; // for the page: "lagged_expansion(T_room_degC)"
-  p: Num; // that it is missing
-  amplitude_um: Num;
-  amplitude_sigma_um: Num;
-  rmse_after_um: Num;
-  held_out_before_um: Num;
-  held_out_after_um: Num;
-  likelihood_ratio: Num; // 2 ln B
-  beats_surrogates: boolean | null;
   best_surrogate_fall: Num; // for the page: share of the RMSE beside the rest of its set
-  in_best_set: boolean;
-  minor: boolean;
-  inseparable_from: string[];
-  parameters: Parameter[];
   curve_um: Num[]; // for the page: what it adds that the model cannot make itself, at the rows of the checked series
 }
-export interface Diagnosed {
-  target: string;
+// What the check of the same target has is there alone.
+type OfCheck = "where" | "parameters" | "correlation" | "noise" | "whiteness" | "sentences" | "remarks";
+export interface Diagnosed extends Omit<results.Diagnosed, OfCheck | "candidates" | "effects" | "verdict"> {
   not_diagnosed?: string; // why; then nothing else is there
   verdict: "named" | "probable" | "driver" | "equivalent" | "unexplained" | "untestable" | "nothing";
-  sentence: string;
-  command: string; // to paste next; empty: none
   hint: string; // for the page: what no command does; empty: nothing
-  named: Bound[];
-  probable: Bound[];
-  equivalent: Bound[][];
-  drivers: { column: string; p: Num }[];
-  own: { effect: string; parameter: string; unit: string; held: Num; fitted: Num; low: Num; high: Num; p: Num }[];
-  effects: (Bound & { label: string; p: Num })[]; // label: for the page
-  p_nothing: Num;
-  p_discrepancy: Num;
-  discrepancy_um: Num;
+  effects: (results.EffectProbability & { label: string })[]; // label: for the page
   candidates: Candidate[];
-  rmse_um: Num;
   rmse_after_um: Num; // with the best set
-  floor_um: Num;
-  untestable: { effect: string; why: string }[];
-  not_searched: { effect: string; choices_of_columns: number; searched: number }[];
   refit_um: Num[]; // for the page: by what the model's own parameters give way beside what is missing, same rows
-  reasons: string[];
-  next_test: { text: string; separation: Num } | null;
   next_test_text: string; // as the terminal has it; empty: none is needed
   // Row: an effect that might be there; column: one that could be taken for it. |cos| between what survives of both
   // beside the model, the median over the shapes of the row, each with the shape of the column that is most like it;

@@ -30,32 +30,6 @@ std::string typescript_type(const ValueSchema& value) {
   return value.or_null && value.kind != ValueKind::number ? plain() + " | null" : plain();
 }
 
-// As the attributes of ballbar.Result have it: lists of numbers are arrays, lists of results are Rows.
-std::string python_type(const ValueSchema& value) {
-  const auto plain = [&]() -> std::string {
-    switch (value.kind) {
-      case ValueKind::number:
-        return "float";
-      case ValueKind::whole:
-        return "int";
-      case ValueKind::truth:
-        return "bool";
-      case ValueKind::text:
-        return "str";
-      case ValueKind::list:
-        if (value.of.front().kind == ValueKind::result) return "Rows";
-        if (value.of.front().kind == ValueKind::number || value.of.front().kind == ValueKind::whole) return "Array";
-        return fmt::format("list[{}]", python_type(value.of.front()));
-      case ValueKind::table:
-        return "Result";
-      case ValueKind::result:
-        return value.name;
-    }
-    return "Any";
-  };
-  return value.or_null && value.kind != ValueKind::number ? plain() + " | None" : plain();
-}
-
 }  // namespace
 
 std::string typescript_of(const std::vector<ResultSchema>& schemas) {
@@ -67,24 +41,6 @@ std::string typescript_of(const std::vector<ResultSchema>& schemas) {
                           field.meaning.empty() ? "" : " // " + field.meaning);
     }
     text += "}\n\n";
-  }
-  return text;
-}
-
-std::string python_of(const std::vector<ResultSchema>& schemas) {
-  std::string text;
-  for (const ResultSchema& schema : schemas) {
-    text += fmt::format("class {}(Result):\n    \"\"\"{}\n\n    Attributes\n    ----------\n", schema.name,
-                        schema.meaning);
-    for (const FieldSchema& field : schema.fields) {
-      text += fmt::format("    {} : {}\n", field.name, python_type(field.value));
-      if (!field.meaning.empty()) text += fmt::format("        {}\n", field.meaning);
-    }
-    text += "    \"\"\"\n\n";
-    for (const FieldSchema& field : schema.fields) {
-      text += fmt::format("    {}: {}\n", field.name, python_type(field.value));
-    }
-    text += "\n\n";
   }
   return text;
 }

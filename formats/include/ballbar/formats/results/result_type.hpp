@@ -1,6 +1,6 @@
 // Results described once. A type of result lists its fields: the name with its unit, where the value is had from, and a
-// line of meaning. Its JSON follows from that list, and so does its schema, of which the keys of TypeScript, of Python
-// and of the READMEs are written (schema.hpp).
+// line of meaning. Its JSON follows from that list, and so does its schema, of which the types of TypeScript and the
+// tables of READMEs are written (schema.hpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -48,20 +48,23 @@ template <class Part, class... Gets>
 constexpr auto fields_through(Part part, const std::tuple<Field<Gets>...>& fields) {
   const auto through = [part](const auto& field) {
     const auto get = field.get;
-    return Field{field.name,
-                 [part, get](const auto& result) -> decltype(auto) {
-                   return std::invoke(get, std::invoke(part, result));
-                 },
-                 field.meaning};
+    return Field{
+        field.name,
+        [part, get](const auto& result) -> decltype(auto) { return std::invoke(get, std::invoke(part, result)); },
+        field.meaning};
   };
   return std::apply([&](const auto&... field) { return std::tuple{through(field)...}; }, fields);
 }
 
 template <class Type>
-concept Described = requires { ResultType<Type>::name; };
+concept Described = requires {
+  ResultType<Type>::name;
+};
 
 template <class Type>
-concept Named = std::is_enum_v<Type> && requires(Type value) { std::string(name_of(value)); };
+concept Named = std::is_enum_v<Type> && requires(Type value) {
+  std::string(name_of(value));
+};
 
 template <Described Type>
 nlohmann::ordered_json json_of(const Type& result);

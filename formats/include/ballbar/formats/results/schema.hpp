@@ -106,7 +106,7 @@ void add_schema(std::vector<ResultSchema>& all) {
   const auto add = [&](const auto& field) {
     using Value = std::remove_cvref_t<std::invoke_result_t<decltype(field.get), const Type&>>;
     fields.push_back({std::string(field.name), std::string(field.meaning),
-                             SchemaOf<typename LackOf<Value>::Type>::of(all), LackOf<Value>::may});
+                      SchemaOf<typename LackOf<Value>::Type>::of(all), LackOf<Value>::may});
   };
   std::apply([&](const auto&... field) { (add(field), ...); }, ResultType<Type>::fields);
   all[place].fields = std::move(fields);
@@ -114,8 +114,6 @@ void add_schema(std::vector<ResultSchema>& all) {
 
 // "export interface Misfit { ... }", one after the other.
 std::string typescript_of(const std::vector<ResultSchema>& schemas);
-// "class Misfit(Result): ...": docstrings and types of the attributes.
-std::string python_of(const std::vector<ResultSchema>& schemas);
 // A table of the keys of one.
 std::string markdown_of(const ResultSchema& schema);
 
