@@ -2,10 +2,10 @@
 
 namespace ballbar {
 
-std::optional<NextStep> next_step(const DiagnosisReport& report) {
-  if (!report.plan_command.empty()) return NextStep{next_text(report), {}, {report.plan_command}};
+std::optional<DecidingTest> deciding_test(const DiagnosisReport& report) {
+  if (!report.plan_command.empty()) return DecidingTest{next_text(report), {}, {report.plan_command}};
   if (report.next_tests.empty()) return std::nullopt;
-  return NextStep{report.next_tests.front().text, {report.next_tests.front().separation}, {}};
+  return DecidingTest{report.next_tests.front().text, {report.next_tests.front().separation}, {}};
 }
 
 }  // namespace ballbar

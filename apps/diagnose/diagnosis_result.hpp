@@ -15,21 +15,21 @@ struct ResultType<StandIn> {
 };
 
 // The test that would decide.
-struct NextStep {
+struct DecidingTest {
   std::string text;
   MayLack<double> separation;
   MayLack<std::string> command;
 };
-std::optional<NextStep> next_step(const DiagnosisReport& report);
+std::optional<DecidingTest> deciding_test(const DiagnosisReport& report);
 
 template <>
-struct ResultType<NextStep> {
-  static constexpr std::string_view name = "NextStep";
+struct ResultType<DecidingTest> {
+  static constexpr std::string_view name = "DecidingTest";
   static constexpr std::string_view meaning = "The test that would decide.";
   static constexpr std::tuple fields{
-      Field{"text", &NextStep::text, "what to do"},
-      Field{"separation", &NextStep::separation, "of recordings: d of the two that are hardest to tell"},
-      Field{"command", &NextStep::command, "of a series: that plans it"}};
+      Field{"text", &DecidingTest::text, "what to do"},
+      Field{"separation", &DecidingTest::separation, "of recordings: d of the two that are hardest to tell"},
+      Field{"command", &DecidingTest::command, "of a series: that plans it"}};
 };
 
 template <>
@@ -65,7 +65,7 @@ struct ResultType<DiagnosisReport> {
       fields_through(&DiagnosisReport::diagnosis, found),
       std::tuple{Field{"stand_ins", &DiagnosisReport::stand_ins, "effects added earlier that others explain better"}},
       fields_through(&DiagnosisReport::diagnosis, hidden),
-      std::tuple{Field{"next_test", &next_step, "that would decide; null: nothing is open"}});
+      std::tuple{Field{"next_test", &deciding_test, "that would decide; null: nothing is open"}});
 };
 
 }  // namespace ballbar

@@ -38,7 +38,7 @@ export interface Diagnosed {
   not_searched: NotSearched[]; // effects with more choices of columns than were searched
   reasons: string[]; // why it is not named, or not all of it
   gains_by_run: GainByRun[]; // of several runs: gains that differ
-  next_test: NextStep | null; // that would decide; null: nothing is open
+  next_test: DecidingTest | null; // that would decide; null: nothing is open
 }
 
 // Some of the readings, and how the model fails there.
@@ -174,7 +174,7 @@ export interface GainOfRun {
 }
 
 // The test that would decide.
-export interface NextStep {
+export interface DecidingTest {
   text: string; // what to do
   separation?: Num; // of recordings: d of the two that are hardest to tell
   command?: string; // of a series: that plans it

@@ -34,19 +34,20 @@ template <>
 struct ResultType<Outer> {
   static constexpr std::string_view name = "Outer";
   static constexpr std::string_view meaning = "All kinds of values.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&Outer::inner, ResultType<Inner>::fields),
-      std::tuple{
-          Field{"rows", &Outer::rows, ""}, Field{"known", &Outer::known, ""}, Field{"colour", &Outer::colour, ""},
-          Field{"n", &Outer::n, "as many"}, Field{"twice", [](const Outer& of) { return 2.0 * of.n; }, ""},
-          Field{"note", &Outer::note, ""},
-          Field{
-              "table",
-              [](const Outer& of) {
-                return TableOf<std::string>{{"b", "2"}, {"a", std::to_string(of.n)}};
-              },
-              ""},
-          Field{"again", &Outer::again, ""}});
+  static constexpr std::tuple fields =
+      std::tuple_cat(fields_through(&Outer::inner, ResultType<Inner>::fields),
+                     std::tuple{
+                         Field{"rows", &Outer::rows, ""}, Field{"known", &Outer::known, ""},
+                         Field{"colour", &Outer::colour, ""}, Field{"n", &Outer::n, "as many"},
+                         Field{"twice", [](const Outer& of) { return 2.0 * static_cast<double>(of.n); }, ""},
+                         Field{"note", &Outer::note, ""},
+                         Field{
+                             "table",
+                             [](const Outer& of) {
+                               return TableOf<std::string>{{"b", "2"}, {"a", std::to_string(of.n)}};
+                             },
+                             ""},
+                         Field{"again", &Outer::again, ""}});
 };
 
 namespace {
