@@ -8,6 +8,7 @@
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/fit/residual.hpp"
+#include "ballbar/formats/results/diagnosis_results.hpp"
 #include "ballbar/number_text.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
@@ -213,10 +214,8 @@ nlohmann::ordered_json json_of(const EffectTest& effect_test) {
   for (std::size_t i = 0; i < effect_test.added.size(); ++i) {
     const Candidate& tried = effect_test.added[i];
     const Term& term = effect_test.model.terms[effect_test.model.terms.size() - effect_test.added.size() + i];
-    nlohmann::ordered_json columns = nlohmann::ordered_json::object();
-    for (std::size_t k = 0; k < term.columns.size(); ++k) columns[term.effect->inputs[k].role] = term.columns[k];
     json["effects"].push_back({{"effect", term.effect->name},
-                               {"columns", std::move(columns)},
+                               {"columns", json_value(columns_of({term.effect.get(), term.columns}))},
                                {"amplitude_um", number(tried.amplitude_um)},
                                {"amplitude_sigma_um", number(tried.amplitude_sigma_um)},
                                {"likelihood_ratio", number(tried.likelihood_ratio)},

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/results/diagnosis_results.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
@@ -166,15 +167,14 @@ nlohmann::ordered_json json_of(const Diagnosis& found, const BoundEffect& bound)
 
 void print_result(const Injected& result) {
   const BoundEffect& bound = result.injection.bound;
-  nlohmann::ordered_json columns = nlohmann::ordered_json::object(), shapes = nlohmann::ordered_json::object();
-  for (std::size_t k = 0; k < bound.columns.size(); ++k) columns[bound.effect->inputs[k].role] = bound.columns[k];
+  nlohmann::ordered_json shapes = nlohmann::ordered_json::object();
   for (std::size_t k = 0; k < result.injection.parameters.size(); ++k) {
     const Parameter& parameter = bound.effect->parameters[k];
     if (parameter.kind == ParameterKind::shape) shapes[parameter.name] = result.injection.parameters[k];
   }
   const nlohmann::ordered_json json = {{"target", result.without.target},
                                        {"effect", bound.effect->name},
-                                       {"columns", columns},
+                                       {"columns", json_value(columns_of(bound))},
                                        {"shapes", shapes},
                                        {"amplitude_um", result.amplitude_um},
                                        {"d", number(result.d)},

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ballbar/formats/recordings/stored_errors.hpp"
+#include "ballbar/formats/results/fit_results.hpp"
 #include "ballbar/units.hpp"
 #include "diagnose/machine_errors_report.hpp"
 #include "terminal/json_number.hpp"
@@ -121,9 +122,7 @@ nlohmann::ordered_json json_of(const ErrorsReport& report) {
   json["differences"] = difference_texts(report);
   json["residual_rms_um"] = number(found.residual_rms_um);
   json["repeatability_um"] = number(found.repeatability_um);
-  json["noise"] = {{"white_um", number(found.noise.white_um)},
-                   {"correlated_um", number(found.noise.correlated_um)},
-                   {"correlation_time_s", number(found.noise.correlation_time_s)}};
+  json["noise"] = json_of(found.noise);
   json["left"] = nullptr;
   if (found.left) {
     json["left"] = {{"harmonic", found.left->harmonic},

@@ -1,12 +1,9 @@
 #include "terminal/json_number.hpp"
 
-#include <cmath>
+#include "ballbar/formats/results/result_type.hpp"
 
 namespace ballbar {
 
-nlohmann::ordered_json number(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  return value;
-}
+nlohmann::ordered_json number(double value) { return json_value(value); }
 
 }  // namespace ballbar

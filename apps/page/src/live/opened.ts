@@ -102,23 +102,20 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       throw error;
     }
   };
-  // Of several tests those that can be read; what is wrong with the others stands beside them.
-  const without_faulty = async (group: Group): Promise<Group> => {
+  // Those that can be read; what is wrong with the others stands beside them.
+  const sound_of = async (paths: readonly string[]): Promise<string[]> => {
     const sound: string[] = [];
-    for (const path of group.data) {
+    for (const path of paths) {
       const fault = await fault_of(path);
       if (fault === "") sound.push(path);
       else intake.faults().set(path, fault);
     }
-    return { ...group, data: sound };
+    return sound;
   };
   // What the program left out, and why, stands beside these files too.
   const note_skipped = async ({ files }: Group, { skipped = [] }: Report): Promise<void> => {
-    for (const { path } of files) {
-      if (!skipped.some(({ file }) => path.endsWith(`/${file}`))) continue;
-      const fault = await fault_of(path);
-      if (fault !== "") intake.faults().set(path, fault);
-    }
+    const paths = files.map(({ path }) => path);
+    await sound_of(paths.filter((path) => skipped.some(({ file }) => path.endsWith(`/${file}`))));
   };
 
   const make_loop = async (of: Subject, first: Report): Promise<Loop | null> => {
@@ -205,7 +202,8 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
         await show(next);
       } catch (error) {
         if (!(error instanceof Refused)) throw error;
-        const sound = group.kind === "recordings" && group.data.length > 1 ? await without_faulty(group) : group;
+        const several = group.kind === "recordings" && group.data.length > 1;
+        const sound = several ? { ...group, data: await sound_of(group.data) } : group;
         if (sound.data.length > 0 && sound.data.length < group.data.length) {
           return show({ ...next, group: sound, data: sound.data });
         }
@@ -229,8 +227,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     async came(paths) {
       for (const one of intake.held()) {
         if (!paths.includes(one.path) || one.kind !== "other" || intake.faults().has(one.path) || lies_beside(one)) continue;
-        const fault = await fault_of(one.path);
-        if (fault !== "") intake.faults().set(one.path, fault);
+        await sound_of([one.path]);
       }
       const next = groups().find(({ files }) => files.some(({ path }) => paths.includes(path)));
       if (next) await open(next);
