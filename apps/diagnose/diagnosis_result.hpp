@@ -1,6 +1,11 @@
 // What `diagnose --json` prints of one target.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
 #include "ballbar/formats/results/diagnosis_results.hpp"
 #include "diagnose/diagnosis_report.hpp"
 
@@ -66,6 +71,29 @@ struct ResultType<DiagnosisReport> {
       std::tuple{Field{"stand_ins", &DiagnosisReport::stand_ins, "effects added earlier that others explain better"}},
       fields_through(&DiagnosisReport::diagnosis, hidden),
       std::tuple{Field{"next_test", &deciding_test, "that would decide; null: nothing is open"}});
+};
+
+struct NotDiagnosed {
+  std::string target, why;
+};
+
+template <>
+struct ResultType<NotDiagnosed> {
+  static constexpr std::string_view name = "NotDiagnosed";
+  static constexpr std::string_view meaning = "A target that could not be fitted.";
+  static constexpr std::tuple fields{Field{"target", &NotDiagnosed::target, "column"},
+                                     Field{"not_diagnosed", &NotDiagnosed::why, "why"}};
+};
+
+struct DiagnosedTargets {
+  std::vector<std::variant<DiagnosisReport, NotDiagnosed>> targets;
+};
+
+template <>
+struct ResultType<DiagnosedTargets> {
+  static constexpr std::string_view name = "DiagnosedTargets";
+  static constexpr std::string_view meaning = "Which effect a model of several targets lacks.";
+  static constexpr std::tuple fields{Field{"targets", &DiagnosedTargets::targets, "of several targets, each as of one"}};
 };
 
 }  // namespace ballbar

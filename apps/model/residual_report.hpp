@@ -64,4 +64,15 @@ struct ResultType<ResidualReport> {
       Field{"remarks", [](Report of) { return of.fit.remarks; }, ""}};
 };
 
+struct CheckedTargets {
+  std::vector<ResidualReport> targets;
+};
+
+template <>
+struct ResultType<CheckedTargets> {
+  static constexpr std::string_view name = "CheckedTargets";
+  static constexpr std::string_view meaning = "A model of several targets fitted, and where it fails.";
+  static constexpr std::tuple fields{Field{"targets", &CheckedTargets::targets, "of several targets, each as of one"}};
+};
+
 }  // namespace ballbar

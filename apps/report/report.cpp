@@ -15,6 +15,7 @@
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/test_folder.hpp"
+#include "ballbar/formats/results/drift_results.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/sessions/runs_toml.hpp"
 #include "ballbar/formats/text/archive.hpp"
@@ -23,10 +24,11 @@
 #include "batches/batches.hpp"
 #include "commands.hpp"
 #include "diagnose/diagnosis_report.hpp"
+#include "diagnose/revision_results.hpp"
 #include "measure/compared_drifts.hpp"
-#include "measure/comparison_json.hpp"
+#include "measure/comparison_result.hpp"
 #include "measure/drift_text.hpp"
-#include "measure/recording_fits.hpp"
+#include "measure/fit_result.hpp"
 #include "model/model_options.hpp"
 #include "page/pdf_file.hpp"
 #include "page/report_page.hpp"
@@ -147,7 +149,7 @@ void add_session(Made& made, const SessionFiles& files, const ReportArguments& o
   add_results_alone(made, fitted);
   add_skipped(made, files.skipped);
   const DriftSeries drift = drift_of(session);
-  made.json["drift"] = drift_part(drift);
+  made.json["drift"] = json_of(drift);
   for (const std::string& largest : largest_drifts(drift)) made.conclude(fmt::format("Largest drift: {}.", largest));
   if (files.five_probe) {
     const Series probes = open_series(*files.five_probe);
@@ -246,7 +248,7 @@ void add_model(Made& made, const ReportArguments& options) {
   if (options.model.model.empty()) return;
   made.files.emplace_back(options.model.model);
   const auto rows = read_ledger(read_bytes(options.model.model, kLargestText), options.model.model);
-  if (!rows.empty()) made.json["ledger"] = ledger_part(rows);
+  if (!rows.empty()) made.json["ledger"] = json_of(ledger_of(rows));
 }
 
 void add_batch(Made& made, const ReportArguments& options) {

@@ -10,10 +10,9 @@
 #include "ballbar/drift/measured_drift.hpp"
 #include "ballbar/formats/sessions/data_file.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
-#include "ballbar/revision/ledger.hpp"
 #include "ballbar/series/series.hpp"
 #include "diagnose/diagnosis_report.hpp"
-#include "measure/recording_fits.hpp"
+#include "measure/fit_result.hpp"
 #include "model/residual_report.hpp"
 #include "predict/predict_batch.hpp"
 
@@ -41,7 +40,6 @@ struct MachineErrorsPart {
 };
 MachineErrorsPart machine_errors_part(const Fitted& fitted, const StatedCircle& stated);
 
-nlohmann::ordered_json drift_part(const DriftSeries& drift);
 nlohmann::ordered_json probes_part(const MeasuredDrift& drift);
 nlohmann::ordered_json signals_part(const std::string& source, const Series& series);
 nlohmann::ordered_json check_part(const ResidualReport& residual_report, const Model& model, const ModelData& data);
@@ -49,7 +47,6 @@ nlohmann::ordered_json diagnosis_part(const DiagnosisReport& diagnosis_report, c
 
 // What a candidate alone would draw, at the rows of the fit; empty where it cannot be drawn.
 std::vector<double> curve_of(const Candidate& candidate, const Fit& fit, const Series& data);
-nlohmann::ordered_json ledger_part(const std::vector<LedgerRow>& rows);
 nlohmann::ordered_json batch_part(const BatchJob& job);
 
 }  // namespace ballbar

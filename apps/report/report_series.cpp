@@ -3,37 +3,14 @@
 #include <cmath>
 
 #include "ballbar/formats/series/drift_files.hpp"
-#include "ballbar/revision/ledger.hpp"
-#include "diagnose/effect_test_text.hpp"
 #include "report/report_parts.hpp"
 #include "terminal/json_number.hpp"
 
 namespace ballbar {
-namespace {
 
 using Json = nlohmann::ordered_json;
 
-double rounded(double value) {
-  if (value == 0.0 || !std::isfinite(value)) return value;
-  const double scale = std::pow(10.0, 6.0 - std::floor(std::log10(std::abs(value))));
-  // Beyond these the scale leaves the range of a double, or rounding shows in the last digits.
-  return std::isfinite(scale) && scale > 0.0 ? std::round(value * scale) / scale : value;
-}
-
-}  // namespace
-
-Json bulk(const std::vector<double>& values) {
-  Json json = Json::array();
-  json.get_ref<Json::array_t&>().reserve(values.size());
-  for (const double value : values) json.push_back(number(rounded(value)));
-  return json;
-}
-
-Json drift_part(const DriftSeries& drift) {
-  Json json = json_of(drift);
-  json["not_cancelled"] = drift.not_cancelled;
-  return json;
-}
+Json bulk(const std::vector<double>& values) { return json_value(Bulk{values}); }
 
 Json probes_part(const MeasuredDrift& drift) {
   Json json{{"what", drift.what}, {"reference_s", drift.reference_s}, {"time_s", bulk(drift.time_s)}};
@@ -56,17 +33,6 @@ Json signals_part(const std::string& source, const Series& series) {
                                {"role", name_of(column.role)},
                                {"unit", unit_of(column.name)},
                                {"values", bulk(column.values)}});
-  }
-  return json;
-}
-
-Json ledger_part(const std::vector<LedgerRow>& rows) {
-  Json json;
-  json["rows"] = Json::array();
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const LedgerRow* before = i > 0 ? &rows[i - 1] : nullptr;
-    json["rows"].push_back(json_of(rows[i], before));
-    json["rows"].back()["sentence"] = sentence(rows[i], before);
   }
   return json;
 }
