@@ -214,13 +214,12 @@ struct ResultType<ErrorsReport> {
             "what of it is not the same in both directions; null: one direction"},
       Field{"noise", &MachineErrors::noise, "of the readings"},
       Field{"left", &MachineErrors::left, "a wave that no error explains; null: none"}};
-  static constexpr std::tuple fields = std::tuple_cat(
-      std::tuple{Field{"files", &ErrorsReport::files, "of recordings"},
-                 Field{"plane", [](Report of) { return of.recordings.front().plane; }, "XY, YZ, ZX"},
-                 Field{"nominal_length_mm", [](Report of) { return of.recordings.front().nominal_length_mm; }, ""},
-                 Field{"recordings", &ErrorsReport::recordings, ""},
-                 Field{"file", [](Report of) { return MayLack<B5r>{of.b5r}; }, "what the only file states"}},
-      told, fields_through(&ErrorsReport::found, found),
+  static constexpr std::tuple driven{
+      Field{"plane", [](Report of) { return of.recordings.front().plane; }, "XY, YZ, ZX"},
+      Field{"nominal_length_mm", [](Report of) { return of.recordings.front().nominal_length_mm; }, ""}};
+  static constexpr std::tuple rest = std::tuple_cat(
+      std::tuple{Field{"file", [](Report of) { return MayLack<B5r>{of.b5r}; }, "what the only file states"}}, told,
+      fields_through(&ErrorsReport::found, found),
       std::tuple{Field{"differences", &difference_texts, "where ours and the instrument's values differ, and why"}},
       fields_through(&ErrorsReport::found, left),
       std::tuple{Field{"left_text", &left_text, "what the errors do not explain"},
@@ -228,6 +227,9 @@ struct ResultType<ErrorsReport> {
                        "what the readings do not tell apart"},
                  Field{"prior", [](Report of) { return of.found.prior; }, ""},
                  Field{"tolerances", &tolerance_texts, "pass or fail, a line each"}});
+  static constexpr std::tuple fields =
+      std::tuple_cat(std::tuple{Field{"files", &ErrorsReport::files, "of recordings"}}, driven,
+                     std::tuple{Field{"recordings", &ErrorsReport::recordings, ""}}, rest);
 };
 
 // A value that a file stores.

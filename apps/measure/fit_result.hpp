@@ -146,32 +146,35 @@ struct ResultType<ResultsAlone> {
   static constexpr std::tuple fields{Field{"file", &ResultsAlone::file, ""}, Field{"stored", &values_alone, ""}};
 };
 
+inline constexpr std::tuple kPairFields{
+    Field{"iso230_4",
+          [](const std::vector<FittedPair>& pairs) {
+            return MayLack<FittedPair>{pairs.size() == 1 ? std::optional(pairs.front()) : std::nullopt};
+          },
+          "of the only pair of CCW and CW: the numbers of ISO 230-4"},
+    Field{"iso230_4_pairs",
+          [](const std::vector<FittedPair>& pairs) {
+            MayLack<std::vector<PairOfFile>> several;
+            if (pairs.size() < 2) return several;
+            several.value.emplace();
+            for (const FittedPair& pair : pairs) several.value->push_back({pair});
+            return several;
+          },
+          "of several pairs, each with its file"}};
+
 template <>
 struct ResultType<Fitted> {
   static constexpr std::string_view name = "Fitted";
   static constexpr std::string_view meaning = "The circles of recordings.";
-  static constexpr std::tuple fields{
+  static constexpr std::tuple fields = std::tuple_cat(std::tuple{
       Field{"recordings", &Fitted::recordings, "a row a recording"},
       Field{"results_alone",
             [](const Fitted& of) {
               return MayLack<std::vector<ResultsAlone>>{of.results_alone.empty() ? std::nullopt
                                                                                  : std::optional(of.results_alone)};
             },
-            "files that store results without readings"},
-      Field{"iso230_4",
-            [](const Fitted& of) {
-              return MayLack<FittedPair>{of.pairs.size() == 1 ? std::optional(of.pairs.front()) : std::nullopt};
-            },
-            "of the only pair of CCW and CW: the numbers of ISO 230-4"},
-      Field{"iso230_4_pairs",
-            [](const Fitted& of) {
-              MayLack<std::vector<PairOfFile>> pairs;
-              if (of.pairs.size() < 2) return pairs;
-              pairs.value.emplace();
-              for (const FittedPair& pair : of.pairs) pairs.value->push_back({pair});
-              return pairs;
-            },
-            "of several pairs, each with its file"}};
+            "files that store results without readings"}},
+      fields_through(&Fitted::pairs, kPairFields));
 };
 
 }  // namespace ballbar

@@ -71,12 +71,18 @@ struct ReportArguments {
 
 // A report as it grows, with all files that it is made of.
 struct Made {
-  Json json;
+  PageReport report;
   std::vector<fs::path> files;
   std::vector<SkippedFile> skipped;
 
-  void conclude(const std::string& sentence) { json["summary"].push_back(sentence); }
+  void conclude(const std::string& sentence) { report.head.summary.push_back(sentence); }
 };
+
+// Of a part that the first thing in it makes.
+template <class Part>
+Part& value_of(MayLack<Part>& part) {
+  return part.value ? *part.value : part.value.emplace();
+}
 
 // A page is mailed: where its files lay stays at home.
 std::string file_name(const fs::path& path) {
@@ -88,10 +94,10 @@ std::string file_name(const fs::path& path) {
 // Of several tests the page says each conclusion with its table.
 void add_machine_errors(Made& made, const Fitted& fitted, const StatedCircle& stated) {
   MachineErrorsPart part = machine_errors_part(fitted, stated);
-  for (const std::string& remark : part.remarks) made.json["fit"]["remarks"].push_back(remark);
+  for (const std::string& remark : part.remarks) made.report.fit.value->remarks.push_back(remark);
   if (part.tests.empty()) return;
   if (part.conclusions.size() == 1) made.conclude(part.conclusions.front());
-  made.json["machine_errors"] = std::move(part.tests);
+  made.report.machine_errors.value = std::move(part.tests);
 }
 
 // Of files without readings the page has what they store.
@@ -106,8 +112,8 @@ void add_skipped(Made& made, const std::vector<SkippedFile>& skipped) {
   for (const SkippedFile& one : skipped) {
     std::string why = one.why;
     if (why.starts_with(one.file)) why.replace(0, one.file.size(), file_name(one.file));
-    made.json["fit"]["remarks"].push_back("Left out: " + why);
-    made.json["skipped"].push_back({{"file", file_name(one.file)}, {"why", why}});
+    made.report.fit.value->remarks.push_back("Left out: " + why);
+    value_of(made.report.skipped).push_back({file_name(one.file), why});
   }
   made.skipped.insert(made.skipped.end(), skipped.begin(), skipped.end());
 }
@@ -122,17 +128,17 @@ std::string test_name_of(const Fitted& fitted) {
 
 void add_recordings(Made& made, const ReportArguments& options) {
   const Fitted fitted = fit_files(options.model.data, {}, Faults::skip, options.model.circle);
-  made.json["fit"] = recordings_part(fitted);
+  made.report.fit.value = recordings_part(fitted);
   add_machine_errors(made, fitted, options.model.circle);
   add_results_alone(made, fitted);
   add_skipped(made, fitted.skipped);
   const std::string test_name = test_name_of(fitted);
   if (!test_name.empty()) {
-    made.json["title"] = test_name;
+    made.report.head.title = test_name;
   } else if (options.model.data.size() > 1) {
-    made.json["title"] = fmt::format("{} recordings of {} files", fitted.recordings.size(), options.model.data.size());
+    made.report.head.title = fmt::format("{} recordings of {} files", fitted.recordings.size(), options.model.data.size());
   } else {
-    made.json["title"] = file_name(options.model.data.front());
+    made.report.head.title = file_name(options.model.data.front());
   }
   for (const std::string& file : options.model.data) made.files.push_back(file_on_disk(file));
 }
@@ -140,47 +146,48 @@ void add_recordings(Made& made, const ReportArguments& options) {
 void add_session(Made& made, const SessionFiles& files, const ReportArguments& options) {
   const std::string& path = options.model.data.front();
   const Session& session = files.session;
-  made.json["title"] = session.title.empty() ? file_name(path) : session.title;
+  made.report.head.title = session.title.empty() ? file_name(path) : session.title;
   std::vector<std::string> recordings;
   for (const TestFile& one : files.recordings) recordings.push_back(one.file.string());
   const Fitted fitted = fit_files(recordings, {});
-  made.json["fit"] = recordings_part(fitted, files);
+  made.report.fit.value = recordings_part(fitted, files);
   add_machine_errors(made, fitted, options.model.circle);
   add_results_alone(made, fitted);
   add_skipped(made, files.skipped);
   const DriftSeries drift = drift_of(session);
-  made.json["drift"] = json_of(drift);
+  made.report.drift.value = drift;
   for (const std::string& largest : largest_drifts(drift)) made.conclude(fmt::format("Largest drift: {}.", largest));
   if (files.five_probe) {
     const Series probes = open_series(*files.five_probe);
-    made.json["five_probe"] =
+    made.report.five_probe.value =
         probes_part(five_point_of(probes, place_of(probes, options.probes, files.ball), file_name(*files.five_probe)));
   }
   for (const fs::path& signals : files.signals) {
-    made.json["signals"].push_back(signals_part(file_name(signals), open_series(signals)));
+    made.report.head.signals.push_back(signals_part(file_name(signals), open_series(signals)));
   }
 }
 
 void add_series(Made& made, const Series& series, const ReportArguments& options) {
   const std::string& path = options.model.data.front();
-  made.json["title"] = file_name(path);
+  made.report.head.title = file_name(path);
   if (is_five_probe(series) || options.probes.any()) {
     const Series with = stated(series, options.probes);
-    made.json["five_probe"] = probes_part(five_point_of(with, place_of(with, options.probes), file_name(path)));
+    made.report.five_probe.value =
+        probes_part(five_point_of(with, place_of(with, options.probes), file_name(path)));
   }
-  made.json["signals"].push_back(signals_part(file_name(path), series));
+  made.report.head.signals.push_back(signals_part(file_name(path), series));
 }
 
 // Each run's signals; the model is of them together.
 void add_runs(Made& made, const ReportArguments& options) {
   const std::vector<fs::path> paths(options.model.data.begin(), options.model.data.end());
   const ModelData data = open_model_data(paths, {}, options.model.max_gap_s.value_or(kUsualGap_s));
-  made.json["title"] = data.title;
+  made.report.head.title = data.title;
   made.files.insert(made.files.end(), data.files.begin(), data.files.end());
   const std::vector<RowRange> runs = runs_of(data.series.time_s);
   for (std::size_t run = 0; run < runs.size(); ++run) {
     const std::string name = run < data.series.runs.size() ? file_name(data.series.runs[run].name) : std::string();
-    made.json["signals"].push_back(signals_part(name, rows_of(data.series, runs[run])));
+    made.report.head.signals.push_back(signals_part(name, rows_of(data.series, runs[run])));
   }
 }
 
@@ -189,7 +196,7 @@ void add_comparison(Made& made, const ReportArguments& options) {
   const ComparedDrifts both = compared_drifts_of(drifts);
   made.files.insert(made.files.end(), both.files.begin(), both.files.end());
   const Comparison comparison = compare(both.a, both.b);
-  made.json["compare"] = json_of(comparison);
+  made.report.compare.value = comparison;
   made.conclude(fmt::format("{} against {}: {}", comparison.a, comparison.b, conclusion(comparison)));
 }
 
@@ -197,7 +204,7 @@ void overlay_effects(Made& made, const Fit& fit, const Model& model, const Model
   if (data.level != Level::recording) return;
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
     if (model.terms[t].effect->rules.is_base) continue;  // drawn as itself
-    overlay(made.json["fit"]["recordings"], label_of(model.terms[t]), fit.contribution_um[t], fit, data.series);
+    overlay(*made.report.fit.value, label_of(model.terms[t]), fit.contribution_um[t], fit, data.series);
   }
 }
 
@@ -207,14 +214,14 @@ void overlay_candidates(Made& made, const DiagnosisReport& found, const ModelDat
     if (!candidate.in_best_set) continue;
     const std::vector<double> curve = curve_of(candidate, found.residual_report.fit, data.series);
     if (curve.empty()) continue;
-    overlay(made.json["fit"]["recordings"], "candidate " + label_of(candidate.bound), curve, found.residual_report.fit,
+    overlay(*made.report.fit.value, "candidate " + label_of(candidate.bound), curve, found.residual_report.fit,
             data.series);
   }
 }
 
 void add_target(Made& made, const ReportArguments& options, const Model& model, const ModelData& data) {
   const auto add_checked = [&](const ResidualReport& residual_report) {
-    made.json["check"]["targets"].push_back(check_part(residual_report, model, data));
+    value_of(made.report.check).targets.push_back(check_part(residual_report, model, data));
     const auto said = sentences(residual_report.fit, residual_report.where, residual_report.whiteness);
     if (!said.empty()) made.conclude(fmt::format("{}: {}", model.targets.front(), said.front()));
     overlay_effects(made, residual_report.fit, model, data);
@@ -225,7 +232,7 @@ void add_target(Made& made, const ReportArguments& options, const Model& model, 
   }
   const DiagnosisReport found = diagnosis_report_of(options.model, options.how, model, data);
   add_checked(found.residual_report);
-  made.json["diagnose"]["targets"].push_back(diagnosis_part(found, data));
+  value_of(made.report.diagnose).targets.emplace_back(diagnosis_part(found, data));
   made.conclude(fmt::format("{}: {}", model.targets.front(), found.diagnosis.sentence));
   overlay_candidates(made, found, data);
 }
@@ -242,18 +249,18 @@ void add_model(Made& made, const ReportArguments& options) {
       const std::string& name = model.targets[target];
       made.conclude(fmt::format("{}: not {}: {}", name, options.no_diagnosis ? "fitted" : "diagnosed", error.what()));
       if (options.no_diagnosis) continue;
-      made.json["diagnose"]["targets"].push_back({{"target", name}, {"not_diagnosed", error.what()}});
+      value_of(made.report.diagnose).targets.emplace_back(NotDiagnosed{name, error.what()});
     }
   }
   if (options.model.model.empty()) return;
   made.files.emplace_back(options.model.model);
   const auto rows = read_ledger(read_bytes(options.model.model, kLargestText), options.model.model);
-  if (!rows.empty()) made.json["ledger"] = json_of(ledger_of(rows));
+  if (!rows.empty()) made.report.ledger.value = ledger_of(rows);
 }
 
 void add_batch(Made& made, const ReportArguments& options) {
   const BatchJob job = batch_job(options.model.data.front(), options.model.model, options.anyway);
-  made.json["batch"] = batch_part(job);
+  made.report.batch.value = batch_part(job);
   made.files.emplace_back(options.model.model);
   made.conclude(fmt::format("{} by {} of {} batches.", job.model.columns.target, label_of(job.model.settings),
                             job.model.batches.size()));
@@ -299,11 +306,7 @@ FoundFiles expanded(ReportArguments& options, std::vector<std::string>& remarks)
 // Recordings are told from a session and a series by what open_model_data() makes of them.
 Made made_of(ReportArguments options) {
   Made made;
-  made.json = {{"format", "ballbar-report 1"}, {"title", ""}, {"made_by", "ballbar " BALLBAR_VERSION}};
-  made.json["made_on"] = page_date();
-  made.json["files"] = Json::array();
-  made.json["summary"] = Json::array();
-  made.json["signals"] = Json::array();
+  made.report.head = report_head("");
   std::vector<std::string> no_session;
   const FoundFiles found = expanded(options, no_session);
   const bool has_model = !options.model.model.empty();
@@ -427,19 +430,19 @@ void expect_out(const ReportArguments& options) {
 
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-std::string html_of(const Made& made, const ReportArguments& options) {
-  if (options.without_files) return page_of(made.json, nullptr);
+std::string html_of(const Json& json, const Made& made, const ReportArguments& options) {
+  if (options.without_files) return page_of(json, nullptr);
   const Json inside = files_inside(made.files, options.model.data, options.model.model);
   if (inside.is_null() && !made.files.empty()) {
     stderr_line(fmt::format("the files are not in the page: more than {} MB, or of a pipe", kMostInside >> 20));
   }
-  return page_of(made.json, inside);
+  return page_of(json, inside);
 }
 
-std::string bytes_of(const Made& made, const ReportArguments& options) {
-  if (options.format == Format::json) return text_of(made.json) + "\n";
-  if (options.format == Format::html) return html_of(made, options);
-  return pdf_of(handover_of(made.json, options.pictures.choices), made.json["title"].get<std::string>());
+std::string bytes_of(const Json& json, const Made& made, const ReportArguments& options) {
+  if (options.format == Format::json) return text_of(json) + "\n";
+  if (options.format == Format::html) return html_of(json, made, options);
+  return pdf_of(handover_of(json, options.pictures.choices), made.report.head.title);
 }
 
 void run(ReportArguments options) {
@@ -457,14 +460,15 @@ void run(ReportArguments options) {
     for (const fs::path& file : result.files) names.push_back(file_name(file));
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
-    result.json["files"] = names;
+    result.report.head.files = names;
     return result;
   }();
-  if (options.json) return print_json(made.json, -1);
+  const Json json = json_of(made.report);
+  if (options.json) return print_json(json, -1);
   expect_no_input({options.out}, made.files);
-  if (options.format == Format::svg) return write_pictures(made.json, options);
-  write_bytes(options.out, bytes_of(made, options));
-  for (const Json& sentence : made.json["summary"]) print_for_people(wrapped(sentence.get<std::string>()));
+  if (options.format == Format::svg) return write_pictures(json, options);
+  write_bytes(options.out, bytes_of(json, made, options));
+  for (const std::string& sentence : made.report.head.summary) print_for_people(wrapped(sentence));
   print_for_people(left_out_text(made.skipped));
   stderr_line(fmt::format("wrote {}", options.out));
   if (options.open && !started({"xdg-open", fs::absolute(options.out).string()})) {
