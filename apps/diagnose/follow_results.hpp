@@ -1,4 +1,4 @@
-// What `diagnose --follow --json` prints: a line a look, and one at the end.
+// What `diagnose --follow --json` prints: a line a look, and one at the end; and what a diagnosis says while it goes on.
 #pragma once
 
 #include <optional>
@@ -16,6 +16,17 @@ struct ResultType<Hypothesis> {
   static constexpr std::string_view meaning = "What may be missing.";
   static constexpr std::tuple fields{Field{"label", &Hypothesis::label, "the effect with its columns"},
                                      Field{"p", &Hypothesis::p, "probability"}};
+};
+
+struct PosteriorSoFar {
+  std::vector<Hypothesis> posterior;
+};
+
+template <>
+struct ResultType<PosteriorSoFar> {
+  static constexpr std::string_view name = "SoFar";
+  static constexpr std::string_view meaning = "What a diagnosis says while it goes on.";
+  static constexpr std::tuple fields{Field{"posterior", &PosteriorSoFar::posterior, "the most probable first"}};
 };
 
 struct Looked {
