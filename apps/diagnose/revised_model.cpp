@@ -1,9 +1,9 @@
 #include "diagnose/revised_model.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <utility>
 
@@ -47,8 +47,8 @@ RevisedModel::RevisedModel(const ModelOptions& options, const std::shared_ptr<co
 std::vector<std::size_t> RevisedModel::taken_out(const std::vector<std::string>& labels, Model& model) const {
   std::vector<std::size_t> places;
   for (const std::string& label : labels) {
-    const auto at = std::find_if(model.terms.begin(), model.terms.end(),
-                                 [&](const Term& term) { return label_of(term) == label; });
+    const auto at =
+        std::find_if(model.terms.begin(), model.terms.end(), [&](const Term& term) { return label_of(term) == label; });
     const auto place = static_cast<std::size_t>(at - model.terms.begin());
     if (at == model.terms.end() || place < not_in_file_) {
       std::vector<std::string> known;

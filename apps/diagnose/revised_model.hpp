@@ -50,7 +50,7 @@ class RevisedModel {
   std::vector<std::size_t> taken_out(const std::vector<std::string>& labels, Model& model) const;
 
   struct Revision {
-    std::string text;        // before it
+    std::string text;       // before it
     std::size_t steps = 0;  // of the workbench
   };
 

@@ -241,7 +241,8 @@ ReportData report_data(ReportRequest& options) {
   } else if (has_model || options.diagnose) {
     const double max_gap_s = options.model.max_gap_s.value_or(kUsualGap_s);
     ModelData opened = model_data_of(data, options.model.data.front(), {}, max_gap_s);
-    opened.remarks.erase(opened.remarks.begin(), opened.remarks.begin() + static_cast<std::ptrdiff_t>(data.remarks.size()));
+    opened.remarks.erase(opened.remarks.begin(),
+                         opened.remarks.begin() + static_cast<std::ptrdiff_t>(data.remarks.size()));
     tell(opened.remarks);  // the others are said
     result.for_model = std::make_shared<const ModelData>(std::move(opened));
   }

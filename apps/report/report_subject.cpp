@@ -64,8 +64,9 @@ std::vector<ReportSubject::Mark> ReportSubject::marks() const {
 }
 
 bool ReportSubject::is_of(const ReportRequest& request) const {
-  return request.model.data == given_.model.data && request.model.target == given_.model.target &&
-         request.compare == given_.compare && marks() == marks_;
+  const auto has_model = [](const ReportRequest& one) { return one.diagnose || !one.model.model.empty(); };
+  return request.model.data == given_.model.data && request.compare == given_.compare &&
+         has_model(request) == has_model(given_) && marks() == marks_;
 }
 
 void ReportSubject::open_model_file() {
@@ -88,14 +89,17 @@ void ReportSubject::open_model_file() {
   }
 }
 
-void ReportSubject::look_at_model(const std::string& file) {
+void ReportSubject::look_at(const ReportRequest& request) {
   if (!data_.for_model) return;
-  if (file == request_.model.model && models_.size() == 1 && models_.front()) {
+  const std::string& file = request.model.model;
+  const bool same = file == request_.model.model && request.model.target == request_.model.target;
+  if (same && models_.size() == 1 && models_.front()) {
     if (file.empty()) return;
     const std::string text = read_bytes(file, kLargestText);
     if (text == models_.front()->text() || models_.front()->go_back_to(text)) return;
   }
   request_.model.model = file;
+  request_.model.target = request.model.target;
   open_model_file();
 }
 
@@ -108,7 +112,8 @@ RevisedModel& ReportSubject::only_one() {
 void ReportSubject::add_target(Report& made, RevisedModel& model, Parts parts) {
   Workbench& bench = model.bench();
   const ModelData& data = *data_.for_model;
-  const ResidualReport& checked = with_source(request_.model.data.front(), [&]() -> auto& { return bench.check(); });
+  const ResidualReport& checked = with_source(
+      request_.model.data.front(), [&]() -> auto& { return bench.check(); });
   // What is missing from a model of the errors of the axes, their ranked table says.
   const bool search = parts == Parts::all && !is_of_machine_errors(bench.model(), data.series);
   std::optional<DiagnosisReport> found;
@@ -139,27 +144,40 @@ void ReportSubject::add_model(Report& made, Parts parts) {
   }
   if (request_.model.model.empty()) return;
   made.files.emplace_back(request_.model.model);
-  const auto rows = read_ledger(models_.size() == 1 && models_.front()
-                                    ? models_.front()->text()
-                                    : read_bytes(request_.model.model, kLargestText),
-                                request_.model.model);
+  const auto rows = read_ledger(
+      models_.size() == 1 && models_.front() ? models_.front()->text() : read_bytes(request_.model.model, kLargestText),
+      request_.model.model);
   if (!rows.empty()) made.json["ledger"] = ledger_part(rows);
 }
 
-Report ReportSubject::with_model(Parts parts) {
-  Report made = data_.report;
+// What a report says that changes with the model.
+Report ReportSubject::of_model(Parts parts) {
+  const Json& data = data_.report.json;
+  Report made{{{"files", Json::array()}, {"summary", data["summary"]}}, data_.report.files, {}};
+  if (data_.for_model && data_.for_model->level == Level::recording) made.json["fit"] = data["fit"];
   if (data_.for_model) add_model(made, parts);
   name_files(made);
   return made;
 }
 
-Report ReportSubject::report() { return with_model(request_.no_diagnosis ? Parts::fitted : Parts::all); }
+Report ReportSubject::report() {
+  Report made = data_.report;
+  Report part = of_model(request_.no_diagnosis ? Parts::fitted : Parts::all);
+  made.json.update(part.json);
+  made.files = std::move(part.files);
+  return made;
+}
+
+Json ReportSubject::fitted() {
+  only_one();
+  return of_model(Parts::fitted).json;
+}
 
 Json ReportSubject::found() {
   only_one();
-  Json all = with_model(Parts::all).json;
-  all.erase("check");
-  return all;
+  Json part = of_model(Parts::all).json;
+  part.erase("check");
+  return part;
 }
 
 Json ReportSubject::held(const std::vector<std::string>& settings) {
@@ -173,7 +191,7 @@ Json ReportSubject::add(const std::vector<std::string>& effects) {
   RevisedModel& model = only_one();
   for (const std::string& effect : effects) expect_known_effect(effect, true);
   model.add(terms_of(effects, model.model(), *data_.for_model));
-  return with_model(Parts::fitted).json;
+  return fitted();
 }
 
 void ReportSubject::take_back() { only_one().take_back(); }

@@ -23,15 +23,18 @@ class ReportSubject {
   Report report();
 
   // Parts of a report, by its keys. Each throws Error where there is no target, or several.
-  nlohmann::ordered_json found();                                          // what is missing, searched now
-  nlohmann::ordered_json held(const std::vector<std::string>& settings);  // the fit with these values, as --set has them
-  nlohmann::ordered_json add(const std::vector<std::string>& effects);    // the fit with them; its file stays as it was
-  nlohmann::ordered_json revise(const std::string& file);                 // what add() changed, written to the file
-  void take_back();                                                       // what add() changed
+  nlohmann::ordered_json fitted();  // the fit
+  nlohmann::ordered_json found();   // what is missing
+  nlohmann::ordered_json held(
+      const std::vector<std::string>& settings);                        // the fit with these values, as --set has them
+  nlohmann::ordered_json add(const std::vector<std::string>& effects);  // the fit with them; its file stays as it was
+  nlohmann::ordered_json revise(const std::string& file);               // what add() changed, written to the file
+  void take_back();                                                     // what add() changed
 
-  // The same data, though files of theirs may have changed since; the model read anew where its file did.
+  // Whether the request is of these data, none of whose files has changed since.
   bool is_of(const ReportRequest& request) const;
-  void look_at_model(const std::string& file);
+  // Another target or model of the same data; a model whose file has changed is read anew.
+  void look_at(const ReportRequest& request);
 
  private:
   using Mark = std::tuple<std::string, std::uintmax_t, std::filesystem::file_time_type>;
@@ -42,7 +45,7 @@ class ReportSubject {
   RevisedModel& only_one();
   void add_model(Report& made, Parts parts);
   void add_target(Report& made, RevisedModel& model, Parts parts);
-  Report with_model(Parts parts);
+  Report of_model(Parts parts);
 
   ReportRequest request_, given_;  // with folders as the files in them; as it came
   ReportData data_;

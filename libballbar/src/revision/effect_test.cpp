@@ -81,7 +81,8 @@ void begin_at(Term& term, const Term& fitted) {
 }
 
 // parameters: of the model with the terms.
-std::vector<Candidate> tested(Weighed& found, const std::vector<Term>& terms, std::vector<FittedParameter>& parameters) {
+std::vector<Candidate> tested(Weighed& found, const std::vector<Term>& terms,
+                              std::vector<FittedParameter>& parameters) {
   const std::vector<BoundEffect> bounds = bounds_of(terms);
   const EffectSet* set = set_of(found, bounds);
   std::vector<Candidate> result;

@@ -111,6 +111,7 @@ void Workbench::add(const std::vector<Term>& terms) {
   next->added = terms;
   Model with = model();
   with.terms.insert(with.terms.end(), terms.begin(), terms.end());
+  expect_suits(with, *data_);
   if (!is_of_machine_errors(with, *data_)) {
     const auto is_searched = [&](const Term& term) { return is_usual(term, model(), *data_); };
     if (!std::all_of(terms.begin(), terms.end(), is_searched)) {

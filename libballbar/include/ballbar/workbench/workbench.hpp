@@ -32,7 +32,7 @@ struct ResidualReport {
 ResidualReport residual_report_of(const Model& model, const Series& data, std::size_t target, const FitOptions& fit);
 
 struct WorkbenchOptions {
-  FitOptions fit;             // of check()
+  FitOptions fit;              // of check()
   DiagnosisOptions diagnosis;  // where: not used, the workbench knows
 };
 
@@ -53,8 +53,8 @@ class Workbench {
   // What the effects would change; the model stays.
   EffectTest effect_test(const std::vector<Term>& terms);
 
-  // The model with these effects. Their shapes begin where they are likeliest, so that a fit of the model is the fit
-  // that added() tells.
+  // The model with these effects. Throws Error where they do not suit the data (expect_suits), or as fit does. Their
+  // shapes begin where they are likeliest, so that a fit of the model is the fit that added() tells.
   void add(const std::vector<Term>& terms);
   // What was added last.
   const EffectTest& added();
