@@ -12,7 +12,6 @@
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
-#include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/machine_errors/machine_errors.hpp"
@@ -21,8 +20,8 @@
 #include "diagnose/diagnosis_report.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/grown.hpp"
-#include "diagnose/new_model.hpp"
 #include "diagnose/next_command.hpp"
+#include "diagnose/revised_model.hpp"
 #include "model/effect_options.hpp"
 #include "model/known_effect.hpp"
 #include "terminal/caller.hpp"
@@ -45,11 +44,9 @@ struct AddArguments {
   std::vector<std::string> replace;  // labels of effects of the model, taken out first
 };
 
-// The model as it goes from revision to revision; written once, at the end.
+// What was added so far; the model's file is written once, at the end.
 struct Story {
-  std::string bytes;
-  Model model;                  // opened: with the circles of recordings, with the target chosen
-  std::size_t not_in_file = 0;  // terms at the front of the model that the file does not name
+  RevisedModel model;
   std::vector<EffectTest> effect_tests;
   std::vector<Driver> drivers;      // that the last diagnosis knows
   std::optional<GrownModel> grown;  // after them
@@ -76,72 +73,10 @@ void expect_file(const AddArguments& options) {
                              options.automatic ? "--auto " : "", fmt::join(words, " "), model_file({})));
 }
 
-Story story_of(const AddArguments& options, const ModelData& data) {
-  Story story;
-  ModelOptions how = options.effect.model;
-  const bool is_new = is_new_model(how);
-  if (is_new) how.model.clear();
-  story.model = open_model(how, data);
-  expect_one_target(how, story.model);
-  expect_to_fit(how, story.model, data);
-  story.bytes = is_new ? new_model_text(story.model) : read_bytes(how.model, kLargestText);
-  if (is_new)
-    stderr_line(fmt::format("{} is new: it starts from {} alone", written_to(options).model, start_of(data.level)));
-  story.not_in_file = story.model.terms.size() - read_model(story.bytes, options.effect.model.model).terms.size();
-  static_cast<void>(read_ledger(story.bytes, options.effect.model.model));
-  return story;
-}
-
-// Takes the effects out that others replace; their numbers in the file, rising.
-std::vector<std::size_t> taken_out(const AddArguments& options, Story& story) {
-  std::vector<std::size_t> places;
-  for (const std::string& label : options.replace) {
-    const auto at = std::find_if(story.model.terms.begin(), story.model.terms.end(),
-                                 [&](const Term& term) { return label_of(term) == label; });
-    const auto place = static_cast<std::size_t>(at - story.model.terms.begin());
-    if (at == story.model.terms.end() || place < story.not_in_file) {
-      std::vector<std::string> known;
-      for (std::size_t t = story.not_in_file; t < story.model.terms.size(); ++t)
-        known.push_back(label_of(story.model.terms[t]));
-      throw CLI::ValidationError("--replace", fmt::format("expected an effect of {}, one of {}, found {}",
-                                                          options.effect.model.model, fmt::join(known, ", "), label));
-    }
-    places.push_back(place);
-  }
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  for (auto place = places.rbegin(); place != places.rend(); ++place)
-    story.model.terms.erase(story.model.terms.begin() + static_cast<std::ptrdiff_t>(*place));
-  for (std::size_t& place : places) place -= story.not_in_file;
-  return places;
-}
-
 // named: the terms were found by a diagnosis, not chosen.
-void add_terms(const AddArguments& options, const ModelData& data, const std::vector<Term>& terms, bool named,
-               Story& story) {
-  const ModelOptions& how = options.effect.model;
-  std::vector<std::size_t> removed = taken_out(options, story);
-  EffectTest tried = with_source(how.data.front(), [&] { return effect_test(story.model, terms, data.series); });
-  for (const std::string& label : options.replace) tried.after.change += ", - " + label;
-  if (options.prune) {
-    Pruned smaller = with_source(how.data.front(), [&] { return pruned(std::move(tried), data.series); });
-    tried = std::move(smaller.effect_test);
-    const std::vector<std::size_t> replaced = removed;
-    for (std::size_t term : smaller.removed) {
-      term -= story.not_in_file;
-      for (const std::size_t gone : replaced) term += gone <= term ? 1 : 0;
-      removed.insert(std::upper_bound(removed.begin(), removed.end(), term), term);
-    }
-  }
-  if (named) tried.after.verdict = name_of(Verdict::named);
-  tried.before.data = tried.after.data = how.data;
-  // With their shapes begun where they were found: a fit of the file is the fit that is told here.
-  const std::vector<Term> begun(tried.model.terms.end() - static_cast<std::ptrdiff_t>(terms.size()),
-                                tried.model.terms.end());
-  story.bytes = with_revision(story.bytes, how.model, begun, removed, tried.before, tried.after);
-  tried.after.revision = read_ledger(story.bytes, how.model).size() - 1;
-  story.model = tried.model;
-  story.effect_tests.push_back(std::move(tried));
+void add_terms(const AddArguments& options, const std::vector<Term>& terms, bool named, Story& story) {
+  story.model.add(terms, options.replace);
+  story.effect_tests.push_back(story.model.revise({.prune = options.prune, .named = named}));
 }
 
 // A new effect may not read what the file is to explain beside the target chosen here.
@@ -209,10 +144,10 @@ std::string add_errors(const AddArguments& options, const ModelData& data, Story
   const MachineErrors found =
       with_source(options.effect.model.data.front(), [&] { return machine_errors_of_trace(data.series); });
   for (const AddedError& one : found.one_by_one) {
-    const bool has = std::any_of(story.model.terms.begin(), story.model.terms.end(),
-                                 [&](const Term& term) { return term.effect.get() == one.effect; });
+    const std::vector<Term>& terms = story.model.model().terms;
+    const bool has = std::any_of(terms.begin(), terms.end(), [&](const Term& term) { return term.effect.get() == one.effect; });
     if (has) continue;
-    add_terms(options, data, {term_of(one.effect->name, {}, Level::recording)}, false, story);
+    add_terms(options, {term_of(one.effect->name, {}, Level::recording)}, false, story);
     story.effect_tests.back().after.verdict = name_of(Verdict::named);
   }
   const double left_um = found.residual_rms_um;
@@ -227,13 +162,11 @@ std::string add_errors(const AddArguments& options, const ModelData& data, Story
 }
 
 // Effects that diagnose() names, until it names none. Returns why it stopped.
-std::string add_named(const AddArguments& options, const ModelData& data, Story& story, Verdict& verdict) {
+std::string add_named(const AddArguments& options, Story& story, Verdict& verdict) {
   while (true) {
     show_progress(fmt::format("searching, {} revisions so far", story.effect_tests.size()));
-    DiagnosisOptions how;
-    how.search.motion = data.motion;
     const Diagnosis diagnosis =
-        with_source(options.effect.model.data.front(), [&] { return diagnose(story.model, data.series, 0, how); });
+        with_source(options.effect.model.data.front(), [&] { return story.model.bench().diagnosis(); });
     verdict = diagnosis.verdict;
     story.drivers = diagnosis.drivers;
     if (diagnosis.named.empty()) return stop_text(options, diagnosis);
@@ -241,7 +174,7 @@ std::string add_named(const AddArguments& options, const ModelData& data, Story&
     for (const BoundEffect& bound : diagnosis.named) {
       terms.push_back(as_diagnosed(bound, diagnosis));
     }
-    add_terms(options, data, terms, true, story);
+    add_terms(options, terms, true, story);
     if (story.effect_tests.size() < kMostAdditions) continue;
     return fmt::format("Stopped after {} revisions: a model that grows further fits these data alone.", kMostAdditions);
   }
@@ -255,9 +188,9 @@ bool is_left(Verdict verdict) {
 
 void add_grown(const AddArguments& options, const ModelData& data, Story& story) {
   const ProgressLine progress;
-  story.grown =
-      grown_model(story.bytes, options.effect.model.model, story.model, data, options.effect.model.data, story.drivers);
-  story.bytes = story.grown->bytes;
+  story.grown = grown_model(story.model.text(), options.effect.model.model, story.model.model(), data,
+                            options.effect.model.data, story.drivers);
+  story.model.set_text(story.grown->bytes);
 }
 
 std::vector<std::string> causes_of(const Story& story) {
@@ -317,18 +250,21 @@ void run(AddArguments options) {
   expect_file(options);
   const ProgressLine progress;
   const ModelOptions& how = options.effect.model;
-  const ModelData data = open_data(how);
-  Story story = story_of(options, data);
+  const auto opened = std::make_shared<const ModelData>(open_data(how));
+  const ModelData& data = *opened;
+  Story story{RevisedModel(how, opened), {}, {}, {}};
+  if (story.model.is_new())
+    stderr_line(fmt::format("{} is new: it starts from {} alone", written_to(options).model, start_of(data.level)));
   if (!options.out.empty()) expect_no_input({options.out}, data.files);
   const std::string out = written_to(options).model;
   std::string stopped;
   Verdict verdict = Verdict::named;
   if (options.automatic) {
-    if (is_of_machine_errors(story.model, data.series)) {
+    if (is_of_machine_errors(story.model.model(), data.series)) {
       stopped = add_errors(options, data, story);
       verdict = Verdict::nothing;
     } else {
-      stopped = add_named(options, data, story, verdict);
+      stopped = add_named(options, story, verdict);
       const bool is_one_run = data.series.runs.size() < 2;
       if (!options.named_only && data.level == Level::series && is_left(verdict)) {
         if (is_one_run) add_grown(options, data, story);
@@ -337,12 +273,12 @@ void run(AddArguments options) {
     }
   } else {
     show_progress("fitting with and without what is added");
-    add_terms(options, data, terms_of(options.effect.effects, story.model, data), false, story);
+    add_terms(options, terms_of(options.effect.effects, story.model.model(), data), false, story);
   }
   show_progress({});
-  expect_file_suits(options, data, story.bytes);
+  expect_file_suits(options, data, story.model.text());
   const bool changed = revisions_of(story) > 0;
-  if (changed) write_bytes(out, story.bytes);
+  if (changed) write_bytes(out, story.model.text());
   if (options.effect.json) {
     Added added = added_of(story);
     if (options.automatic) added.stopped.value = {verdict, stopped};
@@ -355,10 +291,10 @@ void run(AddArguments options) {
     stderr_line("nothing added, nothing written");
     return;
   }
-  const std::vector<std::string> targets = read_model(story.bytes, how.model).targets;
+  const std::vector<std::string> targets = read_model(story.model.text(), how.model).targets;
   if (targets.size() > 1) {
     stderr_line(fmt::format("the effects of {} hold for all its targets, {}; the row is of {}", out,
-                            fmt::join(targets, ", "), story.model.targets.front()));
+                            fmt::join(targets, ", "), story.model.model().targets.front()));
   }
   stderr_line(fmt::format("wrote {}", out));
 }

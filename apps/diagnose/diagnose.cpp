@@ -15,6 +15,7 @@
 #include "diagnose/machine_errors_result.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
+#include "model/workbench_of.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/progress.hpp"
@@ -32,23 +33,31 @@ struct DiagnoseArguments {
   bool json = false;
 };
 
+DiagnosisReport diagnosed(const DiagnoseArguments& options, const Model& of_one_target,
+                          const std::shared_ptr<const ModelData>& data) {
+  const ProgressLine line;
+  Workbench bench = workbench_of(options.model, data, of_one_target,
+                                 diagnosis_options(options.how, of_one_target.targets.front()));
+  return diagnosis_report_of(options.model, bench);
+}
+
 // The text or JSON of one of several targets; why there is none where it cannot be fitted, as without values.
-void show_one_of_several(const DiagnoseArguments& options, const Model& model, const ModelData& data,
-                         std::size_t target, DiagnosedTargets& diagnosed) {
+void show_one_of_several(const DiagnoseArguments& options, const Model& model,
+                         const std::shared_ptr<const ModelData>& data, std::size_t target, DiagnosedTargets& all) {
   if (target > 0 && !options.json) fmt::print("\n");
   try {
     const DiagnosisReport diagnosis_report =
-        diagnosis_report_of(options.model, options.how, of_one_target(model, options.model, target), data);
+        diagnosed(options, of_one_target(model, options.model, target), data);
     if (options.json) {
-      diagnosed.targets.emplace_back(diagnosis_report);
+      all.targets.emplace_back(diagnosis_report);
     } else {
-      print_text(diagnosis_report, data.title);
+      print_text(diagnosis_report, data->title);
     }
   } catch (const Error& error) {
     if (options.json) {
-      diagnosed.targets.emplace_back(NotDiagnosed{model.targets[target], error.what()});
+      all.targets.emplace_back(NotDiagnosed{model.targets[target], error.what()});
     } else {
-      fmt::print("{}\n{}\n\n{}", data.title, model.targets[target],
+      fmt::print("{}\n{}\n\n{}", data->title, model.targets[target],
                  wrapped(fmt::format("Not diagnosed: {}", error.what())));
     }
   }
@@ -89,20 +98,20 @@ void run(DiagnoseArguments options) {
     run_on_circles(options, faults);
     return;
   }
-  const ModelData data = open_data(options.model);
-  const Model model = open_model(options.model, data);
-  say_start(options.model, data);
+  const auto data = std::make_shared<const ModelData>(open_data(options.model));
+  const Model model = open_model(options.model, *data);
+  say_start(options.model, *data);
   if (model.targets.size() == 1) {
-    DiagnosisReport diagnosis_report = diagnosis_report_of(options.model, options.how, model, data);
-    diagnosis_report.stand_ins = stand_ins_of(options.model, options.how, model, data);
-    options.json ? print_json(json_of(diagnosis_report)) : print_text(diagnosis_report, data.title);
+    DiagnosisReport diagnosis_report = diagnosed(options, model, data);
+    diagnosis_report.stand_ins = stand_ins_of(options.model, options.how, model, *data);
+    options.json ? print_json(json_of(diagnosis_report)) : print_text(diagnosis_report, data->title);
     return;
   }
-  DiagnosedTargets diagnosed;
+  DiagnosedTargets all;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
-    show_one_of_several(options, model, data, target, diagnosed);
+    show_one_of_several(options, model, data, target, all);
   }
-  if (options.json) print_json(json_of(diagnosed));
+  if (options.json) print_json(json_of(all));
 }
 
 }  // namespace

@@ -91,30 +91,29 @@ std::string not_searched_text(const Diagnosis& found) {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
-DiagnosisReport diagnosis_report_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
-                                    const ModelData& data) {
-  const ProgressLine line;
-  const auto tell = [&](std::string_view step) {
-    if (how_to.progress) show_progress(fmt::format("{}: {}", model.targets.front(), step));
-  };
-  tell("fitting");
-  DiagnosisReport diagnosis_report;
-  diagnosis_report.residual_report = residual_report_of(options, model, data, 0);
+DiagnosisOptions diagnosis_options(const DiagnoseOptions& how_to, const std::string& target) {
   DiagnosisOptions how;
-  how.search.motion = data.motion;
   how.tolerance_um = how_to.tolerance_um;
   how.search.seed = how_to.seed;
   how.most_rows = how_to.most_rows;
-  how.where = worst_place(diagnosis_report.residual_report.fit, diagnosis_report.residual_report.where);
-  how.search.progress = tell;
-  if (how_to.progress && progress_is_taken()) how.search.so_far = show_so_far;
-  diagnosis_report.surrogates = how.surrogates;
-  diagnosis_report.diagnosis = diagnose(model, data.series, 0, how);
-  if (model.level == Level::series) diagnosis_report.plan_command = plan_command(options, diagnosis_report.diagnosis);
-  diagnosis_report.next_tests = next_tests(model, data.series, diagnosis_report.diagnosis);
-  diagnosis_report.command = next_command(options, diagnosis_report.diagnosis);
-  diagnosis_report.hint = next_hint(options, diagnosis_report.diagnosis);
-  return diagnosis_report;
+  if (!how_to.progress) return how;
+  how.search.progress = [target](std::string_view step) { show_progress(fmt::format("{}: {}", target, step)); };
+  if (progress_is_taken()) how.search.so_far = show_so_far;
+  return how;
+}
+
+DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& bench) {
+  return with_source(options.data.front(), [&] {
+    DiagnosisReport report;
+    report.residual_report = bench.check();
+    report.diagnosis = bench.diagnosis();
+    const Diagnosis& found = report.diagnosis;
+    if (bench.model().level == Level::series) report.plan_command = plan_command(options, found);
+    report.next_tests = next_tests(bench.model(), bench.data(), found);
+    report.command = next_command(options, found);
+    report.hint = next_hint(options, found);
+    return report;
+  });
 }
 
 }  // namespace ballbar

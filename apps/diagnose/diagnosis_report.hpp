@@ -11,6 +11,7 @@
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
+#include "ballbar/workbench/workbench.hpp"
 
 namespace ballbar {
 
@@ -32,7 +33,6 @@ struct DiagnosisReport {
   ResidualReport residual_report;
   Diagnosis diagnosis;
   std::vector<NextTest> next_tests;
-  std::size_t surrogates = 0;  // tried of each effect
   std::string command;         // to paste next; empty: none
   std::string plan_command;    // that plans the test which would decide; empty: none, or recordings
   std::string hint;            // what to do where no command does it, a sentence; or empty
@@ -43,9 +43,11 @@ struct DiagnosisReport {
 std::vector<StandIn> stand_ins_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
                                   const ModelData& data);
 
-// Of the model's only target.
-DiagnosisReport diagnosis_report_of(const ModelOptions& options, const DiagnoseOptions& how_to, const Model& model,
-                                    const ModelData& data);
+// What is searched for, and its progress, which begins with the target.
+DiagnosisOptions diagnosis_options(const DiagnoseOptions& how_to, const std::string& target);
+
+// Throws Error, with the file that is at fault.
+DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& bench);
 
 // The test that would tell what is left open, whole sentences; empty where nothing is left to tell.
 std::string next_text(const DiagnosisReport& diagnosis_report);

@@ -11,6 +11,7 @@
 #include "model/effect_options.hpp"
 #include "model/known_effect.hpp"
 #include "model/residual_report.hpp"
+#include "model/workbench_of.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
@@ -21,15 +22,15 @@ namespace {
 void run(EffectOptions options) {
   split_words(options, true);
   for (const std::string& effect : options.effects) expect_known_effect(effect, true);
-  const ModelData data = open_data(options.model);
-  const Model model = open_model(options.model, data);
-  say_start(options.model, data);
+  const auto data = std::make_shared<const ModelData>(open_data(options.model));
+  const Model model = open_model(options.model, *data);
+  say_start(options.model, *data);
   expect_one_target(options.model, model);
-  expect_to_fit(options.model, model, data);
-  const std::vector<Term> terms = terms_of(options.effects, model, data);
+  Workbench bench = workbench_of(options.model, data, model);
+  const std::vector<Term> terms = terms_of(options.effects, model, *data);
   const ProgressLine progress;
   show_progress(fmt::format("fitting {} with and without what is tried", model.targets.front()));
-  EffectTest tried = with_source(options.model.data.front(), [&] { return effect_test(model, terms, data.series); });
+  EffectTest tried = with_source(options.model.data.front(), [&] { return bench.effect_test(terms); });
   show_progress({});
   tried.after.data = options.model.data;
   const std::string saves = add_command(options.model, tried);
@@ -37,7 +38,7 @@ void run(EffectOptions options) {
     print_json(json_of(tried));
     return;
   }
-  fmt::print("{}\n{}\n\n{}\n{}\nNothing was saved; {}\n", data.title, heading(tried.fit_after),
+  fmt::print("{}\n{}\n\n{}\n{}\nNothing was saved; {}\n", data->title, heading(tried.fit_after),
              wrapped(conclusion(tried)), tables(tried),
              saves.empty() ? "`ballbar add` saves it." : "this saves it:\n" + saves);
 }

@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
+#include "model/workbench_of.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -135,19 +136,20 @@ void print_targets(const std::vector<ResidualReport>& all, const std::string& ti
 }
 
 void run(const CheckArguments& options) {
-  const ModelData data = open_data(options.model);
-  const Model model = open_model(options.model, data);
-  say_start(options.model, data);
+  const auto data = std::make_shared<const ModelData>(open_data(options.model));
+  const Model model = open_model(options.model, *data);
+  say_start(options.model, *data);
   std::vector<ResidualReport> all;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
-    all.push_back(residual_report_of(options.model, of_one_target(model, options.model, target), data, 0));
+    Workbench bench = workbench_of(options.model, data, of_one_target(model, options.model, target));
+    all.push_back(with_source(options.model.data.front(), [&] { return bench.check(); }));
   }
   if (options.json) {
     print_json(all.size() == 1 ? json_of(all.front()) : json_of(CheckedTargets{all}));
   } else if (all.size() == 1) {
-    print_text(all.front(), data.title);
+    print_text(all.front(), data->title);
   } else {
-    print_targets(all, data.title);
+    print_targets(all, data->title);
   }
 }
 

@@ -179,13 +179,17 @@ void expect_to_fit(const ModelOptions& options, const Model& model, const ModelD
   with_source(options.model, [&] { expect_suits(model, data.series); });
 }
 
-Fit fit_of(const ModelOptions& options, const Model& model, const ModelData& data, std::size_t target) {
-  expect_to_fit(options, model, data);
+FitOptions fit_options(const ModelOptions& options) {
   FitOptions how;
   how.robust = options.robust;
   how.white = options.white;
   how.beside_all_errors = !options.white && !options.robust;
-  return with_source(options.data.front(), [&] { return fit(model, data.series, target, how); });
+  return how;
+}
+
+Fit fit_of(const ModelOptions& options, const Model& model, const ModelData& data, std::size_t target) {
+  expect_to_fit(options, model, data);
+  return with_source(options.data.front(), [&] { return fit(model, data.series, target, fit_options(options)); });
 }
 
 std::string value_text(const FittedParameter& parameter) {

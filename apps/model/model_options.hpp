@@ -70,6 +70,9 @@ Model of_one_target(const Model& model, const ModelOptions& options, std::size_t
 // Throws Error, with the model's file, where nothing of it is free.
 void expect_to_fit(const ModelOptions& options, const Model& model, const ModelData& data);
 
+// --robust and --white, for fit().
+FitOptions fit_options(const ModelOptions& options);
+
 // fit() as the options say. Throws Error with the file that is at fault: the model's (expect_to_fit), or DATA's.
 Fit fit_of(const ModelOptions& options, const Model& model, const ModelData& data, std::size_t target);
 

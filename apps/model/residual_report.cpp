@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "ballbar/fit/parameter_correlation.hpp"
-#include "ballbar/model/measured_input.hpp"
 #include "ballbar/number_text.hpp"
 #include "ballbar/series/runs.hpp"
 #include "terminal/terminal_table.hpp"
@@ -18,23 +17,6 @@ namespace {
 std::string independent_text(double n) { return n < 100.0 ? fmt::format("{:.1f}", n) : fmt::format("{:.0f}", n); }
 
 }  // namespace
-
-ResidualReport residual_report_of(const ModelOptions& options, const Model& model, const ModelData& data,
-                                  std::size_t target) {
-  ResidualReport result;
-  result.fit = fit_of(options, model, data, target);
-  result.where = where_it_fails(result.fit, data.series);
-  result.whiteness = whiteness(result.fit);
-  for (const std::string& name : measured_inputs_with_gaps(model, data.series)) {
-    const auto& values = find_column(data.series, name)->values;
-    const auto known = std::count_if(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-    result.fit.remarks.push_back(fmt::format(
-        "{} is an input measured at {} of {} times: between them it is a straight line, outside them the nearest "
-        "value.",
-        name, known, values.size()));
-  }
-  return result;
-}
 
 std::string heading(const Fit& fit) {
   const std::vector<double> time_s = one_after_another(fit.time_s);

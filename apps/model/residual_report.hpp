@@ -9,17 +9,9 @@
 #include "ballbar/fit/parameter_correlation.hpp"
 #include "ballbar/fit/residual.hpp"
 #include "ballbar/formats/results/fit_results.hpp"
-#include "model/model_options.hpp"
+#include "ballbar/workbench/workbench.hpp"
 
 namespace ballbar {
-
-struct ResidualReport {
-  Fit fit;
-  std::vector<Misfit> where;
-  Whiteness whiteness;
-};
-ResidualReport residual_report_of(const ModelOptions& options, const Model& model, const ModelData& data,
-                                  std::size_t target);
 
 // "z_um, 6669 values over 27.8 h"
 std::string heading(const Fit& fit);

@@ -397,6 +397,29 @@ struct ResultType<DiagnosisParts> {
   static constexpr std::tuple fields{Field{"targets", &DiagnosisParts::targets, ""}};
 };
 
+// What of a report changes with the model.
+struct ModelPart {
+  std::vector<std::string> files, summary;
+  MayLack<FitPart> fit;
+  MayLack<CheckParts> check;
+  MayLack<DiagnosisParts> diagnose;
+  MayLack<Ledger> ledger;
+};
+
+template <>
+struct ResultType<ModelPart> {
+  static constexpr std::string_view name = "ModelPart";
+  static constexpr std::string_view meaning = "What of a page changes with the model.";
+  static constexpr std::tuple drawn{Field{"check", &ModelPart::check, "how it fits"},
+                                    Field{"diagnose", &ModelPart::diagnose, "what it lacks"},
+                                    Field{"ledger", &ModelPart::ledger, "of the model"}};
+  static constexpr std::tuple fields =
+      std::tuple_cat(std::tuple{Field{"files", &ModelPart::files, "that the page is made of"},
+                                Field{"summary", &ModelPart::summary, "the conclusions"},
+                                Field{"fit", &ModelPart::fit, "of recordings, with what each effect adds"}},
+                     drawn);
+};
+
 struct PageReport {
   ReportHead head;
   MayLack<FitPart> fit;
@@ -405,9 +428,7 @@ struct PageReport {
   MayLack<DriftSeries> drift;
   MayLack<ProbesPart> five_probe;
   MayLack<Comparison> compare;
-  MayLack<CheckParts> check;
-  MayLack<DiagnosisParts> diagnose;
-  MayLack<Ledger> ledger;
+  ModelPart model;
   MayLack<BatchPart> batch;
 };
 
@@ -422,11 +443,36 @@ struct ResultType<PageReport> {
                  Field{"skipped", &PageReport::skipped, "files that cannot be read, by their names"},
                  Field{"drift", &PageReport::drift, "of a session"},
                  Field{"five_probe", &PageReport::five_probe, ""},
-                 Field{"compare", &PageReport::compare, "of two drifts"},
-                 Field{"check", &PageReport::check, "with a model"},
-                 Field{"diagnose", &PageReport::diagnose, "what it lacks"},
-                 Field{"ledger", &PageReport::ledger, "of the model"},
-                 Field{"batch", &PageReport::batch, "with a model of train"}});
+                 Field{"compare", &PageReport::compare, "of two drifts"}},
+      fields_through(&PageReport::model, ResultType<ModelPart>::drawn),
+      std::tuple{Field{"batch", &PageReport::batch, "with a model of train"}});
+};
+
+// What a page is told of steps that it asks for.
+struct HeldPart {
+  CheckParts check;
+};
+
+template <>
+struct ResultType<HeldPart> {
+  static constexpr std::string_view name = "HeldPart";
+  static constexpr std::string_view meaning = "A model with values held.";
+  static constexpr std::tuple fields{Field{"check", &HeldPart::check, "how it fits"}};
+};
+
+struct RevisedPart {
+  std::string sentence;
+  bool supported = false;
+  Ledger ledger;
+};
+
+template <>
+struct ResultType<RevisedPart> {
+  static constexpr std::string_view name = "RevisedPart";
+  static constexpr std::string_view meaning = "A new revision of a model.";
+  static constexpr std::tuple fields{Field{"sentence", &RevisedPart::sentence, "what it says in plain words"},
+                                     Field{"supported", &RevisedPart::supported, "whether the data support it"},
+                                     Field{"ledger", &RevisedPart::ledger, ""}};
 };
 
 }  // namespace ballbar

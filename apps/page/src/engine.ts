@@ -28,6 +28,8 @@ export interface Engine {
   samples: () => Promise<readonly Sample[]>;
   // "ballbar" is not among the words. Rejects with Stopped when stopped, and with Failed when the module gave up.
   run(words: readonly string[], watch?: Watch): Promise<Ran>;
+  // A call upon what is looked at, which the engine keeps (apps/report/page_calls.hpp); what stops it forgets that.
+  call(call: object, watch?: Watch): Promise<Ran>;
   put(path: string, bytes: Uint8Array | Blob, read?: (bytes: number) => void): Promise<void>; // folders are made
   get(path: string): Promise<Uint8Array>;
   list(): readonly { path: string; bytes: number }[];
@@ -120,20 +122,28 @@ class InWorker implements Engine {
     return this.unpacked_samples;
   }
 
-  async run(words: readonly string[], { progress, stop }: Watch = {}): Promise<Ran> {
+  run(words: readonly string[], watch: Watch = {}): Promise<Ran> {
+    return this.asked({ kind: "run", words: [...words] }, watch);
+  }
+
+  call(call: object, watch: Watch = {}): Promise<Ran> {
+    return this.asked({ kind: "call", call }, watch);
+  }
+
+  private async asked(question: Question, { progress, stop }: Watch): Promise<Ran> {
     const link = await this.link;
     if (stop?.aborted) throw new Stopped();
     const end = (): void => this.anew(link, new Stopped());
     stop?.addEventListener("abort", end, { once: true });
     try {
-      const answer = await link.ask({ kind: "run", words: [...words] }, [], progress);
+      const answer = await link.ask(question, [], progress);
       if (answer.kind !== "ran") throw new Failed("the engine gave no answer");
       for (const { path, bytes } of answer.changed) this.files.set(path, bytes);
       for (const path of answer.gone) this.files.delete(path);
       this.heap = answer.heap;
       return { status: answer.status, out: answer.out, err: answer.err };
     } catch (error) {
-      if (error instanceof Stopped && !stop?.aborted) return await this.run(words, { progress, stop }); // another's stop
+      if (error instanceof Stopped && !stop?.aborted) return await this.asked(question, { progress, stop }); // another's stop
       if (error instanceof Failed) this.anew(link, error);
       throw error;
     } finally {

@@ -3,7 +3,8 @@
 export type Question =
   | { kind: "wait" }
   | { kind: "warm"; bytes: Uint8Array } // a ballbar test, of which nothing is answered
-  | { kind: "run"; words: string[] }
+  | { kind: "run"; words: string[] } // a command
+  | { kind: "call"; call: object } // of apps/report/page_calls.hpp
   | { kind: "put"; path: string; at: number; bytes: Uint8Array; size: number }
   | { kind: "remove"; path: string };
 
@@ -88,13 +89,13 @@ const marks_of = (fs: FileSystem, folder: string, marks = new Map<string, string
 
 const own_name = (path: string): string => path.slice(kHome.length + 1);
 
-const command = (made: Module, words: readonly string[]): number =>
-  made.ccall("ballbar_run", "number", ["string", "string", "string"], [JSON.stringify(words), kOut, kErr]);
+const asked = (made: Module, name: "ballbar_run" | "ballbar_call", what: object): number =>
+  made.ccall(name, "number", ["string", "string", "string"], [JSON.stringify(what), kOut, kErr]);
 
-const run = (made: Module, id: number, words: string[]): void => {
+const run = (made: Module, id: number, name: "ballbar_run" | "ballbar_call", what: object): void => {
   const { FS } = made;
   const before = marks_of(FS, kHome);
-  const status = command(made, words);
+  const status = asked(made, name, what);
   const text = (path: string): string => new TextDecoder().decode(FS.readFile(path));
   const after = marks_of(FS, kHome);
   const changed = [...after]
@@ -108,7 +109,7 @@ const run = (made: Module, id: number, words: string[]): void => {
 // Browsers compile a function of the module when it is first called: half a second of a first answer.
 const warm = (made: Module, bytes: Uint8Array): void => {
   made.FS.writeFile("/tmp/warm.b5r", bytes, { canOwn: true });
-  command(made, ["report", "/tmp/warm.b5r", "--json"]);
+  asked(made, "ballbar_run", ["report", "/tmp/warm.b5r", "--json"]);
   made.FS.unlink("/tmp/warm.b5r");
 };
 
@@ -123,7 +124,8 @@ const put = (fs: FileSystem, { path, at, bytes, size }: Question & { kind: "put"
 
 const done = (made: Module, question: Question & { id: number }): void => {
   const { id } = question;
-  if (question.kind === "run") return run(made, id, question.words);
+  if (question.kind === "run") return run(made, id, "ballbar_run", question.words);
+  if (question.kind === "call") return run(made, id, "ballbar_call", question.call);
   if (question.kind === "warm") warm(made, question.bytes);
   if (question.kind === "put") put(made.FS, question);
   if (question.kind === "remove") made.FS.unlink(`${kHome}/${question.path}`);

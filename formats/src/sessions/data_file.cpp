@@ -95,33 +95,7 @@ ModelData data_of_recordings(const std::vector<std::filesystem::path>& paths, st
 ModelData data_of_drift(const std::filesystem::path& path, const DriftOptions& options, double max_gap_s,
                         std::span<const Reader> readers) {
   expect_data(path, reader_of_file(path, readers));
-  const DriftData source = open_drift_data(path, readers);
-  ModelData data;
-  data.title = path.string();
-  data.files = source.files;
-  data.remarks = source.remarks;
-  std::vector<Series> parts;
-  if (source.series) {
-    parts.push_back(*source.series);
-  } else {
-    if (!source.session->session.title.empty()) data.title = source.session->session.title;
-    for (const SkippedFile& one : source.session->skipped) data.remarks.push_back("left out: " + one.why);
-    parts.push_back(series_of(drift_of(source.session->session, options)));
-    for (const std::filesystem::path& signals : source.session->signals) {
-      OpenedSeries opened = opened_series(signals, readers);
-      parts.push_back(std::move(opened.series));
-      data.remarks.insert(data.remarks.end(), opened.remarks.begin(), opened.remarks.end());
-    }
-  }
-  const std::optional<std::string> started = parts.front().started;
-  try {
-    data.series = merged(parts, max_gap_s);
-  } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", path.string(), error.what()));
-  }
-  if (parts.size() == 1) data.series.started = started;  // the zero of its clock stays
-  data.targets = measured_names(data.series);
-  return data;
+  return model_data_of(open_drift_data(path, readers), path, options, max_gap_s, readers);
 }
 
 // A file that lists runs stands for them.
@@ -174,6 +148,36 @@ ModelData data_of_runs(const std::vector<RunOfMachine>& listed_runs, const std::
 }
 
 }  // namespace
+
+ModelData model_data_of(const DriftData& source, const std::filesystem::path& path, const DriftOptions& options,
+                        double max_gap_s, std::span<const Reader> readers) {
+  ModelData data;
+  data.title = path.string();
+  data.files = source.files;
+  data.remarks = source.remarks;
+  std::vector<Series> parts;
+  if (source.series) {
+    parts.push_back(*source.series);
+  } else {
+    if (!source.session->session.title.empty()) data.title = source.session->session.title;
+    for (const SkippedFile& one : source.session->skipped) data.remarks.push_back("left out: " + one.why);
+    parts.push_back(series_of(drift_of(source.session->session, options)));
+    for (const std::filesystem::path& signals : source.session->signals) {
+      OpenedSeries opened = opened_series(signals, readers);
+      parts.push_back(std::move(opened.series));
+      data.remarks.insert(data.remarks.end(), opened.remarks.begin(), opened.remarks.end());
+    }
+  }
+  const std::optional<std::string> started = parts.front().started;
+  try {
+    data.series = merged(parts, max_gap_s);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", path.string(), error.what()));
+  }
+  if (parts.size() == 1) data.series.started = started;  // the zero of its clock stays
+  data.targets = measured_names(data.series);
+  return data;
+}
 
 ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,
                           double max_gap_s, std::span<const Reader> readers, const StatedCircle& stated) {

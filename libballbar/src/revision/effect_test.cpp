@@ -14,6 +14,7 @@
 #include "diagnosis/verdict/tested_member.hpp"
 #include "fit/machine_error_fit.hpp"
 #include "model/bindings.hpp"
+#include "revision/effect_test_parts.hpp"
 #include "revision/ledger_row.hpp"
 #include "revision/machine_error_test.hpp"
 
@@ -28,35 +29,11 @@ std::size_t free_parameters(const Term& term) {
       std::count_if(term.settings.begin(), term.settings.end(), [](const Setting& setting) { return !setting.held; }));
 }
 
-// As a search would try it: as the catalogue has it, nothing held or started elsewhere, on columns that it looks at.
-bool is_usual(const Term& term, const Model& model, const Series& data) {
-  const Effect* effect = find_effect(term.effect->name, term.effect->level);
-  if (effect == nullptr) return false;
-  const Term usual = term_of(*effect, term.columns);
-  for (std::size_t k = 0; k < term.settings.size(); ++k) {
-    const Setting &one = term.settings[k], &other = usual.settings[k];
-    if (one.held != other.held || one.start != other.start || one.stated) return false;
-  }
-  const std::vector<std::vector<std::string>> bindings = bindings_of(*effect, model, data);
-  return std::find(bindings.begin(), bindings.end(), term.columns) != bindings.end();
-}
-
 std::vector<BoundEffect> bounds_of(const std::vector<Term>& terms) {
   std::vector<BoundEffect> bounds;
   bounds.reserve(terms.size());
   for (const Term& term : terms) bounds.push_back({term.effect.get(), term.columns});
   return bounds;
-}
-
-// The model against the data, these terms among what may be missing. catalogue: whether anything else may be.
-Weighed weighed_with(const Model& model, const std::vector<Term>& terms, const Series& data, std::size_t target,
-                     bool catalogue) {
-  ProblemOptions options;
-  if (catalogue) options.catalogue = built_in_catalogue();
-  for (const Term& term : terms) {
-    if (!catalogue || !is_usual(term, model, data)) options.signatures.terms.push_back(term);
-  }
-  return weighed(model, data, target, options);
 }
 
 // The set of all that is tested; nothing: one of them adds nothing of its own.
@@ -69,6 +46,13 @@ const EffectSet* set_of(Weighed& found, const std::vector<BoundEffect>& bounds) 
   }
   if (found.posterior.sets.empty()) return nullptr;
   return &found.posterior.sets[set_of(*found.problem, found.posterior, std::move(families))];
+}
+
+std::size_t member_of(const Weighed& found, const EffectSet& set, const BoundEffect& bound) {
+  const std::size_t family = *family_of(*found.problem, bound);
+  std::size_t m = 0;
+  while (found.problem->library.signatures[set.signatures[m]].family != family) ++m;
+  return m;
 }
 
 // What cannot be told from the model: it adds nothing of its own.
@@ -96,8 +80,9 @@ void begin_at(Term& term, const Term& fitted) {
   }
 }
 
-// terms: their shapes begin where they are likeliest, but where a start is stated.
-std::vector<Candidate> tested(Weighed& found, std::vector<Term>& terms, std::vector<FittedParameter>& parameters) {
+// parameters: of the model with the terms.
+std::vector<Candidate> tested(Weighed& found, const std::vector<Term>& terms,
+                              std::vector<FittedParameter>& parameters) {
   const std::vector<BoundEffect> bounds = bounds_of(terms);
   const EffectSet* set = set_of(found, bounds);
   std::vector<Candidate> result;
@@ -109,11 +94,8 @@ std::vector<Candidate> tested(Weighed& found, std::vector<Term>& terms, std::vec
   parameters = fitted.parameters;
   const SetAt at = set_at(*found.problem, found.posterior, *set);
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    const std::size_t family = *family_of(*found.problem, bounds[t]);
-    std::size_t m = 0;
-    while (found.problem->library.signatures[set->signatures[m]].family != family) ++m;
+    const std::size_t m = member_of(found, *set, bounds[t]);
     Candidate one = tested_member(found, *set, fitted, at, m, kSurrogates, kSeed);
-    begin_at(terms[t], fitted.model.terms[found.problem->model.terms.size() + m]);
     one.label = label_of(terms[t]);
     relabel(one.parameters, one.parameters.front().effect, one.label);
     relabel(parameters, label_of(fitted.model.terms[found.problem->model.terms.size() + m]), one.label);
@@ -138,6 +120,42 @@ void tell_earlier(const std::vector<DropTest>& earlier, LedgerRow& row) {
 
 }  // namespace
 
+// As the catalogue has it, nothing held or started elsewhere, on columns that a search looks at.
+bool is_usual(const Term& term, const Model& model, const Series& data) {
+  const Effect* effect = find_effect(term.effect->name, term.effect->level);
+  if (effect == nullptr) return false;
+  const Term usual = term_of(*effect, term.columns);
+  for (std::size_t k = 0; k < term.settings.size(); ++k) {
+    const Setting &one = term.settings[k], &other = usual.settings[k];
+    if (one.held != other.held || one.start != other.start || one.stated) return false;
+  }
+  const std::vector<std::vector<std::string>> bindings = bindings_of(*effect, model, data);
+  return std::find(bindings.begin(), bindings.end(), term.columns) != bindings.end();
+}
+
+Weighed weighed_with(const Model& model, const std::vector<Term>& terms, const Series& data, std::size_t target,
+                     const Catalogue& catalogue, const std::optional<Motion>& motion) {
+  ProblemOptions options;
+  options.catalogue = catalogue;
+  options.signatures.motion = motion;
+  for (const Term& term : terms) {
+    if (catalogue.empty() || !is_usual(term, model, data)) options.signatures.terms.push_back(term);
+  }
+  return weighed(model, data, target, options);
+}
+
+std::vector<Term> begun(Weighed& found, std::vector<Term> terms) {
+  const std::vector<BoundEffect> bounds = bounds_of(terms);
+  const EffectSet* set = set_of(found, bounds);
+  if (set == nullptr) return terms;
+  const FittedSet fitted = fitted_set(*found.problem, found.posterior, *set, false);
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const std::size_t m = member_of(found, *set, bounds[t]);
+    begin_at(terms[t], fitted.model.terms[found.problem->model.terms.size() + m]);
+  }
+  return terms;
+}
+
 std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Series& data, std::size_t target) {
   if (is_of_machine_errors(model, data)) return machine_error_drop_tests(model, count, data);
   std::vector<DropTest> result;
@@ -150,7 +168,7 @@ std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Se
     if (drop_test.parameters == 0 || term.effect->rules.is_base) continue;
     Model rest = model;
     rest.terms.erase(rest.terms.begin() + static_cast<std::ptrdiff_t>(t));
-    Weighed found = weighed_with(rest, {term}, data, target, false);
+    Weighed found = weighed_with(rest, {term}, data, target, {}, {});
     if (const EffectSet* set = set_of(found, bounds_of({term}))) {
       drop_test.likelihood_ratio = log_bayes_factor_of_member(found, *set, 0);
     }
@@ -161,22 +179,18 @@ std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Se
   return result;
 }
 
-EffectTest effect_test(const Model& model, const std::vector<Term>& added, const Series& data, std::size_t target) {
+EffectTest effect_test_of(Weighed& found, const FittedModel& before, const FittedModel& after, std::size_t count,
+                          const Series& data, std::size_t target) {
   EffectTest result;
-  result.model = model;
-  result.model.terms.insert(result.model.terms.end(), added.begin(), added.end());
-  if (is_of_machine_errors(result.model, data)) return machine_error_test(model, added, data, target);
-  Weighed found = weighed_with(model, added, data, target, true);
-  std::vector<Term> begun = added;
-  result.added = tested(found, begun, result.parameters);
-  std::copy(begun.begin(), begun.end(), result.model.terms.end() - static_cast<std::ptrdiff_t>(begun.size()));
-  result.fit_before = fit(model, data, target);
-  result.fit_after = fit(result.model, data, target);
-  result.before = row_of(result.fit_before, model, data, target);
-  result.after = row_of(result.fit_after, result.model, data, target);
+  result.model = after.model;
+  result.fit_before = before.fit;
+  result.fit_after = after.fit;
+  result.before = before.row;
+  result.after = after.row;
+  const std::vector<Term> added(after.model.terms.end() - static_cast<std::ptrdiff_t>(count), after.model.terms.end());
+  result.added = tested(found, added, result.parameters);
   std::vector<std::string> changes;
-  for (std::size_t t = 0; t < added.size(); ++t) {
-    Candidate& one = result.added[t];
+  for (Candidate& one : result.added) {
     one.rmse_after_um = result.fit_after.rmse_um;
     changes.push_back("+ " + one.label);
     if (std::isfinite(one.best_surrogate_fall) && !(result.after.best_surrogate_fall >= one.best_surrogate_fall))
@@ -190,10 +204,10 @@ EffectTest effect_test(const Model& model, const std::vector<Term>& added, const
   if (!found.posterior.sets.empty()) {  // else nothing moves, or there are too few values
     result.after.likelihood_ratio = std::max(0.0, log_bayes_factor(*found.problem, found.posterior, families));
   }
-  result.after.threshold = kLeastLikelihoodRatio * static_cast<double>(added.size());
+  result.after.threshold = kLeastLikelihoodRatio * static_cast<double>(count);
   result.after.change = fmt::format("{}", fmt::join(changes, ", "));
   result.after.verdict = verdict_of(result.added);
-  result.earlier = drop_tests(result.model, model.terms.size(), data, target);
+  result.earlier = drop_tests(result.model, before.model.terms.size(), data, target);
   tell_earlier(result.earlier, result.after);
   return result;
 }

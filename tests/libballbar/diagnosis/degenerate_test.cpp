@@ -9,8 +9,8 @@
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/error.hpp"
-#include "ballbar/revision/effect_test.hpp"
 #include "diagnosis/made_drift.hpp"
+#include "revision/effect_test_of.hpp"
 
 namespace ballbar {
 namespace {

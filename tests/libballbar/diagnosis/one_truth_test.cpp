@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
-#include "ballbar/revision/effect_test.hpp"
 #include "diagnosis/made_drift.hpp"
+#include "revision/effect_test_of.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,12 +1,11 @@
 // Effects added for a try, and earlier ones tested anew.
-#include "ballbar/revision/effect_test.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
 #include "ballbar/diagnosis/thresholds.hpp"
+#include "effect_test_of.hpp"
 
 namespace ballbar {
 namespace {

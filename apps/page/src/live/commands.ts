@@ -16,22 +16,17 @@ const targeted = ({ group, target }: Subject): string[] =>
 const of_model = (subject: Subject): string[] =>
   subject.model === "" ? [] : ["--model", subject.model, ...targeted(subject)];
 
-// Soon done: all but the search for what is missing.
-export const report_words = (subject: Subject): string[] => [
-  "report",
+// What is looked at, as behind `ballbar report`.
+export const look_words = (subject: Subject): string[] => [
   ...subject.data,
   ...of_model(subject),
-  ...(subject.model === "" || subject.model.endsWith(".json") ? [] : ["--no-diagnosis"]),
   ...(subject.compared === "" ? [] : ["--compare", subject.compared]),
-  "--json",
 ];
 
-export const search_words = (subject: Subject): string[] => [
-  "report",
-  ...subject.data,
-  ...(subject.model === "" ? ["--diagnose", ...targeted(subject)] : of_model(subject)),
-  ...(subject.compared === "" ? [] : ["--compare", subject.compared]),
-  "--json",
+// The same with a model in any case: without a file what every model has before its first effect.
+export const model_words = (subject: Subject): string[] => [
+  ...look_words(subject),
+  ...(subject.model === "" ? ["--diagnose", ...targeted(subject)] : []),
 ];
 
 export interface Setting {
@@ -40,22 +35,8 @@ export interface Setting {
   value: number;
 }
 
-// The model with these values in the place of fitted ones.
-export const set_words = (subject: Subject, settings: readonly Setting[]): string[] => [
-  ...report_words(subject).filter((word) => word !== "--json"),
-  ...settings.flatMap(({ effect, parameter, value }) => ["--set", `${effect}.${parameter}=${value}`]),
-  "--json",
-];
-
-export const add_words = (subject: Subject, effects: readonly string[], model: string): string[] => [
-  "add",
-  ...effects,
-  ...subject.data,
-  "--model",
-  model,
-  ...targeted(subject),
-  "--json",
-];
+// As --set has it.
+export const setting_text = ({ effect, parameter, value }: Setting): string => `${effect}.${parameter}=${value}`;
 
 export const try_words = (subject: Subject, effect: string): string[] => [
   "try",

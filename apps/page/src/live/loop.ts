@@ -12,7 +12,7 @@ import { posterior_bars } from "./posterior_bars";
 import type { PageState } from "../figure/page_state";
 import type { Candidate, Checked, Diagnosed, Report } from "../report";
 import { reason } from "./reason";
-import type { Runs } from "./subject_runs";
+import type { Part, Runs } from "./subject_runs";
 import { slid } from "./slid";
 import { Interrupted, type Work } from "./work";
 import { micrometres, plain } from "../drawing/text";
@@ -231,22 +231,27 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
     return last_change;
   };
 
-  // The model and its fit; where it is stopped, or cannot be fitted, the model is as it was, as the page shows it.
-  const change_model = async (change: () => Promise<void>): Promise<void> => {
+  // The report with these parts; of another model nothing is known of what is missing.
+  const with_part = (part: Part, of_same_model: boolean): Report => {
+    const { diagnose, ledger, ...rest } = report as Report;
+    const same = of_same_model ? { ...(diagnose && { diagnose }), ...(ledger && { ledger }) } : {};
+    return { ...rest, ...same, ...part };
+  };
+
+  // Step by step, the fit first; where one is stopped, or cannot be made, the model is as it was.
+  const change_model = async (...steps: (() => Promise<Part>)[]): Promise<void> => {
     work.stop(); // a search of the model before
-    const of_before = subject;
+    const [of_before, was, report_before] = [subject, fitted, report];
     const model = subject.model === "" ? null : await of.bytes_of(subject.model);
-    let answer: Report;
     try {
-      await change();
-      answer = await runs.report(subject);
+      for (const step of steps) loop.show(with_part(await step(), false));
     } catch (error) {
       subject = of_before;
       if (model) await of.put(subject.model, model);
+      await runs.take_back(subject).catch(() => undefined); // it may be gone with what was stopped
+      if (report_before && report !== report_before) loop.show(report_before);
       throw error;
     }
-    const was = fitted;
-    loop.show(answer);
     before = was && fitted && was.series.time_s.length === fitted.series.time_s.length ? was : null;
     draw();
     update();
@@ -285,11 +290,12 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         all.dataset.search = "running";
         try {
           const began = performance.now();
-          const answer = await runs.search(subject, (line) => posterior.tell(line));
+          const part = await runs.search(subject, (line) => posterior.tell(line));
           took_ms = performance.now() - began;
           all.dataset.search = "done";
           if (of_subject !== subject) return;
-          loop.show(answer);
+          if (fitted) loop.show(with_part(part, true));
+          else loop.show(with_part({ ...(await runs.fitted(subject)), ...part }, true));
           if (found) say(verdict_of(found));
         } catch (error) {
           all.dataset.search = error instanceof Interrupted ? "stopped" : "failed";
@@ -305,11 +311,15 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
         const folder = (subject.data[0] ?? "").replace(/\/[^/]*$/, "");
         const model = subject.model || runs.free_name(folder, "model.toml");
         let sentence_of_it = "";
-        await change_model(async () => {
-          const { revisions } = await runs.add(subject, effects, model);
-          sentence_of_it = revisions.at(-1)?.sentence ?? "";
-          subject = { ...subject, model };
-        });
+        await change_model(
+          () => runs.add(subject, effects),
+          async () => {
+            const { sentence, ledger } = await runs.revise(subject, model);
+            sentence_of_it = sentence;
+            subject = { ...subject, model };
+            return ledger ? { ledger } : {};
+          },
+        );
         forth.length = 0;
         update();
         undo.focus({ preventScroll: true }); // the button that was pressed is gone
@@ -320,7 +330,10 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       changing(async () => {
         if (undo.disabled) return;
         const now_model = await of.bytes_of(subject.model);
-        await change_model(() => runs.undo(subject.model));
+        await change_model(async () => {
+          await runs.undo(subject.model);
+          return runs.fitted(subject);
+        });
         forth.push(now_model);
         say(t.live_undone);
       }),
@@ -328,7 +341,10 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       changing(async () => {
         const model = forth.at(-1);
         if (!model) return;
-        await change_model(() => of.put(subject.model, model));
+        await change_model(async () => {
+          await of.put(subject.model, model);
+          return runs.fitted(subject);
+        });
         forth.pop();
         say(t.live_redone);
       }),

@@ -1,6 +1,6 @@
 // Commands one after the other, with their progress, and a button and a key that stop them. Work that is soon done shows
 // nothing.
-import { Stopped, type Engine, type Ran } from "../engine";
+import { Stopped, type Engine, type Ran, type Watch } from "../engine";
 import { button, element } from "../elements/elements";
 import { t } from "../texts/texts";
 
@@ -14,6 +14,7 @@ export interface Job {
 export interface Work {
   readonly element: HTMLElement;
   run(command: readonly string[], job: Job): Promise<Ran>; // throws Interrupted, or what the engine threw
+  call(call: object, job: Job): Promise<Ran>; // likewise
   during<T>(what: string, work: (share: (of_it: number) => void) => Promise<T>): Promise<T>; // of work that cannot be stopped
   stop(): void;
   busy(): boolean;
@@ -72,28 +73,31 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
     return mine;
   };
 
+  const stoppable = ({ what, progress }: Job, ask: (watch: Watch) => Promise<Ran>): Promise<Ran> => {
+    const mine = new AbortController();
+    stopping.add(mine);
+    return queued(async () => {
+      const hide = show(what, true);
+      const told = (line: string): void => {
+        const share = share_of(line);
+        if (share !== null) bar.value = share;
+        progress?.(line);
+      };
+      try {
+        return await ask({ progress: told, stop: mine.signal });
+      } catch (error) {
+        throw error instanceof Stopped ? new Interrupted(what) : error;
+      } finally {
+        stopping.delete(mine);
+        hide();
+      }
+    });
+  };
+
   const made: Work = {
     element: shown,
-    run(command, { what, progress }) {
-      const mine = new AbortController();
-      stopping.add(mine);
-      return queued(async () => {
-        const hide = show(what, true);
-        const told = (line: string): void => {
-          const share = share_of(line);
-          if (share !== null) bar.value = share;
-          progress?.(line);
-        };
-        try {
-          return await engine.run(command, { progress: told, stop: mine.signal });
-        } catch (error) {
-          throw error instanceof Stopped ? new Interrupted(what) : error;
-        } finally {
-          stopping.delete(mine);
-          hide();
-        }
-      });
-    },
+    run: (command, job) => stoppable(job, (watch) => engine.run(command, watch)),
+    call: (call, job) => stoppable(job, (watch) => engine.call(call, watch)),
     during: (what, work) =>
       queued(async () => {
         const hide = show(what, false);

@@ -889,6 +889,7 @@ export const de: Texts = {
   live_searching: "Suche, was fehlt",
   live_moving: "Rechnen mit den neuen Werten",
   live_adding: ({ effect }: { effect: string }) => `${effect} wird hinzugefügt`,
+  live_testing: "Was hinzukam, wird geprüft",
   live_trying: ({ effect }: { effect: string }) => `${effect} wird probiert`,
   live_undoing: "Zurücknehmen",
   live_taking: ({ name, part, whole }: { name: string; part: number; whole: number }) => `Einlesen von ${name}, ${part} von ${whole}`,

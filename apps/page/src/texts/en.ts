@@ -903,6 +903,7 @@ export const en = {
   live_searching: "Searching what is missing",
   live_moving: "Computing with the new values",
   live_adding: ({ effect }: { effect: string }) => `Adding ${effect}`,
+  live_testing: "Testing what was added",
   live_trying: ({ effect }: { effect: string }) => `Trying ${effect}`,
   live_undoing: "Taking back",
   live_taking: ({ name, part, whole }: { name: string; part: number; whole: number }) => `Taking ${name}, ${part} of ${whole}`,

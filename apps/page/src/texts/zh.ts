@@ -845,6 +845,7 @@ export const zh: Texts = {
   live_searching: "搜索缺少的效应",
   live_moving: "按新数值计算",
   live_adding: ({ effect }: { effect: string }) => `正在加入 ${effect}`,
+  live_testing: "正在检验新加入的效应",
   live_trying: ({ effect }: { effect: string }) => `正在试算 ${effect}`,
   live_undoing: "撤销",
   live_taking: ({ name, part, whole }: { name: string; part: number; whole: number }) => `正在载入 ${name}，第 ${part} 个，共 ${whole} 个`,

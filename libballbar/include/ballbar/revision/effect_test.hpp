@@ -1,4 +1,4 @@
-// Effects added to a model for a try: before, after, and whether the data demand them.
+// Effects added to a model (workbench.hpp): before, after, and whether the data demand them.
 //
 //   2 ln B             2 ln of how much more likely the readings are with an effect than without, its gains and shapes
 //                      and the noise integrated out, as diagnose() weighs it (candidate.hpp)
@@ -46,9 +46,6 @@ struct EffectTest {
   std::vector<FittedParameter> parameters;
   std::vector<DropTest> earlier;
 };
-
-// Throws Error as fit does.
-EffectTest effect_test(const Model& model, const std::vector<Term>& added, const Series& data, std::size_t target = 0);
 
 // Every effect among the first `count` terms of the model. The circles of recordings, their base, and effects that are
 // all held are not tested.

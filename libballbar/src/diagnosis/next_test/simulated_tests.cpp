@@ -117,7 +117,7 @@ double SimulatedTests::p_right_with_sensor(const Schedule& schedule, std::size_t
     run.columns.push_back(
         {kAddedSensor, Role::structure, thermometer(truths_->member_um({set, false}, 0, run), random)});
     try {
-      const Diagnosis found = diagnosis_at(model_, run, target_index_, simulated_options(), covariances_);
+      const Diagnosis found = diagnosis_with(model_, run);
       std::vector<BoundEffect> named;
       for (const BoundEffect& one : found.named)
         named.push_back(one.columns.size() == 1 && one.columns.front() == kAddedSensor ? place.front() : one);
@@ -195,12 +195,16 @@ SimulatedTests::Told SimulatedTests::told_of(const Truth& truth, const Diagnosis
   return told;
 }
 
+Diagnosis SimulatedTests::diagnosis_with(const Model& model, const Series& data) const {
+  const DiagnosisOptions how = simulated_options();
+  return diagnosis_of(weighed_of(model, data, target_index_, how, covariances_), model, data, target_index_, how);
+}
+
 SimulatedTests::Told SimulatedTests::told_by(const Schedule& schedule, const Truth& truth,
                                              std::mt19937_64& random) const {
   const Series all = with_run(data_, simulated(schedule, truth, random));
-  const DiagnosisOptions how = simulated_options();
   try {
-    const Diagnosis found = diagnosis_at(with_run_terms(model_, all), all, target_index_, how, covariances_);
+    const Diagnosis found = diagnosis_with(with_run_terms(model_, all), all);
     return told_of(truth, found, named_now_);
   } catch (const Error&) {
     return {};  // a run that cannot be diagnosed decides nothing

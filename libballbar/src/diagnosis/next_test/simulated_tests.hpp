@@ -46,6 +46,7 @@ class SimulatedTests {
     bool right = false, part = false, wrong = false;
   };
   Told told_of(const Truth& truth, const Diagnosis& found, const std::vector<BoundEffect>& known) const;
+  Diagnosis diagnosis_with(const Model& model, const Series& data) const;
   Told told_by(const Schedule& schedule, const Truth& truth, std::mt19937_64& random) const;
   Series simulated(const Schedule& schedule, const Truth& truth, std::mt19937_64& random) const;
   std::vector<Covariance> simulated_covariances() const;

@@ -49,16 +49,9 @@ Noise noise_of(const Covariance& covariance, double variance) {
 
 class Decision {
  public:
-  Decision(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
-           const std::vector<Covariance>& covariances)
-      : model_(model), data_(data), target_(target), options_(options) {
-    ProblemOptions how;
-    how.covariances = covariances;
-    how.catalogue = options.search.catalogue;
-    how.signatures.motion = options.search.motion;
-    how.signatures.without = options.search.without;
-    how.most_rows = options.most_rows;
-    weighed_ = weighed(model, data, target, how, {options.search.progress, options.search.so_far});
+  Decision(const Weighed& weighed, const Model& model, const Series& data, std::size_t target,
+           const DiagnosisOptions& options)
+      : weighed_(weighed), model_(model), data_(data), target_(target), options_(options) {
     result_.base = problem().base;
     result_.target = problem().base.target;
     result_.where = options.where;
@@ -320,11 +313,11 @@ class Decision {
     }
   }
 
+  const Weighed& weighed_;
   const Model& model_;
   const Series& data_;
   std::size_t target_;
   const DiagnosisOptions& options_;
-  Weighed weighed_;
   const EffectSet* best_ = nullptr;
   SetAt at_;
   Diagnosis result_;
@@ -352,13 +345,24 @@ std::string_view name_of(Verdict verdict) {
   return "nothing";
 }
 
-Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options) {
-  return diagnosis_at(model, data, target, options, {});
+Weighed weighed_of(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
+                   const std::vector<Covariance>& covariances) {
+  ProblemOptions how;
+  how.covariances = covariances;
+  how.catalogue = options.search.catalogue;
+  how.signatures.motion = options.search.motion;
+  how.signatures.without = options.search.without;
+  how.most_rows = options.most_rows;
+  return weighed(model, data, target, how, {options.search.progress, options.search.so_far});
 }
 
-Diagnosis diagnosis_at(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
-                       const std::vector<Covariance>& covariances) {
-  return Decision(model, data, target, options, covariances).run();
+Diagnosis diagnosis_of(const Weighed& weighed, const Model& model, const Series& data, std::size_t target,
+                       const DiagnosisOptions& options) {
+  return Decision(weighed, model, data, target, options).run();
+}
+
+Diagnosis diagnose(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options) {
+  return diagnosis_of(weighed_of(model, data, target, options), model, data, target, options);
 }
 
 }  // namespace ballbar

@@ -1,15 +1,20 @@
-// A diagnosis that looks at some covariances alone: for many of the same kind.
+// The two steps of a diagnosis: the posterior, and what is decided of it.
 #pragma once
 
 #include <vector>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "diagnosis/evidence/covariance.hpp"
+#include "diagnosis/posterior/weighed.hpp"
 
 namespace ballbar {
 
-// As diagnose, with the noise, and the slow curve, one of these; none: any.
-Diagnosis diagnosis_at(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
-                       const std::vector<Covariance>& covariances);
+// The posterior with the catalogue of the options. covariances: of the noise, and the slow curve; none: any.
+Weighed weighed_of(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
+                   const std::vector<Covariance>& covariances = {});
+
+// What the posterior says. It is of that model, these data and options.
+Diagnosis diagnosis_of(const Weighed& weighed, const Model& model, const Series& data, std::size_t target,
+                       const DiagnosisOptions& options);
 
 }  // namespace ballbar

@@ -9,6 +9,7 @@
 #include "ballbar/drift/drift.hpp"
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/reader.hpp"
 #include "ballbar/series/series.hpp"
 
@@ -30,5 +31,9 @@ struct ModelData {
 ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,
                           double max_gap_s, std::span<const Reader> readers = known_readers(),
                           const StatedCircle& stated = {});
+
+// The same of a series or a session that is open already. path: its name in messages.
+ModelData model_data_of(const DriftData& source, const std::filesystem::path& path, const DriftOptions& options,
+                        double max_gap_s, std::span<const Reader> readers = known_readers());
 
 }  // namespace ballbar

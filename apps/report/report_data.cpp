@@ -1,0 +1,258 @@
+#include "report/report_data.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <set>
+
+#include "ballbar/drift/comparison.hpp"
+#include "ballbar/error.hpp"
+#include "ballbar/formats/recordings/test_folder.hpp"
+#include "ballbar/formats/sessions/drift_data.hpp"
+#include "ballbar/formats/sessions/runs_toml.hpp"
+#include "ballbar/formats/text/archive.hpp"
+#include "ballbar/series/runs.hpp"
+#include "batches/batches.hpp"
+#include "measure/compared_drifts.hpp"
+#include "measure/drift_text.hpp"
+#include "predict/predict_batch.hpp"
+#include "report/report_parts.hpp"
+#include "terminal/stderr_line.hpp"
+
+namespace ballbar {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Of several tests the page says each conclusion with its table.
+void add_machine_errors(Report& made, const Fitted& fitted, const StatedCircle& stated) {
+  MachineErrorsPart part = machine_errors_part(fitted, stated);
+  for (const std::string& remark : part.remarks) made.page.fit.value->remarks.push_back(remark);
+  if (part.tests.empty()) return;
+  if (part.conclusions.size() == 1) made.conclude(part.conclusions.front());
+  made.page.machine_errors.value = std::move(part.tests);
+}
+
+// Of files without readings the page has what they store.
+void add_results_alone(Report& made, const Fitted& fitted) {
+  for (const ResultsAlone& alone : fitted.results_alone) {
+    made.conclude(fmt::format("{} stores results alone, no readings.", file_name(alone.file)));
+  }
+}
+
+// The page is mailed: a sentence has the file's name alone.
+void add_skipped(Report& made, const std::vector<SkippedFile>& skipped) {
+  for (const SkippedFile& one : skipped) {
+    std::string why = one.why;
+    if (why.starts_with(one.file)) why.replace(0, one.file.size(), file_name(one.file));
+    made.page.fit.value->remarks.push_back("Left out: " + why);
+    value_of(made.page.skipped).push_back({file_name(one.file), why});
+  }
+  made.skipped.insert(made.skipped.end(), skipped.begin(), skipped.end());
+}
+
+// The name of the test where all recordings, or stored results, are of one.
+std::string test_name_of(const Fitted& fitted) {
+  std::set<std::string> names;
+  for (const FittedRecording& one : fitted.recordings) names.insert(one.test_name);
+  for (const ResultsAlone& one : fitted.results_alone) names.insert(one.b5r.test_name);
+  return names.size() == 1 ? *names.begin() : std::string();
+}
+
+void add_recordings(Report& made, const ReportRequest& options) {
+  const Fitted fitted = fit_files(options.model.data, {}, Faults::skip, options.model.circle);
+  made.page.fit.value = recordings_part(fitted);
+  add_machine_errors(made, fitted, options.model.circle);
+  add_results_alone(made, fitted);
+  add_skipped(made, fitted.skipped);
+  const std::string test_name = test_name_of(fitted);
+  if (!test_name.empty()) {
+    made.page.head.title = test_name;
+  } else if (options.model.data.size() > 1) {
+    made.page.head.title = fmt::format("{} recordings of {} files", fitted.recordings.size(), options.model.data.size());
+  } else {
+    made.page.head.title = file_name(options.model.data.front());
+  }
+  for (const std::string& file : options.model.data) made.files.push_back(file_on_disk(file));
+}
+
+void add_session(Report& made, const SessionFiles& files, const ReportRequest& options) {
+  const std::string& path = options.model.data.front();
+  const Session& session = files.session;
+  made.page.head.title = session.title.empty() ? file_name(path) : session.title;
+  std::vector<std::string> recordings;
+  for (const TestFile& one : files.recordings) recordings.push_back(one.file.string());
+  const Fitted fitted = fit_files(recordings, {});
+  made.page.fit.value = recordings_part(fitted, files);
+  add_machine_errors(made, fitted, options.model.circle);
+  add_results_alone(made, fitted);
+  add_skipped(made, files.skipped);
+  const DriftSeries drift = drift_of(session);
+  made.page.drift.value = drift;
+  for (const std::string& largest : largest_drifts(drift)) made.conclude(fmt::format("Largest drift: {}.", largest));
+  if (files.five_probe) {
+    const Series probes = open_series(*files.five_probe);
+    made.page.five_probe.value =
+        probes_part(five_point_of(probes, place_of(probes, options.probes, files.ball), file_name(*files.five_probe)));
+  }
+  for (const fs::path& signals : files.signals) {
+    made.page.head.signals.push_back(signals_part(file_name(signals), open_series(signals)));
+  }
+}
+
+void add_series(Report& made, const Series& series, const ReportRequest& options) {
+  const std::string& path = options.model.data.front();
+  made.page.head.title = file_name(path);
+  if (is_five_probe(series) || options.probes.any()) {
+    const Series with = stated(series, options.probes);
+    made.page.five_probe.value = probes_part(five_point_of(with, place_of(with, options.probes), file_name(path)));
+  }
+  made.page.head.signals.push_back(signals_part(file_name(path), series));
+}
+
+// Each run's signals; the model is of them together.
+void add_runs(Report& made, const ModelData& data) {
+  made.page.head.title = data.title;
+  made.files.insert(made.files.end(), data.files.begin(), data.files.end());
+  const std::vector<RowRange> runs = runs_of(data.series.time_s);
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    const std::string name = run < data.series.runs.size() ? file_name(data.series.runs[run].name) : std::string();
+    made.page.head.signals.push_back(signals_part(name, rows_of(data.series, runs[run])));
+  }
+}
+
+void add_comparison(Report& made, const ReportRequest& options) {
+  ComparedDriftOptions drifts{.a = options.model.data.front(), .b = options.compare, .probes = options.probes};
+  const ComparedDrifts both = compared_drifts_of(drifts);
+  made.files.insert(made.files.end(), both.files.begin(), both.files.end());
+  const Comparison comparison = compare(both.a, both.b);
+  made.page.compare.value = comparison;
+  made.conclude(fmt::format("{} against {}: {}", comparison.a, comparison.b, conclusion(comparison)));
+}
+
+void add_batch(Report& made, const ReportRequest& options) {
+  const BatchJob job = batch_job(options.model.data.front(), options.model.model, options.anyway);
+  made.page.batch.value = batch_part(job);
+  made.files.emplace_back(options.model.model);
+  made.conclude(fmt::format("{} by {} of {} batches.", job.model.columns.target, label_of(job.model.settings),
+                            job.model.batches.size()));
+  for (const std::string& warning : job.warnings) made.conclude(warning);
+}
+
+std::shared_ptr<const ModelData> model_data(const ReportRequest& options) {
+  return std::make_shared<const ModelData>(open_data(options.model));
+}
+
+// An option that would do nothing is a mistake.
+void expect_use(const ReportRequest& options, bool of_recordings, bool of_batches) {
+  const bool has_model = !options.model.model.empty();
+  const bool fits = !of_batches && (has_model || options.diagnose);
+  const auto expect = [](bool used, const char* option, const char* with) {
+    if (!used) throw CLI::ValidationError(fmt::format("{}: expected {} with it", option, with));
+  };
+  expect(options.model.target.empty() || fits, "--target", "a model of effects or --diagnose");
+  expect(options.model.also_input.empty() || fits, "--also-input", "a model of effects or --diagnose");
+  expect(!options.model.robust || fits, "--robust", "a model of effects or --diagnose");
+  expect(!options.model.white || fits, "--white", "a model of effects or --diagnose");
+  expect(!options.no_diagnosis || fits, "--no-diagnosis", "a model of effects");
+  expect(!options.diagnose || !of_batches, "--diagnose", "a model of effects, not one of train,");
+  expect(!options.anyway || of_batches, "--anyway", "a model of train");
+  expect(!options.probes.any() || !of_recordings, "options of five probes", "a session or a series");
+}
+
+// Of folders and archives that are no session, the recordings below them; why a folder is none goes to `remarks`.
+FoundFiles expanded(ReportRequest& options, std::vector<std::string>& remarks) {
+  std::vector<std::string>& data = options.model.data;
+  if (std::none_of(data.begin(), data.end(), is_folder_of_tests)) return {};
+  if (data.size() == 1) {
+    try {
+      open_session(data.front());
+      return {};
+    } catch (const Error& error) {
+      remarks.emplace_back(error.what());
+    }
+  }
+  FoundFiles found = recordings_below(data);
+  if (found.files.empty()) throw Error(remarks.empty() ? found.faults.front().why : remarks.front());
+  data.clear();
+  for (const fs::path& file : found.files) data.push_back(file.string());
+  return found;
+}
+
+}  // namespace
+
+// A page is mailed: where its files lay stays at home.
+std::string file_name(const fs::path& path) {
+  const fs::path name = path.has_filename() ? path.filename() : path.parent_path().filename();
+  return name.empty() || name == "." || name == ".." ? fs::absolute(path).lexically_normal().filename().string()
+                                                     : name.string();
+}
+
+// Recordings are told from a session and a series by what open_model_data() makes of them.
+ReportData report_data(ReportRequest& options) {
+  ReportData result;
+  Report& made = result.report;
+  made.page.head = report_head("");
+  std::vector<std::string> no_session;
+  const FoundFiles found = expanded(options, no_session);
+  const bool has_model = !options.model.model.empty();
+  const bool of_batches = has_model && is_batch_model(options.model.model);
+  const bool of_recordings = !found.files.empty() || is_recording_file(options.model.data.front());
+  expect_use(options, of_recordings, of_batches);
+  if (of_recordings) {
+    if (!options.compare.empty())
+      throw Error("--compare: expected a session or a series to compare, found recordings.");
+    if (of_batches) throw Error(options.model.model + ": expected a series to predict, found recordings.");
+    add_recordings(made, options);
+    add_skipped(made, found.faults);
+    for (const std::string& why : no_session) made.conclude("No drift: " + why);
+    if (has_model || options.diagnose) result.for_model = model_data(options);
+    return result;
+  }
+  if (options.model.data.size() > 1 || lists_runs(options.model.data.front())) {
+    if (!options.compare.empty())
+      throw Error("--compare: expected one session or series to compare, found several runs.");
+    if (of_batches) throw Error(options.model.model + ": expected one series to predict, found several runs.");
+    const std::shared_ptr<const ModelData> runs = model_data(options);
+    add_runs(made, *runs);
+    if (has_model || options.diagnose) result.for_model = runs;
+    return result;
+  }
+  const DriftData data = open_drift_data(options.model.data.front());
+  made.files = data.files;
+  tell(data.remarks);
+  if (data.session) {
+    add_session(made, *data.session, options);
+  } else {
+    add_series(made, *data.series, options);
+  }
+  if (!options.compare.empty() || (data.session && data.session->five_probe)) add_comparison(made, options);
+  if (of_batches) {
+    add_batch(made, options);
+  } else if (has_model || options.diagnose) {
+    const double max_gap_s = options.model.max_gap_s.value_or(kUsualGap_s);
+    ModelData opened = model_data_of(data, options.model.data.front(), {}, max_gap_s);
+    opened.remarks.erase(opened.remarks.begin(),
+                         opened.remarks.begin() + static_cast<std::ptrdiff_t>(data.remarks.size()));
+    tell(opened.remarks);  // the others are said
+    result.for_model = std::make_shared<const ModelData>(std::move(opened));
+  }
+  return result;
+}
+
+void add_report_options(CLI::App& command, ReportRequest& request) {
+  add_model_options(command, request.model, false);
+  add_also_input(command, request.model);
+  add_fit_options(command, request.model);
+  command.add_option("--compare", request.compare, "another drift, or five probes, to compare DATA with")
+      ->type_name("DATA");
+  CLI::Option* diagnose =
+      command.add_flag("--diagnose", request.diagnose, "which effect is missing, without a model as well");
+  command.add_flag("--no-diagnosis", request.no_diagnosis, "with a model: where it fails, not what is missing")
+      ->excludes(diagnose);
+  command.add_flag("--anyway", request.anyway, "model of `train`: predict though a sensor looks broken");
+  add_five_probe_options(command, request.probes);
+}
+
+}  // namespace ballbar

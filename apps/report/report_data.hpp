@@ -1,0 +1,43 @@
+// What a report says of data, before any model.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/formats/sessions/data_file.hpp"
+#include "report/report_request.hpp"
+#include "report/report_results.hpp"
+
+namespace ballbar {
+
+// A report as it grows, with all files that it is made of.
+struct Report {
+  PageReport page;
+  std::vector<std::filesystem::path> files;
+  std::vector<SkippedFile> skipped;
+
+  void conclude(const std::string& sentence) { page.head.summary.push_back(sentence); }
+};
+
+// Of a part that the first thing in it makes.
+template <class Part>
+Part& value_of(MayLack<Part>& part) {
+  return part.value ? *part.value : part.value.emplace();
+}
+
+// A page is mailed: where its files lay stays at home.
+std::string file_name(const std::filesystem::path& path);
+
+struct ReportData {
+  Report report;
+  std::shared_ptr<const ModelData> for_model;  // null: there is no model of effects, and none is asked for
+};
+
+// The data are opened once. Of folders and archives the request has the files in them from here on. Throws Error, and
+// CLI::ValidationError where an option would do nothing.
+ReportData report_data(ReportRequest& request);
+
+}  // namespace ballbar

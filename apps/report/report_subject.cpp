@@ -1,0 +1,213 @@
+#include "report/report_subject.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/models/model_history.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "model/effect_options.hpp"
+#include "model/held_values.hpp"
+#include "model/known_effect.hpp"
+#include "report/report_parts.hpp"
+
+namespace ballbar {
+namespace {
+
+namespace fs = std::filesystem;
+
+void overlay_effects(ModelPart& made, const Fit& fit, const Model& model, const Series& data) {
+  if (model.level != Level::recording) return;
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    if (model.terms[t].effect->rules.is_base) continue;  // drawn as itself
+    overlay(*made.fit.value, label_of(model.terms[t]), fit.contribution_um[t], fit, data);
+  }
+}
+
+void overlay_candidates(ModelPart& made, const DiagnosisReport& found, const ModelData& data) {
+  if (data.level != Level::recording) return;
+  for (const Candidate& candidate : found.diagnosis.candidates) {
+    if (!candidate.in_best_set) continue;
+    const std::vector<double> curve = curve_of(candidate, found.residual_report.fit, data.series);
+    if (curve.empty()) continue;
+    overlay(*made.fit.value, "candidate " + label_of(candidate.bound), curve, found.residual_report.fit,
+            data.series);
+  }
+}
+
+// Once each: a page names its files.
+std::vector<std::string> names_of(const std::vector<fs::path>& files) {
+  std::vector<std::string> names;
+  for (const fs::path& file : files) names.push_back(file_name(file));
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+}  // namespace
+
+ReportSubject::ReportSubject(ReportRequest request)
+    : request_(std::move(request)), given_(request_), data_(report_data(request_)), marks_(marks()) {
+  if (data_.for_model) open_model_file();
+}
+
+std::vector<ReportSubject::Mark> ReportSubject::marks() const {
+  std::vector<Mark> marks;
+  for (const fs::path& file : data_.report.files) {
+    std::error_code absent;
+    marks.emplace_back(file.string(), fs::file_size(file, absent), fs::last_write_time(file, absent));
+  }
+  return marks;
+}
+
+bool ReportSubject::is_of(const ReportRequest& request) const {
+  const auto has_model = [](const ReportRequest& one) { return one.diagnose || !one.model.model.empty(); };
+  return request.model.data == given_.model.data && request.compare == given_.compare &&
+         has_model(request) == has_model(given_) && marks() == marks_;
+}
+
+void ReportSubject::open_model_file() {
+  const Model model = open_model(request_.model, *data_.for_model);
+  say_start(request_.model, *data_.for_model);
+  targets_ = model.targets;
+  models_.clear();
+  faults_.clear();
+  for (const std::string& target : targets_) {
+    ModelOptions of_one = request_.model;
+    if (targets_.size() > 1) of_one.target = {target};
+    faults_.emplace_back();
+    try {
+      models_.push_back(
+          std::make_unique<RevisedModel>(of_one, data_.for_model, diagnosis_options(request_.how, target)));
+    } catch (const Error& error) {
+      models_.push_back(nullptr);
+      faults_.back() = error.what();
+    }
+  }
+}
+
+void ReportSubject::look_at(const ReportRequest& request) {
+  if (!data_.for_model) return;
+  const std::string& file = request.model.model;
+  const bool same = file == request_.model.model && request.model.target == request_.model.target;
+  if (same && models_.size() == 1 && models_.front()) {
+    if (file.empty()) return;
+    const std::string text = read_bytes(file, kLargestText);
+    if (text == models_.front()->text() || models_.front()->go_back_to(text)) return;
+  }
+  request_.model.model = file;
+  request_.model.target = request.model.target;
+  open_model_file();
+}
+
+RevisedModel& ReportSubject::only_one() {
+  if (models_.size() != 1) throw Error("expected one target, which is looked at, found several or none.");
+  if (!models_.front()) throw Error(faults_.front());
+  return *models_.front();
+}
+
+void ReportSubject::add_target(ModelPart& made, RevisedModel& model, Parts parts) {
+  Workbench& bench = model.bench();
+  const ModelData& data = *data_.for_model;
+  const ResidualReport& checked = with_source(
+      request_.model.data.front(), [&]() -> auto& { return bench.check(); });
+  // What is missing from a model of the errors of the axes, their ranked table says.
+  const bool search = parts == Parts::all && !is_of_machine_errors(bench.model(), data.series);
+  std::optional<DiagnosisReport> found;
+  if (search) found = diagnosis_report_of(request_.model, bench);
+  value_of(made.check).targets.push_back(check_part(checked, bench.model(), data));
+  const auto said = sentences(checked.fit, checked.where, checked.whiteness);
+  if (!said.empty()) made.summary.push_back(fmt::format("{}: {}", bench.model().targets.front(), said.front()));
+  overlay_effects(made, checked.fit, bench.model(), data.series);
+  if (!found) return;
+  value_of(made.diagnose).targets.emplace_back(diagnosis_part(*found, data));
+  made.summary.push_back(fmt::format("{}: {}", bench.model().targets.front(), found->diagnosis.sentence));
+  overlay_candidates(made, *found, data);
+}
+
+// A target that cannot be fitted is said and left out: the rest of the report is worth having.
+void ReportSubject::add_model(ModelPart& made, Parts parts) {
+  for (std::size_t k = 0; k < targets_.size(); ++k) {
+    std::string why = faults_[k];
+    try {
+      if (models_[k]) add_target(made, *models_[k], parts);
+    } catch (const Error& error) {
+      why = error.what();
+    }
+    if (why.empty()) continue;
+    const bool fitted = parts == Parts::fitted;
+    made.summary.push_back(fmt::format("{}: not {}: {}", targets_[k], fitted ? "fitted" : "diagnosed", why));
+    if (!fitted) value_of(made.diagnose).targets.emplace_back(NotDiagnosed{targets_[k], why});
+  }
+  if (request_.model.model.empty()) return;
+  const auto rows = read_ledger(
+      models_.size() == 1 && models_.front() ? models_.front()->text() : read_bytes(request_.model.model, kLargestText),
+      request_.model.model);
+  if (!rows.empty()) made.ledger.value = ledger_of(rows);
+}
+
+std::vector<fs::path> ReportSubject::files() const {
+  std::vector<fs::path> files = data_.report.files;
+  if (data_.for_model && !request_.model.model.empty()) files.emplace_back(request_.model.model);
+  return files;
+}
+
+ModelPart ReportSubject::of_model(Parts parts) {
+  const PageReport& data = data_.report.page;
+  ModelPart made{names_of(files()), data.head.summary, {}, {}, {}, {}};
+  if (!data_.for_model) return made;
+  if (data_.for_model->level == Level::recording) made.fit = data.fit;
+  add_model(made, parts);
+  return made;
+}
+
+Report ReportSubject::report() {
+  Report made = data_.report;
+  ModelPart& model = made.page.model = of_model(request_.no_diagnosis ? Parts::fitted : Parts::all);
+  made.page.head.files = model.files;
+  made.page.head.summary = model.summary;
+  if (model.fit.value) made.page.fit = std::move(model.fit);
+  made.files = files();
+  return made;
+}
+
+ModelPart ReportSubject::fitted() {
+  only_one();
+  return of_model(Parts::fitted);
+}
+
+ModelPart ReportSubject::found() {
+  only_one();
+  ModelPart part = of_model(Parts::all);
+  part.check.value.reset();
+  return part;
+}
+
+HeldPart ReportSubject::held(const std::vector<std::string>& settings) {
+  Workbench& bench = only_one().bench();
+  const Model model = with_held_values(bench.model(), settings);
+  const ResidualReport checked = residual_report_of(model, bench.data(), 0, {});
+  return {{{check_part(checked, model, *data_.for_model)}}};
+}
+
+ModelPart ReportSubject::add(const std::vector<std::string>& effects) {
+  RevisedModel& model = only_one();
+  for (const std::string& effect : effects) expect_known_effect(effect, true);
+  model.add(terms_of(effects, model.model(), *data_.for_model));
+  return fitted();
+}
+
+void ReportSubject::take_back() { only_one().take_back(); }
+
+RevisedPart ReportSubject::revise(const std::string& file) {
+  RevisedModel& model = only_one();
+  const EffectTest tried = model.revise();
+  write_bytes(file, model.text());
+  request_.model.model = file;
+  const std::vector<LedgerRow> rows = read_ledger(model.text(), file);
+  return {sentence(rows.back(), &rows[rows.size() - 2]), tried.after.verdict == "supported", ledger_of(rows)};
+}
+
+}  // namespace ballbar

@@ -1,0 +1,57 @@
+// Data that are looked at, with a model beside them that may change: opened once, computed once. `report` makes one
+// report of it; a page keeps it, and asks for the parts that a step changes.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "diagnose/revised_model.hpp"
+#include "report/report_data.hpp"
+#include "report/report_request.hpp"
+
+namespace ballbar {
+
+class ReportSubject {
+ public:
+  explicit ReportSubject(ReportRequest request);
+
+  // Where there is a model, with its fit, and what is missing from it unless the request wants none.
+  Report report();
+
+  // Parts of a report, by its keys. Each throws Error where there is no target, or several.
+  ModelPart fitted();                                        // the fit
+  ModelPart found();                                         // what is missing
+  HeldPart held(const std::vector<std::string>& settings);   // the fit with these values, as --set has them
+  ModelPart add(const std::vector<std::string>& effects);    // the fit with them; its file stays as it was
+  RevisedPart revise(const std::string& file);               // what add() changed, written to the file
+  void take_back();                                                     // what add() changed
+
+  // Whether the request is of these data, none of whose files has changed since.
+  bool is_of(const ReportRequest& request) const;
+  // Another target or model of the same data; a model whose file has changed is read anew.
+  void look_at(const ReportRequest& request);
+
+ private:
+  using Mark = std::tuple<std::string, std::uintmax_t, std::filesystem::file_time_type>;
+  enum class Parts { fitted, all };
+
+  std::vector<Mark> marks() const;
+  void open_model_file();
+  RevisedModel& only_one();
+  void add_model(ModelPart& made, Parts parts);
+  void add_target(ModelPart& made, RevisedModel& model, Parts parts);
+  ModelPart of_model(Parts parts);
+  std::vector<std::filesystem::path> files() const;  // that a report is made of
+
+  ReportRequest request_, given_;  // with folders as the files in them; as it came
+  ReportData data_;
+  std::vector<Mark> marks_;
+  std::vector<std::string> targets_;
+  std::vector<std::unique_ptr<RevisedModel>> models_;  // of each target; null: it cannot be fitted
+  std::vector<std::string> faults_;                    // of each target, why
+};
+
+}  // namespace ballbar

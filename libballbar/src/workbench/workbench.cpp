@@ -1,0 +1,168 @@
+#include "ballbar/workbench/workbench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "ballbar/model/measured_input.hpp"
+#include "diagnosis/verdict/diagnosis_at.hpp"
+#include "revision/effect_test_parts.hpp"
+#include "revision/ledger_row.hpp"
+#include "revision/machine_error_test.hpp"
+
+namespace ballbar {
+namespace {
+
+// A fit as the tests of effects have it.
+bool is_plain(const FitOptions& options) { return !options.robust && !options.white && !options.noise; }
+
+// A fit with where it fails, and what is to be known of its inputs.
+ResidualReport report_of(Fit fit, const Model& model, const Series& data) {
+  ResidualReport report{std::move(fit), {}, {}};
+  report.where = where_it_fails(report.fit, data);
+  report.whiteness = whiteness(report.fit);
+  for (const std::string& name : measured_inputs_with_gaps(model, data)) {
+    const auto& values = find_column(data, name)->values;
+    const auto known = std::count_if(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+    report.fit.remarks.push_back(fmt::format(
+        "{} is an input measured at {} of {} times: between them it is a straight line, outside them the nearest "
+        "value.",
+        name, known, values.size()));
+  }
+  return report;
+}
+
+}  // namespace
+
+ResidualReport residual_report_of(const Model& model, const Series& data, std::size_t target,
+                                  const FitOptions& options) {
+  return report_of(fit(model, data, target, options), model, data);
+}
+
+// A model, and what was computed of it.
+struct Workbench::Step {
+  Model model;
+  std::vector<Term> added;          // to the step before, as they were given
+  std::optional<Weighed> of_added;  // of the step before with these terms; none: its own
+  std::optional<Fit> fit;           // as the tests of effects have it
+  std::optional<LedgerRow> row;
+  std::optional<ResidualReport> check;
+  std::optional<Weighed> weighed;
+  std::optional<Diagnosis> diagnosis;
+  std::optional<EffectTest> test;  // of what was added
+};
+
+Workbench::Workbench(std::shared_ptr<const Series> data, Model model, WorkbenchOptions options)
+    : data_(std::move(data)), options_(std::move(options)) {
+  steps_.push_back(std::make_unique<Step>());
+  now().model = std::move(model);
+}
+Workbench::Workbench(Workbench&& other) noexcept = default;
+Workbench& Workbench::operator=(Workbench&& other) noexcept = default;
+Workbench::~Workbench() = default;
+
+Workbench::Step& Workbench::now() const { return *steps_.back(); }
+const Series& Workbench::data() const { return *data_; }
+const Model& Workbench::model() const { return now().model; }
+
+const ResidualReport& Workbench::check() {
+  Step& step = now();
+  if (!step.check) {
+    if (options_.diagnosis.search.progress) options_.diagnosis.search.progress("fitting");
+    step.check = is_plain(options_.fit) && !is_of_machine_errors(step.model, *data_)
+                     ? report_of(plain_fit(step), step.model, *data_)
+                     : residual_report_of(step.model, *data_, 0, options_.fit);
+  }
+  return *step.check;
+}
+
+const Fit& Workbench::plain_fit(Step& step) const {
+  if (!step.fit) step.fit = fit(step.model, *data_);
+  return *step.fit;
+}
+
+FittedModel Workbench::fitted(Step& step) const {
+  const Fit& fit = plain_fit(step);
+  if (!step.row) step.row = row_of(fit, step.model, *data_, 0);
+  return {step.model, fit, *step.row};
+}
+
+Weighed& Workbench::weighed(Step& step) const {
+  if (!step.weighed) step.weighed = weighed_of(step.model, *data_, 0, options_.diagnosis);
+  return *step.weighed;
+}
+
+const Diagnosis& Workbench::diagnosis() {
+  Step& step = now();
+  if (!step.diagnosis) {
+    DiagnosisOptions how = options_.diagnosis;
+    how.where = worst_place(check().fit, check().where);
+    step.diagnosis = diagnosis_of(weighed(step), step.model, *data_, 0, how);
+  }
+  return *step.diagnosis;
+}
+
+void Workbench::add(const std::vector<Term>& terms) {
+  auto next = std::make_unique<Step>();
+  next->model = model();
+  next->added = terms;
+  Model with = model();
+  with.terms.insert(with.terms.end(), terms.begin(), terms.end());
+  expect_suits(with, *data_);
+  if (!is_of_machine_errors(with, *data_)) {
+    const auto is_searched = [&](const Term& term) { return is_usual(term, model(), *data_); };
+    if (!std::all_of(terms.begin(), terms.end(), is_searched)) {
+      const SearchOptions& search = options_.diagnosis.search;
+      next->of_added = weighed_with(model(), terms, *data_, 0, search.catalogue, search.motion);
+    }
+    const std::vector<Term> first = begun(next->of_added ? *next->of_added : weighed(now()), terms);
+    std::copy(first.begin(), first.end(), with.terms.end() - static_cast<std::ptrdiff_t>(terms.size()));
+  }
+  next->model = std::move(with);
+  steps_.push_back(std::move(next));
+  if (steps_.size() > 2) steps_[steps_.size() - 3]->weighed.reset();  // the largest part, and nobody asks for it
+}
+
+const EffectTest& Workbench::added() {
+  Step& step = now();
+  if (!step.test) {
+    Step& before = *steps_.at(steps_.size() - 2);
+    if (is_of_machine_errors(step.model, *data_)) {
+      step.test = machine_error_test(before.model, step.added, *data_, 0);
+    } else {
+      step.test = effect_test_of(step.of_added ? *step.of_added : weighed(before), fitted(before), fitted(step),
+                                 step.added.size(), *data_, 0);
+    }
+    step.of_added.reset();
+  }
+  return *step.test;
+}
+
+EffectTest Workbench::effect_test(const std::vector<Term>& terms) {
+  add(terms);
+  const auto back = [this] { steps_.pop_back(); };
+  try {
+    EffectTest test = added();
+    back();
+    return test;
+  } catch (...) {
+    back();
+    throw;
+  }
+}
+
+void Workbench::replace(Model model) {
+  steps_.push_back(std::make_unique<Step>());
+  now().model = std::move(model);
+}
+
+bool Workbench::undo() {
+  if (steps_.size() < 2) return false;
+  steps_.pop_back();
+  return true;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,124 @@
+#include "report/page_calls.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/text/file_bytes.hpp"
+#include "scratch_folder.hpp"
+
+namespace ballbar {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// 4 um per K of the housing, 2 of the room; the model knows the housing alone.
+struct Desk {
+  ScratchFolder scratch;
+  std::string data, model;
+
+  explicit Desk(int rows = 120) {
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> normal(0.0, 0.05);
+    std::string text = "time_s,T_housing_degC,T_room_degC,y_um\n";
+    for (int i = 0; i < rows; ++i) {
+      const double housing = 20.0 + 3.0 * std::sin(0.07 * i), room = 22.0 + std::sin(0.19 * i + 1.0);
+      text += fmt::format("{},{:.4f},{:.4f},{:.4f}\n", 60 * i, housing, room,
+                          4.0 * (housing - 20.0) + 2.0 * (room - 22.0) + normal(random));
+    }
+    data = scratch.write("data.csv", text).string();
+    model = scratch
+                .write("model.toml",
+                       "format = \"ballbar-model 1\"\ntarget = \"y_um\"\n\n[[effect]]\nname = \"expansion\"\n"
+                       "temperature = \"T_housing_degC\"\n")
+                .string();
+  }
+  Json call(const std::string& name, Json more = Json::object()) const {
+    Json call{{"call", name}, {"words", {data, "--model", model}}};
+    call.update(more);
+    return call;
+  }
+};
+
+double rmse_um(const Json& part) { return part["check"]["targets"][0]["rmse_um"].get<double>(); }
+
+TEST(PageCalls, a_report_is_the_fit_and_a_search_what_is_missing) {
+  const Desk desk;
+  PageCalls calls;
+  const Json report = calls.answer(desk.call("report"));
+  EXPECT_EQ(report["title"], "data.csv");
+  EXPECT_GT(rmse_um(report), 1.0);
+  EXPECT_FALSE(report.contains("diagnose"));
+  const Json found = calls.answer(desk.call("search"));
+  EXPECT_FALSE(found.contains("check"));
+  EXPECT_FALSE(found["diagnose"]["targets"][0]["sentence"].get<std::string>().empty());
+}
+
+TEST(PageCalls, an_effect_is_fitted_at_once_and_written_with_its_test) {
+  const Desk desk;
+  PageCalls calls;
+  const double before_um = rmse_um(calls.answer(desk.call("report")));
+  const std::string first = read_bytes(desk.model, 1U << 20);
+  const Json added = calls.answer(desk.call("add", {{"effects", {"expansion(T_room_degC)"}}}));
+  EXPECT_LT(rmse_um(added), 0.1 * before_um);
+  EXPECT_EQ(read_bytes(desk.model, 1U << 20), first);
+  const Json revised = calls.answer(desk.call("revise", {{"model", desk.model}}));
+  EXPECT_TRUE(revised["supported"].get<bool>());
+  EXPECT_EQ(revised["ledger"]["rows"].size(), 2U);
+  EXPECT_EQ(revised["ledger"]["rows"][1]["rmse_um"], added["check"]["targets"][0]["rmse_um"]);
+  EXPECT_NE(read_bytes(desk.model, 1U << 20).find("T_room_degC"), std::string::npos);
+  // As a page takes it back: the file has its old bytes.
+  write_bytes(desk.model, first);
+  EXPECT_EQ(rmse_um(calls.answer(desk.call("fitted"))), before_um);
+}
+
+TEST(PageCalls, a_subject_that_was_kept_answers_as_one_that_is_new) {
+  const Desk desk;
+  PageCalls kept;
+  kept.answer(desk.call("search"));
+  kept.answer(desk.call("add", {{"effects", {"expansion(T_room_degC)"}}}));
+  kept.answer(desk.call("revise", {{"model", desk.model}}));
+  EXPECT_EQ(kept.answer(desk.call("search")), PageCalls().answer(desk.call("search")));
+  EXPECT_EQ(kept.answer(desk.call("fitted")), PageCalls().answer(desk.call("fitted")));
+}
+
+TEST(PageCalls, what_was_added_is_taken_back) {
+  const Desk desk;
+  PageCalls calls;
+  const Json before = calls.answer(desk.call("fitted"));
+  calls.answer(desk.call("add", {{"effects", {"expansion(T_room_degC)"}}}));
+  calls.answer(desk.call("take_back"));
+  EXPECT_EQ(calls.answer(desk.call("fitted")), before);
+}
+
+TEST(PageCalls, values_are_held_and_the_model_stays) {
+  const Desk desk;
+  PageCalls calls;
+  const Json before = calls.answer(desk.call("fitted"));
+  const Json held = calls.answer(desk.call("hold", {{"settings", {"expansion(T_housing_degC).gain_um_per_K=1"}}}));
+  EXPECT_GT(rmse_um(held), rmse_um(before));
+  EXPECT_EQ(calls.answer(desk.call("fitted")), before);
+}
+
+TEST(PageCalls, other_data_under_the_same_name_are_opened_anew) {
+  const Desk desk;
+  const Desk other(60);
+  PageCalls calls;
+  EXPECT_EQ(calls.answer(desk.call("report"))["check"]["targets"][0]["n"], 120);
+  write_bytes(desk.data, read_bytes(other.data, 1U << 20));
+  EXPECT_EQ(calls.answer(desk.call("report"))["check"]["targets"][0]["n"], 60);
+}
+
+TEST(PageCalls, a_call_of_another_name_is_refused) {
+  const Desk desk;
+  PageCalls calls;
+  EXPECT_THROW(calls.answer(desk.call("make_coffee")), Error);
+  EXPECT_THROW(calls.answer(desk.call("add", {{"effects", {"expansion(T_absent_degC)"}}})), Error);
+  EXPECT_NO_THROW(calls.answer(desk.call("report")));
+}
+
+}  // namespace
+}  // namespace ballbar
