@@ -21,12 +21,13 @@ struct ResultType<NamedBatch> {
   static constexpr std::string_view meaning = "A batch, and how like the job it is.";
   static constexpr std::tuple likeness{
       Field{"room_apart_K", &RankedBatch::room_apart_K, "temperature of the room as it begins"},
-      Field{"distance", &RankedBatch::distance, "how unlike it is"}, Field{"weight", &RankedBatch::weight, ""},
+      Field{"distance", &RankedBatch::distance, "how unlike it is"},
+      Field{"weight", &RankedBatch::weight, ""},
       Field{"components", [](const RankedBatch& of) { return of.settings.components; }, "of the regression up to it"},
       Field{"modelling_rmse_um", &RankedBatch::modelling_rmse_um, "of the batches up to this rank"},
       Field{"predicted_rmse_um", &RankedBatch::predicted_rmse_um, "of the job by these; null: not measured"}};
-  static constexpr std::tuple fields = std::tuple_cat(std::tuple{Field{"batch", &NamedBatch::name, ""}},
-                                                      fields_through(&NamedBatch::ranked, likeness));
+  static constexpr std::tuple fields =
+      std::tuple_cat(std::tuple{Field{"batch", &NamedBatch::name, ""}}, fields_through(&NamedBatch::ranked, likeness));
 };
 
 struct BatchChoice {
@@ -94,15 +95,14 @@ template <>
 struct ResultType<Selected> {
   static constexpr std::string_view name = "Selected";
   static constexpr std::string_view meaning = "Batches to train on for a job.";
-  static constexpr std::tuple fields{
-      Field{"target", &Selected::target, "column that is predicted"},
-      Field{"room_degC", &Selected::room_degC, "as the job begins"},
-      Field{"taken", &Selected::taken, "the choice that is written"},
-      Field{"ranked", &Selected::ranked, "batches by the temperature of their rooms"},
-      Field{"choices", &Selected::choices, "with what came of each"},
-      Field{"held_out", &Selected::held_out, "by number of batches"},
-      Field{"random", &Selected::random, "choices to compare with; null: none"},
-      Field{"remarks", &Selected::remarks, ""}};
+  static constexpr std::tuple fields{Field{"target", &Selected::target, "column that is predicted"},
+                                     Field{"room_degC", &Selected::room_degC, "as the job begins"},
+                                     Field{"taken", &Selected::taken, "the choice that is written"},
+                                     Field{"ranked", &Selected::ranked, "batches by the temperature of their rooms"},
+                                     Field{"choices", &Selected::choices, "with what came of each"},
+                                     Field{"held_out", &Selected::held_out, "by number of batches"},
+                                     Field{"random", &Selected::random, "choices to compare with; null: none"},
+                                     Field{"remarks", &Selected::remarks, ""}};
 };
 
 }  // namespace ballbar

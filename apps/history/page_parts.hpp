@@ -18,7 +18,7 @@ template <>
 struct ResultType<CurveOverYears> {
   static constexpr std::string_view name = "CurveOverYears";
   static constexpr std::string_view meaning = "A curve with half of the interval that holds 68 %.";
-  static constexpr std::tuple fields{Field{"year", &CurveOverYears::year, "2025.5"},
+  static constexpr std::tuple fields{Field{"year", known(&CurveOverYears::year), "2025.5"},
                                      Field{"values", &CurveOverYears::values, ""},
                                      Field{"sigmas", &CurveOverYears::sigmas, ""}};
 };
@@ -35,12 +35,13 @@ template <>
 struct ResultType<DrawnQuantity> {
   static constexpr std::string_view name = "HistoryQuantity";
   static constexpr std::string_view meaning = "A quantity over the tests with a date.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      std::tuple{Field{"name", &DrawnQuantity::name, ""}, Field{"unit", &DrawnQuantity::unit, ""}},
-      fields_through(&DrawnQuantity::tests, ResultType<CurveOverYears>::fields),
-      std::tuple{Field{"trend", &DrawnQuantity::trend, ""},
-                 Field{"marks", &DrawnQuantity::marks, "years in which it steps"},
-                 Field{"lower", &DrawnQuantity::lower, "tolerance"}, Field{"upper", &DrawnQuantity::upper, ""}});
+  static constexpr std::tuple fields =
+      std::tuple_cat(std::tuple{Field{"name", &DrawnQuantity::name, ""}, Field{"unit", &DrawnQuantity::unit, ""}},
+                     fields_through(&DrawnQuantity::tests, ResultType<CurveOverYears>::fields),
+                     std::tuple{Field{"trend", &DrawnQuantity::trend, ""},
+                                Field{"marks", known(&DrawnQuantity::marks), "years in which it steps"},
+                                Field{"lower", known(&DrawnQuantity::lower), "tolerance"},
+                                Field{"upper", known(&DrawnQuantity::upper), ""}});
 };
 
 struct DrawnGroup {
@@ -54,11 +55,10 @@ template <>
 struct ResultType<DrawnGroup> {
   static constexpr std::string_view name = "HistoryGroup";
   static constexpr std::string_view meaning = "Tests that can be compared.";
-  static constexpr std::tuple fields{Field{"label", &DrawnGroup::label, "XY, 100 mm, 1000 mm/min, 360 deg"},
-                                     Field{"first", &DrawnGroup::first, "quantity to look at first"},
-                                     Field{"quantities", &DrawnGroup::quantities, ""},
-                                     Field{"heading", &DrawnGroup::heading, "of the table"},
-                                     Field{"rows", &DrawnGroup::rows, ""}};
+  static constexpr std::tuple fields{
+      Field{"label", &DrawnGroup::label, "XY, 100 mm, 1000 mm/min, 360 deg"},
+      Field{"first", &DrawnGroup::first, "quantity to look at first"}, Field{"quantities", &DrawnGroup::quantities, ""},
+      Field{"heading", &DrawnGroup::heading, "of the table"}, Field{"rows", &DrawnGroup::rows, ""}};
 };
 
 struct HistoryPart {
@@ -125,16 +125,18 @@ template <>
 struct ResultType<HistoryReport> {
   static constexpr std::string_view name = "HistoryReport";
   static constexpr std::string_view meaning = "The data of a page of a machine over its tests.";
-  static constexpr std::tuple fields = std::tuple_cat(fields_through(&HistoryReport::head, ResultType<ReportHead>::fields),
-                                                      std::tuple{Field{"history", &HistoryReport::history, ""}});
+  static constexpr std::tuple fields =
+      std::tuple_cat(fields_through(&HistoryReport::head, ResultType<ReportHead>::fields),
+                     std::tuple{Field{"history", &HistoryReport::history, ""}});
 };
 
 template <>
 struct ResultType<FleetReport> {
   static constexpr std::string_view name = "FleetReport";
   static constexpr std::string_view meaning = "The data of a page of many machines.";
-  static constexpr std::tuple fields = std::tuple_cat(fields_through(&FleetReport::head, ResultType<ReportHead>::fields),
-                                                      std::tuple{Field{"fleet", &FleetReport::fleet, ""}});
+  static constexpr std::tuple fields =
+      std::tuple_cat(fields_through(&FleetReport::head, ResultType<ReportHead>::fields),
+                     std::tuple{Field{"fleet", &FleetReport::fleet, ""}});
 };
 
 }  // namespace ballbar

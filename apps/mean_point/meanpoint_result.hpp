@@ -13,9 +13,10 @@ namespace ballbar {
 template <>
 struct ResultType<ThreeAreas> {
   static constexpr std::string_view name = "ThreeAreas";
-  static constexpr std::string_view meaning = "A hot, a middle and a cold area of a picture, by thresholds of its colours.";
+  static constexpr std::string_view meaning =
+      "A hot, a middle and a cold area of a picture, by thresholds of its colours.";
   static constexpr std::tuple fields{
-      Field{"mean_degC", &ThreeAreas::mean_degC, "by the three areas"},
+      Field{"mean_degC", known(&ThreeAreas::mean_degC), "by the three areas"},
       Field{"otsu_mean_degC", &ThreeAreas::otsu_mean_degC, "the same by Otsu's thresholds alone"},
       Field{"hot_pixels", &ThreeAreas::hot, ""},
       Field{"middle_pixels", &ThreeAreas::middle, ""},
@@ -66,7 +67,7 @@ struct ResultType<MeanPointResult> {
   static constexpr std::string_view name = "MeanPoint";
   static constexpr std::string_view meaning = "A place at which the temperature is its mean.";
   static constexpr std::tuple fields{
-      Field{"x_mm", &MeanPointResult::x_mm, ""},
+      Field{"x_mm", known(&MeanPointResult::x_mm), ""},
       Field{"sigma_mm", &MeanPointResult::sigma_mm, "null: not known"},
       Field{"slope_degC_per_mm", &MeanPointResult::slope_degC_per_mm, ""},
       Field{"sigma_slope_degC_per_mm", &MeanPointResult::sigma_slope_degC_per_mm, "null: not known"},
@@ -89,7 +90,7 @@ struct ResultType<MeanPointStateResult> {
   static constexpr std::string_view meaning = "Temperatures along a spindle, and their mean-value points.";
   static constexpr std::tuple fields{Field{"name", &Of::name, "the picture's file or the table's column"},
                                      Field{"length_mm", &Of::length_mm, ""},
-                                     Field{"mean_degC", &Of::mean_degC, "along the spindle"},
+                                     Field{"mean_degC", known(&Of::mean_degC), "along the spindle"},
                                      Field{"sigma_mean_degC", &Of::sigma_mean_degC, "null: not known"},
                                      Field{"elongation_um", &Of::elongation_um, "since the start"},
                                      Field{"sigma_elongation_um", &Of::sigma_elongation_um, ""},
@@ -98,16 +99,16 @@ struct ResultType<MeanPointStateResult> {
                                      Field{"picture", &Of::picture, "of a picture"}};
 };
 
-inline constexpr std::tuple kBestPlace{Field{"x_mm", &BestPoint::x_mm, ""}};
+inline constexpr std::tuple kBestPlace{Field{"x_mm", known(&BestPoint::x_mm), ""}};
 
 template <>
 struct ResultType<BestPoint> {
   static constexpr std::string_view name = "BestPoint";
   static constexpr std::string_view meaning = "One place for all states.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      kBestPlace, std::tuple{Field{"rms_um", &BestPoint::rms_um, "of what a sensor there tells wrong"},
-                             Field{"misplaced_um_per_mm", &BestPoint::misplaced_um_per_mm,
-                                   "largest for each mm that the sensor is off"}});
+  static constexpr std::tuple fields =
+      std::tuple_cat(kBestPlace, std::tuple{Field{"rms_um", &BestPoint::rms_um, "of what a sensor there tells wrong"},
+                                            Field{"misplaced_um_per_mm", &BestPoint::misplaced_um_per_mm,
+                                                  "largest for each mm that the sensor is off"}});
 };
 
 struct MeanPointsResult {
@@ -123,10 +124,11 @@ struct ResultType<MeanPointsResult> {
   using Of = MeanPointsResult;
   static constexpr std::string_view name = "MeanPoints";
   static constexpr std::string_view meaning = "Where one sensor of temperature tells the elongation of a spindle.";
-  static constexpr std::tuple fields{Field{"conclusion", &Of::conclusion, "what it says in plain words"},
-                                     Field{"expansion_ppm_per_K", &Of::expansion_ppm_per_K, "of the spindle"},
-                                     Field{"start_degC", &Of::start_degC, "at which the elongation is 0; null: not given"},
-                                     Field{"best", &Of::best, "of several states"}, Field{"states", &Of::states, ""}};
+  static constexpr std::tuple fields{
+      Field{"conclusion", &Of::conclusion, "what it says in plain words"},
+      Field{"expansion_ppm_per_K", &Of::expansion_ppm_per_K, "of the spindle"},
+      Field{"start_degC", &Of::start_degC, "at which the elongation is 0; null: not given"},
+      Field{"best", &Of::best, "of several states"}, Field{"states", &Of::states, ""}};
 };
 
 // What is drawn.
@@ -145,7 +147,7 @@ template <>
 struct ResultType<MeanPoint> {
   static constexpr std::string_view name = "MeanPlace";
   static constexpr std::string_view meaning = "A place at which the temperature is its mean.";
-  static constexpr std::tuple fields{Field{"x_mm", &MeanPoint::x_mm, ""}};
+  static constexpr std::tuple fields{Field{"x_mm", known(&MeanPoint::x_mm), ""}};
 };
 
 template <>
@@ -153,11 +155,11 @@ struct ResultType<MeanPointState> {
   using Of = const MeanPointState&;
   static constexpr std::string_view name = "DrawnMeanPointState";
   static constexpr std::string_view meaning = "Temperature along a spindle, and where it is its mean.";
-  static constexpr std::tuple fields{Field{"name", &MeanPointState::name, "the picture's file or the table's column"},
-                                     Field{"mean_degC", &MeanPointState::mean_degC, ""},
-                                     Field{"mean_points", &MeanPointState::points, ""},
-                                     Field{"x_mm", [](Of of) { return of.profile.x_mm; }, "rising"},
-                                     Field{"degC", [](Of of) { return of.profile.degC; }, ""}};
+  static constexpr std::tuple fields{
+      Field{"name", &MeanPointState::name, "the picture's file or the table's column"},
+      Field{"mean_degC", known(&MeanPointState::mean_degC), ""}, Field{"mean_points", &MeanPointState::points, ""},
+      Field{"x_mm", [](Of of) { return Known<std::vector<double>>{of.profile.x_mm}; }, "rising"},
+      Field{"degC", [](Of of) { return of.profile.degC; }, ""}};
 };
 
 struct MeanPointPart {
@@ -170,9 +172,9 @@ template <>
 struct ResultType<MeanPointPart> {
   static constexpr std::string_view name = "MeanPointPart";
   static constexpr std::string_view meaning = "Temperature along a spindle, and where it is its mean, as it is drawn.";
-  static constexpr std::tuple fields{
-      Field{"conclusion", &MeanPointPart::conclusion, ""},
-      Field{"best", &MeanPointPart::best, "one place for all states"}, Field{"states", &MeanPointPart::states, ""}};
+  static constexpr std::tuple fields{Field{"conclusion", &MeanPointPart::conclusion, ""},
+                                     Field{"best", &MeanPointPart::best, "one place for all states"},
+                                     Field{"states", &MeanPointPart::states, ""}};
 };
 
 }  // namespace ballbar

@@ -33,6 +33,11 @@ constexpr auto plain(Value Part::*member) {
   return [member](const InUnit<Part>& of) { return of.part.*member; };
 }
 
+template <class Part>
+constexpr auto plain_known(double Part::*member) {
+  return [member](const InUnit<Part>& of) { return Known<double>{of.part.*member}; };
+}
+
 template <>
 struct ResultType<InUnit<DifferencePart>> {
   static constexpr std::string_view name = "DifferencePart";
@@ -98,9 +103,15 @@ struct ResultType<InUnit<DifferenceStructure>> {
   static constexpr std::tuple fields{
       Field{"stands_out", plain(&DifferenceStructure::stands_out),
             "one of the four is named, or all together stand out"},
-      Field{"parts", [](Structure of) { return InUnit<DifferenceParts>{of.part.parts, of.unit}; },
+      Field{"parts",
+            [](Structure of) {
+              return InUnit<DifferenceParts>{of.part.parts, of.unit};
+            },
             "each with the other three free"},
-      Field{"alone", [](Structure of) { return InUnit<DifferenceParts>{of.part.alone, of.unit}; },
+      Field{"alone",
+            [](Structure of) {
+              return InUnit<DifferenceParts>{of.part.alone, of.unit};
+            },
             "each with the other three none"},
       Field{"sufficient_alone", [](Structure of) { return sufficient_alone(of.part); },
             "those which alone explain all that the four explain"},
@@ -111,7 +122,10 @@ struct ResultType<InUnit<DifferenceStructure>> {
                   of.part.chi2_of_parts, of.part.parts_freedom, {of.part.chance_of_parts}, {of.part.limit_of_parts}};
             },
             "of the four; the limit is that of `alone`, too"},
-      Field{"whole", [](Structure of) { return PartsTogether{of.part.chi2, of.part.rows, {}, {}}; },
+      Field{"whole",
+            [](Structure of) {
+              return PartsTogether{of.part.chi2, of.part.rows, {}, {}};
+            },
             "of the whole difference, with the zero's error in common"},
       Field{"noise", plain(&DifferenceStructure::noise), "stated, widened, from rows"},
       Field{"widened_by",
@@ -122,10 +136,9 @@ struct ResultType<InUnit<DifferenceStructure>> {
             "of widened noise"},
       Field{"noise",
             [](Structure of) {
-              return OfUnit<MayLack<double>>{{of.part.noise == NoiseOfDifference::from_rows
-                                                  ? std::optional(of.part.widened_by)
-                                                  : std::nullopt},
-                                             of.unit};
+              return OfUnit<MayLack<double>>{
+                  {of.part.noise == NoiseOfDifference::from_rows ? std::optional(of.part.widened_by) : std::nullopt},
+                  of.unit};
             },
             "of noise from rows: sigma of a difference"}};
 };
@@ -134,8 +147,8 @@ template <>
 struct ResultType<InUnit<Deviation>> {
   static constexpr std::string_view name = "Deviation";
   static constexpr std::string_view meaning = "The worst stretch beyond 2 sigma.";
-  static constexpr std::tuple fields{Field{"from_s", plain(&Deviation::from_s), ""},
-                                     Field{"to_s", plain(&Deviation::to_s), ""},
+  static constexpr std::tuple fields{Field{"from_s", plain_known(&Deviation::from_s), ""},
+                                     Field{"to_s", plain_known(&Deviation::to_s), ""},
                                      Field{"to_the_end", plain(&Deviation::to_the_end), ""},
                                      Field{"largest", of_unit(&Deviation::largest), "the worst difference there"},
                                      Field{"sigma", of_unit(&Deviation::sigma), "of that one"},
@@ -159,7 +172,7 @@ template <>
 struct ResultType<InUnit<ComparedSample>> {
   static constexpr std::string_view name = "ComparedSample";
   static constexpr std::string_view meaning = "Both drifts at a common time.";
-  static constexpr std::tuple fields{Field{"time_s", plain(&ComparedSample::time_s), ""},
+  static constexpr std::tuple fields{Field{"time_s", plain_known(&ComparedSample::time_s), ""},
                                      Field{"a", of_unit(&ComparedSample::a), ""},
                                      Field{"b", of_unit(&ComparedSample::b), ""},
                                      Field{"difference", of_unit(&ComparedSample::difference), "b less a"},
@@ -197,8 +210,8 @@ struct ResultType<AxisComparison> {
       Field{"lag_sigma_s", &AxisComparison::lag_sigma_s, ""},
       Field{"deviation",
             [](Axis of) {
-              return MayLack<InUnit<Deviation>>{
-                  of.deviation ? std::optional(InUnit<Deviation>{*of.deviation, of.unit}) : std::nullopt};
+              return MayLack<InUnit<Deviation>>{of.deviation ? std::optional(InUnit<Deviation>{*of.deviation, of.unit})
+                                                             : std::nullopt};
             },
             "where some sample is beyond 2 sigma"},
       Field{"structure",
@@ -218,7 +231,7 @@ struct ResultType<Comparison> {
       Field{"conclusion", [](const Comparison& of) { return conclusion(of); }, "what it says in plain words"},
       Field{"a", &Comparison::a, "name of the first"},
       Field{"b", &Comparison::b, "name of the second"},
-      Field{"reference_s", &Comparison::reference_s, "time that both are taken to"},
+      Field{"reference_s", known(&Comparison::reference_s), "time that both are taken to"},
       Field{"samples", &Comparison::samples, "common times"},
       Field{"left_out", &Comparison::left_out, "times of one alone"},
       Field{"axes",

@@ -116,9 +116,9 @@ void run(const EffectsArguments& options) {
                                            in_quotes(options.name), nearest_name(options.name, names)));
   }
   if (options.json) {
-    std::vector<Effect> pages;
-    for (const Effect* effect : chosen) pages.push_back(*effect);
-    print_json(json_value(pages));
+    EffectPages pages;
+    for (const Effect* effect : chosen) pages.effects.push_back(*effect);
+    print_json(json_value(pages.effects));
   } else if (options.name.empty()) {
     print_list();
   } else {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/formats/results/result_type.hpp"
@@ -54,8 +55,19 @@ struct ResultType<Effect> {
                        "another one at the edge of its shapes; empty: none"}},
       fields_through(&Effect::explanation, use),
       std::tuple{Field{"time_only", &Effect::time_only, "whether it needs nothing but time"},
-                 Field{"inputs", &Effect::inputs, "that it reads"},
-                 Field{"parameters", &Effect::parameters, ""}});
+                 Field{"inputs", &Effect::inputs, "that it reads"}, Field{"parameters", &Effect::parameters, ""}});
+};
+
+// A list, which Python has as this.
+struct EffectPages {
+  std::vector<Effect> effects;
+};
+
+template <>
+struct ResultType<EffectPages> {
+  static constexpr std::string_view name = "Effects";
+  static constexpr std::string_view meaning = "The catalogue, or an effect of it.";
+  static constexpr std::tuple fields{Field{"effects", &EffectPages::effects, "of the whole catalogue"}};
 };
 
 }  // namespace ballbar

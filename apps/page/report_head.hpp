@@ -37,7 +37,7 @@ struct ResultType<SignalsPart> {
   static constexpr std::string_view name = "SeriesBlock";
   static constexpr std::string_view meaning = "Columns on one clock.";
   static constexpr std::tuple fields{Field{"source", &SignalsPart::source, "the file"},
-                                     Field{"time_s", &SignalsPart::time_s, ""},
+                                     Field{"time_s", known(&SignalsPart::time_s), ""},
                                      Field{"columns", &SignalsPart::columns, ""}};
 };
 

@@ -12,10 +12,10 @@ from . import _core
 from ._catalogue import effect
 from ._core import Recording, Series, read_recordings, read_series
 from ._errors import BallbarError, UsageError
-from ._kinds_measure import Comparison, Drift, Errors, Fitted, History, Imported, Simulated
-from ._kinds_models import Checked, Diagnosis, Effects, Plan, Preflight
-from ._kinds_predict import Predicted, Report, Selected, Trained
-from ._kinds_revisions import Added, Injected, Tried
+from ._kinds import (
+    Added, Checked, Comparison, Diagnosis, Drift, Effects, Errors, Fitted, History, Imported, Injected, Plan,
+    Predicted, Preflight, Report, Selected, Simulated, Trained, Tried,
+)
 from ._logs import import_log, merge, simulate
 from ._measure import compare, drift, errors, fit, history
 from ._models import check, diagnose, effects, plan, preflight

@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from ._kinds_measure import Imported, Simulated
+from ._kinds import Imported, Simulated
 from ._words import Path, Words
 
 

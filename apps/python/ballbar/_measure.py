@@ -6,7 +6,7 @@ from typing import Any
 
 from . import _core
 from ._core import Recording
-from ._kinds_measure import Comparison, Drift, Errors, Fitted, History
+from ._kinds import Comparison, Drift, Errors, Fitted, History
 from ._words import Path, Progress, Words
 
 

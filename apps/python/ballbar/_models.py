@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from ._kinds_models import Checked, Diagnosis, Effects, Plan, Preflight
+from ._kinds import Checked, Diagnosis, Effects, Plan, Preflight
 from ._words import Model, Path, Progress, Words
 
 

@@ -5,7 +5,7 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from ._kinds_predict import Predicted, Report, Selected, Trained
+from ._kinds import Predicted, Report, Selected, Trained
 from ._results import Result
 from ._words import Model, Path, Progress, Words
 

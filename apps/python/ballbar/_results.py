@@ -3,11 +3,20 @@ from __future__ import annotations
 
 import html
 import json
-from typing import Any, Iterator
+from typing import Any, Callable, Iterator
 
 import numpy as np
 
 from . import _core
+
+
+# By the class of a result: the part of a page that it is drawn as, or the picture of the page of the same data.
+_PARTS = {"Comparison": "compare", "Drift": "drift"}
+_PICTURES: dict[str, Callable[[Any], str]] = {
+    "Fitted": lambda _: "recording-circle",
+    "Checked": lambda found: f"model-{found.target}-fit" if "target" in found else "",
+    "Diagnosis": lambda found: "with-without" if "target" in found else "machine-errors" if "errors" in found else "",
+}
 
 
 def _is_numbers(values: list[Any]) -> bool:
@@ -40,7 +49,6 @@ class Result:
     """
 
     __slots__ = ("_json", "_made", "_words")
-    _part = ""  # of a page: as which of its parts this result is drawn
 
     def __init__(self, keys: dict[str, Any], words: Any = None) -> None:
         self._json = keys
@@ -129,14 +137,11 @@ class Result:
         BallbarError
             No node, or a ballbar that was built without its page.
         """
-        if self._part:
-            return str(_core.picture(json.dumps({self._part: self._json}), self.conclusion_text()))
-        name = self._picture()
+        kind = type(self).__name__
+        if kind in _PARTS:
+            return str(_core.picture(json.dumps({_PARTS[kind]: self._json}), self.conclusion_text()))
+        name = _PICTURES[kind](self) if kind in _PICTURES else ""
         return str(self._words.picture(name)) if name and self._words else ""
-
-    def _picture(self) -> str:
-        """Of the page of the same data."""
-        return ""
 
     def _repr_html_(self) -> str:
         try:

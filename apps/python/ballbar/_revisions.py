@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from ._kinds_revisions import Added, Injected, Tried
+from ._kinds import Added, Injected, Tried
 from ._results import Result
 from ._words import Model, Path, Words
 

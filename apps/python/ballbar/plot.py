@@ -12,8 +12,7 @@ from typing import Any
 import numpy as np
 
 from ._core import Recording
-from ._kinds_measure import Comparison, Drift, Errors, Fitted
-from ._kinds_predict import Report
+from ._kinds import Comparison, Drift, Errors, Fitted, Report
 
 __all__ = ["circle", "comparison", "drift", "history", "residual"]
 

@@ -11,6 +11,7 @@ std::string typescript_type(const ValueSchema& value) {
     switch (value.kind) {
       case ValueKind::number:
         return "Num";
+      case ValueKind::known:
       case ValueKind::whole:
         return "number";
       case ValueKind::truth:

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <variant>
 
+#include "ballbar/error.hpp"
 #include "ballbar/formats/results/schema.hpp"
 
 namespace ballbar {
@@ -50,6 +52,30 @@ struct ResultType<Outer> {
                          Field{"again", &Outer::again, ""}});
 };
 
+struct Keys {
+  OfUnit<double> rmse;
+  KeysOf<double> axes;
+  Bulk column;
+  double sure = 0.0;
+  std::variant<Inner, Outer> one;
+};
+template <>
+struct ResultType<Keys> {
+  static constexpr std::string_view name = "Keys";
+  static constexpr std::string_view meaning = "Keys of all kinds.";
+  static constexpr std::tuple fields{Field{"rmse", &Keys::rmse, ""}, Field{"AXIS", &Keys::axes, ""},
+                                     Field{"column", &Keys::column, ""}, Field{"sure", known(&Keys::sure), ""},
+                                     Field{"one", &Keys::one, ""}};
+};
+
+struct OtherInner {};
+template <>
+struct ResultType<OtherInner> {
+  static constexpr std::string_view name = "Inner";
+  static constexpr std::string_view meaning = "Another one.";
+  static constexpr std::tuple<> fields{};
+};
+
 namespace {
 
 TEST(ResultType, JsonHasTheFieldsInTheirOrder) {
@@ -74,6 +100,64 @@ TEST(ResultType, SchemaHasTheFieldsOfAllTypesItMentions) {
             "  n: number; // as many\n  twice: Num;\n  note?: string;\n  table: Record<string, string>;\n"
             "  again: Outer[];\n}\n\n// A length.\nexport interface Inner {\n  length_mm: Num; // of it\n}\n\n");
   EXPECT_EQ(markdown_of(all[1]), "| key | holds |\n|---|---|\n| `length_mm` | of it |\n");
+}
+
+// What is written of a result, in all languages.
+struct Written {
+  std::string json, typescript, python, markdown;
+};
+
+template <Described Type>
+Written written(const Type& result) {
+  std::vector<ResultSchema> all;
+  add_schema<Type>(all);
+  const std::string name(ResultType<Type>::name);
+  return {json_of(result).dump(), typescript_of(all), python_of({{name, "fit", {name}}}, all),
+          markdown_of(all.front())};
+}
+
+TEST(ResultType, AFieldIsFoundInAllThatIsWritten) {
+  const Written all = written(Outer{});
+  EXPECT_NE(all.json.find("\"twice\":6.0"), std::string::npos);
+  EXPECT_NE(all.typescript.find("  twice: Num;\n"), std::string::npos);
+  EXPECT_NE(all.python.find("    twice: float\n"), std::string::npos);
+  EXPECT_NE(all.markdown.find("| `twice` |"), std::string::npos);
+}
+
+TEST(ResultType, PythonHasTheKeysAsAttributesOfAClass) {
+  EXPECT_EQ(
+      written(Outer{}).python,
+      "\n\nclass Outer(Result):\n    \"\"\"All kinds of values, :func:`ballbar.fit`.\n\n    Attributes\n"
+      "    ----------\n    length_mm : float\n        Of it.\n    rows : Rows\n        Length_mm.\n"
+      "    known : bool | None\n    colour : str\n    n : int\n        As many.\n    twice : float\n"
+      "    note : str\n    table : Result\n    again : Rows\n        Length_mm, rows, known, colour, n, twice, note, "
+      "table, again.\n    \"\"\"\n\n    length_mm: float\n    rows: Rows\n    known: bool | None\n    colour: str\n"
+      "    n: int\n    twice: float\n    note: str\n    table: Result\n    again: Rows\n");
+}
+
+TEST(ResultType, KeysAreWrittenAsTheyAreMade) {
+  Keys keys{{2.0, "um"}, {{{"x_um", 1.0}, {"y_um", 2.0}}}, {{1.23456789, 1e-9 / 3.0}}, 4.0, Inner{1.0}};
+  Written all = written(keys);
+  EXPECT_EQ(
+      all.json,
+      R"({"rmse_um":2.0,"x_um":1.0,"y_um":2.0,"column":[1.234568,3.333333e-10],"sure":4.0,"one":{"length_mm":1.0}})");
+  EXPECT_EQ(
+      all.typescript.substr(0, all.typescript.find("// A length.")),
+      "// Keys of all kinds.\nexport interface Keys {\n  [key: `rmse_${string}`]: Num;\n  [key: string]: unknown;\n"
+      "  column: Num[];\n  sure: number;\n  one: Inner | Outer;\n}\n\n");
+  EXPECT_NE(all.markdown.find("| `rmse_UNIT` |"), std::string::npos);
+  EXPECT_NE(all.python.find("    rmse_UNIT : float\n"), std::string::npos);
+  EXPECT_EQ(all.python.find("    rmse_UNIT: float\n"), std::string::npos);
+  keys.rmse.unit = "";
+  EXPECT_EQ(json_of(keys)["rmse"], 2.0);
+}
+
+TEST(ResultType, TwoTypesOfOneNameAreRefused) {
+  std::vector<ResultSchema> all;
+  add_schema<Inner>(all);
+  add_schema<Inner>(all);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_THROW(add_schema<OtherInner>(all), Error);
 }
 
 }  // namespace

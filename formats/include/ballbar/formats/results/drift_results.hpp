@@ -49,14 +49,14 @@ struct ResultType<DriftPoint> {
                                      Field{"shift_b_sigma_um", sigma_um(&DriftPoint::shift_b), ""},
                                      Field{"radius_change_sigma_um", sigma_um(&DriftPoint::radius_change), ""},
                                      Field{"radius_change_a_sigma_um", sigma_um(&DriftPoint::radius_change_a), ""}};
-  static constexpr Field elongation{
-      "elongation_correction_um",
-      [](const DriftPoint& of) { return MayLack<double>{of.elongation_correction_um}; }, "taken off the radial test"};
+  static constexpr Field elongation{"elongation_correction_um",
+                                    [](const DriftPoint& of) { return MayLack<double>{of.elongation_correction_um}; },
+                                    "taken off the radial test"};
   static constexpr std::tuple fields = std::tuple_cat(
-      std::tuple{Field{"time_s", &DriftPoint::time_s, "of the test"}}, values, sigmas,
-      std::tuple{elongation, Field{"correlation_y_z",
-                                   [](const DriftPoint& of) { return MayLack<double>{of.correlation_y_z}; },
-                                   "of the test's own y and z"}});
+      std::tuple{Field{"time_s", known(&DriftPoint::time_s), "of the test"}}, values, sigmas,
+      std::tuple{elongation,
+                 Field{"correlation_y_z", [](const DriftPoint& of) { return MayLack<double>{of.correlation_y_z}; },
+                       "of the test's own y and z"}});
 };
 
 template <>
@@ -65,7 +65,7 @@ struct ResultType<Position> {
   static constexpr std::string_view meaning =
       "Where a test found the ball of the spindle, errors of the set-up included.";
   static constexpr std::tuple fields{
-      Field{"time_s", &Position::time_s, "of the test"},
+      Field{"time_s", known(&Position::time_s), "of the test"},
       Field{"x_um", value_um(&Position::x), "from the point where the axes meet"},
       Field{"x_sigma_um", sigma_um(&Position::x), ""},
       Field{"y_um", value_um(&Position::y), ""},
@@ -87,8 +87,8 @@ struct ResultType<DriftSeries> {
   static constexpr std::string_view name = "DriftOfTests";
   static constexpr std::string_view meaning = "The drift of the spindle from tests.";
   static constexpr std::tuple fields{
-      Field{"method", &DriftSeries::method, "spindle_rotation, two_arcs, circles"},
-      Field{"reference_s", &DriftSeries::reference_s, "time of the test that drift is taken to"},
+      Field{"method", &DriftSeries::method, "spindle_rotation, two_arcs, circles; of five probes five_probe"},
+      Field{"reference_s", known(&DriftSeries::reference_s), "time of the test that drift is taken to"},
       Field{"points", &DriftSeries::points, "a row a test"},
       Field{"positions", &DriftSeries::positions, "the same before the reference is taken off"},
       Field{"not_cancelled", &DriftSeries::not_cancelled, "what of the set-up remains"}};
@@ -153,7 +153,7 @@ template <>
 struct ResultType<SeriesRow> {
   static constexpr std::string_view name = "SeriesRow";
   static constexpr std::string_view meaning = "A row of a series.";
-  static constexpr std::tuple fields{Field{"time_s", &SeriesRow::time_s, ""},
+  static constexpr std::tuple fields{Field{"time_s", known(&SeriesRow::time_s), ""},
                                      Field{"COLUMN", &SeriesRow::values, "a key a column"}};
 };
 template <>
@@ -167,7 +167,7 @@ struct ResultType<FiveProbeDrift> {
   static constexpr std::string_view meaning = "The drift of the spindle from five probes.";
   static constexpr std::tuple fields{
       Field{"method", [](const FiveProbeDrift&) { return std::string_view("five_probe"); }, "five_probe"},
-      Field{"reference_s", &FiveProbeDrift::reference_s, "time that drift is taken to"},
+      Field{"reference_s", known(&FiveProbeDrift::reference_s), "time that drift is taken to"},
       Field{"points", &FiveProbeDrift::points, "a row a time, AXIS_um or AXIS_urad with sigma"},
       Field{"ranges", &FiveProbeDrift::ranges, "by axis"},
       Field{"steps", &FiveProbeDrift::steps, "changes of the speed"},

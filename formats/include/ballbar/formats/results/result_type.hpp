@@ -57,6 +57,22 @@ struct Bulk {
   std::vector<double> values;
 };
 
+// Numbers that are known whatever the data are: never null.
+template <class Value>
+struct Known {
+  Value value;
+};
+template <class Type, class Value>
+constexpr auto known(Value Type::*member) {
+  return [member](const Type& of) { return Known<Value>{of.*member}; };
+}
+template <class Type, class Value>
+constexpr auto known(MayLack<Value> Type::*member) {
+  return [member](const Type& of) {
+    return MayLack<Known<Value>>{(of.*member).value ? std::optional(Known<Value>{*(of.*member).value}) : std::nullopt};
+  };
+}
+
 // Of each type of result: `name`, as TypeScript and Python have it, `meaning`, and `fields`, a tuple of Field, in the
 // order of the JSON. A type that has another's fields joins them by std::tuple_cat and fields_through().
 template <class Type>
@@ -117,6 +133,10 @@ nlohmann::ordered_json json_value(const std::variant<Types...>& value) {
   return std::visit([](const auto& one) { return json_value(one); }, value);
 }
 nlohmann::ordered_json json_value(const Bulk& bulk);
+template <class Value>
+nlohmann::ordered_json json_value(const Known<Value>& known) {
+  return json_value(known.value);
+}
 
 // Rows.
 inline nlohmann::ordered_json json_value(const Eigen::MatrixXd& matrix) {

@@ -1,18 +1,19 @@
 // What types of results hold, for whoever reads their JSON in another language.
 #pragma once
 
-#include <algorithm>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
 
+#include "ballbar/error.hpp"
 #include "ballbar/formats/results/result_type.hpp"
 
 namespace ballbar {
 
 enum class ValueKind {
   number,  // or null, where it is not known
+  known,   // a number
   whole,   // a whole number
   truth,   // true or false
   text,
@@ -44,10 +45,11 @@ struct FieldSchema {
 
 struct ResultSchema {
   std::string name, meaning;
-  std::vector<FieldSchema> fields;
+  std::vector<FieldSchema> fields = {};
+  const void* of = nullptr;  // the list of fields
 };
 
-// Adds the type, and behind it those that its fields mention, each once.
+// Adds the type, and behind it those that its fields mention, each once. Throws Error where two have one name.
 template <Described Type>
 void add_schema(std::vector<ResultSchema>& all);
 
@@ -97,6 +99,14 @@ template <>
 struct SchemaOf<Bulk> {
   static ValueSchema of(std::vector<ResultSchema>& all) { return SchemaOf<std::vector<double>>::of(all); }
 };
+template <class Value>
+struct SchemaOf<Known<Value>> {
+  static ValueSchema of(std::vector<ResultSchema>& all) {
+    ValueSchema schema = SchemaOf<Value>::of(all);
+    (schema.of.empty() ? schema : schema.of.front()).kind = ValueKind::known;
+    return schema;
+  }
+};
 template <class... Types>
 struct SchemaOf<std::variant<Types...>> {
   static ValueSchema of(std::vector<ResultSchema>& all) {
@@ -127,10 +137,13 @@ struct KeyOf<KeysOf<Value>> {
 
 template <Described Type>
 void add_schema(std::vector<ResultSchema>& all) {
-  const auto is_it = [](const ResultSchema& one) { return one.name == ResultType<Type>::name; };
-  if (std::any_of(all.begin(), all.end(), is_it)) return;
+  const void* const of = &ResultType<Type>::fields;
+  for (const ResultSchema& one : all) {
+    if (one.of == of) return;
+    if (one.name == ResultType<Type>::name) throw Error(one.name + ": expected one type of that name, found two.");
+  }
   const std::size_t place = all.size();  // at once: a field may be of the type itself
-  all.push_back({std::string(ResultType<Type>::name), std::string(ResultType<Type>::meaning), {}});
+  all.push_back({std::string(ResultType<Type>::name), std::string(ResultType<Type>::meaning), {}, of});
   std::vector<FieldSchema> fields;
   const auto add = [&](const auto& field) {
     using Value = std::remove_cvref_t<std::invoke_result_t<decltype(field.get), const Type&>>;
@@ -146,6 +159,17 @@ std::string key_text(const FieldSchema& field);
 
 // "export interface Misfit { ... }", one after the other.
 std::string typescript_of(const std::vector<ResultSchema>& schemas);
+
+// A class of Python for what a function answers: the keys of the results that it may be.
+struct PythonClass {
+  std::string name, function;
+  std::vector<std::string> results;  // names of schemas, the usual one first
+  std::string base = "Result";       // whose keys it has too
+};
+
+// "class Checked(Result): ...", one after the other. Throws Error where a result has no schema.
+std::string python_of(const std::vector<PythonClass>& classes, const std::vector<ResultSchema>& schemas);
+
 // A table of the keys of one.
 std::string markdown_of(const ResultSchema& schema);
 

@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "ballbar/error.hpp"
+#include "ballbar/formats/results/schema.hpp"
+
+namespace ballbar {
+namespace {
+
+constexpr std::size_t kWidth = 118;
+// Of the keys of results; one that is a word of Python is had as result["from"].
+constexpr std::array<std::string_view, 4> kWordsOfPython{"from", "with", "in", "is"};
+
+const ResultSchema& schema_of(const std::vector<ResultSchema>& schemas, const std::string& name) {
+  const auto at =
+      std::find_if(schemas.begin(), schemas.end(), [&](const ResultSchema& one) { return one.name == name; });
+  if (at == schemas.end()) throw Error(fmt::format("{}: expected a type of results, found none.", name));
+  return *at;
+}
+
+std::string python_type(const ValueSchema& value);
+
+std::string type_of_list(const ValueSchema& of) {
+  const ValueSchema& inner = of.kind == ValueKind::list ? of.of.front() : of;  // a matrix is an array too
+  if (inner.kind == ValueKind::number || inner.kind == ValueKind::known || inner.kind == ValueKind::whole)
+    return "Array";
+  if (of.kind == ValueKind::result || of.kind == ValueKind::one_of) return "Rows";
+  return of.kind == ValueKind::text ? "list[str]" : "list[Any]";
+}
+
+std::string python_type(const ValueSchema& value) {
+  const auto plain = [&]() -> std::string {
+    switch (value.kind) {
+      case ValueKind::number:
+      case ValueKind::known:
+        return "float";
+      case ValueKind::whole:
+        return "int";
+      case ValueKind::truth:
+        return "bool";
+      case ValueKind::text:
+        return "str";
+      case ValueKind::list:
+        return type_of_list(value.of.front());
+      default:
+        return "Result";
+    }
+  };
+  return value.or_null ? plain() + " | None" : plain();
+}
+
+// The type whose keys the value, or each of its rows, has; nullptr: none.
+const ResultSchema* rows_of(const ValueSchema& value, const std::vector<ResultSchema>& schemas) {
+  if (value.kind == ValueKind::result) return &schema_of(schemas, value.name);
+  return value.of.empty() || value.kind == ValueKind::one_of ? nullptr : rows_of(value.of.front(), schemas);
+}
+
+// Lines of at most kWidth signs.
+std::string wrapped(const std::string& text, const std::string& indent) {
+  std::string lines, line = indent;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string word = text.substr(at, end - at);
+    if (line.size() > indent.size() && line.size() + 1 + word.size() > kWidth) {
+      lines += line + "\n";
+      line = indent;
+    }
+    line += (line.size() > indent.size() ? " " : "") + word;
+    at = end + 1;
+  }
+  return line.size() > indent.size() ? lines + line + "\n" : lines;
+}
+
+// "Where it fails: what, from, to.", of a key.
+std::string meaning_of(const FieldSchema& field, const std::vector<ResultSchema>& schemas) {
+  std::string text = field.meaning;
+  if (const ResultSchema* rows = rows_of(field.value, schemas)) {
+    std::vector<std::string> keys;
+    for (const FieldSchema& one : rows->fields) keys.push_back(key_text(one));
+    text += fmt::format("{}{}", text.empty() ? "" : ": ", fmt::join(keys, ", "));
+  }
+  if (text.empty()) return text;
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text.back() == '.' ? text : text + ".";
+}
+
+struct Attribute {
+  FieldSchema field;
+  std::string type;
+};
+
+void add_keys(std::vector<Attribute>& attributes, const ResultSchema& schema) {
+  for (const FieldSchema& field : schema.fields) {
+    const std::string type = python_type(field.value);
+    const auto same = [&](const Attribute& one) { return one.field.name == field.name && one.field.key == field.key; };
+    const auto known = std::find_if(attributes.begin(), attributes.end(), same);
+    if (known == attributes.end()) {
+      attributes.push_back({field, type});
+    } else if (known->type.find(type) == std::string::npos) {
+      known->type += " | " + type;
+    }
+  }
+}
+
+std::vector<Attribute> attributes_of(const PythonClass& of, const std::vector<PythonClass>& classes,
+                                     const std::vector<ResultSchema>& schemas) {
+  std::vector<Attribute> attributes;
+  for (const std::string& name : of.results) add_keys(attributes, schema_of(schemas, name));
+  const auto base =
+      std::find_if(classes.begin(), classes.end(), [&](const PythonClass& one) { return one.name == of.base; });
+  if (base == classes.end()) return attributes;
+  std::vector<Attribute> had;
+  for (const std::string& name : base->results) add_keys(had, schema_of(schemas, name));
+  std::erase_if(attributes, [&](const Attribute& attribute) {
+    return std::any_of(had.begin(), had.end(),
+                       [&](const Attribute& one) { return one.field.name == attribute.field.name; });
+  });
+  return attributes;
+}
+
+bool is_attribute(const FieldSchema& field) {
+  return (field.key == KeyKind::always || field.key == KeyKind::may_lack) &&
+         std::find(kWordsOfPython.begin(), kWordsOfPython.end(), field.name) == kWordsOfPython.end();
+}
+
+}  // namespace
+
+std::string python_of(const std::vector<PythonClass>& classes, const std::vector<ResultSchema>& schemas) {
+  std::string text;
+  for (const PythonClass& one : classes) {
+    std::string meaning = schema_of(schemas, one.results.front()).meaning;
+    meaning.pop_back();  // the full stop
+    std::string keys, annotations;
+    for (const Attribute& attribute : attributes_of(one, classes, schemas)) {
+      keys += fmt::format("    {} : {}\n{}", key_text(attribute.field), attribute.type,
+                          wrapped(meaning_of(attribute.field, schemas), "        "));
+      if (is_attribute(attribute.field))
+        annotations += fmt::format("    {}: {}\n", attribute.field.name, attribute.type);
+    }
+    text += fmt::format(
+        "\n\nclass {}({}):\n    \"\"\"{}, :func:`ballbar.{}`.\n\n    Attributes\n    ----------\n{}    \"\"\"\n\n{}",
+        one.name, one.base, meaning, one.function, keys, annotations);
+  }
+  return text;
+}
+
+}  // namespace ballbar
