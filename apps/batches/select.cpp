@@ -6,17 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "ballbar/batches/batch_selection.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/batch_model_json.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "batches/batches.hpp"
+#include "batches/select_result.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -171,45 +170,16 @@ void print_ranking(const SelectArguments& options, const OpenedBatches& opened, 
              measured ? "; RMSE_p: of the job by it" : "");
 }
 
-nlohmann::ordered_json optional_number(const std::optional<double>& value) {
-  return value ? number(*value) : nlohmann::ordered_json(nullptr);
-}
-
-nlohmann::ordered_json json_of(const SelectArguments& options, const OpenedBatches& opened, const Selection& selection,
-                               const std::vector<Choice>& choices, const std::optional<Compared>& random,
-                               const BatchStart& job) {
-  nlohmann::ordered_json json;
-  json["target"] = opened.columns.target;
-  json["room_degC"] = number(job.room_first_degC);
-  json["taken"] = choices[options.take].key;
-  for (const RankedBatch& one : selection.ranked) {
-    json["ranked"].push_back({{"batch", opened.batches[one.batch].name},
-                              {"room_apart_K", number(one.room_apart_K)},
-                              {"distance", number(one.distance)},
-                              {"weight", number(one.weight)},
-                              {"components", one.settings.components},
-                              {"modelling_rmse_um", number(one.modelling_rmse_um)},
-                              {"predicted_rmse_um", optional_number(one.predicted_rmse_um)}});
-  }
-  for (const Choice& choice : choices) {
-    json["choices"].push_back({{"choice", choice.key},
-                               {"batches", number(effective_batches(choice.weights))},
-                               {"method", name_of(choice.settings.method)},
-                               {"components", choice.settings.components},
-                               {"penalty_K2", number(choice.settings.penalty_K2)},
-                               {"predicted_rmse_um", optional_number(choice.rmse_um)}});
-  }
-  for (const auto& [count, um] : selection.held_out_um) {
-    json["held_out"].push_back({{"batches", count}, {"rmse_um", number(um)}});
-  }
-  json["random"] = nullptr;
-  if (random) {
-    json["random"] = {{"batches", random->batches},
-                      {"share_worse", number(random->found.share_worse)},
-                      {"predicted_rmse_um", random->found.predicted_rmse_um}};
-  }
-  json["remarks"] = opened.remarks;
-  return json;
+Selected result_of(const SelectArguments& options, const OpenedBatches& opened, const Selection& selection,
+                   const std::vector<Choice>& choices, const std::optional<Compared>& random, const BatchStart& job) {
+  Selected result{
+      opened.columns.target, job.room_first_degC, choices[options.take].key, {}, {}, {}, std::nullopt, opened.remarks};
+  for (const RankedBatch& one : selection.ranked) result.ranked.push_back({opened.batches[one.batch].name, one});
+  for (const Choice& choice : choices)
+    result.choices.push_back({choice.key, effective_batches(choice.weights), choice.settings, choice.rmse_um});
+  for (const auto& [count, um] : selection.held_out_um) result.held_out.push_back({count, um});
+  if (random) result.random = {random->batches, random->found};
+  return result;
 }
 
 // What is odd about the job: a sensor that does not go with the others, a room out of all batches' range.
@@ -285,7 +255,7 @@ void run(const SelectArguments& given) {
                 })));
   }
   if (options.json) {
-    print_json(json_of(options, opened, selection, choices, random, start));
+    print_json(json_of(result_of(options, opened, selection, choices, random, start)));
   } else {
     fmt::print("{}: room {:.2f} degC as it begins; {} batches of {}\n\n{}", options.job, start.room_first_degC,
                opened.batches.size(), options.batches.list,

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "ballbar/batches/batch_regression.hpp"
 #include "ballbar/batches/held_out_model.hpp"
@@ -18,10 +17,10 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "batches/batches.hpp"
 #include "batches/train_effects.hpp"
+#include "batches/train_result.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
@@ -41,15 +40,6 @@ struct TrainArguments {
   std::optional<double> max_gap_s;
   std::string out;
   bool json = false;
-};
-
-// One method with the settings it is trained with.
-struct Contender {
-  RegressionSettings settings;
-  double held_out_um = 0.0;
-  double worst_um = 0.0;
-  std::string worst;
-  double rmse_um = 0.0;
 };
 
 Contender contender(const OpenedBatches& opened, const RegressionSettings& settings) {
@@ -113,19 +103,6 @@ void expect_rows(const OpenedBatches& opened, const RegressionSettings& settings
   if (rows > settings.components) return;
   throw Error(
       fmt::format("expected more rows than components, found {} rows and {} components.", rows, settings.components));
-}
-
-nlohmann::ordered_json json_of(const Contender& one, bool taken) {
-  nlohmann::ordered_json json;
-  json["method"] = name_of(one.settings.method);
-  json["components"] = one.settings.components;
-  json["penalty_K2"] = one.settings.penalty_K2;
-  json["held_out_um"] = number(one.held_out_um);
-  json["worst_um"] = number(one.worst_um);
-  json["worst_batch"] = one.worst;
-  json["rmse_um"] = number(one.rmse_um);
-  json["taken"] = taken;
-  return json;
 }
 
 void print_text(const TrainArguments& options, const OpenedBatches& opened, const std::vector<Contender>& contenders,
@@ -241,21 +218,16 @@ void run(const TrainArguments& given) {
                                    [&](std::size_t k) { return read_batch(opened.files[k]); });
   write_bytes(options.out, write_batch_model(model));
   if (options.json) {
-    nlohmann::ordered_json json;
-    json["target"] = model.columns.target;
-    json["batches"] = opened.batches.size();
-    json["held_out_um"] = number(model.held_out_rmse_um);
-    json["half_width_um"] = number(model.half_width_um);
-    for (const Contender& one : contenders) json["methods"].push_back(json_of(one, &one == &best));
-    if (effects) {
-      json["effects"] = {{"model", options.model},
-                         {"held_out_um", number(effects->held_out_um)},
-                         {"worst_um", number(effects->worst_um)},
-                         {"worst_batch", effects->worst},
-                         {"rmse_um", number(effects->rmse_um)}};
-    }
-    json["remarks"] = opened.remarks;
-    print_json(json);
+    TrainedOnBatches result{model.columns.target,
+                            opened.batches.size(),
+                            model.held_out_rmse_um,
+                            model.half_width_um,
+                            {},
+                            {},
+                            opened.remarks};
+    for (const Contender& one : contenders) result.methods.push_back({one, &one == &best});
+    if (effects) result.effects.value = {options.model, *effects};
+    print_json(json_of(result));
   } else {
     print_text(options, opened, contenders, effects, model);
   }

@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "ballbar/effect_regression/effect_regression.hpp"
 #include "ballbar/formats/models/effect_regression_json.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/given_data.hpp"
 #include "ballbar/number_text.hpp"
+#include "batches/train_result.hpp"
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
@@ -121,55 +119,6 @@ Table contest(const TrainedRegression& trained, const std::vector<OtherMethod>& 
   return table;
 }
 
-nlohmann::ordered_json json_of(const TrainedRegression& trained, const std::vector<OtherMethod>& others,
-                               const std::vector<std::string>& remarks) {
-  const EffectRegression& of = trained.regression;
-  nlohmann::ordered_json json{{"target", of.model.targets.front()},
-                              {"rows", of.rows},
-                              {"runs", of.runs},
-                              {"dictionary", of.dictionary},
-                              {"terms", of.model.terms.size()},
-                              {"prior_variance", number(of.prior_variance)},
-                              {"length_s", number(of.length_s)},
-                              {"sigma_um", number(of.sigma_um)},
-                              {"interval_scale", number(of.interval_scale)},
-                              {"rmse_um", number(of.rmse_um)}};
-  json["forecasts"] = nullptr;
-  if (of.forecasts) {
-    json["forecasts"] = {{"count", of.forecasts->count},
-                         {"error_um", number(of.forecasts->error_um)},
-                         {"rmse_um", number(of.forecasts->rmse_um)},
-                         {"held_um", number(of.forecasts->held_um)},
-                         {"within_share", number(of.forecasts->within_share)},
-                         {"predicted", is_predicted(of)}};
-  }
-  json["drivers"] = nlohmann::ordered_json::array();
-  for (const DriverStability& one : trained.drivers.drivers) {
-    json["drivers"].push_back({{"column", one.share.column},
-                               {"role", name_of(one.share.role)},
-                               {"share_um", number(one.share.share_um)},
-                               {"low_um", number(one.low_um)},
-                               {"high_um", number(one.high_um)},
-                               {"stable", one.stable},
-                               {"flips", one.flips}});
-  }
-  json["range_um"] = number(trained.drivers.range_um);
-  json["not_needed"] = trained.drivers.not_needed;
-  json["interchangeable"] = trained.drivers.interchangeable;
-  json["cancelling"] = nlohmann::ordered_json::array();
-  for (const CancellingColumns& pair : trained.drivers.cancelling) {
-    json["cancelling"].push_back({{"columns", {pair.first, pair.second}},
-                                  {"range_um", {number(pair.first_um), number(pair.second_um)}},
-                                  {"sum_um", number(pair.sum_um)}});
-  }
-  json["methods"] = nlohmann::ordered_json::array();
-  for (const OtherMethod& other : others)
-    json["methods"].push_back({{"label", other.label}, {"held_out_um", number(other.left_out_um)}});
-  json["remarks"] = remarks;
-  json["sentence"] = expectation(of);
-  return json;
-}
-
 std::vector<Series> runs_of(const TrainEffectsOptions& options, const std::vector<std::filesystem::path>& files) {
   std::vector<Series> runs;
   if (files.empty()) {
@@ -226,7 +175,9 @@ void train_effects(const TrainEffectsOptions& options, const std::vector<std::fi
   }
   said.insert(said.end(), remarks.begin(), remarks.end());
   if (options.json) {
-    print_json(json_of(trained, others, said));
+    TrainedOnEffects result{of, std::nullopt, trained.drivers, others, said, expectation(of)};
+    if (of.forecasts) result.forecasts = {*of.forecasts, is_predicted(of)};
+    print_json(json_of(result));
   } else {
     fmt::print("{}\n{} from {} columns by {}; {} rows{}\n\n", options.data, options.target, of.model.trained.size(),
                dictionary_text(of), of.rows, of.runs > 1 ? fmt::format(" of {} runs", of.runs) : "");

@@ -11,11 +11,11 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
 
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "challenge/blind_results.hpp"
 #include "challenge/blind_run.hpp"
 #include "challenge/challenge_files.hpp"
 #include "challenge/challenge_runs.hpp"
@@ -69,9 +69,7 @@ void make(const MakeOptions& options) {
   const std::string digest = write_blind(options.out, answers, count, seed,
                                          [&](std::size_t done) { show_progress_of("making set", done, count); });
   if (options.json) {
-    const nlohmann::ordered_json json = {
-        {"folder", options.out}, {"sets", count}, {"answers", answers.string()}, {"sha256", digest}};
-    print_json(json);
+    print_json(json_of(MadeSets{options.out, count, answers.string(), digest}));
     return;
   }
   fmt::print("written  {}: {} data set{}, what to do with them stands in README.txt\n", options.out, count,
@@ -144,43 +142,12 @@ void print_text(const std::vector<SealedSet>& sets, const std::vector<BlindVerdi
                            "are Wilson's."));
 }
 
-nlohmann::ordered_json json_of(const std::vector<BoundEffect>& bounds) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const BoundEffect& bound : bounds) {
-    nlohmann::ordered_json columns = nlohmann::ordered_json::object();
-    for (std::size_t k = 0; k < bound.columns.size(); ++k) columns[bound.effect->inputs[k].role] = bound.columns[k];
-    list.push_back({{"effect", bound.effect->name}, {"columns", columns}});
-  }
-  return list;
-}
-
-nlohmann::ordered_json json_of(const Share& share) {
-  return {{"count", share.count}, {"of", share.of}, {"low", share.low}, {"high", share.high}};
-}
-
-void print_result(const std::vector<SealedSet>& sets, const std::vector<BlindVerdict>& verdicts,
-                  const std::vector<BlindOutcome>& outcomes, const Scores& scores) {
-  nlohmann::ordered_json json = {{"sets", nlohmann::ordered_json::array()}};
-  for (std::size_t i = 0; i < sets.size(); ++i) {
-    const BlindAnswer& answer = sets[i].answer;
-    json["sets"].push_back({{"set", sets[i].name},
-                            {"kind", name_of(answer.kind)},
-                            {"truth", answer.what},
-                            {"hidden", json_of(answer.hidden)},
-                            {"match", json_of(answer.match)},
-                            {"d", answer.d},
-                            {"amplitude_um", answer.amplitude_um},
-                            {"verdict", name_of(verdicts[i].verdict)},
-                            {"named", json_of(verdicts[i].named)},
-                            {"reported", json_of(verdicts[i].reported)},
-                            {"outcome", name_of(outcomes[i])}});
-  }
-  json["scores"] = {{"false_calls", json_of(scores.false_calls)},
-                    {"right", json_of(scores.right)},
-                    {"wrong", json_of(scores.wrong)},
-                    {"in_set", json_of(scores.in_set)},
-                    {"false_names", json_of(scores.false_names)}};
-  print_json(json);
+ScoredSets result_of(const std::vector<SealedSet>& sets, const std::vector<BlindVerdict>& verdicts,
+                     const std::vector<BlindOutcome>& outcomes, const Scores& scores) {
+  ScoredSets result{{}, scores};
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    result.sets.push_back({sets[i].name, sets[i].answer, verdicts[i], outcomes[i]});
+  return result;
 }
 
 void score(const ScoreOptions& options) {
@@ -202,7 +169,7 @@ void score(const ScoreOptions& options) {
   }
   const Scores scores = scores_of(answers, outcomes);
   if (options.json) {
-    print_result(sets, verdicts, outcomes, scores);
+    print_json(json_of(result_of(sets, verdicts, outcomes, scores)));
   } else {
     print_text(sets, verdicts, outcomes, scores, options.by_hand);
   }

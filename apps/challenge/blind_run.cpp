@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/schedules/schedule_csv.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "challenge/blind_results.hpp"
 #include "challenge/challenge_runs.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
@@ -58,9 +58,7 @@ void make_run(const BlindRunOptions& options) {
   write_bytes(out, "# # SIMULATED by ballbar blind run, not measured.\n" + write_series(run));
   const double hours = duration_s(schedule) / 3600.0;
   if (options.json) {
-    const nlohmann::ordered_json json = {
-        {"run", out.string()}, {"number", number}, {"rows", run.time_s.size()}, {"hours", hours}};
-    print_json(json);
+    print_json(json_of(NextRun{out.string(), number, run.time_s.size(), hours}));
     return;
   }
   fmt::print("written  {}: {} rows over {:.4g} h, simulated\n", out.string(), run.time_s.size(), hours);

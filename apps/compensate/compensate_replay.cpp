@@ -5,25 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
-#include "ballbar/compensation/compensation_replay.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/drift_files.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "compensate/offset_text.hpp"
+#include "compensate/replay_result.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct Recorded {
   std::vector<Series> signals;
@@ -128,35 +124,17 @@ void print(const Replay& replay, const CompensationOptions& options, const Recor
                           stretches_text(replay))));
 }
 
-Json json_of(const Reduction& reduction) {
-  return {{"rms_before_um", number(reduction.before_um)},
-          {"rms_after_um", number(reduction.after_um)},
-          {"reduction_percent", number(100.0 * reduction.share)},
-          {"reduction_sigma_percent", number(100.0 * reduction.sigma)},
-          {"stretch", reduction.stretch}};
-}
-
-Json json_of(const ReplayedAxis& axis) {
-  Json json{{"target", axis.target}, {"values", axis.time_s.size() - 1}};
-  json.update(json_of(axis.reduction));
-  json["largest_before_um"] = largest(axis.before_um);
-  json["largest_after_um"] = largest(axis.after_um);
-  Json held = Json::object();
-  for (std::size_t kind = 1; kind < kHoldKinds; ++kind) {
-    if (axis.rows_held[kind] > 0) held[std::string(name_of(Hold(kind)))] = axis.rows_held[kind];
+ReplayResult result_of(const Replay& replay, const CompensationOptions& options, const Recorded& recorded) {
+  ReplayResult result{replay.rows, std::nullopt, {}};
+  if (!options.fit.empty()) result.in_sample = in_sample(options, recorded);
+  for (const ReplayedAxis& axis : replay.axes) {
+    ReplayedAxisResult one{axis, largest(axis.before_um), largest(axis.after_um), {}};
+    for (std::size_t kind = 1; kind < kHoldKinds; ++kind) {
+      if (axis.rows_held[kind] > 0) one.rows_held.emplace_back(name_of(Hold(kind)), axis.rows_held[kind]);
+    }
+    result.axes.emplace_back(axis.name, std::move(one));
   }
-  json["rows_held"] = std::move(held);
-  if (!axis.most_held_by.empty()) json["most_held_by"] = axis.most_held_by;
-  json["rows_limited"] = axis.rows_limited;
-  return json;
-}
-
-Json json_of(const Replay& replay, const CompensationOptions& options, const Recorded& recorded) {
-  Json json{{"rows", replay.rows},
-            {"in_sample", options.fit.empty() ? Json(nullptr) : Json(in_sample(options, recorded))},
-            {"axes", Json::object()}};
-  for (const ReplayedAxis& axis : replay.axes) json["axes"][axis.name] = json_of(axis);
-  return json;
+  return result;
 }
 
 // All axes on the times of all of them; a gap where one has no value.
@@ -195,7 +173,7 @@ void compensate_replay(const CompensationOptions& options, const ReplayOptions& 
       with_source(replay.data, [&] { return replay_of(axes, options.limits, recorded.signals, recorded.measured); });
   for (const std::string& path : replay.out) write_bytes(path, write_series(table_of(result)));
   if (replay.json) {
-    print_json(json_of(result, options, recorded), -1);
+    print_json(json_of(result_of(result, options, recorded)), -1);
   } else {
     print(result, options, recorded);
   }

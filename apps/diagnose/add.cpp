@@ -213,6 +213,19 @@ std::string unneeded_text(const EffectTest& tried) {
                      labels.size() == 1 ? "it" : "them");
 }
 
+Added added_of(const Story& story) {
+  Added added;
+  for (const EffectTest& tried : story.effect_tests)
+    added.rows.push_back({tried.after, sentence(tried.after, &tried.before)});
+  added.revisions = story.effect_tests;
+  if (!story.grown) return added;
+  const LedgerRow& before = story.effect_tests.empty() ? story.grown->before : story.effect_tests.back().after;
+  for (LedgerEntry& entry : ledger_of(story.grown->rows, &before).rows) added.rows.push_back(std::move(entry));
+  added.growth.value = steps_of(*story.grown);
+  added.sentence.value = conclusion(*story.grown, causes_of(story), story.drivers);
+  return added;
+}
+
 void print_text(const Story& story, const std::string& stopped, const std::string& title) {
   fmt::print("{}\n\n", title);
   for (const EffectTest& tried : story.effect_tests) {
@@ -267,25 +280,10 @@ void run(AddArguments options) {
   const bool changed = revisions_of(story) > 0;
   if (changed) write_bytes(out, story.model.text());
   if (options.effect.json) {
-    nlohmann::ordered_json json;
-    json["rows"] = nlohmann::ordered_json::array();
-    json["revisions"] = nlohmann::ordered_json::array();
-    for (const EffectTest& tried : story.effect_tests) {
-      json["rows"].push_back(json_of(tried.after, &tried.before));
-      json["revisions"].push_back(json_of(tried));
-    }
-    if (story.grown) {
-      const LedgerRow* before = story.effect_tests.empty() ? &story.grown->before : &story.effect_tests.back().after;
-      for (const LedgerRow& row : story.grown->rows) {
-        json["rows"].push_back(json_of(row, before));
-        before = &row;
-      }
-      json["growth"] = json_of(*story.grown);
-      json["sentence"] = conclusion(*story.grown, causes_of(story), story.drivers);
-    }
-    if (options.automatic) json["stopped"] = {{"verdict", name_of(verdict)}, {"text", stopped}};
-    json["written"] = changed ? nlohmann::ordered_json(out) : nlohmann::ordered_json(nullptr);
-    print_json(json);
+    Added added = added_of(story);
+    if (options.automatic) added.stopped.value = {verdict, stopped};
+    if (changed) added.written = out;
+    print_json(json_of(added));
   } else {
     print_text(story, stopped, data.title);
   }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/error.hpp"
@@ -13,7 +12,7 @@
 #include "commands.hpp"
 #include "diagnose/diagnosis_result.hpp"
 #include "diagnose/follow.hpp"
-#include "diagnose/machine_errors_report.hpp"
+#include "diagnose/machine_errors_result.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 #include "model/workbench_of.hpp"
@@ -44,20 +43,19 @@ DiagnosisReport diagnosed(const DiagnoseArguments& options, const Model& of_one_
 
 // The text or JSON of one of several targets; why there is none where it cannot be fitted, as without values.
 void show_one_of_several(const DiagnoseArguments& options, const Model& model,
-                         const std::shared_ptr<const ModelData>& data, std::size_t target,
-                         nlohmann::ordered_json& targets) {
+                         const std::shared_ptr<const ModelData>& data, std::size_t target, DiagnosedTargets& all) {
   if (target > 0 && !options.json) fmt::print("\n");
   try {
     const DiagnosisReport diagnosis_report =
         diagnosed(options, of_one_target(model, options.model, target), data);
     if (options.json) {
-      targets.push_back(json_of(diagnosis_report));
+      all.targets.emplace_back(diagnosis_report);
     } else {
       print_text(diagnosis_report, data->title);
     }
   } catch (const Error& error) {
     if (options.json) {
-      targets.push_back({{"target", model.targets[target]}, {"not_diagnosed", error.what()}});
+      all.targets.emplace_back(NotDiagnosed{model.targets[target], error.what()});
     } else {
       fmt::print("{}\n{}\n\n{}", data->title, model.targets[target],
                  wrapped(fmt::format("Not diagnosed: {}", error.what())));
@@ -85,7 +83,7 @@ void run_on_circles(DiagnoseArguments options, const std::vector<SkippedFile>& f
   options.errors.circle = options.model.circle;
   ErrorsReports reports = errors_reports_of(options.model.data, options.errors);
   reports.skipped.insert(reports.skipped.end(), faults.begin(), faults.end());
-  options.json ? print_json(json_of(reports)) : print_text(reports);
+  options.json ? print_json(json_value(result_of(reports))) : print_text(reports);
   for (const std::string& remark : reports.remarks) warning_line(remark);
 }
 
@@ -109,11 +107,11 @@ void run(DiagnoseArguments options) {
     options.json ? print_json(json_of(diagnosis_report)) : print_text(diagnosis_report, data->title);
     return;
   }
-  nlohmann::ordered_json targets = nlohmann::ordered_json::array();
+  DiagnosedTargets all;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
-    show_one_of_several(options, model, data, target, targets);
+    show_one_of_several(options, model, data, target, all);
   }
-  if (options.json) print_json(nlohmann::ordered_json{{"targets", targets}});
+  if (options.json) print_json(json_of(all));
 }
 
 }  // namespace

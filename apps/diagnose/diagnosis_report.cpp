@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "ballbar/diagnosis/verdict/search_options.hpp"
@@ -12,8 +11,8 @@
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/revision/replacement.hpp"
+#include "diagnose/follow_results.hpp"
 #include "diagnose/next_command.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/progress.hpp"
 
 namespace ballbar {
@@ -25,12 +24,10 @@ constexpr std::size_t kShownSoFar = 12;
 
 // For a page, which draws it.
 void show_so_far(const std::vector<ProbableSoFar>& effects) {
-  nlohmann::json posterior = nlohmann::json::array();
-  for (std::size_t k = 0; k < std::min(effects.size(), kShownSoFar); ++k) {
-    posterior.push_back({{"label", label_of(effects[k].bound)}, {"p", number(effects[k].p)}});
-  }
-  const nlohmann::json so_far{{"posterior", std::move(posterior)}};
-  show_progress(so_far.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  PosteriorSoFar so_far;
+  for (std::size_t k = 0; k < std::min(effects.size(), kShownSoFar); ++k)
+    so_far.posterior.push_back({label_of(effects[k].bound), effects[k].p});
+  show_progress(json_of(so_far).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 // Terms of the model that its file did not have before its first revision.

@@ -1,6 +1,11 @@
 // What `diagnose --json` prints of one target.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
 #include "ballbar/formats/results/diagnosis_results.hpp"
 #include "diagnose/diagnosis_report.hpp"
 
@@ -37,6 +42,8 @@ struct ResultType<DiagnosisReport> {
   using Report = const DiagnosisReport&;
   static constexpr std::string_view name = "Diagnosed";
   static constexpr std::string_view meaning = "Which effect a model lacks.";
+  static constexpr std::string_view kEffects = "from p = 0.01 on";
+  static constexpr std::string_view kCandidates = "the likeliest set, then others by probability";
   static constexpr std::tuple of_diagnosis{
       Field{"verdict", &Diagnosis::verdict, "named, probable, driver, equivalent, unexplained, untestable, nothing"},
       Field{"sentence", &Diagnosis::sentence, "what it says in plain words"}};
@@ -45,12 +52,11 @@ struct ResultType<DiagnosisReport> {
       Field{"probable", &Diagnosis::probable, "that are probably missing"},
       Field{"equivalent", &Diagnosis::equivalent, "sets, of each of which one may be missing, the likeliest first"},
       Field{"drivers", &Diagnosis::drivers, "from p = 0.5 on"},
-      Field{"own", &Diagnosis::own, "values that the model holds and that may be others, from p = 0.05 on"},
-      Field{"effects", &Diagnosis::effects, "from p = 0.01 on"},
+      Field{"own", &Diagnosis::own, "values that the model holds and that may be others, from p = 0.05 on"}};
+  static constexpr std::tuple probabilities{
       Field{"p_nothing", &Diagnosis::p_nothing, "probability that nothing is missing"},
       Field{"p_discrepancy", &Diagnosis::p_discrepancy, "probability of a slow curve without a cause"},
-      Field{"discrepancy_um", &Diagnosis::discrepancy_um, "its standard deviation"},
-      Field{"candidates", &Diagnosis::candidates, "the likeliest set, then others by probability"}};
+      Field{"discrepancy_um", &Diagnosis::discrepancy_um, "its standard deviation"}};
   static constexpr std::tuple hidden{
       Field{"hidden_um", &Diagnosis::hidden_um, "amplitude up to which an effect could hide in these data"},
       Field{"untestable", [](const Diagnosis& of) { return untestable_of(of); }, "effects that these data cannot show"},
@@ -58,14 +64,45 @@ struct ResultType<DiagnosisReport> {
             "effects with more choices of columns than were searched"},
       Field{"reasons", &Diagnosis::reasons, "why it is not named, or not all of it"},
       Field{"gains_by_run", &Diagnosis::gains_by_run, "of several runs: gains that differ"}};
-  static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&DiagnosisReport::residual_report, ResultType<ResidualReport>::fields),
+  // Of the report, about its effects and its candidates, which a page has more of.
+  static constexpr std::tuple told = std::tuple_cat(
       fields_through(&DiagnosisReport::diagnosis, of_diagnosis),
       std::tuple{Field{"command", &DiagnosisReport::command, "to type next; empty: none"}},
-      fields_through(&DiagnosisReport::diagnosis, found),
+      fields_through(&DiagnosisReport::diagnosis, found));
+  static constexpr std::tuple open = std::tuple_cat(
       std::tuple{Field{"stand_ins", &DiagnosisReport::stand_ins, "effects added earlier that others explain better"}},
       fields_through(&DiagnosisReport::diagnosis, hidden),
       std::tuple{Field{"next_test", &deciding_test, "that would decide; null: nothing is open"}});
+  static constexpr std::tuple of_effects{Field{"effects", &Diagnosis::effects, kEffects}};
+  static constexpr std::tuple of_candidates{Field{"candidates", &Diagnosis::candidates, kCandidates}};
+  static constexpr std::tuple fields =
+      std::tuple_cat(fields_through(&DiagnosisReport::residual_report, ResultType<ResidualReport>::fields), told,
+                     fields_through(&DiagnosisReport::diagnosis, of_effects),
+                     fields_through(&DiagnosisReport::diagnosis, probabilities),
+                     fields_through(&DiagnosisReport::diagnosis, of_candidates), open);
+};
+
+struct NotDiagnosed {
+  std::string target, why;
+};
+
+template <>
+struct ResultType<NotDiagnosed> {
+  static constexpr std::string_view name = "NotDiagnosed";
+  static constexpr std::string_view meaning = "A target that could not be fitted.";
+  static constexpr std::tuple fields{Field{"target", &NotDiagnosed::target, "column"},
+                                     Field{"not_diagnosed", &NotDiagnosed::why, "why"}};
+};
+
+struct DiagnosedTargets {
+  std::vector<std::variant<DiagnosisReport, NotDiagnosed>> targets;
+};
+
+template <>
+struct ResultType<DiagnosedTargets> {
+  static constexpr std::string_view name = "DiagnosedTargets";
+  static constexpr std::string_view meaning = "Which effect a model of several targets lacks.";
+  static constexpr std::tuple fields{Field{"targets", &DiagnosedTargets::targets, "of several targets, each as of one"}};
 };
 
 }  // namespace ballbar

@@ -8,11 +8,9 @@
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/fit/residual.hpp"
-#include "ballbar/formats/results/diagnosis_results.hpp"
 #include "ballbar/number_text.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -100,32 +98,6 @@ Table parameter_table(const EffectTest& effect_test) {
   return table;
 }
 
-nlohmann::ordered_json parameters_of(const Candidate& added, const Fit& fit) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  const auto add = [&](const FittedParameter& parameter, const Interval& interval) {
-    json.push_back({{"name", parameter.name},
-                    {"value", number(parameter.value)},
-                    {"sigma", number(parameter.sigma)},
-                    {"low", number(interval.low)},
-                    {"high", number(interval.high)},
-                    {"unit", parameter.unit}});
-  };
-  for (std::size_t k = 0; k < added.parameters.size(); ++k)
-    add(added.parameters[k], k < added.intervals.size() ? added.intervals[k] : Interval{});
-  if (!added.parameters.empty()) return json;
-  for (const FittedParameter& parameter : fit.parameters) {  // it could not be tested
-    if (parameter.effect == added.label) add(parameter, {});
-  }
-  return json;
-}
-
-nlohmann::ordered_json figures_json(const LedgerRow& row) {
-  return {{"parameters", row.parameters},
-          {"rmse_um", number(row.rmse_um)},
-          {"times_floor", number(row.times_floor)},
-          {"held_out_um", number(row.held_out_um)}};
-}
-
 // "The data support expansion(T_room_degC), 14 um of z_um, very likely (98 %)": effect, size, how sure.
 std::string first_words(const EffectTest& effect_test, bool supported) {
   std::vector<std::string> texts;
@@ -198,65 +170,6 @@ std::string tables(const EffectTest& effect_test) {
                              "an earlier effect "
                              "is needed below {}.",
                              kSurrogates, kDropTest));
-}
-
-nlohmann::ordered_json json_of(const EffectTest& effect_test) {
-  nlohmann::ordered_json json;
-  json["target"] = effect_test.after.target;
-  json["data"] = effect_test.after.data;
-  json["before"] = figures_json(effect_test.before);
-  json["after"] = figures_json(effect_test.after);
-  json["likelihood_ratio"] = number(effect_test.after.likelihood_ratio);
-  json["threshold"] = number(effect_test.after.threshold);
-  json["best_surrogate_fall"] = number(effect_test.after.best_surrogate_fall);
-  json["verdict"] = effect_test.after.verdict;
-  json["effects"] = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < effect_test.added.size(); ++i) {
-    const Candidate& tried = effect_test.added[i];
-    const Term& term = effect_test.model.terms[effect_test.model.terms.size() - effect_test.added.size() + i];
-    json["effects"].push_back({{"effect", term.effect->name},
-                               {"columns", json_value(columns_of({term.effect.get(), term.columns}))},
-                               {"amplitude_um", number(tried.amplitude_um)},
-                               {"amplitude_sigma_um", number(tried.amplitude_sigma_um)},
-                               {"likelihood_ratio", number(tried.likelihood_ratio)},
-                               {"threshold", number(tried.threshold)},
-                               {"best_surrogate_fall", number(tried.best_surrogate_fall)},
-                               {"p_same_gain", number(tried.p_same_gain)},
-                               {"time_only", term.effect->time_only},
-                               {"doubts", tried.doubts},
-                               {"parameters", parameters_of(tried, effect_test.fit_after)}});
-  }
-  json["earlier"] = nlohmann::ordered_json::array();
-  for (const DropTest& drop_test : effect_test.earlier) {
-    json["earlier"].push_back({{"effect", drop_test.label},
-                               {"likelihood_ratio", number(drop_test.likelihood_ratio)},
-                               {"parameters", drop_test.parameters},
-                               {"p_drop", number(drop_test.p)},
-                               {"needed", drop_test.needed}});
-  }
-  json["sentence"] = conclusion(effect_test);
-  return json;
-}
-
-nlohmann::ordered_json json_of(const LedgerRow& row, const LedgerRow* before) {
-  return {{"revision", row.revision},
-          {"change", row.change},
-          {"parameters", row.parameters},
-          {"rmse_um", number(row.rmse_um)},
-          {"times_floor", number(row.times_floor)},
-          {"held_out_um", number(row.held_out_um)},
-          {"verdict", row.verdict},
-          {"target", row.target},
-          {"data", row.data},
-          {"likelihood_ratio", number(row.likelihood_ratio)},
-          {"threshold", number(row.threshold)},
-          {"best_surrogate_fall", number(row.best_surrogate_fall)},
-          {"forecast_um", number(row.forecast_um)},
-          {"surrogate_forecast_um", number(row.surrogate_forecast_um)},
-          {"discrepancy_um", number(row.discrepancy_um)},
-          {"still_needed", row.still_needed},
-          {"no_longer_needed", row.no_longer_needed},
-          {"sentence", sentence(row, before)}};
 }
 
 }  // namespace ballbar

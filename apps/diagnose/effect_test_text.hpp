@@ -1,11 +1,9 @@
-// The test of an effect (effect_test.hpp) for the terminal and for a program.
+// The test of an effect (effect_test.hpp) for the terminal.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "ballbar/revision/effect_test.hpp"
-#include "ballbar/revision/ledger.hpp"
 
 namespace ballbar {
 
@@ -15,8 +13,5 @@ std::string conclusion(const EffectTest& effect_test);
 // Error before and after, added effects with 2 ln B and surrogates, earlier effects tested anew, all
 // parameters.
 std::string tables(const EffectTest& effect_test);
-
-nlohmann::ordered_json json_of(const EffectTest& effect_test);
-nlohmann::ordered_json json_of(const LedgerRow& row, const LedgerRow* before);
 
 }  // namespace ballbar

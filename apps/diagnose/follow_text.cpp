@@ -4,12 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "ballbar/diagnosis/thresholds.hpp"
+#include "diagnose/follow_results.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -43,18 +42,7 @@ void print_follow_heading(const std::string& name, const std::string& target) {
 void print_look(const FollowState& state, bool json) {
   const Look& look = state.looks.back();
   if (json) {
-    nlohmann::ordered_json row{{"hours", number(look.hours)}, {"values", look.values}};
-    row["verdict"] =
-        look.fault.empty() ? nlohmann::ordered_json(name_of(look.verdict)) : nlohmann::ordered_json(nullptr);
-    row["p_nothing"] = number(look.p_nothing);
-    row["log_bayes_factor"] = number(look.log_bayes_factor);
-    row["hypotheses"] = nlohmann::ordered_json::array();
-    for (const Hypothesis& one : look.hypotheses)
-      row["hypotheses"].push_back({{"label", one.label}, {"p", number(one.p)}});
-    row["outcome"] = name_of(state.outcome);
-    row["why_stop"] = look.why_stop;
-    row["fault"] = look.fault;
-    print_json(row, -1);
+    print_json(json_of(Looked{look, state.outcome}), -1);
   } else {
     fmt::print("{:>8.2f}  {:>6}  {:>9.2f}  {:>7}  {:<7}  {}\n", look.hours, look.values, look.p_nothing,
                fixed(look.log_bayes_factor, 1), word_of(state.outcome), hypotheses_text(look));
@@ -64,10 +52,8 @@ void print_look(const FollowState& state, bool json) {
 
 void print_outcome(const FollowState& state, const NextStep& next, bool json) {
   if (json) {
-    nlohmann::ordered_json row{{"outcome", name_of(state.outcome)}, {"decided", state.decided},
-                               {"sentence", outcome_text(state)},   {"error", error_text()},
-                               {"command", next.command},           {"hint", next.hint}};
-    print_json(row, -1);
+    print_json(
+        json_of(Followed{state.outcome, state.decided, outcome_text(state), error_text(), next.command, next.hint}), -1);
     return;
   }
   fmt::print("{}{}", state.looks.empty() ? "" : "\n", wrapped(outcome_text(state)));

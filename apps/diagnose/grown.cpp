@@ -8,7 +8,6 @@
 
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -132,24 +131,17 @@ std::string tables(const GrownModel& grown) {
           grown.growth.forecasts)));
 }
 
-nlohmann::ordered_json json_of(const GrownModel& grown) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+std::vector<GrowthStep> steps_of(const GrownModel& grown) {
+  std::vector<GrowthStep> steps;
   for (std::size_t k = 0; k < grown.growth.errors.size(); ++k) {
-    const GrowthErrors& errors = grown.growth.errors[k];
-    const bool kept = k <= grown.rows.size();
-    json.push_back({{"effects", k},
-                    {"added", k > 0 && kept ? nlohmann::ordered_json(grown.growth.effects[k - 1].label)
-                                            : nlohmann::ordered_json(nullptr)},
-                    {"kept", kept},
-                    {"rmse_um", number(errors.rmse_um)},
-                    {"surrogate_um", number(errors.surrogate_um)},
-                    {"forecast_um", number(errors.forecast_um)},
-                    {"forecast_mean_um", number(errors.forecast_mean_um)},
-                    {"surrogate_forecast_um", number(errors.surrogate_forecast_um)},
-                    {"discrepancy_um", number(errors.sigma_um)},
-                    {"p_none", kept && k > 0 ? number(grown.growth.effects[k - 1].p_none) : nullptr}});
+    GrowthStep step{k, std::nullopt, k <= grown.rows.size(), grown.growth.errors[k], std::nullopt};
+    if (k > 0 && step.kept) {
+      step.added = grown.growth.effects[k - 1].label;
+      step.p_none = grown.growth.effects[k - 1].p_none;
+    }
+    steps.push_back(std::move(step));
   }
-  return json;
+  return steps;
 }
 
 }  // namespace ballbar

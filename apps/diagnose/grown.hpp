@@ -2,7 +2,6 @@
 // effect.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "ballbar/effect_regression/growth.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/revision/ledger.hpp"
+#include "diagnose/revision_results.hpp"
 #include "model/model_options.hpp"
 
 namespace ballbar {
@@ -32,6 +32,7 @@ std::string conclusion(const GrownModel& grown, const std::vector<std::string>& 
 // Revision by revision: error, forecasts, and what a surrogate would have bought.
 std::string tables(const GrownModel& grown);
 
-nlohmann::ordered_json json_of(const GrownModel& grown);
+// With no effect more, with one, and so on.
+std::vector<GrowthStep> steps_of(const GrownModel& grown);
 
 }  // namespace ballbar

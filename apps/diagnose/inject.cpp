@@ -8,21 +8,19 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/results/diagnosis_results.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/numerics/range.hpp"
 #include "commands.hpp"
+#include "diagnose/inject_result.hpp"
 #include "model/known_effect.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 #include "model/resolve_columns.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
@@ -161,33 +159,25 @@ void print_text(const Injected& result, const std::string& title) {
   fmt::print("{}\n{}", table.left_aligned(), wrapped(answer_text(result)));
 }
 
-nlohmann::ordered_json json_of(const Diagnosis& found, const BoundEffect& bound) {
-  return {{"verdict", name_of(found.verdict)}, {"seen", name_of(sight_of(found, bound))}};
-}
-
-void print_result(const Injected& result) {
-  const BoundEffect& bound = result.injection.bound;
-  nlohmann::ordered_json shapes = nlohmann::ordered_json::object();
-  for (std::size_t k = 0; k < result.injection.parameters.size(); ++k) {
+InjectedResult result_of(const Injected& injected) {
+  const BoundEffect& bound = injected.injection.bound;
+  InjectedResult result{injected.without.target,
+                        bound,
+                        {},
+                        injected.amplitude_um,
+                        injected.d,
+                        amplitude_of(injected, 5.0),
+                        amplitude_of(injected, 7.5),
+                        {injected.without.verdict, sight_of(injected.without, bound)},
+                        {injected.with.verdict, sight_of(injected.with, bound)},
+                        answer_text(injected),
+                        injected.smallest};
+  for (std::size_t k = 0; k < injected.injection.parameters.size(); ++k) {
     const Parameter& parameter = bound.effect->parameters[k];
-    if (parameter.kind == ParameterKind::shape) shapes[parameter.name] = result.injection.parameters[k];
+    if (parameter.kind == ParameterKind::shape)
+      result.shapes.emplace_back(parameter.name, injected.injection.parameters[k]);
   }
-  const nlohmann::ordered_json json = {{"target", result.without.target},
-                                       {"effect", bound.effect->name},
-                                       {"columns", json_value(columns_of(bound))},
-                                       {"shapes", shapes},
-                                       {"amplitude_um", result.amplitude_um},
-                                       {"d", number(result.d)},
-                                       {"detectable_um", number(amplitude_of(result, 5.0))},
-                                       {"identifiable_um", number(amplitude_of(result, 7.5))},
-                                       {"without", json_of(result.without, bound)},
-                                       {"with", json_of(result.with, bound)},
-                                       {"answer", answer_text(result)},
-                                       {"smallest",
-                                        {{"not_seen_um", number(result.smallest.not_seen_um)},
-                                         {"seen_um", number(result.smallest.seen_um)},
-                                         {"diagnoses", result.smallest.diagnoses}}}};
-  print_json(json);
+  return result;
 }
 
 Injection injection(const InjectArguments& options, const Model& model, const ModelData& data) {
@@ -261,7 +251,7 @@ void run(const InjectArguments& options) {
     write_bytes(options.out, label + write_series(changed));
   }
   if (options.json) {
-    print_result(result);
+    print_json(json_of(result_of(result)));
   } else {
     print_text(result, data.title);
   }

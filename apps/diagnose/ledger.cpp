@@ -7,14 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "commands.hpp"
-#include "diagnose/effect_test_text.hpp"
+#include "diagnose/revision_results.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -70,12 +69,8 @@ Table table_of(const std::vector<LedgerRow>& rows) {
 
 void run(const LedgerArguments& options) {
   const std::vector<LedgerRow> rows = read_ledger(read_bytes(options.model, kLargestText), options.model);
-  const auto before = [&](std::size_t i) { return i > 0 ? &rows[i - 1] : nullptr; };
   if (options.json) {
-    nlohmann::ordered_json json;
-    json["rows"] = nlohmann::ordered_json::array();
-    for (std::size_t i = 0; i < rows.size(); ++i) json["rows"].push_back(json_of(rows[i], before(i)));
-    print_json(json);
+    print_json(json_of(ledger_of(rows)));
     return;
   }
   if (rows.empty()) {
@@ -86,7 +81,7 @@ void run(const LedgerArguments& options) {
   fmt::print("{}{}\n\n{}\n", options.model,
              std::all_of(rows.begin(), rows.end(), same) ? ", " + shortened(rows.front().target, 40) : "",
              table_of(rows).text(table_width()));
-  for (std::size_t i = 0; i < rows.size(); ++i) fmt::print("{}", wrapped(sentence(rows[i], before(i))));
+  for (const LedgerEntry& entry : ledger_of(rows).rows) fmt::print("{}", wrapped(entry.sentence));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // the page.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -73,9 +72,5 @@ std::string verdict_of(const ErrorsReport& report);
 std::vector<std::string> tolerance_texts(const ErrorsReport& report);
 
 void print_text(const ErrorsReports& reports);
-
-// The keys of `diagnose --json`.
-nlohmann::ordered_json json_of(const ErrorsReport& report);
-nlohmann::ordered_json json_of(const ErrorsReports& reports);
 
 }  // namespace ballbar

@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/next_command.hpp"
+#include "diagnose/revision_results.hpp"
 #include "model/effect_options.hpp"
 #include "model/known_effect.hpp"
 #include "model/residual_report.hpp"

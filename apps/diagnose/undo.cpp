@@ -3,12 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "commands.hpp"
+#include "diagnose/revision_results.hpp"
 #include "terminal/caller.hpp"
 
 namespace ballbar::commands {
@@ -26,8 +26,7 @@ void run(const UndoArguments& options) {
   const std::size_t revision = undone.revision - 1;
   write_bytes(options.model, before);
   if (options.json) {
-    const nlohmann::ordered_json json{{"model", options.model}, {"revision", revision}, {"undone", undone.change}};
-    print_json(json);
+    print_json(json_of(Undone{options.model, revision, undone.change}));
     return;
   }
   fmt::print("{} is {}; taken back: {}\n", options.model,

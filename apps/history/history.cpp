@@ -8,7 +8,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "ballbar/error.hpp"
@@ -17,6 +16,7 @@
 #include "commands.hpp"
 #include "history/history_files.hpp"
 #include "history/history_page.hpp"
+#include "history/history_result.hpp"
 #include "history/history_text.hpp"
 #include "history/test_files.hpp"
 #include "page/report_page.hpp"
@@ -86,7 +86,7 @@ void run(const HistoryArguments& options) {
   expect_no_input(options.out, files.files);
   expect_known(tolerances, files.tests);
   const std::vector<MachineHistory> machines = history_of(files.tests, tolerances);
-  const auto json = [&] { return history_json(files, machines); };
+  const auto json = [&] { return json_of(result_of(files, machines)); };
   for (const std::string& path : options.out) {
     write_bytes(path, is_page(path)            ? history_page(title_of(options.folders), files, machines)
                       : path.ends_with(".csv") ? history_csv(files.tests)

@@ -1,7 +1,6 @@
 // The history for other programs.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,5 @@ namespace ballbar {
 // One row a test and quantity: file, date, plane, length_mm, feed_mm_per_min, arc_deg, quantity, value, sigma, unit.
 // Empty: not known.
 std::string history_csv(const std::vector<MachineTest>& tests);
-
-nlohmann::ordered_json history_json(const TestFiles& files, const std::vector<MachineHistory>& machines);
 
 }  // namespace ballbar

@@ -5,60 +5,57 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "history/conclusion.hpp"
 #include "history/geometry_text.hpp"
+#include "history/page_parts.hpp"
 #include "history/quantity_text.hpp"
 #include "page/report_page.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kMean_year_s = 365.2425 * 86400.0;
 
 double year_of(double time_s) { return 1970.0 + time_s / kMean_year_s; }
 
 // From the first test to a quarter of that time after the last, or to where the tolerance is met.
-Json trend_json(const QuantityHistory& quantity, double first_s) {
+CurveOverYears trend_curve(const QuantityHistory& quantity, double first_s) {
   const Trend& trend = *quantity.trend;
   double end_s = trend.last_s + 0.25 * (trend.last_s - first_s);
   if (quantity.date && quantity.date->at_s)
     end_s = std::max(end_s, quantity.date->latest_s.value_or(*quantity.date->at_s));
   constexpr int kPoints = 32;
-  Json years = Json::array(), values = Json::array(), sigmas = Json::array();
+  CurveOverYears curve;
   for (int i = 0; i < kPoints; ++i) {
     const double time_s = first_s + (end_s - first_s) * i / (kPoints - 1);
     const double low = quantile(trend, time_s, 0.1587), high = quantile(trend, time_s, 0.8413);
-    years.push_back(number(year_of(time_s)));
-    values.push_back(number(0.5 * (low + high)));
-    sigmas.push_back(number(0.5 * (high - low)));
+    curve.year.push_back(year_of(time_s));
+    curve.values.push_back(0.5 * (low + high));
+    curve.sigmas.push_back(0.5 * (high - low));
   }
-  return {{"year", years}, {"values", values}, {"sigmas", sigmas}};
+  return curve;
 }
 
-Json quantity_json(const QuantityHistory& history, const std::vector<MachineTest>& tests) {
-  Json years = Json::array(), values = Json::array(), sigmas = Json::array();
+DrawnQuantity drawn(const QuantityHistory& history, const std::vector<MachineTest>& tests) {
+  DrawnQuantity quantity{history.name, history.unit, {}, {}, {}, {}, {}};
   for (const std::size_t i : history.tests) {
     const auto found = std::find_if(tests[i].quantities.begin(), tests[i].quantities.end(),
                                     [&](const TestQuantity& one) { return one.name == history.name; });
     if (found == tests[i].quantities.end()) continue;
-    years.push_back(number(year_of(static_cast<double>(*tests[i].started_s))));
-    values.push_back(number(found->value));
-    sigmas.push_back(number(found->sigma));
+    quantity.tests.year.push_back(year_of(static_cast<double>(*tests[i].started_s)));
+    quantity.tests.values.push_back(found->value);
+    quantity.tests.sigmas.push_back(found->sigma);
   }
-  Json json{{"name", history.name}, {"unit", history.unit}, {"year", years}, {"values", values}, {"sigmas", sigmas}};
-  if (history.trend) {
-    json["trend"] = trend_json(history, static_cast<double>(*tests[history.tests.front()].started_s));
+  if (history.trend)
+    quantity.trend.value = trend_curve(history, static_cast<double>(*tests[history.tests.front()].started_s));
+  if (history.tolerance) {
+    quantity.lower.value = history.tolerance->lower;
+    quantity.upper.value = history.tolerance->upper;
   }
-  if (history.tolerance && history.tolerance->lower) json["lower"] = *history.tolerance->lower;
-  if (history.tolerance && history.tolerance->upper) json["upper"] = *history.tolerance->upper;
-  return json;
+  return quantity;
 }
 
 // What to look at first: what meets its tolerance, what changed most, what has a trend.
@@ -72,26 +69,26 @@ double weight_of(const QuantityHistory& quantity) {
   return quantity.trend && quantity.trend->significant ? 1e2 : quantity.name == "circularity" ? 1.0 : 0.0;
 }
 
-Json group_json(const std::string& machine, const GroupHistory& history, const std::vector<MachineTest>& tests) {
-  Json json{{"label", (machine.empty() ? "" : machine + ": ") + group_text(history.group)},
-            {"first", ""},
-            {"quantities", Json::array()},
-            {"heading", {"quantity", "unit", "last", "change", "sigmas", "a year", "tolerance", "met"}},
-            {"rows", Json::array()}};
+DrawnGroup drawn(const std::string& machine, const GroupHistory& history, const std::vector<MachineTest>& tests) {
+  DrawnGroup group{(machine.empty() ? "" : machine + ": ") + group_text(history.group),
+                   "",
+                   {},
+                   {"quantity", "unit", "last", "change", "sigmas", "a year", "tolerance", "met"},
+                   {}};
   double most = -1.0;
   for (const QuantityHistory& quantity : history.quantities) {
     if (quantity.of_set_up) continue;
-    json["rows"].push_back({quantity.name, quantity.unit,
-                            with_sigma(quantity.last_value, quantity.last_sigma, decimals_of(quantity.unit)),
-                            change_text(quantity), sigmas_text(quantity), trend_text(quantity),
-                            tolerance_text(quantity), met_text(quantity)});
+    group.rows.push_back({quantity.name, quantity.unit,
+                          with_sigma(quantity.last_value, quantity.last_sigma, decimals_of(quantity.unit)),
+                          change_text(quantity), sigmas_text(quantity), trend_text(quantity), tolerance_text(quantity),
+                          met_text(quantity)});
     if (quantity.tests.empty()) continue;
-    json["quantities"].push_back(quantity_json(quantity, tests));
+    group.quantities.push_back(drawn(quantity, tests));
     if (weight_of(quantity) <= most) continue;
     most = weight_of(quantity);
-    json["first"] = quantity.name;
+    group.first = quantity.name;
   }
-  return json;
+  return group;
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -107,24 +104,18 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 std::string history_page(const std::string& title, const TestFiles& files,
                          const std::vector<MachineHistory>& machines) {
-  Json report{{"format", "ballbar-report 1"}, {"title", title},         {"made_by", "ballbar " BALLBAR_VERSION},
-              {"made_on", page_date()},       {"files", Json::array()}, {"summary", Json::array()},
-              {"signals", Json::array()}};
-  for (const std::filesystem::path& file : files.files) report["files"].push_back(file.string());
-  Json part{{"groups", Json::array()}, {"geometry", Json::array()}, {"geometry_rows", Json::array()}};
+  HistoryReport report{report_head(title), {}};
+  for (const std::filesystem::path& file : files.files) report.head.files.push_back(file.string());
+  HistoryPart& part = report.history;
   for (const MachineHistory& machine : machines) {
-    for (const std::string& line : lines_of(conclusion(machine))) report["summary"].push_back(line);
-    for (const GroupHistory& group : machine.groups) {
-      part["groups"].push_back(group_json(machine.machine, group, files.tests));
-    }
+    for (const std::string& line : lines_of(conclusion(machine))) report.head.summary.push_back(line);
+    for (const GroupHistory& group : machine.groups) part.groups.push_back(drawn(machine.machine, group, files.tests));
     const GeometryTexts texts = geometry_texts(files, machine.geometry);
-    for (const std::string& sentence : texts.sentences) part["geometry"].push_back(sentence);
-    for (const auto& row : texts.rows) part["geometry_rows"].push_back(row);
+    part.geometry.insert(part.geometry.end(), texts.sentences.begin(), texts.sentences.end());
+    part.geometry_rows.insert(part.geometry_rows.end(), texts.rows.begin(), texts.rows.end());
   }
-  part["skipped"] = Json::array();
-  for (const SkippedTest& test : files.skipped) part["skipped"].push_back(test.sentence);
-  report["history"] = std::move(part);
-  return page_of(report, nullptr);
+  for (const SkippedTest& test : files.skipped) part.skipped.push_back(test.sentence);
+  return page_of(json_of(report), nullptr);
 }
 
 }  // namespace ballbar

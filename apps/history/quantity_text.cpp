@@ -93,7 +93,7 @@ std::string met_text(const QuantityHistory& quantity) {
   return "-";
 }
 
-std::string_view outlook_name(Outlook outlook) {
+std::string_view name_of(Outlook outlook) {
   switch (outlook) {
     case Outlook::beyond:
       return "beyond";

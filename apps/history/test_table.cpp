@@ -5,17 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "history/quantity_text.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string optional_cell(const std::optional<double>& value) { return value ? csv_number(*value) : ""; }
 
@@ -87,39 +83,6 @@ std::string test_table_csv(const std::vector<MachineTest>& tests) {
     text += '\n';
   }
   return text;
-}
-
-Json json_of(const MachineTest& test) {
-  Json json{{"file", test.file}, {"machine", test.machine}, {"bar", test.bar}};
-  json["date"] = test.started_s ? Json(iso_date_text(*test.started_s)) : Json(nullptr);
-  json["plane"] = name_of(test.plane);
-  json["nominal_length_mm"] = number(test.nominal_length_mm);
-  json["feed_mm_per_min"] = test.feed_mm_per_min ? number(*test.feed_mm_per_min) : Json(nullptr);
-  json["start_deg"] = number(test.start_deg);
-  json["arc_deg"] = number(test.arc_deg);
-  json["stored"] = test.stored;
-  json["errors"] = Json::array();
-  for (const TestQuantity& one : test.quantities) {
-    json["errors"].push_back({{"name", one.name},
-                              {"value", number(one.value)},
-                              {"sigma", number(one.sigma)},
-                              {"unit", one.unit},
-                              {"significant", one.significant},
-                              {"rank", one.rank ? Json(*one.rank) : Json(nullptr)},
-                              {"of_set_up", one.of_set_up}});
-  }
-  return json;
-}
-
-Json json_of(const TestFiles& files) {
-  Json json{{"tests", Json::array()}};
-  for (const MachineTest& test : files.tests) json["tests"].push_back(json_of(test));
-  json["remarks"] = files.remarks;
-  json["skipped"] = Json::array();
-  for (const SkippedTest& file : files.skipped) {
-    json["skipped"].push_back({{"file", file.file}, {"sentence", file.sentence}});
-  }
-  return json;
 }
 
 std::string test_table_text(const TestFiles& files) {

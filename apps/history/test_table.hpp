@@ -1,7 +1,6 @@
 // Tests as a table: one row a test, with every error and its sigma.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -15,11 +14,6 @@ std::string test_table_csv(const std::vector<MachineTest>& tests);
 
 // "scale_mismatch_um", "squareness_um_per_m".
 std::string column_name(const TestQuantity& quantity, bool of_sigma = false);
-
-nlohmann::ordered_json json_of(const MachineTest& test);
-
-// The keys of `errors --json`.
-nlohmann::ordered_json json_of(const TestFiles& files);
 
 // For the terminal.
 std::string test_table_text(const TestFiles& files);

@@ -4,16 +4,15 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "ballbar/formats/logs/recipe_toml.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/number_text.hpp"
-#include "ballbar/series/column_faults.hpp"
 #include "commands.hpp"
 #include "logs/log_options.hpp"
+#include "logs/log_results.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/terminal_table.hpp"
@@ -73,35 +72,6 @@ std::vector<std::string> guesses(const Log& log) {
   return said;
 }
 
-nlohmann::ordered_json json_of(const ImportArguments& options, const Log& log, const std::vector<ColumnFault>& faults) {
-  nlohmann::ordered_json json;
-  json["file"] = options.log;
-  json["shape"] = log.shape;
-  json["time"] = log.time;
-  if (log.series.started) json["started"] = *log.series.started;
-  json["rows"] = log.series.time_s.size();
-  json["first_row_line"] = log.first_row_line;
-  json["columns"] = nlohmann::ordered_json::array();
-  for (const LogColumn& column : log.columns) {
-    nlohmann::ordered_json one{{"source", column.source}};
-    if (!column.found_unit.empty()) one["found_unit"] = column.found_unit;
-    if (column.name.empty()) {
-      one["left_out"] = column.why;
-    } else {
-      one["name"] = column.name;
-      one["unit"] = column.unit;
-      one["role"] = name_of(column.role);
-      one["why"] = column.why;
-      one["gaps"] = column.gaps;
-    }
-    json["columns"].push_back(std::move(one));
-  }
-  json["remarks"] = log.remarks;
-  json["faults"] = nlohmann::ordered_json::array();
-  for (const ColumnFault& fault : faults) json["faults"].push_back({{"column", fault.column}, {"what", fault.what}});
-  return json;
-}
-
 void print(const ImportArguments& options, const Log& log, const std::vector<ColumnFault>& faults) {
   const std::vector<double>& time_s = log.series.time_s;
   fmt::print("{}\n{}\n", options.log, wrapped(sentence_of(log)));
@@ -150,7 +120,8 @@ void run(const ImportArguments& options) {
     });
   if (!options.save.empty()) write_bytes(options.save, write_recipe(log.recipe));
   if (options.json) {
-    print_json(json_of(options, log, faults));
+    print_json(json_of(ImportedLog{options.log, log.shape, log.time, log.series.started, log.series.time_s.size(),
+                                   log.first_row_line, log.columns, log.remarks, faults}));
     return;
   }
   print(options, log, faults);

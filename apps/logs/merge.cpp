@@ -4,19 +4,17 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/logs/log.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/number_text.hpp"
-#include "ballbar/series/clock_lag.hpp"
 #include "ballbar/series/merged_series.hpp"
 #include "commands.hpp"
 #include "logs/log_options.hpp"
+#include "logs/log_results.hpp"
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
@@ -36,15 +34,12 @@ struct MergeArguments {
 };
 
 struct Part {
-  std::string file;
+  MergedPart merged;
   Series series;
-  double moved_s = 0.0;  // what was added to its own times
-  std::optional<double> by_date_s;
-  std::optional<ClockLag> lag;
 };
 
 Part opened(const std::string& file, const LogOptions& how) {
-  Part part{file, {}, 0.0, std::nullopt, std::nullopt};
+  Part part{{file, 0.0, std::nullopt, std::nullopt}, {}};
   OpenedSeries opened = opened_series(file, known_readers(), recipe_of(how));
   tell(opened.remarks);
   part.series = std::move(opened.series);
@@ -55,18 +50,18 @@ Part opened(const std::string& file, const LogOptions& how) {
 void align(const Part& first, Part& part, const MergeArguments& options) {
   const auto a = first.series.started ? seconds_of_stamp(*first.series.started) : std::nullopt;
   const auto b = part.series.started ? seconds_of_stamp(*part.series.started) : std::nullopt;
-  if (a && b) part.by_date_s = *b - *a;
-  part.moved_s = part.by_date_s.value_or(0.0);
-  for (double& time : part.series.time_s) time += part.moved_s;
+  if (a && b) part.merged.by_date_s = *b - *a;
+  part.merged.moved_s = part.merged.by_date_s.value_or(0.0);
+  for (double& time : part.series.time_s) time += part.merged.moved_s;
   if (options.keep_clocks) return;
   const double span_s = std::max(first.series.time_s.back() - first.series.time_s.front(),
                                  part.series.time_s.back() - part.series.time_s.front());
   // Two clocks with dates differ by minutes, two without by as much as the logs are long.
-  const double range_s = options.range_s.value_or(part.by_date_s ? std::min(1800.0, 0.25 * span_s) : 0.5 * span_s);
-  part.lag = clock_lag(first.series, part.series, range_s);
-  if (!part.lag) return;
-  part.moved_s += part.lag->lag_s;
-  for (double& time : part.series.time_s) time += part.lag->lag_s;
+  const double range_s = options.range_s.value_or(part.merged.by_date_s ? std::min(1800.0, 0.25 * span_s) : 0.5 * span_s);
+  part.merged.lag = clock_lag(first.series, part.series, range_s);
+  if (!part.merged.lag) return;
+  part.merged.moved_s += part.merged.lag->lag_s;
+  for (double& time : part.series.time_s) time += part.merged.lag->lag_s;
 }
 
 // A name that an earlier part has gets a number before its unit.
@@ -80,32 +75,20 @@ void expect_own_names(Series& series, std::set<std::string>& taken) {
 }
 
 std::string clock_text(const Part& first, const Part& part, bool keep_clocks) {
-  std::string text = part.by_date_s
-                         ? fmt::format("starts {} {} by the dates of both", duration_text(std::abs(*part.by_date_s)),
-                                       *part.by_date_s < 0.0 ? "earlier" : "later")
+  std::string text = part.merged.by_date_s
+                         ? fmt::format("starts {} {} by the dates of both", duration_text(std::abs(*part.merged.by_date_s)),
+                                       *part.merged.by_date_s < 0.0 ? "earlier" : "later")
                          : std::string("has no date beside that of the first: both start together");
-  if (part.lag) {
+  if (part.merged.lag) {
     text += fmt::format("; its clock is {} by {}, as {} and {} show (correlation {:.3f}), and was set right",
-                        part.lag->lag_s > 0.0 ? "behind" : "ahead",
-                        fmt::format("{:.2f} ± {:.2f} s", std::abs(part.lag->lag_s), part.lag->sigma_s),
-                        part.lag->column, part.lag->other, part.lag->correlation);
+                        part.merged.lag->lag_s > 0.0 ? "behind" : "ahead",
+                        fmt::format("{:.2f} ± {:.2f} s", std::abs(part.merged.lag->lag_s), part.merged.lag->sigma_s),
+                        part.merged.lag->column, part.merged.lag->other, part.merged.lag->correlation);
   } else if (!keep_clocks) {
     text += fmt::format("; nothing that {} and it both know tells the clocks apart: they were left as they are",
-                        first.file);
+                        first.merged.file);
   }
   return text + ".";
-}
-
-nlohmann::ordered_json json_of(const Part& part) {
-  nlohmann::ordered_json json{{"file", part.file}, {"moved_s", part.moved_s}};
-  if (part.by_date_s) json["by_date_s"] = *part.by_date_s;
-  if (part.lag) {
-    json["lag_s"] = part.lag->lag_s;
-    json["lag_sigma_s"] = part.lag->sigma_s;
-    json["correlation"] = part.lag->correlation;
-    json["compared"] = {part.lag->column, part.lag->other};
-  }
-  return json;
 }
 
 void run(const MergeArguments& options) {
@@ -115,7 +98,7 @@ void run(const MergeArguments& options) {
   for (const std::string& file : options.logs) {
     for (const Part& before : parts) {
       std::error_code absent;
-      if (!std::filesystem::equivalent(before.file, file, absent)) continue;
+      if (!std::filesystem::equivalent(before.merged.file, file, absent)) continue;
       throw Error(fmt::format("{}: expected each log once, found it again.", file));
     }
     parts.push_back(opened(file, options.how));
@@ -136,17 +119,16 @@ void run(const MergeArguments& options) {
     write_through(options.out,
                   [&](const std::filesystem::path& path) { write_series_parts(series, series_header(series), path); });
   if (options.json) {
-    nlohmann::ordered_json json{
-        {"rows", series.time_s.size()}, {"columns", series.columns.size()}, {"parts", nlohmann::ordered_json::array()}};
-    for (const Part& part : parts) json["parts"].push_back(json_of(part));
-    print_json(json);
+    MergedLogs result{series.time_s.size(), series.columns.size(), {}};
+    for (const Part& part : parts) result.parts.push_back(part.merged);
+    print_json(json_of(result));
     return;
   }
   fmt::print("{} rows over {}, {} columns of {} logs\n\n", series.time_s.size(),
              duration_text(series.time_s.back() - series.time_s.front()), series.columns.size(), parts.size());
   for (std::size_t i = 1; i < parts.size(); ++i)
     fmt::print("{}",
-               wrapped(fmt::format("{}: {}", parts[i].file, clock_text(parts.front(), parts[i], options.keep_clocks))));
+               wrapped(fmt::format("{}: {}", parts[i].merged.file, clock_text(parts.front(), parts[i], options.keep_clocks))));
   fmt::print("\n{}\n",
              options.out.empty() ? "Nothing was written; --out clean.csv writes the series." : "wrote " + options.out);
 }

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "ballbar/effects/spindle_growth_huang2022.hpp"
 #include "ballbar/error.hpp"
@@ -17,8 +16,8 @@
 #include "commands.hpp"
 #include "mean_point/mean_point_states.hpp"
 #include "mean_point/meanpoint_plot.hpp"
+#include "mean_point/meanpoint_result.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -26,8 +25,6 @@
 
 namespace ballbar::commands {
 namespace {
-
-using nlohmann::ordered_json;
 
 struct MeanpointArguments {
   MeanPointOptions of;
@@ -215,72 +212,32 @@ void print_text(const MeanpointArguments& options, const std::vector<MeanPointSt
                        states.front().from ? ", --min-degC and --max-degC" : "")));
 }
 
-ordered_json json_of(const PictureState& from) {
-  const PixelBox& box = from.image.region;
-  const ThreeAreas& areas = from.areas;
-  return {{"region", {box.x, box.y, box.width, box.height}},
-          {"pixels_used", from.image.used},
-          {"pixels_off_scale", from.image.off_scale},
-          {"pixels_contrasting", from.image.contrasting},
-          {"pixels_at_edges", from.image.at_edges},
-          {"pixels_at_cold_end", from.image.at_cold_end},
-          {"pixels_at_hot_end", from.image.at_hot_end},
-          {"saturated_cold", from.image.saturated_cold},
-          {"saturated_hot", from.image.saturated_hot},
-          {"columns", from.columns.columns},
-          {"empty_columns", from.columns.empty_columns},
-          {"scale_banded", from.scale.banded},
-          {"scale_step_degC", number(from.scale.step_degC)},
-          {"three_areas",
-           {{"mean_degC", number(areas.mean_degC)},
-            {"otsu_mean_degC", number(areas.otsu_mean_degC)},
-            {"hot_pixels", areas.hot},
-            {"middle_pixels", areas.middle},
-            {"cold_pixels", areas.cold},
-            {"hot_share", number(areas.hot_share)},
-            {"middle_share", number(areas.middle_share)},
-            {"cold_share", number(areas.cold_share)},
-            {"red_otsu", areas.red_otsu},
-            {"red_triangle", areas.red_triangle},
-            {"blue_otsu", areas.blue_otsu},
-            {"blue_triangle", areas.blue_triangle}}}};
+std::vector<MeanPointResult> points_of(const MeanpointArguments& options, const MeanPointState& state) {
+  std::vector<MeanPointResult> points;
+  for (std::size_t i = 0; i < state.points.size(); ++i) {
+    const MeanPoint& point = state.points[i];
+    points.push_back({point.x_mm, state.sigma_mm[i], point.slope_degC_per_mm, state.sigma_slope_degC_per_mm[i],
+                      misplacement_um_per_mm(state.profile, point, options.of.expansion_ppm_per_K)});
+  }
+  return points;
 }
 
-ordered_json json_of(const MeanpointArguments& options, const std::vector<MeanPointState>& states,
-                     const std::optional<BestPoint>& best) {
-  ordered_json json{{"conclusion", conclusion(options, states, best)},
-                    {"expansion_ppm_per_K", number(options.of.expansion_ppm_per_K)},
-                    {"start_degC", options.of.start_degC ? number(*options.of.start_degC) : ordered_json()}};
-  if (best) {
-    json["best"] = {{"x_mm", number(best->x_mm)},
-                    {"rms_um", number(best->rms_um)},
-                    {"misplaced_um_per_mm", number(best->misplaced_um_per_mm)}};
-  }
+MeanPointsResult result_of(const MeanpointArguments& options, const std::vector<MeanPointState>& states,
+                           const std::optional<BestPoint>& best) {
+  MeanPointsResult result{
+      conclusion(options, states, best), options.of.expansion_ppm_per_K, options.of.start_degC, {best}, {}};
   for (std::size_t k = 0; k < states.size(); ++k) {
     const MeanPointState& state = states[k];
-    ordered_json one{{"name", state.name},
-                     {"length_mm", number(length_mm(state.profile))},
-                     {"mean_degC", number(state.mean_degC)},
-                     {"sigma_mean_degC", number(state.sigma_mean_degC)}};
+    MeanPointStateResult one{state.name, length_mm(state.profile),   state.mean_degC, state.sigma_mean_degC, {}, {},
+                             points_of(options, state), {}, {state.from}};
     if (options.of.start_degC) {
-      one["elongation_um"] = number(elongation_um(options, state, state.mean_degC - *options.of.start_degC));
-      one["sigma_elongation_um"] = number(elongation_um(options, state, state.sigma_mean_degC));
+      one.elongation_um.value = elongation_um(options, state, state.mean_degC - *options.of.start_degC);
+      one.sigma_elongation_um.value = elongation_um(options, state, state.sigma_mean_degC);
     }
-    for (std::size_t i = 0; i < state.points.size(); ++i) {
-      const MeanPoint& point = state.points[i];
-      one["mean_points"].push_back(
-          {{"x_mm", number(point.x_mm)},
-           {"sigma_mm", number(state.sigma_mm[i])},
-           {"slope_degC_per_mm", number(point.slope_degC_per_mm)},
-           {"sigma_slope_degC_per_mm", number(state.sigma_slope_degC_per_mm[i])},
-           {"misplaced_um_per_mm",
-            number(misplacement_um_per_mm(state.profile, point, options.of.expansion_ppm_per_K))}});
-    }
-    if (best) one["error_at_best_um"] = number(best->error_um[k]);
-    if (state.from) one["picture"] = json_of(*state.from);
-    json["states"].push_back(std::move(one));
+    if (best) one.error_at_best_um.value = best->error_um[k];
+    result.states.push_back(std::move(one));
   }
-  return json;
+  return result;
 }
 
 void run(const MeanpointArguments& options) {
@@ -308,7 +265,7 @@ void run(const MeanpointArguments& options) {
   if (!options.out.empty()) write_bytes(options.out, write_profiles(profiles));
   if (!options.plot.empty()) plot_meanpoint(states, best, conclusion(options, states, best), options.plot);
   if (options.json) {
-    print_json(json_of(options, states, best));
+    print_json(json_of(result_of(options, states, best)));
   } else {
     print_text(options, states, best);
   }

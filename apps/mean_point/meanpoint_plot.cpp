@@ -10,8 +10,8 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/pictures/picture_file.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "mean_point/meanpoint_result.hpp"
 #include "page/report_page.hpp"
-#include "terminal/json_number.hpp"
 
 namespace ballbar {
 namespace {
@@ -117,19 +117,9 @@ void expect_meanpoint_plot(const std::string& path) {
 
 nlohmann::ordered_json mean_point_part(const std::vector<MeanPointState>& states, const std::optional<BestPoint>& best,
                                        const std::string& conclusion) {
-  nlohmann::ordered_json part{{"conclusion", conclusion}};
-  if (best) part["best"] = {{"x_mm", number(best->x_mm)}};
-  part["states"] = nlohmann::ordered_json::array();
-  for (const MeanPointState& state : states) {
-    nlohmann::ordered_json one{{"name", state.name},
-                               {"mean_degC", number(state.mean_degC)},
-                               {"mean_points", nlohmann::ordered_json::array()},
-                               {"x_mm", state.profile.x_mm},
-                               {"degC", state.profile.degC}};
-    for (const MeanPoint& point : state.points) one["mean_points"].push_back({{"x_mm", number(point.x_mm)}});
-    part["states"].push_back(std::move(one));
-  }
-  return part;
+  MeanPointPart part{conclusion, {}, states};
+  if (best) part.best.value = {*best};
+  return json_of(part);
 }
 
 Picture marked_picture(const MeanPointState& state) {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "ballbar/drift/comparison.hpp"
 #include "ballbar/error.hpp"
@@ -17,7 +16,7 @@
 #include "ballbar/units.hpp"
 #include "commands.hpp"
 #include "measure/compared_drifts.hpp"
-#include "measure/comparison_json.hpp"
+#include "measure/comparison_result.hpp"
 #include "page/report_page.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"

@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/drift_files.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
 #include "ballbar/units.hpp"
 #include "commands.hpp"
+#include "measure/drift_result.hpp"
 #include "measure/drift_text.hpp"
 #include "measure/five_probe_drift.hpp"
 #include "measure/five_probe_options.hpp"
@@ -128,11 +128,6 @@ void print_text(const Session& session, const DriftSeries& series, const DriftAr
   }
 }
 
-nlohmann::ordered_json with_skipped(nlohmann::ordered_json json, const std::vector<SkippedFile>& skipped) {
-  for (const SkippedFile& one : skipped) json["skipped"].push_back({{"file", one.file}, {"why", one.why}});
-  return json;
-}
-
 // The five probes of a series, or those of a session.
 void run_five_probe(const DriftArguments& options, DriftData data) {
   const std::pair<bool, const char*> of_recordings[] = {{options.sequential, "--sequential"},
@@ -198,7 +193,9 @@ void run(const DriftArguments& options) {
   const DriftSeries series = drift_of(session, how);
   for (const std::string& path : options.out) write_drift(series, path);
   if (options.json) {
-    print_json(with_skipped(json_of(series), data.session->skipped));
+    DriftOfSession result{series, {}};
+    if (!data.session->skipped.empty()) result.skipped.value = data.session->skipped;
+    print_json(json_of(result));
   } else {
     print_text(session, series, options);
     fmt::print("{}", left_out_text(data.session->skipped));

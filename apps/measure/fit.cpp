@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/test_folder.hpp"
@@ -13,7 +12,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/units.hpp"
 #include "commands.hpp"
-#include "measure/recording_fits.hpp"
+#include "measure/fit_result.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"

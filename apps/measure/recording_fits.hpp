@@ -1,7 +1,6 @@
 // What `ballbar fit` found in the files it was given: one entry a recording, one a CCW/CW pair.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,11 +67,5 @@ Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& opt
 
 // What a file without readings stores, as a table for the terminal.
 std::string text_of(const ResultsAlone& alone);
-
-// The keys of `fit --json`, of one recording, of a pair, of a file without readings, of all.
-nlohmann::ordered_json json_of(const FittedRecording& fitted);
-nlohmann::ordered_json json_of(const FittedPair& pair);
-nlohmann::ordered_json json_of(const ResultsAlone& alone);
-nlohmann::ordered_json json_of(const Fitted& fitted);
 
 }  // namespace ballbar

@@ -1,9 +1,7 @@
 // What a `.b5r` without readings stores.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
-#include "measure/recording_fits.hpp"
+#include "measure/fit_result.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -21,24 +19,18 @@ std::string place_of(const B5r& test, const std::string& parent) {
 
 std::string text_of(const ResultsAlone& alone) {
   Table table({fmt::format("stored in {}", alone.file), "value", "unit", "of"});
-  for (const StoredFeature& feature : alone.b5r.stored) {
-    if (!feature.valid) continue;
-    table.add({feature.name, fmt::format("{}", feature.value), std::string(unit_of_data_type(feature.data_type)),
-               place_of(alone.b5r, feature.parent)});
-  }
+  for (const ValueAlone& one : values_alone(alone)) table.add({one.name, fmt::format("{}", one.value), one.unit, one.of});
   return table.text(table_width(150)) + '\n' + wrapped(alone.file + ": without readings there is nothing to fit.");
 }
 
-nlohmann::ordered_json json_of(const ResultsAlone& alone) {
-  nlohmann::ordered_json json = {{"file", alone.file}, {"stored", nlohmann::ordered_json::array()}};
+std::vector<ValueAlone> values_alone(const ResultsAlone& alone) {
+  std::vector<ValueAlone> values;
   for (const StoredFeature& feature : alone.b5r.stored) {
     if (!feature.valid) continue;
-    json["stored"].push_back({{"of", place_of(alone.b5r, feature.parent)},
-                              {"name", feature.name},
-                              {"value", feature.value},
-                              {"unit", unit_of_data_type(feature.data_type)}});
+    values.push_back({place_of(alone.b5r, feature.parent), feature.name, feature.value,
+                      std::string(unit_of_data_type(feature.data_type))});
   }
-  return json;
+  return values;
 }
 
 }  // namespace ballbar

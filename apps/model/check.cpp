@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "ballbar/fit/parameter_correlation.hpp"
 #include "ballbar/number_text.hpp"
@@ -146,10 +145,7 @@ void run(const CheckArguments& options) {
     all.push_back(with_source(options.model.data.front(), [&] { return bench.check(); }));
   }
   if (options.json) {
-    nlohmann::ordered_json targets = nlohmann::ordered_json::array();
-    for (const ResidualReport& residual_report : all) targets.push_back(json_of(residual_report));
-    const nlohmann::ordered_json several{{"targets", targets}};
-    print_json(targets.size() == 1 ? targets.front() : several);
+    print_json(all.size() == 1 ? json_of(all.front()) : json_of(CheckedTargets{all}));
   } else if (all.size() == 1) {
     print_text(all.front(), data->title);
   } else {

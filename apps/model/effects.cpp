@@ -6,15 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "ballbar/effects/effect.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/model/expression.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "commands.hpp"
+#include "model/effects_result.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
@@ -104,39 +103,6 @@ void print_page(const Effect& effect) {
   }
 }
 
-nlohmann::ordered_json json_of(const Effect& effect) {
-  const Explanation& page = effect.explanation;
-  nlohmann::ordered_json json{{"name", effect.name},
-                              {"level", effect.level == Level::series ? "series" : "recording"},
-                              {"summary", page.summary},
-                              {"cause", page.cause},
-                              {"formula", page.formula},
-                              {"signature", page.signature},
-                              {"confused_with", page.confused_with},
-                              {"becomes", effect.rules.becomes},
-                              {"separated_by", page.separated_by},
-                              {"remedy", page.remedy},
-                              {"validity", page.validity},
-                              {"source", page.source},
-                              {"time_only", effect.time_only}};
-  json["inputs"] = nlohmann::ordered_json::array();
-  for (const Input& input : effect.inputs) {
-    json["inputs"].push_back({{"role", input.role}, {"units", input.units}, {"meaning", input.meaning}});
-  }
-  json["parameters"] = nlohmann::ordered_json::array();
-  for (const Parameter& parameter : effect.parameters) {
-    json["parameters"].push_back({{"name", parameter.name},
-                                  {"unit", parameter.unit},
-                                  {"kind", parameter.kind == ParameterKind::gain ? "gain" : "shape"},
-                                  {"start", parameter.start},
-                                  {"lower", number(parameter.lower)},
-                                  {"upper", number(parameter.upper)},
-                                  {"held", parameter.held},
-                                  {"meaning", parameter.meaning}});
-  }
-  return json;
-}
-
 void run(const EffectsArguments& options) {
   std::vector<const Effect*> chosen;
   std::vector<std::string_view> names;
@@ -150,9 +116,9 @@ void run(const EffectsArguments& options) {
                                            in_quotes(options.name), nearest_name(options.name, names)));
   }
   if (options.json) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
-    for (const Effect* effect : chosen) json.push_back(json_of(*effect));
-    print_json(json);
+    std::vector<Effect> pages;
+    for (const Effect* effect : chosen) pages.push_back(*effect);
+    print_json(json_value(pages));
   } else if (options.name.empty()) {
     print_list();
   } else {

@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
-#include <nlohmann/json.hpp>
 
-#include "ballbar/diagnosis/signatures/identifiability.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
+#include "model/preflight_result.hpp"
 #include "model/untestable_reasons.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/progress.hpp"
@@ -26,24 +25,6 @@ struct PreflightArguments {
   ModelOptions model;
   bool json = false;
 };
-
-const char* name_of(Testability testability) {
-  switch (testability) {
-    case Testability::testable:
-      return "testable";
-    case Testability::input_missing:
-      return "input missing";
-    case Testability::input_constant:
-      return "input constant";
-    case Testability::absorbed:
-      return "absorbed by the model";
-    case Testability::in_the_model:
-      return "in the model";
-    case Testability::other_motion:
-      return "other motion";
-  }
-  return "testable";
-}
 
 // "0.13": two decimals, more where that would leave nothing; a metre is never seen.
 std::string um_text(double value_um) {
@@ -127,30 +108,6 @@ void print_targets(const std::vector<Preflight>& results, const std::string& tit
                          results.front().noise_source, results.front().target)));
 }
 
-nlohmann::ordered_json json_of(const Preflight& result) {
-  nlohmann::ordered_json json;
-  json["target"] = result.target;
-  json["n"] = result.n;
-  json["noise_source"] = result.noise_source;
-  json["effects"] = nlohmann::ordered_json::array();
-  for (const Detectability& detectable : result.detectability) {
-    nlohmann::ordered_json row{{"effect", detectable.effect->name},
-                               {"testability", name_of(detectable.testability)},
-                               {"columns", detectable.columns},
-                               {"bindings", detectable.bindings}};
-    if (detectable.testability == Testability::testable) {
-      row["surviving_share"] = detectable.surviving_share;
-      row["detectable_um"] = detectable.detectable_um;
-      row["identifiable_um"] = detectable.identifiable_um;
-      row["inseparable_from"] = detectable.inseparable_from;
-    } else {
-      row["why"] = detectable.why;
-    }
-    json["effects"].push_back(std::move(row));
-  }
-  return json;
-}
-
 void run(const PreflightArguments& options) {
   const ModelData data = open_data(options.model);
   const Model model = open_model(options.model, data);
@@ -166,10 +123,7 @@ void run(const PreflightArguments& options) {
   }
   show_progress({});
   if (options.json) {
-    nlohmann::ordered_json targets = nlohmann::ordered_json::array();
-    for (const Preflight& result : results) targets.push_back(json_of(result));
-    const nlohmann::ordered_json several{{"targets", targets}};
-    print_json(targets.size() == 1 ? targets.front() : several);
+    print_json(results.size() == 1 ? json_of(results.front()) : json_of(PreflightTargets{results}));
   } else if (results.size() == 1) {
     print_text(results.front(), data.title);
   } else {

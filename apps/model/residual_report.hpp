@@ -36,7 +36,7 @@ struct ResultType<ResidualReport> {
   using Report = const ResidualReport&;
   static constexpr std::string_view name = "Checked";
   static constexpr std::string_view meaning = "A model fitted, and where it fails.";
-  static constexpr std::tuple fields{
+  static constexpr std::tuple figures{
       Field{"target", [](Report of) { return of.fit.target; }, "column that is explained"},
       Field{"rmse_um", [](Report of) { return of.fit.rmse_um; }, "that the model leaves"},
       Field{"floor_um", &floor_um, "that no model could explain; null: not known"},
@@ -44,16 +44,30 @@ struct ResultType<ResidualReport> {
       Field{"n", [](Report of) { return of.fit.residual_um.size(); }, "readings"},
       Field{"n_effective", [](Report of) { return of.fit.n_effective; }, "independent readings that they are worth"},
       Field{"adequate", [](Report of) { return is_adequate(of.fit, of.whiteness); },
-            "whether the model leaves noise alone"},
+            "whether the model leaves noise alone"}};
+  static constexpr std::tuple details{
       Field{"where", &ResidualReport::where, "where it fails"},
       Field{"parameters", [](Report of) { return of.fit.parameters; }, ""},
       Field{"correlation", [](Report of) { return correlation_of(of.fit); }, "of the parameters, row by row"},
       Field{"noise", [](Report of) { return of.fit.noise; }, "of the residual"},
       Field{"whiteness", &ResidualReport::whiteness, ""},
       Field{"sentences", [](Report of) { return sentences(of.fit, of.where, of.whiteness); },
-            "how far from the floor, where worst, what is left"},
-      Field{"converged", [](Report of) { return of.fit.converged; }, "whether the fit came to an end"},
-      Field{"remarks", [](Report of) { return of.fit.remarks; }, ""}};
+            "how far from the floor, where worst, what is left"}};
+  static constexpr std::tuple end{
+      Field{"converged", [](Report of) { return of.fit.converged; }, "whether the fit came to an end"}};
+  static constexpr std::tuple fields = std::tuple_cat(
+      figures, details, end, std::tuple{Field{"remarks", [](Report of) { return of.fit.remarks; }, ""}});
+};
+
+struct CheckedTargets {
+  std::vector<ResidualReport> targets;
+};
+
+template <>
+struct ResultType<CheckedTargets> {
+  static constexpr std::string_view name = "CheckedTargets";
+  static constexpr std::string_view meaning = "A model of several targets fitted, and where it fails.";
+  static constexpr std::tuple fields{Field{"targets", &CheckedTargets::targets, "of several targets, each as of one"}};
 };
 
 }  // namespace ballbar

@@ -13,6 +13,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "page/page_assets.hpp"
+#include "page/report_head.hpp"
 #include "programs/child_process.hpp"
 
 namespace ballbar {
@@ -127,6 +128,10 @@ std::string page_date() {
   const std::time_t now =
       stated != nullptr ? static_cast<std::time_t>(std::strtoll(stated, nullptr, 10)) : std::time(nullptr);
   return fmt::format("{:%F}", stated != nullptr ? fmt::gmtime(now) : fmt::localtime(now));
+}
+
+ReportHead report_head(const std::string& title) {
+  return {"ballbar-report 1", title, "ballbar " BALLBAR_VERSION, page_date(), {}, {}, {}};
 }
 
 std::string page_of(const Json& report, const Json& inside) {

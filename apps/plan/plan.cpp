@@ -4,15 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 
-#include "ballbar/diagnosis/next_test/test_plan.hpp"
-#include "ballbar/units.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "plan/plan_files.hpp"
+#include "plan/plan_result.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
@@ -20,8 +17,6 @@
 
 namespace ballbar::commands {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct PlanArguments {
   ModelOptions model;
@@ -32,48 +27,6 @@ struct PlanArguments {
   double ballbar_every_min = 60.0;
   bool json = false;
 };
-
-Json json_of(const std::vector<BoundEffect>& effects) {
-  Json all = Json::array();
-  for (const BoundEffect& one : effects) all.push_back(label_of(one));
-  return all;
-}
-
-Json json_of(const Schedule& schedule) {
-  Json dwells = Json::array();
-  for (const Dwell& dwell : schedule.dwells) {
-    dwells.push_back({{"duration_min", min_from_s(dwell.duration_s)},
-                      {"speed_rpm", dwell.speed_rpm},
-                      {"load", dwell.load},
-                      {"room_K", dwell.room_K},
-                      {"coolant_K", dwell.coolant_K}});
-  }
-  return {{"reading_s", schedule.reading_s}, {"dwells", dwells}};
-}
-
-Json json_of(const TestPlan& plan) {
-  Json json{{"sentence", plan.sentence}, {"verdict", name_of(plan.verdict)}, {"decided", plan.is_decided}};
-  json["tests"] = Json::array();
-  for (const ExpectedTest& test : plan.tests) {
-    json["tests"].push_back({{"test", test.kind},
-                             {"hours", test.hours},
-                             {"p_right", test.p_right},
-                             {"p_right_sigma", test.p_right_sigma},
-                             {"p_part", test.p_part},
-                             {"p_wrong", test.p_wrong},
-                             {"truths", test.truths}});
-  }
-  json["schedule"] = plan.tests.empty() ? Json(nullptr) : json_of(plan.tests.front().schedule);
-  json["inseparable"] = Json::array();
-  for (const std::vector<BoundEffect>& group : plan.inseparable) json["inseparable"].push_back(json_of(group));
-  json["sensors"] = Json::array();
-  for (const SensorToAdd& sensor : plan.sensors) {
-    json["sensors"].push_back({{"place", sensor.place}, {"p_right", sensor.p_right}});
-  }
-  json["curves"] = Json::array();
-  for (const ExpectedCurve& curve : plan.curves) json["curves"].push_back({{"effects", curve.label}, {"p", curve.p}});
-  return json;
-}
 
 void print_text(const TestPlan& plan, const ModelData& data, const std::string& target) {
   fmt::print("{}\n{}\n\n{}", data.title, target, wrapped(plan.sentence));

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "ballbar/error.hpp"
 #include "ballbar/fit/held_model.hpp"
@@ -18,8 +17,8 @@
 #include "model/model_options.hpp"
 #include "predict/predict_batch.hpp"
 #include "predict/predict_effects.hpp"
+#include "predict/predict_result.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -144,14 +143,7 @@ void run(const PredictArguments& options) {
   }
   for (const std::string& path : options.out) write_bytes(path, write_series(series));
   if (options.json) {
-    nlohmann::ordered_json json;
-    json["time_s"] = series.time_s;
-    for (const Column& column : series.columns) {
-      nlohmann::ordered_json values = nlohmann::ordered_json::array();
-      for (const double value : column.values) values.push_back(number(value));
-      json[column.name] = std::move(values);
-    }
-    print_json(json, -1);
+    print_json(json_of(PredictedSeries{series}), -1);
   } else {
     fmt::print("{}\n{}: {} rows over {}{}\n\n{}", other.title, options.model.model, series.time_s.size(),
                duration_text(series.time_s.back() - series.time_s.front()),

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "ballbar/batches/batch_check.hpp"
 #include "ballbar/batches/batch_regression.hpp"
@@ -17,8 +16,8 @@
 #include "ballbar/number_text.hpp"
 #include "batches/batches.hpp"
 #include "model/model_options.hpp"
+#include "predict/predict_result.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -116,14 +115,7 @@ void predict_batch(const BatchPredictOptions& options) {
   const Series series = series_of(model, prediction, data);
   for (const std::string& path : options.out) write_bytes(path, write_series(series));
   if (options.json) {
-    nlohmann::ordered_json json;
-    json["time_s"] = series.time_s;
-    for (const Column& column : series.columns) {
-      for (const double value : column.values) json[column.name].push_back(number(value));
-    }
-    json["broken"] = prediction.broken;
-    json["warnings"] = warnings;
-    print_json(json, -1);
+    print_json(json_of(PredictedJob{{series}, prediction.broken, warnings}), -1);
   } else {
     const auto [low, high] = std::minmax_element(prediction.predicted_um.begin(), prediction.predicted_um.end());
     fmt::print(

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "ballbar/effect_regression/effect_regression.hpp"
 #include "ballbar/formats/models/effect_regression_json.hpp"
@@ -17,8 +16,8 @@
 #include "ballbar/number_text.hpp"
 #include "model/model_options.hpp"
 #include "predict/predict_batch.hpp"
+#include "predict/predict_result.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/json_number.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/state_file.hpp"
 #include "terminal/stderr_line.hpp"
@@ -102,17 +101,12 @@ std::string start_text(const EffectRegression& model, const EffectPrediction& pr
       inside ? " Its times are within those of the training: give the record from its first row on." : "");
 }
 
-struct Measured {
-  double mean_um = 0.0, rmse_um = 0.0, within = 0.0;
-  std::size_t rows = 0;
-};
-
 // Rows after the training alone, where the data hold it.
-std::optional<Measured> error_of(const EffectRegression& model, const EffectPrediction& prediction,
+std::optional<NewRowsError> error_of(const EffectRegression& model, const EffectPrediction& prediction,
                                  const Series& data) {
   const Column* measured = find_column(data, model.model.targets.front());
   if (measured == nullptr) return std::nullopt;
-  Measured of;
+  NewRowsError of;
   for (std::size_t i = 0; i < data.time_s.size(); ++i) {
     const double error = measured->values[i] - prediction.predicted_um[i];
     if (!std::isfinite(error) || (prediction.holds && data.time_s[i] <= model.end_s)) continue;
@@ -123,7 +117,7 @@ std::optional<Measured> error_of(const EffectRegression& model, const EffectPred
   }
   if (of.rows == 0) return std::nullopt;
   const auto n = static_cast<double>(of.rows);
-  return Measured{of.mean_um / n, std::sqrt(of.rmse_um / n), of.within / n, of.rows};
+  return NewRowsError{of.mean_um / n, std::sqrt(of.rmse_um / n), of.within / n, of.rows};
 }
 
 // " from 0.07 to 24.45 um, at the end 24.45 um ±5.37 um (95 %)", of the rows that have a prediction.
@@ -214,30 +208,12 @@ void predict_effects(const EffectPredictOptions& options) {
   }
   const Series series = series_of(model, prediction, data);
   for (const std::string& path : options.out) write_bytes(path, write_series(series));
-  const std::optional<Measured> error = error_of(model, prediction, data);
+  const std::optional<NewRowsError> error = error_of(model, prediction, data);
   const std::vector<std::string> warnings = warnings_of(prediction);
   if (options.json) {
-    nlohmann::ordered_json json;
-    json["time_s"] = series.time_s;
-    for (const Column& column : series.columns) {
-      for (const double value : column.values) json[column.name].push_back(number(value));
-    }
-    json["goes_on"] = prediction.goes_on;
-    json["holds_training"] = prediction.holds;
-    json["drivers"] = nlohmann::ordered_json::array();
-    for (const DriverShare& one : prediction.drivers) {
-      json["drivers"].push_back(
-          {{"column", one.column}, {"role", name_of(one.role)}, {"share_um", number(one.share_um)}});
-    }
-    json["error"] = nullptr;
-    if (error) {
-      json["error"] = {{"rows", error->rows},
-                       {"mean_um", number(error->mean_um)},
-                       {"rmse_um", number(error->rmse_um)},
-                       {"within_share", number(error->within)}};
-    }
-    json["warnings"] = warnings;
-    print_json(json, -1);
+    const PredictedByEffects result{{series},           prediction.goes_on, prediction.holds,
+                                    prediction.drivers, error,              warnings};
+    print_json(json_of(result), -1);
   } else {
     const std::string& target = model.model.targets.front();
     fmt::print("{}\n{}: {} by effects ({}), trained on {} rows\n{}\n\n", source, options.model, target,

@@ -14,7 +14,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/history/fleet.hpp"
-#include "history/fleet_json.hpp"
+#include "history/fleet_result.hpp"
 #include "history/fleet_page.hpp"
 #include "history/fleet_text.hpp"
 #include "python/arrays.hpp"

@@ -16,7 +16,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/given_data.hpp"
-#include "measure/recording_fits.hpp"
+#include "measure/fit_result.hpp"
 #include "page/report_page.hpp"
 #include "program.hpp"
 #include "python/arrays.hpp"

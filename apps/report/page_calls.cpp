@@ -43,12 +43,12 @@ ReportSubject& PageCalls::subject_of(const nlohmann::json& call) {
 nlohmann::ordered_json PageCalls::answer(const nlohmann::json& call) {
   const auto name = call.at("call").get<std::string>();
   ReportSubject& subject = subject_of(call);
-  if (name == "report") return subject.report().json;
-  if (name == "fitted") return subject.fitted();
-  if (name == "search") return subject.found();
-  if (name == "hold") return subject.held(call.at("settings").get<Texts>());
-  if (name == "add") return subject.add(call.at("effects").get<Texts>());
-  if (name == "revise") return subject.revise(call.at("model").get<std::string>());
+  if (name == "report") return json_of(subject.report().page);
+  if (name == "fitted") return json_of(subject.fitted());
+  if (name == "search") return json_of(subject.found());
+  if (name == "hold") return json_of(subject.held(call.at("settings").get<Texts>()));
+  if (name == "add") return json_of(subject.add(call.at("effects").get<Texts>()));
+  if (name == "revise") return json_of(subject.revise(call.at("model").get<std::string>()));
   if (name != "take_back") throw Error(fmt::format("expected a call of a page, found {}.", name));
   subject.take_back();
   return nlohmann::ordered_json::object();

@@ -127,19 +127,19 @@ void expect_out(const ReportArguments& options) {
 
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-std::string html_of(const Report& made, const ReportArguments& options) {
-  if (options.without_files) return page_of(made.json, nullptr);
+std::string html_of(const Json& json, const Report& made, const ReportArguments& options) {
+  if (options.without_files) return page_of(json, nullptr);
   const Json inside = files_inside(made.files, options.of.model.data, options.of.model.model);
   if (inside.is_null() && !made.files.empty()) {
     stderr_line(fmt::format("the files are not in the page: more than {} MB, or of a pipe", kMostInside >> 20));
   }
-  return page_of(made.json, inside);
+  return page_of(json, inside);
 }
 
-std::string bytes_of(const Report& made, const ReportArguments& options) {
-  if (options.format == Format::json) return text_of(made.json) + "\n";
-  if (options.format == Format::html) return html_of(made, options);
-  return pdf_of(handover_of(made.json, options.pictures.choices), made.json["title"].get<std::string>());
+std::string bytes_of(const Json& json, const Report& made, const ReportArguments& options) {
+  if (options.format == Format::json) return text_of(json) + "\n";
+  if (options.format == Format::html) return html_of(json, made, options);
+  return pdf_of(handover_of(json, options.pictures.choices), made.page.head.title);
 }
 
 void run(ReportArguments options) {
@@ -154,11 +154,12 @@ void run(ReportArguments options) {
     const ProgressLine line;
     return ReportSubject(options.of).report();
   }();
-  if (options.json) return print_json(made.json, -1);
+  const Json json = json_of(made.page);
+  if (options.json) return print_json(json, -1);
   expect_no_input({options.out}, made.files);
-  if (options.format == Format::svg) return write_pictures(made.json, options);
-  write_bytes(options.out, bytes_of(made, options));
-  for (const Json& sentence : made.json["summary"]) print_for_people(wrapped(sentence.get<std::string>()));
+  if (options.format == Format::svg) return write_pictures(json, options);
+  write_bytes(options.out, bytes_of(json, made, options));
+  for (const std::string& sentence : made.page.head.summary) print_for_people(wrapped(sentence));
   print_for_people(left_out_text(made.skipped));
   stderr_line(fmt::format("wrote {}", options.out));
   if (options.open && !started({"xdg-open", fs::absolute(options.out).string()})) {

@@ -15,10 +15,7 @@
 #include "ballbar/series/runs.hpp"
 #include "batches/batches.hpp"
 #include "measure/compared_drifts.hpp"
-#include "measure/comparison_json.hpp"
 #include "measure/drift_text.hpp"
-#include "measure/recording_fits.hpp"
-#include "page/report_page.hpp"
 #include "predict/predict_batch.hpp"
 #include "report/report_parts.hpp"
 #include "terminal/stderr_line.hpp"
@@ -27,15 +24,14 @@ namespace ballbar {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 // Of several tests the page says each conclusion with its table.
 void add_machine_errors(Report& made, const Fitted& fitted, const StatedCircle& stated) {
   MachineErrorsPart part = machine_errors_part(fitted, stated);
-  for (const std::string& remark : part.remarks) made.json["fit"]["remarks"].push_back(remark);
+  for (const std::string& remark : part.remarks) made.page.fit.value->remarks.push_back(remark);
   if (part.tests.empty()) return;
   if (part.conclusions.size() == 1) made.conclude(part.conclusions.front());
-  made.json["machine_errors"] = std::move(part.tests);
+  made.page.machine_errors.value = std::move(part.tests);
 }
 
 // Of files without readings the page has what they store.
@@ -50,8 +46,8 @@ void add_skipped(Report& made, const std::vector<SkippedFile>& skipped) {
   for (const SkippedFile& one : skipped) {
     std::string why = one.why;
     if (why.starts_with(one.file)) why.replace(0, one.file.size(), file_name(one.file));
-    made.json["fit"]["remarks"].push_back("Left out: " + why);
-    made.json["skipped"].push_back({{"file", file_name(one.file)}, {"why", why}});
+    made.page.fit.value->remarks.push_back("Left out: " + why);
+    value_of(made.page.skipped).push_back({file_name(one.file), why});
   }
   made.skipped.insert(made.skipped.end(), skipped.begin(), skipped.end());
 }
@@ -66,17 +62,17 @@ std::string test_name_of(const Fitted& fitted) {
 
 void add_recordings(Report& made, const ReportRequest& options) {
   const Fitted fitted = fit_files(options.model.data, {}, Faults::skip, options.model.circle);
-  made.json["fit"] = recordings_part(fitted);
+  made.page.fit.value = recordings_part(fitted);
   add_machine_errors(made, fitted, options.model.circle);
   add_results_alone(made, fitted);
   add_skipped(made, fitted.skipped);
   const std::string test_name = test_name_of(fitted);
   if (!test_name.empty()) {
-    made.json["title"] = test_name;
+    made.page.head.title = test_name;
   } else if (options.model.data.size() > 1) {
-    made.json["title"] = fmt::format("{} recordings of {} files", fitted.recordings.size(), options.model.data.size());
+    made.page.head.title = fmt::format("{} recordings of {} files", fitted.recordings.size(), options.model.data.size());
   } else {
-    made.json["title"] = file_name(options.model.data.front());
+    made.page.head.title = file_name(options.model.data.front());
   }
   for (const std::string& file : options.model.data) made.files.push_back(file_on_disk(file));
 }
@@ -84,45 +80,45 @@ void add_recordings(Report& made, const ReportRequest& options) {
 void add_session(Report& made, const SessionFiles& files, const ReportRequest& options) {
   const std::string& path = options.model.data.front();
   const Session& session = files.session;
-  made.json["title"] = session.title.empty() ? file_name(path) : session.title;
+  made.page.head.title = session.title.empty() ? file_name(path) : session.title;
   std::vector<std::string> recordings;
   for (const TestFile& one : files.recordings) recordings.push_back(one.file.string());
   const Fitted fitted = fit_files(recordings, {});
-  made.json["fit"] = recordings_part(fitted, files);
+  made.page.fit.value = recordings_part(fitted, files);
   add_machine_errors(made, fitted, options.model.circle);
   add_results_alone(made, fitted);
   add_skipped(made, files.skipped);
   const DriftSeries drift = drift_of(session);
-  made.json["drift"] = drift_part(drift);
+  made.page.drift.value = drift;
   for (const std::string& largest : largest_drifts(drift)) made.conclude(fmt::format("Largest drift: {}.", largest));
   if (files.five_probe) {
     const Series probes = open_series(*files.five_probe);
-    made.json["five_probe"] =
+    made.page.five_probe.value =
         probes_part(five_point_of(probes, place_of(probes, options.probes, files.ball), file_name(*files.five_probe)));
   }
   for (const fs::path& signals : files.signals) {
-    made.json["signals"].push_back(signals_part(file_name(signals), open_series(signals)));
+    made.page.head.signals.push_back(signals_part(file_name(signals), open_series(signals)));
   }
 }
 
 void add_series(Report& made, const Series& series, const ReportRequest& options) {
   const std::string& path = options.model.data.front();
-  made.json["title"] = file_name(path);
+  made.page.head.title = file_name(path);
   if (is_five_probe(series) || options.probes.any()) {
     const Series with = stated(series, options.probes);
-    made.json["five_probe"] = probes_part(five_point_of(with, place_of(with, options.probes), file_name(path)));
+    made.page.five_probe.value = probes_part(five_point_of(with, place_of(with, options.probes), file_name(path)));
   }
-  made.json["signals"].push_back(signals_part(file_name(path), series));
+  made.page.head.signals.push_back(signals_part(file_name(path), series));
 }
 
 // Each run's signals; the model is of them together.
 void add_runs(Report& made, const ModelData& data) {
-  made.json["title"] = data.title;
+  made.page.head.title = data.title;
   made.files.insert(made.files.end(), data.files.begin(), data.files.end());
   const std::vector<RowRange> runs = runs_of(data.series.time_s);
   for (std::size_t run = 0; run < runs.size(); ++run) {
     const std::string name = run < data.series.runs.size() ? file_name(data.series.runs[run].name) : std::string();
-    made.json["signals"].push_back(signals_part(name, rows_of(data.series, runs[run])));
+    made.page.head.signals.push_back(signals_part(name, rows_of(data.series, runs[run])));
   }
 }
 
@@ -131,13 +127,13 @@ void add_comparison(Report& made, const ReportRequest& options) {
   const ComparedDrifts both = compared_drifts_of(drifts);
   made.files.insert(made.files.end(), both.files.begin(), both.files.end());
   const Comparison comparison = compare(both.a, both.b);
-  made.json["compare"] = json_of(comparison);
+  made.page.compare.value = comparison;
   made.conclude(fmt::format("{} against {}: {}", comparison.a, comparison.b, conclusion(comparison)));
 }
 
 void add_batch(Report& made, const ReportRequest& options) {
   const BatchJob job = batch_job(options.model.data.front(), options.model.model, options.anyway);
-  made.json["batch"] = batch_part(job);
+  made.page.batch.value = batch_part(job);
   made.files.emplace_back(options.model.model);
   made.conclude(fmt::format("{} by {} of {} batches.", job.model.columns.target, label_of(job.model.settings),
                             job.model.batches.size()));
@@ -197,11 +193,7 @@ std::string file_name(const fs::path& path) {
 ReportData report_data(ReportRequest& options) {
   ReportData result;
   Report& made = result.report;
-  made.json = {{"format", "ballbar-report 1"}, {"title", ""}, {"made_by", "ballbar " BALLBAR_VERSION}};
-  made.json["made_on"] = page_date();
-  made.json["files"] = Json::array();
-  made.json["summary"] = Json::array();
-  made.json["signals"] = Json::array();
+  made.page.head = report_head("");
   std::vector<std::string> no_session;
   const FoundFiles found = expanded(options, no_session);
   const bool has_model = !options.model.model.empty();

@@ -3,24 +3,30 @@
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/sessions/data_file.hpp"
 #include "report/report_request.hpp"
+#include "report/report_results.hpp"
 
 namespace ballbar {
 
 // A report as it grows, with all files that it is made of.
 struct Report {
-  nlohmann::ordered_json json;
+  PageReport page;
   std::vector<std::filesystem::path> files;
   std::vector<SkippedFile> skipped;
 
-  void conclude(const std::string& sentence) { json["summary"].push_back(sentence); }
+  void conclude(const std::string& sentence) { page.head.summary.push_back(sentence); }
 };
+
+// Of a part that the first thing in it makes.
+template <class Part>
+Part& value_of(MayLack<Part>& part) {
+  return part.value ? *part.value : part.value.emplace();
+}
 
 // A page is mailed: where its files lay stays at home.
 std::string file_name(const std::filesystem::path& path);

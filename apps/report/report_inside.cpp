@@ -1,7 +1,6 @@
 #include "report/report_inside.hpp"
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -59,13 +58,11 @@ Json files_inside(const std::vector<fs::path>& files, const std::vector<std::str
   }
   if (bytes > kMostInside) return nullptr;
   const auto inside = [&](const fs::path& path) { return whole(path).lexically_relative(folder).generic_string(); };
-  Json json{{"files", Json::array()}, {"data", Json::array()}};
-  for (const fs::path& file : all) {
-    json["files"].push_back({{"path", inside(file)}, {"base64", base64(read_bytes(file, kMostInside))}});
-  }
-  for (const std::string& word : data) json["data"].push_back(inside(word));
-  if (!model.empty()) json["model"] = inside(model);
-  return json;
+  CarriedFiles carried;
+  for (const fs::path& file : all) carried.files.push_back({inside(file), base64(read_bytes(file, kMostInside))});
+  for (const std::string& word : data) carried.data.push_back(inside(word));
+  if (!model.empty()) carried.model.value = inside(model);
+  return json_of(carried);
 }
 
 }  // namespace ballbar

@@ -9,32 +9,26 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
-#include "diagnose/machine_errors_report.hpp"
+#include "diagnose/machine_errors_result.hpp"
 #include "report/report_parts.hpp"
 
 namespace ballbar {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 using Places = std::vector<std::size_t>;  // in Fitted::recordings
 
-// A nanometre, a tenth of what instruments write: a curve needs no more, and there are many.
-Json bulk_um(const std::vector<double>& values, std::size_t first, std::size_t count) {
-  std::vector<double> rounded(count);
-  for (std::size_t i = 0; i < count; ++i) rounded[i] = std::round(values[first + i] * 1e3) / 1e3;
-  return bulk(rounded);
-}
-
-// Values of all recordings, one after the other, as one array for each.
-Json each(const std::vector<double>& values, const std::vector<Recording>& recordings) {
-  Json json = Json::array();
-  std::size_t first = 0;
+// Values of all recordings, one after the other, as one column for each. To a nanometre, a tenth of what instruments
+// write: a curve needs no more, and there are many.
+std::vector<Bulk> each(const std::vector<double>& values, const std::vector<Recording>& recordings) {
+  std::vector<Bulk> all;
+  std::size_t at = 0;
   for (const Recording& recording : recordings) {
-    json.push_back(bulk_um(values, first, recording.length_mm.size()));
-    first += recording.length_mm.size();
+    Bulk& one = all.emplace_back();
+    for (std::size_t i = 0; i < recording.length_mm.size(); ++i)
+      one.values.push_back(std::round(values[at++] * 1e3) / 1e3);
   }
-  return json;
+  return all;
 }
 
 struct CircleOfRecording {
@@ -83,17 +77,14 @@ std::string with_file_names(std::string text, const std::vector<std::string>& fi
   return text;
 }
 
-Json part_of(const ErrorsReport& report, const Places& places) {
-  Json json = json_of(report);
-  json["files"] = Json::array();
-  for (const std::string& file : report.files) json["files"].push_back(fs::path(file).filename().string());
-  json["recordings"] = places;
-  json["circle_um"] = each(circle_um(report.found, report.recordings), report.recordings);
-  json["curves"] = Json::object();
+MachineErrorsOfTest part_of(const ErrorsReport& report, const Places& places) {
+  MachineErrorsOfTest part{report, {}, places, each(circle_um(report.found, report.recordings), report.recordings), {}};
+  for (const std::string& file : report.files) part.files.push_back(fs::path(file).filename().string());
   for (const RankedError& one : report.found.ranked) {
-    json["curves"][one.effect->name] = each(curve_of(report.found, one.effect, report.recordings), report.recordings);
+    part.curves.emplace_back(one.effect->name,
+                             each(curve_of(report.found, one.effect, report.recordings), report.recordings));
   }
-  return json;
+  return part;
 }
 
 // A test is both directions, and what else is in their file.
@@ -121,7 +112,7 @@ std::vector<Places> tests_of(const Fitted& fitted) {
 }  // namespace
 
 MachineErrorsPart machine_errors_part(const Fitted& fitted, const StatedCircle& stated) {
-  MachineErrorsPart part{Json::array(), {}, {}};
+  MachineErrorsPart part;
   for (const Places& places : tests_of(fitted)) {
     std::vector<std::string> files;
     for (const std::size_t place : places) {

@@ -1,93 +1,40 @@
 // Parts of a report that are columns over time.
-#include <algorithm>
-#include <cmath>
-
-#include "ballbar/formats/series/drift_files.hpp"
-#include "ballbar/revision/ledger.hpp"
-#include "diagnose/effect_test_text.hpp"
 #include "report/report_parts.hpp"
-#include "terminal/json_number.hpp"
 
 namespace ballbar {
-namespace {
 
-using Json = nlohmann::ordered_json;
-
-double rounded(double value) {
-  if (value == 0.0 || !std::isfinite(value)) return value;
-  const double scale = std::pow(10.0, 6.0 - std::floor(std::log10(std::abs(value))));
-  // Beyond these the scale leaves the range of a double, or rounding shows in the last digits.
-  return std::isfinite(scale) && scale > 0.0 ? std::round(value * scale) / scale : value;
-}
-
-}  // namespace
-
-Json bulk(const std::vector<double>& values) {
-  Json json = Json::array();
-  json.get_ref<Json::array_t&>().reserve(values.size());
-  for (const double value : values) json.push_back(number(rounded(value)));
-  return json;
-}
-
-Json drift_part(const DriftSeries& drift) {
-  Json json = json_of(drift);
-  json["not_cancelled"] = drift.not_cancelled;
-  return json;
-}
-
-Json probes_part(const MeasuredDrift& drift) {
-  Json json{{"what", drift.what}, {"reference_s", drift.reference_s}, {"time_s", bulk(drift.time_s)}};
-  json["axes"] = Json::array();
+ProbesPart probes_part(const MeasuredDrift& drift) {
+  ProbesPart part{drift.what, drift.reference_s, {drift.time_s}, {}, drift.remarks};
   for (const DriftAxis& axis : drift.axes) {
     std::vector<double> sigma(axis.value.size());
     for (std::size_t row = 0; row < sigma.size(); ++row) sigma[row] = sigma_of(axis, row);
-    json["axes"].push_back(
-        {{"name", axis.name}, {"unit", axis.unit}, {"values", bulk(axis.value)}, {"sigma", bulk(sigma)}});
+    part.axes.push_back({axis.name, axis.unit, {axis.value}, {sigma}});
   }
-  json["remarks"] = drift.remarks;
-  return json;
+  return part;
 }
 
-Json signals_part(const std::string& source, const Series& series) {
-  Json json{{"source", source}, {"time_s", bulk(series.time_s)}};
-  json["columns"] = Json::array();
-  for (const Column& column : series.columns) {
-    json["columns"].push_back({{"name", column.name},
-                               {"role", name_of(column.role)},
-                               {"unit", unit_of(column.name)},
-                               {"values", bulk(column.values)}});
-  }
-  return json;
+SignalsPart signals_part(const std::string& source, const Series& series) {
+  SignalsPart part{source, {series.time_s}, {}};
+  for (const Column& column : series.columns)
+    part.columns.push_back({column.name, column.role, std::string(unit_of(column.name)), {column.values}});
+  return part;
 }
 
-Json ledger_part(const std::vector<LedgerRow>& rows) {
-  Json json;
-  json["rows"] = Json::array();
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const LedgerRow* before = i > 0 ? &rows[i - 1] : nullptr;
-    json["rows"].push_back(json_of(rows[i], before));
-    json["rows"].back()["sentence"] = sentence(rows[i], before);
-  }
-  return json;
-}
-
-Json batch_part(const BatchJob& job) {
-  Json json{{"target", job.model.columns.target}, {"method", label_of(job.model.settings)}};
-  json["batches"] = Json::array();
-  for (const TrainedBatch& batch : job.model.batches) {
-    json["batches"].push_back({{"name", batch.name}, {"weight", number(batch.weight)}});
-  }
-  json["time_s"] = bulk(job.data.time_s);
-  json["predicted_um"] = bulk(job.prediction.predicted_um);
-  json["half_width_um"] = bulk(job.prediction.half_width_um);
-  if (const Column* measured = find_column(job.data, job.model.columns.target)) {
-    json["measured_um"] = bulk(measured->values);
-  }
-  json["T2_of_largest"] = bulk(job.prediction.T2_of_largest);
-  json["Q_of_largest"] = bulk(job.prediction.Q_of_largest);
-  json["broken"] = job.prediction.broken;
-  json["warnings"] = job.warnings;
-  return json;
+BatchPart batch_part(const BatchJob& job) {
+  BatchPart part{job.model.columns.target,
+                 label_of(job.model.settings),
+                 job.model.batches,
+                 {job.data.time_s},
+                 {job.prediction.predicted_um},
+                 {job.prediction.half_width_um},
+                 {},
+                 {job.prediction.T2_of_largest},
+                 {job.prediction.Q_of_largest},
+                 job.prediction.broken,
+                 job.warnings};
+  if (const Column* measured = find_column(job.data, job.model.columns.target))
+    part.measured_um.value = Bulk{measured->values};
+  return part;
 }
 
 }  // namespace ballbar

@@ -17,34 +17,33 @@ namespace ballbar {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
-void overlay_effects(Report& made, const Fit& fit, const Model& model, const Series& data) {
+void overlay_effects(ModelPart& made, const Fit& fit, const Model& model, const Series& data) {
   if (model.level != Level::recording) return;
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
     if (model.terms[t].effect->rules.is_base) continue;  // drawn as itself
-    overlay(made.json["fit"]["recordings"], label_of(model.terms[t]), fit.contribution_um[t], fit, data);
+    overlay(*made.fit.value, label_of(model.terms[t]), fit.contribution_um[t], fit, data);
   }
 }
 
-void overlay_candidates(Report& made, const DiagnosisReport& found, const ModelData& data) {
+void overlay_candidates(ModelPart& made, const DiagnosisReport& found, const ModelData& data) {
   if (data.level != Level::recording) return;
   for (const Candidate& candidate : found.diagnosis.candidates) {
     if (!candidate.in_best_set) continue;
     const std::vector<double> curve = curve_of(candidate, found.residual_report.fit, data.series);
     if (curve.empty()) continue;
-    overlay(made.json["fit"]["recordings"], "candidate " + label_of(candidate.bound), curve, found.residual_report.fit,
+    overlay(*made.fit.value, "candidate " + label_of(candidate.bound), curve, found.residual_report.fit,
             data.series);
   }
 }
 
 // Once each: a page names its files.
-void name_files(Report& made) {
+std::vector<std::string> names_of(const std::vector<fs::path>& files) {
   std::vector<std::string> names;
-  for (const fs::path& file : made.files) names.push_back(file_name(file));
+  for (const fs::path& file : files) names.push_back(file_name(file));
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  made.json["files"] = names;
+  return names;
 }
 
 }  // namespace
@@ -109,7 +108,7 @@ RevisedModel& ReportSubject::only_one() {
   return *models_.front();
 }
 
-void ReportSubject::add_target(Report& made, RevisedModel& model, Parts parts) {
+void ReportSubject::add_target(ModelPart& made, RevisedModel& model, Parts parts) {
   Workbench& bench = model.bench();
   const ModelData& data = *data_.for_model;
   const ResidualReport& checked = with_source(
@@ -118,18 +117,18 @@ void ReportSubject::add_target(Report& made, RevisedModel& model, Parts parts) {
   const bool search = parts == Parts::all && !is_of_machine_errors(bench.model(), data.series);
   std::optional<DiagnosisReport> found;
   if (search) found = diagnosis_report_of(request_.model, bench);
-  made.json["check"]["targets"].push_back(check_part(checked, bench.model(), data));
+  value_of(made.check).targets.push_back(check_part(checked, bench.model(), data));
   const auto said = sentences(checked.fit, checked.where, checked.whiteness);
-  if (!said.empty()) made.conclude(fmt::format("{}: {}", bench.model().targets.front(), said.front()));
+  if (!said.empty()) made.summary.push_back(fmt::format("{}: {}", bench.model().targets.front(), said.front()));
   overlay_effects(made, checked.fit, bench.model(), data.series);
   if (!found) return;
-  made.json["diagnose"]["targets"].push_back(diagnosis_part(*found, data));
-  made.conclude(fmt::format("{}: {}", bench.model().targets.front(), found->diagnosis.sentence));
+  value_of(made.diagnose).targets.emplace_back(diagnosis_part(*found, data));
+  made.summary.push_back(fmt::format("{}: {}", bench.model().targets.front(), found->diagnosis.sentence));
   overlay_candidates(made, *found, data);
 }
 
 // A target that cannot be fitted is said and left out: the rest of the report is worth having.
-void ReportSubject::add_model(Report& made, Parts parts) {
+void ReportSubject::add_model(ModelPart& made, Parts parts) {
   for (std::size_t k = 0; k < targets_.size(); ++k) {
     std::string why = faults_[k];
     try {
@@ -139,55 +138,61 @@ void ReportSubject::add_model(Report& made, Parts parts) {
     }
     if (why.empty()) continue;
     const bool fitted = parts == Parts::fitted;
-    made.conclude(fmt::format("{}: not {}: {}", targets_[k], fitted ? "fitted" : "diagnosed", why));
-    if (!fitted) made.json["diagnose"]["targets"].push_back({{"target", targets_[k]}, {"not_diagnosed", why}});
+    made.summary.push_back(fmt::format("{}: not {}: {}", targets_[k], fitted ? "fitted" : "diagnosed", why));
+    if (!fitted) value_of(made.diagnose).targets.emplace_back(NotDiagnosed{targets_[k], why});
   }
   if (request_.model.model.empty()) return;
-  made.files.emplace_back(request_.model.model);
   const auto rows = read_ledger(
       models_.size() == 1 && models_.front() ? models_.front()->text() : read_bytes(request_.model.model, kLargestText),
       request_.model.model);
-  if (!rows.empty()) made.json["ledger"] = ledger_part(rows);
+  if (!rows.empty()) made.ledger.value = ledger_of(rows);
 }
 
-// What a report says that changes with the model.
-Report ReportSubject::of_model(Parts parts) {
-  const Json& data = data_.report.json;
-  Report made{{{"files", Json::array()}, {"summary", data["summary"]}}, data_.report.files, {}};
-  if (data_.for_model && data_.for_model->level == Level::recording) made.json["fit"] = data["fit"];
-  if (data_.for_model) add_model(made, parts);
-  name_files(made);
+std::vector<fs::path> ReportSubject::files() const {
+  std::vector<fs::path> files = data_.report.files;
+  if (data_.for_model && !request_.model.model.empty()) files.emplace_back(request_.model.model);
+  return files;
+}
+
+ModelPart ReportSubject::of_model(Parts parts) {
+  const PageReport& data = data_.report.page;
+  ModelPart made{names_of(files()), data.head.summary, {}, {}, {}, {}};
+  if (!data_.for_model) return made;
+  if (data_.for_model->level == Level::recording) made.fit = data.fit;
+  add_model(made, parts);
   return made;
 }
 
 Report ReportSubject::report() {
   Report made = data_.report;
-  Report part = of_model(request_.no_diagnosis ? Parts::fitted : Parts::all);
-  made.json.update(part.json);
-  made.files = std::move(part.files);
+  ModelPart& model = made.page.model = of_model(request_.no_diagnosis ? Parts::fitted : Parts::all);
+  made.page.head.files = model.files;
+  made.page.head.summary = model.summary;
+  if (model.fit.value) made.page.fit = std::move(model.fit);
+  made.files = files();
   return made;
 }
 
-Json ReportSubject::fitted() {
+ModelPart ReportSubject::fitted() {
   only_one();
-  return of_model(Parts::fitted).json;
+  return of_model(Parts::fitted);
 }
 
-Json ReportSubject::found() {
+ModelPart ReportSubject::found() {
   only_one();
-  Json part = of_model(Parts::all).json;
-  part.erase("check");
+  ModelPart part = of_model(Parts::all);
+  part.check.value.reset();
   return part;
 }
 
-Json ReportSubject::held(const std::vector<std::string>& settings) {
+HeldPart ReportSubject::held(const std::vector<std::string>& settings) {
   Workbench& bench = only_one().bench();
   const Model model = with_held_values(bench.model(), settings);
   const ResidualReport checked = residual_report_of(model, bench.data(), 0, {});
-  return {{"check", {{"targets", {check_part(checked, model, *data_.for_model)}}}}};
+  return {{{check_part(checked, model, *data_.for_model)}}};
 }
 
-Json ReportSubject::add(const std::vector<std::string>& effects) {
+ModelPart ReportSubject::add(const std::vector<std::string>& effects) {
   RevisedModel& model = only_one();
   for (const std::string& effect : effects) expect_known_effect(effect, true);
   model.add(terms_of(effects, model.model(), *data_.for_model));
@@ -196,15 +201,13 @@ Json ReportSubject::add(const std::vector<std::string>& effects) {
 
 void ReportSubject::take_back() { only_one().take_back(); }
 
-Json ReportSubject::revise(const std::string& file) {
+RevisedPart ReportSubject::revise(const std::string& file) {
   RevisedModel& model = only_one();
   const EffectTest tried = model.revise();
   write_bytes(file, model.text());
   request_.model.model = file;
   const std::vector<LedgerRow> rows = read_ledger(model.text(), file);
-  return {{"sentence", sentence(rows.back(), &rows[rows.size() - 2])},
-          {"supported", tried.after.verdict == "supported"},
-          {"ledger", ledger_part(rows)}};
+  return {sentence(rows.back(), &rows[rows.size() - 2]), tried.after.verdict == "supported", ledger_of(rows)};
 }
 
 }  // namespace ballbar

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -23,12 +22,11 @@ class ReportSubject {
   Report report();
 
   // Parts of a report, by its keys. Each throws Error where there is no target, or several.
-  nlohmann::ordered_json fitted();  // the fit
-  nlohmann::ordered_json found();   // what is missing
-  nlohmann::ordered_json held(
-      const std::vector<std::string>& settings);                        // the fit with these values, as --set has them
-  nlohmann::ordered_json add(const std::vector<std::string>& effects);  // the fit with them; its file stays as it was
-  nlohmann::ordered_json revise(const std::string& file);               // what add() changed, written to the file
+  ModelPart fitted();                                        // the fit
+  ModelPart found();                                         // what is missing
+  HeldPart held(const std::vector<std::string>& settings);   // the fit with these values, as --set has them
+  ModelPart add(const std::vector<std::string>& effects);    // the fit with them; its file stays as it was
+  RevisedPart revise(const std::string& file);               // what add() changed, written to the file
   void take_back();                                                     // what add() changed
 
   // Whether the request is of these data, none of whose files has changed since.
@@ -43,9 +41,10 @@ class ReportSubject {
   std::vector<Mark> marks() const;
   void open_model_file();
   RevisedModel& only_one();
-  void add_model(Report& made, Parts parts);
-  void add_target(Report& made, RevisedModel& model, Parts parts);
-  Report of_model(Parts parts);
+  void add_model(ModelPart& made, Parts parts);
+  void add_target(ModelPart& made, RevisedModel& model, Parts parts);
+  ModelPart of_model(Parts parts);
+  std::vector<std::filesystem::path> files() const;  // that a report is made of
 
   ReportRequest request_, given_;  // with folders as the files in them; as it came
   ReportData data_;

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 
@@ -18,6 +17,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/units.hpp"
 #include "commands.hpp"
+#include "simulate/simulate_result.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
 
@@ -64,21 +64,14 @@ void print_text(const VirtualMachine& machine, const SimulatedSession& simulated
   fmt::print("truth      {} (kept apart: no other command reads it)\n", truth.string());
 }
 
-void print_result(const VirtualMachine& machine, const SimulatedSession& simulated,
-                  const std::vector<SimulatedFile>& files, const SimulateArguments& options, const fs::path& truth) {
-  nlohmann::ordered_json json = {{"method", method_name(machine)}};
-  if (machine.series) {
-    json["rows"] = simulated.series.time_s.size();
-  } else {
-    json["tests"] = machine.test_s.size();
-  }
-  const nlohmann::ordered_json rest = {{"seed", machine.seed},
-                                       {"folder", options.out},
-                                       {"files", nlohmann::ordered_json::array()},
-                                       {"truth", truth.string()}};
-  json.update(rest);
-  for (const SimulatedFile& file : files) json["files"].push_back(file.name);
-  print_json(json);
+SimulatedRun result_of(const VirtualMachine& machine, const SimulatedSession& simulated,
+                       const std::vector<SimulatedFile>& files, const SimulateArguments& options,
+                       const fs::path& truth) {
+  SimulatedRun result{std::string(method_name(machine)), {}, {}, machine.seed, options.out, {}, truth.string()};
+  (machine.series ? result.rows : result.tests).value =
+      machine.series ? simulated.series.time_s.size() : machine.test_s.size();
+  for (const SimulatedFile& file : files) result.files.push_back(file.name);
+  return result;
 }
 
 // Each test a .b5r, in a folder of its machine.
@@ -88,10 +81,8 @@ void run_fleet(const SimulateArguments& options, std::string_view bytes) {
   const fs::path truth = truth_file(options);
   const WrittenFleet written = write_fleet(fleet, options.out, truth, options.force);
   if (options.json) {
-    const nlohmann::ordered_json json = {{"machines", written.machines}, {"months", fleet.months},
-                                         {"seed", fleet.seed},           {"folder", options.out},
-                                         {"files", written.files},       {"truth", truth.string()}};
-    print_json(json);
+    print_json(json_of(
+        SimulatedFleet{written.machines, fleet.months, fleet.seed, options.out, written.files, truth.string()}));
     return;
   }
   fmt::print("simulated  a fleet of {} machines over {} months, seed {}\n", written.machines, fleet.months, fleet.seed);
@@ -117,7 +108,8 @@ void run(const SimulateArguments& options) {
   }
   const fs::path truth = truth_file(options);
   write_simulated(files, simulated.truth, options.out, truth, options.force);
-  (options.json ? print_result : print_text)(machine, simulated, files, options, truth);
+  options.json ? print_json(json_of(result_of(machine, simulated, files, options, truth)))
+               : print_text(machine, simulated, files, options, truth);
 }
 
 }  // namespace

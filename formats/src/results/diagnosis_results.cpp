@@ -15,7 +15,7 @@ std::vector<CandidateParameter> parameters_of(const Candidate& candidate) {
   parameters.reserve(candidate.parameters.size());
   for (std::size_t k = 0; k < candidate.parameters.size(); ++k) {
     parameters.push_back(
-        {&candidate.parameters[k], k < candidate.intervals.size() ? candidate.intervals[k] : Interval{}});
+        {candidate.parameters[k], k < candidate.intervals.size() ? candidate.intervals[k] : Interval{}});
   }
   return parameters;
 }

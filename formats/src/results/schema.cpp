@@ -1,6 +1,7 @@
 #include "ballbar/formats/results/schema.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace ballbar {
 namespace {
@@ -24,21 +25,44 @@ std::string typescript_type(const ValueSchema& value) {
         return fmt::format("Record<string, {}>", typescript_type(value.of.front()));
       case ValueKind::result:
         return value.name;
+      case ValueKind::one_of: {
+        std::vector<std::string> types;
+        for (const ValueSchema& one : value.of) types.push_back(typescript_type(one));
+        return fmt::format("{}", fmt::join(types, " | "));
+      }
     }
     return "unknown";
   };
   return value.or_null && value.kind != ValueKind::number ? plain() + " | null" : plain();
 }
 
+// The key with its type. TypeScript lets a key of any name hold what all others of the result hold, too.
+std::string typescript_key(const FieldSchema& field) {
+  switch (field.key) {
+    case KeyKind::always:
+      return fmt::format("{}: {}", field.name, typescript_type(field.value));
+    case KeyKind::may_lack:
+      return fmt::format("{}?: {}", field.name, typescript_type(field.value));
+    case KeyKind::with_unit:
+      return fmt::format("[key: `{}_${{string}}`]: {}", field.name, typescript_type(field.value));
+    case KeyKind::made:
+      return "[key: string]: unknown";
+  }
+  return field.name;
+}
+
 }  // namespace
+
+std::string key_text(const FieldSchema& field) {
+  return field.key == KeyKind::with_unit ? field.name + "_UNIT" : field.name;
+}
 
 std::string typescript_of(const std::vector<ResultSchema>& schemas) {
   std::string text;
   for (const ResultSchema& schema : schemas) {
     text += fmt::format("// {}\nexport interface {} {{\n", schema.meaning, schema.name);
     for (const FieldSchema& field : schema.fields) {
-      text += fmt::format("  {}{}: {};{}\n", field.name, field.may_lack ? "?" : "", typescript_type(field.value),
-                          field.meaning.empty() ? "" : " // " + field.meaning);
+      text += fmt::format("  {};{}\n", typescript_key(field), field.meaning.empty() ? "" : " // " + field.meaning);
     }
     text += "}\n\n";
   }
@@ -47,7 +71,7 @@ std::string typescript_of(const std::vector<ResultSchema>& schemas) {
 
 std::string markdown_of(const ResultSchema& schema) {
   std::string text = "| key | holds |\n|---|---|\n";
-  for (const FieldSchema& field : schema.fields) text += fmt::format("| `{}` | {} |\n", field.name, field.meaning);
+  for (const FieldSchema& field : schema.fields) text += fmt::format("| `{}` | {} |\n", key_text(field), field.meaning);
   return text;
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
 
@@ -19,61 +18,19 @@
 namespace ballbar {
 namespace {
 
-using Member = std::optional<Estimate> DriftPoint::*;
-
-constexpr std::pair<std::string_view, Member> kEstimates[] = {
-    {"x", &DriftPoint::x},
-    {"y", &DriftPoint::y},
-    {"z", &DriftPoint::z},
-    {"radial", &DriftPoint::radial},
-    {"axial", &DriftPoint::axial},
-    {"shift_a", &DriftPoint::shift_a},
-    {"shift_b", &DriftPoint::shift_b},
-    {"radius_change", &DriftPoint::radius_change},
-    {"radius_change_a", &DriftPoint::radius_change_a},
-};
-
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
 // A column of one value a point; left out where no point has it.
-template <class ValueOf>
-void add_column(Series& series, const DriftSeries& drift, std::string name, ValueOf value_of) {
-  Column column{std::move(name), Role::measured, {}};
+template <class Get>
+void add_column(Series& series, const DriftSeries& drift, const Field<Get>& field) {
+  Column column{std::string(field.name), Role::measured, {}};
   bool any = false;
   for (const DriftPoint& point : drift.points) {
-    const std::optional<double> value = value_of(point);
+    const std::optional<double> value = field.get(point).value;
     any = any || value.has_value();
     column.values.push_back(value && std::isfinite(*value) ? *value : kGap);
   }
   if (any) series.columns.push_back(std::move(column));
-}
-
-nlohmann::ordered_json json_number(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  return value;
-}
-
-// Where the test itself found the spindle's ball, set-up errors included.
-nlohmann::ordered_json json_of(const Position& position) {
-  constexpr std::pair<std::string_view, std::optional<Estimate> Position::*> kParts[] = {
-      {"x", &Position::x},
-      {"y", &Position::y},
-      {"z", &Position::z},
-      {"centre_a", &Position::centre_a},
-      {"centre_b", &Position::centre_b},
-  };
-  nlohmann::ordered_json row;
-  row["time_s"] = position.time_s;
-  for (const auto& [name, member] : kParts) {
-    if (!(position.*member)) continue;
-    row[fmt::format("{}_um", name)] = json_number((position.*member)->value_um);
-    row[fmt::format("{}_sigma_um", name)] = json_number((position.*member)->sigma_um);
-  }
-  if (position.length_mm) row["length_mm"] = *position.length_mm;
-  row["radius_mm"] = json_number(position.radius_mm);
-  row["converged"] = position.converged;
-  row["discounted"] = position.discounted;
-  return row;
 }
 
 // A drift as columns, whatever it was measured by.
@@ -90,32 +47,28 @@ void write_csv(const DriftColumns& drift, const std::filesystem::path& path) {
   write_series_parts(drift.series, header, path);
 }
 
-nlohmann::ordered_json json_of(const DriftRange& range, const std::string& unit) {
-  const std::pair<const char*, const std::optional<Estimate>&> parts[] = {{"first_60_min", range.first_60_min},
-                                                                          {"after_60_min", range.after_60_min},
-                                                                          {"total", range.total},
-                                                                          {"first_to_last", range.at_end}};
-  nlohmann::ordered_json json;
-  for (const auto& [name, part] : parts) {
-    if (!part) continue;
-    json[fmt::format("{}_{}", name, unit)] = json_number(part->value_um);
-    json[fmt::format("{}_sigma_{}", name, unit)] = json_number(part->sigma_um);
-  }
-  return json;
-}
-
-nlohmann::ordered_json ranges_of(const MeasuredDrift& drift, std::size_t begin, std::size_t end) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+TableOf<AxisRange> ranges_of(const MeasuredDrift& drift, std::size_t begin, std::size_t end) {
+  TableOf<AxisRange> ranges;
   for (const DriftAxis& axis : drift.axes)
-    json[axis.name] = json_of(range_of(axis, drift.time_s, begin, end), axis.unit);
-  return json;
+    ranges.emplace_back(axis.name, AxisRange{range_of(axis, drift.time_s, begin, end), axis.unit});
+  return ranges;
 }
 
-void write_json(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps, std::ostream& out) {
-  const Series series = series_of(drift);
-  out << fmt::format("{{\n  \"method\": \"five_probe\",\n  \"reference_s\": {},\n  \"points\": [", drift.reference_s);
+FiveProbeDrift result_of(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps) {
+  FiveProbeDrift result{
+      drift.reference_s, series_of(drift), ranges_of(drift, 0, drift.time_s.size()), {}, drift.remarks};
+  for (const SpeedStep& step : steps) {
+    result.steps.push_back({drift.time_s[step.begin], drift.time_s[step.end - 1], step.speed_rpm,
+                            ranges_of(drift, step.begin, step.end)});
+  }
+  return result;
+}
+
+void write_rows(std::ostream& out, const Series& series) {
+  constexpr std::string_view kTime = std::get<0>(ResultType<SeriesRow>::fields).name;
+  out << '[';
   for (std::size_t row = 0; row < series.time_s.size(); ++row) {
-    std::string line = fmt::format("{}\n    {{\"time_s\": {}", row == 0 ? "" : ",", series.time_s[row]);
+    std::string line = fmt::format("{}\n    {{\"{}\": {}", row == 0 ? "" : ",", kTime, series.time_s[row]);
     for (const Column& column : series.columns) {
       const double value = column.values[row];
       line += std::isfinite(value) ? fmt::format(", \"{}\": {}", column.name, value)
@@ -123,16 +76,29 @@ void write_json(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps,
     }
     out << line << "}";
   }
-  nlohmann::ordered_json step_rows = nlohmann::ordered_json::array();
-  for (const SpeedStep& step : steps) {
-    step_rows.push_back({{"from_s", drift.time_s[step.begin]},
-                         {"to_s", drift.time_s[step.end - 1]},
-                         {"speed_rpm", json_number(step.speed_rpm)},
-                         {"ranges", ranges_of(drift, step.begin, step.end)}});
+  out << "\n  ]";
+}
+
+template <class Value>
+void write_value(std::ostream& out, const Value& value) {
+  if constexpr (std::same_as<Value, Series>) {
+    write_rows(out, value);
+  } else if constexpr (std::same_as<Value, double>) {
+    out << fmt::format("{}", value);
+  } else {
+    out << json_value(value).dump();
   }
-  const nlohmann::ordered_json remarks = drift.remarks;
-  out << "\n  ],\n  \"ranges\": " << ranges_of(drift, 0, drift.time_s.size()).dump()
-      << ",\n  \"steps\": " << step_rows.dump() << ",\n  \"remarks\": " << remarks.dump() << "\n}\n";
+}
+
+void write_json(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps, std::ostream& out) {
+  const FiveProbeDrift result = result_of(drift, steps);
+  std::string_view before = "{";
+  const auto write = [&](const auto& field) {
+    out << std::exchange(before, ",") << "\n  \"" << field.name << "\": ";
+    write_value(out, std::invoke(field.get, result));
+  };
+  std::apply([&](const auto&... field) { (write(field), ...); }, ResultType<FiveProbeDrift>::fields);
+  out << "\n}\n";
 }
 
 template <class Columns, class WriteJson>
@@ -162,45 +128,16 @@ void write_by_extension(const std::filesystem::path& path, Columns columns, Writ
 }  // namespace
 
 Series series_of(const DriftSeries& drift) {
+  using Point = ResultType<DriftPoint>;
   Series series;
   for (const DriftPoint& point : drift.points) series.time_s.push_back(point.time_s);
-  for (const auto& [name, member] : kEstimates) {
-    const auto part = [member = member](double Estimate::*value) {
-      return [member, value](const DriftPoint& point) {
-        const std::optional<Estimate>& estimate = point.*member;
-        return estimate ? std::optional(*estimate.*value) : std::nullopt;
-      };
-    };
-    add_column(series, drift, fmt::format("{}_um", name), part(&Estimate::value_um));
-    add_column(series, drift, fmt::format("{}_sigma_um", name), part(&Estimate::sigma_um));
-  }
-  add_column(series, drift, "elongation_correction_um",
-             [](const DriftPoint& point) { return point.elongation_correction_um; });
+  [&]<std::size_t... Place>(std::index_sequence<Place...>) {
+    ((add_column(series, drift, std::get<Place>(Point::values)),
+      add_column(series, drift, std::get<Place>(Point::sigmas))),
+     ...);
+  }(std::make_index_sequence<std::tuple_size_v<decltype(Point::values)>>());
+  add_column(series, drift, Point::elongation);
   return series;
-}
-
-nlohmann::ordered_json json_of(const DriftSeries& drift) {
-  nlohmann::ordered_json json;
-  json["method"] = name_of(drift.method);
-  json["reference_s"] = drift.reference_s;
-  json["points"] = nlohmann::ordered_json::array();
-  for (const DriftPoint& point : drift.points) {
-    nlohmann::ordered_json row;
-    row["time_s"] = point.time_s;
-    for (const auto& [name, member] : kEstimates) {
-      if (point.*member) row[fmt::format("{}_um", name)] = json_number((point.*member)->value_um);
-    }
-    for (const auto& [name, member] : kEstimates) {
-      if (point.*member) row[fmt::format("{}_sigma_um", name)] = json_number((point.*member)->sigma_um);
-    }
-    if (point.elongation_correction_um) row["elongation_correction_um"] = json_number(*point.elongation_correction_um);
-    if (point.correlation_y_z) row["correlation_y_z"] = json_number(*point.correlation_y_z);
-    json["points"].push_back(std::move(row));
-  }
-  json["positions"] = nlohmann::ordered_json::array();
-  for (const Position& position : drift.positions) json["positions"].push_back(json_of(position));
-  json["not_cancelled"] = drift.not_cancelled;
-  return json;
 }
 
 std::string json_text(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps) {

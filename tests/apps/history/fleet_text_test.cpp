@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "history/fleet_json.hpp"
+#include "history/fleet_result.hpp"
 
 namespace ballbar {
 namespace {
@@ -64,7 +64,7 @@ TEST(fleet_text, says_that_there_is_nothing) {
             "0 questions were asked, 0 answered with yes; at most 5 % of such answers are by chance.\n");
 }
 
-TEST(fleet_json, has_every_key) {
+TEST(fleet_result, has_every_key) {
   const nlohmann::ordered_json json = json_of(small_fleet());
   EXPECT_EQ(json["machines"][0]["need"], "finding");
   EXPECT_EQ(json["machines"][0]["findings"][0]["kind"], "step");

@@ -20,7 +20,7 @@ struct ResultType<BoundEffect> {
 
 // A parameter of a candidate, with its interval of 95 %.
 struct CandidateParameter {
-  const FittedParameter* parameter = nullptr;
+  FittedParameter parameter;
   Interval interval;
 };
 std::vector<CandidateParameter> parameters_of(const Candidate& candidate);
@@ -31,12 +31,12 @@ struct ResultType<CandidateParameter> {
   static constexpr std::string_view name = "CandidateParameter";
   static constexpr std::string_view meaning = "A parameter of a candidate.";
   static constexpr std::tuple fields{
-      Field{"name", [](Parameter of) { return of.parameter->name; }, "with its unit"},
-      Field{"value", [](Parameter of) { return of.parameter->value; }, ""},
-      Field{"sigma", [](Parameter of) { return of.parameter->sigma; }, "null: not determined"},
+      Field{"name", [](Parameter of) { return of.parameter.name; }, "with its unit"},
+      Field{"value", [](Parameter of) { return of.parameter.value; }, ""},
+      Field{"sigma", [](Parameter of) { return of.parameter.sigma; }, "null: not determined"},
       Field{"low", [](Parameter of) { return of.interval.low; }, "of the interval of 95 %"},
       Field{"high", [](Parameter of) { return of.interval.high; }, ""},
-      Field{"unit", [](Parameter of) { return of.parameter->unit; }, ""}};
+      Field{"unit", [](Parameter of) { return of.parameter.unit; }, ""}};
 };
 
 template <>

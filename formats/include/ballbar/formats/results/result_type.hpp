@@ -14,6 +14,7 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace ballbar {
@@ -37,6 +38,24 @@ struct MayLack {
 // Values by a text, in their order.
 template <class Value>
 using TableOf = std::vector<std::pair<std::string, Value>>;
+
+// Value of a field whose name ends in the unit that it is had in: "rmse" of um is `rmse_um`; of no unit `rmse`.
+template <class Value>
+struct OfUnit {
+  Value value;
+  std::string unit;
+};
+
+// Values that are keys of the result itself, by names that are known once it is made.
+template <class Value>
+struct KeysOf {
+  TableOf<Value> values;
+};
+
+// A long column of numbers, seven digits of each: what a picture and its numbers need of a reading, at half the size.
+struct Bulk {
+  std::vector<double> values;
+};
 
 // Of each type of result: `name`, as TypeScript and Python have it, `meaning`, and `fields`, a tuple of Field, in the
 // order of the JSON. A type that has another's fields joins them by std::tuple_cat and fields_through().
@@ -93,6 +112,11 @@ template <class Type>
 nlohmann::ordered_json json_value(const TableOf<Type>& values);
 template <class Type>
 nlohmann::ordered_json json_value(const std::vector<Type>& values);
+template <class... Types>
+nlohmann::ordered_json json_value(const std::variant<Types...>& value) {
+  return std::visit([](const auto& one) { return json_value(one); }, value);
+}
+nlohmann::ordered_json json_value(const Bulk& bulk);
 
 // Rows.
 inline nlohmann::ordered_json json_value(const Eigen::MatrixXd& matrix) {
@@ -130,6 +154,14 @@ void add_value(nlohmann::ordered_json& json, std::string_view name, const Value&
 template <class Value>
 void add_value(nlohmann::ordered_json& json, std::string_view name, const MayLack<Value>& value) {
   if (value.value) json[std::string(name)] = json_value(*value.value);
+}
+template <class Value>
+void add_value(nlohmann::ordered_json& json, std::string_view name, const OfUnit<Value>& value) {
+  add_value(json, value.unit.empty() ? std::string(name) : std::string(name) + "_" + value.unit, value.value);
+}
+template <class Value>
+void add_value(nlohmann::ordered_json& json, std::string_view, const KeysOf<Value>& keys) {
+  for (const auto& [key, value] : keys.values) add_value(json, key, value);
 }
 
 template <Described Type>

@@ -19,19 +19,27 @@ enum class ValueKind {
   list,    // of `of`
   table,   // of `of` by a text
   result,  // of the type `name`
+  one_of,  // these
 };
 
 struct ValueSchema {
   ValueKind kind = ValueKind::number;
   bool or_null = false;
   std::string name = {};
-  std::vector<ValueSchema> of = {};  // one, or none
+  std::vector<ValueSchema> of = {};
+};
+
+enum class KeyKind {
+  always,
+  may_lack,
+  with_unit,  // NAME_UNIT
+  made,       // known once the result is made
 };
 
 struct FieldSchema {
   std::string name, meaning;
   ValueSchema value;
-  bool may_lack = false;
+  KeyKind key = KeyKind::always;
 };
 
 struct ResultSchema {
@@ -85,15 +93,36 @@ struct SchemaOf<TableOf<Value>> {
   }
 };
 
+template <>
+struct SchemaOf<Bulk> {
+  static ValueSchema of(std::vector<ResultSchema>& all) { return SchemaOf<std::vector<double>>::of(all); }
+};
+template <class... Types>
+struct SchemaOf<std::variant<Types...>> {
+  static ValueSchema of(std::vector<ResultSchema>& all) {
+    return {ValueKind::one_of, false, "", {SchemaOf<Types>::of(all)...}};
+  }
+};
+
 template <class Value>
-struct LackOf {
+struct KeyOf {
   using Type = Value;
-  static constexpr bool may = false;
+  static constexpr KeyKind kind = KeyKind::always;
 };
 template <class Value>
-struct LackOf<MayLack<Value>> {
+struct KeyOf<MayLack<Value>> {
   using Type = Value;
-  static constexpr bool may = true;
+  static constexpr KeyKind kind = KeyKind::may_lack;
+};
+template <class Value>
+struct KeyOf<OfUnit<Value>> {
+  using Type = typename KeyOf<Value>::Type;  // it may be lacking besides
+  static constexpr KeyKind kind = KeyKind::with_unit;
+};
+template <class Value>
+struct KeyOf<KeysOf<Value>> {
+  using Type = Value;
+  static constexpr KeyKind kind = KeyKind::made;
 };
 
 template <Described Type>
@@ -106,11 +135,14 @@ void add_schema(std::vector<ResultSchema>& all) {
   const auto add = [&](const auto& field) {
     using Value = std::remove_cvref_t<std::invoke_result_t<decltype(field.get), const Type&>>;
     fields.push_back({std::string(field.name), std::string(field.meaning),
-                      SchemaOf<typename LackOf<Value>::Type>::of(all), LackOf<Value>::may});
+                      SchemaOf<typename KeyOf<Value>::Type>::of(all), KeyOf<Value>::kind});
   };
   std::apply([&](const auto&... field) { (add(field), ...); }, ResultType<Type>::fields);
   all[place].fields = std::move(fields);
 }
+
+// "rmse_um"; "rmse_UNIT" where the unit is known once the result is made.
+std::string key_text(const FieldSchema& field);
 
 // "export interface Misfit { ... }", one after the other.
 std::string typescript_of(const std::vector<ResultSchema>& schemas);

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "ballbar/drift/drift.hpp"
 #include "ballbar/drift/measured_drift.hpp"
+#include "ballbar/formats/results/drift_results.hpp"
 #include "ballbar/series/series.hpp"
 #include "ballbar/series/speed_steps.hpp"
 
@@ -15,11 +15,7 @@ namespace ballbar {
 // Columns x_um, x_sigma_um, ... as far as the method has them; gaps where one test lacks what others have.
 Series series_of(const DriftSeries& drift);
 
-// {"method","reference_s","points":[{"time_s","x_um","x_sigma_um",...}]}
-nlohmann::ordered_json json_of(const DriftSeries& drift);
-
-// {"method":"five_probe","reference_s","points":[...],"ranges":{axis:{...}},"steps":[...],"remarks":[...]} of five
-// probes, as text: there may be a million rows.
+// The result FiveProbeDrift as text: there may be a million rows.
 std::string json_text(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps);
 
 // Writes by the extension: .csv, .json or .mat (one variable a column, same names). Throws Error for any other, and for

@@ -1,0 +1,62 @@
+#include "diagnose/machine_errors_result.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "ballbar/formats/recordings/stored_errors.hpp"
+
+namespace ballbar {
+namespace {
+
+ErrorRow row_of(const ErrorsReport& report, const MachineError& error, const RankedError* ranked) {
+  ErrorRow row{error, std::nullopt, stored_value_of(report, error), same_as_stored(report, error), {}, {}, {}};
+  if (ranked == nullptr) return row;
+  row.ranked = *ranked;
+  row.stored_rank = stored_rank_of(report, *ranked);
+  const std::string& effect = ranked->effect->name;
+  if (report.b5r) row.stored_individual_circularity_um = stored_individual_circularity_um(*report.b5r, effect);
+  const std::set<std::string>& in_the_model = report.options.in_the_model;
+  if (!in_the_model.empty()) row.in_the_model.value = in_the_model.contains(effect);
+  return row;
+}
+
+}  // namespace
+
+std::vector<ErrorRow> error_rows(const ErrorsReport& report) {
+  const MachineErrors& found = report.found;
+  std::vector<ErrorRow> rows;
+  std::vector<bool> listed(found.errors.size(), false);
+  for (const RankedError& ranked : found.ranked) {
+    for (const std::size_t row : ranked.rows) {
+      rows.push_back(row_of(report, found.errors[row], &ranked));
+      listed[row] = true;
+    }
+  }
+  for (std::size_t row = 0; row < found.errors.size(); ++row) {
+    if (!listed[row]) rows.push_back(row_of(report, found.errors[row], nullptr));
+  }
+  return rows;
+}
+
+std::vector<BoundEffect> significant_effects(const ErrorsReport& report) {
+  std::vector<BoundEffect> effects;
+  for (const RankedError& one : report.found.ranked) {
+    if (one.significant) effects.push_back({one.effect, {}});
+  }
+  return effects;
+}
+
+std::variant<ErrorsOfOne, ErrorsOfSeveral> result_of(const ErrorsReports& reports) {
+  if (reports.groups.size() == 1 && reports.without_readings.empty())
+    return ErrorsOfOne{reports.groups.front(), reports.skipped, reports.remarks};
+  ErrorsOfSeveral several{reports.groups, {}, reports.skipped, reports.remarks};
+  for (std::size_t k = 0; k < reports.without_readings.size(); ++k) {
+    StoredAlone alone{reports.files_without_readings[k], {}};
+    std::copy_if(reports.without_readings[k].stored.begin(), reports.without_readings[k].stored.end(),
+                 std::back_inserter(alone.stored), [](const StoredFeature& feature) { return feature.valid; });
+    several.results_alone.push_back(std::move(alone));
+  }
+  return several;
+}
+
+}  // namespace ballbar

@@ -1,0 +1,212 @@
+// What `try`, `add`, `undo` and `ledger` print with --json.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballbar/effect_regression/growth.hpp"
+#include "ballbar/formats/results/diagnosis_results.hpp"
+#include "ballbar/revision/effect_test.hpp"
+#include "ballbar/revision/ledger.hpp"
+#include "diagnose/effect_test_text.hpp"
+
+namespace ballbar {
+
+template <>
+struct ResultType<LedgerRow> {
+  static constexpr std::string_view name = "Figures";
+  static constexpr std::string_view meaning = "How well a model does.";
+  static constexpr std::tuple fields{
+      Field{"parameters", &LedgerRow::parameters, "free ones"},
+      Field{"rmse_um", &LedgerRow::rmse_um, "of the fit to all rows"},
+      Field{"times_floor", &LedgerRow::times_floor, "RMSE over the floor; null: not known"},
+      Field{"held_out_um", &LedgerRow::held_out_um, "RMSE of cycles (recordings) left out; null: not known"}};
+};
+
+// A row with its sentence.
+struct LedgerEntry {
+  LedgerRow row;
+  std::string sentence;
+};
+
+struct Ledger {
+  std::vector<LedgerEntry> rows;
+};
+// `before`: the row before the first; nullptr: none.
+Ledger ledger_of(const std::vector<LedgerRow>& rows, const LedgerRow* before = nullptr);
+
+template <>
+struct ResultType<LedgerEntry> {
+  static constexpr std::string_view name = "LedgerRow";
+  static constexpr std::string_view meaning = "A revision of a model: what it changed, and what that bought.";
+  static constexpr std::tuple change{
+      Field{"revision", &LedgerRow::revision, "0: the model as it started"},
+      Field{"change", &LedgerRow::change, "+ what was added, - what was taken out; start"}};
+  static constexpr std::tuple weighed{
+      Field{"likelihood_ratio", &LedgerRow::likelihood_ratio, "2 ln B of the change, of errors of axes chi^2"},
+      Field{"threshold", &LedgerRow::threshold, "from which that counts"},
+      Field{"best_surrogate_fall", &LedgerRow::best_surrogate_fall,
+            "share by which the best of 200 surrogates lowers the RMSE"}};
+  static constexpr std::tuple judged{
+      Field{"verdict", &LedgerRow::verdict, "start, named, supported, time only, not supported, driver known, empirical"},
+      Field{"target", &LedgerRow::target, "which the figures are of"},
+      Field{"data", &LedgerRow::data, "files, as they were named"}};
+  static constexpr std::tuple grown{
+      Field{"forecast_um", &LedgerRow::forecast_um, "RMSE of rows forecast from earlier ones alone"},
+      Field{"surrogate_forecast_um", &LedgerRow::surrogate_forecast_um, "the same with surrogates instead of effects"},
+      Field{"discrepancy_um", &LedgerRow::discrepancy_um, "standard deviation of the slow curve that is left"},
+      Field{"still_needed", &LedgerRow::still_needed, "earlier effects, tested anew"},
+      Field{"no_longer_needed", &LedgerRow::no_longer_needed, ""}};
+  static constexpr std::tuple fields =
+      std::tuple_cat(fields_through(&LedgerEntry::row, std::tuple_cat(change, ResultType<LedgerRow>::fields, judged,
+                                                                      weighed, grown)),
+                     std::tuple{Field{"sentence", &LedgerEntry::sentence, "what it says in plain words"}});
+};
+
+template <>
+struct ResultType<Ledger> {
+  static constexpr std::string_view name = "Ledger";
+  static constexpr std::string_view meaning = "The story of a model.";
+  static constexpr std::tuple fields{Field{"rows", &Ledger::rows, "a row a revision"}};
+};
+
+// An effect that was added for a test.
+struct AddedEffect {
+  BoundEffect bound;
+  Candidate tried;
+  std::vector<CandidateParameter> parameters;
+};
+std::vector<AddedEffect> added_effects(const EffectTest& effect_test);
+
+template <>
+struct ResultType<AddedEffect> {
+  static constexpr std::string_view name = "AddedEffect";
+  static constexpr std::string_view meaning = "An effect that was added for a test.";
+  static constexpr std::tuple fields = std::tuple_cat(
+      fields_through(&AddedEffect::bound, ResultType<BoundEffect>::fields),
+      fields_through(&AddedEffect::tried,
+                     std::tuple{Field{"amplitude_um", &Candidate::amplitude_um, "largest less smallest of what it adds"},
+                                Field{"amplitude_sigma_um", &Candidate::amplitude_sigma_um, "null: not determined"},
+                                Field{"likelihood_ratio", &Candidate::likelihood_ratio,
+                                      "2 ln of how much likelier the readings are with it than without"},
+                                Field{"threshold", &Candidate::threshold, "from which that counts"},
+                                Field{"best_surrogate_fall", &Candidate::best_surrogate_fall,
+                                      "share by which the best surrogate lowers the RMSE; null: not tested"},
+                                Field{"p_same_gain", &Candidate::p_same_gain,
+                                      "of gains as different from cycle to cycle, by chance"}}),
+      std::tuple{Field{"time_only", [](const AddedEffect& of) { return of.bound.effect->time_only; },
+                       "whether it needs nothing but time"},
+                 Field{"doubts", [](const AddedEffect& of) { return of.tried.doubts; }, "why it is not supported"},
+                 Field{"parameters", &AddedEffect::parameters, ""}});
+};
+
+template <>
+struct ResultType<DropTest> {
+  static constexpr std::string_view name = "EarlierEffect";
+  static constexpr std::string_view meaning = "An effect of the model, tested by leaving it out.";
+  static constexpr std::tuple fields{
+      Field{"effect", &DropTest::label, "with its columns"},
+      Field{"likelihood_ratio", &DropTest::likelihood_ratio, "2 ln B"},
+      Field{"parameters", &DropTest::parameters, "free ones"},
+      Field{"p_drop", &DropTest::p, "that it is not needed"},
+      Field{"needed", &DropTest::needed, ""}};
+};
+
+template <>
+struct ResultType<EffectTest> {
+  using Test = const EffectTest&;
+  static constexpr std::string_view name = "Tried";
+  static constexpr std::string_view meaning = "A model before and after effects are added.";
+  static constexpr std::tuple fields = std::tuple_cat(
+      std::tuple{Field{"target", [](Test of) { return of.after.target; }, "column that is explained"},
+                 Field{"data", [](Test of) { return of.after.data; }, "files, as they were named"},
+                 Field{"before", &EffectTest::before, "how well the model does without them"},
+                 Field{"after", &EffectTest::after, "how well it does with them"}},
+      fields_through(&EffectTest::after, ResultType<LedgerEntry>::weighed),
+      std::tuple{Field{"verdict", [](Test of) { return of.after.verdict; }, "supported, time only, not supported"},
+                 Field{"effects", &added_effects, "that were added"},
+                 Field{"earlier", &EffectTest::earlier, "effects of the model, tested anew"},
+                 Field{"sentence", [](Test of) { return conclusion(of); }, "what it says in plain words"}});
+};
+
+// A model grown to predict, with so many effects.
+struct GrowthStep {
+  std::size_t effects = 0;
+  std::optional<std::string> added;
+  bool kept = false;
+  GrowthErrors errors;
+  std::optional<double> p_none;
+};
+
+template <>
+struct ResultType<GrowthStep> {
+  static constexpr std::string_view name = "GrowthStep";
+  static constexpr std::string_view meaning = "A model that grows by effects that predict, with so many of them.";
+  static constexpr std::tuple fields = std::tuple_cat(
+      std::tuple{Field{"effects", &GrowthStep::effects, "how many"},
+                 Field{"added", &GrowthStep::added, "the last of them; null: none, or not kept"},
+                 Field{"kept", &GrowthStep::kept, "whether it is in the model"}},
+      fields_through(
+          &GrowthStep::errors,
+          std::tuple{Field{"rmse_um", &GrowthErrors::rmse_um, "of the rows it is fitted to"},
+                     Field{"surrogate_um", &GrowthErrors::surrogate_um, "the same with as many surrogates"},
+                     Field{"forecast_um", &GrowthErrors::forecast_um, "RMSE of forecasts; null: too few rows"},
+                     Field{"forecast_mean_um", &GrowthErrors::forecast_mean_um, "their mean absolute error"},
+                     Field{"surrogate_forecast_um", &GrowthErrors::surrogate_forecast_um, "RMSE with surrogates"},
+                     Field{"discrepancy_um", &GrowthErrors::sigma_um, "standard deviation of what is left"}}),
+      std::tuple{Field{"p_none", &GrowthStep::p_none, "that no effect was needed before it joined"}});
+};
+
+// Why `add --auto` ended.
+struct Stopped {
+  Verdict verdict = Verdict::named;
+  std::string text;
+};
+
+template <>
+struct ResultType<Stopped> {
+  static constexpr std::string_view name = "Stopped";
+  static constexpr std::string_view meaning = "Why nothing more was added.";
+  static constexpr std::tuple fields{Field{"verdict", &Stopped::verdict, "of the last diagnosis"},
+                                     Field{"text", &Stopped::text, ""}};
+};
+
+struct Added {
+  std::vector<LedgerEntry> rows;
+  std::vector<EffectTest> revisions;
+  MayLack<std::vector<GrowthStep>> growth;
+  MayLack<std::string> sentence;
+  MayLack<Stopped> stopped;
+  std::optional<std::string> written;
+};
+
+template <>
+struct ResultType<Added> {
+  static constexpr std::string_view name = "Added";
+  static constexpr std::string_view meaning = "New revisions of a model.";
+  static constexpr std::tuple fields{
+      Field{"rows", &Added::rows, "of the ledger"},
+      Field{"revisions", &Added::revisions, "before and after each"},
+      Field{"growth", &Added::growth, "of a model that grew by effects that predict"},
+      Field{"sentence", &Added::sentence, "what that growth says"},
+      Field{"stopped", &Added::stopped, "with --auto: why nothing more was added"},
+      Field{"written", &Added::written, "file; null: nothing was added"}};
+};
+
+struct Undone {
+  std::string model;
+  std::size_t revision = 0;
+  std::string change;
+};
+
+template <>
+struct ResultType<Undone> {
+  static constexpr std::string_view name = "Undone";
+  static constexpr std::string_view meaning = "A revision that was taken back.";
+  static constexpr std::tuple fields{Field{"model", &Undone::model, "file"},
+                                     Field{"revision", &Undone::revision, "that it is now; 0: as it started"},
+                                     Field{"undone", &Undone::change, "what was taken back"}};
+};
+
+}  // namespace ballbar

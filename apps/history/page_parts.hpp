@@ -1,0 +1,140 @@
+// The parts of a page of a machine's history, and of a fleet.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ballbar/formats/results/result_type.hpp"
+#include "page/report_head.hpp"
+
+namespace ballbar {
+
+// A curve with half of the interval that holds 68 %.
+struct CurveOverYears {
+  std::vector<double> year, values, sigmas;
+};
+
+template <>
+struct ResultType<CurveOverYears> {
+  static constexpr std::string_view name = "CurveOverYears";
+  static constexpr std::string_view meaning = "A curve with half of the interval that holds 68 %.";
+  static constexpr std::tuple fields{Field{"year", &CurveOverYears::year, "2025.5"},
+                                     Field{"values", &CurveOverYears::values, ""},
+                                     Field{"sigmas", &CurveOverYears::sigmas, ""}};
+};
+
+struct DrawnQuantity {
+  std::string name, unit;
+  CurveOverYears tests;
+  MayLack<CurveOverYears> trend;
+  MayLack<std::vector<double>> marks;
+  MayLack<double> lower, upper;
+};
+
+template <>
+struct ResultType<DrawnQuantity> {
+  static constexpr std::string_view name = "HistoryQuantity";
+  static constexpr std::string_view meaning = "A quantity over the tests with a date.";
+  static constexpr std::tuple fields = std::tuple_cat(
+      std::tuple{Field{"name", &DrawnQuantity::name, ""}, Field{"unit", &DrawnQuantity::unit, ""}},
+      fields_through(&DrawnQuantity::tests, ResultType<CurveOverYears>::fields),
+      std::tuple{Field{"trend", &DrawnQuantity::trend, ""},
+                 Field{"marks", &DrawnQuantity::marks, "years in which it steps"},
+                 Field{"lower", &DrawnQuantity::lower, "tolerance"}, Field{"upper", &DrawnQuantity::upper, ""}});
+};
+
+struct DrawnGroup {
+  std::string label, first;
+  std::vector<DrawnQuantity> quantities;
+  std::vector<std::string> heading;
+  std::vector<std::vector<std::string>> rows;
+};
+
+template <>
+struct ResultType<DrawnGroup> {
+  static constexpr std::string_view name = "HistoryGroup";
+  static constexpr std::string_view meaning = "Tests that can be compared.";
+  static constexpr std::tuple fields{Field{"label", &DrawnGroup::label, "XY, 100 mm, 1000 mm/min, 360 deg"},
+                                     Field{"first", &DrawnGroup::first, "quantity to look at first"},
+                                     Field{"quantities", &DrawnGroup::quantities, ""},
+                                     Field{"heading", &DrawnGroup::heading, "of the table"},
+                                     Field{"rows", &DrawnGroup::rows, ""}};
+};
+
+struct HistoryPart {
+  std::vector<DrawnGroup> groups;
+  std::vector<std::string> geometry;
+  std::vector<std::vector<std::string>> geometry_rows;
+  std::vector<std::string> skipped;
+};
+
+template <>
+struct ResultType<HistoryPart> {
+  static constexpr std::string_view name = "HistoryPart";
+  static constexpr std::string_view meaning = "A machine over its tests, as it is drawn.";
+  static constexpr std::tuple fields{Field{"groups", &HistoryPart::groups, ""},
+                                     Field{"geometry", &HistoryPart::geometry, "sentences"},
+                                     Field{"geometry_rows", &HistoryPart::geometry_rows, "what, um/m, from"},
+                                     Field{"skipped", &HistoryPart::skipped, "sentences"}};
+};
+
+struct DrawnMachine {
+  std::string label, reason;
+  std::vector<std::string> findings;
+  std::string first;
+  std::vector<DrawnQuantity> quantities;
+};
+
+template <>
+struct ResultType<DrawnMachine> {
+  static constexpr std::string_view name = "DrawnMachine";
+  static constexpr std::string_view meaning = "A machine that needs something, as it is drawn.";
+  static constexpr std::tuple fields{Field{"label", &DrawnMachine::label, "its name"},
+                                     Field{"reason", &DrawnMachine::reason, "why it is called"},
+                                     Field{"findings", &DrawnMachine::findings, "what was found and what to do"},
+                                     Field{"first", &DrawnMachine::first, "quantity to look at first"},
+                                     Field{"quantities", &DrawnMachine::quantities, "with the curve that was found"}};
+};
+
+struct FleetPart {
+  std::vector<std::string> heading;
+  std::vector<std::vector<std::string>> rows;
+  std::vector<DrawnMachine> machines;
+};
+
+template <>
+struct ResultType<FleetPart> {
+  static constexpr std::string_view name = "FleetPart";
+  static constexpr std::string_view meaning = "Many machines over their tests, as they are drawn.";
+  static constexpr std::tuple fields{Field{"heading", &FleetPart::heading, "of the ranking"},
+                                     Field{"rows", &FleetPart::rows, ""},
+                                     Field{"machines", &FleetPart::machines, "that need something"}};
+};
+
+// A page with one of both.
+struct HistoryReport {
+  ReportHead head;
+  HistoryPart history;
+};
+struct FleetReport {
+  ReportHead head;
+  FleetPart fleet;
+};
+
+template <>
+struct ResultType<HistoryReport> {
+  static constexpr std::string_view name = "HistoryReport";
+  static constexpr std::string_view meaning = "The data of a page of a machine over its tests.";
+  static constexpr std::tuple fields = std::tuple_cat(fields_through(&HistoryReport::head, ResultType<ReportHead>::fields),
+                                                      std::tuple{Field{"history", &HistoryReport::history, ""}});
+};
+
+template <>
+struct ResultType<FleetReport> {
+  static constexpr std::string_view name = "FleetReport";
+  static constexpr std::string_view meaning = "The data of a page of many machines.";
+  static constexpr std::tuple fields = std::tuple_cat(fields_through(&FleetReport::head, ResultType<ReportHead>::fields),
+                                                      std::tuple{Field{"fleet", &FleetReport::fleet, ""}});
+};
+
+}  // namespace ballbar

@@ -1,0 +1,121 @@
+// What `import --json` and `merge --json` print.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballbar/formats/logs/log.hpp"
+#include "ballbar/formats/results/result_type.hpp"
+#include "ballbar/series/clock_lag.hpp"
+#include "ballbar/series/column_faults.hpp"
+
+namespace ballbar {
+
+// Of a column that the series has, or of one that it has not.
+template <class Type>
+constexpr auto if_taken(Type LogColumn::*member, bool taken = true) {
+  return [member, taken](const LogColumn& of) {
+    return MayLack<Type>{of.name.empty() == taken ? std::nullopt : std::optional(of.*member)};
+  };
+}
+
+template <>
+struct ResultType<LogColumn> {
+  static constexpr std::string_view name = "LogColumn";
+  static constexpr std::string_view meaning = "A column of a log, and what it was taken for.";
+  static constexpr std::tuple fields{
+      Field{"source", &LogColumn::source, "its header in the log"},
+      Field{"found_unit",
+            [](const LogColumn& of) {
+              return MayLack<std::string>{of.found_unit.empty() ? std::nullopt : std::optional(of.found_unit)};
+            },
+            "as the log writes it"},
+      Field{"left_out", if_taken(&LogColumn::why, false), "why it is not in the series; then nothing else is there"},
+      Field{"name", if_taken(&LogColumn::name), "in the series"},
+      Field{"unit", if_taken(&LogColumn::unit), ""},
+      Field{"role", if_taken(&LogColumn::role), ""},
+      Field{"why", if_taken(&LogColumn::why), "what tells the role"},
+      Field{"gaps", if_taken(&LogColumn::gaps), "cells without a value"}};
+};
+
+template <>
+struct ResultType<ColumnFault> {
+  static constexpr std::string_view name = "ColumnFault";
+  static constexpr std::string_view meaning = "What looks wrong with a column.";
+  static constexpr std::tuple fields{Field{"column", &ColumnFault::column, "empty: the time"},
+                                     Field{"what", &ColumnFault::what, ""}};
+};
+
+struct ImportedLog {
+  std::string file, shape, time;
+  std::optional<std::string> started;
+  std::size_t rows = 0, first_row_line = 0;
+  std::vector<LogColumn> columns;
+  std::vector<std::string> remarks;
+  std::vector<ColumnFault> faults;
+};
+
+template <>
+struct ResultType<ImportedLog> {
+  static constexpr std::string_view name = "Imported";
+  static constexpr std::string_view meaning = "What a log was taken for.";
+  static constexpr std::tuple fields{
+      Field{"file", &ImportedLog::file, ""},
+      Field{"shape", &ImportedLog::shape, "how the values stand"},
+      Field{"time", &ImportedLog::time, "where the time is"},
+      Field{"started", [](const ImportedLog& of) { return MayLack<std::string>{of.started}; }, "wall clock of time 0"},
+      Field{"rows", &ImportedLog::rows, "how many"},
+      Field{"first_row_line", &ImportedLog::first_row_line, ""},
+      Field{"columns", &ImportedLog::columns, "of the log, that of the time left out"},
+      Field{"remarks", &ImportedLog::remarks, "what looks broken, what was mended"},
+      Field{"faults", &ImportedLog::faults, "of columns"}};
+};
+
+struct MergedPart {
+  std::string file;
+  double moved_s = 0.0;  // what was added to its own times
+  std::optional<double> by_date_s;
+  std::optional<ClockLag> lag;
+};
+
+constexpr auto of_lag(double ClockLag::*member) {
+  return [member](const MergedPart& of) {
+    return MayLack<double>{of.lag ? std::optional((*of.lag).*member) : std::nullopt};
+  };
+}
+
+template <>
+struct ResultType<MergedPart> {
+  static constexpr std::string_view name = "MergedPart";
+  static constexpr std::string_view meaning = "A log, and how its clock was set.";
+  static constexpr std::tuple fields{
+      Field{"file", &MergedPart::file, ""},
+      Field{"moved_s", &MergedPart::moved_s, "what was added to its times"},
+      Field{"by_date_s", [](const MergedPart& of) { return MayLack<double>{of.by_date_s}; }, "by the dates alone"},
+      Field{"lag_s", of_lag(&ClockLag::lag_s), "by what both logs show"},
+      Field{"lag_sigma_s", of_lag(&ClockLag::sigma_s), ""},
+      Field{"correlation", of_lag(&ClockLag::correlation), ""},
+      Field{"compared",
+            [](const MergedPart& of) {
+              return MayLack<std::vector<std::string>>{of.lag ? std::optional(std::vector{of.lag->column, of.lag->other})
+                                                              : std::nullopt};
+            },
+            "columns of the first log and of this one"}};
+};
+
+struct MergedLogs {
+  std::size_t rows = 0, columns = 0;
+  std::vector<MergedPart> parts;
+};
+
+template <>
+struct ResultType<MergedLogs> {
+  static constexpr std::string_view name = "Merged";
+  static constexpr std::string_view meaning = "Logs made one series.";
+  static constexpr std::tuple fields{Field{"rows", &MergedLogs::rows, "how many"},
+                                     Field{"columns", &MergedLogs::columns, "how many"},
+                                     Field{"parts", &MergedLogs::parts, "the logs"}};
+};
+
+}  // namespace ballbar

@@ -1,0 +1,178 @@
+// What `meanpoint --json` prints, and the part of a page that `--plot` draws.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballbar/formats/results/result_type.hpp"
+#include "mean_point/mean_point_states.hpp"
+
+namespace ballbar {
+
+template <>
+struct ResultType<ThreeAreas> {
+  static constexpr std::string_view name = "ThreeAreas";
+  static constexpr std::string_view meaning = "A hot, a middle and a cold area of a picture, by thresholds of its colours.";
+  static constexpr std::tuple fields{
+      Field{"mean_degC", &ThreeAreas::mean_degC, "by the three areas"},
+      Field{"otsu_mean_degC", &ThreeAreas::otsu_mean_degC, "the same by Otsu's thresholds alone"},
+      Field{"hot_pixels", &ThreeAreas::hot, ""},
+      Field{"middle_pixels", &ThreeAreas::middle, ""},
+      Field{"cold_pixels", &ThreeAreas::cold, ""},
+      Field{"hot_share", &ThreeAreas::hot_share, ""},
+      Field{"middle_share", &ThreeAreas::middle_share, ""},
+      Field{"cold_share", &ThreeAreas::cold_share, ""},
+      Field{"red_otsu", &ThreeAreas::red_otsu, "threshold"},
+      Field{"red_triangle", &ThreeAreas::red_triangle, ""},
+      Field{"blue_otsu", &ThreeAreas::blue_otsu, ""},
+      Field{"blue_triangle", &ThreeAreas::blue_triangle, ""}};
+};
+
+template <>
+struct ResultType<PictureState> {
+  static constexpr std::string_view name = "PictureOfTemperature";
+  static constexpr std::string_view meaning = "How a picture became temperatures along a spindle.";
+  static constexpr std::tuple of_image{
+      Field{"region",
+            [](const TemperatureImage& of) {
+              return std::vector{of.region.x, of.region.y, of.region.width, of.region.height};
+            },
+            "x, y, width, height, pixels"},
+      Field{"pixels_used", &TemperatureImage::used, ""},
+      Field{"pixels_off_scale", &TemperatureImage::off_scale, ""},
+      Field{"pixels_contrasting", &TemperatureImage::contrasting, ""},
+      Field{"pixels_at_edges", &TemperatureImage::at_edges, ""},
+      Field{"pixels_at_cold_end", &TemperatureImage::at_cold_end, "of the scale"},
+      Field{"pixels_at_hot_end", &TemperatureImage::at_hot_end, ""},
+      Field{"saturated_cold", &TemperatureImage::saturated_cold, "whether the scale ends too early"},
+      Field{"saturated_hot", &TemperatureImage::saturated_hot, ""}};
+  static constexpr std::tuple of_columns{Field{"columns", &ImageProfile::columns, "of pixels"},
+                                         Field{"empty_columns", &ImageProfile::empty_columns, ""}};
+  static constexpr std::tuple of_scale{
+      Field{"scale_banded", &ColourScale::banded, ""},
+      Field{"scale_step_degC", &ColourScale::step_degC, "to which temperatures are known"}};
+  static constexpr std::tuple fields = std::tuple_cat(
+      fields_through(&PictureState::image, of_image), fields_through(&PictureState::columns, of_columns),
+      fields_through(&PictureState::scale, of_scale), std::tuple{Field{"three_areas", &PictureState::areas, ""}});
+};
+
+struct MeanPointResult {
+  double x_mm = 0.0, sigma_mm = 0.0, slope_degC_per_mm = 0.0, sigma_slope_degC_per_mm = 0.0, misplaced_um_per_mm = 0.0;
+};
+
+template <>
+struct ResultType<MeanPointResult> {
+  static constexpr std::string_view name = "MeanPoint";
+  static constexpr std::string_view meaning = "A place at which the temperature is its mean.";
+  static constexpr std::tuple fields{
+      Field{"x_mm", &MeanPointResult::x_mm, ""},
+      Field{"sigma_mm", &MeanPointResult::sigma_mm, "null: not known"},
+      Field{"slope_degC_per_mm", &MeanPointResult::slope_degC_per_mm, ""},
+      Field{"sigma_slope_degC_per_mm", &MeanPointResult::sigma_slope_degC_per_mm, "null: not known"},
+      Field{"misplaced_um_per_mm", &MeanPointResult::misplaced_um_per_mm, "for each mm that the sensor is off"}};
+};
+
+struct MeanPointStateResult {
+  std::string name;
+  double length_mm = 0.0, mean_degC = 0.0, sigma_mean_degC = 0.0;
+  MayLack<double> elongation_um, sigma_elongation_um;
+  std::vector<MeanPointResult> mean_points;
+  MayLack<double> error_at_best_um;
+  MayLack<PictureState> picture;
+};
+
+template <>
+struct ResultType<MeanPointStateResult> {
+  using Of = MeanPointStateResult;
+  static constexpr std::string_view name = "MeanPointState";
+  static constexpr std::string_view meaning = "Temperatures along a spindle, and their mean-value points.";
+  static constexpr std::tuple fields{Field{"name", &Of::name, "the picture's file or the table's column"},
+                                     Field{"length_mm", &Of::length_mm, ""},
+                                     Field{"mean_degC", &Of::mean_degC, "along the spindle"},
+                                     Field{"sigma_mean_degC", &Of::sigma_mean_degC, "null: not known"},
+                                     Field{"elongation_um", &Of::elongation_um, "since the start"},
+                                     Field{"sigma_elongation_um", &Of::sigma_elongation_um, ""},
+                                     Field{"mean_points", &Of::mean_points, "the flattest first"},
+                                     Field{"error_at_best_um", &Of::error_at_best_um, "of a sensor at the best place"},
+                                     Field{"picture", &Of::picture, "of a picture"}};
+};
+
+inline constexpr std::tuple kBestPlace{Field{"x_mm", &BestPoint::x_mm, ""}};
+
+template <>
+struct ResultType<BestPoint> {
+  static constexpr std::string_view name = "BestPoint";
+  static constexpr std::string_view meaning = "One place for all states.";
+  static constexpr std::tuple fields = std::tuple_cat(
+      kBestPlace, std::tuple{Field{"rms_um", &BestPoint::rms_um, "of what a sensor there tells wrong"},
+                             Field{"misplaced_um_per_mm", &BestPoint::misplaced_um_per_mm,
+                                   "largest for each mm that the sensor is off"}});
+};
+
+struct MeanPointsResult {
+  std::string conclusion;
+  double expansion_ppm_per_K = 0.0;
+  std::optional<double> start_degC;
+  MayLack<BestPoint> best;
+  std::vector<MeanPointStateResult> states;
+};
+
+template <>
+struct ResultType<MeanPointsResult> {
+  using Of = MeanPointsResult;
+  static constexpr std::string_view name = "MeanPoints";
+  static constexpr std::string_view meaning = "Where one sensor of temperature tells the elongation of a spindle.";
+  static constexpr std::tuple fields{Field{"conclusion", &Of::conclusion, "what it says in plain words"},
+                                     Field{"expansion_ppm_per_K", &Of::expansion_ppm_per_K, "of the spindle"},
+                                     Field{"start_degC", &Of::start_degC, "at which the elongation is 0; null: not given"},
+                                     Field{"best", &Of::best, "of several states"}, Field{"states", &Of::states, ""}};
+};
+
+// What is drawn.
+struct BestPlace {
+  BestPoint best;
+};
+
+template <>
+struct ResultType<BestPlace> {
+  static constexpr std::string_view name = "BestPlace";
+  static constexpr std::string_view meaning = "One place for all states.";
+  static constexpr std::tuple fields = fields_through(&BestPlace::best, kBestPlace);
+};
+
+template <>
+struct ResultType<MeanPoint> {
+  static constexpr std::string_view name = "MeanPlace";
+  static constexpr std::string_view meaning = "A place at which the temperature is its mean.";
+  static constexpr std::tuple fields{Field{"x_mm", &MeanPoint::x_mm, ""}};
+};
+
+template <>
+struct ResultType<MeanPointState> {
+  using Of = const MeanPointState&;
+  static constexpr std::string_view name = "DrawnMeanPointState";
+  static constexpr std::string_view meaning = "Temperature along a spindle, and where it is its mean.";
+  static constexpr std::tuple fields{Field{"name", &MeanPointState::name, "the picture's file or the table's column"},
+                                     Field{"mean_degC", &MeanPointState::mean_degC, ""},
+                                     Field{"mean_points", &MeanPointState::points, ""},
+                                     Field{"x_mm", [](Of of) { return of.profile.x_mm; }, "rising"},
+                                     Field{"degC", [](Of of) { return of.profile.degC; }, ""}};
+};
+
+struct MeanPointPart {
+  std::string conclusion;
+  MayLack<BestPlace> best;
+  std::vector<MeanPointState> states;
+};
+
+template <>
+struct ResultType<MeanPointPart> {
+  static constexpr std::string_view name = "MeanPointPart";
+  static constexpr std::string_view meaning = "Temperature along a spindle, and where it is its mean, as it is drawn.";
+  static constexpr std::tuple fields{
+      Field{"conclusion", &MeanPointPart::conclusion, ""},
+      Field{"best", &MeanPointPart::best, "one place for all states"}, Field{"states", &MeanPointPart::states, ""}};
+};
+
+}  // namespace ballbar

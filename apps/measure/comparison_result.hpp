@@ -1,0 +1,234 @@
+// What `compare --json` prints.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ballbar/drift/comparison.hpp"
+#include "ballbar/formats/results/result_type.hpp"
+
+namespace ballbar {
+
+constexpr std::string_view name_of(DifferenceKind kind) {
+  constexpr std::string_view kNames[] = {"offset", "gain", "lag", "drift"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+std::string_view name_of(NoiseOfDifference noise);
+std::string_view name_of(Agreement agreement);
+
+// A part of a comparison, with the unit of its axis.
+template <class Part>
+struct InUnit {
+  Part part;
+  std::string unit;
+};
+template <class Part, class Value>
+constexpr auto of_unit(Value Part::*member) {
+  return [member](const InUnit<Part>& of) { return OfUnit<Value>{of.part.*member, of.unit}; };
+}
+template <class Part, class Value>
+constexpr auto plain(Value Part::*member) {
+  return [member](const InUnit<Part>& of) { return of.part.*member; };
+}
+
+template <>
+struct ResultType<InUnit<DifferencePart>> {
+  static constexpr std::string_view name = "DifferencePart";
+  static constexpr std::string_view meaning = "A part of a difference: offset, gain, lag or drift.";
+  static constexpr std::tuple fields{
+      Field{"value", of_unit(&DifferencePart::value), "a gain has no unit: 1 is none"},
+      Field{"sigma", of_unit(&DifferencePart::sigma), ""},
+      Field{"chance", plain(&DifferencePart::chance), "of as much where nothing is wrong"},
+      Field{"named", plain(&DifferencePart::named), "whether that is below the limit"}};
+};
+
+// One part of those.
+constexpr auto part_of(DifferenceKind kind) {
+  return [kind](const InUnit<DifferenceParts>& of) -> std::optional<InUnit<DifferencePart>> {
+    const std::optional<DifferencePart>& part = of.part[static_cast<std::size_t>(kind)];
+    if (!part) return std::nullopt;
+    switch (kind) {
+      case DifferenceKind::gain:
+        return InUnit<DifferencePart>{*part, ""};
+      case DifferenceKind::lag:
+        return InUnit<DifferencePart>{*part, "s"};
+      case DifferenceKind::drift:
+        return InUnit<DifferencePart>{*part, of.unit + "_per_h"};
+      default:
+        return InUnit<DifferencePart>{*part, of.unit};
+    }
+  };
+}
+
+template <>
+struct ResultType<InUnit<DifferenceParts>> {
+  static constexpr std::string_view name = "DifferenceParts";
+  static constexpr std::string_view meaning = "The parts of a difference; null: it cannot be told.";
+  static constexpr std::tuple fields{
+      Field{name_of(DifferenceKind::offset), part_of(DifferenceKind::offset), ""},
+      Field{name_of(DifferenceKind::gain), part_of(DifferenceKind::gain), ""},
+      Field{name_of(DifferenceKind::lag), part_of(DifferenceKind::lag), "positive: the first is late"},
+      Field{name_of(DifferenceKind::drift), part_of(DifferenceKind::drift), ""}};
+};
+
+// chi^2 of all parts together, and of the whole difference.
+struct PartsTogether {
+  double chi2 = 0.0;
+  std::size_t freedom = 0;
+  MayLack<double> chance, limit;
+};
+
+template <>
+struct ResultType<PartsTogether> {
+  static constexpr std::string_view name = "ChiSquare";
+  static constexpr std::string_view meaning = "Squares of a difference in units of its scatter, summed up.";
+  static constexpr std::tuple fields{Field{"chi2", &PartsTogether::chi2, ""},
+                                     Field{"freedom", &PartsTogether::freedom, "degrees of it"},
+                                     Field{"chance", &PartsTogether::chance, "of as much where nothing is wrong"},
+                                     Field{"limit", &PartsTogether::limit, "below which that counts"}};
+};
+
+template <>
+struct ResultType<InUnit<DifferenceStructure>> {
+  using Structure = const InUnit<DifferenceStructure>&;
+  static constexpr std::string_view name = "DifferenceStructure";
+  static constexpr std::string_view meaning = "What of a difference is an offset, a gain, a lag and a drift.";
+  static constexpr std::tuple fields{
+      Field{"stands_out", plain(&DifferenceStructure::stands_out),
+            "one of the four is named, or all together stand out"},
+      Field{"parts", [](Structure of) { return InUnit<DifferenceParts>{of.part.parts, of.unit}; },
+            "each with the other three free"},
+      Field{"alone", [](Structure of) { return InUnit<DifferenceParts>{of.part.alone, of.unit}; },
+            "each with the other three none"},
+      Field{"sufficient_alone", [](Structure of) { return sufficient_alone(of.part); },
+            "those which alone explain all that the four explain"},
+      Field{"limit_of_part", plain(&DifferenceStructure::limit_of_part), "the chance below which a part is named"},
+      Field{"together",
+            [](Structure of) {
+              return PartsTogether{
+                  of.part.chi2_of_parts, of.part.parts_freedom, {of.part.chance_of_parts}, {of.part.limit_of_parts}};
+            },
+            "of the four; the limit is that of `alone`, too"},
+      Field{"whole", [](Structure of) { return PartsTogether{of.part.chi2, of.part.rows, {}, {}}; },
+            "of the whole difference, with the zero's error in common"},
+      Field{"noise", plain(&DifferenceStructure::noise), "stated, widened, from rows"},
+      Field{"widened_by",
+            [](Structure of) {
+              return MayLack<double>{of.part.noise == NoiseOfDifference::widened ? std::optional(of.part.widened_by)
+                                                                                 : std::nullopt};
+            },
+            "of widened noise"},
+      Field{"noise",
+            [](Structure of) {
+              return OfUnit<MayLack<double>>{{of.part.noise == NoiseOfDifference::from_rows
+                                                  ? std::optional(of.part.widened_by)
+                                                  : std::nullopt},
+                                             of.unit};
+            },
+            "of noise from rows: sigma of a difference"}};
+};
+
+template <>
+struct ResultType<InUnit<Deviation>> {
+  static constexpr std::string_view name = "Deviation";
+  static constexpr std::string_view meaning = "The worst stretch beyond 2 sigma.";
+  static constexpr std::tuple fields{Field{"from_s", plain(&Deviation::from_s), ""},
+                                     Field{"to_s", plain(&Deviation::to_s), ""},
+                                     Field{"to_the_end", plain(&Deviation::to_the_end), ""},
+                                     Field{"largest", of_unit(&Deviation::largest), "the worst difference there"},
+                                     Field{"sigma", of_unit(&Deviation::sigma), "of that one"},
+                                     Field{"at_s", plain(&Deviation::at_s), "where it is"}};
+};
+
+template <>
+struct ResultType<InUnit<UncertaintyShare>> {
+  static constexpr std::string_view name = "UncertaintyShare";
+  static constexpr std::string_view meaning = "A source of uncertainty.";
+  static constexpr std::tuple fields{Field{"source", plain(&UncertaintyShare::source), ""},
+                                     Field{"sigma", of_unit(&UncertaintyShare::sigma), "null: not known"},
+                                     Field{"share", plain(&UncertaintyShare::variance), "of the variance"}};
+};
+
+struct ComparedSample {
+  double time_s = 0.0, a = 0.0, b = 0.0, difference = 0.0, sigma = 0.0;
+};
+
+template <>
+struct ResultType<InUnit<ComparedSample>> {
+  static constexpr std::string_view name = "ComparedSample";
+  static constexpr std::string_view meaning = "Both drifts at a common time.";
+  static constexpr std::tuple fields{Field{"time_s", plain(&ComparedSample::time_s), ""},
+                                     Field{"a", of_unit(&ComparedSample::a), ""},
+                                     Field{"b", of_unit(&ComparedSample::b), ""},
+                                     Field{"difference", of_unit(&ComparedSample::difference), "b less a"},
+                                     Field{"sigma", of_unit(&ComparedSample::sigma), "null: not known"}};
+};
+
+std::vector<InUnit<ComparedSample>> samples_of(const AxisComparison& axis);
+std::vector<InUnit<UncertaintyShare>> budget_of(const AxisComparison& axis);
+template <class Value>
+constexpr auto of_unit(Value AxisComparison::*member) {
+  return [member](const AxisComparison& of) { return OfUnit<Value>{of.*member, of.unit}; };
+}
+
+template <>
+struct ResultType<AxisComparison> {
+  using Axis = const AxisComparison&;
+  static constexpr std::string_view name = "ComparedAxis";
+  static constexpr std::string_view meaning = "How two drifts agree along an axis.";
+  static constexpr std::tuple fields{
+      Field{"agreement", &AxisComparison::agreement, "agrees, disagrees, cannot tell"},
+      Field{"mean_relative_deviation", &AxisComparison::mean_relative_deviation, "null: the second does not move"},
+      Field{"expected_relative_deviation", &AxisComparison::expected_relative_deviation, "by the stated sigmas"},
+      Field{"explained_share", &AxisComparison::explained_share, "of the first by the second"},
+      Field{"range_normalised_mean_deviation", &AxisComparison::range_deviation, ""},
+      Field{"rmse", of_unit(&AxisComparison::rmse), "of the differences"},
+      Field{"max", of_unit(&AxisComparison::largest), "the largest difference"},
+      Field{"max_at_s", &AxisComparison::largest_s, "where it is"},
+      Field{"bias", of_unit(&AxisComparison::bias), "mean difference"},
+      Field{"loa_low", of_unit(&AxisComparison::limit_low), "limits of agreement"},
+      Field{"loa_high", of_unit(&AxisComparison::limit_high), ""},
+      Field{"within_2_sigma", &AxisComparison::within, "samples that agree"},
+      Field{"samples", &AxisComparison::counted, "with a known sigma, the reference left out"},
+      Field{"correlation", &AxisComparison::correlation, ""},
+      Field{"lag_s", &AxisComparison::lag_s, "null: none within a quarter of the common time, or no bend"},
+      Field{"lag_sigma_s", &AxisComparison::lag_sigma_s, ""},
+      Field{"deviation",
+            [](Axis of) {
+              return MayLack<InUnit<Deviation>>{
+                  of.deviation ? std::optional(InUnit<Deviation>{*of.deviation, of.unit}) : std::nullopt};
+            },
+            "where some sample is beyond 2 sigma"},
+      Field{"structure",
+            [](Axis of) {
+              return of.structure ? std::optional(InUnit<DifferenceStructure>{*of.structure, of.unit}) : std::nullopt;
+            },
+            "what of it is an offset, a gain, a lag and a drift; null: too few samples"},
+      Field{"budget", &budget_of, "where the uncertainty is from"},
+      Field{"points", &samples_of, "a row a sample"}};
+};
+
+template <>
+struct ResultType<Comparison> {
+  static constexpr std::string_view name = "Comparison";
+  static constexpr std::string_view meaning = "How two drifts agree.";
+  static constexpr std::tuple fields{
+      Field{"conclusion", [](const Comparison& of) { return conclusion(of); }, "what it says in plain words"},
+      Field{"a", &Comparison::a, "name of the first"},
+      Field{"b", &Comparison::b, "name of the second"},
+      Field{"reference_s", &Comparison::reference_s, "time that both are taken to"},
+      Field{"samples", &Comparison::samples, "common times"},
+      Field{"left_out", &Comparison::left_out, "times of one alone"},
+      Field{"axes",
+            [](const Comparison& of) {
+              TableOf<AxisComparison> axes;
+              for (const AxisComparison& axis : of.axes) axes.emplace_back(axis.name, axis);
+              return axes;
+            },
+            "by name: rmse, bias, correlation, chi^2 and the series of the difference"},
+      Field{"remarks", &Comparison::remarks, ""}};
+};
+
+}  // namespace ballbar

@@ -1,0 +1,66 @@
+// The head of a page's data: what every page has.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ballbar/formats/results/result_type.hpp"
+#include "ballbar/series/series.hpp"
+
+namespace ballbar {
+
+struct PageColumn {
+  std::string name;
+  Role role = Role::event;
+  std::string unit;
+  Bulk values;
+};
+
+template <>
+struct ResultType<PageColumn> {
+  static constexpr std::string_view name = "Column";
+  static constexpr std::string_view meaning = "A column on the clock of its series.";
+  static constexpr std::tuple fields{
+      Field{"name", &PageColumn::name, "with its unit"},
+      Field{"role", &PageColumn::role, "as in a series file: structure, ambient, speed, measured, ..."},
+      Field{"unit", &PageColumn::unit, ""}, Field{"values", &PageColumn::values, ""}};
+};
+
+struct SignalsPart {
+  std::string source;
+  Bulk time_s;
+  std::vector<PageColumn> columns;
+};
+
+template <>
+struct ResultType<SignalsPart> {
+  static constexpr std::string_view name = "SeriesBlock";
+  static constexpr std::string_view meaning = "Columns on one clock.";
+  static constexpr std::tuple fields{Field{"source", &SignalsPart::source, "the file"},
+                                     Field{"time_s", &SignalsPart::time_s, ""},
+                                     Field{"columns", &SignalsPart::columns, ""}};
+};
+
+struct ReportHead {
+  std::string format, title, made_by, made_on;
+  std::vector<std::string> files, summary;
+  std::vector<SignalsPart> signals;
+};
+// Of today and of this program, without files yet.
+ReportHead report_head(const std::string& title);
+
+template <>
+struct ResultType<ReportHead> {
+  static constexpr std::string_view name = "ReportHead";
+  static constexpr std::string_view meaning = "What every page has.";
+  static constexpr std::tuple fields{
+      Field{"format", &ReportHead::format, "ballbar-report 1"},
+      Field{"title", &ReportHead::title, ""},
+      Field{"made_by", &ReportHead::made_by, "ballbar 0.1.0"},
+      Field{"made_on", &ReportHead::made_on, "date"},
+      Field{"files", &ReportHead::files, "that it is made of"},
+      Field{"summary", &ReportHead::summary, "the conclusions, whole sentences, first to be read"},
+      Field{"signals", &ReportHead::signals, "temperatures, speed and the like, each file on its own clock"}};
+};
+
+}  // namespace ballbar
