@@ -40,27 +40,34 @@ class Kalman {
   // Gains for this noise. Where step and sigma repeat, the gain converges and is no longer computed.
   void set(const NoiseVariances& noise);
 
+  // Rows in which the gain is the same.
+  struct Gain {
+    Eigen::Index rows = 1;
+    double decay = 0.0, gain = 0.0;
+    double weight = 0.0;  // 1 / S_i, S_i the variance of innovation i
+  };
+  const std::vector<Gain>& gains() const { return gains_; }  // of all rows, as they come
+
   struct Sums {
-    double log_variances = 0.0;  // sum of ln S_i, S_i the variance of innovation i
+    double log_variances = 0.0;  // sum of ln S_i
     double squares = 0.0;        // sum of v_i^2 / S_i, v_i innovation i
   };
   Sums sums(std::span<const double> residual_um) const;
 
-  double log_variances() const { return log_variances_; }
-  const Eigen::ArrayXd& decay() const { return decay_; }
-  const Eigen::ArrayXd& gain() const { return gain_; }
-  const Eigen::ArrayXd& weight() const { return weight_; }  // 1 / S_i
-  double usual_step_s() const { return usual_step_s_; }     // the median; 0: fewer than two times
-  double shortest_step_s() const { return shortest_step_s_; }
+  double usual_step_s() const { return usual_step_s_; }        // the median; 0: fewer than two times
+  double shortest_step_s() const { return shortest_step_s_; }  // all but a twentieth are as long
 
  private:
-  Eigen::ArrayXd step_s_;        // infinite at the start and where time goes back
-  Eigen::ArrayXd stated_um2_;    // sigma_i^2
-  std::vector<char> as_before_;  // step and sigma are those of the row before, and neither is left out
-  std::vector<char> left_out_;
+  // Rows of the same step and sigma, or one that is left out.
+  struct Stretch {
+    Eigen::Index rows = 1;
+    double stated_um2 = 0.0;  // sigma_i^2
+    bool is_left_out = false;
+  };
+  std::vector<Stretch> stretches_;
+  Eigen::ArrayXd step_s_;  // of each stretch; infinite at the start and where time goes back
   double usual_step_s_ = 0.0, shortest_step_s_ = 0.0;
-  bool mostly_even_ = false;
-  Eigen::ArrayXd decay_, gain_, weight_;
+  std::vector<Gain> gains_;
   double log_variances_ = 0.0;
 };
 

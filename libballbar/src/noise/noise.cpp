@@ -35,7 +35,7 @@ struct Likelihood {
 
   Likelihood(std::span<const double> time_s, std::span<const double> residual, std::span<const double> sigma_um,
              RowMajorMatrix fitted)
-      : restricted(time_s, residual, sigma_um, std::move(fitted)),
+      : restricted(time_s, residual, sigma_um, fitted),
         degrees(static_cast<double>(residual.size()) - static_cast<double>(restricted.columns())),
         stated(!sigma_um.empty()) {
     if (time_s.empty()) return;
@@ -193,10 +193,12 @@ Whitening::Whitening(const Noise& noise, std::span<const double> time_s, std::sp
                      std::span<const std::size_t> left_out) {
   Kalman kalman(time_s, sigma_um, left_out);
   kalman.set(variances_of(noise));
-  decay_.assign(kalman.decay().begin(), kalman.decay().end());
-  gain_.assign(kalman.gain().begin(), kalman.gain().end());
-  const Eigen::ArrayXd scale = kalman.weight().sqrt();
-  scale_.assign(scale.begin(), scale.end());
+  for (const Kalman::Gain& of : kalman.gains()) {
+    const auto rows = static_cast<std::size_t>(of.rows);
+    decay_.insert(decay_.end(), rows, of.decay);
+    gain_.insert(gain_.end(), rows, of.gain);
+    scale_.insert(scale_.end(), rows, std::sqrt(of.weight));
+  }
 }
 
 void Whitening::apply(const double* column, std::size_t stride, double* out, std::size_t out_stride) const {

@@ -120,8 +120,10 @@ std::optional<Floor> of_innovations(const Noise& noise, std::span<const double> 
                                     std::span<const double> sigma_um) {
   if (time_s.size() < kFewestOfResidual) return std::nullopt;
   Kalman kalman(time_s, sigma_um);
-  kalman.set({noise.white_um * noise.white_um, noise.correlated_um * noise.correlated_um, noise.correlation_time_s});
-  return Floor{std::sqrt(kalman.weight().inverse().mean()), "innovations of the residual"};
+  kalman.set(variances_of(noise));
+  double variances = 0.0;
+  for (const Kalman::Gain& of : kalman.gains()) variances += static_cast<double>(of.rows) / of.weight;
+  return Floor{std::sqrt(variances / static_cast<double>(time_s.size())), "innovations of the residual"};
 }
 
 }  // namespace

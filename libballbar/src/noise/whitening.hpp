@@ -19,7 +19,6 @@ class Colouring {
 
  private:
   Kalman kalman_;
-  Eigen::ArrayXd sigma_um_;  // of the innovations
 };
 
 // White noise with no reading beyond 4 sigma (by the median absolute deviation): what counts on many readings stays,
