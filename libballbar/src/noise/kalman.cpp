@@ -71,6 +71,7 @@ NoiseVariances variances_of(const Noise& noise) {
 Kalman::Kalman(std::span<const double> time_s, std::span<const double> sigma_um,
                std::span<const std::size_t> left_out) {
   std::vector<double> steps, of_stretches;
+  steps.reserve(time_s.size());
   auto next_left_out = left_out.begin();
   for (std::size_t i = 0; i < time_s.size(); ++i) {
     Stretch now{1, sigma_um.empty() ? 0.0 : sigma_um[i] * sigma_um[i], false};
@@ -100,57 +101,17 @@ Kalman::Kalman(std::span<const double> time_s, std::span<const double> sigma_um,
   shortest_step_s_ = at(steps.size() / 20);
 }
 
-// s ~ (0, p) before row i:  S = p + R,  gain = p / S,  p after = p R / S;  to the next row p = a^2 p + q^2 (1 - a^2).
-void Kalman::set(const NoiseVariances& noise) {
-  constexpr int kFactors = 8;  // variances multiplied before a logarithm is taken: none is below 1e-18 um^2
-  Eigen::ArrayXd decay = Eigen::ArrayXd::Zero(step_s_.size());
-  if (noise.correlated > 0.0) decay = (step_s_ * (-1.0 / noise.time_s)).exp();
-  gains_.clear();
-  log_variances_ = 0.0;
-  double p = 0.0, product = 1.0;
-  int factors = 0;
-  for (std::size_t k = 0; k < stretches_.size(); ++k) {
-    const Stretch& stretch = stretches_[k];
-    const double a = decay[static_cast<Eigen::Index>(k)], a2 = a * a;
-    const double r = std::max(noise.white + stretch.stated_um2, kLeastVariance_um2);
-    double last = -1.0;
-    for (Eigen::Index i = 0; i < stretch.rows; ++i) {
-      const double before = a2 * p + noise.correlated * (1.0 - a2);
-      Gain now{1, a, 0.0, 1.0 / (before + r)};
-      p = before;
-      if (!stretch.is_left_out) {
-        now.gain = before * now.weight;
-        p = now.gain * r;
-      }
-      if (i > 0 && std::abs(before - last) <= 1e-14 * before) {
-        now.rows = stretch.rows - i;
-        log_variances_ -= static_cast<double>(now.rows) * std::log(now.weight);
-        gains_.push_back(now);
-        break;
-      }
-      gains_.push_back(now);
-      last = before;
-      product *= now.weight;
-      if (++factors < kFactors) continue;
-      log_variances_ -= std::log(product);
-      product = 1.0;
-      factors = 0;
-    }
-  }
-  log_variances_ -= std::log(product);
-}
-
-Kalman::Sums Kalman::sums(std::span<const double> residual_um) const {
+Kalman::Sums Kalman::sums(const NoiseVariances& noise, std::span<const double> residual_um) const {
   const double* r = residual_um.data();
   double squares = 0.0, state = 0.0;
-  for (const Gain& of : gains_) {
+  const double log_variances = for_each_gain(noise, [&](const Gain& of) {
     const Filtered rows =
         of.rows < kLongRun ? filtered(of, r, of.rows, {state, 0.0}) : filtered_in_parts(of, r, {state, 0.0});
     state = rows.state;
     squares += rows.squares * of.weight;
     r += of.rows;
-  }
-  return {log_variances_, squares};
+  });
+  return {log_variances, squares};
 }
 
 }  // namespace ballbar

@@ -119,10 +119,10 @@ std::optional<Floor> of_standstill(const std::vector<SpeedStep>& steps, double l
 std::optional<Floor> of_innovations(const Noise& noise, std::span<const double> time_s,
                                     std::span<const double> sigma_um) {
   if (time_s.size() < kFewestOfResidual) return std::nullopt;
-  Kalman kalman(time_s, sigma_um);
-  kalman.set(variances_of(noise));
   double variances = 0.0;
-  for (const Kalman::Gain& of : kalman.gains()) variances += static_cast<double>(of.rows) / of.weight;
+  Kalman(time_s, sigma_um).for_each_gain(variances_of(noise), [&](const Kalman::Gain& of) {
+    variances += static_cast<double>(of.rows) / of.weight;
+  });
   return Floor{std::sqrt(variances / static_cast<double>(time_s.size())), "innovations of the residual"};
 }
 
