@@ -21,12 +21,13 @@ struct ResultType<NamedBatch> {
   static constexpr std::string_view meaning = "A batch, and how like the job it is.";
   static constexpr std::tuple likeness{
       Field{"room_apart_K", &RankedBatch::room_apart_K, "temperature of the room as it begins"},
-      Field{"distance", &RankedBatch::distance, "how unlike it is"}, Field{"weight", &RankedBatch::weight, ""},
+      Field{"distance", &RankedBatch::distance, "how unlike it is"},
+      Field{"weight", &RankedBatch::weight, ""},
       Field{"components", [](const RankedBatch& of) { return of.settings.components; }, "of the regression up to it"},
       Field{"modelling_rmse_um", &RankedBatch::modelling_rmse_um, "of the batches up to this rank"},
       Field{"predicted_rmse_um", &RankedBatch::predicted_rmse_um, "of the job by these; null: not measured"}};
-  static constexpr std::tuple fields = std::tuple_cat(std::tuple{Field{"batch", &NamedBatch::name, ""}},
-                                                      fields_through(&NamedBatch::ranked, likeness));
+  static constexpr std::tuple fields =
+      std::tuple_cat(std::tuple{Field{"batch", &NamedBatch::name, ""}}, fields_through(&NamedBatch::ranked, likeness));
 };
 
 struct BatchChoice {
@@ -79,7 +80,7 @@ struct ResultType<RandomBatches> {
       Field{"predicted_rmse_um", [](Of of) { return of.found.predicted_rmse_um; }, "of the job, rising"}};
 };
 
-struct Selected {
+struct SelectedBatches {
   std::string target;
   double room_degC = 0.0;
   std::string taken;
@@ -91,18 +92,18 @@ struct Selected {
 };
 
 template <>
-struct ResultType<Selected> {
+struct ResultType<SelectedBatches> {
   static constexpr std::string_view name = "Selected";
   static constexpr std::string_view meaning = "Batches to train on for a job.";
   static constexpr std::tuple fields{
-      Field{"target", &Selected::target, "column that is predicted"},
-      Field{"room_degC", &Selected::room_degC, "as the job begins"},
-      Field{"taken", &Selected::taken, "the choice that is written"},
-      Field{"ranked", &Selected::ranked, "batches by the temperature of their rooms"},
-      Field{"choices", &Selected::choices, "with what came of each"},
-      Field{"held_out", &Selected::held_out, "by number of batches"},
-      Field{"random", &Selected::random, "choices to compare with; null: none"},
-      Field{"remarks", &Selected::remarks, ""}};
+      Field{"target", &SelectedBatches::target, "column that is predicted"},
+      Field{"room_degC", &SelectedBatches::room_degC, "as the job begins"},
+      Field{"taken", &SelectedBatches::taken, "the choice that is written"},
+      Field{"ranked", &SelectedBatches::ranked, "batches by the temperature of their rooms"},
+      Field{"choices", &SelectedBatches::choices, "with what came of each"},
+      Field{"held_out", &SelectedBatches::held_out, "by number of batches"},
+      Field{"random", &SelectedBatches::random, "choices to compare with; null: none"},
+      Field{"remarks", &SelectedBatches::remarks, ""}};
 };
 
 }  // namespace ballbar

@@ -218,13 +218,9 @@ void run(const TrainArguments& given) {
                                    [&](std::size_t k) { return read_batch(opened.files[k]); });
   write_bytes(options.out, write_batch_model(model));
   if (options.json) {
-    TrainedOnBatches result{model.columns.target,
-                            opened.batches.size(),
-                            model.held_out_rmse_um,
-                            model.half_width_um,
-                            {},
-                            {},
-                            opened.remarks};
+    TrainedOnBatches result{
+        model.columns.target, opened.batches.size(), model.held_out_rmse_um, model.half_width_um, {}, {},
+        opened.remarks};
     for (const Contender& one : contenders) result.methods.push_back({one, &one == &best});
     if (effects) result.effects.value = {options.model, *effects};
     print_json(json_of(result));

@@ -23,10 +23,10 @@ struct Contender {
   double rmse_um = 0.0;
 };
 
-inline constexpr std::tuple kContenderErrors{
-    Field{"held_out_um", &Contender::held_out_um, "RMSE of batches left out"},
-    Field{"worst_um", &Contender::worst_um, "of the worst of them"}, Field{"worst_batch", &Contender::worst, ""},
-    Field{"rmse_um", &Contender::rmse_um, "of all batches, trained on"}};
+inline constexpr std::tuple kContenderErrors{Field{"held_out_um", &Contender::held_out_um, "RMSE of batches left out"},
+                                             Field{"worst_um", &Contender::worst_um, "of the worst of them"},
+                                             Field{"worst_batch", &Contender::worst, ""},
+                                             Field{"rmse_um", &Contender::rmse_um, "of all batches, trained on"}};
 
 struct TrainedMethod {
   Contender contender;
@@ -38,12 +38,12 @@ struct ResultType<TrainedMethod> {
   using Of = const TrainedMethod&;
   static constexpr std::string_view name = "TrainedMethod";
   static constexpr std::string_view meaning = "A method of regression.";
-  static constexpr std::tuple fields =
-      std::tuple_cat(std::tuple{Field{"method", [](Of of) { return of.contender.settings.method; }, "pcr, ridge, ..."},
-                                Field{"components", [](Of of) { return of.contender.settings.components; }, ""},
-                                Field{"penalty_K2", [](Of of) { return of.contender.settings.penalty_K2; }, "of ridge"}},
-                     fields_through(&TrainedMethod::contender, kContenderErrors),
-                     std::tuple{Field{"taken", &TrainedMethod::taken, "whether it is written"}});
+  static constexpr std::tuple fields = std::tuple_cat(
+      std::tuple{Field{"method", [](Of of) { return of.contender.settings.method; }, "pcr, ridge, ..."},
+                 Field{"components", [](Of of) { return of.contender.settings.components; }, ""},
+                 Field{"penalty_K2", [](Of of) { return of.contender.settings.penalty_K2; }, "of ridge"}},
+      fields_through(&TrainedMethod::contender, kContenderErrors),
+      std::tuple{Field{"taken", &TrainedMethod::taken, "whether it is written"}});
 };
 
 struct ComparedModel {
@@ -82,24 +82,23 @@ struct ResultType<TrainedOnBatches> {
       Field{"remarks", &TrainedOnBatches::remarks, ""}};
 };
 
-struct TestedForecasts {
+struct ForecastTest {
   Forecasts forecasts;
   bool predicted = false;
 };
 
 template <>
-struct ResultType<TestedForecasts> {
+struct ResultType<ForecastTest> {
   static constexpr std::string_view name = "Forecasts";
   static constexpr std::string_view meaning = "Rows that the training did not have, predicted.";
   static constexpr std::tuple errors{
       Field{"count", &Forecasts::count, "of origins, or of runs left out"},
-      Field{"error_um", &Forecasts::error_um, "mean of the absolute error"},
-      Field{"rmse_um", &Forecasts::rmse_um, ""},
+      Field{"error_um", &Forecasts::error_um, "mean of the absolute error"}, Field{"rmse_um", &Forecasts::rmse_um, ""},
       Field{"held_um", &Forecasts::held_um, "RMSE where the last value, or the mean, is held; of runs 0 um"},
       Field{"within_share", &Forecasts::within_share, "within the interval of 95 %"}};
   static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&TestedForecasts::forecasts, errors),
-                     std::tuple{Field{"predicted", &TestedForecasts::predicted, "whether that is better than chance"}});
+      std::tuple_cat(fields_through(&ForecastTest::forecasts, errors),
+                     std::tuple{Field{"predicted", &ForecastTest::predicted, "whether that is better than chance"}});
 };
 
 template <>
@@ -128,10 +127,17 @@ struct ResultType<CancellingColumns> {
   using Of = const CancellingColumns&;
   static constexpr std::string_view name = "CancellingColumns";
   static constexpr std::string_view meaning = "Two columns that nearly cancel: neither is a cause by itself.";
-  static constexpr std::tuple fields{
-      Field{"columns", [](Of of) { return std::vector{of.first, of.second}; }, ""},
-      Field{"range_um", [](Of of) { return std::vector{of.first_um, of.second_um}; }, "of each"},
-      Field{"sum_um", &CancellingColumns::sum_um, "range of both together"}};
+  static constexpr std::tuple fields{Field{"columns",
+                                           [](Of of) {
+                                             return std::vector{of.first, of.second};
+                                           },
+                                           ""},
+                                     Field{"range_um",
+                                           [](Of of) {
+                                             return std::vector{of.first_um, of.second_um};
+                                           },
+                                           "of each"},
+                                     Field{"sum_um", &CancellingColumns::sum_um, "range of both together"}};
 };
 
 template <>
@@ -144,7 +150,7 @@ struct ResultType<OtherMethod> {
 
 struct TrainedOnEffects {
   EffectRegression regression;
-  std::optional<TestedForecasts> forecasts;
+  std::optional<ForecastTest> forecasts;
   DriverReport drivers;
   std::vector<OtherMethod> methods;
   std::vector<std::string> remarks;
@@ -172,13 +178,13 @@ struct ResultType<TrainedOnEffects> {
       Field{"not_needed", &DriverReport::not_needed, "columns without which nothing changes"},
       Field{"interchangeable", &DriverReport::interchangeable, "sets of columns, of which any will do"},
       Field{"cancelling", &DriverReport::cancelling, "pairs of columns"}};
-  static constexpr std::tuple fields = std::tuple_cat(
-      fields_through(&TrainedOnEffects::regression, of_regression),
-      std::tuple{Field{"forecasts", &TrainedOnEffects::forecasts, "null: too few rows"}},
-      fields_through(&TrainedOnEffects::drivers, of_drivers),
-      std::tuple{Field{"methods", &TrainedOnEffects::methods, "of a list of runs: in the same contest"},
-                 Field{"remarks", &TrainedOnEffects::remarks, ""},
-                 Field{"sentence", &TrainedOnEffects::sentence, "what it says in plain words"}});
+  static constexpr std::tuple fields =
+      std::tuple_cat(fields_through(&TrainedOnEffects::regression, of_regression),
+                     std::tuple{Field{"forecasts", &TrainedOnEffects::forecasts, "null: too few rows"}},
+                     fields_through(&TrainedOnEffects::drivers, of_drivers),
+                     std::tuple{Field{"methods", &TrainedOnEffects::methods, "of a list of runs: in the same contest"},
+                                Field{"remarks", &TrainedOnEffects::remarks, ""},
+                                Field{"sentence", &TrainedOnEffects::sentence, "what it says in plain words"}});
 };
 
 }  // namespace ballbar

@@ -20,10 +20,9 @@ template <>
 struct ResultType<MadeSets> {
   static constexpr std::string_view name = "BlindMade";
   static constexpr std::string_view meaning = "Data sets in which effects may be hidden.";
-  static constexpr std::tuple fields{Field{"folder", &MadeSets::folder, "of the sets"},
-                                     Field{"sets", &MadeSets::sets, "how many"},
-                                     Field{"answers", &MadeSets::answers, "file"},
-                                     Field{"sha256", &MadeSets::sha256, "of the answers"}};
+  static constexpr std::tuple fields{
+      Field{"folder", &MadeSets::folder, "of the sets"}, Field{"sets", &MadeSets::sets, "how many"},
+      Field{"answers", &MadeSets::answers, "file"}, Field{"sha256", &MadeSets::sha256, "of the answers"}};
 };
 
 struct NextRun {

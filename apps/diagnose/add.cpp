@@ -145,7 +145,8 @@ std::string add_errors(const AddArguments& options, const ModelData& data, Story
       with_source(options.effect.model.data.front(), [&] { return machine_errors_of_trace(data.series); });
   for (const AddedError& one : found.one_by_one) {
     const std::vector<Term>& terms = story.model.model().terms;
-    const bool has = std::any_of(terms.begin(), terms.end(), [&](const Term& term) { return term.effect.get() == one.effect; });
+    const bool has =
+        std::any_of(terms.begin(), terms.end(), [&](const Term& term) { return term.effect.get() == one.effect; });
     if (has) continue;
     add_terms(options, {term_of(one.effect->name, {}, Level::recording)}, false, story);
     story.effect_tests.back().after.verdict = name_of(Verdict::named);

@@ -36,8 +36,8 @@ struct DiagnoseArguments {
 DiagnosisReport diagnosed(const DiagnoseArguments& options, const Model& of_one_target,
                           const std::shared_ptr<const ModelData>& data) {
   const ProgressLine line;
-  Workbench bench = workbench_of(options.model, data, of_one_target,
-                                 diagnosis_options(options.how, of_one_target.targets.front()));
+  Workbench bench =
+      workbench_of(options.model, data, of_one_target, diagnosis_options(options.how, of_one_target.targets.front()));
   return diagnosis_report_of(options.model, bench);
 }
 
@@ -46,8 +46,7 @@ void show_one_of_several(const DiagnoseArguments& options, const Model& model,
                          const std::shared_ptr<const ModelData>& data, std::size_t target, DiagnosedTargets& all) {
   if (target > 0 && !options.json) fmt::print("\n");
   try {
-    const DiagnosisReport diagnosis_report =
-        diagnosed(options, of_one_target(model, options.model, target), data);
+    const DiagnosisReport diagnosis_report = diagnosed(options, of_one_target(model, options.model, target), data);
     if (options.json) {
       all.targets.emplace_back(diagnosis_report);
     } else {

@@ -9,9 +9,9 @@
 
 #include "ballbar/diagnosis/next_test/next_test.hpp"
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/workbench/workbench.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
-#include "ballbar/workbench/workbench.hpp"
 
 namespace ballbar {
 
@@ -33,9 +33,9 @@ struct DiagnosisReport {
   ResidualReport residual_report;
   Diagnosis diagnosis;
   std::vector<NextTest> next_tests;
-  std::string command;         // to paste next; empty: none
-  std::string plan_command;    // that plans the test which would decide; empty: none, or recordings
-  std::string hint;            // what to do where no command does it, a sentence; or empty
+  std::string command;       // to paste next; empty: none
+  std::string plan_command;  // that plans the test which would decide; empty: none, or recordings
+  std::string hint;          // what to do where no command does it, a sentence; or empty
   std::vector<StandIn> stand_ins;
 };
 

@@ -65,10 +65,10 @@ struct ResultType<DiagnosisReport> {
       Field{"reasons", &Diagnosis::reasons, "why it is not named, or not all of it"},
       Field{"gains_by_run", &Diagnosis::gains_by_run, "of several runs: gains that differ"}};
   // Of the report, about its effects and its candidates, which a page has more of.
-  static constexpr std::tuple told = std::tuple_cat(
-      fields_through(&DiagnosisReport::diagnosis, of_diagnosis),
-      std::tuple{Field{"command", &DiagnosisReport::command, "to type next; empty: none"}},
-      fields_through(&DiagnosisReport::diagnosis, found));
+  static constexpr std::tuple told =
+      std::tuple_cat(fields_through(&DiagnosisReport::diagnosis, of_diagnosis),
+                     std::tuple{Field{"command", &DiagnosisReport::command, "to type next; empty: none"}},
+                     fields_through(&DiagnosisReport::diagnosis, found));
   static constexpr std::tuple open = std::tuple_cat(
       std::tuple{Field{"stand_ins", &DiagnosisReport::stand_ins, "effects added earlier that others explain better"}},
       fields_through(&DiagnosisReport::diagnosis, hidden),
@@ -102,7 +102,8 @@ template <>
 struct ResultType<DiagnosedTargets> {
   static constexpr std::string_view name = "DiagnosedTargets";
   static constexpr std::string_view meaning = "Which effect a model of several targets lacks.";
-  static constexpr std::tuple fields{Field{"targets", &DiagnosedTargets::targets, "of several targets, each as of one"}};
+  static constexpr std::tuple fields{
+      Field{"targets", &DiagnosedTargets::targets, "of several targets, each as of one"}};
 };
 
 }  // namespace ballbar

@@ -1,4 +1,5 @@
-// What `diagnose --follow --json` prints: a line a look, and one at the end; and what a diagnosis says while it goes on.
+// What `diagnose --follow --json` prints: a line a look, and one at the end; and what a diagnosis says while it goes
+// on.
 #pragma once
 
 #include <optional>
@@ -42,8 +43,7 @@ struct ResultType<Looked> {
   static constexpr std::tuple fields{
       Field{"hours", [](Of of) { return of.look.hours; }, "from the first row to the last"},
       Field{"values", [](Of of) { return of.look.values; }, "of the target"},
-      Field{"verdict",
-            [](Of of) { return of.look.fault.empty() ? std::optional(of.look.verdict) : std::nullopt; },
+      Field{"verdict", [](Of of) { return of.look.fault.empty() ? std::optional(of.look.verdict) : std::nullopt; },
             "as of diagnose; null: not diagnosed"},
       Field{"p_nothing", [](Of of) { return of.look.p_nothing; }, "probability that nothing is missing"},
       Field{"log_bayes_factor", [](Of of) { return of.look.log_bayes_factor; },
@@ -64,13 +64,12 @@ template <>
 struct ResultType<Followed> {
   static constexpr std::string_view name = "Followed";
   static constexpr std::string_view meaning = "How a run that was followed came out.";
-  static constexpr std::tuple fields{
-      Field{"outcome", &Followed::outcome, "open, decided, undecidable"},
-      Field{"decided", &Followed::decided, "effects that are missing"},
-      Field{"sentence", &Followed::sentence, "what it says in plain words"},
-      Field{"error", &Followed::error, "how often it errs"},
-      Field{"command", &Followed::command, "to type next; empty: none"},
-      Field{"hint", &Followed::hint, "what no command does; empty: nothing"}};
+  static constexpr std::tuple fields{Field{"outcome", &Followed::outcome, "open, decided, undecidable"},
+                                     Field{"decided", &Followed::decided, "effects that are missing"},
+                                     Field{"sentence", &Followed::sentence, "what it says in plain words"},
+                                     Field{"error", &Followed::error, "how often it errs"},
+                                     Field{"command", &Followed::command, "to type next; empty: none"},
+                                     Field{"hint", &Followed::hint, "what no command does; empty: nothing"}};
 };
 
 }  // namespace ballbar

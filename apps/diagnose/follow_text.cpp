@@ -53,7 +53,8 @@ void print_look(const FollowState& state, bool json) {
 void print_outcome(const FollowState& state, const NextStep& next, bool json) {
   if (json) {
     print_json(
-        json_of(Followed{state.outcome, state.decided, outcome_text(state), error_text(), next.command, next.hint}), -1);
+        json_of(Followed{state.outcome, state.decided, outcome_text(state), error_text(), next.command, next.hint}),
+        -1);
     return;
   }
   fmt::print("{}{}", state.looks.empty() ? "" : "\n", wrapped(outcome_text(state)));

@@ -19,8 +19,7 @@ struct ResultType<Sighting> {
   static constexpr std::string_view meaning = "What a diagnosis makes of an effect that is there.";
   static constexpr std::tuple fields{
       Field{"verdict", &Sighting::verdict, "of the diagnosis"},
-      Field{"seen", &Sighting::seen,
-            "named, probable, in the reported set, driver, candidate, unexplained, not seen"}};
+      Field{"seen", &Sighting::seen, "named, probable, in the reported set, driver, candidate, unexplained, not seen"}};
 };
 
 template <>

@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "ballbar/formats/recordings/recording_results.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
-#include "ballbar/formats/results/recording_results.hpp"
 #include "ballbar/units.hpp"
 #include "diagnose/machine_errors_report.hpp"
 
@@ -147,8 +147,8 @@ struct ResultType<ErrorRow> {
       Field{"circularity_gain_um", of_rank(&RankedError::gain_um), "circularity now less that"},
       Field{"circularity_gain_sigma_um", of_rank(&RankedError::gain_sigma_um), "null: not asked for"},
       Field{"effect", if_ranked([](Row of) { return of.ranked->effect->name; }), "as `ballbar effects` lists it"},
-      Field{"stored_individual_circularity_um",
-            if_ranked([](Row of) { return of.stored_individual_circularity_um; }), ""},
+      Field{"stored_individual_circularity_um", if_ranked([](Row of) { return of.stored_individual_circularity_um; }),
+            ""},
       Field{"p_value", if_ranked([](Row of) { return of.ranked->p_value; }), "of noise that shows as much"},
       Field{"shape", if_ranked([](Row of) { return of.ranked->shape; }),
             "width of a spike, deg; pitch of a cyclic error, mm; null: none"},
@@ -180,13 +180,12 @@ template <>
 struct ResultType<PriorOfError> {
   static constexpr std::string_view name = "PriorOfError";
   static constexpr std::string_view meaning = "What an error is held to be before the readings speak.";
-  static constexpr std::tuple fields{
-      Field{"name", &PriorOfError::name, ""},
-      Field{"value", [](const PriorOfError&) { return 0.0; }, ""},
-      Field{"sigma", &PriorOfError::sigma, ""},
-      Field{"unit", &PriorOfError::unit, ""},
-      Field{"readings_alone", &PriorOfError::alone, "its value by the readings alone"},
-      Field{"readings_alone_sigma", &PriorOfError::alone_sigma, ""}};
+  static constexpr std::tuple fields{Field{"name", &PriorOfError::name, ""},
+                                     Field{"value", [](const PriorOfError&) { return 0.0; }, ""},
+                                     Field{"sigma", &PriorOfError::sigma, ""},
+                                     Field{"unit", &PriorOfError::unit, ""},
+                                     Field{"readings_alone", &PriorOfError::alone, "its value by the readings alone"},
+                                     Field{"readings_alone_sigma", &PriorOfError::alone_sigma, ""}};
 };
 
 // That the test shows, without columns: they are the axes'.
@@ -208,12 +207,11 @@ struct ResultType<ErrorsReport> {
       Field{"circularity_um", &MachineErrors::circularity_um, "largest less smallest reading about the fitted centre"},
       Field{"circularity_without_all_um", &MachineErrors::circularity_without_all_um,
             "that remains once all significant errors are mended"}};
-  static constexpr std::tuple left{
-      Field{"residual_rms_um", &MachineErrors::residual_rms_um, "that all errors leave"},
-      Field{"repeatability_um", &MachineErrors::repeatability_um,
-            "what of it is not the same in both directions; null: one direction"},
-      Field{"noise", &MachineErrors::noise, "of the readings"},
-      Field{"left", &MachineErrors::left, "a wave that no error explains; null: none"}};
+  static constexpr std::tuple left{Field{"residual_rms_um", &MachineErrors::residual_rms_um, "that all errors leave"},
+                                   Field{"repeatability_um", &MachineErrors::repeatability_um,
+                                         "what of it is not the same in both directions; null: one direction"},
+                                   Field{"noise", &MachineErrors::noise, "of the readings"},
+                                   Field{"left", &MachineErrors::left, "a wave that no error explains; null: none"}};
   static constexpr std::tuple driven{
       Field{"plane", [](Report of) { return of.recordings.front().plane; }, "XY, YZ, ZX"},
       Field{"nominal_length_mm", [](Report of) { return of.recordings.front().nominal_length_mm; }, ""}};
@@ -222,11 +220,11 @@ struct ResultType<ErrorsReport> {
       fields_through(&ErrorsReport::found, found),
       std::tuple{Field{"differences", &difference_texts, "where ours and the instrument's values differ, and why"}},
       fields_through(&ErrorsReport::found, left),
-      std::tuple{Field{"left_text", &left_text, "what the errors do not explain"},
-                 Field{"undetermined", [](Report of) { return of.found.undetermined; },
-                       "what the readings do not tell apart"},
-                 Field{"prior", [](Report of) { return of.found.prior; }, ""},
-                 Field{"tolerances", &tolerance_texts, "pass or fail, a line each"}});
+      std::tuple{
+          Field{"left_text", &left_text, "what the errors do not explain"},
+          Field{"undetermined", [](Report of) { return of.found.undetermined; }, "what the readings do not tell apart"},
+          Field{"prior", [](Report of) { return of.found.prior; }, ""},
+          Field{"tolerances", &tolerance_texts, "pass or fail, a line each"}});
   static constexpr std::tuple fields =
       std::tuple_cat(std::tuple{Field{"files", &ErrorsReport::files, "of recordings"}}, driven,
                      std::tuple{Field{"recordings", &ErrorsReport::recordings, ""}}, rest);
@@ -239,8 +237,7 @@ struct ResultType<StoredFeature> {
   static constexpr std::string_view meaning = "A value that a file stores.";
   static constexpr std::tuple fields{
       Field{"parent", &StoredFeature::parent, "run or analysis that it is of"},
-      Field{"name", &StoredFeature::name, "as the file has it"},
-      Field{"value", &StoredFeature::value, ""},
+      Field{"name", &StoredFeature::name, "as the file has it"}, Field{"value", &StoredFeature::value, ""},
       Field{"unit", [](const StoredFeature& of) { return unit_of_data_type(of.data_type); }, ""}};
 };
 

@@ -49,7 +49,8 @@ struct ResultType<LedgerEntry> {
       Field{"best_surrogate_fall", &LedgerRow::best_surrogate_fall,
             "share by which the best of 200 surrogates lowers the RMSE"}};
   static constexpr std::tuple judged{
-      Field{"verdict", &LedgerRow::verdict, "start, named, supported, time only, not supported, driver known, empirical"},
+      Field{"verdict", &LedgerRow::verdict,
+            "start, named, supported, time only, not supported, driver known, empirical"},
       Field{"target", &LedgerRow::target, "which the figures are of"},
       Field{"data", &LedgerRow::data, "files, as they were named"}};
   static constexpr std::tuple grown{
@@ -58,10 +59,9 @@ struct ResultType<LedgerEntry> {
       Field{"discrepancy_um", &LedgerRow::discrepancy_um, "standard deviation of the slow curve that is left"},
       Field{"still_needed", &LedgerRow::still_needed, "earlier effects, tested anew"},
       Field{"no_longer_needed", &LedgerRow::no_longer_needed, ""}};
-  static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&LedgerEntry::row, std::tuple_cat(change, ResultType<LedgerRow>::fields, judged,
-                                                                      weighed, grown)),
-                     std::tuple{Field{"sentence", &LedgerEntry::sentence, "what it says in plain words"}});
+  static constexpr std::tuple fields = std::tuple_cat(
+      fields_through(&LedgerEntry::row, std::tuple_cat(change, ResultType<LedgerRow>::fields, judged, weighed, grown)),
+      std::tuple{Field{"sentence", &LedgerEntry::sentence, "what it says in plain words"}});
 };
 
 template <>
@@ -85,16 +85,17 @@ struct ResultType<AddedEffect> {
   static constexpr std::string_view meaning = "An effect that was added for a test.";
   static constexpr std::tuple fields = std::tuple_cat(
       fields_through(&AddedEffect::bound, ResultType<BoundEffect>::fields),
-      fields_through(&AddedEffect::tried,
-                     std::tuple{Field{"amplitude_um", &Candidate::amplitude_um, "largest less smallest of what it adds"},
-                                Field{"amplitude_sigma_um", &Candidate::amplitude_sigma_um, "null: not determined"},
-                                Field{"likelihood_ratio", &Candidate::likelihood_ratio,
-                                      "2 ln of how much likelier the readings are with it than without"},
-                                Field{"threshold", &Candidate::threshold, "from which that counts"},
-                                Field{"best_surrogate_fall", &Candidate::best_surrogate_fall,
-                                      "share by which the best surrogate lowers the RMSE; null: not tested"},
-                                Field{"p_same_gain", &Candidate::p_same_gain,
-                                      "of gains as different from cycle to cycle, by chance"}}),
+      fields_through(
+          &AddedEffect::tried,
+          std::tuple{
+              Field{"amplitude_um", &Candidate::amplitude_um, "largest less smallest of what it adds"},
+              Field{"amplitude_sigma_um", &Candidate::amplitude_sigma_um, "null: not determined"},
+              Field{"likelihood_ratio", &Candidate::likelihood_ratio,
+                    "2 ln of how much likelier the readings are with it than without"},
+              Field{"threshold", &Candidate::threshold, "from which that counts"},
+              Field{"best_surrogate_fall", &Candidate::best_surrogate_fall,
+                    "share by which the best surrogate lowers the RMSE; null: not tested"},
+              Field{"p_same_gain", &Candidate::p_same_gain, "of gains as different from cycle to cycle, by chance"}}),
       std::tuple{Field{"time_only", [](const AddedEffect& of) { return of.bound.effect->time_only; },
                        "whether it needs nothing but time"},
                  Field{"doubts", [](const AddedEffect& of) { return of.tried.doubts; }, "why it is not supported"},
@@ -105,12 +106,11 @@ template <>
 struct ResultType<DropTest> {
   static constexpr std::string_view name = "EarlierEffect";
   static constexpr std::string_view meaning = "An effect of the model, tested by leaving it out.";
-  static constexpr std::tuple fields{
-      Field{"effect", &DropTest::label, "with its columns"},
-      Field{"likelihood_ratio", &DropTest::likelihood_ratio, "2 ln B"},
-      Field{"parameters", &DropTest::parameters, "free ones"},
-      Field{"p_drop", &DropTest::p, "that it is not needed"},
-      Field{"needed", &DropTest::needed, ""}};
+  static constexpr std::tuple fields{Field{"effect", &DropTest::label, "with its columns"},
+                                     Field{"likelihood_ratio", &DropTest::likelihood_ratio, "2 ln B"},
+                                     Field{"parameters", &DropTest::parameters, "free ones"},
+                                     Field{"p_drop", &DropTest::p, "that it is not needed"},
+                                     Field{"needed", &DropTest::needed, ""}};
 };
 
 template <>
@@ -185,13 +185,12 @@ template <>
 struct ResultType<Added> {
   static constexpr std::string_view name = "Added";
   static constexpr std::string_view meaning = "New revisions of a model.";
-  static constexpr std::tuple fields{
-      Field{"rows", &Added::rows, "of the ledger"},
-      Field{"revisions", &Added::revisions, "before and after each"},
-      Field{"growth", &Added::growth, "of a model that grew by effects that predict"},
-      Field{"sentence", &Added::sentence, "what that growth says"},
-      Field{"stopped", &Added::stopped, "with --auto: why nothing more was added"},
-      Field{"written", &Added::written, "file; null: nothing was added"}};
+  static constexpr std::tuple fields{Field{"rows", &Added::rows, "of the ledger"},
+                                     Field{"revisions", &Added::revisions, "before and after each"},
+                                     Field{"growth", &Added::growth, "of a model that grew by effects that predict"},
+                                     Field{"sentence", &Added::sentence, "what that growth says"},
+                                     Field{"stopped", &Added::stopped, "with --auto: why nothing more was added"},
+                                     Field{"written", &Added::written, "file; null: nothing was added"}};
 };
 
 struct Undone {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "history/fleet_text.hpp"
 #include "history/page_parts.hpp"
 #include "history/quantity_text.hpp"

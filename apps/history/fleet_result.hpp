@@ -53,9 +53,7 @@ struct ResultType<FleetFinding> {
             "date; the tests between which it steps, else the first and the last"},
       Field{"to", [](const Finding& of) { return date_text(of.to_s); }, ""},
       Field{"axis",
-            [](const Finding& of) {
-              return of.axis ? std::optional(std::string(1, "XYZ"[*of.axis])) : std::nullopt;
-            },
+            [](const Finding& of) { return of.axis ? std::optional(std::string(1, "XYZ"[*of.axis])) : std::nullopt; },
             "where it is one"},
       Field{"p_value", &Finding::p_value, "of the clearest quantity"},
       Field{"q_value", &Finding::q_value, ""},
@@ -108,16 +106,15 @@ template <>
 struct ResultType<FleetMachine> {
   static constexpr std::string_view name = "FleetMachine";
   static constexpr std::string_view meaning = "A machine, and what it needs.";
-  static constexpr std::tuple fields{
-      Field{"machine", &FleetMachine::name, "as its tests state it, else their folder"},
-      Field{"tests", &FleetMachine::tests, "how many"},
-      Field{"first", [](const FleetMachine& of) { return day_of(of.first_s); }, "date"},
-      Field{"last", [](const FleetMachine& of) { return day_of(of.last_s); }, ""},
-      Field{"need", &FleetMachine::need, "beyond, expected, finding, nothing"},
-      Field{"reason", &FleetMachine::reason, "why it stands where it does"},
-      Field{"findings", &findings_of, "the clearest first"},
-      Field{"tolerances", &tolerances_of, ""},
-      Field{"series", &FleetMachine::series, "of what findings and tolerances name"}};
+  static constexpr std::tuple fields{Field{"machine", &FleetMachine::name, "as its tests state it, else their folder"},
+                                     Field{"tests", &FleetMachine::tests, "how many"},
+                                     Field{"first", [](const FleetMachine& of) { return day_of(of.first_s); }, "date"},
+                                     Field{"last", [](const FleetMachine& of) { return day_of(of.last_s); }, ""},
+                                     Field{"need", &FleetMachine::need, "beyond, expected, finding, nothing"},
+                                     Field{"reason", &FleetMachine::reason, "why it stands where it does"},
+                                     Field{"findings", &findings_of, "the clearest first"},
+                                     Field{"tolerances", &tolerances_of, ""},
+                                     Field{"series", &FleetMachine::series, "of what findings and tolerances name"}};
 };
 
 // A change of a bar, with the names of the machines.

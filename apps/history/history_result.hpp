@@ -37,10 +37,9 @@ template <>
 struct ResultType<LastValue> {
   static constexpr std::string_view name = "LastValue";
   static constexpr std::string_view meaning = "A quantity in the newest test.";
-  static constexpr std::tuple fields{Field{"value", &LastValue::value, ""},
-                                     Field{"sigma", &LastValue::sigma, "null: not known"},
-                                     Field{"significant", &LastValue::significant, ""},
-                                     Field{"date", &LastValue::date, "of tests with one"}};
+  static constexpr std::tuple fields{
+      Field{"value", &LastValue::value, ""}, Field{"sigma", &LastValue::sigma, "null: not known"},
+      Field{"significant", &LastValue::significant, ""}, Field{"date", &LastValue::date, "of tests with one"}};
 };
 
 template <>
@@ -142,10 +141,9 @@ struct ResultType<GroupResult> {
                                      Field{"feed_mm_per_min", &TestGroup::feed_mm_per_min, "null: not stated"},
                                      Field{"start_deg", &TestGroup::start_deg, ""},
                                      Field{"arc_deg", &TestGroup::arc_deg, ""}};
-  static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&GroupResult::group, driven),
-                     std::tuple{Field{"tests", &GroupResult::tests, "by date"},
-                                Field{"quantities", &GroupResult::quantities, ""}});
+  static constexpr std::tuple fields = std::tuple_cat(
+      fields_through(&GroupResult::group, driven),
+      std::tuple{Field{"tests", &GroupResult::tests, "by date"}, Field{"quantities", &GroupResult::quantities, ""}});
 };
 
 struct SquarenessResult {
@@ -174,10 +172,9 @@ template <>
 struct ResultType<AxisScale> {
   static constexpr std::string_view name = "AxisScale";
   static constexpr std::string_view meaning = "The scale of an axis.";
-  static constexpr std::tuple fields{Field{"axis", letter_of(&AxisScale::axis), "X, Y, Z"},
-                                     Field{"value", &AxisScale::value_ppm, "um/m"},
-                                     Field{"sigma", &AxisScale::sigma_ppm, ""},
-                                     Field{"planes", &AxisScale::planes, "that it is measured in"}};
+  static constexpr std::tuple fields{
+      Field{"axis", letter_of(&AxisScale::axis), "X, Y, Z"}, Field{"value", &AxisScale::value_ppm, "um/m"},
+      Field{"sigma", &AxisScale::sigma_ppm, ""}, Field{"planes", &AxisScale::planes, "that it is measured in"}};
 };
 
 struct PullResult {
@@ -229,11 +226,10 @@ template <>
 struct ResultType<GeometryResult> {
   static constexpr std::string_view name = "MachineGeometry";
   static constexpr std::string_view meaning = "Squareness and scales of a machine.";
-  static constexpr std::tuple fields{
-      Field{"within_a_day", &GeometryResult::within_a_day, "whether all tests are"},
-      Field{"out_of_square_um_per_m", &GeometryResult::squareness, "a row a plane"},
-      Field{"scales_um_per_m", &GeometryResult::scales, "a row an axis"},
-      Field{"agreement", &GeometryResult::agreement, "of the tests"}};
+  static constexpr std::tuple fields{Field{"within_a_day", &GeometryResult::within_a_day, "whether all tests are"},
+                                     Field{"out_of_square_um_per_m", &GeometryResult::squareness, "a row a plane"},
+                                     Field{"scales_um_per_m", &GeometryResult::scales, "a row an axis"},
+                                     Field{"agreement", &GeometryResult::agreement, "of the tests"}};
 };
 
 struct MachineResult {
@@ -247,12 +243,11 @@ template <>
 struct ResultType<MachineResult> {
   static constexpr std::string_view name = "MachineHistory";
   static constexpr std::string_view meaning = "A machine over its tests.";
-  static constexpr std::tuple fields{
-      Field{"machine", &MachineResult::machine, "empty: no test names one"},
-      Field{"changes_judged", &MachineResult::changes, ""},
-      Field{"trends_judged", &MachineResult::trends, ""},
-      Field{"groups", &MachineResult::groups, "of tests that can be compared"},
-      Field{"geometry", &MachineResult::geometry, "squareness and scales"}};
+  static constexpr std::tuple fields{Field{"machine", &MachineResult::machine, "empty: no test names one"},
+                                     Field{"changes_judged", &MachineResult::changes, ""},
+                                     Field{"trends_judged", &MachineResult::trends, ""},
+                                     Field{"groups", &MachineResult::groups, "of tests that can be compared"},
+                                     Field{"geometry", &MachineResult::geometry, "squareness and scales"}};
 };
 
 struct HistoryResult {
@@ -278,8 +273,10 @@ struct ResultType<TestQuantity> {
   static constexpr std::string_view name = "TestQuantity";
   static constexpr std::string_view meaning = "An error, or a quantity, of a test.";
   static constexpr std::tuple fields{
-      Field{"name", &TestQuantity::name, ""}, Field{"value", &TestQuantity::value, ""},
-      Field{"sigma", &TestQuantity::sigma, "null: not known"}, Field{"unit", &TestQuantity::unit, ""},
+      Field{"name", &TestQuantity::name, ""},
+      Field{"value", &TestQuantity::value, ""},
+      Field{"sigma", &TestQuantity::sigma, "null: not known"},
+      Field{"unit", &TestQuantity::unit, ""},
       Field{"significant", &TestQuantity::significant, "whether the test shows it"},
       Field{"rank", &TestQuantity::rank, "by what mending it gains, 1 the most; null: none"},
       Field{"of_set_up", &TestQuantity::of_set_up, "it says nothing of the machine"}};

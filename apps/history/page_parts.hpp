@@ -54,11 +54,10 @@ template <>
 struct ResultType<DrawnGroup> {
   static constexpr std::string_view name = "HistoryGroup";
   static constexpr std::string_view meaning = "Tests that can be compared.";
-  static constexpr std::tuple fields{Field{"label", &DrawnGroup::label, "XY, 100 mm, 1000 mm/min, 360 deg"},
-                                     Field{"first", &DrawnGroup::first, "quantity to look at first"},
-                                     Field{"quantities", &DrawnGroup::quantities, ""},
-                                     Field{"heading", &DrawnGroup::heading, "of the table"},
-                                     Field{"rows", &DrawnGroup::rows, ""}};
+  static constexpr std::tuple fields{
+      Field{"label", &DrawnGroup::label, "XY, 100 mm, 1000 mm/min, 360 deg"},
+      Field{"first", &DrawnGroup::first, "quantity to look at first"}, Field{"quantities", &DrawnGroup::quantities, ""},
+      Field{"heading", &DrawnGroup::heading, "of the table"}, Field{"rows", &DrawnGroup::rows, ""}};
 };
 
 struct HistoryPart {
@@ -125,16 +124,18 @@ template <>
 struct ResultType<HistoryReport> {
   static constexpr std::string_view name = "HistoryReport";
   static constexpr std::string_view meaning = "The data of a page of a machine over its tests.";
-  static constexpr std::tuple fields = std::tuple_cat(fields_through(&HistoryReport::head, ResultType<ReportHead>::fields),
-                                                      std::tuple{Field{"history", &HistoryReport::history, ""}});
+  static constexpr std::tuple fields =
+      std::tuple_cat(fields_through(&HistoryReport::head, ResultType<ReportHead>::fields),
+                     std::tuple{Field{"history", &HistoryReport::history, ""}});
 };
 
 template <>
 struct ResultType<FleetReport> {
   static constexpr std::string_view name = "FleetReport";
   static constexpr std::string_view meaning = "The data of a page of many machines.";
-  static constexpr std::tuple fields = std::tuple_cat(fields_through(&FleetReport::head, ResultType<ReportHead>::fields),
-                                                      std::tuple{Field{"fleet", &FleetReport::fleet, ""}});
+  static constexpr std::tuple fields =
+      std::tuple_cat(fields_through(&FleetReport::head, ResultType<ReportHead>::fields),
+                     std::tuple{Field{"fleet", &FleetReport::fleet, ""}});
 };
 
 }  // namespace ballbar

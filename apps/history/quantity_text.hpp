@@ -27,7 +27,7 @@ std::string trend_text(const QuantityHistory& quantity);
 std::string tolerance_text(const QuantityHistory& quantity);
 std::string met_text(const QuantityHistory& quantity);
 
-std::string_view name_of(Outlook outlook);           // as in JSON: "expected"
+std::string_view name_of(Outlook outlook);                // as in JSON: "expected"
 std::string value_text(const QuantityHistory& quantity);  // name, value, sigma, unit
 std::string expected_text(const ToleranceDate& date);     // "2027-03-01 (2026-11-05 to 2027-10-20)"
 

@@ -98,8 +98,8 @@ struct ResultType<MergedPart> {
       Field{"correlation", of_lag(&ClockLag::correlation), ""},
       Field{"compared",
             [](const MergedPart& of) {
-              return MayLack<std::vector<std::string>>{of.lag ? std::optional(std::vector{of.lag->column, of.lag->other})
-                                                              : std::nullopt};
+              return MayLack<std::vector<std::string>>{
+                  of.lag ? std::optional(std::vector{of.lag->column, of.lag->other}) : std::nullopt};
             },
             "columns of the first log and of this one"}};
 };

@@ -57,7 +57,8 @@ void align(const Part& first, Part& part, const MergeArguments& options) {
   const double span_s = std::max(first.series.time_s.back() - first.series.time_s.front(),
                                  part.series.time_s.back() - part.series.time_s.front());
   // Two clocks with dates differ by minutes, two without by as much as the logs are long.
-  const double range_s = options.range_s.value_or(part.merged.by_date_s ? std::min(1800.0, 0.25 * span_s) : 0.5 * span_s);
+  const double range_s =
+      options.range_s.value_or(part.merged.by_date_s ? std::min(1800.0, 0.25 * span_s) : 0.5 * span_s);
   part.merged.lag = clock_lag(first.series, part.series, range_s);
   if (!part.merged.lag) return;
   part.merged.moved_s += part.merged.lag->lag_s;
@@ -75,10 +76,10 @@ void expect_own_names(Series& series, std::set<std::string>& taken) {
 }
 
 std::string clock_text(const Part& first, const Part& part, bool keep_clocks) {
-  std::string text = part.merged.by_date_s
-                         ? fmt::format("starts {} {} by the dates of both", duration_text(std::abs(*part.merged.by_date_s)),
-                                       *part.merged.by_date_s < 0.0 ? "earlier" : "later")
-                         : std::string("has no date beside that of the first: both start together");
+  std::string text = part.merged.by_date_s ? fmt::format("starts {} {} by the dates of both",
+                                                         duration_text(std::abs(*part.merged.by_date_s)),
+                                                         *part.merged.by_date_s < 0.0 ? "earlier" : "later")
+                                           : std::string("has no date beside that of the first: both start together");
   if (part.merged.lag) {
     text += fmt::format("; its clock is {} by {}, as {} and {} show (correlation {:.3f}), and was set right",
                         part.merged.lag->lag_s > 0.0 ? "behind" : "ahead",
@@ -127,8 +128,8 @@ void run(const MergeArguments& options) {
   fmt::print("{} rows over {}, {} columns of {} logs\n\n", series.time_s.size(),
              duration_text(series.time_s.back() - series.time_s.front()), series.columns.size(), parts.size());
   for (std::size_t i = 1; i < parts.size(); ++i)
-    fmt::print("{}",
-               wrapped(fmt::format("{}: {}", parts[i].merged.file, clock_text(parts.front(), parts[i], options.keep_clocks))));
+    fmt::print("{}", wrapped(fmt::format("{}: {}", parts[i].merged.file,
+                                         clock_text(parts.front(), parts[i], options.keep_clocks))));
   fmt::print("\n{}\n",
              options.out.empty() ? "Nothing was written; --out clean.csv writes the series." : "wrote " + options.out);
 }

@@ -228,8 +228,15 @@ MeanPointsResult result_of(const MeanpointArguments& options, const std::vector<
       conclusion(options, states, best), options.of.expansion_ppm_per_K, options.of.start_degC, {best}, {}};
   for (std::size_t k = 0; k < states.size(); ++k) {
     const MeanPointState& state = states[k];
-    MeanPointStateResult one{state.name, length_mm(state.profile),   state.mean_degC, state.sigma_mean_degC, {}, {},
-                             points_of(options, state), {}, {state.from}};
+    MeanPointStateResult one{state.name,
+                             length_mm(state.profile),
+                             state.mean_degC,
+                             state.sigma_mean_degC,
+                             {},
+                             {},
+                             points_of(options, state),
+                             {},
+                             {state.from}};
     if (options.of.start_degC) {
       one.elongation_um.value = elongation_um(options, state, state.mean_degC - *options.of.start_degC);
       one.sigma_elongation_um.value = elongation_um(options, state, state.sigma_mean_degC);

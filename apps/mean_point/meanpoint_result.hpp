@@ -13,7 +13,8 @@ namespace ballbar {
 template <>
 struct ResultType<ThreeAreas> {
   static constexpr std::string_view name = "ThreeAreas";
-  static constexpr std::string_view meaning = "A hot, a middle and a cold area of a picture, by thresholds of its colours.";
+  static constexpr std::string_view meaning =
+      "A hot, a middle and a cold area of a picture, by thresholds of its colours.";
   static constexpr std::tuple fields{
       Field{"mean_degC", &ThreeAreas::mean_degC, "by the three areas"},
       Field{"otsu_mean_degC", &ThreeAreas::otsu_mean_degC, "the same by Otsu's thresholds alone"},
@@ -66,8 +67,7 @@ struct ResultType<MeanPointResult> {
   static constexpr std::string_view name = "MeanPoint";
   static constexpr std::string_view meaning = "A place at which the temperature is its mean.";
   static constexpr std::tuple fields{
-      Field{"x_mm", &MeanPointResult::x_mm, ""},
-      Field{"sigma_mm", &MeanPointResult::sigma_mm, "null: not known"},
+      Field{"x_mm", &MeanPointResult::x_mm, ""}, Field{"sigma_mm", &MeanPointResult::sigma_mm, "null: not known"},
       Field{"slope_degC_per_mm", &MeanPointResult::slope_degC_per_mm, ""},
       Field{"sigma_slope_degC_per_mm", &MeanPointResult::sigma_slope_degC_per_mm, "null: not known"},
       Field{"misplaced_um_per_mm", &MeanPointResult::misplaced_um_per_mm, "for each mm that the sensor is off"}};
@@ -104,10 +104,10 @@ template <>
 struct ResultType<BestPoint> {
   static constexpr std::string_view name = "BestPoint";
   static constexpr std::string_view meaning = "One place for all states.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      kBestPlace, std::tuple{Field{"rms_um", &BestPoint::rms_um, "of what a sensor there tells wrong"},
-                             Field{"misplaced_um_per_mm", &BestPoint::misplaced_um_per_mm,
-                                   "largest for each mm that the sensor is off"}});
+  static constexpr std::tuple fields =
+      std::tuple_cat(kBestPlace, std::tuple{Field{"rms_um", &BestPoint::rms_um, "of what a sensor there tells wrong"},
+                                            Field{"misplaced_um_per_mm", &BestPoint::misplaced_um_per_mm,
+                                                  "largest for each mm that the sensor is off"}});
 };
 
 struct MeanPointsResult {
@@ -123,10 +123,11 @@ struct ResultType<MeanPointsResult> {
   using Of = MeanPointsResult;
   static constexpr std::string_view name = "MeanPoints";
   static constexpr std::string_view meaning = "Where one sensor of temperature tells the elongation of a spindle.";
-  static constexpr std::tuple fields{Field{"conclusion", &Of::conclusion, "what it says in plain words"},
-                                     Field{"expansion_ppm_per_K", &Of::expansion_ppm_per_K, "of the spindle"},
-                                     Field{"start_degC", &Of::start_degC, "at which the elongation is 0; null: not given"},
-                                     Field{"best", &Of::best, "of several states"}, Field{"states", &Of::states, ""}};
+  static constexpr std::tuple fields{
+      Field{"conclusion", &Of::conclusion, "what it says in plain words"},
+      Field{"expansion_ppm_per_K", &Of::expansion_ppm_per_K, "of the spindle"},
+      Field{"start_degC", &Of::start_degC, "at which the elongation is 0; null: not given"},
+      Field{"best", &Of::best, "of several states"}, Field{"states", &Of::states, ""}};
 };
 
 // What is drawn.
@@ -170,9 +171,9 @@ template <>
 struct ResultType<MeanPointPart> {
   static constexpr std::string_view name = "MeanPointPart";
   static constexpr std::string_view meaning = "Temperature along a spindle, and where it is its mean, as it is drawn.";
-  static constexpr std::tuple fields{
-      Field{"conclusion", &MeanPointPart::conclusion, ""},
-      Field{"best", &MeanPointPart::best, "one place for all states"}, Field{"states", &MeanPointPart::states, ""}};
+  static constexpr std::tuple fields{Field{"conclusion", &MeanPointPart::conclusion, ""},
+                                     Field{"best", &MeanPointPart::best, "one place for all states"},
+                                     Field{"states", &MeanPointPart::states, ""}};
 };
 
 }  // namespace ballbar

@@ -98,9 +98,15 @@ struct ResultType<InUnit<DifferenceStructure>> {
   static constexpr std::tuple fields{
       Field{"stands_out", plain(&DifferenceStructure::stands_out),
             "one of the four is named, or all together stand out"},
-      Field{"parts", [](Structure of) { return InUnit<DifferenceParts>{of.part.parts, of.unit}; },
+      Field{"parts",
+            [](Structure of) {
+              return InUnit<DifferenceParts>{of.part.parts, of.unit};
+            },
             "each with the other three free"},
-      Field{"alone", [](Structure of) { return InUnit<DifferenceParts>{of.part.alone, of.unit}; },
+      Field{"alone",
+            [](Structure of) {
+              return InUnit<DifferenceParts>{of.part.alone, of.unit};
+            },
             "each with the other three none"},
       Field{"sufficient_alone", [](Structure of) { return sufficient_alone(of.part); },
             "those which alone explain all that the four explain"},
@@ -111,7 +117,10 @@ struct ResultType<InUnit<DifferenceStructure>> {
                   of.part.chi2_of_parts, of.part.parts_freedom, {of.part.chance_of_parts}, {of.part.limit_of_parts}};
             },
             "of the four; the limit is that of `alone`, too"},
-      Field{"whole", [](Structure of) { return PartsTogether{of.part.chi2, of.part.rows, {}, {}}; },
+      Field{"whole",
+            [](Structure of) {
+              return PartsTogether{of.part.chi2, of.part.rows, {}, {}};
+            },
             "of the whole difference, with the zero's error in common"},
       Field{"noise", plain(&DifferenceStructure::noise), "stated, widened, from rows"},
       Field{"widened_by",
@@ -122,10 +131,9 @@ struct ResultType<InUnit<DifferenceStructure>> {
             "of widened noise"},
       Field{"noise",
             [](Structure of) {
-              return OfUnit<MayLack<double>>{{of.part.noise == NoiseOfDifference::from_rows
-                                                  ? std::optional(of.part.widened_by)
-                                                  : std::nullopt},
-                                             of.unit};
+              return OfUnit<MayLack<double>>{
+                  {of.part.noise == NoiseOfDifference::from_rows ? std::optional(of.part.widened_by) : std::nullopt},
+                  of.unit};
             },
             "of noise from rows: sigma of a difference"}};
 };
@@ -197,8 +205,8 @@ struct ResultType<AxisComparison> {
       Field{"lag_sigma_s", &AxisComparison::lag_sigma_s, ""},
       Field{"deviation",
             [](Axis of) {
-              return MayLack<InUnit<Deviation>>{
-                  of.deviation ? std::optional(InUnit<Deviation>{*of.deviation, of.unit}) : std::nullopt};
+              return MayLack<InUnit<Deviation>>{of.deviation ? std::optional(InUnit<Deviation>{*of.deviation, of.unit})
+                                                             : std::nullopt};
             },
             "where some sample is beyond 2 sigma"},
       Field{"structure",

@@ -54,8 +54,7 @@ struct ResultType<FittedRecording> {
       Field{"plane", if_circle(&Recording::plane), "XY, YZ, ZX; this and what follows of a circle"},
       Field{"direction", if_circle(&Recording::direction), "CCW, CW"},
       Field{"arc_deg", of_circle([](const Circle& of) { return of.arc_deg; }), ""},
-      Field{"model",
-            of_circle([](const Circle& of) -> std::string_view {
+      Field{"model", of_circle([](const Circle& of) -> std::string_view {
               return of.model == CircleModel::polar ? "polar" : "length_equation";
             }),
             "length_equation, polar"},
@@ -84,8 +83,7 @@ struct ResultType<FittedRecording> {
       Field{"min_at_deg", of_roundness(&Circularity::min_at_deg), ""},
       Field{"converged", of_circle([](const Circle& of) { return of.converged; }), "whether the fit came to an end"},
       Field{"discounted", of_circle([](const Circle& of) { return of.discounted; }), "readings, with --robust"},
-      Field{"stored",
-            [](Of of) { return of.circle ? stored_results(of.results) : MayLack<TableOf<double>>{}; },
+      Field{"stored", [](Of of) { return of.circle ? stored_results(of.results) : MayLack<TableOf<double>>{}; },
             "what the file stores of these"}};
 };
 
@@ -166,15 +164,15 @@ template <>
 struct ResultType<Fitted> {
   static constexpr std::string_view name = "Fitted";
   static constexpr std::string_view meaning = "The circles of recordings.";
-  static constexpr std::tuple fields = std::tuple_cat(std::tuple{
-      Field{"recordings", &Fitted::recordings, "a row a recording"},
-      Field{"results_alone",
-            [](const Fitted& of) {
-              return MayLack<std::vector<ResultsAlone>>{of.results_alone.empty() ? std::nullopt
-                                                                                 : std::optional(of.results_alone)};
-            },
-            "files that store results without readings"}},
-      fields_through(&Fitted::pairs, kPairFields));
+  static constexpr std::tuple fields =
+      std::tuple_cat(std::tuple{Field{"recordings", &Fitted::recordings, "a row a recording"},
+                                Field{"results_alone",
+                                      [](const Fitted& of) {
+                                        return MayLack<std::vector<ResultsAlone>>{
+                                            of.results_alone.empty() ? std::nullopt : std::optional(of.results_alone)};
+                                      },
+                                      "files that store results without readings"}},
+                     fields_through(&Fitted::pairs, kPairFields));
 };
 
 }  // namespace ballbar

@@ -19,7 +19,8 @@ std::string place_of(const B5r& test, const std::string& parent) {
 
 std::string text_of(const ResultsAlone& alone) {
   Table table({fmt::format("stored in {}", alone.file), "value", "unit", "of"});
-  for (const ValueAlone& one : values_alone(alone)) table.add({one.name, fmt::format("{}", one.value), one.unit, one.of});
+  for (const ValueAlone& one : values_alone(alone))
+    table.add({one.name, fmt::format("{}", one.value), one.unit, one.of});
   return table.text(table_width(150)) + '\n' + wrapped(alone.file + ": without readings there is nothing to fit.");
 }
 

@@ -54,8 +54,7 @@ struct ResultType<Effect> {
                        "another one at the edge of its shapes; empty: none"}},
       fields_through(&Effect::explanation, use),
       std::tuple{Field{"time_only", &Effect::time_only, "whether it needs nothing but time"},
-                 Field{"inputs", &Effect::inputs, "that it reads"},
-                 Field{"parameters", &Effect::parameters, ""}});
+                 Field{"inputs", &Effect::inputs, "that it reads"}, Field{"parameters", &Effect::parameters, ""}});
 };
 
 }  // namespace ballbar

@@ -43,10 +43,10 @@ template <>
 struct ResultType<Preflight> {
   static constexpr std::string_view name = "Preflight";
   static constexpr std::string_view meaning = "What data could show, before any residual.";
-  static constexpr std::tuple fields{
-      Field{"target", &Preflight::target, "column that is explained"}, Field{"n", &Preflight::n, "readings"},
-      Field{"noise_source", &Preflight::noise_source, "where the noise is from"},
-      Field{"effects", &Preflight::detectability, "of the catalogue"}};
+  static constexpr std::tuple fields{Field{"target", &Preflight::target, "column that is explained"},
+                                     Field{"n", &Preflight::n, "readings"},
+                                     Field{"noise_source", &Preflight::noise_source, "where the noise is from"},
+                                     Field{"effects", &Preflight::detectability, "of the catalogue"}};
 };
 
 struct PreflightTargets {

@@ -55,8 +55,8 @@ struct ResultType<ResidualReport> {
             "how far from the floor, where worst, what is left"}};
   static constexpr std::tuple end{
       Field{"converged", [](Report of) { return of.fit.converged; }, "whether the fit came to an end"}};
-  static constexpr std::tuple fields = std::tuple_cat(
-      figures, details, end, std::tuple{Field{"remarks", [](Report of) { return of.fit.remarks; }, ""}});
+  static constexpr std::tuple fields =
+      std::tuple_cat(figures, details, end, std::tuple{Field{"remarks", [](Report of) { return of.fit.remarks; }, ""}});
 };
 
 struct CheckedTargets {

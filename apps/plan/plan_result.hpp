@@ -80,11 +80,10 @@ struct ResultType<TestPlan> {
       Field{"verdict", &TestPlan::verdict, "of the data at hand"},
       Field{"decided", &TestPlan::is_decided, "whether they decide it"},
       Field{"tests", &TestPlan::tests, "runs that were weighed, the best first"},
-      Field{"schedule",
-            [](const TestPlan& of) {
-              return of.tests.empty() ? std::nullopt : std::optional(of.tests.front().schedule);
-            },
-            "of the best one; null: none is proposed"},
+      Field{
+          "schedule",
+          [](const TestPlan& of) { return of.tests.empty() ? std::nullopt : std::optional(of.tests.front().schedule); },
+          "of the best one; null: none is proposed"},
       Field{"inseparable", &inseparable_of, "sets of effects that no run tells apart"},
       Field{"sensors", &TestPlan::sensors, "that are lacking"},
       Field{"curves", &TestPlan::curves, "what may be missing, the most probable first"}};

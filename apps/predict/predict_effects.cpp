@@ -103,7 +103,7 @@ std::string start_text(const EffectRegression& model, const EffectPrediction& pr
 
 // Rows after the training alone, where the data hold it.
 std::optional<NewRowsError> error_of(const EffectRegression& model, const EffectPrediction& prediction,
-                                 const Series& data) {
+                                     const Series& data) {
   const Column* measured = find_column(data, model.model.targets.front());
   if (measured == nullptr) return std::nullopt;
   NewRowsError of;
@@ -211,8 +211,8 @@ void predict_effects(const EffectPredictOptions& options) {
   const std::optional<NewRowsError> error = error_of(model, prediction, data);
   const std::vector<std::string> warnings = warnings_of(prediction);
   if (options.json) {
-    const PredictedByEffects result{{series},           prediction.goes_on, prediction.holds,
-                                    prediction.drivers, error,              warnings};
+    const PredictedByEffects result{{series}, prediction.goes_on, prediction.holds, prediction.drivers, error,
+                                    warnings};
     print_json(json_of(result), -1);
   } else {
     const std::string& target = model.model.targets.front();

@@ -14,8 +14,8 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/history/fleet.hpp"
-#include "history/fleet_result.hpp"
 #include "history/fleet_page.hpp"
+#include "history/fleet_result.hpp"
 #include "history/fleet_text.hpp"
 #include "python/arrays.hpp"
 #include "python/to_python.hpp"

@@ -70,7 +70,8 @@ void add_recordings(Report& made, const ReportRequest& options) {
   if (!test_name.empty()) {
     made.page.head.title = test_name;
   } else if (options.model.data.size() > 1) {
-    made.page.head.title = fmt::format("{} recordings of {} files", fitted.recordings.size(), options.model.data.size());
+    made.page.head.title =
+        fmt::format("{} recordings of {} files", fitted.recordings.size(), options.model.data.size());
   } else {
     made.page.head.title = file_name(options.model.data.front());
   }

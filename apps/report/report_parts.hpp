@@ -24,8 +24,8 @@ FitPart recordings_part(const Fitted& fitted, const SessionFiles& session);
 
 // What an effect adds to recordings, beside the trace of each: values_um at the rows of a fit to trace_of() the same
 // recordings.
-void overlay(FitPart& part, const std::string& effect, const std::vector<double>& values_um,
-             const Fit& fit, const Series& trace);
+void overlay(FitPart& part, const std::string& effect, const std::vector<double>& values_um, const Fit& fit,
+             const Series& trace);
 
 // The errors of a machine from each test of two linear axes among these, with the curves that the page draws. One that
 // cannot be fitted is a remark.

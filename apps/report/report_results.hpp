@@ -64,12 +64,11 @@ template <>
 struct ResultType<PageRecording> {
   static constexpr std::string_view name = "PageRecording";
   static constexpr std::string_view meaning = "A recording with its curves.";
-  static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&PageRecording::fitted, ResultType<FittedRecording>::fields),
-                     std::tuple{Field{"time_s", &PageRecording::time_s, "of the test in its session; null: of none"},
-                                Field{"test", &PageRecording::test, "64 min, or the file"},
-                                Field{"label", &PageRecording::label, "64 min, XY CCW"},
-                                Field{"trace", &PageRecording::trace, ""}});
+  static constexpr std::tuple fields = std::tuple_cat(
+      fields_through(&PageRecording::fitted, ResultType<FittedRecording>::fields),
+      std::tuple{Field{"time_s", &PageRecording::time_s, "of the test in its session; null: of none"},
+                 Field{"test", &PageRecording::test, "64 min, or the file"},
+                 Field{"label", &PageRecording::label, "64 min, XY CCW"}, Field{"trace", &PageRecording::trace, ""}});
 };
 
 template <>
@@ -116,13 +115,13 @@ template <>
 struct ResultType<FitPart> {
   static constexpr std::string_view name = "FitPart";
   static constexpr std::string_view meaning = "Recordings and their circles.";
-  static constexpr std::tuple fields = std::tuple_cat(
-      std::tuple{Field{"recordings", &FitPart::recordings, ""},
-                 Field{"results", &FitPart::results, "tables, one a recording and one a pair"},
-                 Field{"remarks", &FitPart::remarks, ""},
-                 Field{"pairs", &FitPart::pairs, "CCW and CW of one test, as places in recordings"},
-                 Field{"stored_alone", &FitPart::stored_alone, "files without readings"}},
-      fields_through(&FitPart::iso230_4, kPairFields));
+  static constexpr std::tuple fields =
+      std::tuple_cat(std::tuple{Field{"recordings", &FitPart::recordings, ""},
+                                Field{"results", &FitPart::results, "tables, one a recording and one a pair"},
+                                Field{"remarks", &FitPart::remarks, ""},
+                                Field{"pairs", &FitPart::pairs, "CCW and CW of one test, as places in recordings"},
+                                Field{"stored_alone", &FitPart::stored_alone, "files without readings"}},
+                     fields_through(&FitPart::iso230_4, kPairFields));
 };
 
 // The errors of a machine from one test.
@@ -184,7 +183,8 @@ template <>
 struct ResultType<TrainedBatch> {
   static constexpr std::string_view name = "WeighedBatch";
   static constexpr std::string_view meaning = "A batch that a regression was trained on.";
-  static constexpr std::tuple fields{Field{"name", &TrainedBatch::name, ""}, Field{"weight", &TrainedBatch::weight, ""}};
+  static constexpr std::tuple fields{Field{"name", &TrainedBatch::name, ""},
+                                     Field{"weight", &TrainedBatch::weight, ""}};
 };
 
 struct BatchPart {
@@ -200,17 +200,18 @@ template <>
 struct ResultType<BatchPart> {
   static constexpr std::string_view name = "BatchPart";
   static constexpr std::string_view meaning = "A regression over batches, and what it predicts for the job.";
-  static constexpr std::tuple fields{Field{"target", &BatchPart::target, ""},
-                                     Field{"method", &BatchPart::method, "pcr, 7 components"},
-                                     Field{"batches", &BatchPart::batches, ""},
-                                     Field{"time_s", &BatchPart::time_s, ""},
-                                     Field{"predicted_um", &BatchPart::predicted_um, ""},
-                                     Field{"half_width_um", &BatchPart::half_width_um, "of the interval of 95 %"},
-                                     Field{"measured_um", &BatchPart::measured_um, ""},
-                                     Field{"T2_of_largest", &BatchPart::T2_of_largest, "share of the largest trained on"},
-                                     Field{"Q_of_largest", &BatchPart::Q_of_largest, ""},
-                                     Field{"broken", &BatchPart::broken, "sensors that look so"},
-                                     Field{"warnings", &BatchPart::warnings, ""}};
+  static constexpr std::tuple fields{
+      Field{"target", &BatchPart::target, ""},
+      Field{"method", &BatchPart::method, "pcr, 7 components"},
+      Field{"batches", &BatchPart::batches, ""},
+      Field{"time_s", &BatchPart::time_s, ""},
+      Field{"predicted_um", &BatchPart::predicted_um, ""},
+      Field{"half_width_um", &BatchPart::half_width_um, "of the interval of 95 %"},
+      Field{"measured_um", &BatchPart::measured_um, ""},
+      Field{"T2_of_largest", &BatchPart::T2_of_largest, "share of the largest trained on"},
+      Field{"Q_of_largest", &BatchPart::Q_of_largest, ""},
+      Field{"broken", &BatchPart::broken, "sensors that look so"},
+      Field{"warnings", &BatchPart::warnings, ""}};
 };
 
 template <>
@@ -234,15 +235,15 @@ template <>
 struct ResultType<CheckedSeries> {
   static constexpr std::string_view name = "CheckedSeries";
   static constexpr std::string_view meaning = "The rows of a fit.";
-  static constexpr std::tuple fields{
-      Field{"time_s", &CheckedSeries::time_s, ""},
-      Field{"measured_um", &CheckedSeries::measured_um, ""},
-      Field{"predicted_um", &CheckedSeries::predicted_um, ""},
-      Field{"residual_um", &CheckedSeries::residual_um, ""},
-      Field{"sigma_um", &CheckedSeries::sigma_um, "where readings state it"},
-      Field{"contributions", &CheckedSeries::contributions, "of each effect"},
-      Field{"inputs", &CheckedSeries::inputs, "at the same rows: signals, or angle_deg, direction, recording; and cycle"},
-      Field{"regimes", &CheckedSeries::regimes, "of the speed, where it is known"}};
+  static constexpr std::tuple fields{Field{"time_s", &CheckedSeries::time_s, ""},
+                                     Field{"measured_um", &CheckedSeries::measured_um, ""},
+                                     Field{"predicted_um", &CheckedSeries::predicted_um, ""},
+                                     Field{"residual_um", &CheckedSeries::residual_um, ""},
+                                     Field{"sigma_um", &CheckedSeries::sigma_um, "where readings state it"},
+                                     Field{"contributions", &CheckedSeries::contributions, "of each effect"},
+                                     Field{"inputs", &CheckedSeries::inputs,
+                                           "at the same rows: signals, or angle_deg, direction, recording; and cycle"},
+                                     Field{"regimes", &CheckedSeries::regimes, "of the speed, where it is known"}};
 };
 
 struct ModelCurve {
@@ -269,9 +270,12 @@ struct ResultType<EffectStep> {
   static constexpr std::string_view name = "EffectStep";
   static constexpr std::string_view meaning =
       "What an effect answers to a step of its input from the least to the largest value in the data.";
-  static constexpr std::tuple fields{Field{"effect", &EffectStep::effect, ""}, Field{"input", &EffectStep::input, ""},
-                                     Field{"from", &EffectStep::from, ""},     Field{"to", &EffectStep::to, ""},
-                                     Field{"unit", &EffectStep::unit, ""},     Field{"time_s", &EffectStep::time_s, ""},
+  static constexpr std::tuple fields{Field{"effect", &EffectStep::effect, ""},
+                                     Field{"input", &EffectStep::input, ""},
+                                     Field{"from", &EffectStep::from, ""},
+                                     Field{"to", &EffectStep::to, ""},
+                                     Field{"unit", &EffectStep::unit, ""},
+                                     Field{"time_s", &EffectStep::time_s, ""},
                                      Field{"response_um", &EffectStep::response_um, ""}};
 };
 
@@ -290,8 +294,7 @@ struct ResultType<CheckPart> {
   static constexpr std::tuple fields = std::tuple_cat(
       fields_through(&CheckPart::report, ResultType<ResidualReport>::fields),
       std::tuple{Field{"level", &CheckPart::level, "series, recording"},
-                 Field{"floor_text", &CheckPart::floor_text, ""},
-                 Field{"series", &CheckPart::series, ""},
+                 Field{"floor_text", &CheckPart::floor_text, ""}, Field{"series", &CheckPart::series, ""},
                  Field{"curve", &CheckPart::curve, "the model between the rows too, where signals go on there"},
                  Field{"steps", &CheckPart::steps, "of a drift series only"}});
 };
@@ -304,9 +307,9 @@ template <>
 struct ResultType<PageEffect> {
   static constexpr std::string_view name = "LabelledEffect";
   static constexpr std::string_view meaning = "An effect, and the probability that it is missing, with its label.";
-  static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&PageEffect::probability, ResultType<EffectProbability>::fields),
-                     std::tuple{Field{"label", [](const PageEffect& of) { return label_of(of.probability.bound); }, ""}});
+  static constexpr std::tuple fields = std::tuple_cat(
+      fields_through(&PageEffect::probability, ResultType<EffectProbability>::fields),
+      std::tuple{Field{"label", [](const PageEffect& of) { return label_of(of.probability.bound); }, ""}});
 };
 
 struct PageCandidate {
@@ -340,7 +343,8 @@ struct ResultType<Coherence> {
   // the column that is most like it. Not symmetric: one with more shapes imitates more.
   static constexpr std::string_view meaning =
       "Which effect (column) could be taken for one that might be there (row): above 0.95 it may be.";
-  static constexpr std::tuple fields{Field{"effects", &Coherence::effects, ""}, Field{"values", &Coherence::values, ""}};
+  static constexpr std::tuple fields{Field{"effects", &Coherence::effects, ""},
+                                     Field{"values", &Coherence::values, ""}};
 };
 
 struct DiagnosisPart {
@@ -357,7 +361,8 @@ struct ResultType<DiagnosisPart> {
   using Report = ResultType<DiagnosisReport>;
   using Checked = ResultType<ResidualReport>;
   static constexpr std::string_view name = "DiagnosisPart";
-  static constexpr std::string_view meaning = "Which effect a model lacks, with curves; what the check has is there alone.";
+  static constexpr std::string_view meaning =
+      "Which effect a model lacks, with curves; what the check has is there alone.";
   static constexpr std::tuple of_check =
       fields_through(&DiagnosisReport::residual_report, std::tuple_cat(Checked::figures, Checked::end));
   static constexpr std::tuple fields = std::tuple_cat(
@@ -441,8 +446,7 @@ struct ResultType<PageReport> {
       std::tuple{Field{"fit", &PageReport::fit, "of recordings"},
                  Field{"machine_errors", &PageReport::machine_errors, "one a test"},
                  Field{"skipped", &PageReport::skipped, "files that cannot be read, by their names"},
-                 Field{"drift", &PageReport::drift, "of a session"},
-                 Field{"five_probe", &PageReport::five_probe, ""},
+                 Field{"drift", &PageReport::drift, "of a session"}, Field{"five_probe", &PageReport::five_probe, ""},
                  Field{"compare", &PageReport::compare, "of two drifts"}},
       fields_through(&PageReport::model, ResultType<ModelPart>::drawn),
       std::tuple{Field{"batch", &PageReport::batch, "with a model of train"}});

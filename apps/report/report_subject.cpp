@@ -33,8 +33,7 @@ void overlay_candidates(ModelPart& made, const DiagnosisReport& found, const Mod
     if (!candidate.in_best_set) continue;
     const std::vector<double> curve = curve_of(candidate, found.residual_report.fit, data.series);
     if (curve.empty()) continue;
-    overlay(*made.fit.value, "candidate " + label_of(candidate.bound), curve, found.residual_report.fit,
-            data.series);
+    overlay(*made.fit.value, "candidate " + label_of(candidate.bound), curve, found.residual_report.fit, data.series);
   }
 }
 

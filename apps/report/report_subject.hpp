@@ -22,12 +22,12 @@ class ReportSubject {
   Report report(bool search);
 
   // Parts of a report, by its keys. Each throws Error where there is no target, or several.
-  ModelPart fitted();                                        // the fit
-  ModelPart found();                                         // what is missing
-  HeldPart held(const std::vector<std::string>& settings);   // the fit with these values, as --set has them
-  ModelPart add(const std::vector<std::string>& effects);    // the fit with them; its file stays as it was
-  RevisedPart revise(const std::string& file);               // what add() changed, written to the file
-  void take_back();                                                     // what add() changed
+  ModelPart fitted();                                       // the fit
+  ModelPart found();                                        // what is missing
+  HeldPart held(const std::vector<std::string>& settings);  // the fit with these values, as --set has them
+  ModelPart add(const std::vector<std::string>& effects);   // the fit with them; its file stays as it was
+  RevisedPart revise(const std::string& file);              // what add() changed, written to the file
+  void take_back();                                         // what add() changed
 
   // Whether the request is of these data, none of whose files has changed since.
   bool is_of(const ReportRequest& request) const;

@@ -58,8 +58,8 @@ FiveProbeDrift result_of(const MeasuredDrift& drift, const std::vector<SpeedStep
   FiveProbeDrift result{
       drift.reference_s, series_of(drift), ranges_of(drift, 0, drift.time_s.size()), {}, drift.remarks};
   for (const SpeedStep& step : steps) {
-    result.steps.push_back({drift.time_s[step.begin], drift.time_s[step.end - 1], step.speed_rpm,
-                            ranges_of(drift, step.begin, step.end)});
+    result.steps.push_back(
+        {drift.time_s[step.begin], drift.time_s[step.end - 1], step.speed_rpm, ranges_of(drift, step.begin, step.end)});
   }
   return result;
 }
@@ -135,7 +135,8 @@ Series series_of(const DriftSeries& drift) {
     ((add_column(series, drift, std::get<Place>(Point::values)),
       add_column(series, drift, std::get<Place>(Point::sigmas))),
      ...);
-  }(std::make_index_sequence<std::tuple_size_v<decltype(Point::values)>>());
+  }
+  (std::make_index_sequence<std::tuple_size_v<decltype(Point::values)>>());
   add_column(series, drift, Point::elongation);
   return series;
 }

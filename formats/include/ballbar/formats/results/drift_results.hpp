@@ -49,14 +49,14 @@ struct ResultType<DriftPoint> {
                                      Field{"shift_b_sigma_um", sigma_um(&DriftPoint::shift_b), ""},
                                      Field{"radius_change_sigma_um", sigma_um(&DriftPoint::radius_change), ""},
                                      Field{"radius_change_a_sigma_um", sigma_um(&DriftPoint::radius_change_a), ""}};
-  static constexpr Field elongation{
-      "elongation_correction_um",
-      [](const DriftPoint& of) { return MayLack<double>{of.elongation_correction_um}; }, "taken off the radial test"};
+  static constexpr Field elongation{"elongation_correction_um",
+                                    [](const DriftPoint& of) { return MayLack<double>{of.elongation_correction_um}; },
+                                    "taken off the radial test"};
   static constexpr std::tuple fields = std::tuple_cat(
       std::tuple{Field{"time_s", &DriftPoint::time_s, "of the test"}}, values, sigmas,
-      std::tuple{elongation, Field{"correlation_y_z",
-                                   [](const DriftPoint& of) { return MayLack<double>{of.correlation_y_z}; },
-                                   "of the test's own y and z"}});
+      std::tuple{elongation,
+                 Field{"correlation_y_z", [](const DriftPoint& of) { return MayLack<double>{of.correlation_y_z}; },
+                       "of the test's own y and z"}});
 };
 
 template <>
