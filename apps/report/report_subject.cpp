@@ -40,6 +40,7 @@ void overlay_candidates(ModelPart& made, const DiagnosisReport& found, const Mod
 // Once each: a page names its files.
 std::vector<std::string> names_of(const std::vector<fs::path>& files) {
   std::vector<std::string> names;
+  names.reserve(files.size());
   for (const fs::path& file : files) names.push_back(file_name(file));
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
