@@ -170,10 +170,11 @@ void print_ranking(const SelectArguments& options, const OpenedBatches& opened, 
              measured ? "; RMSE_p: of the job by it" : "");
 }
 
-Selected result_of(const SelectArguments& options, const OpenedBatches& opened, const Selection& selection,
-                   const std::vector<Choice>& choices, const std::optional<Compared>& random, const BatchStart& job) {
-  Selected result{opened.columns.target, job.room_first_degC, choices[options.take].key, {}, {}, {},
-                  std::nullopt,          opened.remarks};
+SelectedBatches result_of(const SelectArguments& options, const OpenedBatches& opened, const Selection& selection,
+                          const std::vector<Choice>& choices, const std::optional<Compared>& random,
+                          const BatchStart& job) {
+  SelectedBatches result{opened.columns.target, job.room_first_degC, choices[options.take].key, {}, {}, {},
+                         std::nullopt,          opened.remarks};
   for (const RankedBatch& one : selection.ranked) result.ranked.push_back({opened.batches[one.batch].name, one});
   for (const Choice& choice : choices)
     result.choices.push_back({choice.key, effective_batches(choice.weights), choice.settings, choice.rmse_um});

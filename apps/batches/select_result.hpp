@@ -80,7 +80,7 @@ struct ResultType<RandomBatches> {
       Field{"predicted_rmse_um", [](Of of) { return of.found.predicted_rmse_um; }, "of the job, rising"}};
 };
 
-struct Selected {
+struct SelectedBatches {
   std::string target;
   double room_degC = 0.0;
   std::string taken;
@@ -92,17 +92,18 @@ struct Selected {
 };
 
 template <>
-struct ResultType<Selected> {
+struct ResultType<SelectedBatches> {
   static constexpr std::string_view name = "Selected";
   static constexpr std::string_view meaning = "Batches to train on for a job.";
-  static constexpr std::tuple fields{Field{"target", &Selected::target, "column that is predicted"},
-                                     Field{"room_degC", &Selected::room_degC, "as the job begins"},
-                                     Field{"taken", &Selected::taken, "the choice that is written"},
-                                     Field{"ranked", &Selected::ranked, "batches by the temperature of their rooms"},
-                                     Field{"choices", &Selected::choices, "with what came of each"},
-                                     Field{"held_out", &Selected::held_out, "by number of batches"},
-                                     Field{"random", &Selected::random, "choices to compare with; null: none"},
-                                     Field{"remarks", &Selected::remarks, ""}};
+  static constexpr std::tuple fields{
+      Field{"target", &SelectedBatches::target, "column that is predicted"},
+      Field{"room_degC", &SelectedBatches::room_degC, "as the job begins"},
+      Field{"taken", &SelectedBatches::taken, "the choice that is written"},
+      Field{"ranked", &SelectedBatches::ranked, "batches by the temperature of their rooms"},
+      Field{"choices", &SelectedBatches::choices, "with what came of each"},
+      Field{"held_out", &SelectedBatches::held_out, "by number of batches"},
+      Field{"random", &SelectedBatches::random, "choices to compare with; null: none"},
+      Field{"remarks", &SelectedBatches::remarks, ""}};
 };
 
 }  // namespace ballbar

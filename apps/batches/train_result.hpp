@@ -82,13 +82,13 @@ struct ResultType<TrainedOnBatches> {
       Field{"remarks", &TrainedOnBatches::remarks, ""}};
 };
 
-struct TestedForecasts {
+struct ForecastTest {
   Forecasts forecasts;
   bool predicted = false;
 };
 
 template <>
-struct ResultType<TestedForecasts> {
+struct ResultType<ForecastTest> {
   static constexpr std::string_view name = "Forecasts";
   static constexpr std::string_view meaning = "Rows that the training did not have, predicted.";
   static constexpr std::tuple errors{
@@ -97,8 +97,8 @@ struct ResultType<TestedForecasts> {
       Field{"held_um", &Forecasts::held_um, "RMSE where the last value, or the mean, is held; of runs 0 um"},
       Field{"within_share", &Forecasts::within_share, "within the interval of 95 %"}};
   static constexpr std::tuple fields =
-      std::tuple_cat(fields_through(&TestedForecasts::forecasts, errors),
-                     std::tuple{Field{"predicted", &TestedForecasts::predicted, "whether that is better than chance"}});
+      std::tuple_cat(fields_through(&ForecastTest::forecasts, errors),
+                     std::tuple{Field{"predicted", &ForecastTest::predicted, "whether that is better than chance"}});
 };
 
 template <>
@@ -150,7 +150,7 @@ struct ResultType<OtherMethod> {
 
 struct TrainedOnEffects {
   EffectRegression regression;
-  std::optional<TestedForecasts> forecasts;
+  std::optional<ForecastTest> forecasts;
   DriverReport drivers;
   std::vector<OtherMethod> methods;
   std::vector<std::string> remarks;

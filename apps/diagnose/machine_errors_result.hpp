@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "ballbar/formats/recordings/recording_results.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
-#include "ballbar/formats/results/recording_results.hpp"
 #include "ballbar/units.hpp"
 #include "diagnose/machine_errors_report.hpp"
 

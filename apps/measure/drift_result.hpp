@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "ballbar/formats/recordings/recording_results.hpp"
 #include "ballbar/formats/results/drift_results.hpp"
-#include "ballbar/formats/results/recording_results.hpp"
 
 namespace ballbar {
 

@@ -16,7 +16,6 @@ using Texts = std::vector<std::string>;
 ReportRequest request_of(Texts words) {
   CLI::App app;
   ReportRequest request;
-  request.no_diagnosis = true;
   add_report_options(app, request);
   std::reverse(words.begin(), words.end());  // as CLI11 takes them
   try {
@@ -43,7 +42,7 @@ ReportSubject& PageCalls::subject_of(const nlohmann::json& call) {
 nlohmann::ordered_json PageCalls::answer(const nlohmann::json& call) {
   const auto name = call.at("call").get<std::string>();
   ReportSubject& subject = subject_of(call);
-  if (name == "report") return json_of(subject.report().page);
+  if (name == "report") return json_of(subject.report(false).page);
   if (name == "fitted") return json_of(subject.fitted());
   if (name == "search") return json_of(subject.found());
   if (name == "hold") return json_of(subject.held(call.at("settings").get<Texts>()));

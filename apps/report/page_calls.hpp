@@ -14,7 +14,7 @@ namespace ballbar {
 // A call is an object: "call" with one of the names below, and "words" as behind `ballbar report`, which say what is
 // looked at. A subject is opened anew where other data are looked at or a file of theirs has changed.
 //
-//   report     the report with the fit, as `report --no-diagnosis`
+//   report     the report with the fit, without a search
 //   fitted     its parts that the model changes: check, ledger, summary, files, fit of recordings
 //   search     what is missing: diagnose, summary, fit of recordings
 //   hold       the fit with "settings", EFFECT.PARAMETER=VALUE each, in the place of fitted values

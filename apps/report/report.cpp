@@ -152,7 +152,7 @@ void run(ReportArguments options) {
   if (!options.json) expect_no_input({options.out}, inputs);
   const Report made = [&] {
     const ProgressLine line;
-    return ReportSubject(options.of).report();
+    return ReportSubject(options.of).report(!options.of.no_diagnosis);
   }();
   const Json json = json_of(made.page);
   if (options.json) return print_json(json, -1);

@@ -38,6 +38,6 @@ struct ReportData {
 
 // The data are opened once. Of folders and archives the request has the files in them from here on. Throws Error, and
 // CLI::ValidationError where an option would do nothing.
-ReportData report_data(ReportRequest& request);
+ReportData report_data(ReportRequest& options);
 
 }  // namespace ballbar

@@ -8,6 +8,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/model_history.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "diagnose/effect_test_text.hpp"
 #include "model/effect_options.hpp"
 #include "model/held_values.hpp"
 #include "model/known_effect.hpp"
@@ -39,6 +40,7 @@ void overlay_candidates(ModelPart& made, const DiagnosisReport& found, const Mod
 // Once each: a page names its files.
 std::vector<std::string> names_of(const std::vector<fs::path>& files) {
   std::vector<std::string> names;
+  names.reserve(files.size());
   for (const fs::path& file : files) names.push_back(file_name(file));
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -162,9 +164,9 @@ ModelPart ReportSubject::of_model(Parts parts) {
   return made;
 }
 
-Report ReportSubject::report() {
+Report ReportSubject::report(bool search) {
   Report made = data_.report;
-  ModelPart& model = made.page.model = of_model(request_.no_diagnosis ? Parts::fitted : Parts::all);
+  ModelPart& model = made.page.model = of_model(search ? Parts::all : Parts::fitted);
   made.page.head.files = model.files;
   made.page.head.summary = model.summary;
   if (model.fit.value) made.page.fit = std::move(model.fit);
@@ -206,7 +208,7 @@ RevisedPart ReportSubject::revise(const std::string& file) {
   write_bytes(file, model.text());
   request_.model.model = file;
   const std::vector<LedgerRow> rows = read_ledger(model.text(), file);
-  return {sentence(rows.back(), &rows[rows.size() - 2]), tried.after.verdict == "supported", ledger_of(rows)};
+  return {conclusion(tried), tried.after.verdict == "supported", ledger_of(rows)};
 }
 
 }  // namespace ballbar

@@ -18,8 +18,8 @@ class ReportSubject {
  public:
   explicit ReportSubject(ReportRequest request);
 
-  // Where there is a model, with its fit, and what is missing from it unless the request wants none.
-  Report report();
+  // Where there is a model, with its fit; search: and with what is missing from it.
+  Report report(bool search);
 
   // Parts of a report, by its keys. Each throws Error where there is no target, or several.
   ModelPart fitted();                                       // the fit

@@ -466,7 +466,7 @@ for (const [why, said] of [["RangeError: WebAssembly.Memory(): could not allocat
       let failed = false;
       window.Worker = class extends Own {
         postMessage(data, give) {
-          if (data.kind === "run" && data.words[0] === "report" && !failed) {
+          if (data.kind === "call" && data.call.call === "report" && !failed) {
             failed = true;
             this.onmessage({ data: { id: data.id, kind: "failed", why: ${JSON.stringify(why)} } });
           } else super.postMessage(data, give);

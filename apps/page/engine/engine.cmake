@@ -1,6 +1,5 @@
 # `ballbar` as a module for a page: build-tool.sh. libballbar is compiled for speed (for size, a diagnosis takes seventy
 # times as long), what reads and prints for size.
-room(ballbar page/engine engine)
 find_library(ZLIB_OF_ZIP z REQUIRED)
 target_link_libraries(ballbar PRIVATE ${ZLIB_OF_ZIP})
 set_target_properties(ballbar PROPERTIES OUTPUT_NAME engine SUFFIX .js)

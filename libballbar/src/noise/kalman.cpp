@@ -7,7 +7,60 @@
 namespace ballbar {
 namespace {
 
-constexpr double kSameStep = 1e-9;  // relative: rounding of times
+constexpr double kSameStep = 1e-9;      // relative: rounding of times
+constexpr Eigen::Index kLanes = 8;      // parts of a run of rows, side by side
+constexpr Eigen::Index kLongRun = 512;  // rows
+constexpr double kForgotten = 1e-30;    // share of the first state that counts no more
+
+// s after the rows so far, their decay not yet in it, and sum of v_i^2.
+struct Filtered {
+  double state = 0.0, squares = 0.0;
+};
+
+// v = r - a s,  s after = (1 - gain) a s + gain r: s depends on the one before by one product and one sum.
+Filtered filtered(const Kalman::Gain& of, const double* r, Eigen::Index rows, Filtered from) {
+  const double keeps = (1.0 - of.gain) * of.decay;
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const double innovation = r[i] - of.decay * from.state;
+    from.squares += innovation * innovation;
+    from.state = keeps * from.state + of.gain * r[i];
+  }
+  return from;
+}
+
+// Each row waits for the one before it; equal parts of the rows, side by side, do not. All begin with s = 0, and
+// what their first state s adds is known: v_i less a c^i s, c = (1 - gain) a.
+Filtered filtered_in_parts(const Kalman::Gain& of, const double* r, Filtered from) {
+  using Lanes = Eigen::Array<double, kLanes, 1>;
+  const Eigen::Index part = of.rows / kLanes;
+  const double keeps = (1.0 - of.gain) * of.decay;
+  Lanes state = Lanes::Zero(), squares = Lanes::Zero(), cross = Lanes::Zero();
+  double power = of.decay, powers = 0.0;  // a c^i, and the sum of their squares
+  const auto row = [&](Eigen::Index i) {
+    return Eigen::Map<const Lanes, 0, Eigen::InnerStride<>>(r + i, Eigen::InnerStride<>(part));
+  };
+  Eigen::Index i = 0;
+  for (; i < part && power > kForgotten; ++i) {
+    const Lanes now = row(i), innovation = now - of.decay * state;
+    squares += innovation.square();
+    cross += power * innovation;
+    powers += power * power;
+    power *= keeps;
+    state = keeps * state + of.gain * now;
+  }
+  for (; i < part; ++i) {
+    const Lanes now = row(i), innovation = now - of.decay * state;
+    squares += innovation.square();
+    state = keeps * state + of.gain * now;
+  }
+  const double left = power > kForgotten ? std::pow(keeps, static_cast<double>(part)) : 0.0;  // of the first state
+  for (Eigen::Index k = 0; k < kLanes; ++k) {
+    const double first = from.state;
+    from.squares += squares[k] - 2.0 * first * cross[k] + first * first * powers;
+    from.state = state[k] + left * first;
+  }
+  return filtered(of, r + kLanes * part, of.rows - kLanes * part, from);
+}
 
 }  // namespace
 
@@ -17,27 +70,28 @@ NoiseVariances variances_of(const Noise& noise) {
 
 Kalman::Kalman(std::span<const double> time_s, std::span<const double> sigma_um,
                std::span<const std::size_t> left_out) {
-  const auto n = static_cast<Eigen::Index>(time_s.size());
-  step_s_.setConstant(n, std::numeric_limits<double>::infinity());
-  stated_um2_.setZero(n);
-  as_before_.assign(time_s.size(), 0);
-  left_out_.assign(time_s.size(), 0);
-  for (const std::size_t row : left_out) left_out_[row] = 1;
-  std::vector<double> steps;
+  std::vector<double> steps, of_stretches;
+  steps.reserve(time_s.size());
+  auto next_left_out = left_out.begin();
   for (std::size_t i = 0; i < time_s.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    if (!sigma_um.empty()) stated_um2_[row] = sigma_um[i] * sigma_um[i];
-    if (i == 0 || time_s[i] < time_s[i - 1]) continue;
-    double step = time_s[i] - time_s[i - 1];
-    steps.push_back(step);
-    const double before = step_s_[row - 1];
-    if (std::abs(step - before) <= kSameStep * before && std::isfinite(before)) step = before;
-    step_s_[row] = step;
-    const bool both_in = left_out_[i - 1] == 0 && left_out_[i] == 0;
-    as_before_[i] = both_in && step == before && stated_um2_[row] == stated_um2_[row - 1] ? char{1} : char{0};
+    Stretch now{1, sigma_um.empty() ? 0.0 : sigma_um[i] * sigma_um[i], false};
+    for (; next_left_out != left_out.end() && *next_left_out == i; ++next_left_out) now.is_left_out = true;
+    double step = std::numeric_limits<double>::infinity();
+    if (i > 0 && !(time_s[i] < time_s[i - 1])) {
+      step = time_s[i] - time_s[i - 1];
+      steps.push_back(step);
+      const double before = of_stretches.back();
+      if (std::abs(step - before) <= kSameStep * before && std::isfinite(before)) step = before;
+      Stretch& last = stretches_.back();
+      if (step == before && now.stated_um2 == last.stated_um2 && !now.is_left_out && !last.is_left_out) {
+        ++last.rows;
+        continue;
+      }
+    }
+    stretches_.push_back(now);
+    of_stretches.push_back(step);
   }
-  const auto even = std::count(as_before_.begin(), as_before_.end(), char{1});
-  mostly_even_ = 2 * static_cast<std::size_t>(even) > time_s.size();
+  step_s_ = Eigen::ArrayXd::Map(of_stretches.data(), static_cast<Eigen::Index>(of_stretches.size()));
   if (steps.empty()) return;
   const auto at = [&](std::size_t k) {
     std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(k), steps.end());
@@ -47,65 +101,17 @@ Kalman::Kalman(std::span<const double> time_s, std::span<const double> sigma_um,
   shortest_step_s_ = at(steps.size() / 20);
 }
 
-// s ~ (0, p) before row i:  S = p + R,  gain = p / S,  p after = p R / S;  to the next row p = a^2 p + q^2 (1 - a^2).
-void Kalman::set(const NoiseVariances& noise) {
-  constexpr int kFactors = 8;  // variances multiplied before a logarithm is taken: none is below 1e-18 um^2
-  const Eigen::Index n = step_s_.size();
-  const bool memory = noise.correlated > 0.0;
-  if (memory && !mostly_even_) decay_ = (step_s_ * (-1.0 / noise.time_s)).exp();
-  if (!memory || mostly_even_) decay_.setZero(n);
-  gain_.resize(n);
-  weight_.resize(n);
-  log_variances_ = 0.0;
-  double p = 0.0, last = -1.0, product = 1.0;
-  int factors = 0;
-  bool converged = false;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const bool as_before = as_before_[static_cast<std::size_t>(i)] != 0;
-    if (as_before && converged) {
-      const auto from = as_before_.begin() + i;
-      const Eigen::Index rows = std::find(from, as_before_.end(), char{0}) - from;
-      decay_.segment(i, rows).setConstant(decay_[i - 1]);
-      gain_.segment(i, rows).setConstant(gain_[i - 1]);
-      weight_.segment(i, rows).setConstant(weight_[i - 1]);
-      log_variances_ -= static_cast<double>(rows) * std::log(weight_[i - 1]);
-      i += rows - 1;
-      continue;
-    }
-    if (mostly_even_ && memory) decay_[i] = as_before ? decay_[i - 1] : std::exp(-step_s_[i] / noise.time_s);
-    const double a2 = decay_[i] * decay_[i];
-    const double before = a2 * p + noise.correlated * (1.0 - a2);
-    const double r = std::max(noise.white + stated_um2_[i], kLeastVariance_um2);
-    weight_[i] = 1.0 / (before + r);
-    gain_[i] = before * weight_[i];
-    p = gain_[i] * r;
-    if (left_out_[static_cast<std::size_t>(i)] != 0) {
-      gain_[i] = 0.0;
-      p = before;
-    }
-    converged = as_before && std::abs(before - last) <= 1e-14 * before;
-    last = before;
-    product *= weight_[i];
-    if (++factors < kFactors) continue;
-    log_variances_ -= std::log(product);
-    product = 1.0;
-    factors = 0;
-  }
-  log_variances_ -= std::log(product);
-}
-
-// The prediction for the next row, a (s + gain v) = a (1 - gain) s + a gain r, depends on s by one product and one sum.
-Kalman::Sums Kalman::sums(std::span<const double> residual_um) const {
-  const Eigen::Index n = decay_.size();
-  double squares = 0.0, s = 0.0;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double r = residual_um[static_cast<std::size_t>(i)];
-    const double innovation = r - s;
-    squares += innovation * innovation * weight_[i];
-    const double a = i + 1 < n ? decay_[i + 1] : 0.0;
-    s = a * (1.0 - gain_[i]) * s + a * gain_[i] * r;
-  }
-  return {log_variances_, squares};
+Kalman::Sums Kalman::sums(const NoiseVariances& noise, std::span<const double> residual_um) const {
+  const double* r = residual_um.data();
+  double squares = 0.0, state = 0.0;
+  const double log_variances = for_each_gain(noise, [&](const Gain& of) {
+    const Filtered rows =
+        of.rows < kLongRun ? filtered(of, r, of.rows, {state, 0.0}) : filtered_in_parts(of, r, {state, 0.0});
+    state = rows.state;
+    squares += rows.squares * of.weight;
+    r += of.rows;
+  });
+  return {log_variances, squares};
 }
 
 }  // namespace ballbar

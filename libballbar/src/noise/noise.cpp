@@ -23,6 +23,10 @@ double log_likelihood(const Kalman::Sums& sums, double n) {
   return -0.5 * (n * kLogTwoPi + sums.log_variances + sums.squares);
 }
 
+double log_likelihood(const Kalman& kalman, const Noise& noise, std::span<const double> residual_um) {
+  return log_likelihood(kalman.sums(variances_of(noise), residual_um), static_cast<double>(residual_um.size()));
+}
+
 // Noise in unknowns that any number suits and that the likelihood depends on evenly:
 //   x = ln theta,  y = ln w^2 / (q^2 (1 - a^2)), a the decay in a usual step: white against what is new of s in a step,
 //   z = ln (w^2 + q^2)
@@ -33,11 +37,11 @@ struct Likelihood {
   double shortest_s = 0.0, longest_s = 0.0;  // bounds of theta
   double mean_square = 0.0;
 
-  Likelihood(std::span<const double> time_s, std::span<const double> residual, std::span<const double> sigma_um,
-             RowMajorMatrix fitted)
-      : restricted(time_s, residual, sigma_um, std::move(fitted)),
+  Likelihood(const Kalman& kalman, std::span<const double> time_s, std::span<const double> residual, bool is_stated,
+             const RowMajorMatrix& fitted)
+      : restricted(kalman, residual, fitted),
         degrees(static_cast<double>(residual.size()) - static_cast<double>(restricted.columns())),
-        stated(!sigma_um.empty()) {
+        stated(is_stated) {
     if (time_s.empty()) return;
     const auto [first, last] = std::minmax_element(time_s.begin(), time_s.end());
     longest_s = *last - *first;
@@ -166,37 +170,36 @@ Noise noise_of(std::span<const double> time_s, std::span<const double> residual_
     Eigen::Map<Eigen::VectorXd> left(left_um.data(), columns.rows());
     left -= columns * (columns.transpose() * left).eval();
   }
-  Likelihood likelihood(time_s, left_um, sigma_um, std::move(columns));
+  const Kalman kalman(time_s, sigma_um);
+  Likelihood likelihood(kalman, time_s, left_um, !sigma_um.empty(), columns);
   likelihood.longest_s = std::max(likelihood.shortest_s, std::min(likelihood.longest_s, longest_memory_s));
   NoiseVariances noise = white(likelihood);
-  const bool enough = likelihood.degrees >= kFewest && likelihood.restricted.kalman().usual_step_s() > 0.0 &&
-                      likelihood.mean_square > kLeastVariance_um2;
+  const bool enough =
+      likelihood.degrees >= kFewest && kalman.usual_step_s() > 0.0 && likelihood.mean_square > kLeastVariance_um2;
   if (enough) {
-    Likelihood plain(time_s, left_um, sigma_um, RowMajorMatrix(0, 0));
+    Likelihood plain(kalman, time_s, left_um, !sigma_um.empty(), RowMajorMatrix(0, 0));
     plain.longest_s = likelihood.longest_s;
     const NoiseVariances other = with_memory(likelihood, plain);
     if (likelihood.log_likelihood_of(other) > likelihood.log_likelihood_of(noise) + kWorthIt) noise = other;
   }
   Noise result{std::sqrt(noise.white), std::sqrt(noise.correlated), noise.correlated > 0.0 ? noise.time_s : 0.0, 0.0};
-  result.log_likelihood = log_likelihood(result, time_s, residual_um, sigma_um);
+  result.log_likelihood = log_likelihood(kalman, result, residual_um);
   return result;
 }
 
 double log_likelihood(const Noise& noise, std::span<const double> time_s, std::span<const double> residual_um,
                       std::span<const double> sigma_um) {
-  Kalman kalman(time_s, sigma_um);
-  kalman.set(variances_of(noise));
-  return log_likelihood(kalman.sums(residual_um), static_cast<double>(residual_um.size()));
+  return log_likelihood(Kalman(time_s, sigma_um), noise, residual_um);
 }
 
 Whitening::Whitening(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um,
                      std::span<const std::size_t> left_out) {
-  Kalman kalman(time_s, sigma_um, left_out);
-  kalman.set(variances_of(noise));
-  decay_.assign(kalman.decay().begin(), kalman.decay().end());
-  gain_.assign(kalman.gain().begin(), kalman.gain().end());
-  const Eigen::ArrayXd scale = kalman.weight().sqrt();
-  scale_.assign(scale.begin(), scale.end());
+  Kalman(time_s, sigma_um, left_out).for_each_gain(variances_of(noise), [&](const Kalman::Gain& of) {
+    const auto rows = static_cast<std::size_t>(of.rows);
+    decay_.insert(decay_.end(), rows, of.decay);
+    gain_.insert(gain_.end(), rows, of.gain);
+    scale_.insert(scale_.end(), rows, std::sqrt(of.weight));
+  });
 }
 
 void Whitening::apply(const double* column, std::size_t stride, double* out, std::size_t out_stride) const {

@@ -119,9 +119,11 @@ std::optional<Floor> of_standstill(const std::vector<SpeedStep>& steps, double l
 std::optional<Floor> of_innovations(const Noise& noise, std::span<const double> time_s,
                                     std::span<const double> sigma_um) {
   if (time_s.size() < kFewestOfResidual) return std::nullopt;
-  Kalman kalman(time_s, sigma_um);
-  kalman.set({noise.white_um * noise.white_um, noise.correlated_um * noise.correlated_um, noise.correlation_time_s});
-  return Floor{std::sqrt(kalman.weight().inverse().mean()), "innovations of the residual"};
+  double variances = 0.0;
+  Kalman(time_s, sigma_um).for_each_gain(variances_of(noise), [&](const Kalman::Gain& of) {
+    variances += static_cast<double>(of.rows) / of.weight;
+  });
+  return Floor{std::sqrt(variances / static_cast<double>(time_s.size())), "innovations of the residual"};
 }
 
 }  // namespace

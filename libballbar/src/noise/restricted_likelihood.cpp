@@ -4,10 +4,66 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "numerics/orthonormal.hpp"
 
 namespace ballbar {
+namespace {
+
+constexpr Eigen::Index kGroup = 4;        // columns filtered together
+constexpr Eigen::Index kBlockRows = 256;  // that stay in the cache
+
+// The products of columns, a whole number of groups, behind the filter, as its gains come.
+class FilteredGram {
+ public:
+  explicit FilteredGram(const RowMajorMatrix& columns)
+      : columns_(columns),
+        state_(Eigen::RowVectorXd::Zero(columns.cols())),
+        white_(kBlockRows, columns.cols()),
+        gram_(Eigen::MatrixXd::Zero(columns.cols(), columns.cols())) {}
+
+  void add(const Kalman::Gain& of) {
+    using Group = Eigen::Array<double, 1, kGroup>;
+    const double keeps = (1.0 - of.gain) * of.decay, scale = std::sqrt(of.weight);
+    for (Eigen::Index left = of.rows; left > 0;) {
+      const Eigen::Index rows = std::min(left, kBlockRows - filled_);
+      for (Eigen::Index k = 0; k < columns_.cols(); k += kGroup) {
+        Group s = state_.segment<kGroup>(k);
+        for (Eigen::Index i = 0; i < rows; ++i) {
+          const Group now = columns_.row(first_ + i).segment<kGroup>(k);
+          white_.row(filled_ + i).segment<kGroup>(k) = scale * (now - of.decay * s);
+          s = keeps * s + of.gain * now;
+        }
+        state_.segment<kGroup>(k) = s;
+      }
+      first_ += rows;
+      filled_ += rows;
+      left -= rows;
+      if (filled_ == kBlockRows) take_up();
+    }
+  }
+
+  // The upper half.
+  const Eigen::MatrixXd& gram() {
+    take_up();
+    return gram_;
+  }
+
+ private:
+  void take_up() {
+    if (filled_ > 0) gram_.selfadjointView<Eigen::Upper>().rankUpdate(white_.topRows(filled_).transpose());
+    filled_ = 0;
+  }
+
+  const RowMajorMatrix& columns_;
+  Eigen::RowVectorXd state_;
+  RowMajorMatrix white_;  // a block of rows
+  Eigen::MatrixXd gram_;
+  Eigen::Index first_ = 0, filled_ = 0;
+};
+
+}  // namespace
 
 RowMajorMatrix unit_basis(const Eigen::MatrixXd& columns) {
   if (columns.cols() == 0) return {columns.rows(), 0};
@@ -15,37 +71,25 @@ RowMajorMatrix unit_basis(const Eigen::MatrixXd& columns) {
   return orthonormal(columns * norm.cwiseInverse().asDiagonal());
 }
 
-RestrictedLikelihood::RestrictedLikelihood(std::span<const double> time_s, std::span<const double> residual_um,
-                                           std::span<const double> sigma_um, RowMajorMatrix columns)
-    : kalman_(time_s, sigma_um), residual_um_(residual_um), columns_(std::move(columns)) {}
+RestrictedLikelihood::RestrictedLikelihood(Kalman kalman, std::span<const double> residual_um,
+                                           const RowMajorMatrix& columns)
+    : kalman_(std::move(kalman)), residual_um_(residual_um), p_(columns.cols()) {
+  if (p_ == 0) return;
+  all_ = RowMajorMatrix::Zero(columns.rows(), (p_ / kGroup + 1) * kGroup);
+  all_.leftCols(p_) = columns;
+  all_.col(p_) = Eigen::VectorXd::Map(residual_um.data(), columns.rows());
+}
 
-Kalman::Sums RestrictedLikelihood::sums(const NoiseVariances& noise) {
-  kalman_.set(noise);
-  Kalman::Sums sums = kalman_.sums(residual_um_);
-  const Eigen::Index p = columns_.cols();
-  if (p == 0) return sums;
-  constexpr Eigen::Index kBlockRows = 256;
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(p + 1, p + 1);
-  Eigen::RowVectorXd predicted = Eigen::RowVectorXd::Zero(p + 1);
-  innovations_.resize(std::min(kBlockRows, columns_.rows()), p + 1);
-  for (Eigen::Index first = 0; first < columns_.rows(); first += kBlockRows) {
-    const Eigen::Index rows = std::min(kBlockRows, columns_.rows() - first);
-    auto block = innovations_.topRows(rows);
-    block.leftCols(p) = columns_.middleRows(first, rows);
-    block.col(p) = Eigen::VectorXd::Map(residual_um_.data() + first, rows);
-    for (Eigen::Index i = 0; i < rows; ++i) {
-      filter_row(kalman_.decay()[first + i], kalman_.gain()[first + i], std::sqrt(kalman_.weight()[first + i]),
-                 block.row(i), predicted);
-    }
-    gram.selfadjointView<Eigen::Upper>().rankUpdate(block.transpose());
-  }
-  const Eigen::MatrixXd g = gram.topLeftCorner(p, p).selfadjointView<Eigen::Upper>();
+Kalman::Sums RestrictedLikelihood::sums(const NoiseVariances& noise) const {
+  if (p_ == 0) return kalman_.sums(noise, residual_um_);
+  FilteredGram filtered(all_);
+  const double log_variances = kalman_.for_each_gain(noise, [&](const Kalman::Gain& of) { filtered.add(of); });
+  const Eigen::MatrixXd& gram = filtered.gram();
+  const Eigen::MatrixXd g = gram.topLeftCorner(p_, p_).selfadjointView<Eigen::Upper>();
   const Eigen::LLT<Eigen::MatrixXd> factor(g);
-  const Eigen::VectorXd right = gram.col(p).head(p);
+  const Eigen::VectorXd right = gram.col(p_).head(p_);
   const Eigen::VectorXd diagonal = factor.matrixLLT().diagonal();
-  sums.log_variances += 2.0 * diagonal.array().log().sum();
-  sums.squares -= right.dot(factor.solve(right));
-  return sums;
+  return {log_variances + 2.0 * diagonal.array().log().sum(), gram(p_, p_) - right.dot(factor.solve(right))};
 }
 
 }  // namespace ballbar

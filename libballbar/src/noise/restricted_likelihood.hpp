@@ -14,21 +14,20 @@ RowMajorMatrix unit_basis(const Eigen::MatrixXd& columns);
 // Of one residual (n, referred to) and orthonormal columns X (n by p), for one noise after the other.
 class RestrictedLikelihood {
  public:
-  RestrictedLikelihood(std::span<const double> time_s, std::span<const double> residual_um,
-                       std::span<const double> sigma_um, RowMajorMatrix columns);
+  RestrictedLikelihood(Kalman kalman, std::span<const double> residual_um, const RowMajorMatrix& columns);
 
   // G = X' C^-1 X and g = X' C^-1 r take g' G^-1 g from the squares r' C^-1 r and add ln det G to the variances
   // ln det C: -1/2 their sum is ln of the likelihood, up to a constant.
-  Kalman::Sums sums(const NoiseVariances& noise);
+  Kalman::Sums sums(const NoiseVariances& noise) const;
 
   const Kalman& kalman() const { return kalman_; }
-  Eigen::Index columns() const { return columns_.cols(); }
+  Eigen::Index columns() const { return p_; }
 
  private:
   Kalman kalman_;
   std::span<const double> residual_um_;
-  RowMajorMatrix columns_;
-  RowMajorMatrix innovations_;  // a block of rows, used again
+  Eigen::Index p_ = 0;
+  RowMajorMatrix all_;  // X, the residual behind it, and zeros up to whole groups; empty where p is 0
 };
 
 }  // namespace ballbar

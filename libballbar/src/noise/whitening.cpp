@@ -29,19 +29,21 @@ Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::Ref<const Eige
   return out;
 }
 
-Colouring::Colouring(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um)
-    : kalman_(time_s, sigma_um) {
-  kalman_.set(variances_of(noise));
-  sigma_um_ = kalman_.weight().rsqrt();
+Colouring::Colouring(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um) {
+  Kalman(time_s, sigma_um).for_each_gain(variances_of(noise), [&](const Kalman::Gain& of) { gains_.push_back(of); });
 }
 
 void Colouring::apply(Eigen::VectorXd& white) const {
   double s = 0.0;
-  for (Eigen::Index i = 0; i < white.size(); ++i) {
-    const double innovation = sigma_um_[i] * white[i];
-    s *= kalman_.decay()[i];
-    white[i] = s + innovation;
-    s += kalman_.gain()[i] * innovation;
+  Eigen::Index i = 0;
+  for (const Kalman::Gain& of : gains_) {
+    const double sigma_um = 1.0 / std::sqrt(of.weight);
+    for (const Eigen::Index end = i + of.rows; i < end; ++i) {
+      const double innovation = sigma_um * white[i];
+      s *= of.decay;
+      white[i] = s + innovation;
+      s += of.gain * innovation;
+    }
   }
 }
 

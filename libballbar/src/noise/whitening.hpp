@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <vector>
 
 #include "ballbar/noise/noise.hpp"
 #include "noise/kalman.hpp"
@@ -18,8 +19,7 @@ class Colouring {
   void apply(Eigen::VectorXd& white) const;
 
  private:
-  Kalman kalman_;
-  Eigen::ArrayXd sigma_um_;  // of the innovations
+  std::vector<Kalman::Gain> gains_;  // of all rows, as they come
 };
 
 // White noise with no reading beyond 4 sigma (by the median absolute deviation): what counts on many readings stays,

@@ -27,8 +27,8 @@ Weighed weighed_with(const Model& model, const std::vector<Term>& terms, const S
 // may be missing.
 std::vector<Term> begun(Weighed& found, std::vector<Term> terms);
 
-// added: the last terms of `after`. `found`: what may be missing from `before`, these terms among it.
-EffectTest effect_test_of(Weighed& found, const FittedModel& before, const FittedModel& after, std::size_t added,
+// count: the last terms of `after`, which were added. `found`: what may be missing from `before`, these terms among it.
+EffectTest effect_test_of(Weighed& found, const FittedModel& before, const FittedModel& after, std::size_t count,
                           const Series& data, std::size_t target);
 
 }  // namespace ballbar

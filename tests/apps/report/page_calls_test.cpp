@@ -112,6 +112,14 @@ TEST(PageCalls, other_data_under_the_same_name_are_opened_anew) {
   EXPECT_EQ(calls.answer(desk.call("report"))["check"]["targets"][0]["n"], 60);
 }
 
+TEST(PageCalls, data_without_a_model_have_a_report_and_are_searched_when_asked) {
+  const Desk desk;
+  PageCalls calls;
+  EXPECT_FALSE(calls.answer({{"call", "report"}, {"words", {desk.data}}}).contains("check"));
+  const Json found = calls.answer({{"call", "search"}, {"words", {desk.data, "--diagnose", "--target", "y_um"}}});
+  EXPECT_EQ(found["diagnose"]["targets"].size(), 1U);
+}
+
 TEST(PageCalls, a_call_of_another_name_is_refused) {
   const Desk desk;
   PageCalls calls;

@@ -90,6 +90,21 @@ TEST(Noise, likelihood_is_that_of_the_dense_normal_distribution) {
   }
 }
 
+// ln L of 0 less ln L of r is |W r|^2 / 2, W row by row; many rows of one gain, and a number that no part divides. An
+// offset of 30 um: the filter begins far away. Rounding of a sum of 2e4 squares.
+TEST(Noise, likelihood_of_a_long_even_series_is_that_of_its_rows) {
+  const std::vector<double> time_s = even_times(20003, 10.0), none(time_s.size(), 0.0);
+  for (const Noise& noise : {Noise{0.2, 1.0, 4e4, 0.0}, Noise{0.0, 1.0, 50.0, 0.0}, Noise{1.0, 0.1, 3e5, 0.0},
+                             Noise{0.5, 0.0, 0.0, 0.0}, Noise{0.01, 1.0, 20.0, 0.0}}) {
+    std::vector<double> residual = drawn(noise, time_s, {}, 6), white(time_s.size());
+    for (double& value : residual) value += 30.0;
+    Whitening(noise, time_s, {}).apply(residual.data(), 1, white.data(), 1);
+    const double half = 0.5 * Eigen::VectorXd::Map(white.data(), 20003).squaredNorm();
+    EXPECT_NEAR(log_likelihood(noise, time_s, none, {}) - log_likelihood(noise, time_s, residual, {}), half,
+                1e-10 * half);
+  }
+}
+
 // W of r -> W r: W' W = C^-1, for any column, in place and with strides.
 TEST(Noise, whitening_is_the_root_of_the_inverse_covariance) {
   const Noise noise{0.5, 1.2, 100.0, 0.0};

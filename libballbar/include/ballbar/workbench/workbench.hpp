@@ -29,7 +29,8 @@ struct ResidualReport {
 };
 
 // Of one target of the model. Throws Error as fit does.
-ResidualReport residual_report_of(const Model& model, const Series& data, std::size_t target, const FitOptions& fit);
+ResidualReport residual_report_of(const Model& model, const Series& data, std::size_t target,
+                                  const FitOptions& options);
 
 struct WorkbenchOptions {
   FitOptions fit;              // of check()

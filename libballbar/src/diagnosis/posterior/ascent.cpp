@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/evidence/evidence.hpp"
 
 namespace ballbar {
@@ -131,7 +132,7 @@ SingleEffect fitted_to(const ColumnsAt& at, const Identities& identities, const 
     if (weight[s] != kLogZero) any += std::exp(weight[s] - most);
   }
   const double none = prior.log_none == kLogZero ? 0.0 : std::exp(prior.log_none - most), total = any + none;
-  result.log_weight = none > 0.0 ? std::log(any) - std::log(none) : std::log(any) + most;
+  result.log_weight = std::log(any) - std::log(none);
   double expected = 0.0;
   b = 0;
   for (std::size_t s = 0; s < shapes; ++s) {
@@ -242,6 +243,8 @@ void converge(ColumnsAt& at, const Identities& identities, const AscentOptions& 
 
 }  // namespace
 
+double SingleEffect::p_none() const { return 1.0 / (1.0 + std::exp(log_weight)); }
+
 double SingleEffect::p_any() const { return std::accumulate(p.begin(), p.end(), 0.0); }
 
 Ascent ascended(ColumnsAt& at, const Identities& identities, const AscentOptions& options, Ascent start) {
@@ -270,41 +273,58 @@ Ascent ascended(ColumnsAt& at, const Identities& identities, const AscentOptions
   return ascent;
 }
 
-Ascent rearranged(ColumnsAt& at, const Identities& identities, const AscentOptions& options, Ascent best) {
+namespace {
+
+// From where one single effect is an identity and the others follow it.
+Ascent ascended_with(ColumnsAt& at, const Identities& identities, const AscentOptions& options, Ascent start,
+                     std::size_t l, std::size_t identity) {
+  settle(at, start, start.variance);
+  SinglePrior alone = prior_of(options, l);
+  const double log_prior = alone.log_identity[identity];
+  alone.log_identity.assign(alone.log_identity.size(), kLogZero);
+  alone.log_identity[identity] = log_prior;
+  alone.log_none = kLogZero;
+  fit_again(at, identities, alone, start, l);
+  for (std::size_t j = 0; j < start.effects.size(); ++j) {
+    if (j != l) fit_again(at, identities, prior_of(options, j), start, j);
+  }
+  start.variance = scatter_of(at, options, start);  // that of the forced effect, else the next sweep undoes it
+  return ascended(at, identities, options, std::move(start));
+}
+
+// The strongest identities of a single effect that it is not.
+std::vector<std::size_t> rivals_of(const SingleEffect& effect) {
+  std::vector<std::size_t> rivals(effect.p.size());
+  std::iota(rivals.begin(), rivals.end(), std::size_t{0});
+  std::stable_sort(rivals.begin(), rivals.end(),
+                   [&](std::size_t a, std::size_t b) { return effect.p[a] > effect.p[b]; });
+  rivals.resize(std::min(kRivals, rivals.size()));
+  std::erase_if(rivals, [&](std::size_t i) { return !(effect.p[i] > kLeastRival); });
+  const bool is_there = effect.p_any() >= 0.5;
+  if (is_there && !rivals.empty()) rivals.erase(rivals.begin());
+  return rivals;
+}
+
+}  // namespace
+
+Ascent rearranged(const ColumnsAt& at, const Identities& identities, const AscentOptions& options, Ascent best) {
   for (std::size_t round = 0; round < kMostRounds; ++round) {
     bool better = false;
     for (std::size_t l = 0; l < best.effects.size(); ++l) {
-      const std::vector<double> p = best.effects[l].p;
-      std::vector<std::size_t> rivals(p.size());
-      std::iota(rivals.begin(), rivals.end(), std::size_t{0});
-      std::stable_sort(rivals.begin(), rivals.end(), [&](std::size_t a, std::size_t b) { return p[a] > p[b]; });
-      const bool weak = best.effects[l].p_any() < 0.5;
-      for (std::size_t k = 0; k < std::min(kRivals, rivals.size()); ++k) {
-        if (k == 0 && !weak) continue;  // it is that already
-        if (!(p[rivals[k]] > kLeastRival)) break;
-        Ascent other = best;
-        settle(at, other, other.variance);
-        SinglePrior alone = prior_of(options, l);
-        const double log_prior = alone.log_identity[rivals[k]];
-        alone.log_identity.assign(p.size(), kLogZero);
-        alone.log_identity[rivals[k]] = log_prior;
-        alone.log_none = kLogZero;
-        fit_again(at, identities, alone, other, l);
-        for (std::size_t j = 0; j < other.effects.size(); ++j) {
-          if (j != l) fit_again(at, identities, prior_of(options, j), other, j);
-        }
-        other.variance = scatter_of(at, options, other);  // that of the forced effect, else the next sweep undoes it
-        other = ascended(at, identities, options, std::move(other));
-        if (other.bound > best.bound + 10.0 * kRises) {
-          best = std::move(other);
-          better = true;
-          break;
-        }
-      }
+      const std::vector<std::size_t> rivals = rivals_of(best.effects[l]);
+      std::vector<Ascent> others(rivals.size());
+      in_parallel(rivals.size(), [&](std::size_t k) {
+        ColumnsAt there = at;
+        others[k] = ascended_with(there, identities, options, best, l, rivals[k]);
+      });
+      const auto first = std::find_if(others.begin(), others.end(),
+                                      [&](const Ascent& other) { return other.bound > best.bound + 10.0 * kRises; });
+      if (first == others.end()) continue;
+      best = std::move(*first);
+      better = true;
     }
     if (!better) break;
   }
-  settle(at, best, best.variance);
   return best;
 }
 

@@ -21,7 +21,7 @@ struct SinglePrior {
 };
 
 struct SingleEffect {
-  double log_weight = 0.0;                            // ln of the weight of any identity over that of none
+  double log_weight = kLogZero;                       // ln of the weight of any identity over that of none
   std::vector<double> p;                              // of each identity; the rest is nothing
   std::vector<std::size_t> likeliest;                 // the shape of each identity, of Identities::shapes
   std::vector<double> strength;                       // ln of the weight of that shape, where P is too small to tell
@@ -30,6 +30,7 @@ struct SingleEffect {
   double spread = 0.0;                                // expected square of what it adds, in units of the scatter
   double divergence = 0.0;                            // of its posterior from its prior
   double p_any() const;
+  double p_none() const;  // exact where it is far below 1
 };
 
 struct Ascent {
@@ -51,6 +52,6 @@ Ascent ascended(ColumnsAt& at, const Identities& identities, const AscentOptions
 
 // Out of a poor local optimum: each single effect is put in the place of each of its strongest rivals by turns, and the
 // best bound is kept.
-Ascent rearranged(ColumnsAt& at, const Identities& identities, const AscentOptions& options, Ascent best);
+Ascent rearranged(const ColumnsAt& at, const Identities& identities, const AscentOptions& options, Ascent best);
 
 }  // namespace ballbar

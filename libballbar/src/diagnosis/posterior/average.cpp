@@ -227,8 +227,8 @@ class Average {
 
   // A better optimum at the likeliest covariance is one everywhere.
   void take_better_optimum(std::vector<Found>& found) {
-    ColumnsAt at(problem_, identities(), searched_.variant, found.front().point,
-                 background_of(problem_, found.front().background));
+    const ColumnsAt at(problem_, identities(), searched_.variant, found.front().point,
+                       background_of(problem_, found.front().background));
     const Ascent best =
         rearranged(at, identities(), ascent_options(problem_, identities(), largest_), found.front().ascent);
     if (!(best.bound > found.front().ascent.bound + kBetterOptimum)) return;
@@ -291,7 +291,7 @@ class Average {
           result.effects[l].p[i] += weight[g] * one.p[i];
           without[i] *= std::max(0.0, 1.0 - one.p[i]);
         }
-        none *= std::max(0.0, 1.0 - one.p_any());
+        none *= one.p_none();
       }
       for (std::size_t i = 0; i < count; ++i) p[i] += weight[g] * (1.0 - without[i]);
       const bool slow = found[g].point.covariance.slow > 0.0;

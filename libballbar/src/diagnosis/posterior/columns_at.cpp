@@ -5,25 +5,31 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 
 namespace ballbar {
 namespace {
 
-constexpr double kSurviving = 1e-3;  // share of the square of a column that must be left beside the line
-constexpr double kJitter = 1e-10;    // of a diagonal of 1
-constexpr Eigen::Index kRowsTogether = 128;
+constexpr double kSurviving = 1e-3;            // share of the square of a column that must be left beside the line
+constexpr double kJitter = 1e-10;              // of a diagonal of 1
+constexpr Eigen::Index kColumnsTogether = 64;  // white ones that stay in the cache
 
-// W and its products, a block of rows at a time so that it stays in the cache.
 RowMajorMatrix filtered_rows(const CovarianceFilter& filter, RowMajorMatrix columns) {
   RowMajorMatrix state = RowMajorMatrix::Zero(3, columns.cols());
   filter.apply(0, columns, state);
   return columns;
 }
 
-Eigen::MatrixXd products_with_jumps(const CovarianceFilter& filter, RowMajorMatrix white) {
+// W' w of white columns w: their products with the columns before the filter.
+RowMajorMatrix filtered_back(const CovarianceFilter& filter, RowMajorMatrix white) {
   filter.apply_transposed(white);
-  for (Eigen::Index i = white.rows() - 2; i >= 0; --i) white.row(i) += white.row(i + 1);
   return white;
+}
+
+// Products with jumps at each row.
+RowMajorMatrix sums_from_each_row(RowMajorMatrix columns) {
+  for (Eigen::Index i = columns.rows() - 2; i >= 0; --i) columns.row(i) += columns.row(i + 1);
+  return columns;
 }
 
 }  // namespace
@@ -47,33 +53,29 @@ ColumnsAt::ColumnsAt(const Problem& problem, const Identities& identities, const
   if (dense > 0) pool.rightCols(dense) = background.columns;
   pool = filtered_rows(filter_, std::move(pool));
   pool_ = pool.transpose() * pool;
-  white_.resize(n, c);
   cross_ = Eigen::MatrixXd::Zero(pool.cols(), identities.size());
   squares_ = Eigen::VectorXd::Zero(identities.size());
-  RowMajorMatrix state = RowMajorMatrix::Zero(3, c);
-  for (Eigen::Index first = 0; c > 0 && first < n; first += kRowsTogether) {
-    const Eigen::Index rows = std::min(kRowsTogether, n - first);
-    RowMajorMatrix block = identities.columns.middleRows(first, rows);
-    filter_.apply(static_cast<std::size_t>(first), block, state);
-    cross_.leftCols(c).noalias() += pool.middleRows(first, rows).transpose() * block;
-    squares_.head(c) += block.colwise().squaredNorm().transpose();
-    white_.middleRows(first, rows) = block;
+  for (Eigen::Index first = 0; first < c; first += kColumnsTogether) {
+    const Eigen::Index columns = std::min(kColumnsTogether, c - first);
+    const RowMajorMatrix white = filtered_rows(filter_, identities.columns.middleCols(first, columns));
+    cross_.middleCols(first, columns).noalias() = pool.transpose() * white;
+    squares_.segment(first, columns) = white.colwise().squaredNorm().transpose();
   }
   if (identities.jump) {
-    cross_.rightCols(n) = products_with_jumps(filter_, pool).transpose();
+    cross_.rightCols(n) = sums_from_each_row(filtered_back(filter_, pool)).transpose();
     squares_.tail(n) = filter_.squares_of_steps();
   }
   for (std::size_t s = 0; s < identities.shapes.size(); ++s) {
     const Shape& shape = identities.shapes[s];
     if (shape.width == 1) continue;
-    const auto columns = white_.middleCols(shape.first, shape.width);
-    blocks.push_back({s, {}, {}, {}, columns.transpose() * columns});
+    const RowMajorMatrix white = filtered_rows(filter_, identities.columns.middleCols(shape.first, shape.width));
+    blocks.push_back({s, {}, {}, {}, white.transpose() * white});
   }
   // About the scatter that nothing at all leaves.
   double variance = pool_(0, 0) / degrees;
   precision_ = Eigen::VectorXd::Constant(dense, std::numeric_limits<double>::infinity());
   for (int round = 0; round < 3; ++round) {
-    settle(variance);
+    settle_line(variance);
     variance = (square + problem.known.readings * problem.known.variance) / (degrees + problem.known.readings);
   }
   if (dense == 0) return;
@@ -87,10 +89,10 @@ ColumnsAt::ColumnsAt(const Problem& problem, const Identities& identities, const
     const double whole = pool_(1 + line_ + k, 1 + line_ + k), seen = whole - half.col(k).squaredNorm();
     if (seen > kSurviving * whole) precision_[k] = static_cast<double>(dense) * seen / (background_d_ * background_d_);
   }
-  settle(variance);
+  settle_line(variance);
 }
 
-void ColumnsAt::settle(double variance) {
+void ColumnsAt::settle_line(double variance) {
   std::vector<Eigen::Index> used;
   for (Eigen::Index k = 0; k < line_; ++k) used.push_back(k);
   for (Eigen::Index k = 0; k < precision_.size(); ++k) {
@@ -121,18 +123,21 @@ void ColumnsAt::settle(double variance) {
   const Eigen::MatrixXd lower = factor_.matrixL();
   for (Eigen::Index i = 0; i < p; ++i) half_log += std::log(lower(i, i)) - std::log(scale[i]);
   constant = -0.5 * log_determinant_ - half_log;
-  solved_.resize(p, cross_.cols());
-  solved_y_.resize(p);
-  for (Eigen::Index i = 0; i < p; ++i) {
-    const Eigen::Index k = 1 + used[static_cast<std::size_t>(i)];
-    if (cross_.cols() > 0) solved_.row(i) = scale[i] * cross_.row(k);
-    solved_y_[i] = scale[i] * pool_(k, 0);
-  }
-  if (cross_.cols() > 0) factor_.matrixL().solveInPlace(solved_);
+  for (Eigen::Index& k : used) ++k;  // of the pool, behind y
+  solved_y_ = scale.asDiagonal() * pool_(used, 0);
   factor_.matrixL().solveInPlace(solved_y_);
   square = std::max(pool_(0, 0) - solved_y_.squaredNorm(), 1e-300);
+  used_ = std::move(used);
+  scale_ = std::move(scale);
+}
+
+void ColumnsAt::settle(double variance) {
+  if (variance == settled) return;
+  settle_line(variance);
   along = left = squares_;
   if (cross_.cols() > 0) {
+    solved_ = scale_.asDiagonal() * cross_(used_, Eigen::all);
+    factor_.matrixL().solveInPlace(solved_);
     along = cross_.row(0).transpose() - solved_.transpose() * solved_y_;
     left = squares_ - solved_.colwise().squaredNorm().transpose();
   }
@@ -140,8 +145,6 @@ void ColumnsAt::settle(double variance) {
     if (!(left[j] > kSurviving * squares_[j])) left[j] = 0.0;
   }
   settle_blocks();
-  used_ = std::move(used);
-  scale_ = std::move(scale);
   settled = variance;
 }
 
@@ -166,7 +169,7 @@ std::vector<std::pair<std::size_t, double>> ColumnsAt::background_shares(const E
   const Eigen::VectorXd coefficients = scale_.asDiagonal() * factor_.matrixU().solve(solved_y_ - line);
   Eigen::VectorXd background = Eigen::VectorXd::Zero(precision_.size());
   for (std::size_t i = 0; i < used_.size(); ++i) {
-    if (used_[i] >= line_) background[used_[i] - line_] = coefficients[static_cast<Eigen::Index>(i)];
+    if (used_[i] > line_) background[used_[i] - 1 - line_] = coefficients[static_cast<Eigen::Index>(i)];
   }
   std::map<std::size_t, std::vector<Eigen::Index>> columns;
   for (std::size_t k = 0; k < family_of_background_.size(); ++k)
@@ -185,29 +188,29 @@ std::vector<std::pair<std::size_t, double>> ColumnsAt::background_shares(const E
 }
 
 ColumnsAt::Curve ColumnsAt::curve_of(const std::vector<std::pair<Eigen::Index, double>>& coefficients) const {
-  const Eigen::Index n = white_.rows(), c = white_.cols();
-  Curve curve{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(solved_.rows())};
-  RowMajorMatrix jumps = RowMajorMatrix::Zero(n, 1);
-  bool any = false;
+  const Eigen::Index n = identities_.columns.rows(), c = identities_.columns.cols();
+  Curve curve{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(scale_.size())};
+  if (coefficients.empty()) return curve;
+  Eigen::VectorXd jumps = Eigen::VectorXd::Zero(n);
   for (const auto& [column, coefficient] : coefficients) {
     curve.line += coefficient * solved_.col(column);
     if (column < c) {
-      curve.white += coefficient * white_.col(column);
-      continue;
+      curve.white += coefficient * identities_.columns.col(column);
+    } else {
+      jumps[column - c] += coefficient;
     }
-    jumps(column - c, 0) += coefficient;
-    any = true;
   }
-  if (!any) return curve;
-  for (Eigen::Index i = 1; i < n; ++i) jumps(i, 0) += jumps(i - 1, 0);
-  curve.white += filtered_rows(filter_, std::move(jumps)).col(0);
+  std::partial_sum(jumps.begin(), jumps.end(), jumps.begin());
+  curve.white = filtered_rows(filter_, curve.white + jumps);
   return curve;
 }
 
 Eigen::VectorXd ColumnsAt::products(const Curve& curve) const {
+  const Eigen::Index n = identities_.columns.rows(), c = identities_.columns.cols();
+  const RowMajorMatrix back = filtered_back(filter_, curve.white);
   Eigen::VectorXd result = -(solved_.transpose() * curve.line);
-  result.head(white_.cols()) += white_.transpose() * curve.white;
-  if (identities_.jump) result.tail(white_.rows()) += products_with_jumps(filter_, curve.white);
+  result.head(c) += identities_.columns.transpose() * back.col(0);
+  if (identities_.jump) result.tail(n) += sums_from_each_row(back).col(0);
   return result;
 }
 

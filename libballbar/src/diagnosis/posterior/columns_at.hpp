@@ -37,7 +37,8 @@ class ColumnsAt {
   ColumnsAt(const Problem& problem, const Identities& identities, const Variant& variant, const Point& point,
             const DenseBackground& background);
 
-  // What is known of the line is in um: it needs the variance of the scatter.
+  // What is known of the line is in um: it needs the variance of the scatter. Before it `square`, `degrees` and
+  // `constant` alone are there, about the scatter that nothing at all leaves.
   void settle(double variance);
 
   double settled = 0.0;              // variance of the scatter
@@ -60,6 +61,7 @@ class ColumnsAt {
   double product(const Curve& a, const Curve& b) const { return a.white.dot(b.white) - a.line.dot(b.line); }
 
  private:
+  void settle_line(double variance);
   void settle_blocks();
 
   const Identities& identities_;
@@ -67,11 +69,10 @@ class ColumnsAt {
   double log_determinant_ = 0.0, background_d_ = 0.0;
   Eigen::Index line_ = 0;         // columns of the line, the background's behind them
   std::vector<char> is_free_;     // of the line's
-  Eigen::MatrixXd white_;         // n by C
   Eigen::MatrixXd pool_, cross_;  // products of y and the line, and of these with all columns
   Eigen::VectorXd squares_;       // of all columns
   std::vector<std::size_t> family_of_background_;
-  std::vector<Eigen::Index> used_;  // of the line and the background, those that are solved for
+  std::vector<Eigen::Index> used_;  // of pool_, the columns of the line and the background that are solved for
   Eigen::VectorXd scale_;           // of these
   Eigen::LLT<Eigen::MatrixXd> factor_;
   Eigen::VectorXd precision_;  // of the background's columns, in units of the scatter

@@ -29,7 +29,7 @@ struct Shape {
 struct Identities {
   std::size_t families = 0;               // of the library; behind them held values, by their place in Problem::own
   std::vector<double> log_prior;          // of each
-  RowMajorMatrix columns;                 // n by C, each of deviation 1
+  Eigen::MatrixXd columns;                // n by C, each of deviation 1
   std::vector<Shape> shapes;              // those of an identity together
   std::vector<std::size_t> first, count;  // of each identity, of `shapes`
   std::optional<std::size_t> jump;        // the identity that jumps at any row

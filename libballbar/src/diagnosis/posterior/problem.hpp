@@ -48,7 +48,7 @@ struct Problem {
   KnownScatter known;
   std::unique_ptr<BaseModel> base_model;
   SignatureLibrary library;
-  RowMajorMatrix signatures;               // n by all columns of the library, each of deviation 1
+  Eigen::MatrixXd signatures;              // n by all columns of the library, each of deviation 1
   Eigen::VectorXd deviation;               // of the library's columns before that
   std::size_t effects = 0;                 // families of effects; those behind them are inputs of any form
   std::vector<double> log_prior;           // of each family: effects alike, columns of an effect alike

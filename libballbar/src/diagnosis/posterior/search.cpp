@@ -272,14 +272,17 @@ class Search {
     }
     is_better = false;
     if (modes.empty()) return modes;
-    ColumnsAt at(problem_, identities_, *variant_, best_.point, {});
+    std::vector<Ascent> sharper(modes.size());
+    in_parallel(modes.size(), [&](std::size_t m) {
+      ColumnsAt at(problem_, identities_, *variant_, best_.point, {});
+      const AscentOptions options = ascent_options(problem_, identities_, largest_, modes[m].without);
+      sharper[m] = ascended_from(at, identities_, options, modes[m].set);
+    });
     const double bound = best_.ascent.bound;
-    for (Mode& mode : modes) {
-      Ascent other =
-          ascended_from(at, identities_, ascent_options(problem_, identities_, largest_, mode.without), mode.set);
-      mode.set = likeliest_set(other);
-      if (!(other.bound > best_.ascent.bound + kBetter)) continue;
-      best_.ascent = std::move(other);
+    for (std::size_t m = 0; m < modes.size(); ++m) {
+      modes[m].set = likeliest_set(sharper[m]);
+      if (!(sharper[m].bound > best_.ascent.bound + kBetter)) continue;
+      best_.ascent = std::move(sharper[m]);
       is_better = true;
     }
     best_.log_weight += best_.ascent.bound - bound;
