@@ -117,6 +117,7 @@ void run(const EffectsArguments& options) {
   }
   if (options.json) {
     std::vector<Effect> pages;
+    pages.reserve(chosen.size());
     for (const Effect* effect : chosen) pages.push_back(*effect);
     print_json(json_value(pages));
   } else if (options.name.empty()) {
