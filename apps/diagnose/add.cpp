@@ -20,6 +20,7 @@
 #include "diagnose/diagnosis_report.hpp"
 #include "diagnose/effect_test_text.hpp"
 #include "diagnose/grown.hpp"
+#include "diagnose/new_model.hpp"
 #include "diagnose/next_command.hpp"
 #include "diagnose/revised_model.hpp"
 #include "model/effect_options.hpp"
@@ -71,6 +72,13 @@ void expect_file(const AddArguments& options) {
       "--model", fmt::format("expected the model's file, which is made where there is none, as in ballbar add {}{} "
                              "--model {}",
                              options.automatic ? "--auto " : "", fmt::join(words, " "), model_file({})));
+}
+
+RevisedModel opened_model(const ModelOptions& options, const std::shared_ptr<const ModelData>& data) {
+  const ModelOptions start = readable(options);
+  const Model model = open_model(start, *data);
+  expect_one_target(start, model);
+  return {options, data, model};
 }
 
 // named: the terms were found by a diagnosis, not chosen.
@@ -253,7 +261,7 @@ void run(AddArguments options) {
   const ModelOptions& how = options.effect.model;
   const auto opened = std::make_shared<const ModelData>(open_data(how));
   const ModelData& data = *opened;
-  Story story{RevisedModel(how, opened), {}, {}, {}};
+  Story story{opened_model(how, opened), {}, {}, {}};
   if (story.model.is_new())
     stderr_line(fmt::format("{} is new: it starts from {} alone", written_to(options).model, start_of(data.level)));
   if (!options.out.empty()) expect_no_input({options.out}, data.files);

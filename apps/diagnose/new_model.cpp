@@ -14,6 +14,11 @@ bool is_new_model(const ModelOptions& options) {
          (std::filesystem::symlink_status(options.model, error).type() == std::filesystem::file_type::not_found);
 }
 
+ModelOptions readable(ModelOptions options) {
+  if (is_new_model(options)) options.model.clear();
+  return options;
+}
+
 std::string new_model_text(const Model& model) {
   Model start;
   start.level = model.level;

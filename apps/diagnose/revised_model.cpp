@@ -12,34 +12,16 @@
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "diagnose/new_model.hpp"
-#include "model/effect_options.hpp"
 #include "model/workbench_of.hpp"
 
 namespace ballbar {
-namespace {
-
-// A file that is not there yet is no file to read.
-ModelOptions readable(ModelOptions options) {
-  if (is_new_model(options)) options.model.clear();
-  return options;
-}
-
-Workbench bench_of(const ModelOptions& options, const std::shared_ptr<const ModelData>& data,
-                   DiagnosisOptions diagnosis) {
-  const Model model = open_model(options, *data);
-  expect_one_target(options, model);
-  return workbench_of(options, data, model, std::move(diagnosis));
-}
-
-}  // namespace
-
 RevisedModel::RevisedModel(const ModelOptions& options, const std::shared_ptr<const ModelData>& data,
-                           DiagnosisOptions diagnosis)
+                           const Model& model, DiagnosisOptions diagnosis)
     : options_(options),
       is_new_(is_new_model(options)),
-      bench_(bench_of(readable(options), data, std::move(diagnosis))),
-      text_(is_new_ ? new_model_text(bench_.model()) : read_bytes(options.model, kLargestText)),
-      not_in_file_(bench_.model().terms.size() - read_model(text_, options.model).terms.size()) {
+      bench_(workbench_of(readable(options), data, model, std::move(diagnosis))),
+      text_(is_new_ ? new_model_text(model) : read_bytes(options.model, kLargestText)),
+      not_in_file_(model.terms.size() - read_model(text_, options.model).terms.size()) {
   static_cast<void>(read_ledger(text_, options_.model));
 }
 

@@ -14,9 +14,9 @@ namespace ballbar {
 
 class RevisedModel {
  public:
-  // The model of the options, of one target; `text` is that of its file, begun anew where there is none yet. Throws
+  // model: of the options' file, of one target. `text` is that of the file, begun anew where there is none yet. Throws
   // Error with the file that is at fault.
-  RevisedModel(const ModelOptions& options, const std::shared_ptr<const ModelData>& data,
+  RevisedModel(const ModelOptions& options, const std::shared_ptr<const ModelData>& data, const Model& model,
                DiagnosisOptions diagnosis = {});
 
   bool is_new() const { return is_new_; }  // its file is not there yet

@@ -222,23 +222,20 @@ ReportData report_data(ReportRequest& options) {
   }
   const DriftData data = open_drift_data(options.model.data.front());
   made.files = data.files;
-  tell(data.remarks);
+  const bool fits = !of_batches && (has_model || options.diagnose);
+  if (fits) {
+    const double max_gap_s = options.model.max_gap_s.value_or(kUsualGap_s);
+    result.for_model =
+        std::make_shared<const ModelData>(model_data_of(data, options.model.data.front(), {}, max_gap_s));
+  }
+  tell(fits ? result.for_model->remarks : data.remarks);
   if (data.session) {
     add_session(made, *data.session, options);
   } else {
     add_series(made, *data.series, options);
   }
   if (!options.compare.empty() || (data.session && data.session->five_probe)) add_comparison(made, options);
-  if (of_batches) {
-    add_batch(made, options);
-  } else if (has_model || options.diagnose) {
-    const double max_gap_s = options.model.max_gap_s.value_or(kUsualGap_s);
-    ModelData opened = model_data_of(data, options.model.data.front(), {}, max_gap_s);
-    opened.remarks.erase(opened.remarks.begin(),
-                         opened.remarks.begin() + static_cast<std::ptrdiff_t>(data.remarks.size()));
-    tell(opened.remarks);  // the others are said
-    result.for_model = std::make_shared<const ModelData>(std::move(opened));
-  }
+  if (of_batches) add_batch(made, options);
   return result;
 }
 

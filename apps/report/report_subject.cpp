@@ -75,13 +75,12 @@ void ReportSubject::open_model_file() {
   targets_ = model.targets;
   models_.clear();
   faults_.clear();
-  for (const std::string& target : targets_) {
-    ModelOptions of_one = request_.model;
-    if (targets_.size() > 1) of_one.target = {target};
+  for (std::size_t k = 0; k < targets_.size(); ++k) {
     faults_.emplace_back();
     try {
-      models_.push_back(
-          std::make_unique<RevisedModel>(of_one, data_.for_model, diagnosis_options(request_.how, target)));
+      models_.push_back(std::make_unique<RevisedModel>(request_.model, data_.for_model,
+                                                       of_one_target(model, request_.model, k),
+                                                       diagnosis_options(request_.how, targets_[k])));
     } catch (const Error& error) {
       models_.push_back(nullptr);
       faults_.back() = error.what();

@@ -3,6 +3,7 @@
 import { readFileSync } from "node:fs";
 import { basename, join } from "node:path";
 import { started } from "./browsers.mjs";
+import { first_rows, hidden_effect } from "./hidden_effect.mjs";
 
 const [tool, sample_runs = new URL("../../sample-runs", import.meta.url).pathname] = process.argv.slice(2);
 if (!tool) {
@@ -10,15 +11,10 @@ if (!tool) {
   process.exit(2);
 }
 const kTimes = 3;
-const hidden = join(sample_runs, "hidden-effect", "01");
-const first_rows = (count) => {
-  const lines = readFileSync(join(hidden, "data.csv"), "utf8").split("\n");
-  const head = lines.findIndex((line) => line.startsWith("time_s"));
-  return Buffer.from(lines.slice(0, head + 1 + count).join("\n") + "\n");
-};
+const hidden = hidden_effect(sample_runs);
 const long = join(sample_runs, "spindle-46h");
 const cases = [
-  ["hidden-effect, first 1333 rows", [["data.csv", first_rows(1333)], ["model.toml", readFileSync(join(hidden, "model.toml"))]]],
+  ["hidden-effect, first 1333 rows", [["data.csv", Buffer.from(first_rows(sample_runs, 1333))], ["model.toml", readFileSync(join(hidden, "model.toml"))]]],
   ["hidden-effect", ["data.csv", "model.toml"].map((name) => [name, readFileSync(join(hidden, name))])],
   ["spindle-46h", [["measured.csv", readFileSync(join(long, "measured.csv"))], ["speed.toml", readFileSync(join(long, "speed.toml"))]]],
 ];

@@ -5,6 +5,7 @@ import { copyFileSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync,
 import { tmpdir } from "node:os";
 import { basename, join } from "node:path";
 import { started } from "./browsers.mjs";
+import { first_rows, hidden_effect } from "./hidden_effect.mjs";
 import { session } from "./session.mjs";
 
 const [program, tool, sample_runs = new URL("../../sample-runs", import.meta.url).pathname] = process.argv.slice(2);
@@ -30,16 +31,9 @@ const native = (words) => {
   return times;
 };
 
-// The first 1333 rows of five inputs and what they move.
-const hidden = join(sample_runs, "hidden-effect", "01");
-const rows = () => {
-  const lines = readFileSync(join(hidden, "data.csv"), "utf8").split("\n");
-  const head = lines.findIndex((line) => line.startsWith("time_s"));
-  return lines.slice(0, head + 1 + 1333).join("\n") + "\n";
-};
 copyFileSync(join(sample_runs, "qc20-style-b5r", "00.b5r"), join(folder, "00.b5r"));
-copyFileSync(join(hidden, "model.toml"), join(folder, "model.toml"));
-writeFileSync(join(folder, "data.csv"), rows());
+copyFileSync(join(hidden_effect(sample_runs), "model.toml"), join(folder, "model.toml"));
+writeFileSync(join(folder, "data.csv"), first_rows(sample_runs, 1333));
 session(join(folder, "run"), { tests: 15, readings: 1500 });
 const of_session = readdirSync(join(folder, "run")).map((name) => `run/${name}`);
 

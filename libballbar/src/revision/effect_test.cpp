@@ -11,6 +11,7 @@
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/error.hpp"
 #include "diagnosis/posterior/weighed.hpp"
+#include "diagnosis/verdict/diagnosis_at.hpp"
 #include "diagnosis/verdict/tested_member.hpp"
 #include "fit/machine_error_fit.hpp"
 #include "model/bindings.hpp"
@@ -133,17 +134,6 @@ bool is_usual(const Term& term, const Model& model, const Series& data) {
   return std::find(bindings.begin(), bindings.end(), term.columns) != bindings.end();
 }
 
-Weighed weighed_with(const Model& model, const std::vector<Term>& terms, const Series& data, std::size_t target,
-                     const Catalogue& catalogue, const std::optional<Motion>& motion) {
-  ProblemOptions options;
-  options.catalogue = catalogue;
-  options.signatures.motion = motion;
-  for (const Term& term : terms) {
-    if (catalogue.empty() || !is_usual(term, model, data)) options.signatures.terms.push_back(term);
-  }
-  return weighed(model, data, target, options);
-}
-
 std::vector<Term> begun(Weighed& found, std::vector<Term> terms) {
   const std::vector<BoundEffect> bounds = bounds_of(terms);
   const EffectSet* set = set_of(found, bounds);
@@ -158,6 +148,8 @@ std::vector<Term> begun(Weighed& found, std::vector<Term> terms) {
 
 std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Series& data, std::size_t target) {
   if (is_of_machine_errors(model, data)) return machine_error_drop_tests(model, count, data);
+  DiagnosisOptions it_alone;
+  it_alone.search.catalogue.clear();
   std::vector<DropTest> result;
   for (std::size_t t = 0; t < count; ++t) {
     const Term& term = model.terms[t];
@@ -168,7 +160,7 @@ std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Se
     if (drop_test.parameters == 0 || term.effect->rules.is_base) continue;
     Model rest = model;
     rest.terms.erase(rest.terms.begin() + static_cast<std::ptrdiff_t>(t));
-    Weighed found = weighed_with(rest, {term}, data, target, {}, {});
+    Weighed found = weighed_of(rest, data, target, it_alone, {term});
     if (const EffectSet* set = set_of(found, bounds_of({term}))) {
       drop_test.likelihood_ratio = log_bayes_factor_of_member(found, *set, 0);
     }
@@ -179,15 +171,16 @@ std::vector<DropTest> drop_tests(const Model& model, std::size_t count, const Se
   return result;
 }
 
-EffectTest effect_test_of(Weighed& found, const FittedModel& before, const FittedModel& after, std::size_t count,
-                          const Series& data, std::size_t target) {
+EffectTest effect_test_of(Weighed& found, FittedModel before, FittedModel after, std::size_t count, const Series& data,
+                          std::size_t target) {
   EffectTest result;
-  result.model = after.model;
-  result.fit_before = before.fit;
-  result.fit_after = after.fit;
-  result.before = before.row;
-  result.after = after.row;
-  const std::vector<Term> added(after.model.terms.end() - static_cast<std::ptrdiff_t>(count), after.model.terms.end());
+  result.model = std::move(after.model);
+  result.fit_before = std::move(before.fit);
+  result.fit_after = std::move(after.fit);
+  result.before = std::move(before.row);
+  result.after = std::move(after.row);
+  const std::vector<Term>& terms = result.model.terms;
+  const std::vector<Term> added(terms.end() - static_cast<std::ptrdiff_t>(count), terms.end());
   result.added = tested(found, added, result.parameters);
   std::vector<std::string> changes;
   for (Candidate& one : result.added) {
@@ -207,7 +200,7 @@ EffectTest effect_test_of(Weighed& found, const FittedModel& before, const Fitte
   result.after.threshold = kLeastLikelihoodRatio * static_cast<double>(count);
   result.after.change = fmt::format("{}", fmt::join(changes, ", "));
   result.after.verdict = verdict_of(result.added);
-  result.earlier = drop_tests(result.model, before.model.terms.size(), data, target);
+  result.earlier = drop_tests(result.model, terms.size() - count, data, target);
   tell_earlier(result.earlier, result.after);
   return result;
 }

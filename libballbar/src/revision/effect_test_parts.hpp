@@ -19,16 +19,12 @@ struct FittedModel {
 // Whether a search of these data tries the term as it is.
 bool is_usual(const Term& term, const Model& model, const Series& data);
 
-// The model against the data, these terms among what may be missing; catalogue: what else may be.
-Weighed weighed_with(const Model& model, const std::vector<Term>& terms, const Series& data, std::size_t target,
-                     const Catalogue& catalogue, const std::optional<Motion>& motion);
-
 // Their shapes begin where they are likeliest together, but where a start is stated. `found` has these terms among what
 // may be missing.
 std::vector<Term> begun(Weighed& found, std::vector<Term> terms);
 
 // count: the last terms of `after`, which were added. `found`: what may be missing from `before`, these terms among it.
-EffectTest effect_test_of(Weighed& found, const FittedModel& before, const FittedModel& after, std::size_t count,
-                          const Series& data, std::size_t target);
+EffectTest effect_test_of(Weighed& found, FittedModel before, FittedModel after, std::size_t count, const Series& data,
+                          std::size_t target);
 
 }  // namespace ballbar

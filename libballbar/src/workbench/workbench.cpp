@@ -113,11 +113,9 @@ void Workbench::add(const std::vector<Term>& terms) {
   with.terms.insert(with.terms.end(), terms.begin(), terms.end());
   expect_suits(with, *data_);
   if (!is_of_machine_errors(with, *data_)) {
-    const auto is_searched = [&](const Term& term) { return is_usual(term, model(), *data_); };
-    if (!std::all_of(terms.begin(), terms.end(), is_searched)) {
-      const SearchOptions& search = options_.diagnosis.search;
-      next->of_added = weighed_with(model(), terms, *data_, 0, search.catalogue, search.motion);
-    }
+    std::vector<Term> unusual = terms;
+    std::erase_if(unusual, [&](const Term& term) { return is_usual(term, model(), *data_); });
+    if (!unusual.empty()) next->of_added = weighed_of(model(), *data_, 0, options_.diagnosis, unusual);
     const std::vector<Term> first = begun(next->of_added ? *next->of_added : weighed(now()), terms);
     std::copy(first.begin(), first.end(), with.terms.end() - static_cast<std::ptrdiff_t>(terms.size()));
   }

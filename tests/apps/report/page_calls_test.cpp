@@ -36,7 +36,7 @@ struct Desk {
                        "temperature = \"T_housing_degC\"\n")
                 .string();
   }
-  Json call(const std::string& name, Json more = Json::object()) const {
+  Json call(const std::string& name, const Json& more = Json::object()) const {
     Json call{{"call", name}, {"words", {data, "--model", model}}};
     call.update(more);
     return call;

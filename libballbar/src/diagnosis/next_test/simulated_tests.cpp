@@ -197,7 +197,7 @@ SimulatedTests::Told SimulatedTests::told_of(const Truth& truth, const Diagnosis
 
 Diagnosis SimulatedTests::diagnosis_with(const Model& model, const Series& data) const {
   const DiagnosisOptions how = simulated_options();
-  return diagnosis_of(weighed_of(model, data, target_index_, how, covariances_), model, data, target_index_, how);
+  return diagnosis_of(weighed_of(model, data, target_index_, how, {}, covariances_), model, data, target_index_, how);
 }
 
 SimulatedTests::Told SimulatedTests::told_by(const Schedule& schedule, const Truth& truth,

@@ -346,8 +346,9 @@ std::string_view name_of(Verdict verdict) {
 }
 
 Weighed weighed_of(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
-                   const std::vector<Covariance>& covariances) {
+                   const std::vector<Term>& terms, const std::vector<Covariance>& covariances) {
   ProblemOptions how;
+  how.signatures.terms = terms;
   how.covariances = covariances;
   how.catalogue = options.search.catalogue;
   how.signatures.motion = options.search.motion;

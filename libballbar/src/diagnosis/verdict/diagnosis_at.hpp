@@ -9,9 +9,10 @@
 
 namespace ballbar {
 
-// The posterior with the catalogue of the options. covariances: of the noise, and the slow curve; none: any.
+// The posterior with the catalogue of the options, and with these terms as they are stated. covariances: of the noise,
+// and the slow curve; none: any.
 Weighed weighed_of(const Model& model, const Series& data, std::size_t target, const DiagnosisOptions& options,
-                   const std::vector<Covariance>& covariances = {});
+                   const std::vector<Term>& terms = {}, const std::vector<Covariance>& covariances = {});
 
 // What the posterior says. It is of that model, these data and options.
 Diagnosis diagnosis_of(const Weighed& weighed, const Model& model, const Series& data, std::size_t target,

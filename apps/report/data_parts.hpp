@@ -1,0 +1,210 @@
+// The parts of a page that are of data: what commands print with --json, and the curves that the page draws.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnose/machine_errors_result.hpp"
+#include "measure/fit_result.hpp"
+#include "page/report_head.hpp"
+#include "predict/predict_batch.hpp"
+
+namespace ballbar {
+
+// What an effect adds.
+struct EffectCurve {
+  std::string effect;
+  Bulk values_um;
+};
+
+template <>
+struct ResultType<EffectCurve> {
+  static constexpr std::string_view name = "EffectCurve";
+  static constexpr std::string_view meaning = "What an effect adds.";
+  static constexpr std::tuple fields{Field{"effect", &EffectCurve::effect, "with its columns"},
+                                     Field{"values_um", &EffectCurve::values_um, ""}};
+};
+
+// The curves of a recording.
+struct Trace {
+  Bulk angle_deg, deviation_um, residual_um, fitted_um;
+  std::vector<EffectCurve> effects;
+  MayLack<Bulk> time_s;
+};
+
+template <>
+struct ResultType<Trace> {
+  static constexpr std::string_view name = "Trace";
+  static constexpr std::string_view meaning = "The readings of a recording, and what was fitted.";
+  static constexpr std::tuple fields{
+      Field{"angle_deg", known(&Trace::angle_deg), "of a circle"},
+      Field{"deviation_um", known(&Trace::deviation_um), "measured length less nominal"},
+      Field{"residual_um", known(&Trace::residual_um), "reading less what was fitted"},
+      Field{"fitted_um", known(&Trace::fitted_um), "deviation of what was fitted, at the same readings"},
+      Field{"effects", &Trace::effects, "what each effect of a model adds"},
+      Field{"time_s", known(&Trace::time_s), "of an axial one"}};
+};
+
+struct PageRecording {
+  FittedRecording fitted;
+  std::optional<double> time_s;
+  std::string test, label;
+  Trace trace;
+};
+
+template <>
+struct ResultType<PageRecording> {
+  static constexpr std::string_view name = "PageRecording";
+  static constexpr std::string_view meaning = "A recording with its curves.";
+  static constexpr std::tuple fields = std::tuple_cat(
+      fields_through(&PageRecording::fitted, ResultType<FittedRecording>::fields),
+      std::tuple{Field{"time_s", &PageRecording::time_s, "of the test in its session; null: of none"},
+                 Field{"test", &PageRecording::test, "64 min, or the file"},
+                 Field{"label", &PageRecording::label, "64 min, XY CCW"}, Field{"trace", &PageRecording::trace, ""}});
+};
+
+template <>
+struct ResultType<Compared> {
+  static constexpr std::string_view name = "ResultRow";
+  static constexpr std::string_view meaning = "A result, ours beside what the file stores.";
+  static constexpr std::tuple fields{
+      Field{"label", &Compared::label, ""},
+      Field{"decimals", &Compared::decimals, "to show"},
+      Field{"ours", &Compared::ours, ""},
+      Field{"stored", &Compared::stored, ""},
+      Field{"limits",
+            [](const Compared& of) {
+              using Limits = std::vector<std::optional<double>>;
+              return MayLack<Limits>{of.judgement ? std::optional(Limits{of.limits.lower, of.limits.upper})
+                                                  : std::nullopt};
+            },
+            "of the file, lower and upper"},
+      Field{"judgement", [](const Compared& of) { return MayLack<Judgement>{of.judgement}; }, "of ours by these"}};
+};
+
+struct ResultTable {
+  std::string of;
+  std::vector<Compared> rows;
+};
+
+template <>
+struct ResultType<ResultTable> {
+  static constexpr std::string_view name = "ResultTable";
+  static constexpr std::string_view meaning = "The results of a recording or a pair.";
+  static constexpr std::tuple fields{Field{"of", &ResultTable::of, ""}, Field{"rows", &ResultTable::rows, ""}};
+};
+
+struct FitPart {
+  std::vector<PageRecording> recordings;
+  std::vector<ResultTable> results;
+  std::vector<std::string> remarks;
+  std::vector<std::vector<std::size_t>> pairs;
+  MayLack<std::vector<ResultsAlone>> stored_alone;
+  std::vector<FittedPair> iso230_4;
+};
+
+template <>
+struct ResultType<FitPart> {
+  static constexpr std::string_view name = "FitPart";
+  static constexpr std::string_view meaning = "Recordings and their circles.";
+  static constexpr std::tuple fields =
+      std::tuple_cat(std::tuple{Field{"recordings", &FitPart::recordings, ""},
+                                Field{"results", &FitPart::results, "tables, one a recording and one a pair"},
+                                Field{"remarks", &FitPart::remarks, ""},
+                                Field{"pairs", &FitPart::pairs, "CCW and CW of one test, as places in recordings"},
+                                Field{"stored_alone", &FitPart::stored_alone, "files without readings"}},
+                     fields_through(&FitPart::iso230_4, kPairFields));
+};
+
+// The errors of a machine from one test.
+struct MachineErrorsOfTest {
+  ErrorsReport report;
+  std::vector<std::string> files;
+  std::vector<std::size_t> recordings;
+  std::vector<Bulk> circle_um;
+  TableOf<std::vector<Bulk>> curves;
+};
+
+template <>
+struct ResultType<MachineErrorsOfTest> {
+  using Report = ResultType<ErrorsReport>;
+  static constexpr std::string_view name = "MachineErrorsPart";
+  static constexpr std::string_view meaning = "The errors of a machine from one test, with their curves.";
+  static constexpr std::tuple fields = std::tuple_cat(
+      std::tuple{Field{"files", &MachineErrorsOfTest::files, ""}},
+      fields_through(&MachineErrorsOfTest::report, Report::driven),
+      std::tuple{Field{"recordings", &MachineErrorsOfTest::recordings, "places in the recordings of the page"}},
+      fields_through(&MachineErrorsOfTest::report, Report::rest),
+      std::tuple{Field{"circle_um", &MachineErrorsOfTest::circle_um,
+                       "at the readings of each recording: centre and scale of all together"},
+                 Field{"curves", &MachineErrorsOfTest::curves, "by effect: what it adds"}});
+};
+
+struct ProbesAxis {
+  std::string name, unit;
+  Bulk values, sigma;
+};
+
+template <>
+struct ResultType<ProbesAxis> {
+  static constexpr std::string_view name = "ProbesAxis";
+  static constexpr std::string_view meaning = "An axis as five probes have it.";
+  static constexpr std::tuple fields{Field{"name", &ProbesAxis::name, ""}, Field{"unit", &ProbesAxis::unit, ""},
+                                     Field{"values", &ProbesAxis::values, ""}, Field{"sigma", &ProbesAxis::sigma, ""}};
+};
+
+struct ProbesPart {
+  std::string what;
+  double reference_s = 0.0;
+  Bulk time_s;
+  std::vector<ProbesAxis> axes;
+  std::vector<std::string> remarks;
+};
+
+template <>
+struct ResultType<ProbesPart> {
+  static constexpr std::string_view name = "ProbesPart";
+  static constexpr std::string_view meaning = "Five probes: axes as columns, because there may be a million rows.";
+  static constexpr std::tuple fields{Field{"what", &ProbesPart::what, "the file"},
+                                     Field{"reference_s", known(&ProbesPart::reference_s), ""},
+                                     Field{"time_s", known(&ProbesPart::time_s), ""},
+                                     Field{"axes", &ProbesPart::axes, ""}, Field{"remarks", &ProbesPart::remarks, ""}};
+};
+
+template <>
+struct ResultType<TrainedBatch> {
+  static constexpr std::string_view name = "WeighedBatch";
+  static constexpr std::string_view meaning = "A batch that a regression was trained on.";
+  static constexpr std::tuple fields{Field{"name", &TrainedBatch::name, ""},
+                                     Field{"weight", known(&TrainedBatch::weight), ""}};
+};
+
+struct BatchPart {
+  std::string target, method;
+  std::vector<TrainedBatch> batches;
+  Bulk time_s, predicted_um, half_width_um;
+  MayLack<Bulk> measured_um;
+  Bulk T2_of_largest, Q_of_largest;
+  std::vector<std::string> broken, warnings;
+};
+
+template <>
+struct ResultType<BatchPart> {
+  static constexpr std::string_view name = "BatchPart";
+  static constexpr std::string_view meaning = "A regression over batches, and what it predicts for the job.";
+  static constexpr std::tuple fields{
+      Field{"target", &BatchPart::target, ""},
+      Field{"method", &BatchPart::method, "pcr, 7 components"},
+      Field{"batches", &BatchPart::batches, ""},
+      Field{"time_s", known(&BatchPart::time_s), ""},
+      Field{"predicted_um", &BatchPart::predicted_um, ""},
+      Field{"half_width_um", &BatchPart::half_width_um, "of the interval of 95 %"},
+      Field{"measured_um", &BatchPart::measured_um, ""},
+      Field{"T2_of_largest", &BatchPart::T2_of_largest, "share of the largest trained on"},
+      Field{"Q_of_largest", &BatchPart::Q_of_largest, ""},
+      Field{"broken", &BatchPart::broken, "sensors that look so"},
+      Field{"warnings", &BatchPart::warnings, ""}};
+};
+
+}  // namespace ballbar
