@@ -94,24 +94,26 @@ void add_method_option(CLI::App& command, std::optional<std::size_t>& method, co
              [&](std::size_t at) { method = at; });
 }
 
-Series read_batch(const std::filesystem::path& path) {
-  OpenedSeries opened = opened_series(path);
+Series read_batch(const Source& source) {
+  OpenedSeries opened = opened_series(source);
   tell(opened.remarks);
-  return std::move(opened.series);
+  return *opened.series;
 }
 
 OpenedBatches open_batches(const BatchOptions& options) {
-  RunList list = open_runs(options.list);
+  RunList list = open_runs(options.list.path());
   take_out(list.runs, options.without);
   std::vector<std::string> remarks;
   std::erase_if(list.runs, [&](const ListedRun& run) {
     std::error_code absent;  // then it is not the same file
-    if (options.job.empty() || !std::filesystem::equivalent(run.file, options.job, absent)) return false;
+    if (options.job.empty() || !options.job.is_path() ||
+        !std::filesystem::equivalent(run.file, options.job.path(), absent))
+      return false;
     remarks.push_back(fmt::format("{} is the job itself: left out of the batches.", run.name));
     return true;
   });
   if (list.runs.size() < 2) {
-    throw Error(fmt::format("{}: expected at least 2 batches, found {}.", options.list, list.runs.size()));
+    throw Error(fmt::format("{}: expected at least 2 batches, found {}.", options.list.name(), list.runs.size()));
   }
   const ProgressLine progress;
   OpenedBatches opened;
@@ -140,7 +142,7 @@ OpenedBatches open_batches(const BatchOptions& options) {
     });
     opened.files.push_back(run.file);
   }
-  opened.files.emplace_back(options.list);
+  opened.files.push_back(options.list.path());
 
   tell_steps(opened.batches, opened.columns.target, opened.remarks);
   std::vector<std::string> leave;
@@ -160,8 +162,8 @@ OpenedBatches open_batches(const BatchOptions& options) {
                     "another by --room.",
                     opened.columns.room));
   }
-  FewerSensors fewer =
-      with_source(options.list, [&] { return without_sensors(std::move(opened.batches), opened.columns, leave); });
+  FewerSensors fewer = with_source(options.list.name(),
+                                   [&] { return without_sensors(std::move(opened.batches), opened.columns, leave); });
   opened.columns = std::move(fewer.columns);
   opened.batches = std::move(fewer.batches);
   return opened;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ballbar/batches/batch_selection.hpp"
+#include "ballbar/formats/text/source.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace CLI {
@@ -17,12 +18,12 @@ class App;
 namespace ballbar {
 
 struct BatchOptions {
-  std::string list;  // runs.csv
+  Source list;  // runs.csv
   std::string target;
   std::optional<std::string> room;
   std::size_t inputs = 0;  // of InputKind
   std::vector<std::string> without, without_sensor;
-  std::string job;  // file of the job at hand: left out where it is listed too
+  Source job;  // file of the job at hand: left out where it is listed too
   bool keep_broken = false;
 };
 
@@ -43,6 +44,6 @@ struct OpenedBatches {
 // batch to leave out that is not listed, as batch_columns and batch_of.
 OpenedBatches open_batches(const BatchOptions& options);
 
-Series read_batch(const std::filesystem::path& path);
+Series read_batch(const Source& source);
 
 }  // namespace ballbar

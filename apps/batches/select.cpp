@@ -30,7 +30,7 @@ enum class Take { paper, held_out, weights, all };
 
 struct SelectArguments {
   BatchOptions batches;
-  std::string job;
+  Source job;
   std::optional<std::size_t> method;
   SelectionOptions selection;
   RandomOptions random;
@@ -191,7 +191,7 @@ void add_remarks(const SelectArguments& options, const OpenedBatches& opened, co
   for (const BrokenSensor& broken : broken_sensors(with_job, opened.columns)) {
     if (broken.batches.back() != job.name) continue;
     remarks.push_back(
-        fmt::format("{} is off by {:+.1f} K in {}: it looks broken.", broken.sensor, broken.off_K, options.job));
+        fmt::format("{} is off by {:+.1f} K in {}: it looks broken.", broken.sensor, broken.off_K, options.job.name()));
   }
   const auto [coldest, warmest] = std::minmax_element(
       opened.batches.begin(), opened.batches.end(),
@@ -209,7 +209,7 @@ Batch job_of(const SelectArguments& options, const BatchColumns& columns, Series
     std::erase_if(job.columns, [&](const Column& column) { return column.name == columns.target; });
     job.columns.push_back({columns.target, Role::measured, std::vector<double>(job.time_s.size(), 0.0)});
   }
-  return with_source(options.job, [&] { return batch_of(options.job, job, columns); });
+  return with_source(options.job.name(), [&] { return batch_of(options.job.name(), job, columns); });
 }
 
 void run(const SelectArguments& given) {
@@ -220,7 +220,7 @@ void run(const SelectArguments& given) {
   }
   OpenedBatches opened = open_batches(options.batches);
   std::vector<std::filesystem::path> inputs = opened.files;
-  inputs.emplace_back(options.job);
+  inputs.push_back(options.job.path());
   if (!options.out.empty()) expect_no_input({options.out}, inputs);
   const Series job = read_batch(options.job);
   const Column* target = find_column(job, opened.columns.target);
@@ -231,13 +231,14 @@ void run(const SelectArguments& given) {
   const std::optional<Moments> moments = measured ? std::optional(as_batch.moments) : std::nullopt;
   add_remarks(options, opened, as_batch, opened.remarks);
   if (target != nullptr && !measured) {
-    opened.remarks.push_back(
-        fmt::format("{} has gaps in {}: what is predicted for it is not checked.", opened.columns.target, options.job));
+    opened.remarks.push_back(fmt::format("{} has gaps in {}: what is predicted for it is not checked.",
+                                         opened.columns.target, options.job.name()));
   }
   SelectionOptions how = options.selection;
   how.method = static_cast<RegressionMethod>(options.method.value_or(0));
-  const Selection selection = with_source(
-      options.batches.list, [&] { return select_batches(opened.batches, start, moments ? &*moments : nullptr, how); });
+  const Selection selection = with_source(options.batches.list.name(), [&] {
+    return select_batches(opened.batches, start, moments ? &*moments : nullptr, how);
+  });
   const std::vector<Choice> choices = choices_of(selection, how);
   const Choice& taken = choices[options.take];
   std::optional<Compared> random;
@@ -250,7 +251,7 @@ void run(const SelectArguments& given) {
     random = Compared{count, random_choices(opened.batches, *moments, taken.settings, share, *taken.rmse_um, chance)};
   }
   if (!options.out.empty()) {
-    write_bytes(options.out, write_batch_model(with_source(options.batches.list, [&] {
+    write_bytes(options.out, write_batch_model(with_source(options.batches.list.name(), [&] {
                   return trained(opened.batches, taken.weights, opened.columns, taken.settings,
                                  [&](std::size_t k) { return read_batch(opened.files[k]); });
                 })));
@@ -258,8 +259,8 @@ void run(const SelectArguments& given) {
   if (options.json) {
     print_json(json_of(result_of(options, opened, selection, choices, random, start)));
   } else {
-    fmt::print("{}: room {:.2f} degC as it begins; {} batches of {}\n\n{}", options.job, start.room_first_degC,
-               opened.batches.size(), options.batches.list,
+    fmt::print("{}: room {:.2f} degC as it begins; {} batches of {}\n\n{}", options.job.name(), start.room_first_degC,
+               opened.batches.size(), options.batches.list.name(),
                wrapped(conclusion(options, opened, selection, choices, random)));
     print_choices(choices, selection, random);
     print_ranking(options, opened, selection, measured);

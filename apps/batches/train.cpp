@@ -109,7 +109,7 @@ void print_text(const TrainArguments& options, const OpenedBatches& opened, cons
                 const std::optional<Contender>& effects, const BatchModel& model) {
   std::size_t rows = 0;
   for (const Batch& batch : opened.batches) rows += batch.rows;
-  fmt::print("{}\n{} from {} ({}), {} batches, {} rows\n\n", options.batches.list, model.columns.target,
+  fmt::print("{}\n{} from {} ({}), {} batches, {} rows\n\n", options.batches.list.name(), model.columns.target,
              fmt::format("{} temperatures", model.columns.sensors.size()),
              model.columns.kind == InputKind::temperature ? "as they are"
              : model.columns.kind == InputKind::rise      ? "their rise since each batch began"
@@ -159,10 +159,10 @@ void run_effects(const TrainArguments& options) {
   how.few = options.few;
   if (!is_run_list(batches.list)) {
     if (batches.room || batches.inputs != 0 || !batches.without.empty() || batches.keep_broken) {
-      throw Error(
-          fmt::format("{}: expected a list of runs for --room, --inputs, --without and --keep-broken.", batches.list));
+      throw Error(fmt::format("{}: expected a list of runs for --room, --inputs, --without and --keep-broken.",
+                              batches.list.name()));
     }
-    expect_no_input({options.out}, {batches.list});
+    expect_no_input({options.out}, paths_of({batches.list}));
     train_effects(how, {}, {}, {});
     return;
   }
@@ -173,7 +173,7 @@ void run_effects(const TrainArguments& options) {
   for (const RegressionMethod method :
        {RegressionMethod::pcr, RegressionMethod::ridge, RegressionMethod::pls, RegressionMethod::ols}) {
     const Contender one = with_source(
-        batches.list, [&] { return contender(opened, choose_by_held_out(opened.batches, method).settings); });
+        batches.list.name(), [&] { return contender(opened, choose_by_held_out(opened.batches, method).settings); });
     others.push_back({label_of(one.settings), one.held_out_um, one.worst_um, one.worst, one.rmse_um});
   }
   const Series first = read_batch(opened.files.front());
@@ -203,7 +203,7 @@ void run(const TrainArguments& given) {
        {RegressionMethod::pcr, RegressionMethod::ridge, RegressionMethod::pls, RegressionMethod::ols}) {
     const RegressionSettings settings = chosen_settings(options, method, opened);
     expect_rows(opened, settings);
-    contenders.push_back(with_source(options.batches.list, [&] { return contender(opened, settings); }));
+    contenders.push_back(with_source(options.batches.list.name(), [&] { return contender(opened, settings); }));
   }
   const Contender& best =
       options.method ? contenders[*options.method]

@@ -8,7 +8,6 @@
 
 #include "ballbar/formats/models/effect_regression_json.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "ballbar/formats/text/given_data.hpp"
 #include "ballbar/number_text.hpp"
 #include "batches/train_result.hpp"
 #include "model/model_options.hpp"
@@ -125,11 +124,11 @@ std::vector<Series> runs_of(const TrainEffectsOptions& options, const std::vecto
     ModelData opened = open_drift(options.data, options.max_gap_s);
     expect_no_input({options.out}, opened.files);
     for (const std::string& name : options.without_sensor) {
-      if (find_column(opened.series, name) != nullptr) continue;
-      throw Error(
-          fmt::format("--without-sensor {}: expected a column of {}, found none of that name.", name, options.data));
+      if (find_column(*opened.series, name) != nullptr) continue;
+      throw Error(fmt::format("--without-sensor {}: expected a column of {}, found none of that name.", name,
+                              options.data.name()));
     }
-    runs.push_back(std::move(opened.series));
+    runs.push_back(*opened.series);
   }
   for (const std::filesystem::path& file : files) runs.push_back(read_batch(file));
   for (Series& run : runs) {
@@ -143,9 +142,9 @@ std::vector<Series> runs_of(const TrainEffectsOptions& options, const std::vecto
 
 }  // namespace
 
-bool is_run_list(const std::string& path) {
-  if (std::filesystem::is_directory(path) || given_series(path) != nullptr) return false;
-  const std::string head = read_head(path, kHead);
+bool is_run_list(const Source& source) {
+  if (source.series() || (source.is_path() && std::filesystem::is_directory(source.path()))) return false;
+  const std::string head = source.head(kHead);
   std::size_t at = 0;
   while (at < head.size() && (head[at] == '#' || head[at] == '\n' || head[at] == '\r')) {
     at = head[at] == '#' ? head.find('\n', at) : at + 1;
@@ -164,7 +163,7 @@ void train_effects(const TrainEffectsOptions& options, const std::vector<std::fi
   how.progress = [](const std::string& what) { show_progress(what); };
   const TrainedRegression trained = [&] {
     const ProgressLine progress;
-    return with_source(options.data, [&] { return trained_regression(runs, options.target, how); });
+    return with_source(options.data.name(), [&] { return trained_regression(runs, options.target, how); });
   }();
   const EffectRegression& of = trained.regression;
   const bool is_model = !of.model.terms.empty();
@@ -179,8 +178,9 @@ void train_effects(const TrainEffectsOptions& options, const std::vector<std::fi
     if (of.forecasts) result.forecasts = {*of.forecasts, is_predicted(of)};
     print_json(json_of(result));
   } else {
-    fmt::print("{}\n{} from {} columns by {}; {} rows{}\n\n", options.data, options.target, of.model.trained.size(),
-               dictionary_text(of), of.rows, of.runs > 1 ? fmt::format(" of {} runs", of.runs) : "");
+    fmt::print("{}\n{} from {} columns by {}; {} rows{}\n\n", options.data.name(), options.target,
+               of.model.trained.size(), dictionary_text(of), of.rows,
+               of.runs > 1 ? fmt::format(" of {} runs", of.runs) : "");
     fmt::print("{}{}\n", wrapped(expectation(of)), wrapped(memory_text(of)));
     if (!others.empty() && of.forecasts) {
       fmt::print("{}{}\n", contest(trained, others, files).text(table_width()),

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/formats/text/source.hpp"
 #include "batches/batches.hpp"
 
 namespace ballbar {
@@ -18,7 +19,7 @@ struct OtherMethod {
 };
 
 struct TrainEffectsOptions {
-  std::string data;  // list of runs, series or session
+  Source data;  // list of runs, series or session
   std::string target;
   std::vector<std::string> without, without_sensor;
   std::optional<double> max_gap_s;
@@ -28,7 +29,7 @@ struct TrainEffectsOptions {
 };
 
 // Whether it is a list of runs, by its first column.
-bool is_run_list(const std::string& path);
+bool is_run_list(const Source& source);
 
 // others: none where the data are no list. files, remarks: of the list, what was opened and what was left out.
 void train_effects(const TrainEffectsOptions& options, const std::vector<std::filesystem::path>& files,

@@ -83,7 +83,7 @@ BlindVerdict diagnosis_verdict(const fs::path& folder) {
   for (const fs::path& run : runs_of_set(folder)) options.data.push_back(run.string());
   options.model = (folder / "model.toml").string();
   const ModelData data = open_data(options);
-  return verdict_of(diagnose(open_model(options, data), data.series));
+  return verdict_of(diagnose(open_model(options, data), *data.series));
 }
 
 std::string labels(const std::vector<BoundEffect>& bounds, std::string_view between) {

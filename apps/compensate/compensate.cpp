@@ -35,7 +35,7 @@ void save(const CompensateArguments& options) {
     throw Error(fmt::format("--out {}: expected a model of one target, found {}: save each of its own.", options.save,
                             axes.size()));
   }
-  std::vector<std::filesystem::path> inputs(options.compensation.fit.begin(), options.compensation.fit.end());
+  std::vector<std::filesystem::path> inputs = paths_of(options.compensation.fit);
   inputs.insert(inputs.end(), options.compensation.models.begin(), options.compensation.models.end());
   expect_no_input({options.save}, inputs);
   write_bytes(options.save, write_model(axes.front().model));

@@ -28,10 +28,10 @@ struct Recorded {
   std::vector<std::filesystem::path> files;
 };
 
-Recorded open_recorded(const std::string& path) {
-  DriftData source = open_drift_data(path);
+Recorded open_recorded(const Source& data) {
+  DriftData source = open_drift_data(data);
   tell(source.remarks);
-  Recorded recorded{{}, {}, path, source.files};
+  Recorded recorded{{}, {}, data.name(), source.files};
   if (source.series) {
     recorded.signals.push_back(*source.series);
     recorded.measured = *source.series;
@@ -40,7 +40,7 @@ Recorded open_recorded(const std::string& path) {
   const SessionFiles& files = *source.session;
   if (!files.session.title.empty()) recorded.title = files.session.title;
   if (files.signals.empty()) {
-    throw Error(fmt::format("{}: expected a session with signals, which the model reads, found none.", path));
+    throw Error(fmt::format("{}: expected a session with signals, which the model reads, found none.", data.name()));
   }
   recorded.measured = series_of(drift_of(files.session, {}));
   for (const std::filesystem::path& signal : files.signals) recorded.signals.push_back(open_series(signal));
@@ -70,7 +70,9 @@ std::string held_sentence(const ReplayedAxis& axis, std::size_t rows) {
 
 // Whether the parameters come from the data that they are judged by.
 bool in_sample(const CompensationOptions& options, const Recorded& recorded) {
-  return std::any_of(options.fit.begin(), options.fit.end(), [&](const std::string& path) {
+  return std::any_of(options.fit.begin(), options.fit.end(), [&](const Source& fitted) {
+    if (!fitted.is_path()) return false;
+    const std::filesystem::path path = fitted.path();
     std::error_code error;
     for (const std::filesystem::path& file : recorded.files) {
       if (std::filesystem::equivalent(file, path, error) ||
@@ -88,7 +90,7 @@ std::string parameters_text(const CompensationOptions& options, const Recorded& 
     return "The parameters were fitted to these same data: what a model gains on data it has seen says little of what "
            "it gains on others.";
   }
-  return fmt::format("The parameters were fitted to {} alone.", shortened(options.fit.front(), 60));
+  return fmt::format("The parameters were fitted to {} alone.", shortened(options.fit.front().name(), 60));
 }
 
 // "each value", "stretches of 40 values": as long as what is left stays alike.
@@ -169,8 +171,8 @@ void compensate_replay(const CompensationOptions& options, const ReplayOptions& 
   inputs.insert(inputs.end(), options.models.begin(), options.models.end());
   expect_no_input(replay.out, inputs);
   const std::vector<CompensatedAxis> axes = axes_of(options);
-  const Replay result =
-      with_source(replay.data, [&] { return replay_of(axes, options.limits, recorded.signals, recorded.measured); });
+  const Replay result = with_source(
+      replay.data.name(), [&] { return replay_of(axes, options.limits, recorded.signals, recorded.measured); });
   for (const std::string& path : replay.out) write_bytes(path, write_series(table_of(result)));
   if (replay.json) {
     print_json(json_of(result_of(result, options, recorded)), -1);

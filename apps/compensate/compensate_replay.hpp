@@ -8,7 +8,7 @@
 namespace ballbar {
 
 struct ReplayOptions {
-  std::string data;  // a session, or a series with its signals
+  Source data;  // a session, or a series with its signals
   std::vector<std::string> out;
   bool json = false;
 };

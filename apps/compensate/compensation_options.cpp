@@ -41,7 +41,7 @@ Model fitted(Model model, const std::string& file, const CompensationOptions& op
   how.data = options.fit;
   how.model = file;
   if (has_free(model)) model = held_at(model, fit_of(how, model, data, 0).parameters);
-  model.trained = with_source(file, [&] { return ranges_of(model, data.series); });
+  model.trained = with_source(file, [&] { return ranges_of(model, *data.series); });
   return model;
 }
 

@@ -20,7 +20,7 @@ namespace ballbar {
 struct CompensationOptions {
   std::vector<std::string> models;  // files
   std::vector<std::string> axes;    // names, one a target; empty: the targets' own
-  std::vector<std::string> fit;     // DATA
+  std::vector<Source> fit;          // DATA
   ModelOptions fitting;             // how
   CompensationLimits limits;
   std::string state;  // file; empty: none

@@ -90,12 +90,12 @@ void add_terms(const AddArguments& options, const std::vector<Term>& terms, bool
 // A new effect may not read what the file is to explain beside the target chosen here.
 void expect_file_suits(const AddArguments& options, const ModelData& data, const std::string& bytes) {
   if (data.level == Level::recording) return;
-  Model file = read_model(bytes, options.effect.model.model);
+  Model file = read_model(bytes, options.effect.model.model.name());
   const std::vector<std::string>& also = options.effect.model.also_input;
   std::erase_if(file.targets, [&](const std::string& target) {
-    return find_column(data.series, target) == nullptr || std::find(also.begin(), also.end(), target) != also.end();
+    return find_column(*data.series, target) == nullptr || std::find(also.begin(), also.end(), target) != also.end();
   });
-  if (!file.targets.empty()) with_source(options.effect.model.model, [&] { expect_suits(file, data.series); });
+  if (!file.targets.empty()) with_source(options.effect.model.model.name(), [&] { expect_suits(file, *data.series); });
 }
 
 std::string either_text(const std::vector<std::vector<BoundEffect>>& groups) {
@@ -150,7 +150,7 @@ Term as_diagnosed(const BoundEffect& bound, const Diagnosis& diagnosis) {
 // stopped.
 std::string add_errors(const AddArguments& options, const ModelData& data, Story& story) {
   const MachineErrors found =
-      with_source(options.effect.model.data.front(), [&] { return machine_errors_of_trace(data.series); });
+      with_source(options.effect.model.data.front().name(), [&] { return machine_errors_of_trace(*data.series); });
   for (const AddedError& one : found.one_by_one) {
     const std::vector<Term>& terms = story.model.model().terms;
     const bool has =
@@ -175,7 +175,7 @@ std::string add_named(const AddArguments& options, Story& story, Verdict& verdic
   while (true) {
     show_progress(fmt::format("searching, {} revisions so far", story.effect_tests.size()));
     const Diagnosis diagnosis =
-        with_source(options.effect.model.data.front(), [&] { return story.model.bench().diagnosis(); });
+        with_source(options.effect.model.data.front().name(), [&] { return story.model.bench().diagnosis(); });
     verdict = diagnosis.verdict;
     story.drivers = diagnosis.drivers;
     if (diagnosis.named.empty()) return stop_text(options, diagnosis);
@@ -197,8 +197,8 @@ bool is_left(Verdict verdict) {
 
 void add_grown(const AddArguments& options, const ModelData& data, Story& story) {
   const ProgressLine progress;
-  story.grown = grown_model(story.model.text(), options.effect.model.model, story.model.model(), data,
-                            options.effect.model.data, story.drivers);
+  story.grown = grown_model(story.model.text(), options.effect.model.model.name(), story.model.model(), data,
+                            names_of(options.effect.model.data), story.drivers);
   story.model.set_text(story.grown->bytes);
 }
 
@@ -263,18 +263,19 @@ void run(AddArguments options) {
   const ModelData& data = *opened;
   Story story{opened_model(how, opened), {}, {}, {}};
   if (story.model.is_new())
-    stderr_line(fmt::format("{} is new: it starts from {} alone", written_to(options).model, start_of(data.level)));
+    stderr_line(
+        fmt::format("{} is new: it starts from {} alone", written_to(options).model.name(), start_of(data.level)));
   if (!options.out.empty()) expect_no_input({options.out}, data.files);
-  const std::string out = written_to(options).model;
+  const std::string out = written_to(options).model.name();
   std::string stopped;
   Verdict verdict = Verdict::named;
   if (options.automatic) {
-    if (is_of_machine_errors(story.model.model(), data.series)) {
+    if (is_of_machine_errors(story.model.model(), *data.series)) {
       stopped = add_errors(options, data, story);
       verdict = Verdict::nothing;
     } else {
       stopped = add_named(options, story, verdict);
-      const bool is_one_run = data.series.runs.size() < 2;
+      const bool is_one_run = data.series->runs.size() < 2;
       if (!options.named_only && data.level == Level::series && is_left(verdict)) {
         if (is_one_run) add_grown(options, data, story);
         if (!is_one_run) stderr_line("of several runs a model grows by names alone; `ballbar train` takes runs");
@@ -300,7 +301,7 @@ void run(AddArguments options) {
     stderr_line("nothing added, nothing written");
     return;
   }
-  const std::vector<std::string> targets = read_model(story.model.text(), how.model).targets;
+  const std::vector<std::string> targets = read_model(story.model.text(), how.model.name()).targets;
   if (targets.size() > 1) {
     stderr_line(fmt::format("the effects of {} hold for all its targets, {}; the row is of {}", out,
                             fmt::join(targets, ", "), story.model.model().targets.front()));

@@ -64,12 +64,9 @@ void show_one_of_several(const DiagnoseArguments& options, const Model& model,
 
 // Of folders and archives that are no session, the recordings below them; they go in place of these.
 std::vector<SkippedFile> expand(ModelOptions& options) {
-  if (!options.model.empty() || std::none_of(options.data.begin(), options.data.end(), is_folder_of_tests)) return {};
-  FoundFiles found = recordings_below(options.data);
-  if (found.files.empty()) return {};  // told where it is opened
-  options.data.clear();
-  for (const std::filesystem::path& file : found.files) options.data.push_back(file.string());
-  return found.faults;
+  if (!options.model.empty() || !any_folder_of_tests(options.data)) return {};
+  FoundFiles found = put_recordings_below(options.data);
+  return found.files.empty() ? std::vector<SkippedFile>() : found.faults;  // nothing: told where it is opened
 }
 
 // Recordings of two linear axes: all of their errors together, ranked.

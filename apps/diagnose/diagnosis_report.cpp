@@ -33,12 +33,13 @@ void show_so_far(const std::vector<ProbableSoFar>& effects) {
 // Terms of the model that its file did not have before its first revision.
 std::vector<std::size_t> terms_added(const ModelOptions& options, const Model& model) {
   if (options.model.empty()) return {};
-  std::string bytes = read_bytes(options.model, kLargestText);
-  const std::size_t revisions = read_ledger(bytes, options.model).size();
+  const std::string& file = options.model.name();
+  std::string bytes = options.model.bytes(kLargestText);
+  const std::size_t revisions = read_ledger(bytes, file).size();
   if (revisions < 2) return {};
-  for (std::size_t revision = 1; revision < revisions; ++revision) bytes = without_last_revision(bytes, options.model);
+  for (std::size_t revision = 1; revision < revisions; ++revision) bytes = without_last_revision(bytes, file);
   std::set<std::string> first;
-  for (const Term& term : read_model(bytes, options.model).terms) first.insert(label_of(term));
+  for (const Term& term : read_model(bytes, file).terms) first.insert(label_of(term));
   std::vector<std::size_t> added;
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
     if (!first.contains(label_of(model.terms[t]))) added.push_back(t);
@@ -60,7 +61,7 @@ std::vector<StandIn> stand_ins_of(const ModelOptions& options, const DiagnoseOpt
   how.search.motion = data.motion;
   how.search.seed = how_to.seed;
   how.most_rows = how_to.most_rows;
-  for (const Replacement& one : replacements(model, added, data.series, 0, how))
+  for (const Replacement& one : replacements(model, added, *data.series, 0, how))
     result.push_back({one.label, labels(one.without.named, ", "), replace_command(options, one)});
   return result;
 }
@@ -103,7 +104,7 @@ DiagnosisOptions diagnosis_options(const DiagnoseOptions& how_to, const std::str
 }
 
 DiagnosisReport diagnosis_report_of(const ModelOptions& options, Workbench& bench) {
-  return with_source(options.data.front(), [&] {
+  return with_source(options.data.front().name(), [&] {
     DiagnosisReport report;
     report.residual_report = bench.check();
     report.diagnosis = bench.diagnosis();

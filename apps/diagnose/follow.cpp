@@ -54,7 +54,7 @@ Opened opened(const GrowingLog& log, const ModelOptions& options, bool is_first)
       tell(result.data.remarks);
       say_start(options, result.data);
     }
-    result.data.title = options.data.front();
+    result.data.title = options.data.front().name();
     result.model = open_model(options, result.data);
     return result;
   } catch (const Error& error) {
@@ -101,8 +101,8 @@ class Following {
     const Opened opened_log = opened(log, options_, !has_opened_);
     const std::string& target = opened_log.model.targets.front();
     expect_one_target_to_follow(opened_log.model);
-    if (!std::exchange(has_opened_, true) && !json_) print_follow_heading(options_.data.front(), target);
-    const std::size_t values = values_in(opened_log.data.series, target);
+    if (!std::exchange(has_opened_, true) && !json_) print_follow_heading(options_.data.front().name(), target);
+    const std::size_t values = values_in(*opened_log.data.series, target);
     while (!has_ended() && g_end_asked == 0 && next_values() <= values) {
       diagnose_first(opened_log, next_values());
       print_look(state_, json_);
@@ -116,7 +116,7 @@ class Following {
 
   void sum() const {
     const std::optional<Diagnosis>& shown = decided_ ? decided_ : last_;
-    const bool can_be_typed = shown && options_.data.front() != "-";
+    const bool can_be_typed = shown && options_.data.front().name() != "-";
     print_outcome(state_,
                   !can_be_typed ? NextStep{}
                   : decided_    ? NextStep{next_command(options_, *shown), next_hint(options_, *shown)}
@@ -129,7 +129,7 @@ class Following {
 
   void diagnose_first(const Opened& log, std::size_t values) {
     const std::string& target = log.model.targets.front();
-    const Series data = first_rows(log.data.series, target, values);
+    const Series data = first_rows(*log.data.series, target, values);
     const double hours = (data.time_s.back() - data.time_s.front()) / 3600.0;
     state_.logged_twice = columns_logged_twice(data);
     DiagnosisOptions how;
@@ -189,7 +189,7 @@ void follow(const ModelOptions& model, const DiagnoseOptions& how, const FollowO
     throw Error(fmt::format("--follow: expected one log that grows, found {} files.", model.data.size()));
   }
   const ProgressLine line;
-  GrowingLog log(model.data.front());
+  GrowingLog log(model.data.front().name());
   Following following(model, how, options, json);
   end_at_signals();
   const double every_s = options.every_s.value_or(kEvery_s);

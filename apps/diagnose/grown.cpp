@@ -60,9 +60,9 @@ GrownModel grown_model(const std::string& bytes, const std::string& file, const 
   grown.bytes = bytes;
   GrowthOptions options;
   options.progress = [](const std::string& what) { show_progress(what); };
-  grown.growth = with_source(data_names.front(), [&] { return growth(model, data.series, 0, options); });
+  grown.growth = with_source(data_names.front(), [&] { return growth(model, *data.series, 0, options); });
   show_progress("the model's row of the ledger");
-  grown.before = row_of(model, data.series);
+  grown.before = row_of(model, *data.series);
   grown.before.data = data_names;
   grown.before.forecast_um = grown.growth.errors.front().forecast_um;
   for (std::size_t k = 0; k < grown.growth.effects.size(); ++k) {

@@ -184,8 +184,8 @@ Injection injection(const InjectArguments& options, const Model& model, const Mo
   EffectText text;
   BoundEffect bound;
   try {
-    text = effect_text(options.effect, data.level, &data.series);
-    bound = resolve_columns(text, data.series, model.targets.front());
+    text = effect_text(options.effect, data.level, data.series.get());
+    bound = resolve_columns(text, *data.series, model.targets.front());
   } catch (const Error& error) {
     throw Error(fmt::format("EFFECT: {}", error.what()));
   }
@@ -194,7 +194,7 @@ Injection injection(const InjectArguments& options, const Model& model, const Mo
     if (term.effect->name != bound.effect->name || term.columns != bound.columns) continue;
     throw Error(fmt::format("EFFECT: expected an effect that the model lacks, found {}.", label_of(bound)));
   }
-  Injection result = injection_of(bound, data.series);
+  Injection result = injection_of(bound, *data.series);
   for (const auto& [parameter, setting] : text.settings) {
     const std::string& name = bound.effect->parameters[parameter].name;
     if (setting.stated) set_shape(result, fmt::format("{}={}", name, setting.start));
@@ -216,7 +216,7 @@ void run(const InjectArguments& options) {
   }
   if (!options.out.empty()) {
     std::vector<std::filesystem::path> inputs = data.files;
-    if (!options.model.model.empty()) inputs.emplace_back(options.model.model);
+    if (options.model.model.is_path()) inputs.push_back(options.model.model.path());
     expect_no_input({options.out}, inputs);
     if (data.level == Level::recording) throw Error("--out: expected a series or a session, found recordings.");
   }
@@ -224,17 +224,17 @@ void run(const InjectArguments& options) {
   const std::string& target = model.targets.front();
   Injected result{injection(options, model, data), options.amplitude_um, {}, 0.0, {}, {}, {}};
   const Series changed =
-      with_source("EFFECT", [&] { return injected(data.series, target, result.injection, options.amplitude_um); });
+      with_source("EFFECT", [&] { return injected(*data.series, target, result.injection, options.amplitude_um); });
   DiagnosisOptions how;
   how.search.motion = data.motion;
   how.search.seed = options.seed;
   result.base = fit_of(options.model, model, data, 0);
   const ProgressLine line;
   show_progress_of(1);
-  result.without = diagnose(model, data.series, 0, how);
+  result.without = diagnose(model, *data.series, 0, how);
   show_progress_of(2);
   result.with = diagnose(model, changed, 0, how);
-  const std::vector<double> signal = signal_of(result.injection, data.series);
+  const std::vector<double> signal = signal_of(result.injection, *data.series);
   const double d_per_um = survival_of(signal, result.base, result.base.noise).d / range_of(signal);
   result.d = options.amplitude_um * d_per_um;
   result.smallest = {0.0, std::numeric_limits<double>::infinity(), 2};
@@ -242,7 +242,7 @@ void run(const InjectArguments& options) {
     const bool seen = is_seen(sight_of(result.with, result.injection.bound));
     (seen ? result.smallest.seen_um : result.smallest.not_seen_um) = options.amplitude_um;
     result.smallest =
-        smallest_seen(model, data.series, result.injection, d_per_um, result.smallest, how, show_progress_of);
+        smallest_seen(model, *data.series, result.injection, d_per_um, result.smallest, how, show_progress_of);
   }
   show_progress({});
   if (!options.out.empty()) {

@@ -38,8 +38,9 @@ ErrorsReport& group_of(ErrorsReports& reports, const Recording& recording) {
   return reports.groups.emplace_back();
 }
 
-void read_into(ErrorsReports& reports, const std::string& file, const StatedCircle& stated) {
-  RecordingFile read = open_recording(file, known_readers(), stated);
+void read_into(ErrorsReports& reports, const Source& source, const StatedCircle& stated) {
+  const std::string& file = source.name();
+  RecordingFile read = open_recording(source, known_readers(), stated);
   std::move(read.remarks.begin(), read.remarks.end(), std::back_inserter(reports.remarks));
   if (read.recordings.empty() && read.b5r) {
     reports.without_readings.push_back(std::move(*read.b5r));
@@ -62,18 +63,6 @@ void read_into(ErrorsReports& reports, const std::string& file, const StatedCirc
   }
 }
 
-void expect_once(const std::vector<std::string>& files) {
-  for (auto file = files.begin(); file != files.end(); ++file) {
-    const auto before = std::find_if(files.begin(), file, [&](const std::string& other) {
-      std::error_code absent;
-      return std::filesystem::equivalent(*file, other, absent);
-    });
-    if (before == file) continue;
-    throw Error(fmt::format("{}: expected each file once, found it again{}.", *file,
-                            *before == *file ? "" : fmt::format(", the same as {}", *before)));
-  }
-}
-
 std::string number_word(std::size_t number) {
   constexpr std::array kWords{"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"};
   return number < kWords.size() ? kWords[number] : fmt::format("{}", number);
@@ -89,13 +78,15 @@ std::vector<const RankedError*> significant_of(const MachineErrors& found) {
 
 }  // namespace
 
-bool are_of_linear_axes(const std::vector<std::string>& files) {
+bool are_of_linear_axes(const std::vector<Source>& files) {
   bool any = false;
-  for (const std::string& file : files) {
+  for (const Source& file : files) {
     std::error_code error;
-    const bool has_bytes = std::filesystem::is_regular_file(file, error) && std::filesystem::file_size(file, error) > 0;
     const bool is_recording = is_recording_file(file);
-    if (!is_recording && !has_bytes && !std::filesystem::is_directory(file, error)) continue;  // told where it is read
+    const bool is_folder = file.is_path() && std::filesystem::is_directory(file.path(), error);
+    if (!is_recording && !is_folder && !file.series() && (!file.is_file() || file.size() == 0)) {
+      continue;  // told where it is read
+    }
     if (!is_recording) return false;
     any = true;
     try {
@@ -108,15 +99,15 @@ bool are_of_linear_axes(const std::vector<std::string>& files) {
   return any;
 }
 
-ErrorsReports errors_reports_of(const std::vector<std::string>& files, const ErrorsOptions& options) {
+ErrorsReports errors_reports_of(const std::vector<Source>& files, const ErrorsOptions& options) {
   expect_once(files);
   ErrorsReports reports;
-  for (const std::string& file : files) {
+  for (const Source& file : files) {
     try {
       read_into(reports, file, options.circle);
     } catch (const Error& error) {
       if (options.strict || files.size() == 1) throw;
-      reports.skipped.push_back({file, error.what()});
+      reports.skipped.push_back({file.name(), error.what()});
     }
   }
   for (ErrorsReport& group : reports.groups) {

@@ -40,10 +40,10 @@ struct ErrorsReports {
 };
 
 // Whether these are recordings that linear axes drive, all that can be read of them: what this is for.
-bool are_of_linear_axes(const std::vector<std::string>& files);
+bool are_of_linear_axes(const std::vector<Source>& files);
 
 // Reads and fits. Throws Error where a file cannot be read and is the only one, or with `strict`.
-ErrorsReports errors_reports_of(const std::vector<std::string>& files, const ErrorsOptions& options);
+ErrorsReports errors_reports_of(const std::vector<Source>& files, const ErrorsOptions& options);
 
 // What stands in the file about each row and effect.
 std::optional<double> stored_value_of(const ErrorsReport& report, const MachineError& error);

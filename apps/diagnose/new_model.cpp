@@ -10,12 +10,13 @@ namespace ballbar {
 
 bool is_new_model(const ModelOptions& options) {
   std::error_code error;  // told where it is read
-  return options.model.empty() ||
-         (std::filesystem::symlink_status(options.model, error).type() == std::filesystem::file_type::not_found);
+  if (options.model.empty()) return true;
+  return options.model.is_path() &&
+         std::filesystem::symlink_status(options.model.path(), error).type() == std::filesystem::file_type::not_found;
 }
 
 ModelOptions readable(ModelOptions options) {
-  if (is_new_model(options)) options.model.clear();
+  if (is_new_model(options)) options.model = {};
   return options;
 }
 

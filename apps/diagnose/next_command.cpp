@@ -60,7 +60,8 @@ std::string command_of(const std::string& verb, const std::vector<std::string>& 
   if (std::find(effects.begin(), effects.end(), "") != effects.end()) return "";
   std::vector<std::string> words{"ballbar", verb};
   words.insert(words.end(), effects.begin(), effects.end());
-  for (const std::string& file : options.data) words.push_back(shell_word(file.starts_with('-') ? "./" + file : file));
+  for (const std::string& file : names_of(options.data))
+    words.push_back(shell_word(file.starts_with('-') ? "./" + file : file));
   if (verb == "add" || !options.model.empty()) words.insert(words.end(), {"--model", shell_word(model_file(options))});
   words.insert(words.end(), {"--target", shell_word(target)});
   for (const std::string& column : options.also_input) words.insert(words.end(), {"--also-input", shell_word(column)});
@@ -95,7 +96,7 @@ std::string shell_word(const std::string& text) {
 }
 
 std::string model_file(const ModelOptions& options) {
-  if (!options.model.empty()) return options.model;
+  if (!options.model.empty()) return options.model.name();
   std::string name = "model.toml";
   std::error_code absent;  // then the name is free
   for (int number = 2; std::filesystem::exists(name, absent); ++number) name = fmt::format("model-{}.toml", number);
@@ -145,7 +146,7 @@ std::string next_hint(const ModelOptions& options, const Diagnosis& found) {
   for (const OwnValue& own : found.own) {
     if (!is_own_named(own, found)) continue;
     text += fmt::format("{}In {}, free the {} of {}: {} = {{ start = {:.3g} }}.", text.empty() ? "" : " ",
-                        options.model, own.parameter, own.effect, own.parameter, own.fitted);
+                        options.model.name(), own.parameter, own.effect, own.parameter, own.fitted);
   }
   return text;
 }

@@ -20,9 +20,9 @@ RevisedModel::RevisedModel(const ModelOptions& options, const std::shared_ptr<co
     : options_(options),
       is_new_(is_new_model(options)),
       bench_(workbench_of(readable(options), data, model, std::move(diagnosis))),
-      text_(is_new_ ? new_model_text(model) : read_bytes(options.model, kLargestText)),
-      not_in_file_(model.terms.size() - read_model(text_, options.model).terms.size()) {
-  static_cast<void>(read_ledger(text_, options_.model));
+      text_(is_new_ ? new_model_text(model) : options.model.bytes(kLargestText)),
+      not_in_file_(model.terms.size() - read_model(text_, options.model.name()).terms.size()) {
+  static_cast<void>(read_ledger(text_, options_.model.name()));
 }
 
 // Takes the effects out; their numbers in the file, rising.
@@ -36,7 +36,7 @@ std::vector<std::size_t> RevisedModel::taken_out(const std::vector<std::string>&
       std::vector<std::string> known;
       for (std::size_t t = not_in_file_; t < model.terms.size(); ++t) known.push_back(label_of(model.terms[t]));
       throw CLI::ValidationError("--replace", fmt::format("expected an effect of {}, one of {}, found {}",
-                                                          options_.model, fmt::join(known, ", "), label));
+                                                          options_.model.name(), fmt::join(known, ", "), label));
     }
     places.push_back(place);
   }
@@ -57,17 +57,17 @@ void RevisedModel::add(const std::vector<Term>& terms, const std::vector<std::st
     bench_.replace(std::move(rest));
     ++steps_;
   }
-  with_source(options_.data.front(), [&] { bench_.add(terms); });
+  with_source(options_.data.front().name(), [&] { bench_.add(terms); });
   ++steps_;
 }
 
 EffectTest RevisedModel::revise(const Choice& choice) {
-  EffectTest tried = with_source(options_.data.front(), [&] { return bench_.added(); });
+  EffectTest tried = with_source(options_.data.front().name(), [&] { return bench_.added(); });
   const std::size_t added = tried.added.size();
   for (const std::string& label : replaced_) tried.after.change += ", - " + label;
   std::vector<std::size_t> removed = removed_;
   if (choice.prune) {
-    Pruned smaller = with_source(options_.data.front(), [&] { return pruned(std::move(tried), bench_.data()); });
+    Pruned smaller = with_source(options_.data.front().name(), [&] { return pruned(std::move(tried), bench_.data()); });
     tried = std::move(smaller.effect_test);
     for (std::size_t term : smaller.removed) {
       term -= not_in_file_;
@@ -80,12 +80,12 @@ EffectTest RevisedModel::revise(const Choice& choice) {
     }
   }
   if (choice.named) tried.after.verdict = name_of(Verdict::named);
-  tried.before.data = tried.after.data = options_.data;
+  tried.before.data = tried.after.data = names_of(options_.data);
   // With their shapes begun where they were found: a fit of the file is the fit that is told here.
   const std::vector<Term> begun(tried.model.terms.end() - static_cast<std::ptrdiff_t>(added), tried.model.terms.end());
-  std::string text = with_revision(text_, options_.model, begun, removed, tried.before, tried.after);
+  std::string text = with_revision(text_, options_.model.name(), begun, removed, tried.before, tried.after);
   revisions_.push_back({std::exchange(text_, std::move(text)), std::exchange(steps_, 0)});
-  tried.after.revision = read_ledger(text_, options_.model).size() - 1;
+  tried.after.revision = read_ledger(text_, options_.model.name()).size() - 1;
   replaced_.clear();
   removed_.clear();
   return tried;

@@ -30,9 +30,9 @@ void run(EffectOptions options) {
   const std::vector<Term> terms = terms_of(options.effects, model, *data);
   const ProgressLine progress;
   show_progress(fmt::format("fitting {} with and without what is tried", model.targets.front()));
-  EffectTest tried = with_source(options.model.data.front(), [&] { return bench.effect_test(terms); });
+  EffectTest tried = with_source(options.model.data.front().name(), [&] { return bench.effect_test(terms); });
   show_progress({});
-  tried.after.data = options.model.data;
+  tried.after.data = names_of(options.model.data);
   const std::string saves = add_command(options.model, tried);
   if (options.json) {
     print_json(json_of(tried));

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 // By content; XML of another kind is none.
 bool is_kind_of_recording(const fs::path& path) {
-  const Reader* const reader = reader_of_file(path);
+  const Reader* const reader = Source(path).reader();
   return reader != nullptr && !reader->recording.empty();
 }
 

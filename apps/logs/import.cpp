@@ -23,7 +23,8 @@ namespace {
 constexpr std::size_t kShownRows = 5;
 
 struct ImportArguments {
-  std::string log, out, save;
+  Source log;
+  std::string out, save;
   LogOptions how;
   bool json = false;
 };
@@ -74,7 +75,7 @@ std::vector<std::string> guesses(const Log& log) {
 
 void print(const ImportArguments& options, const Log& log, const std::vector<ColumnFault>& faults) {
   const std::vector<double>& time_s = log.series.time_s;
-  fmt::print("{}\n{}\n", options.log, wrapped(sentence_of(log)));
+  fmt::print("{}\n{}\n", options.log.name(), wrapped(sentence_of(log)));
   fmt::print("{} rows over {}{}\n\n", time_s.size(), duration_text(time_s.back() - time_s.front()),
              log.series.started ? fmt::format(", started {}", *log.series.started) : std::string());
   fmt::print("{}", columns_text(log));
@@ -94,7 +95,7 @@ void print(const ImportArguments& options, const Log& log, const std::vector<Col
 
 // A series of our own is no log to be guessed at; it is only shown.
 Log opened(const ImportArguments& options) {
-  const Reader* const reader = reader_of_file(options.log);
+  const Reader* const reader = options.log.reader();
   if (read_of<ReadSeries>(reader) == nullptr) return open_log(options.log, recipe_of(options.how));
   Log log;
   log.series = open_series(options.log);
@@ -111,7 +112,7 @@ Log opened(const ImportArguments& options) {
 }
 
 void run(const ImportArguments& options) {
-  expect_no_input({options.out, options.save}, {options.log});
+  expect_no_input({options.out, options.save}, paths_of({options.log}));
   const Log log = opened(options);
   const std::vector<ColumnFault> faults = column_faults(log.series);
   if (!options.out.empty())
@@ -120,8 +121,8 @@ void run(const ImportArguments& options) {
     });
   if (!options.save.empty()) write_bytes(options.save, write_recipe(log.recipe));
   if (options.json) {
-    print_json(json_of(ImportedLog{options.log, log.shape, log.time, log.series.started, log.series.time_s.size(),
-                                   log.first_row_line, log.columns, log.remarks, faults}));
+    print_json(json_of(ImportedLog{options.log.name(), log.shape, log.time, log.series.started,
+                                   log.series.time_s.size(), log.first_row_line, log.columns, log.remarks, faults}));
     return;
   }
   print(options, log, faults);

@@ -42,7 +42,7 @@ Part opened(const std::string& file, const LogOptions& how) {
   Part part{{file, 0.0, std::nullopt, std::nullopt}, {}};
   OpenedSeries opened = opened_series(file, known_readers(), recipe_of(how));
   tell(opened.remarks);
-  part.series = std::move(opened.series);
+  part.series = *opened.series;
   return part;
 }
 

@@ -34,10 +34,10 @@ ComparedDrifts compared_drifts_of(const ComparedDriftOptions& options) {
   if (options.b.empty()) {
     if (!first.session || !first.session->five_probe) {
       throw Error(fmt::format("{}: expected a second file to compare with, or a session with [five_probe], found {}.",
-                              options.a, first.session ? "a session without it" : "a series"));
+                              options.a.name(), first.session ? "a session without it" : "a series"));
     }
     const Session& session = first.session->session;
-    drifts.title = session.title.empty() ? options.a : session.title;
+    drifts.title = session.title.empty() ? options.a.name() : session.title;
     drifts.a = drift_of_session(*first.session, options);
     drifts.b = drift_of_series(open_series(*first.session->five_probe), first.session->five_probe->string(), options,
                                first.session->ball);
@@ -53,8 +53,8 @@ ComparedDrifts compared_drifts_of(const ComparedDriftOptions& options) {
     if (result.what != path) result.what += fmt::format(" ({})", path);
     return result;
   };
-  drifts.a = drift(first, options.a);
-  drifts.b = drift(second, options.b);
+  drifts.a = drift(first, options.a.name());
+  drifts.b = drift(second, options.b.name());
   return drifts;
 }
 

@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "ballbar/drift/measured_drift.hpp"
+#include "ballbar/formats/text/source.hpp"
 #include "measure/five_probe_options.hpp"
 
 namespace ballbar {
 
 struct ComparedDriftOptions {
-  std::string a, b;  // b empty: the five probes of session a
+  Source a, b;  // b empty: the five probes of session a
   std::optional<double> reference_s;
   FiveProbeOptions probes;
 };

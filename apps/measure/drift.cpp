@@ -29,7 +29,7 @@ namespace ballbar::commands {
 namespace {
 
 struct DriftArguments {
-  std::string session;
+  Source session;
   std::vector<std::string> out;
   std::optional<double> reference_s;
   bool sequential = false;
@@ -94,7 +94,7 @@ std::string way_of(const DriftSeries& series, const DriftArguments& options) {
 }
 
 void print_text(const Session& session, const DriftSeries& series, const DriftArguments& options) {
-  const std::string title = session.title.empty() ? options.session : session.title;
+  const std::string title = session.title.empty() ? options.session.name() : session.title;
   fmt::print("{}\n{}; {} test{} over {:g} min, reference at {:g} min\n\n", title, way_of(series, options),
              series.points.size(), series.points.size() == 1 ? "" : "s",
              min_from_s(series.points.back().time_s - series.points.front().time_s), min_from_s(series.reference_s));
@@ -139,18 +139,18 @@ void run_five_probe(const DriftArguments& options, DriftData data) {
     if (given) throw Error(fmt::format("{}: expected recordings of a ballbar to fit, found five probes.", name));
   }
   FiveProbeReport report;
-  report.title = options.session;
+  report.title = options.session.name();
   BallPlace ball;
   if (data.session) {
     if (!data.session->five_probe) {
-      throw Error(
-          fmt::format("{}: expected [five_probe] in the session for --five-probe, found none.", options.session));
+      throw Error(fmt::format("{}: expected [five_probe] in the session for --five-probe, found none.",
+                              options.session.name()));
     }
     report.title = data.session->five_probe->string();
-    data.series = open_series(*data.session->five_probe);
+    data.series = opened_series(*data.session->five_probe).series;
     ball = data.session->ball;
   }
-  report.series = stated(*std::move(data.series), options.probes);
+  report.series = stated(*data.series, options.probes);
   report.how = place_of(report.series, options.probes, ball);
   report.how.reference_s = options.reference_s;
   report.out = options.out;
@@ -167,7 +167,7 @@ void run(const DriftArguments& options) {
     throw Error(
         fmt::format("{}: expected five probes, a series .csv or a session with --five-probe, for the options of "
                     "five probes, found a session.",
-                    options.session));
+                    options.session.name()));
   }
   const Session& session = data.session->session;
   if (session.method != Method::two_arcs && (options.sequential || options.equal_radii)) {

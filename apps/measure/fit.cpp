@@ -24,7 +24,7 @@ namespace {
 
 struct FitArguments {
   StatedCircle circle;
-  std::vector<std::string> files;
+  std::vector<Source> files;
   std::string out;
   bool polar = false;
   bool robust = false;
@@ -208,12 +208,10 @@ std::string text_of(const Fitted& fitted, const FitArguments& options) {
 }
 
 // Archives stand for the files inside them.
-void open_archives(std::vector<std::string>& files) {
-  if (std::none_of(files.begin(), files.end(), is_archive)) return;
-  const FoundFiles found = recordings_below(files);
+void open_archives(std::vector<Source>& files) {
+  if (std::none_of(files.begin(), files.end(), [](const Source& file) { return file.is_archive(); })) return;
+  const FoundFiles found = put_recordings_below(files);
   if (!found.faults.empty()) throw Error(found.faults.front().why);
-  files.clear();
-  for (const std::filesystem::path& file : found.files) files.push_back(file.string());
 }
 
 void run(FitArguments options) {
@@ -221,7 +219,7 @@ void run(FitArguments options) {
   CircleOptions how;
   how.model = options.polar ? CircleModel::polar : CircleModel::length_equation;
   how.robust = options.robust;
-  if (!options.out.empty()) expect_no_input({options.out}, {options.files.begin(), options.files.end()});
+  if (!options.out.empty()) expect_no_input({options.out}, paths_of(options.files));
   const Fitted fitted = fit_files(options.files, how, Faults::end_all, options.circle);
   for (const std::string& remark : fitted.remarks) warning_line(remark);
   if (!options.out.empty()) write_bytes(options.out, json_of(fitted).dump(2) + '\n');

@@ -106,9 +106,10 @@ bool are_pair(const FittedRecording& first, const FittedRecording& second) {
   return first.circle && second.circle && are_both_directions(first.recording, second.recording);
 }
 
-void add_file(Fitted& fitted, const std::string& file, const CircleOptions& options, const StatedCircle& stated,
+void add_file(Fitted& fitted, const Source& source, const CircleOptions& options, const StatedCircle& stated,
               std::size_t& next_of_pair) {
-  RecordingFile opened = open_recording(file, known_readers(), stated);
+  RecordingFile opened = open_recording(source, known_readers(), stated);
+  const std::string& file = source.name();
   std::move(opened.remarks.begin(), opened.remarks.end(), std::back_inserter(fitted.remarks));
   if (opened.recordings.empty() && opened.b5r) {
     fitted.results_alone.push_back({file, std::move(*opened.b5r)});
@@ -138,18 +139,18 @@ void add_file(Fitted& fitted, const std::string& file, const CircleOptions& opti
 
 }  // namespace
 
-Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options, Faults faults,
+Fitted fit_files(const std::vector<Source>& files, const CircleOptions& options, Faults faults,
                  const StatedCircle& stated) {
   Fitted fitted;
   std::size_t next_of_pair = 0;  // recordings before it are in a pair already, or cannot be
-  for (const std::string& file : files) {
+  for (const Source& file : files) {
     const std::size_t before = fitted.recordings.size();
     try {
       add_file(fitted, file, options, stated, next_of_pair);
     } catch (const Error& error) {
       if (faults == Faults::end_all || files.size() == 1) throw;
       fitted.recordings.resize(before);
-      fitted.skipped.push_back({file, error.what()});
+      fitted.skipped.push_back({file.name(), error.what()});
       next_of_pair = before;
     }
   }

@@ -62,7 +62,7 @@ enum class Faults { end_all, skip };
 // Opens and fits every file. A pair is the two directions of one `.b5r`, or two logs that stand one after the
 // other and differ only in direction. Throws Error with the file's name, or skips that file; throws where all are
 // skipped.
-Fitted fit_files(const std::vector<std::string>& files, const CircleOptions& options, Faults faults = Faults::end_all,
+Fitted fit_files(const std::vector<Source>& files, const CircleOptions& options, Faults faults = Faults::end_all,
                  const StatedCircle& stated = {});
 
 // What a file without readings stores, as a table for the terminal.

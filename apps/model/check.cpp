@@ -142,7 +142,7 @@ void run(const CheckArguments& options) {
   std::vector<ResidualReport> all;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     Workbench bench = workbench_of(options.model, data, of_one_target(model, options.model, target));
-    all.push_back(with_source(options.model.data.front(), [&] { return bench.check(); }));
+    all.push_back(with_source(options.model.data.front().name(), [&] { return bench.check(); }));
   }
   if (options.json) {
     print_json(all.size() == 1 ? json_of(all.front()) : json_of(CheckedTargets{all}));

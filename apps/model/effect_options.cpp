@@ -53,10 +53,16 @@ void add_effect_options(CLI::App& command, EffectOptions& options, const std::st
 }
 
 void split_words(EffectOptions& options, bool effects_wanted) {
-  for (const std::string& word : options.words)
-    (is_effect(word) ? options.effects : options.model.data).push_back(word);
+  for (const std::string& word : options.words) {
+    if (is_effect(word)) {
+      options.effects.push_back(word);
+    } else {
+      options.model.data.emplace_back(word);
+    }
+  }
   if (effects_wanted && options.effects.empty()) {
-    throw CLI::ValidationError("EFFECT", fmt::format("expected an effect, found {} alone", options.model.data.front()));
+    throw CLI::ValidationError("EFFECT",
+                               fmt::format("expected an effect, found {} alone", options.model.data.front().name()));
   }
   if (!effects_wanted && !options.effects.empty()) {
     throw CLI::ValidationError("EFFECT", fmt::format("expected none with --auto, found {}", options.effects.front()));
@@ -70,8 +76,8 @@ void expect_one_target(const ModelOptions& options, const Model& model) {
   if (model.targets.size() == 1) return;
   throw Error(fmt::format("{}: expected one target, by which effects are judged, found {}; --target chooses one.",
                           !options.target.empty() ? "--target"
-                          : options.model.empty() ? options.data.front()
-                                                  : options.model,
+                          : options.model.empty() ? options.data.front().name()
+                                                  : options.model.name(),
                           fmt::join(model.targets, ", ")));
 }
 
@@ -79,14 +85,14 @@ std::vector<Term> terms_of(const std::vector<std::string>& effects, const Model&
   Model larger = model;
   std::vector<Term> terms;
   for (const std::string& effect : effects) {
-    terms.push_back(term_of_text(effect, larger, data.series));
+    terms.push_back(term_of_text(effect, larger, *data.series));
     expect_no_target(label_of(terms.back()), terms.back().columns, larger);
     if (data.motion && !applies_to(*terms.back().effect, *data.motion)) {
       throw Error(fmt::format("expected effects that act where {} drives the circle, found {}.", name_of(*data.motion),
                               terms.back().effect->name));
     }
     larger.terms.push_back(terms.back());
-    expect_suits(larger, data.series);
+    expect_suits(larger, *data.series);
   }
   return terms;
 }

@@ -24,9 +24,9 @@ namespace {
 // As expect_suits, with the model's file; a model that is all held still predicts.
 void expect_model_suits(Model model, const ModelOptions& options, const ModelData& data) {
   if (model.level == Level::series) model.constant_um.reset();
-  const auto expect_targets = [&] { expect_explainable(model.targets, data.series); };
+  const auto expect_targets = [&] { expect_explainable(model.targets, *data.series); };
   if (options.target.empty()) {
-    with_source(options.model.empty() ? options.data.front() : options.model, expect_targets);
+    with_source(options.model.empty() ? options.data.front().name() : options.model.name(), expect_targets);
   } else {
     try {
       expect_targets();
@@ -35,7 +35,7 @@ void expect_model_suits(Model model, const ModelOptions& options, const ModelDat
     }
   }
   if (!options.also_input.empty() && model.targets.size() > 1) return;  // of_one_target: one may read another
-  with_source(options.model, [&] { expect_suits(model, data.series); });
+  with_source(options.model.name(), [&] { expect_suits(model, *data.series); });
 }
 
 bool is_in(const std::vector<std::string>& names, const std::string& name) {
@@ -106,46 +106,46 @@ void add_fit_options(CLI::App& command, ModelOptions& options) {
 }
 
 ModelData open_data(const ModelOptions& options) {
-  ModelData data = open_model_data({options.data.begin(), options.data.end()}, {},
-                                   options.max_gap_s.value_or(kUsualGap_s), known_readers(), options.circle);
+  ModelData data =
+      open_model_data(options.data, {}, options.max_gap_s.value_or(kUsualGap_s), known_readers(), options.circle);
   tell(data.remarks);
   return data;
 }
 
-ModelData open_drift(const std::string& data, const std::optional<double>& max_gap_s) {
+ModelData open_drift(const Source& data, const std::optional<double>& max_gap_s) {
   ModelOptions how;
   how.data = {data};
   how.max_gap_s = max_gap_s;
   ModelData opened = open_data(how);
   if (opened.level == Level::series) return opened;
-  throw Error(fmt::format("{}: expected a series or a session of drift, found recordings.", data));
+  throw Error(fmt::format("{}: expected a series or a session of drift, found recordings.", data.name()));
 }
 
 Model open_model(const ModelOptions& options, const ModelData& data) {
   Model model;
   if (options.model.empty()) {
     if (data.level == Level::recording) {
-      model = recording_base_model(data.series);
+      model = recording_base_model(*data.series);
       model.targets = data.targets;
     } else {
       model.targets = data.targets;
     }
   } else {
-    model = read_model(read_bytes(options.model, kLargestText), options.model);
+    model = read_model(options.model.bytes(kLargestText), options.model.name());
     if (model.level != data.level) {
-      throw Error(fmt::format("{}: expected a model of {}, found one of {}.", options.model,
+      throw Error(fmt::format("{}: expected a model of {}, found one of {}.", options.model.name(),
                               data.level == Level::recording ? "recordings (level = \"recording\")" : "a drift series",
                               model.level == Level::recording ? "recordings" : "a drift series"));
     }
-    if (data.motion) with_source(options.model, [&] { expect_acts(model, *data.motion); });
-    if (model.level == Level::recording) model = with_circles(std::move(model), data.series);
+    if (data.motion) with_source(options.model.name(), [&] { expect_acts(model, *data.motion); });
+    if (model.level == Level::recording) model = with_circles(std::move(model), *data.series);
   }
-  model = with_held_values(with_run_terms(std::move(model), data.series), options.set);
+  model = with_held_values(with_run_terms(std::move(model), *data.series), options.set);
   choose_targets(model, options);
   if (model.targets.empty())
     throw Error(fmt::format("{}: expected a measured column to explain, found none.", data.title));
   expect_model_suits(model, options, data);
-  expect_also_inputs(options, model, data.series);
+  expect_also_inputs(options, model, *data.series);
   return model;
 }
 
@@ -176,7 +176,7 @@ Model of_one_target(const Model& model, const ModelOptions& options, std::size_t
 }
 
 void expect_to_fit(const ModelOptions& options, const Model& model, const ModelData& data) {
-  with_source(options.model, [&] { expect_suits(model, data.series); });
+  with_source(options.model.name(), [&] { expect_suits(model, *data.series); });
 }
 
 FitOptions fit_options(const ModelOptions& options) {
@@ -189,7 +189,8 @@ FitOptions fit_options(const ModelOptions& options) {
 
 Fit fit_of(const ModelOptions& options, const Model& model, const ModelData& data, std::size_t target) {
   expect_to_fit(options, model, data);
-  return with_source(options.data.front(), [&] { return fit(model, data.series, target, fit_options(options)); });
+  return with_source(options.data.front().name(),
+                     [&] { return fit(model, *data.series, target, fit_options(options)); });
 }
 
 std::string value_text(const FittedParameter& parameter) {

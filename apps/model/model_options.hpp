@@ -19,8 +19,8 @@ class App;
 namespace ballbar {
 
 struct ModelOptions {
-  std::vector<std::string> data;
-  std::string model;                    // file
+  std::vector<Source> data;
+  Source model;                         // empty: none
   std::vector<std::string> target;      // instead of the model's own
   std::vector<std::string> also_input;  // targets that effects may read
   std::vector<std::string> set;         // parameters held: with_held_values()
@@ -46,7 +46,7 @@ constexpr double kUsualGap_s = 600.0;
 ModelData open_data(const ModelOptions& options);
 
 // A series or a session of drift. Throws Error for recordings.
-ModelData open_drift(const std::string& data, const std::optional<double>& max_gap_s);
+ModelData open_drift(const Source& data, const std::optional<double>& max_gap_s);
 
 // The model of the file, its targets replaced where the command line says so; without a file a constant (or, on
 // recordings, a circle each). Throws Error: a model of drift for recordings or the other way round, one that does not

@@ -119,7 +119,7 @@ void run(const PreflightArguments& options) {
     expect_to_fit(options.model, one, data);
     show_progress(fmt::format("{}, target {} of {}", model.targets[target], target + 1, model.targets.size()));
     results.push_back(
-        with_source(options.model.data.front(), [&] { return preflight(one, data.series, 0, data.motion); }));
+        with_source(options.model.data.front().name(), [&] { return preflight(one, *data.series, 0, data.motion); }));
   }
   show_progress({});
   if (options.json) {

@@ -8,7 +8,7 @@ Workbench workbench_of(const ModelOptions& options, const std::shared_ptr<const 
                        DiagnosisOptions diagnosis) {
   expect_to_fit(options, model, *data);
   diagnosis.search.motion = data->motion;
-  return {std::shared_ptr<const Series>(data, &data->series), model, {fit_options(options), std::move(diagnosis)}};
+  return {data->series, model, {fit_options(options), std::move(diagnosis)}};
 }
 
 }  // namespace ballbar

@@ -75,7 +75,7 @@ PlanContents contents_of(const TestPlan& plan, const PlanArguments& options, con
         {curve.label, curve.p, plan.time_s, curve.um, std::vector<double>(plan.time_s.size(), plan.sigma_um)});
   }
   if (!plan.curves.empty()) contents.apart = apart_of(plan);
-  for (const Column& column : data.series.columns) {
+  for (const Column& column : data.series->columns) {
     if (column.role != Role::measured || column.name == target) contents.columns_to_log.push_back(column.name);
   }
   contents.options.title = contents.title;
@@ -100,7 +100,7 @@ void run(PlanArguments options) {
     throw Error(
         fmt::format("{}: expected a series or a session of drift, found recordings; `ballbar diagnose` says which "
                     "circles to drive next.",
-                    options.model.data.front()));
+                    options.model.data.front().name()));
   }
   const Model model = open_model(options.model, data);
   say_start(options.model, data);
@@ -112,7 +112,7 @@ void run(PlanArguments options) {
     options.plan.search.progress = [](std::string_view step) { show_progress(std::string(step)); };
   }
   const TestPlan plan =
-      with_source(options.model.data.front(), [&] { return test_plan(model, data.series, 0, options.plan); });
+      with_source(options.model.data.front().name(), [&] { return test_plan(model, *data.series, 0, options.plan); });
   show_progress({});
   if (options.json) {
     print_json(json_of(plan));

@@ -29,7 +29,7 @@ namespace {
 
 struct PredictArguments {
   ModelOptions model;
-  std::vector<std::string> on;
+  std::vector<Source> on;
   std::vector<std::string> out;
   std::string state;
   bool anyway = false;
@@ -84,8 +84,8 @@ Table summary(const std::vector<Column>& columns) {
 
 void expect_one_file(const PredictArguments& options) {
   if (options.model.data.size() == 1) return;
-  throw Error(
-      fmt::format("expected one file of DATA for {}, found {}.", options.model.model, options.model.data.size()));
+  throw Error(fmt::format("expected one file of DATA for {}, found {}.", options.model.model.name(),
+                          options.model.data.size()));
 }
 
 // A regression over batches has its own parameters, and is fitted to nothing here.
@@ -96,9 +96,9 @@ void run_batch_model(const PredictArguments& options) {
     throw Error(
         fmt::format("{}: expected neither --target, --max-gap, --robust nor --white: a regression has its target "
                     "and is fitted to nothing here.",
-                    options.model.model));
+                    options.model.model.name()));
   }
-  expect_no_input(options.out, {options.model.data.front(), options.model.model});
+  expect_no_input(options.out, paths_of({options.model.data.front(), options.model.model}));
   predict_batch({options.model.data.front(), options.model.model, options.out, options.anyway, options.json});
 }
 
@@ -110,9 +110,9 @@ void run_effects(const PredictArguments& options) {
     throw Error(
         fmt::format("{}: expected neither --on, --target, --robust, --white nor --anyway: a regression has its "
                     "target, predicts DATA itself and is fitted to nothing here.",
-                    options.model.model));
+                    options.model.model.name()));
   }
-  expect_no_input(options.out, {options.model.data.front(), options.model.model});
+  expect_no_input(options.out, paths_of({options.model.data.front(), options.model.model}));
   predict_effects({options.model.data.front(), options.model.model, options.state, options.out, options.model.max_gap_s,
                    options.json});
 }
@@ -129,29 +129,29 @@ void run(const PredictArguments& options) {
   const ModelData other = options.on.empty() ? data : open_data(elsewhere);
   std::vector<std::filesystem::path> inputs = data.files;
   inputs.insert(inputs.end(), other.files.begin(), other.files.end());
-  inputs.emplace_back(options.model.model);
+  if (options.model.model.is_path()) inputs.push_back(options.model.model.path());
   expect_no_input(options.out, inputs);
   Series series;
-  series.time_s = one_after_another(other.series.time_s);
+  series.time_s = one_after_another(other.series->time_s);
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
     const std::vector<FittedParameter> parameters =
         has_free(model) ? fit_of(options.model, model, data, target).parameters : held_parameters(model);
     const Prediction prediction =
-        with_source(elsewhere.data.front(), [&] { return predict(model, parameters, other.series); });
-    const std::vector<Column> columns = columns_of(model, model.targets[target], prediction, other.series);
+        with_source(elsewhere.data.front().name(), [&] { return predict(model, parameters, *other.series); });
+    const std::vector<Column> columns = columns_of(model, model.targets[target], prediction, *other.series);
     series.columns.insert(series.columns.end(), columns.begin(), columns.end());
   }
   for (const std::string& path : options.out) write_bytes(path, write_series(series));
   if (options.json) {
     print_json(json_of(PredictedSeries{series}), -1);
   } else {
-    fmt::print("{}\n{}: {} rows over {}{}\n\n{}", other.title, options.model.model, series.time_s.size(),
+    fmt::print("{}\n{}: {} rows over {}{}\n\n{}", other.title, options.model.model.name(), series.time_s.size(),
                duration_text(series.time_s.back() - series.time_s.front()),
                options.on.empty() ? "" : fmt::format("\nfitted to {}", data.title),
                summary(series.columns).text(table_width()));
   }
   for (const std::string& path : options.out) stderr_line(fmt::format("wrote {}", path));
-  if (other.series.runs.size() > 1 && !options.out.empty()) {
+  if (other.series->runs.size() > 1 && !options.out.empty()) {
     stderr_line("times go on from run to run, one right after another");
   }
 }

@@ -28,8 +28,8 @@ constexpr std::size_t kWarned = 6;
 
 }  // namespace
 
-Series read_data(const std::string& data) {
-  if (data != "-") return read_batch(data);
+Series read_data(const Source& data) {
+  if (data.name() != "-") return read_batch(data);
   std::string bytes;
   char block[1 << 16];
   while (std::cin.read(block, sizeof block) || std::cin.gcount() > 0) {
@@ -91,12 +91,12 @@ std::vector<std::string> warnings_of(const BatchPrediction& prediction) {
 
 std::string stem_of(const std::string& column) { return column.substr(0, column.rfind('_')); }
 
-bool is_batch_model(const std::string& model) { return is_batch_model_json(read_head(model, kHeadBytes)); }
+bool is_batch_model(const Source& model) { return is_batch_model_json(model.head(kHeadBytes)); }
 
-BatchJob batch_job(const std::string& data, const std::string& model_file, bool anyway) {
+BatchJob batch_job(const Source& data, const Source& model, bool anyway) {
   BatchJob job;
-  job.source = data == "-" ? "standard input" : data;
-  job.model = read_batch_model(read_bytes(model_file, kLargestText), model_file);
+  job.source = data.name() == "-" ? "standard input" : data.name();
+  job.model = read_batch_model(model.bytes(kLargestText), model.name());
   job.data = read_data(data);
   job.prediction = with_source(job.source, [&] { return predict(job.model, job.data); });
   if (job.prediction.broken.size() == 1 && !anyway) {
@@ -121,8 +121,8 @@ void predict_batch(const BatchPredictOptions& options) {
     fmt::print(
         "{}\n{}: {} by {}, {} batches\n\n{} rows over {}: {} from {:.2f} to {:.2f} um, at the end {:.2f} um "
         "±{:.2f} um (95 %)\n",
-        source, options.model, model.columns.target, label_of(model.settings), model.batches.size(), data.time_s.size(),
-        duration_text(data.time_s.back() - data.time_s.front()), model.columns.target, *low, *high,
+        source, options.model.name(), model.columns.target, label_of(model.settings), model.batches.size(),
+        data.time_s.size(), duration_text(data.time_s.back() - data.time_s.front()), model.columns.target, *low, *high,
         prediction.predicted_um.back(), prediction.half_width_um.back());
     const Column* measured = find_column(data, model.columns.target);
     const auto error = measured == nullptr ? std::nullopt : error_of(prediction, measured->values);

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "ballbar/batches/batch_regression.hpp"
+#include "ballbar/formats/text/source.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
 
 struct BatchPredictOptions {
-  std::string data;  // "-": standard input
-  std::string model;
+  Source data;  // "-": standard input
+  Source model;
   std::vector<std::string> out;
   bool anyway = false;  // with sensors that look broken
   bool json = false;
@@ -21,7 +22,7 @@ struct BatchPredictOptions {
 std::string stem_of(const std::string& column);
 
 // A file of a regression over batches rather than of a model of effects.
-bool is_batch_model(const std::string& model);
+bool is_batch_model(const Source& model);
 
 struct BatchJob {
   std::string source;
@@ -32,12 +33,12 @@ struct BatchJob {
 };
 
 // `data` "-": standard input. Throws Error where a sensor looks broken, unless `anyway`.
-BatchJob batch_job(const std::string& data, const std::string& model_file, bool anyway);
+BatchJob batch_job(const Source& data, const Source& model, bool anyway);
 
 // Prints and writes as `predict`. Throws Error where a sensor looks broken.
 void predict_batch(const BatchPredictOptions& options);
 
 // A series from a file or, of "-", from the standard input.
-Series read_data(const std::string& data);
+Series read_data(const Source& data);
 
 }  // namespace ballbar

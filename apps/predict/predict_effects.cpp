@@ -62,7 +62,7 @@ Series rows_after(Series data, double last_s) {
 void expect_state_apart(const EffectPredictOptions& options) {
   if (options.state.empty()) return;
   const std::filesystem::path state(options.state);
-  std::vector<std::filesystem::path> others{options.data, options.model};
+  std::vector<std::filesystem::path> others{options.data.path(), options.model.path()};
   others.insert(others.end(), options.out.begin(), options.out.end());
   expect_no_input({options.state}, others, "--state");
   for (const std::filesystem::path& other : others) {
@@ -182,20 +182,20 @@ std::vector<std::string> warnings_of(const EffectPrediction& prediction) {
 
 }  // namespace
 
-bool is_effect_regression(const std::string& model) { return is_effect_regression_json(read_head(model, kHeadBytes)); }
+bool is_effect_regression(const Source& model) { return is_effect_regression_json(model.head(kHeadBytes)); }
 
 void predict_effects(const EffectPredictOptions& options) {
-  const std::string bytes = read_bytes(options.model, kLargestText);
-  const EffectRegression model = read_effect_regression(bytes, options.model);
+  const std::string bytes = options.model.bytes(kLargestText);
+  const EffectRegression model = read_effect_regression(bytes, options.model.name());
   expect_state_apart(options);
   const std::optional<FileLock> lock = options.state.empty() ? std::nullopt : only_program(options.state);
   const std::optional<PredictionState> from = state_of(options.state, digest_of(bytes));
-  const bool piped = options.data == "-";
+  const bool piped = options.data.name() == "-";
   ModelData opened;
   if (!piped) opened = open_drift(options.data, options.max_gap_s);
   expect_no_input(options.out, opened.files);
-  Series data = piped ? read_data(options.data) : std::move(opened.series);
-  const std::string source = options.data == "-" ? "standard input" : options.data;
+  Series data = piped ? read_data(options.data) : *opened.series;
+  const std::string source = piped ? "standard input" : options.data.name();
   if (from && from->live.rows > 0) data = rows_after(std::move(data), from->live.time_s[from->live.rows - 1]);
   if (data.time_s.empty()) {
     throw Error(fmt::format("{}: expected rows after those that {} knows, found none.", source, options.state));
@@ -216,7 +216,7 @@ void predict_effects(const EffectPredictOptions& options) {
     print_json(json_of(result), -1);
   } else {
     const std::string& target = model.model.targets.front();
-    fmt::print("{}\n{}: {} by effects ({}), trained on {} rows\n{}\n\n", source, options.model, target,
+    fmt::print("{}\n{}: {} by effects ({}), trained on {} rows\n{}\n\n", source, options.model.name(), target,
                dictionary_text(model), model.rows, start_text(model, prediction, data, from.has_value()));
     fmt::print("{} rows over {}: {}{}", data.time_s.size(), duration_text(data.time_s.back() - data.time_s.front()),
                target, range_text(prediction));

@@ -5,18 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/formats/text/source.hpp"
+
 namespace ballbar {
 
 struct EffectPredictOptions {
-  std::string data;   // file, session, or - for the standard input
-  std::string model;  // file
+  Source data;  // file, session, or - for the standard input
+  Source model;
   std::string state;  // where a live prediction stands; empty: none
   std::vector<std::string> out;
   std::optional<double> max_gap_s;
   bool json = false;
 };
 
-bool is_effect_regression(const std::string& model);
+bool is_effect_regression(const Source& model);
 
 void predict_effects(const EffectPredictOptions& options);
 

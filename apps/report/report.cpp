@@ -126,7 +126,7 @@ std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::e
 
 std::string html_of(const Json& json, const Report& made, const ReportArguments& options) {
   if (options.without_files) return page_of(json, nullptr);
-  const Json inside = files_inside(made.files, options.of.model.data, options.of.model.model);
+  const Json inside = files_inside(made.files, names_of(options.of.model.data), options.of.model.model.name());
   if (inside.is_null() && !made.files.empty()) {
     stderr_line(fmt::format("the files are not in the page: more than {} MB, or of a pipe", kMostInside >> 20));
   }
@@ -142,9 +142,9 @@ std::string bytes_of(const Json& json, const Report& made, const ReportArguments
 void run(ReportArguments options) {
   options.format = format_of(options);
   expect_out(options);
-  std::vector<fs::path> inputs(options.of.model.data.begin(), options.of.model.data.end());
-  for (const std::string& other : {options.of.model.model, options.of.compare}) {
-    if (!other.empty()) inputs.emplace_back(other);
+  std::vector<fs::path> inputs = paths_of(options.of.model.data);
+  for (const Source& other : {options.of.model.model, options.of.compare}) {
+    if (other.is_path()) inputs.push_back(other.path());
   }
   if (!options.json) expect_no_input({options.out}, inputs);
   const Report made = [&] {

@@ -73,18 +73,20 @@ void add_recordings(Report& made, const ReportRequest& options) {
     made.page.head.title =
         fmt::format("{} recordings of {} files", fitted.recordings.size(), options.model.data.size());
   } else {
-    made.page.head.title = file_name(options.model.data.front());
+    made.page.head.title = file_name(options.model.data.front().path());
   }
-  for (const std::string& file : options.model.data) made.files.push_back(file_on_disk(file));
+  for (const Source& source : options.model.data) {
+    if (source.is_path()) made.files.push_back(file_on_disk(source.path()));
+  }
 }
 
 void add_session(Report& made, const SessionFiles& files, const ReportRequest& options) {
-  const std::string& path = options.model.data.front();
+  const std::filesystem::path path = options.model.data.front().path();
   const Session& session = files.session;
   made.page.head.title = session.title.empty() ? file_name(path) : session.title;
   std::vector<std::string> recordings;
   for (const TestFile& one : files.recordings) recordings.push_back(one.file.string());
-  const Fitted fitted = fit_files(recordings, {});
+  const Fitted fitted = fit_files({recordings.begin(), recordings.end()}, {});
   made.page.fit.value = recordings_part(fitted, files);
   add_machine_errors(made, fitted, options.model.circle);
   add_results_alone(made, fitted);
@@ -103,7 +105,7 @@ void add_session(Report& made, const SessionFiles& files, const ReportRequest& o
 }
 
 void add_series(Report& made, const Series& series, const ReportRequest& options) {
-  const std::string& path = options.model.data.front();
+  const std::filesystem::path path = options.model.data.front().path();
   made.page.head.title = file_name(path);
   if (is_five_probe(series) || options.probes.any()) {
     const Series with = stated(series, options.probes);
@@ -116,10 +118,10 @@ void add_series(Report& made, const Series& series, const ReportRequest& options
 void add_runs(Report& made, const ModelData& data) {
   made.page.head.title = data.title;
   made.files.insert(made.files.end(), data.files.begin(), data.files.end());
-  const std::vector<RowRange> runs = runs_of(data.series.time_s);
+  const std::vector<RowRange> runs = runs_of(data.series->time_s);
   for (std::size_t run = 0; run < runs.size(); ++run) {
-    const std::string name = run < data.series.runs.size() ? file_name(data.series.runs[run].name) : std::string();
-    made.page.head.signals.push_back(signals_part(name, rows_of(data.series, runs[run])));
+    const std::string name = run < data.series->runs.size() ? file_name(data.series->runs[run].name) : std::string();
+    made.page.head.signals.push_back(signals_part(name, rows_of(*data.series, runs[run])));
   }
 }
 
@@ -135,7 +137,7 @@ void add_comparison(Report& made, const ReportRequest& options) {
 void add_batch(Report& made, const ReportRequest& options) {
   const BatchJob job = batch_job(options.model.data.front(), options.model.model, options.anyway);
   made.page.batch.value = batch_part(job);
-  made.files.emplace_back(options.model.model);
+  if (options.model.model.is_path()) made.files.push_back(options.model.model.path());
   made.conclude(fmt::format("{} by {} of {} batches.", job.model.columns.target, label_of(job.model.settings),
                             job.model.batches.size()));
   for (const std::string& warning : job.warnings) made.conclude(warning);
@@ -164,8 +166,8 @@ void expect_use(const ReportRequest& options, bool of_recordings, bool of_batche
 
 // Of folders and archives that are no session, the recordings below them; why a folder is none goes to `remarks`.
 FoundFiles expanded(ReportRequest& options, std::vector<std::string>& remarks) {
-  std::vector<std::string>& data = options.model.data;
-  if (std::none_of(data.begin(), data.end(), is_folder_of_tests)) return {};
+  std::vector<Source>& data = options.model.data;
+  if (!any_folder_of_tests(data)) return {};
   if (data.size() == 1) {
     try {
       open_session(data.front());
@@ -174,10 +176,8 @@ FoundFiles expanded(ReportRequest& options, std::vector<std::string>& remarks) {
       remarks.emplace_back(error.what());
     }
   }
-  FoundFiles found = recordings_below(data);
+  FoundFiles found = put_recordings_below(data);
   if (found.files.empty()) throw Error(remarks.empty() ? found.faults.front().why : remarks.front());
-  data.clear();
-  for (const fs::path& file : found.files) data.push_back(file.string());
   return found;
 }
 
@@ -204,7 +204,7 @@ ReportData report_data(ReportRequest& options) {
   if (of_recordings) {
     if (!options.compare.empty())
       throw Error("--compare: expected a session or a series to compare, found recordings.");
-    if (of_batches) throw Error(options.model.model + ": expected a series to predict, found recordings.");
+    if (of_batches) throw Error(options.model.model.name() + ": expected a series to predict, found recordings.");
     add_recordings(made, options);
     add_skipped(made, found.faults);
     for (const std::string& why : no_session) made.conclude("No drift: " + why);
@@ -214,7 +214,7 @@ ReportData report_data(ReportRequest& options) {
   if (options.model.data.size() > 1 || lists_runs(options.model.data.front())) {
     if (!options.compare.empty())
       throw Error("--compare: expected one session or series to compare, found several runs.");
-    if (of_batches) throw Error(options.model.model + ": expected one series to predict, found several runs.");
+    if (of_batches) throw Error(options.model.model.name() + ": expected one series to predict, found several runs.");
     const std::shared_ptr<const ModelData> runs = model_data(options);
     add_runs(made, *runs);
     if (has_model || options.diagnose) result.for_model = runs;
@@ -226,7 +226,7 @@ ReportData report_data(ReportRequest& options) {
   if (fits) {
     const double max_gap_s = options.model.max_gap_s.value_or(kUsualGap_s);
     result.for_model =
-        std::make_shared<const ModelData>(model_data_of(data, options.model.data.front(), {}, max_gap_s));
+        std::make_shared<const ModelData>(model_data_of(data, options.model.data.front().name(), {}, max_gap_s));
   }
   tell(fits ? result.for_model->remarks : data.remarks);
   if (data.session) {

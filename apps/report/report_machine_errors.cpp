@@ -120,7 +120,7 @@ MachineErrorsPart machine_errors_part(const Fitted& fitted, const StatedCircle& 
       if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
     }
     try {
-      const ErrorsReports found = errors_reports_of(files, {.circle = stated});
+      const ErrorsReports found = errors_reports_of({files.begin(), files.end()}, {.circle = stated});
       if (found.groups.size() != 1 || found.groups.front().recordings.size() != places.size()) continue;
       part.tests.push_back(part_of(found.groups.front(), places));
       part.conclusions.push_back(conclusion(found.groups.front()));

@@ -28,7 +28,7 @@ std::vector<double> at_rows(const std::vector<double>& values, const std::vector
 // What the residual can be plotted against.
 std::vector<PageColumn> inputs_of(const Fit& fit, const ModelData& data) {
   std::vector<PageColumn> inputs;
-  for (const Column& one : data.series.columns) {
+  for (const Column& one : data.series->columns) {
     if (one.name == fit.target || one.name.find("_sigma_") != std::string::npos) continue;
     std::vector<double> values = at_rows(one.values, fit.row);
     const auto known = [](double value) { return std::isfinite(value); };
@@ -40,7 +40,7 @@ std::vector<PageColumn> inputs_of(const Fit& fit, const ModelData& data) {
       inputs.push_back({one.name, one.role, std::string(unit_of(one.name)), {std::move(values)}});
     }
   }
-  const std::vector<std::size_t> cycles = folds_of(data.series, fit.row);
+  const std::vector<std::size_t> cycles = folds_of(*data.series, fit.row);
   inputs.push_back({"cycle", Role::event, "", {{cycles.begin(), cycles.end()}}});
   return inputs;
 }
@@ -112,8 +112,8 @@ std::vector<double> curve_of(const Candidate& candidate, const Fit& fit, const S
 CheckPart check_part(const ResidualReport& residual_report, const Model& model, const ModelData& data) {
   const Fit& fit = residual_report.fit;
   const bool is_series = model.level == Level::series;
-  Series drawn = data.series;
-  if (is_series) drawn.time_s = one_after_another(data.series.time_s);
+  Series drawn = *data.series;
+  if (is_series) drawn.time_s = one_after_another(data.series->time_s);
   CheckedSeries series{{is_series ? at_rows(drawn.time_s, fit.row) : fit.time_s},
                        {fit.measured_um},
                        {fit.predicted_um},
@@ -128,9 +128,9 @@ CheckPart check_part(const ResidualReport& residual_report, const Model& model, 
   CheckPart part{residual_report, std::string(name_of(model.level)), floor_text(fit), std::move(series), {}, {}};
   if (!is_series) return part;
   // Between the tests as well, where a session's signals go on.
-  if (fit.row.size() < data.series.time_s.size())
-    part.curve.value = {{drawn.time_s}, {predict(model, fit.parameters, data.series).predicted_um}};
-  part.steps = steps_of(fit, model, data.series);
+  if (fit.row.size() < data.series->time_s.size())
+    part.curve.value = {{drawn.time_s}, {predict(model, fit.parameters, *data.series).predicted_um}};
+  part.steps = steps_of(fit, model, *data.series);
   return part;
 }
 
@@ -139,7 +139,7 @@ DiagnosisPart diagnosis_part(const DiagnosisReport& diagnosis_report, const Mode
   const Fit& fit = diagnosis_report.residual_report.fit;
   DiagnosisPart part{diagnosis_report,
                      {},
-                     drawn(found.candidates, fit, data.series),
+                     drawn(found.candidates, fit, *data.series),
                      // Noise with a long memory lets the model's parameters stand off the readings; beside what is
                      // missing they do not.
                      {model_parts_um(fit, {fit.residual_um}).front()},

@@ -11,7 +11,7 @@ namespace ballbar {
 
 struct ReportRequest {
   ModelOptions model;
-  std::string compare;  // another drift; empty: none
+  Source compare;  // another drift; empty: none
   FiveProbeOptions probes;
   DiagnoseOptions how;
   bool diagnose = false;      // without a model too

@@ -31,9 +31,9 @@ void overlay_candidates(ModelPart& made, const DiagnosisReport& found, const Mod
   if (data.level != Level::recording) return;
   for (const Candidate& candidate : found.diagnosis.candidates) {
     if (!candidate.in_best_set) continue;
-    const std::vector<double> curve = curve_of(candidate, found.residual_report.fit, data.series);
+    const std::vector<double> curve = curve_of(candidate, found.residual_report.fit, *data.series);
     if (curve.empty()) continue;
-    overlay(*made.fit.value, "candidate " + label_of(candidate.bound), curve, found.residual_report.fit, data.series);
+    overlay(*made.fit.value, "candidate " + label_of(candidate.bound), curve, found.residual_report.fit, *data.series);
   }
 }
 
@@ -65,8 +65,9 @@ std::vector<ReportSubject::Mark> ReportSubject::marks() const {
 
 bool ReportSubject::is_of(const ReportRequest& request) const {
   const auto has_model = [](const ReportRequest& one) { return one.diagnose || !one.model.model.empty(); };
-  return request.model.data == given_.model.data && request.compare == given_.compare &&
-         has_model(request) == has_model(given_) && marks() == marks_;
+  return names_of(request.model.data) == names_of(given_.model.data) &&
+         request.compare.name() == given_.compare.name() && has_model(request) == has_model(given_) &&
+         marks() == marks_;
 }
 
 void ReportSubject::open_model_file() {
@@ -90,11 +91,11 @@ void ReportSubject::open_model_file() {
 
 void ReportSubject::look_at(const ReportRequest& request) {
   if (!data_.for_model) return;
-  const std::string& file = request.model.model;
-  const bool same = file == request_.model.model && request.model.target == request_.model.target;
+  const Source& file = request.model.model;
+  const bool same = file.name() == request_.model.model.name() && request.model.target == request_.model.target;
   if (same && models_.size() == 1 && models_.front()) {
     if (file.empty()) return;
-    const std::string text = read_bytes(file, kLargestText);
+    const std::string text = file.bytes(kLargestText);
     if (text == models_.front()->text() || models_.front()->go_back_to(text)) return;
   }
   request_.model.model = file;
@@ -112,15 +113,15 @@ void ReportSubject::add_target(ModelPart& made, RevisedModel& model, Parts parts
   Workbench& bench = model.bench();
   const ModelData& data = *data_.for_model;
   const ResidualReport& checked = with_source(
-      request_.model.data.front(), [&]() -> auto& { return bench.check(); });
+      request_.model.data.front().name(), [&]() -> auto& { return bench.check(); });
   // What is missing from a model of the errors of the axes, their ranked table says.
-  const bool search = parts == Parts::all && !is_of_machine_errors(bench.model(), data.series);
+  const bool search = parts == Parts::all && !is_of_machine_errors(bench.model(), *data.series);
   std::optional<DiagnosisReport> found;
   if (search) found = diagnosis_report_of(request_.model, bench);
   value_of(made.check).targets.push_back(check_part(checked, bench.model(), data));
   const auto said = sentences(checked.fit, checked.where, checked.whiteness);
   if (!said.empty()) made.summary.push_back(fmt::format("{}: {}", bench.model().targets.front(), said.front()));
-  overlay_effects(made, checked.fit, bench.model(), data.series);
+  overlay_effects(made, checked.fit, bench.model(), *data.series);
   if (!found) return;
   value_of(made.diagnose).targets.emplace_back(diagnosis_part(*found, data));
   made.summary.push_back(fmt::format("{}: {}", bench.model().targets.front(), found->diagnosis.sentence));
@@ -143,14 +144,14 @@ void ReportSubject::add_model(ModelPart& made, Parts parts) {
   }
   if (request_.model.model.empty()) return;
   const auto rows = read_ledger(
-      models_.size() == 1 && models_.front() ? models_.front()->text() : read_bytes(request_.model.model, kLargestText),
-      request_.model.model);
+      models_.size() == 1 && models_.front() ? models_.front()->text() : request_.model.model.bytes(kLargestText),
+      request_.model.model.name());
   if (!rows.empty()) made.ledger.value = ledger_of(rows);
 }
 
 std::vector<fs::path> ReportSubject::files() const {
   std::vector<fs::path> files = data_.report.files;
-  if (data_.for_model && !request_.model.model.empty()) files.emplace_back(request_.model.model);
+  if (data_.for_model && request_.model.model.is_path()) files.push_back(request_.model.model.path());
   return files;
 }
 

@@ -35,7 +35,7 @@ std::string_view name_of(FileKind kind) {
 FileKind kind_of(const std::string& path) {
   std::error_code absent;
   if (std::filesystem::is_directory(path, absent) || is_archive(path)) return FileKind::session;
-  const Reader* const reader = reader_of_file(path);
+  const Reader* const reader = Source(path).reader();
   if (reads_recordings(reader)) return FileKind::recording;
   if (read_of<ReadSession>(reader) != nullptr) return FileKind::session;
   if (found_in(reader) == "a model") {

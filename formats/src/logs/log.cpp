@@ -207,7 +207,7 @@ void say_lines(const LogTable& table, Log& log) {
         fmt::format("{} with fewer values than columns: the rest are gaps.", lines(table.short_rows)));
 }
 
-Log log_of(ByteSource source, std::size_t bytes, const std::string& name, const LogRecipe& recipe) {
+Log log_of(LogBytes source, std::size_t bytes, const std::string& name, const LogRecipe& recipe) {
   const LogShape shape = log_shape(source, name, recipe);
   LogPlan plan = log_plan(shape, name, recipe);
   expect_recipe_columns(plan, name, std::max<std::size_t>(1, shape.header_line), recipe);
@@ -257,7 +257,7 @@ Log read_log(std::string_view bytes, const std::string& name, const LogRecipe& r
     tabs.delimiter = '\t';
     Log log = [&] {
       try {
-        return log_of(ByteSource::of_bytes(text->text, text->name), text->text.size(), text->name, tabs);
+        return log_of(LogBytes::of(text->text, text->name), text->text.size(), text->name, tabs);
       } catch (const Error& error) {
         if (text->sheet.empty()) throw;
         throw Error(fmt::format("{} In the sheet {}; --sheet names another.", error.what(), in_quotes(text->sheet)));
@@ -269,14 +269,14 @@ Log read_log(std::string_view bytes, const std::string& name, const LogRecipe& r
     log.recipe.decimal.reset();
     return log;
   }
-  return log_of(ByteSource::of_bytes(bytes, name), bytes.size(), name, recipe);
+  return log_of(LogBytes::of(bytes, name), bytes.size(), name, recipe);
 }
 
-Log open_log(const std::filesystem::path& path, const LogRecipe& recipe) {
-  const std::string head = read_head(path, 512);
-  if (is_table_file(head)) return read_log(read_bytes(path, kLargestTable), path.string(), recipe);
-  return log_of(ByteSource::of_file(path.string()), static_cast<std::size_t>(std::filesystem::file_size(path)),
-                path.string(), recipe);
+Log open_log(const Source& source, const LogRecipe& recipe) {
+  if (is_table_file(source.head(512))) return read_log(source.bytes(kLargestTable), source.name(), recipe);
+  Log log = log_of(LogBytes::of(source), source.size(), source.name(), recipe);
+  source.close();
+  return log;
 }
 
 std::optional<double> seconds_of_stamp(std::string_view started) {

@@ -264,7 +264,7 @@ void expect_no_decimal_delimiter(const std::string& name, const LogShape& shape,
       name, lines[cut.first].number, headers, header_line, cells.size()));
 }
 
-std::vector<HeadLine> head_lines(ByteSource& source, const TextEncoding& encoding, std::size_t& bytes) {
+std::vector<HeadLine> head_lines(LogBytes& source, const TextEncoding& encoding, std::size_t& bytes) {
   std::vector<HeadLine> lines;
   LogLines text(source, encoding);
   bytes = 0;
@@ -291,13 +291,13 @@ Cut best_cut(const std::vector<HeadLine>& lines, const LogRecipe& recipe) {
 bool holds_table(std::string_view head) {
   const TextEncoding encoding = encoding_of(head);
   if (head.empty() || encoding.name.empty()) return false;
-  ByteSource source = ByteSource::of_bytes(head, {});
+  LogBytes source = LogBytes::of(head, {});
   std::size_t bytes = 0;
   const std::vector<HeadLine> lines = head_lines(source, encoding, bytes);
   return best_cut(lines, {}).score > 0.0;
 }
 
-LogShape log_shape(ByteSource& source, const std::string& name, const LogRecipe& recipe) {
+LogShape log_shape(LogBytes& source, const std::string& name, const LogRecipe& recipe) {
   LogShape shape;
   source.rewind();
   std::string head(std::size_t{1} << 16, '\0');

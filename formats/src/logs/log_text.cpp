@@ -71,41 +71,12 @@ std::string utf16_by_nuls(std::string_view head) {
 
 }  // namespace
 
-ByteSource ByteSource::of_file(const std::string& path) {
-  read_head(path, 1);  // which tells what is no regular file, or not readable
-  const int opened = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (opened < 0) {
-    throw Error(fmt::format("{}: expected a readable file, found: {}.", path, std::generic_category().message(errno)));
-  }
-  const std::shared_ptr<const int> file(new int(opened), [](const int* number) {
-    ::close(*number);
-    delete number;
-  });
-  ByteSource source;
-  source.name_ = path;
-  source.read_ = [file, path](char* to, std::size_t most) {
-    for (;;) {
-      const ::ssize_t count = ::read(*file, to, most);
-      if (count >= 0) return static_cast<std::size_t>(count);
-      if (errno != EINTR) throw Error(fmt::format("{}: expected a readable file, found an error while reading.", path));
-    }
-  };
-  source.rewind_ = [file] { ::lseek(*file, 0, SEEK_SET); };
-  return source;
+LogBytes LogBytes::of(const Source& source) {
+  return {[source](std::size_t at, char* to, std::size_t most) { return source.read(at, to, most); }, source.name()};
 }
 
-ByteSource ByteSource::of_bytes(std::string_view bytes, const std::string& name) {
-  const auto at = std::make_shared<std::size_t>(0);
-  ByteSource source;
-  source.name_ = name;
-  source.read_ = [bytes, at](char* to, std::size_t most) {
-    const std::size_t count = std::min(most, bytes.size() - *at);
-    std::memcpy(to, bytes.data() + *at, count);
-    *at += count;
-    return count;
-  };
-  source.rewind_ = [at] { *at = 0; };
-  return source;
+LogBytes LogBytes::of(std::string_view bytes, const std::string& name) {
+  return {[bytes](std::size_t at, char* to, std::size_t most) { return bytes.copy(to, most, at); }, name};
 }
 
 TextEncoding encoding_of(std::string_view head) {
@@ -172,7 +143,7 @@ struct LogLines::Decoder {
   std::string kept;
 };
 
-LogLines::LogLines(ByteSource& source, const TextEncoding& encoding) : source_(&source) {
+LogLines::LogLines(LogBytes& source, const TextEncoding& encoding) : source_(&source) {
   source.rewind();
   if (encoding.name != "UTF-8") decoder_ = std::make_unique<Decoder>(encoding.name);
   char mark[4];

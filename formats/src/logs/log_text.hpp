@@ -6,22 +6,33 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "ballbar/formats/text/source.hpp"
 
 namespace ballbar {
 
 // Bytes that can be read twice: of a file, or in memory.
-class ByteSource {
+class LogBytes {
  public:
-  static ByteSource of_file(const std::string& path);  // throws Error
-  static ByteSource of_bytes(std::string_view bytes, const std::string& name);
+  static LogBytes of(const Source& source);
+  static LogBytes of(std::string_view bytes, const std::string& name);  // which outlive it
 
-  std::size_t read(char* to, std::size_t most) { return read_(to, most); }  // 0 at the end; throws Error
-  void rewind() { rewind_(); }
+  // 0: the end. Throws Error.
+  std::size_t read(char* to, std::size_t most) {
+    const std::size_t count = read_(at_, to, most);
+    at_ += count;
+    return count;
+  }
+  void rewind() { at_ = 0; }
   [[nodiscard]] const std::string& name() const { return name_; }  // stands in messages
 
  private:
-  std::function<std::size_t(char*, std::size_t)> read_;
-  std::function<void()> rewind_;
+  using Read = std::function<std::size_t(std::size_t at, char* to, std::size_t most)>;
+  LogBytes(Read read, std::string name) : read_(std::move(read)), name_(std::move(name)) {}
+
+  Read read_;
+  std::size_t at_ = 0;
   std::string name_;
 };
 
@@ -37,7 +48,7 @@ TextEncoding encoding_of(std::string_view head);
 // Lines in UTF-8. A quoted cell may hold line ends: it is one line then. Views are valid until the next call.
 class LogLines {
  public:
-  LogLines(ByteSource& source, const TextEncoding& encoding);
+  LogLines(LogBytes& source, const TextEncoding& encoding);
   ~LogLines();
   LogLines(const LogLines&) = delete;
   LogLines& operator=(const LogLines&) = delete;
@@ -51,7 +62,7 @@ class LogLines {
  private:
   bool refill();
 
-  ByteSource* source_;
+  LogBytes* source_;
   struct Decoder;
   std::unique_ptr<Decoder> decoder_;
   std::string buffer_;

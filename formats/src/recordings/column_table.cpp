@@ -37,7 +37,7 @@ std::vector<std::size_t> numeric_columns(const LogShape& shape) {
 }  // namespace
 
 ColumnTable column_table(std::string_view bytes, const std::string& name) {
-  ByteSource source = ByteSource::of_bytes(bytes, name);
+  LogBytes source = LogBytes::of(bytes, name);
   const LogShape shape = log_shape(source, name, {});
   const std::vector<std::size_t> places = numeric_columns(shape);
   ColumnTable table;

@@ -65,6 +65,11 @@ bool is_folder_of_tests(const fs::path& path) {
   return fs::is_directory(path, absent) ? !fs::exists(path / "session.toml", absent) : is_archive(path);
 }
 
+bool any_folder_of_tests(const std::vector<Source>& sources) {
+  return std::any_of(sources.begin(), sources.end(),
+                     [](const Source& source) { return source.is_path() && is_folder_of_tests(source.path()); });
+}
+
 FoundFiles files_below(const std::vector<std::string>& paths) {
   FoundFiles found;
   std::vector<fs::path> folders;
@@ -87,9 +92,21 @@ FoundFiles recordings_below(const std::vector<std::string>& paths) {
   FoundFiles found = files_below(paths);
   std::erase_if(found.files, [&](const fs::path& file) {
     if (std::find(paths.begin(), paths.end(), file.string()) != paths.end() || ends_in(file, ".b5r")) return false;
-    const Reader* const reader = reader_of_file(file);
+    const Reader* const reader = Source(file).reader();
     return reader == nullptr || reader->recording.empty();
   });
+  return found;
+}
+
+FoundFiles put_recordings_below(std::vector<Source>& sources) {
+  std::vector<std::string> paths;
+  for (const Source& source : sources) {
+    if (source.is_path()) paths.push_back(source.name());
+  }
+  FoundFiles found = recordings_below(paths);
+  if (found.files.empty()) return found;
+  std::erase_if(sources, [](const Source& source) { return source.is_path(); });
+  sources.insert(sources.end(), found.files.begin(), found.files.end());
   return found;
 }
 

@@ -67,8 +67,8 @@ RunsOfMachine read_run_list(std::string_view bytes, std::string_view name) {
   return result;
 }
 
-bool lists_runs(const std::filesystem::path& path, std::span<const Reader> readers) {
-  const Reader* const reader = reader_of_file(path, readers);
+bool lists_runs(const Source& source, std::span<const Reader> readers) {
+  const Reader* const reader = source.reader(readers);
   return reader != nullptr && reader->found == readers::kRuns.found;
 }
 

@@ -112,8 +112,9 @@ SessionTest test_of(const SessionPlan& plan, const SessionPlan::Test& planned, c
   return test;
 }
 
-SessionFiles planned_session(const fs::path& path, Readers readers) {
-  const std::string bytes = read_bytes(path, kLargestText);
+SessionFiles planned_session(const Source& source, Readers readers) {
+  const fs::path path = source.path();
+  const std::string bytes = source.bytes(kLargestText);
   const Reader* const reader = reader_of(bytes, readers);
   const auto read = read_of<ReadSession>(reader);
   if (reader != nullptr && read == nullptr) {
@@ -266,10 +267,11 @@ SessionFiles session_of_folder(const fs::path& folder, Readers readers) {
 
 }  // namespace
 
-SessionFiles open_session(const fs::path& path, Readers readers) {
+SessionFiles open_session(const Source& source, Readers readers) {
   std::error_code error;
+  const fs::path path = source.path();
   if (!fs::is_directory(path, error)) {
-    return is_archive(path) ? session_of_folder(path, readers) : planned_session(path, readers);
+    return source.is_archive() ? session_of_folder(path, readers) : planned_session(source, readers);
   }
   const fs::path plan = path / "session.toml";
   return fs::exists(plan, error) ? planned_session(plan, readers) : session_of_folder(path, readers);

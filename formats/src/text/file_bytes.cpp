@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ fs::path temporary_beside(const fs::path& path) {
   }
 }
 
-std::ifstream opened(const fs::path& path) {
+int opened(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) {
@@ -52,14 +53,10 @@ std::ifstream opened(const fs::path& path) {
   if (status.type() != fs::file_type::regular) {
     throw Error(fmt::format("{}: expected a regular file, found a pipe, device or socket.", path.string()));
   }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error(fmt::format("{}: expected a readable file, found: {}.", path.string(), reason(errno)));
-  return file;
-}
-
-void expect_whole(const std::ifstream& file, const fs::path& path) {
-  if (!file.bad()) return;
-  throw Error(fmt::format("{}: expected a readable file, found an error while reading.", path.string()));
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0)
+    throw Error(fmt::format("{}: expected a readable file, found: {}.", path.string(), reason(errno)));
+  return descriptor;
 }
 
 void write_new(const fs::path& temporary, std::string_view bytes, const fs::path& path) {
@@ -119,38 +116,60 @@ bool ends_in(const fs::path& path, std::string_view ending) {
   return extension == ending;
 }
 
-std::string read_head(const fs::path& path, std::size_t most) {
-  std::ifstream file = opened(path);
+OpenFile::OpenFile(const fs::path& path) : path_(path), descriptor_(opened(path)) {}
+
+OpenFile::~OpenFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+std::size_t OpenFile::read(std::size_t offset, char* to, std::size_t most) const {
+  std::size_t count = 0;
+  while (count < most) {
+    const ::ssize_t more = ::pread(descriptor_, to + count, most - count, static_cast<::off_t>(offset + count));
+    if (more == 0) break;
+    if (more > 0) {
+      count += static_cast<std::size_t>(more);
+    } else if (errno != EINTR) {
+      throw Error(fmt::format("{}: expected a readable file, found an error while reading.", path_.string()));
+    }
+  }
+  return count;
+}
+
+std::string OpenFile::head(std::size_t most) const {
   std::string bytes(most, '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(most));
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
-  expect_whole(file, path);
+  bytes.resize(read(0, bytes.data(), most));
   return bytes;
 }
 
-std::string read_bytes(const fs::path& path, std::size_t limit) {
-  std::ifstream file = opened(path);
-  std::error_code error;
+std::size_t OpenFile::size() const {
+  struct ::stat status {};
+  return ::fstat(descriptor_, &status) == 0 ? static_cast<std::size_t>(status.st_size) : 0;
+}
+
+std::string OpenFile::bytes(std::size_t limit) const {
   const auto fail_size = [&] {
-    throw Error(fmt::format("{}: expected at most {} MiB, found a larger file.", path.string(), limit >> 20));
+    throw Error(fmt::format("{}: expected at most {} MiB, found a larger file.", path_.string(), limit >> 20));
   };
-  const std::uintmax_t claimed = fs::file_size(path, error);
-  if (!error && claimed > limit) fail_size();
+  std::size_t room = size();
+  if (room > limit) fail_size();
   // The size may be wrong (a file that grows, or one the system makes up): read to the end whatever it says.
   std::string bytes;
-  std::size_t used = 0;
-  std::size_t room = error ? 0 : static_cast<std::size_t>(claimed);
-  while (file) {
+  for (std::size_t used = 0;;) {
     bytes.resize(used + room + 1);
-    file.read(bytes.data() + used, static_cast<std::streamsize>(bytes.size() - used));
-    used += static_cast<std::size_t>(file.gcount());
+    used += read(used, bytes.data() + used, room + 1);
     if (used > limit) fail_size();
+    if (used < bytes.size()) {
+      bytes.resize(used);
+      return bytes;
+    }
     room = std::size_t{1} << 16;
   }
-  expect_whole(file, path);
-  bytes.resize(used);
-  return bytes;
 }
+
+std::string read_head(const fs::path& path, std::size_t most) { return OpenFile(path).head(most); }
+
+std::string read_bytes(const fs::path& path, std::size_t limit) { return OpenFile(path).bytes(limit); }
 
 void write_bytes(const fs::path& path, std::string_view bytes) {
   write_through(path, [&](const fs::path& temporary) { write_new(temporary, bytes, path); });

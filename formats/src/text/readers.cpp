@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "ballbar/formats/text/archive.hpp"
-#include "ballbar/formats/text/file_bytes.hpp"
 #include "text/head.hpp"
 #include "text/located_text.hpp"
 
@@ -52,13 +50,6 @@ const Reader* reader_of(std::string_view head, std::span<const Reader> readers) 
   const auto reader =
       std::find_if(readers.begin(), readers.end(), [&](const Reader& one) { return one.is_yours(head); });
   return reader == readers.end() ? nullptr : &*reader;
-}
-
-const Reader* reader_of_file(const std::filesystem::path& path, std::span<const Reader> readers) {
-  std::error_code error;
-  if (std::filesystem::is_regular_file(path, error)) return reader_of(read_head(path, kHeadBytes), readers);
-  const std::optional<std::string> inside = bytes_in_archive(path, kLargestText);
-  return inside ? reader_of(*inside, readers) : nullptr;
 }
 
 std::string_view found_in(const Reader* reader) {

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <set>
+#include <span>
 
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
@@ -43,7 +44,7 @@ struct Range {
   bool has(double time_s) const { return time_s >= from_s && time_s <= to_s; }
 };
 
-void expect_different_names(const std::vector<Series>& parts) {
+void expect_different_names(std::span<const Series> parts) {
   std::set<std::string> names;
   for (const Series& part : parts) {
     for (const Column& column : part.columns) {
@@ -136,6 +137,24 @@ Series merged(const std::vector<Series>& parts, double max_gap_s) {
     }
   }
   return result;
+}
+
+std::shared_ptr<const Series> with_gaps_closed(std::shared_ptr<const Series> series, double max_gap_s) {
+  const auto has_gap = [](const Column& column) {
+    return column.role != Role::measured &&
+           std::any_of(column.values.begin(), column.values.end(), [](double value) { return std::isnan(value); });
+  };
+  const std::vector<double>& time_s = series->time_s;
+  const bool is_dense = std::adjacent_find(time_s.begin(), time_s.end(), [&](double before_s, double after_s) {
+                          return after_s - before_s > max_gap_s;
+                        }) == time_s.end();
+  if (is_dense && !time_s.empty() && std::none_of(series->columns.begin(), series->columns.end(), has_gap)) {
+    expect_different_names({series.get(), 1});
+    return series;
+  }
+  Series closed = merged({*series}, max_gap_s);
+  closed.started = series->started;
+  return std::make_shared<const Series>(std::move(closed));
 }
 
 }  // namespace ballbar

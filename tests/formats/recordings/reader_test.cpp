@@ -94,7 +94,7 @@ TEST(reader, a_trace_and_a_session_of_an_own_format) {
   const std::vector<Reader> readers = with_own();
   const ModelData data = open_model_data({folder.write("circle.xml", kText)}, {}, 600.0, readers);
   EXPECT_EQ(data.level, Level::recording);
-  const Column* const deviation = find_column(data.series, "deviation_um");
+  const Column* const deviation = find_column(*data.series, "deviation_um");
   ASSERT_NE(deviation, nullptr);
   ASSERT_EQ(deviation->values.size(), 4u);
   EXPECT_NEAR(deviation->values[2], -0.5, 1e-9);  // um; a length of 100 mm holds 1e-11 um

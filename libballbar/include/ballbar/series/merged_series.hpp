@@ -1,6 +1,7 @@
 // A drift and the signals logged beside it, as one series.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "ballbar/series/series.hpp"
@@ -15,5 +16,9 @@ namespace ballbar {
 // Throws Error: a column that two parts have, a signal without any value, a gap between two values that is longer,
 // parts with no time in common.
 Series merged(const std::vector<Series>& parts, double max_gap_s);
+
+// `merged` of one series, whose clock keeps its start. Where it has no gap to close, it is the series itself, not a
+// copy.
+std::shared_ptr<const Series> with_gaps_closed(std::shared_ptr<const Series> series, double max_gap_s);
 
 }  // namespace ballbar

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ballbar/formats/text/source.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
@@ -64,7 +65,7 @@ struct Log {
 Log read_log(std::string_view bytes, const std::string& name, const LogRecipe& recipe = {});
 
 // The same of a file, which is not held in memory.
-Log open_log(const std::filesystem::path& path, const LogRecipe& recipe = {});
+Log open_log(const Source& source, const LogRecipe& recipe = {});
 
 // Of Series::started: seconds from 1970 to it and back, without a zone; nullopt for what is no date with a clock.
 std::optional<double> seconds_of_stamp(std::string_view started);

@@ -9,6 +9,7 @@
 #include "ballbar/circle/recording.hpp"
 #include "ballbar/formats/recordings/b5r.hpp"
 #include "ballbar/formats/text/reader.hpp"
+#include "ballbar/formats/text/source.hpp"
 
 namespace ballbar {
 
@@ -26,11 +27,11 @@ struct StatedCircle {
 };
 
 // A file whose content is that of a recording, a .b5r, an archive of one, a log or a table, though it may have faults.
-bool is_recording_file(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
+bool is_recording_file(const Source& source, std::span<const Reader> readers = known_readers());
 
 // A path through an archive, or an archive of one `.b5r` file, is a `.b5r` (archive.hpp). Throws Error; lists the known
 // formats if none fits.
-RecordingFile open_recording(const std::filesystem::path& path, std::span<const Reader> readers = known_readers(),
+RecordingFile open_recording(const Source& source, std::span<const Reader> readers = known_readers(),
                              const StatedCircle& stated = {});
 
 // Throws Error where the file has no recording: for what needs readings.

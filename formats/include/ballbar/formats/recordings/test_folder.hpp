@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/formats/text/source.hpp"
+
 namespace ballbar {
 
 struct SkippedFile {
@@ -19,6 +21,7 @@ struct FoundFiles {
 
 // A folder without a session.toml, or an archive.
 bool is_folder_of_tests(const std::filesystem::path& path);
+bool any_folder_of_tests(const std::vector<Source>& sources);
 
 // Files as they are given, and all regular ones in the folders given and those below: hidden ones and links to folders
 // are passed over, and in place of an archive stand the `.b5r` files inside it. Throws Error for a path that is not
@@ -27,5 +30,8 @@ FoundFiles files_below(const std::vector<std::string>& paths);
 
 // Of those the recordings, by content or by the ending .b5r; a file that is given stays whatever it is.
 FoundFiles recordings_below(const std::vector<std::string>& paths);
+
+// The recordings below the folders in place of these; what a program holds stays. Nothing found: as it was.
+FoundFiles put_recordings_below(std::vector<Source>& sources);
 
 }  // namespace ballbar

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ namespace ballbar {
 
 struct ModelData {
   Level level = Level::series;
-  Series series;                             // target and inputs on one clock; recordings: trace_of them
+  std::shared_ptr<const Series> series;      // target and inputs on one clock; recordings: trace_of them
   std::vector<std::string> targets;          // what a model could explain: the measured columns, sigmas left out
   std::vector<std::filesystem::path> files;  // all that were read
   std::string title;
@@ -28,12 +29,11 @@ struct ModelData {
 // A session: its drift (drift_of with the options) merged with its signals; a series: its gaps closed as `merged` does;
 // one or more recordings (.b5r, logs) of one plane: their trace. Throws Error for anything else, a mixture, or the same
 // file twice.
-ModelData open_model_data(const std::vector<std::filesystem::path>& paths, const DriftOptions& options,
-                          double max_gap_s, std::span<const Reader> readers = known_readers(),
-                          const StatedCircle& stated = {});
+ModelData open_model_data(const std::vector<Source>& sources, const DriftOptions& options, double max_gap_s,
+                          std::span<const Reader> readers = known_readers(), const StatedCircle& stated = {});
 
-// The same of a series or a session that is open already. path: its name in messages.
-ModelData model_data_of(const DriftData& source, const std::filesystem::path& path, const DriftOptions& options,
-                        double max_gap_s, std::span<const Reader> readers = known_readers());
+// The same of a series or a session that is open already. A series in which nothing is to be closed is not copied.
+ModelData model_data_of(const DriftData& source, const std::string& name, const DriftOptions& options, double max_gap_s,
+                        std::span<const Reader> readers = known_readers());
 
 }  // namespace ballbar

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "ballbar/formats/logs/log.hpp"
 #include "ballbar/formats/sessions/session_toml.hpp"
 #include "ballbar/formats/text/reader.hpp"
+#include "ballbar/formats/text/source.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
@@ -16,22 +18,22 @@ namespace ballbar {
 // One of the two.
 struct DriftData {
   std::optional<SessionFiles> session;
-  std::optional<Series> series;
+  std::shared_ptr<const Series> series;
   std::vector<std::filesystem::path> files;  // all that were read
   std::vector<std::string> remarks;          // what a log was taken for, whole lines; none of a ballbar series
 };
 
 // What `open_series` says besides.
 struct OpenedSeries {
-  Series series;
+  std::shared_ptr<const Series> series;
   std::vector<std::string> remarks;
 };
-OpenedSeries opened_series(const std::filesystem::path& path, std::span<const Reader> readers = known_readers(),
+OpenedSeries opened_series(const Source& source, std::span<const Reader> readers = known_readers(),
                            const LogRecipe& recipe = {});  // of a log
 
 // Throws Error with what was found where the file is neither.
-DriftData open_drift_data(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
+DriftData open_drift_data(const Source& source, std::span<const Reader> readers = known_readers());
 
-Series open_series(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
+Series open_series(const Source& source, std::span<const Reader> readers = known_readers());
 
 }  // namespace ballbar

@@ -34,6 +34,6 @@ struct RunsOfMachine {
 RunsOfMachine read_run_list(std::string_view bytes, std::string_view name);
 
 // Whether the file is such a list.
-bool lists_runs(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
+bool lists_runs(const Source& source, std::span<const Reader> readers = known_readers());
 
 }  // namespace ballbar

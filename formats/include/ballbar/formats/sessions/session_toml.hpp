@@ -11,6 +11,7 @@
 #include "ballbar/drift/drift.hpp"
 #include "ballbar/formats/recordings/test_folder.hpp"
 #include "ballbar/formats/text/reader.hpp"
+#include "ballbar/formats/text/source.hpp"
 
 namespace ballbar {
 
@@ -63,6 +64,6 @@ struct SessionFiles {
 // A session.toml, or a folder: of a session.toml, else of `.b5r` files (each a test at its DATE_STARTED,
 // counted from the first; other files are ignored); or an archive of `.b5r` files. A test with results alone has its
 // stored circles.
-SessionFiles open_session(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
+SessionFiles open_session(const Source& source, std::span<const Reader> readers = known_readers());
 
 }  // namespace ballbar

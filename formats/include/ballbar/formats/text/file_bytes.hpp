@@ -15,6 +15,24 @@ inline constexpr std::size_t kLargestText = std::size_t{16} << 20;  // .b5r and 
 // "A.B5R" ends in ".b5r": an ending in small letters, whatever letters the name has.
 bool ends_in(const std::filesystem::path& path, std::string_view ending);
 
+// A regular file, open for reading. Throws Error as read_bytes.
+class OpenFile {
+ public:
+  explicit OpenFile(const std::filesystem::path& path);
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile();
+
+  std::size_t read(std::size_t offset, char* to, std::size_t most) const;  // fewer bytes than `most`: the end
+  [[nodiscard]] std::string head(std::size_t most) const;
+  [[nodiscard]] std::string bytes(std::size_t limit) const;
+  [[nodiscard]] std::size_t size() const;  // as the system states it
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_;
+};
+
 // The bytes of a regular file. Throws Error: missing, a directory or other special file, unreadable,
 // larger than `limit`.
 std::string read_bytes(const std::filesystem::path& path, std::size_t limit);

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +14,7 @@
 
 namespace ballbar {
 
+class Source;
 struct Log;
 struct LogRecipe;
 struct RecordingFile;
@@ -29,7 +29,7 @@ inline constexpr std::size_t kHeadBytes = std::size_t{1} << 16;  // a header is 
 using ReadRecordings = RecordingFile (*)(std::string_view bytes, std::string_view name);
 using ReadCircle = RecordingFile (*)(std::string_view bytes, std::string_view name, const StatedCircle& stated);
 using ReadSeries = Series (*)(std::string_view bytes, std::string_view name);
-using ReadLog = Log (*)(const std::filesystem::path& path, const LogRecipe& recipe);  // not held in memory
+using ReadLog = Log (*)(const Source& source, const LogRecipe& recipe);  // not held in memory
 using ReadSession = SessionPlan (*)(std::string_view bytes, std::string_view name);
 
 struct Reader {
@@ -46,10 +46,6 @@ std::span<const Reader> known_readers();
 
 // The first that says the head is its own; null for text of no known format.
 const Reader* reader_of(std::string_view head, std::span<const Reader> readers = known_readers());
-
-// The same of a file, of which only the head is read, or of one inside an archive (archive.hpp); null too for a folder
-// or nothing of that name. Throws Error as read_bytes.
-const Reader* reader_of_file(const std::filesystem::path& path, std::span<const Reader> readers = known_readers());
 
 // For "found ...": the reader's own words; without one "text of no known format".
 std::string_view found_in(const Reader* reader);

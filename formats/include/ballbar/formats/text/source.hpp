@@ -1,0 +1,74 @@
+// Where data come from: a file, or values that a program holds.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "ballbar/circle/recording.hpp"
+#include "ballbar/formats/text/reader.hpp"
+#include "ballbar/series/series.hpp"
+
+namespace ballbar {
+
+// Copies are of the same source. A file is opened when something is first asked of it, and closed when it was read to
+// its end: its format is recognised and its values are read in one opening. Not for two threads at once.
+class Source {
+ public:
+  Source() = default;
+  // A file, a folder, or a path through an archive (archive.hpp).
+  Source(const std::filesystem::path& path);                                // NOLINT(google-explicit-constructor)
+  Source(const std::string& path) : Source(std::filesystem::path(path)) {}  // NOLINT(google-explicit-constructor)
+  Source(const char* path) : Source(std::filesystem::path(path)) {}         // NOLINT(google-explicit-constructor)
+  // Values in memory; the name stands for them in messages.
+  Source(std::string name, std::shared_ptr<const Series> series);
+  Source(std::string name, std::vector<Recording> recordings);  // of one test
+  static Source of_text(std::string name, std::string text);    // what a file would hold
+
+  [[nodiscard]] const std::string& name() const { return name_; }  // of a file its path
+  [[nodiscard]] bool empty() const { return name_.empty(); }
+  [[nodiscard]] std::filesystem::path path() const { return name_; }
+  [[nodiscard]] bool is_path() const { return std::holds_alternative<std::shared_ptr<File>>(held_); }
+  [[nodiscard]] std::shared_ptr<const Series> series() const;      // nullptr: something else
+  [[nodiscard]] const std::vector<Recording>* recordings() const;  // nullptr: something else
+
+  // A regular file, one inside an archive, or a text; false of a folder, of nothing, of values.
+  [[nodiscard]] bool is_file() const;
+  // As is_archive(path()).
+  [[nodiscard]] bool is_archive() const;
+  // The format, recognised by the first bytes; nullptr: an unknown one, or no file. Throws Error as bytes().
+  [[nodiscard]] const Reader* reader(std::span<const Reader> readers = known_readers()) const;
+
+  // All bytes. Throws Error as read_bytes().
+  [[nodiscard]] std::string bytes(std::size_t limit) const;
+  [[nodiscard]] std::string head(std::size_t most) const;  // the first `most` bytes; of text of fewer all
+  // Fewer bytes than `most`: the end. Throws Error as read_bytes().
+  std::size_t read(std::size_t offset, char* to, std::size_t most) const;
+  [[nodiscard]] std::size_t size() const;
+  // What is asked next opens the file again.
+  void close() const;
+
+ private:
+  struct File;
+  [[nodiscard]] const std::string* text() const;  // bytes in memory: a text, or a file inside an archive; nullptr: none
+  [[nodiscard]] File& file() const;               // throws Error where values are held
+
+  std::string name_;
+  std::variant<std::monostate, std::shared_ptr<File>, std::shared_ptr<const std::string>, std::shared_ptr<const Series>,
+               std::shared_ptr<const std::vector<Recording>>>
+      held_;
+};
+
+std::vector<std::string> names_of(const std::vector<Source>& sources);
+std::vector<std::filesystem::path> paths_of(const std::vector<Source>& sources);  // values have none
+
+// A file given twice, under whatever name, would count as two measurements. Throws Error.
+void expect_once(const std::vector<Source>& sources);
+
+}  // namespace ballbar
