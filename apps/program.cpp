@@ -8,11 +8,11 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <initializer_list>
 #include <iostream>
 #include <string>
 #include <vector>
 
+#include "ballbar/nearest_name.hpp"
 #include "commands.hpp"
 #include "shell/completion.hpp"
 #include "shell/file_command.hpp"
@@ -20,6 +20,7 @@
 #include "shell/man_page.hpp"
 #include "shell/renamed_options.hpp"
 #include "shell/usage_fault.hpp"
+#include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
 
@@ -27,29 +28,91 @@ namespace {
 
 using AddCommand = void (*)(CLI::App&);
 
+struct Command {
+  const char* name;
+  AddCommand add;
+};
+
 // Commands under a heading of the help.
-void add_group(CLI::App& app, const char* heading, std::initializer_list<AddCommand> commands) {
-  for (const AddCommand add : commands) add(app);
-  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    if (command->get_group() == "Subcommands") command->group(heading);
-  }
+struct Group {
+  const char* heading;
+  std::vector<Command> commands;
+};
+
+const std::vector<Group>& groups() {
+  using namespace ballbar::commands;
+  static const std::vector<Group> kGroups{
+      {"Measure", {{"fit", add_fit}, {"drift", add_drift}, {"compare", add_compare}}},
+      {"Logs of others", {{"import", add_import}, {"merge", add_merge}}},
+      {"Follow", {{"errors", add_errors}, {"history", add_history}, {"fleet", add_fleet}}},
+      {"Look", {{"report", add_report}, {"page", add_page}}},
+      {"Model", {{"effects", add_effects}, {"terms", add_terms}, {"preflight", add_preflight}, {"check", add_check}}},
+      {"Diagnose",
+       {{"diagnose", add_diagnose},
+        {"plan", add_plan},
+        {"try", add_try},
+        {"add", add_add},
+        {"undo", add_undo},
+        {"ledger", add_ledger},
+        {"inject", add_inject}}},
+      {"Train", {{"train", add_train}, {"select", add_select}}},
+      {"Predict", {{"predict", add_predict}}},
+      {"Compensate", {{"compensate", add_compensate}}},
+      {"Place a sensor", {{"meanpoint", add_meanpoint}}},
+      {"Simulate", {{"simulate", add_simulate}}},
+      {"Challenge", {{"blind", add_blind}}},
+      {"Shell",
+       {{"help", ballbar::add_help_command},
+        {"completion", ballbar::add_completion_command},
+        {"man", ballbar::add_man_command}}}};
+  return kGroups;
 }
 
 void add_commands(CLI::App& app) {
-  using namespace ballbar::commands;
-  add_group(app, "Measure", {add_fit, add_drift, add_compare});
-  add_group(app, "Logs of others", {add_import, add_merge});
-  add_group(app, "Follow", {add_errors, add_history, add_fleet});
-  add_group(app, "Look", {add_report, add_page});
-  add_group(app, "Model", {add_effects, add_terms, add_preflight, add_check});
-  add_group(app, "Diagnose", {add_diagnose, add_plan, add_try, add_add, add_undo, add_ledger, add_inject});
-  add_group(app, "Train", {add_train, add_select});
-  add_group(app, "Predict", {add_predict});
-  add_group(app, "Compensate", {add_compensate});
-  add_group(app, "Place a sensor", {add_meanpoint});
-  add_group(app, "Simulate", {add_simulate});
-  add_group(app, "Challenge", {add_blind});
-  add_group(app, "Shell", {ballbar::add_help_command, ballbar::add_completion_command, ballbar::add_man_command});
+  for (const Group& group : groups()) {
+    for (const Command& command : group.commands) {
+      command.add(app);
+      CLI::App* const added = app.get_subcommand(command.name);
+      if (added->get_group() == "Subcommands") added->group(group.heading);
+    }
+  }
+}
+
+// One of them alone: setting up all takes longer than a small fit.
+CLI::App& add_command(CLI::App& app, const std::string& name) {
+  for (const Group& group : groups()) {
+    for (const Command& command : group.commands) {
+      if (command.name != name) continue;
+      command.add(app);
+      ballbar::expect_values(app);
+      return *app.get_subcommand(name);
+    }
+  }
+  throw ballbar::UsageError(fmt::format("expected a command, found {}.", ballbar::in_quotes(name)));
+}
+
+void set_option(CLI::App& command, const std::string& name, const ballbar::Call::Value& value) {
+  std::string word = "--" + name;
+  std::replace(word.begin(), word.end(), '_', '-');
+  CLI::Option* const option = command.get_option_no_throw(word);
+  if (option == nullptr)
+    throw ballbar::UsageError(fmt::format("{}: expected an option of {}.", name, command.get_name()));
+  const bool is_flag = option->get_items_expected_max() == 0;
+  const bool* const flag = std::get_if<bool>(&value);
+  if (is_flag != (flag != nullptr)) {
+    const auto found = [&]() -> std::string {
+      if (flag != nullptr) return *flag ? "True" : "False";
+      const auto& words = std::get<std::vector<std::string>>(value);
+      return words.empty() ? "none" : words.front();
+    };
+    throw ballbar::UsageError(
+        fmt::format("{}: expected {}, found {}.", name, is_flag ? "True or False" : "a value", found()));
+  }
+  if (flag == nullptr) {
+    option->add_result(std::get<std::vector<std::string>>(value));
+  } else if (*flag) {
+    option->add_result("true");
+  }
 }
 
 // The program's options and commands.
@@ -71,8 +134,24 @@ void set_up(CLI::App& app) {
 
 namespace ballbar {
 
+void run_command(const Call& call) {
+  CommandLine app;
+  app.name("ballbar");
+  app.values = call.values;
+  CLI::App& command = add_command(app, call.command);
+  for (const auto& [name, value] : call.options) set_option(command, name, value);
+  std::vector<std::string> line{call.command, "--"};
+  line.insert(line.end(), call.places.begin(), call.places.end());
+  try {
+    std::reverse(line.begin(), line.end());  // as CLI11 takes them
+    app.parse(std::move(line));
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(usage_fault(app, error, {call.command}));
+  }
+}
+
 void run_command(const std::vector<std::string>& words) {
-  CLI::App app{"Ballbar logs to thermal drift of the spindle."};
+  CommandLine app{"Ballbar logs to thermal drift of the spindle."};
   set_up(app);
   try {
     std::vector<std::string> line = with_names_of_now(with_command(words, app));

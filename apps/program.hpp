@@ -1,10 +1,14 @@
 // The program without the process that it runs in: `ballbar` on a terminal, and again and again in a page.
 #pragma once
 
+#include <map>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/text/source.hpp"
 
 namespace ballbar {
 
@@ -13,6 +17,21 @@ class UsageError : public Error {
  public:
   using Error::Error;
 };
+
+// A command as another program calls it.
+struct Call {
+  // A flag: whether it is set; else the values, as on a command line.
+  using Value = std::variant<bool, std::vector<std::string>>;
+
+  std::string command;                                 // "check"
+  std::vector<std::string> places;                     // DATA ..., as on a command line
+  std::vector<std::pair<std::string, Value>> options;  // by their names: "max_gap"
+  std::map<std::string, Source> values;                // data that a word stands for, which would else be a path
+};
+
+// Runs it, as `ballbar COMMAND ... --json` where it has that option. Throws as below; UsageError with the option's
+// name.
+void run_command(const Call& call);
 
 // Runs `ballbar WORDS...`; who takes what it says: terminal/caller.hpp. Throws UsageError, Error, or what else ended
 // it, such as std::bad_alloc.

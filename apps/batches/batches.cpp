@@ -13,6 +13,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "model/model_options.hpp"
+#include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/stderr_line.hpp"
@@ -74,7 +75,7 @@ void tell_steps(const std::vector<Batch>& batches, const std::string& target, st
 }  // namespace
 
 void add_batch_options(CLI::App& command, BatchOptions& options) {
-  command.add_option("RUNS", options.list, "list of the recorded batches: runs.csv")->required()->type_name("");
+  add_source(command, "RUNS", options.list, "list of the recorded batches: runs.csv")->required()->type_name("");
   command.add_option("--target", options.target, "what to predict: a column in um")->required()->type_name("COLUMN");
   command.add_option("--room", options.room, "column of the room's temperature, where its name does not say so")
       ->type_name("COLUMN");

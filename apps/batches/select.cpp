@@ -16,6 +16,7 @@
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -276,7 +277,7 @@ void add_select(CLI::App& app) {
   const auto options = std::make_shared<SelectArguments>();
   CLI::App* command = app.add_subcommand("select", "Which recorded batches to train on for the job at hand");
   add_batch_options(*command, options->batches);
-  command->add_option("--on", options->job, "the job: a series of its temperatures; with the target, it is checked")
+  add_source(*command, "--on", options->job, "the job: a series of its temperatures; with the target, it is checked")
       ->required()
       ->type_name("DATA");
   add_method_option(*command, options->method, "pcr");

@@ -15,6 +15,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "predict/predict_batch.hpp"
+#include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/state_file.hpp"
 #include "terminal/stderr_line.hpp"
@@ -71,7 +72,7 @@ void add_compensation_options(CLI::App& command, CompensationOptions& options) {
                    ? std::string()
                    : fmt::format("expected a name of letters, digits and _ for an axis, found {}", in_quotes(name));
       });
-  command.add_option("--fit", options.fit, "fit what is free to DATA; their ranges are those trained on")
+  add_sources(command, "--fit", options.fit, "fit what is free to DATA; their ranges are those trained on")
       ->type_name("DATA")
       ->allow_extra_args(false);
   command

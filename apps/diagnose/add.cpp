@@ -65,7 +65,7 @@ void expect_file(const AddArguments& options) {
   if (!options.effect.model.model.empty() || !options.out.empty()) return;
   std::vector<std::string> words;
   words.reserve(options.effect.words.size() + 2 * options.effect.model.target.size());
-  for (const std::string& word : options.effect.words) words.push_back(shell_word(word));
+  for (const Source& word : options.effect.words) words.push_back(shell_word(word.name()));
   for (const std::string& target : options.effect.model.target)
     words.insert(words.end(), {"--target", shell_word(target)});
   throw CLI::ValidationError(
@@ -288,11 +288,13 @@ void run(AddArguments options) {
   show_progress({});
   expect_file_suits(options, data, story.model.text());
   const bool changed = revisions_of(story) > 0;
-  if (changed) write_bytes(out, story.model.text());
+  const bool has_file = written_to(options).model.is_path();
+  if (changed && has_file) write_bytes(out, story.model.text());
   if (options.effect.json) {
     Added added = added_of(story);
     if (options.automatic) added.stopped.value = {verdict, stopped};
-    if (changed) added.written = out;
+    if (changed && has_file) added.written = out;
+    if (changed && !has_file) added.text.value = story.model.text();
     print_json(json_of(added));
   } else {
     print_text(story, stopped, data.title);
@@ -306,7 +308,7 @@ void run(AddArguments options) {
     stderr_line(fmt::format("the effects of {} hold for all its targets, {}; the row is of {}", out,
                             fmt::join(targets, ", "), story.model.model().targets.front()));
   }
-  stderr_line(fmt::format("wrote {}", out));
+  if (has_file) stderr_line(fmt::format("wrote {}", out));
 }
 
 }  // namespace

@@ -15,13 +15,14 @@
 #include "commands.hpp"
 #include "diagnose/revision_results.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/command_line.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar::commands {
 namespace {
 
 struct LedgerArguments {
-  std::string model;
+  Source model;
   bool json = false;
 };
 
@@ -68,17 +69,17 @@ Table table_of(const std::vector<LedgerRow>& rows) {
 }
 
 void run(const LedgerArguments& options) {
-  const std::vector<LedgerRow> rows = read_ledger(read_bytes(options.model, kLargestText), options.model);
+  const std::vector<LedgerRow> rows = read_ledger(options.model.bytes(kLargestText), options.model.name());
   if (options.json) {
     print_json(json_of(ledger_of(rows)));
     return;
   }
   if (rows.empty()) {
-    fmt::print("{} has no ledger yet: `ballbar add` writes its first row.\n", options.model);
+    fmt::print("{} has no ledger yet: `ballbar add` writes its first row.\n", options.model.name());
     return;
   }
   const auto same = [&](const LedgerRow& row) { return row.target == rows.front().target; };
-  fmt::print("{}{}\n\n{}\n", options.model,
+  fmt::print("{}{}\n\n{}\n", options.model.name(),
              std::all_of(rows.begin(), rows.end(), same) ? ", " + shortened(rows.front().target, 40) : "",
              table_of(rows).text(table_width()));
   for (const LedgerEntry& entry : ledger_of(rows).rows) fmt::print("{}", wrapped(entry.sentence));
@@ -89,7 +90,7 @@ void run(const LedgerArguments& options) {
 void add_ledger(CLI::App& app) {
   const auto options = std::make_shared<LedgerArguments>();
   CLI::App* command = app.add_subcommand("ledger", "What a model went through: every revision and its error");
-  command->add_option("--model", options->model, "model.toml with a ledger")->type_name("FILE")->required();
+  add_source(*command, "--model", options->model, "model.toml with a ledger")->type_name("FILE")->required();
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example, after `ballbar add ... --out model.toml`:\n"

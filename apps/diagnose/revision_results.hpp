@@ -179,24 +179,28 @@ struct Added {
   MayLack<std::string> sentence;
   MayLack<Stopped> stopped;
   std::optional<std::string> written;
+  MayLack<std::string> text;
 };
 
 template <>
 struct ResultType<Added> {
   static constexpr std::string_view name = "Added";
   static constexpr std::string_view meaning = "New revisions of a model.";
-  static constexpr std::tuple fields{Field{"rows", &Added::rows, "of the ledger"},
-                                     Field{"revisions", &Added::revisions, "before and after each"},
-                                     Field{"growth", &Added::growth, "of a model that grew by effects that predict"},
-                                     Field{"sentence", &Added::sentence, "what that growth says"},
-                                     Field{"stopped", &Added::stopped, "with --auto: why nothing more was added"},
-                                     Field{"written", &Added::written, "file; null: nothing was added"}};
+  static constexpr std::tuple fields{
+      Field{"rows", &Added::rows, "of the ledger"},
+      Field{"revisions", &Added::revisions, "before and after each"},
+      Field{"growth", &Added::growth, "of a model that grew by effects that predict"},
+      Field{"sentence", &Added::sentence, "what that growth says"},
+      Field{"stopped", &Added::stopped, "with --auto: why nothing more was added"},
+      Field{"written", &Added::written, "file; null: nothing was added, or no file is named"},
+      Field{"text", &Added::text, "of the new model, where it has no file"}};
 };
 
 struct Undone {
   std::string model;
   std::size_t revision = 0;
   std::string change;
+  MayLack<std::string> text;
 };
 
 template <>
@@ -205,7 +209,8 @@ struct ResultType<Undone> {
   static constexpr std::string_view meaning = "A revision that was taken back.";
   static constexpr std::tuple fields{Field{"model", &Undone::model, "file"},
                                      Field{"revision", &Undone::revision, "that it is now; 0: as it started"},
-                                     Field{"undone", &Undone::change, "what was taken back"}};
+                                     Field{"undone", &Undone::change, "what was taken back"},
+                                     Field{"text", &Undone::text, "of the model, where it has no file"}};
 };
 
 }  // namespace ballbar

@@ -10,26 +10,30 @@
 #include "commands.hpp"
 #include "diagnose/revision_results.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/command_line.hpp"
 
 namespace ballbar::commands {
 namespace {
 
 struct UndoArguments {
-  std::string model;
+  Source model;
   bool json = false;
 };
 
 void run(const UndoArguments& options) {
-  const std::string bytes = read_bytes(options.model, kLargestText);
-  const std::string before = without_last_revision(bytes, options.model);
-  const LedgerRow undone = read_ledger(bytes, options.model).back();
+  const std::string& name = options.model.name();
+  const std::string bytes = options.model.bytes(kLargestText);
+  const std::string before = without_last_revision(bytes, name);
+  const LedgerRow undone = read_ledger(bytes, name).back();
   const std::size_t revision = undone.revision - 1;
-  write_bytes(options.model, before);
+  if (options.model.is_path()) write_bytes(name, before);
   if (options.json) {
-    print_json(json_of(Undone{options.model, revision, undone.change}));
+    Undone result{name, revision, undone.change, {}};
+    if (!options.model.is_path()) result.text.value = before;
+    print_json(json_of(result));
     return;
   }
-  fmt::print("{} is {}; taken back: {}\n", options.model,
+  fmt::print("{} is {}; taken back: {}\n", name,
              revision == 0 ? "as it started" : fmt::format("at revision {} again", revision), undone.change);
 }
 
@@ -38,7 +42,7 @@ void run(const UndoArguments& options) {
 void add_undo(CLI::App& app) {
   const auto options = std::make_shared<UndoArguments>();
   CLI::App* command = app.add_subcommand("undo", "The model as it was before its last revision");
-  command->add_option("--model", options->model, "model.toml with a ledger, which is changed")
+  add_source(*command, "--model", options->model, "model.toml with a ledger, which is changed")
       ->type_name("FILE")
       ->required();
   command->add_flag("--json", options->json, "the result for a program");

@@ -14,6 +14,7 @@
 #include "logs/log_options.hpp"
 #include "logs/log_results.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/command_line.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -135,7 +136,7 @@ void run(const ImportArguments& options) {
 void add_import(CLI::App& app) {
   const auto options = std::make_shared<ImportArguments>();
   CLI::App* command = app.add_subcommand("import", "What a logger's file is taken for, and a series made of it");
-  command->add_option("LOG", options->log, "delimited text, .xlsx, .mat or .json of columns over time")->required();
+  add_source(*command, "LOG", options->log, "delimited text, .xlsx, .mat or .json of columns over time")->required();
   command->add_option("--out", options->out, "series .csv to write")->type_name("FILE");
   command->add_option("--save", options->save, "recipe .toml to write: how this log was read, for the next of its kind")
       ->type_name("FILE");

@@ -14,6 +14,7 @@
 #include "commands.hpp"
 #include "measure/fit_result.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -232,7 +233,7 @@ void run(FitArguments options) {
 void add_fit(CLI::App& app) {
   const auto options = std::make_shared<FitArguments>();
   CLI::App* command = app.add_subcommand("fit", "Circle or axial fit of each recording; ISO 230-4 of a CCW/CW pair");
-  command->add_option("FILE", options->files, ".b5r files or ballbar logs")->required()->type_name("");
+  add_sources(*command, "FILE", options->files, ".b5r files or ballbar logs")->required()->type_name("");
   add_radius(*command, options->circle);
   command->add_flag("--polar", options->polar, "the circle through the polar points, as instrument software does");
   command->add_flag("--robust", options->robust, "discount outlying readings (Tukey's biweight) and list them");

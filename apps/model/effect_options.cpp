@@ -10,6 +10,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/model/effect_argument.hpp"
+#include "terminal/command_line.hpp"
 
 namespace ballbar {
 namespace {
@@ -48,16 +49,16 @@ void add_effect_options(CLI::App& command, EffectOptions& options, const std::st
   add_model_options(command, options.model, false);
   add_also_input(command, options.model);
   command.remove_option(command.get_option("DATA"));
-  command.add_option("EFFECT_AND_DATA", options.words, words)->required()->type_name("");
+  add_sources(command, "EFFECT_AND_DATA", options.words, words)->required()->type_name("");
   command.add_flag("--json", options.json, "the result for a program");
 }
 
 void split_words(EffectOptions& options, bool effects_wanted) {
-  for (const std::string& word : options.words) {
-    if (is_effect(word)) {
-      options.effects.push_back(word);
+  for (const Source& word : options.words) {
+    if (word.is_path() && is_effect(word.name())) {
+      options.effects.push_back(word.name());
     } else {
-      options.model.data.emplace_back(word);
+      options.model.data.push_back(word);
     }
   }
   if (effects_wanted && options.effects.empty()) {

@@ -11,7 +11,7 @@
 namespace ballbar {
 
 struct EffectOptions {
-  std::vector<std::string> words;  // EFFECT... DATA as they were given
+  std::vector<Source> words;  // EFFECT... DATA as they were given
   std::vector<std::string> effects;
   ModelOptions model;  // its data: the rest of the words
   bool json = false;

@@ -14,6 +14,7 @@
 #include "ballbar/model/target_columns.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "model/held_values.hpp"
+#include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
@@ -73,11 +74,11 @@ void add_max_gap(CLI::App& command, std::optional<double>& max_gap_s) {
 }
 
 void add_model_options(CLI::App& command, ModelOptions& options, bool model_required) {
-  command.add_option("DATA", options.data, "series .csv, session, or recordings (.b5r, logs)")
+  add_sources(command, "DATA", options.data, "series .csv, session, or recordings (.b5r, logs)")
       ->required()
       ->type_name("");
   CLI::Option* model =
-      command.add_option("--model", options.model, "model.toml: the effects to fit")->type_name("FILE");
+      add_source(command, "--model", options.model, "model.toml: the effects to fit")->type_name("FILE");
   if (model_required) model->required();
   command.add_option("--target", options.target, "column to explain instead of the model's own; may be repeated")
       ->type_name("COLUMN")

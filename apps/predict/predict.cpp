@@ -19,6 +19,7 @@
 #include "predict/predict_effects.hpp"
 #include "predict/predict_result.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -163,7 +164,8 @@ void add_predict(CLI::App& app) {
   CLI::App* command = app.add_subcommand("predict", "The model's series, with what each effect adds");
   add_model_options(*command, options->model, true);
   add_fit_options(*command, options->model);
-  command->add_option("--on", options->on, "other data to predict, with the parameters fitted to DATA; may be repeated")
+  add_sources(*command, "--on", options->on,
+              "other data to predict, with the parameters fitted to DATA; may be repeated")
       ->type_name("DATA")
       ->allow_extra_args(false);
   command->add_option("--out", options->out, "write the series, .csv; may be repeated")

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/text/given_data.hpp"
+#include "ballbar/formats/text/source.hpp"
 #include "measure/fit_result.hpp"
 #include "page/report_page.hpp"
 #include "program.hpp"
@@ -33,28 +33,34 @@ namespace py = pybind11;
 using Json = nlohmann::ordered_json;
 
 using Recordings = std::vector<std::shared_ptr<Recording>>;
-using Data = std::variant<std::shared_ptr<Series>, Recordings>;
+using Data = std::variant<std::shared_ptr<Series>, Recordings, std::string>;  // a text: what a file would hold
 
-// Recordings are copied; nothing that Python is given changes a series.
-GivenData given_of(const Data& data) {
-  if (const auto* const series = std::get_if<std::shared_ptr<Series>>(&data)) return *series;
+std::vector<Recording> recordings_of(const Recordings& held) {
   std::vector<Recording> recordings;
-  for (const auto& one : std::get<Recordings>(data)) recordings.push_back(*one);
+  recordings.reserve(held.size());
+  for (const auto& one : held) recordings.push_back(*one);
   return recordings;
 }
 
-// What a command said besides its result.
-struct Said {
+// Nothing that Python is given changes a series, so that it is not copied.
+Source source_of(const std::string& name, const Data& data) {
+  if (const auto* const series = std::get_if<std::shared_ptr<Series>>(&data)) return {name, *series};
+  if (const auto* const text = std::get_if<std::string>(&data)) return Source::of_text(name, *text);
+  return {name, recordings_of(std::get<Recordings>(data))};
+}
+
+// What a command answers: its result, and remarks.
+struct Answer {
   std::optional<Json> result;
   std::vector<std::string> remarks;
 };
 
 // Without the GIL but for what Python is told; there, Ctrl-C ends the command.
-Said ran(const std::vector<std::string>& words, const std::map<std::string, Data>& given, const py::object& progress) {
-  Said said;
+Answer answer(const Call& call, const py::object& progress) {
+  Answer answer;
   Caller caller;
-  caller.result = [&](const Json& json) { said.result = json; };
-  caller.remark = [&](const std::string& line) { said.remarks.push_back(line); };
+  caller.result = [&](const Json& json) { answer.result = json; };
+  caller.remark = [&](const std::string& line) { answer.remarks.push_back(line); };
   caller.progress = [&](std::string_view line) {
     if (line.empty()) return;  // said as a command ends, by an error too
     const py::gil_scoped_acquire hold;
@@ -62,30 +68,28 @@ Said ran(const std::vector<std::string>& words, const std::map<std::string, Data
     if (!progress.is_none()) progress(py::str(line.data(), line.size()));
   };
   const py::gil_scoped_release free;
-  std::vector<std::unique_ptr<Given>> held;
-  held.reserve(given.size());
-  for (const auto& [name, data] : given) held.push_back(std::make_unique<Given>(name, given_of(data)));
   const CalledBy called(caller);
-  run_command(words);
-  return said;
+  run_command(call);
+  return answer;
 }
 
-py::tuple run(const std::vector<std::string>& words, const std::map<std::string, Data>& given,
-              const py::object& progress) {
-  const Said said = ran(words, given, progress);
-  return py::make_tuple(said.result ? to_python(*said.result) : py::none(), py::cast(said.remarks));
+py::tuple call(const std::string& command, const std::vector<std::string>& places,
+               const std::vector<std::pair<std::string, Call::Value>>& options, const std::map<std::string, Data>& data,
+               const py::object& progress) {
+  Call call{command, places, options, {}};
+  for (const auto& [name, value] : data) call.values.emplace(name, source_of(name, value));
+  const Answer made = answer(call, progress);
+  return py::make_tuple(made.result ? to_python(*made.result) : py::none(), py::cast(made.remarks));
 }
 
-// `fit` of recordings that Python holds: without a command line, for those who fit thousands.
+// `fit` of recordings that Python holds, for those who fit thousands: setting up a command takes longer.
 py::object fit(const Recordings& recordings, bool polar, bool robust) {
   CircleOptions how;
   how.model = polar ? CircleModel::polar : CircleModel::length_equation;
   how.robust = robust;
   const Json json = [&] {
     const py::gil_scoped_release free;
-    const std::string name = "<data>";
-    const Given given(name, given_of(recordings));
-    return json_of(fit_files({name}, how));
+    return json_of(fit_files({Source("<data>", recordings_of(recordings))}, how));
   }();
   return to_python(json);
 }
@@ -129,7 +133,8 @@ PYBIND11_MODULE(_core, module) {
   ballbar::python::bind_effects(module);
   ballbar::python::bind_fleets(module);
   module.attr("version") = BALLBAR_VERSION;
-  module.def("run", &ballbar::python::run, py::arg("words"), py::arg("given"), py::arg("progress") = py::none());
+  module.def("call", &ballbar::python::call, py::arg("command"), py::arg("places"), py::arg("options"), py::arg("data"),
+             py::arg("progress") = py::none());
   module.def("fit", &ballbar::python::fit, py::arg("recordings"), py::arg("polar"), py::arg("robust"));
   module.def("numbers", &ballbar::python::numbers_of, py::arg("data"), py::arg("name"));
   module.def("picture", &ballbar::python::picture, py::arg("parts"), py::arg("conclusion"));

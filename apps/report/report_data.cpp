@@ -18,6 +18,7 @@
 #include "measure/drift_text.hpp"
 #include "predict/predict_batch.hpp"
 #include "report/report_parts.hpp"
+#include "terminal/command_line.hpp"
 #include "terminal/stderr_line.hpp"
 
 namespace ballbar {
@@ -243,7 +244,7 @@ void add_report_options(CLI::App& command, ReportRequest& request) {
   add_model_options(command, request.model, false);
   add_also_input(command, request.model);
   add_fit_options(command, request.model);
-  command.add_option("--compare", request.compare, "another drift, or five probes, to compare DATA with")
+  add_source(command, "--compare", request.compare, "another drift, or five probes, to compare DATA with")
       ->type_name("DATA");
   CLI::Option* diagnose =
       command.add_flag("--diagnose", request.diagnose, "which effect is missing, without a model as well");

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "ballbar/formats/text/given_data.hpp"
+#include "ballbar/formats/text/source.hpp"
 #include "ballbar/units.hpp"
 #include "measure/recording_fits.hpp"
 
@@ -19,8 +19,8 @@ ballbar::Recording circle() {
 }
 
 void fit_of_360(benchmark::State& state) {
-  const ballbar::Given given("<data>", std::vector<ballbar::Recording>{circle()});
-  for (auto _ : state) benchmark::DoNotOptimize(ballbar::fit_files({"<data>"}, {}));
+  const std::vector<ballbar::Source> sources{{"<data>", std::vector<ballbar::Recording>{circle()}}};
+  for (auto _ : state) benchmark::DoNotOptimize(ballbar::fit_files(sources, {}));
 }
 BENCHMARK(fit_of_360)->Unit(benchmark::kMicrosecond);
 

@@ -22,7 +22,7 @@ Model model_of(const char* heat) {
 }
 
 Series data_of(const std::filesystem::path& folder, const char* set) {
-  return open_model_data({folder / "spindle-24krpm" / set}, {}, 600.0).series;
+  return *open_model_data({folder / "spindle-24krpm" / set}, {}, 600.0).series;
 }
 
 TEST(spindle_24krpm, centrifugal_shift_goes_with_about_the_square_of_the_speed) {

@@ -12,7 +12,7 @@ import ballbar
 
 class Docs(unittest.TestCase):
     def test_examples(self):
-        for name in [*(f"ballbar.{one}" for one in ("_catalogue", "_core", "_logs", "_measure", "_models", "_predict", "_revisions", "_words", "fleet", "plot"))]:
+        for name in [*(f"ballbar.{one}" for one in ("_catalogue", "_core", "_logs", "_measure", "_models", "_predict", "_revisions", "_call", "fleet", "plot"))]:
             needs = {"ballbar.fleet": "dask", "ballbar.plot": "matplotlib"}.get(name)
             if needs and importlib.util.find_spec(needs) is None:
                 continue

@@ -7,7 +7,6 @@ import tempfile
 import unittest
 
 import ballbar
-from ballbar._words import FLAGS
 
 PROGRAM = os.environ["BALLBAR"]
 NOT_OF_PYTHON = {"help", "json", "follow", "page", "open", "signals", "format", "all", "radius"}
@@ -41,12 +40,14 @@ class Options(unittest.TestCase):
             for option in options_of(command) - NOT_OF_PYTHON - OF_FOLLOW.get(command, set()):
                 self.assertIn(option, known, f"{command}: --{option}")
 
-    def test_every_flag_is_known(self):
-        flags = set()
-        for command in FUNCTIONS:
-            text = subprocess.run([PROGRAM, "help", command], stdout=subprocess.PIPE, text=True, check=True).stdout
-            flags |= {name.replace("-", "_") for name in re.findall(r"(?m)^  --([\w-]+)(?: Excludes: --[\w-]+)?(?:  |$)", text)}
-        self.assertEqual(flags - NOT_OF_PYTHON - OF_FOLLOW["diagnose"], FLAGS)
+    def test_a_flag_is_true_or_false_and_a_value_is_neither(self):
+        he = "sample-runs/two-arcs-he2015"
+        for wrong, sentence in (
+            ({"robust": 1}, "robust: expected True or False, found 1."), ({"max_gap_s": True}, "max_gap: expected a value, found True."),
+        ):
+            with self.assertRaises(ballbar.UsageError) as told:
+                ballbar.check(he, **wrong)
+            self.assertEqual(str(told.exception), sentence)
 
     def test_documented(self):
         for name in ballbar.__all__:

@@ -84,7 +84,7 @@ std::vector<double> regression(const Series& data, const std::string& target, co
 int main(int argc, char** argv) {
   if (argc < 2) return 2;
   const std::filesystem::path folder = std::filesystem::path(argv[1]) / "spindle-46h";
-  const Series data = open_model_data({folder / "measured.csv"}, {}, 600.0).series;
+  const Series data = *open_model_data({folder / "measured.csv"}, {}, 600.0).series;
   bool failed = false;
   fmt::print("mean absolute error um on the cycle left out: model (regression on 16 temperatures)\n{:<8}", "");
   for (const Cycle& cycle : kCycles) fmt::print("{:>18}", cycle.name);

@@ -587,7 +587,8 @@ export interface Added {
   growth?: GrowthStep[]; // of a model that grew by effects that predict
   sentence?: string; // what that growth says
   stopped?: Stopped; // with --auto: why nothing more was added
-  written: string | null; // file; null: nothing was added
+  written: string | null; // file; null: nothing was added, or no file is named
+  text?: string; // of the new model, where it has no file
 }
 
 // A revision of a model: what it changed, and what that bought.
@@ -642,6 +643,7 @@ export interface Undone {
   model: string; // file
   revision: number; // that it is now; 0: as it started
   undone: string; // what was taken back
+  text?: string; // of the model, where it has no file
 }
 
 // An effect put into data, and whether it is seen.

@@ -9,6 +9,7 @@ Units stand at the end of every name: ``_um``, ``_mm``, ``_deg``, ``_s``, ``_deg
 from __future__ import annotations
 
 from . import _core
+from ._call import Model
 from ._catalogue import effect
 from ._core import Recording, Series, read_recordings, read_series
 from ._errors import BallbarError, UsageError
@@ -22,7 +23,6 @@ from ._models import check, diagnose, effects, plan, preflight
 from ._predict import compensate, predict, report, select, train
 from ._results import Result, Rows
 from ._revisions import add, inject, ledger, try_effect, undo
-from ._words import Model
 
 __version__: str = _core.version
 __all__ = [

@@ -804,7 +804,9 @@ class Added(Result):
     stopped : Result
         With --auto: why nothing more was added: verdict, text.
     written : str | None
-        File; null: nothing was added.
+        File; null: nothing was added, or no file is named.
+    text : str
+        Of the new model, where it has no file.
     """
 
     rows: Rows
@@ -813,6 +815,7 @@ class Added(Result):
     sentence: str
     stopped: Result
     written: str | None
+    text: str
 
 
 class Injected(Result):

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from ._kinds import Imported, Simulated
-from ._words import Path, Words
+from ._call import Path, Call
 
 
 def import_log(log: Path, *, out: Path | None = None, save: Path | None = None, **how: Any) -> Imported:
@@ -41,7 +41,7 @@ def import_log(log: Path, *, out: Path | None = None, save: Path | None = None, 
     >>> ballbar.import_log("sample-runs/foreign-logs/warmup.csv").started
     '2026-11-22T13:05:10'
     """
-    return Imported(Words("import", "--json").files(log).options(out=out, save=save, **how).run())
+    return Imported(Call("import").files(log).options(out=out, save=save, **how).run())
 
 
 def merge(
@@ -87,9 +87,9 @@ def merge(
     >>> found.rows, found.columns
     (2378, 8)
     """
-    words = Words("merge", "--json").files(logs)
-    words.options(out=out, keep_clocks=keep_clocks, lag_range=lag_range_s, max_gap=max_gap_s, **how)
-    return Imported(words.run())
+    call = Call("merge").files(logs)
+    call.options(out=out, keep_clocks=keep_clocks, lag_range=lag_range_s, max_gap=max_gap_s, **how)
+    return Imported(call.run())
 
 
 def simulate(
@@ -129,5 +129,5 @@ def simulate(
     ...     ballbar.simulate("sample-runs/qc20-style-b5r/machine.toml", folder + "/run", b5r=True).tests
     6
     """
-    words = Words("simulate", "--json").files(machine).options(out=out, truth=truth, seed=seed, b5r=b5r, force=force)
-    return Simulated(words.run())
+    call = Call("simulate").files(machine).options(out=out, truth=truth, seed=seed, b5r=b5r, force=force)
+    return Simulated(call.run())

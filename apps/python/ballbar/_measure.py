@@ -7,7 +7,7 @@ from typing import Any
 from . import _core
 from ._core import Recording
 from ._kinds import Comparison, Drift, Errors, Fitted, History
-from ._words import Path, Progress, Words
+from ._call import Path, Progress, Call
 
 
 def fit(data: Any, *, polar: bool = False, robust: bool = False, out: Path | None = None) -> Fitted:
@@ -48,10 +48,10 @@ def fit(data: Any, *, polar: bool = False, robust: bool = False, out: Path | Non
     5.0
     """
     recordings = [data] if isinstance(data, Recording) else data
-    words = Words("fit", "--json").data(data).options(polar=polar, robust=robust, out=out)
+    call = Call("fit").data(data).options(polar=polar, robust=robust, out=out)
     if out is None and isinstance(recordings, list) and all(type(one) is Recording for one in recordings):
-        return Fitted(_core.fit(recordings, polar, robust), words)  # without a command line: it takes longer than a fit
-    return Fitted(words.run(), words)
+        return Fitted(_core.fit(recordings, polar, robust), call)  # without a command line: it takes longer than a fit
+    return Fitted(call.run(), call)
 
 
 def errors(
@@ -92,7 +92,7 @@ def errors(
     >>> [(one.name, round(one.value, 1)) for one in found.tests[0].errors if one.name == "scale_mismatch"]
     [('scale_mismatch', 8.0)]
     """
-    return Errors(Words("errors", "--json").files(files).options(strict=strict, out=out).run(progress))
+    return Errors(Call("errors").files(files).options(strict=strict, out=out).run(progress))
 
 
 def drift(
@@ -165,13 +165,13 @@ def drift(
     >>> f"{last.y_um:.2f} +- {last.y_sigma_um:.2f} um"
     '8.38 +- 0.02 um'
     """
-    words = Words("drift", "--json").series(session)
-    words.options(
+    call = Call("drift").series(session)
+    call.options(
         reference=reference_s, sequential=sequential, equal_radii=equal_radii, eq34=eq34, polar=polar, robust=robust,
         five_probe=five_probe, from_plane_1=from_plane_1_mm, from_nose=from_nose_mm, plane_1=plane_1_mm,
         spacing=spacing_mm, resolution=resolution_um, linearity=linearity_percent, probe=probe, out=out,
     )
-    return Drift(words.run())
+    return Drift(call.run())
 
 
 def compare(
@@ -230,13 +230,13 @@ def compare(
     >>> ballbar.compare("sample-runs/two-arcs-he2015").conclusion
     'x, y, z agree within the stated uncertainty.'
     """
-    words = Words("compare", "--json").series(a, *([] if b is None else [b]))
-    words.options(
+    call = Call("compare").series(a, *([] if b is None else [b]))
+    call.options(
         reference=reference_s, max_gap=max_gap_s, match=match, from_plane_1=from_plane_1_mm, from_nose=from_nose_mm,
         plane_1=plane_1_mm, spacing=spacing_mm, resolution=resolution_um, linearity=linearity_percent, probe=probe,
         out=out, plot=plot,
     )
-    return Comparison(words.run())
+    return Comparison(call.run())
 
 
 def history(
@@ -283,5 +283,5 @@ def history(
     >>> len(ballbar.history("sample-runs/machine-history").machines[0].groups)
     3
     """
-    words = Words("history", "--json").files(folders).options(tolerance=tolerance, strict=strict, out=out)
-    return History(words.run(progress))
+    call = Call("history").files(folders).options(tolerance=tolerance, strict=strict, out=out)
+    return History(call.run(progress))

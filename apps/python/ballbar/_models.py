@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ._kinds import Checked, Diagnosis, Effects, Plan, Preflight
-from ._words import Model, Path, Progress, Words
+from ._call import Model, Path, Progress, Call
 
 
 def effects(name: str | None = None) -> Effects:
@@ -32,7 +32,7 @@ def effects(name: str | None = None) -> Effects:
     >>> ballbar.effects("backlash_a").summary
     'Play of axis A: a step where A reverses, at 0 and 180 deg.'
     """
-    found = Words("effects", *([] if name is None else [name]), "--json").run()
+    found = Call("effects", *([] if name is None else [name])).run()
     return Effects(found[0] if name is not None and len(found) == 1 else {"effects": found})
 
 
@@ -67,8 +67,8 @@ def preflight(
     >>> ballbar.preflight("sample-runs/two-arcs-he2015", target="y_um").n
     14
     """
-    words = Words("preflight", "--json").data(data)
-    return Preflight(words.options(model=model, target=target, max_gap=max_gap_s, also_input=also_input).run())
+    call = Call("preflight").data(data)
+    return Preflight(call.options(model=model, target=target, max_gap=max_gap_s, also_input=also_input).run())
 
 
 def check(
@@ -127,11 +127,11 @@ def check(
     >>> round(found.rmse_um, 3)
     0.201
     """
-    words = Words("check", "--json").data(data)
-    words.options(
+    call = Call("check").data(data)
+    call.options(
         model=model, target=target, max_gap=max_gap_s, also_input=also_input, robust=robust, white=white, set=set
     )
-    return Checked(words.run(), words)
+    return Checked(call.run(), call)
 
 
 def diagnose(
@@ -187,12 +187,12 @@ def diagnose(
     >>> found.verdict, found.named["effect"]
     ('named', ['lagged_expansion'])
     """
-    words = Words("diagnose", "--json").data(data)
-    words.options(
+    call = Call("diagnose").data(data)
+    call.options(
         model=model, target=target, max_gap=max_gap_s, also_input=also_input, tolerance=tolerance_um, seed=seed,
         most_rows=most_rows, prior=prior, strict=strict,
     )
-    return Diagnosis(words.run(progress), words)
+    return Diagnosis(call.run(progress), call)
 
 
 def plan(
@@ -249,9 +249,9 @@ def plan(
     >>> ballbar.plan(f"{run}/data.csv", f"{run}/model.toml", hours=8).sentence
     'The data at hand decide: no further test is needed.'
     """
-    words = Words("plan", "--json").data(data)
-    words.options(
+    call = Call("plan").data(data)
+    call.options(
         model=model, target=target, max_gap=max_gap_s, also_input=also_input, hours=hours, max_rpm=max_rpm, can=can,
         out=out, ballbar=ballbar_mm, every=every_min, seed=seed,
     )
-    return Plan(words.run(progress))
+    return Plan(call.run(progress))

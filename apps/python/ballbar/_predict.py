@@ -7,7 +7,7 @@ from typing import Any
 
 from ._kinds import Predicted, Report, Selected, Trained
 from ._results import Result
-from ._words import Model, Path, Progress, Words
+from ._call import Model, Path, Progress, Call
 
 
 def train(
@@ -57,10 +57,10 @@ def train(
     >>> round(found.held_out_um, 1)
     3.1
     """
-    words = Words("train", "--json").series(data).options(target=target, out=out, effects=effects, few=few, **how)
-    if words.given and not effects:
+    call = Call("train").series(data).options(target=target, out=out, effects=effects, few=few, **how)
+    if call.held and not effects:
         raise TypeError("ballbar.train: expected the path of a runs.csv, or effects=True, found a series")
-    return Trained(words.run(progress))
+    return Trained(call.run(progress))
 
 
 def select(runs: Path, on: Any, target: str, **how: Any) -> Selected:
@@ -95,7 +95,7 @@ def select(runs: Path, on: Any, target: str, **how: Any) -> Selected:
     >>> len(ballbar.select(f"{tests}/runs.csv", f"{tests}/test1.csv", "y_um").ranked)
     24
     """
-    return Selected(Words("select", "--json").files(runs).options(target=target, **how).other_data("on", on).run())
+    return Selected(Call("select").files(runs).options(target=target, **how).other_data("on", on).run())
 
 
 def predict(
@@ -145,12 +145,12 @@ def predict(
     >>> found.y_model_um.shape == found.time_s.shape
     True
     """
-    words = Words("predict", "--json").data(data)
-    words.options(
+    call = Call("predict").data(data)
+    call.options(
         model=model, target=target, max_gap=max_gap_s, robust=robust, white=white, set=set, out=out, state=state,
         anyway=anyway,
     )
-    return Predicted(words.other_data("on", on).run())
+    return Predicted(call.other_data("on", on).run())
 
 
 def compensate(model: Any, on: Any, *, to: str | Sequence[str] | None = None, fit: Any = None, out: Any = None, **limits: Any) -> Result:
@@ -189,8 +189,8 @@ def compensate(model: Any, on: Any, *, to: str | Sequence[str] | None = None, fi
     >>> list(ballbar.compensate(f"{run}/mean-point.toml", run, to="z").axes)
     ['z']
     """
-    words = Words("compensate", "--json").options(model=model, to=to, out=out, **limits)
-    return Result(words.other_data("fit", fit).other_data("on", on).run())
+    call = Call("compensate").options(model=model, to=to, out=out, **limits)
+    return Result(call.other_data("fit", fit).other_data("on", on).run())
 
 
 def report(
@@ -237,11 +237,11 @@ def report(
     >>> ballbar.report("sample-runs/qc20-style-b5r/00.b5r").format
     'ballbar-report 1'
     """
-    words = Words("report", *([] if out is not None else ["--json"])).data(data)
-    words.options(
+    call = Call("report", json=out is None).data(data)
+    call.options(
         model=model, target=target, picture=picture, diagnose=diagnose is True, no_diagnosis=diagnose is False, **how
     ).other_data("compare", compare)
     if out is not None:
-        words.options(out=out, format="svg" if os.fspath(out).endswith(".svg") else None)
-    found = words.run()
+        call.options(out=out, format="svg" if os.fspath(out).endswith(".svg") else None)
+    found = call.run()
     return Report(found) if out is None else None

@@ -48,12 +48,12 @@ class Result:
     results again. A key that is a word of Python is had as ``result["from"]``.
     """
 
-    __slots__ = ("_json", "_made", "_words")
+    __slots__ = ("_json", "_made", "_call")
 
-    def __init__(self, keys: dict[str, Any], words: Any = None) -> None:
+    def __init__(self, keys: dict[str, Any], call: Any = None) -> None:
         self._json = keys
         self._made: dict[str, Any] = {}
-        self._words = words  # that it came of
+        self._call = call  # that it came of
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
@@ -141,7 +141,7 @@ class Result:
         if kind in _PARTS:
             return str(_core.picture(json.dumps({_PARTS[kind]: self._json}), self.conclusion_text()))
         name = _PICTURES[kind](self) if kind in _PICTURES else ""
-        return str(self._words.picture(name)) if name and self._words else ""
+        return str(self._call.picture(name)) if name and self._call else ""
 
     def _repr_html_(self) -> str:
         try:

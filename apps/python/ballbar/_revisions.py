@@ -6,7 +6,7 @@ from typing import Any
 
 from ._kinds import Added, Injected, Tried
 from ._results import Result
-from ._words import Model, Path, Words
+from ._call import Model, Path, Call
 
 
 def try_effect(
@@ -44,8 +44,8 @@ def try_effect(
     >>> ballbar.try_effect("expansion(T_room_degC)", he, f"{he}/model.toml").verdict
     'not supported'
     """
-    words = Words("try", *_list(effects), "--json").data(data)
-    return Tried(words.options(model=model, target=target, max_gap=max_gap_s, also_input=also_input).run())
+    call = Call("try", *_list(effects)).data(data)
+    return Tried(call.options(model=model, target=target, max_gap=max_gap_s, also_input=also_input).run())
 
 
 def add(
@@ -69,7 +69,8 @@ def add(
     effects : str or list of str
         As of :func:`try_effect`; with `auto` none.
     data, model, target, max_gap_s, also_input
-        As of :func:`check`; the model's own file is written.
+        As of :func:`check`; the model's own file is written. A :class:`Model` without a file stays as it is: the new
+        one is ``Model(added.text)``.
     out : path
         Written instead of it.
     auto : bool
@@ -100,12 +101,12 @@ def add(
     ...     len(ballbar.ledger(f"{folder}/model.toml").rows)
     2
     """
-    words = Words("add", *_list(effects), "--json").data(data)
-    words.options(
+    call = Call("add", *_list(effects)).data(data)
+    call.options(
         model=model, target=target, max_gap=max_gap_s, also_input=also_input, out=out, auto=auto, named_only=named_only,
         prune=prune, replace=replace,
     )
-    return Added(words.run())
+    return Added(call.run())
 
 
 def undo(model: Model | Path) -> Result:
@@ -114,7 +115,7 @@ def undo(model: Model | Path) -> Result:
     Parameters
     ----------
     model : Model or path
-        With a ledger; it is changed.
+        With a ledger; its file is changed. Of one without a file, the result's `text` is the model before.
 
     Returns
     -------
@@ -133,7 +134,7 @@ def undo(model: Model | Path) -> Result:
     Traceback (most recent call last):
     ballbar.BallbarError: ...
     """
-    return Result(Words("undo", "--json").options(model=model).run())
+    return Result(Call("undo").options(model=model).run())
 
 
 def ledger(model: Model | Path) -> Result:
@@ -158,7 +159,7 @@ def ledger(model: Model | Path) -> Result:
     --------
     See :func:`add`.
     """
-    found = Words("ledger", "--json").options(model=model).run()
+    found = Call("ledger").options(model=model).run()
     return Result(found if isinstance(found, dict) else {"revisions": found})
 
 
@@ -210,13 +211,13 @@ def inject(
     >>> round(found.detectable_um, 1)
     1.2
     """
-    words = Words("inject", effect, "--json").data(data)
-    words.options(
+    call = Call("inject", effect).data(data)
+    call.options(
         amplitude_um=amplitude_um, model=model, target=target, max_gap=max_gap_s, also_input=also_input, set=set,
         seed=seed, out=out,
     )
-    return Injected(words.run())
+    return Injected(call.run())
 
 
-def _list(words: str | Sequence[str]) -> list[str]:
-    return [words] if isinstance(words, str) else list(words)
+def _list(effects: str | Sequence[str]) -> list[str]:
+    return [effects] if isinstance(effects, str) else list(effects)

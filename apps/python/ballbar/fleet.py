@@ -19,11 +19,11 @@ from typing import Any
 import pandas
 
 from . import _core, diagnose as _diagnose, train as _train
+from ._call import Model
 from ._errors import BallbarError
 from ._fleet_files import Paths, files_of, written_whole
 from ._fleet_rows import COLUMNS, ERRORS, NUMBERS, Row, copies_marked, error_rows, fault, parts_of, rows_of_each, typed
 from ._results import Result
-from ._words import Model
 from .fleet_table import Updated, read, update
 
 __all__ = ["ERRORS", "Ranked", "Updated", "diagnose", "errors", "files_of", "ranked", "read", "train", "update"]

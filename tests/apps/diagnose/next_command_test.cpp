@@ -92,7 +92,7 @@ TEST(NextCommand, without_a_model_file) {
   Diagnosis diagnosis = found(Verdict::named);
   diagnosis.named = {bound("expansion", {"T_room_degC"})};
   ModelOptions none = options();
-  none.model.clear();
+  none.model = {};
   EXPECT_EQ(model_file(options()), "model.toml");
   const std::string name = model_file(none);
   EXPECT_FALSE(std::filesystem::exists(name));

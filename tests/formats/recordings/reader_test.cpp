@@ -112,7 +112,7 @@ TEST(reader, a_series_of_an_own_format) {
   const std::vector<Reader> readers = with_own();
   const auto file = folder.write("z.txt", "Zeit;Z\n0;1,5\n60;2,25\n");
   for (const Series& series : {open_series(file, readers), *open_drift_data(file, readers).series,
-                               open_model_data({file}, {}, 600.0, readers).series}) {
+                               *open_model_data({file}, {}, 600.0, readers).series}) {
     EXPECT_EQ(series.time_s, (std::vector<double>{0.0, 60.0}));
     EXPECT_EQ(find_column(series, "z_um")->values, (std::vector<double>{1.5, 2.25}));
   }
@@ -171,12 +171,12 @@ TEST(reader, is_asked_by_the_head_alone) {
     longest_head = std::max(longest_head, head.size());
     return false;
   }}};
-  EXPECT_EQ(reader_of_file(file, nosy), nullptr);
+  EXPECT_EQ(Source(file).reader(nosy), nullptr);
   EXPECT_EQ(longest_head, kHeadBytes);
   EXPECT_THROW(open_recording(file, nosy), Error);
   EXPECT_EQ(longest_head, kHeadBytes) << "of a file that was read whole too";
-  EXPECT_EQ(reader_of_file(folder.path()), nullptr);
-  EXPECT_EQ(reader_of_file(folder.path() / "none"), nullptr);
+  EXPECT_EQ(Source(folder.path()).reader(), nullptr);
+  EXPECT_EQ(Source(folder.path() / "none").reader(), nullptr);
 }
 
 }  // namespace

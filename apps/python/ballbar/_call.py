@@ -1,12 +1,10 @@
-"""From arguments of Python to the words of a command, and data that are no files."""
+"""A command of the program, called with values of Python."""
 from __future__ import annotations
 
 import logging
 import os
 import pathlib
-import shutil
 import tempfile
-import weakref
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, Callable, Union
 
@@ -21,12 +19,6 @@ _log = logging.getLogger("ballbar")
 Path = Union[str, "os.PathLike[str]"]
 Progress = Callable[[str], object]
 
-#: The options that are words alone.
-FLAGS = frozenset(
-    "polar robust strict sequential equal_radii eq34 five_probe keep_clocks white auto named_only prune keep_broken effects few "
-    "anyway b5r force diagnose no_diagnosis without_files".split()
-)
-
 
 class Model:
     """A model: a sum of effects and a constant, as a ``model.toml`` has it.
@@ -34,8 +26,12 @@ class Model:
     Parameters
     ----------
     source : path or str
-        A file, or the text of one (with a line break). A text is kept in a file of its own as long as the model lives:
-        `path`.
+        A file, or the text of one (with a line break).
+
+    Attributes
+    ----------
+    path : pathlib.Path or None
+        None of a text.
 
     Examples
     --------
@@ -53,14 +49,8 @@ class Model:
 
     def __init__(self, source: Path) -> None:
         text = os.fspath(source)
-        self._own = "\n" in text
-        if self._own:
-            folder = tempfile.mkdtemp(prefix="ballbar-")
-            weakref.finalize(self, shutil.rmtree, folder, True)
-            self.path = pathlib.Path(folder) / "model.toml"
-            self.path.write_text(text, encoding="utf-8")
-        else:
-            self.path = pathlib.Path(text)
+        self.path: pathlib.Path | None = None if "\n" in text else pathlib.Path(text)
+        self._text = text
 
     @classmethod
     def of(cls, target: str | list[str], *effects: str, **columns: Mapping[str, Any]) -> Model:
@@ -91,18 +81,24 @@ class Model:
 
     @property
     def text(self) -> str:
-        """What stands in its file."""
-        return self.path.read_text(encoding="utf-8")
+        """What stands in its file, or would."""
+        return self._text if self.path is None else self.path.read_text(encoding="utf-8")
 
     def save(self, path: Path) -> None:
         """Writes it to a file of another name."""
         pathlib.Path(path).write_text(self.text, encoding="utf-8")
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Model) and (self.path, self._text) == (other.path, other._text)
+
+    def __hash__(self) -> int:
+        return hash(self._text)
+
     def __reduce__(self) -> Any:
-        return Model, (self.text if self._own else str(self.path),)
+        return Model, (self._text,)
 
     def __repr__(self) -> str:
-        return f"<ballbar.Model {self.path}>"
+        return f"<ballbar.Model {self.path or self._text!r}>"
 
 
 def _series_of(data: Any) -> Series | None:
@@ -123,69 +119,66 @@ def _series_of(data: Any) -> Series | None:
     return Series(time_s, columns)
 
 
-class Words:
-    """The words of a command as they are collected."""
+class Call:
+    """What a command is called with, as it is collected."""
 
-    def __init__(self, *words: str) -> None:
-        self.words: list[str] = [*words]
-        self.given: dict[str, Any] = {}
-        self.sources: list[str] = []  # the words for DATA
+    def __init__(self, command: str, *places: str, json: bool = True) -> None:
+        self.command = command
+        self.places: list[str] = [*places]
+        self.set: dict[str, Any] = {"json": True} if json else {}
+        self.held: dict[str, Any] = {}  # by the names that stand for them
 
-    def data(self, *sources: Any) -> Words:
+    def data(self, *sources: Any) -> Call:
         """Paths, a Series, a DataFrame, a dict of arrays, recordings, or a list of any of these but dicts."""
-        words = self._words_of(sources)
-        self.sources += words
-        self.words += words
+        self.places += self._names_of(sources)
         return self
 
-    def series(self, *sources: Any) -> Words:
+    def series(self, *sources: Any) -> Call:
         """The same without recordings."""
         self.data(*sources)
-        if all(isinstance(one, Series) for one in self.given.values()):
+        if all(isinstance(one, Series) for one in self.held.values()):
             return self
-        raise TypeError(f"ballbar.{self.words[0]}: expected a path or a series, found recordings; ballbar.diagnose takes them")
+        raise TypeError(f"ballbar.{self.command}: expected a path or a series, found recordings; ballbar.diagnose takes them")
 
-    def other_data(self, name: str, *sources: Any) -> Words:
-        """The same for an option."""
-        for word in self._words_of([one for one in sources if one is not None]):
-            self.words += [f"--{name}", word]
-        return self
-
-    def files(self, *paths: Any) -> Words:
+    def files(self, *paths: Any) -> Call:
         """Paths alone, or lists of them: of commands that look for files themselves."""
         for one in paths:
             if not isinstance(one, (str, os.PathLike)) and not _is_list(one):
-                raise TypeError(f"ballbar.{self.words[0]}: expected a path or a list of paths, found {type(one).__name__}")
+                raise TypeError(f"ballbar.{self.command}: expected a path or a list of paths, found {type(one).__name__}")
             self.data(one) if isinstance(one, (str, os.PathLike)) else self.files(*one)
         return self
 
-    def options(self, **options: Any) -> Words:
-        """None and False are left out, True is a flag, a list is repeated, a dict is NAME=VALUE."""
+    def other_data(self, name: str, *sources: Any) -> Call:
+        """Data of an option."""
+        names = self._names_of([one for one in sources if one is not None])
+        return self.options(**{name: names}) if names else self
+
+    def options(self, **options: Any) -> Call:
+        """None is left out; a list gives an option more than once; a dict is NAME=VALUE."""
         for name, value in options.items():
-            word = "--" + name.rstrip("_").replace("_", "-")
-            is_flag = name in FLAGS or (name, self.words[0]) == ("every", "select")
-            if is_flag != isinstance(value, (bool, np.bool_)) and value is not None:
-                raise UsageError(f"{name}: expected {'True or False' if is_flag else 'a value'}, found {value!r}.")
-            if is_flag:
-                self.words += [word] if value else []
+            if isinstance(value, Model) and value.path is None:
+                self.held["<model>"] = value.text
+                value = "<model>"
+            if isinstance(value, (bool, np.bool_)):
+                self.set[name.rstrip("_")] = bool(value)
             elif isinstance(value, Mapping):
-                for key, one in value.items():
-                    self.words += [word, f"{key}={_text(one)}"]
+                self.set[name] = [f"{key}={_text(one)}" for key, one in value.items()]
             elif _is_list(value):
-                for one in sorted(value) if isinstance(value, (set, frozenset)) else value:
-                    self.words += [word, _text(one)]
+                self.set[name] = [_text(one) for one in (sorted(value) if isinstance(value, (set, frozenset)) else value)]
             elif value is not None:
-                self.words += [word, _text(value)]
+                self.set[name.rstrip("_")] = [_text(value)]
         return self
 
     def run(self, progress: Progress | None = None) -> Any:
-        for word in self.words:
+        words = [*self.places, *(word for value in self.set.values() if isinstance(value, list) for word in value)]
+        for word in words:
             if "\0" in word:
                 raise UsageError(f"{word!r}: expected a text without a null character.")
+        options = [(name, value) for name, value in self.set.items() if value not in (False, [])]
         try:
-            result, remarks = _core.run(self.words, self.given, progress)
+            result, remarks = _core.call(self.command, self.places, options, self.held, progress)
         except BallbarError as error:
-            error.find_place(self.words)
+            error.find_place(words)
             raise
         for remark in remarks:
             _log.log(logging.INFO if remark.startswith("wrote ") else logging.WARNING, remark)
@@ -193,52 +186,47 @@ class Words:
 
     def picture(self, name: str) -> str:
         """The picture of that name that the page of these data would have, as SVG."""
-        words = ["report", *self.sources, "--format", "svg", "--picture", name]
-        for place, word in enumerate(self.words):
-            if word in ("--model", "--target", "--max-gap", "--also-input", "--set"):
-                words += self.words[place : place + 2]
-            elif word in ("--robust", "--white"):
-                words.append(word)
-        if "--model" in self.words:
-            words.append("--diagnose" if self.words[0] == "diagnose" else "--no-diagnosis")
-        elif self.words[0] == "diagnose" and name == "with-without":
-            words.append("--diagnose")
+        report = Call("report", *self.places, json=False)
+        report.held = self.held
+        report.set |= {key: self.set[key] for key in _OF_A_FIT if key in self.set}
+        report.options(format="svg", picture=name)
+        if "model" in self.set or name == "with-without":
+            report.options(**{"diagnose" if self.command == "diagnose" else "no_diagnosis": True})
         with tempfile.TemporaryDirectory(prefix="ballbar-") as folder:
             path = pathlib.Path(folder) / "picture.svg"
-            _core.run([*words, "--out", str(path)], self.given)
+            report.options(out=path).run()
             return path.read_text(encoding="utf-8")
 
-    def _words_of(self, sources: Iterable[Any]) -> list[str]:
-        words: list[str] = []
+    def _names_of(self, sources: Iterable[Any]) -> list[str]:
+        names: list[str] = []
         for source in sources:
             series = _series_of(source)
             if series is not None:
-                words.append(self._given(series))
+                names.append(self._hold(series))
             elif isinstance(source, Recording):
-                words.append(self._given([source]))
+                names.append(self._hold([source]))
             elif isinstance(source, (str, os.PathLike)):
-                words.append(_path(source))
+                names.append(os.fspath(source))
             elif isinstance(source, Iterable):
                 several = list(source)
                 recordings = several and all(isinstance(one, Recording) for one in several)
-                words += [self._given(several)] if recordings else self._words_of(several)
+                names += [self._hold(several)] if recordings else self._names_of(several)
             else:
                 raise TypeError(f"expected a path, a Series, a DataFrame or recordings, found {type(source).__name__}")
-        return words
+        return names
 
-    def _given(self, data: Any) -> str:
-        name = "<data>" if not self.given else f"<data {len(self.given) + 1}>"
-        self.given[name] = data
+    def _hold(self, data: Any) -> str:
+        number = len(self.held) + 1
+        name = "<data>" if number == 1 else f"<data {number}>"
+        self.held[name] = data
         return name
+
+
+_OF_A_FIT = ("model", "target", "max_gap", "also_input", "set", "robust", "white")
 
 
 def _is_list(value: Any) -> bool:
     return isinstance(value, (list, tuple, set, frozenset, np.ndarray)) or isinstance(value, Iterator)
-
-
-def _path(path: Path) -> str:
-    text = os.fspath(path)
-    return "./" + text if text.startswith("-") else text
 
 
 def _text(value: Any) -> str:

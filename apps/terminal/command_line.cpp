@@ -1,0 +1,40 @@
+#include "terminal/command_line.hpp"
+
+namespace ballbar {
+namespace {
+
+const Source* value_of(const CLI::App& command, const std::string& word) {
+  const CLI::App* root = &command;
+  while (root->get_parent() != nullptr) root = root->get_parent();
+  const auto* const line = dynamic_cast<const CommandLine*>(root);
+  if (line == nullptr) return nullptr;
+  const auto found = line->values.find(word);
+  return found == line->values.end() ? nullptr : &found->second;
+}
+
+}  // namespace
+
+bool is_value(const CLI::App& command, const std::string& word) { return value_of(command, word) != nullptr; }
+
+Source source_of(const CLI::App& command, const std::string& word) {
+  const Source* const value = value_of(command, word);
+  return value == nullptr ? Source(word) : *value;
+}
+
+CLI::Option* add_source(CLI::App& command, const std::string& name, Source& source, const std::string& help) {
+  return command.add_option_function<std::string>(
+      name, [&command, &source](const std::string& word) { source = source_of(command, word); }, help);
+}
+
+CLI::Option* add_sources(CLI::App& command, const std::string& name, std::vector<Source>& sources,
+                         const std::string& help) {
+  return command.add_option_function<std::vector<std::string>>(
+      name,
+      [&command, &sources](const std::vector<std::string>& words) {
+        sources.clear();
+        for (const std::string& word : words) sources.push_back(source_of(command, word));
+      },
+      help);
+}
+
+}  // namespace ballbar
