@@ -91,7 +91,7 @@ CLI::App& add_command(CLI::App& app, const std::string& name) {
   throw ballbar::UsageError(fmt::format("expected a command, found {}.", ballbar::in_quotes(name)));
 }
 
-void set_option(CLI::App& command, const std::string& name, const ballbar::Call::Value& value) {
+void set_option(CLI::App& command, const std::string& name, const ballbar::CommandCall::Value& value) {
   std::string word = "--" + name;
   std::replace(word.begin(), word.end(), '_', '-');
   CLI::Option* const option = command.get_option_no_throw(word);
@@ -134,7 +134,7 @@ void set_up(CLI::App& app) {
 
 namespace ballbar {
 
-void run_command(const Call& call) {
+void run_command(const CommandCall& call) {
   CommandLine app;
   app.name("ballbar");
   app.values = call.values;

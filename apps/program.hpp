@@ -19,7 +19,7 @@ class UsageError : public Error {
 };
 
 // A command as another program calls it.
-struct Call {
+struct CommandCall {
   // A flag: whether it is set; else the values, as on a command line.
   using Value = std::variant<bool, std::vector<std::string>>;
 
@@ -31,7 +31,7 @@ struct Call {
 
 // Runs it, as `ballbar COMMAND ... --json` where it has that option. Throws as below; UsageError with the option's
 // name.
-void run_command(const Call& call);
+void run_command(const CommandCall& call);
 
 // Runs `ballbar WORDS...`; who takes what it says: terminal/caller.hpp. Throws UsageError, Error, or what else ended
 // it, such as std::bad_alloc.

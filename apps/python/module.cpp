@@ -56,7 +56,7 @@ struct Answer {
 };
 
 // Without the GIL but for what Python is told; there, Ctrl-C ends the command.
-Answer answer(const Call& call, const py::object& progress) {
+Answer answer(const CommandCall& call, const py::object& progress) {
   Answer answer;
   Caller caller;
   caller.result = [&](const Json& json) { answer.result = json; };
@@ -74,9 +74,9 @@ Answer answer(const Call& call, const py::object& progress) {
 }
 
 py::tuple call(const std::string& command, const std::vector<std::string>& places,
-               const std::vector<std::pair<std::string, Call::Value>>& options, const std::map<std::string, Data>& data,
-               const py::object& progress) {
-  Call call{command, places, options, {}};
+               const std::vector<std::pair<std::string, CommandCall::Value>>& options,
+               const std::map<std::string, Data>& data, const py::object& progress) {
+  CommandCall call{command, places, options, {}};
   for (const auto& [name, value] : data) call.values.emplace(name, source_of(name, value));
   const Answer made = answer(call, progress);
   return py::make_tuple(made.result ? to_python(*made.result) : py::none(), py::cast(made.remarks));

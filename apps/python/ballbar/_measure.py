@@ -49,8 +49,9 @@ def fit(data: Any, *, polar: bool = False, robust: bool = False, out: Path | Non
     """
     recordings = [data] if isinstance(data, Recording) else data
     call = Call("fit").data(data).options(polar=polar, robust=robust, out=out)
-    if out is None and isinstance(recordings, list) and all(type(one) is Recording for one in recordings):
-        return Fitted(_core.fit(recordings, polar, robust), call)  # without a command line: it takes longer than a fit
+    flags = all(isinstance(value, bool) for value in call.set.values())
+    if flags and isinstance(recordings, list) and all(type(one) is Recording for one in recordings):
+        return Fitted(_core.fit(recordings, bool(polar), bool(robust)), call)  # setting up a command takes longer
     return Fitted(call.run(), call)
 
 

@@ -106,7 +106,7 @@ TEST(Source, ATextIsWhatAFileWouldHold) {
 TEST(Source, IsOpenedOnceForItsFormatAndItsValues) {
   const ScratchFolder folder;
   const std::string series = "# format = \"ballbar-series 1\"\ntime_s,x_um\n0,1\n60,2\n";
-  for (const std::string& text : {series, std::string("time;x [um]\n0;1,5\n60;2,5\n120;3,5\n")}) {
+  for (const std::string& text : {series, std::string("time [s];x [um]\n0;1,5\n60;2,5\n120;3,5\n")}) {
     const auto file = folder.write("data.csv", text);
     Openings openings(file);
     EXPECT_GE(open_model_data({file}, {}, 600.0).series->time_s.size(), 2U);
