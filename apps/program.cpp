@@ -18,7 +18,6 @@
 #include "shell/file_command.hpp"
 #include "shell/help.hpp"
 #include "shell/man_page.hpp"
-#include "shell/renamed_options.hpp"
 #include "shell/usage_fault.hpp"
 #include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
@@ -154,7 +153,7 @@ void run_command(const std::vector<std::string>& words) {
   CommandLine app{"Ballbar logs to thermal drift of the spindle."};
   set_up(app);
   try {
-    std::vector<std::string> line = with_names_of_now(with_command(words, app));
+    std::vector<std::string> line = with_command(words, app);
     std::reverse(line.begin(), line.end());  // as CLI11 takes them
     app.parse(std::move(line));
   } catch (const CLI::CallForVersion& version) {

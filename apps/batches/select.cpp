@@ -1,4 +1,4 @@
-// `ballbar select RUNS --for DATA --target COLUMN`: which of the recorded batches to train on for the job at hand.
+// `ballbar select RUNS --on DATA --target COLUMN`: which of the recorded batches to train on for the job at hand.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -91,10 +91,9 @@ std::string what_to_do(const Fleet& fleet, std::size_t most) {
     if (machine.need == Need::nothing) break;
     if (told++ == most) break;
     std::string one = shortened(machine.name, kNameWidth) + ": " + machine.reason;
-    for (const Finding& finding : machine.findings) {
-      if (finding.sentence != machine.reason) one += ' ' + finding.sentence;
-      one += ' ' + finding.remedy;
-      if (&finding == &machine.findings[1]) break;
+    for (std::size_t i = 0; i < std::min<std::size_t>(machine.findings.size(), 2); ++i) {
+      if (machine.reason_finding != i) one += ' ' + machine.findings[i].sentence;
+      one += ' ' + machine.findings[i].remedy;
     }
     if (machine.findings.size() > 2) one += fmt::format(" And {} more (--json).", machine.findings.size() - 2);
     text += '\n' + wrapped(one);

@@ -22,9 +22,10 @@ inline std::optional<std::string> moment_of(const std::optional<std::int64_t>& t
 template <>
 struct ResultType<SkippedTest> {
   static constexpr std::string_view name = "SkippedTest";
-  static constexpr std::string_view meaning = "A file that could not be read.";
-  static constexpr std::tuple fields{Field{"file", &SkippedTest::file, ""},
-                                     Field{"sentence", &SkippedTest::sentence, "with the file's name"}};
+  static constexpr std::string_view meaning = "A file that has no test of its own.";
+  static constexpr std::tuple fields{
+      Field{"file", &SkippedTest::file, ""}, Field{"sentence", &SkippedTest::sentence, "with the file's name"},
+      Field{"copy_of", &SkippedTest::copy_of, "file of whose test it is one; null: none"}};
 };
 
 struct LastValue {

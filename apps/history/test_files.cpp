@@ -40,6 +40,7 @@ struct ReadFile {
   std::optional<Recording> log;
   std::vector<std::string> remarks;
   std::string fault;
+  std::optional<std::string> copy_of;
 };
 
 std::vector<ReadFile> found_files(const std::vector<std::string>& paths) {
@@ -68,13 +69,6 @@ void in_parallel_told(const char* what, std::size_t count, const std::function<v
   });
 }
 
-// A sentence that names its file.
-std::string named(const fs::path& path, const std::string& sentence) {
-  const std::string name = path.string();
-  if (sentence.starts_with(name)) return sentence;
-  return fmt::format("{}: {}{}", name, sentence, sentence.ends_with('.') ? "" : ".");
-}
-
 void expect_two_axes(const Recording& recording) {
   if (recording.kind == Kind::circle && recording.motion == Motion::linear_axes) return;
   throw Error(recording.kind == Kind::axial ? "expected a circle of two linear axes, found an axial recording."
@@ -100,6 +94,17 @@ MachineTest test_of(const RecordingFile& file) {
   return test;
 }
 
+// What `part` makes of the file; its Error does not name it yet.
+template <class Part>
+auto of_file(const fs::path& path, const Part& part) {
+  try {
+    return part();
+  } catch (const Error& error) {
+    const std::string_view why = error.what();
+    throw Error(fmt::format("{}: {}{}", path.string(), why, why.ends_with('.') ? "" : "."));
+  }
+}
+
 void read(ReadFile& file, const StatedCircle& stated) {
   if (!file.fault.empty()) return;
   try {
@@ -108,16 +113,15 @@ void read(ReadFile& file, const StatedCircle& stated) {
     RecordingFile opened = open_recording(file.path, known_readers(), stated);
     file.remarks = std::move(opened.remarks);
     if (opened.b5r) {
-      file.test = test_of(opened);
+      file.test = of_file(file.path, [&] { return test_of(opened); });
     } else if (opened.recordings.size() > 1) {  // both directions in a table
-      file.test = fitted_test(opened.recordings, {});
+      file.test = of_file(file.path, [&] { return fitted_test(opened.recordings, {}); });
     } else {
+      of_file(file.path, [&] { expect_two_axes(opened.recordings.front()); });
       file.log = std::move(opened.recordings.front());
-      expect_two_axes(*file.log);
     }
   } catch (const Error& error) {
-    file.fault = named(file.path, error.what());
-    file.log.reset();
+    file.fault = error.what();
   }
 }
 
@@ -147,9 +151,9 @@ void fit_logs(std::vector<ReadFile>& files) {
     recordings.reserve(tests[k].count);
     for (std::size_t i = 0; i < tests[k].count; ++i) recordings.push_back(*std::move(files[tests[k].first + i].log));
     try {
-      file.test = fitted_test(recordings, {});
+      file.test = of_file(file.path, [&] { return fitted_test(recordings, {}); });
     } catch (const Error& error) {
-      file.fault = named(file.path, error.what());
+      file.fault = error.what();
     }
   });
 }
@@ -173,7 +177,7 @@ std::size_t hash_of(const MachineTest& test) {
 
 }  // namespace
 
-TestFiles read_tests(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated) {
+TestFiles tests_below(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated) {
   std::vector<ReadFile> files = found_files(paths);
   in_parallel_told("reading file", files.size(), [&](std::size_t i) { read(files[i], stated); });
   fit_logs(files);
@@ -194,13 +198,19 @@ TestFiles read_tests(const std::vector<std::string>& paths, bool strict, const S
         found.tests.push_back(*std::move(file.test));
         continue;
       }
-      file.fault = fmt::format("{}: expected a test of its own, found a copy of {}.", file.path.string(),
-                               found.tests[same->second].file);
+      file.copy_of = found.tests[same->second].file;
+      file.fault =
+          fmt::format("{}: expected a test of its own, found a copy of {}.", file.path.string(), *file.copy_of);
     }
     if (file.fault.empty()) continue;  // the second log of a test
     if (strict) throw Error(file.fault);
-    found.skipped.push_back({file.path.string(), file.fault});
+    found.skipped.push_back({file.path.string(), file.fault, file.copy_of});
   }
+  return found;
+}
+
+TestFiles read_tests(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated) {
+  TestFiles found = tests_below(paths, strict, stated);
   if (found.tests.empty()) {
     if (!found.skipped.empty() && found.skipped.front().file == paths.front() && paths.size() == 1) {
       throw Error(found.skipped.front().sentence);  // a file alone

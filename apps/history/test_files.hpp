@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace ballbar {
 
 struct SkippedTest {
   std::string file;
-  std::string sentence;  // with the file's name
+  std::string sentence;                // with the file's name
+  std::optional<std::string> copy_of;  // the file before it of whose test it is a copy
 };
 
 struct TestFiles {
@@ -24,8 +26,11 @@ struct TestFiles {
 
 // Recordings in the folders and those below them, and in archives; a path may be a file too. Hidden ones and links to
 // folders are passed over, and files that are no recording, unless their name ends in .b5r. Two logs that stand one
-// after the other and differ in direction alone are one test. Throws Error for a path that is not there or no test at
-// all; strict: at the first file that would be skipped.
+// after the other and differ in direction alone are one test. Throws Error for a path that is not there; strict: at the
+// first file that would be skipped.
+TestFiles tests_below(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated = {});
+
+// The same, where no test at all is an Error.
 TestFiles read_tests(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated = {});
 
 }  // namespace ballbar

@@ -8,10 +8,10 @@
 #include <limits>
 #include <memory>
 
-#include "ballbar/effects/spindle_growth_huang2022.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/profile_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/temperature/mean_point.hpp"
 #include "ballbar/temperature/mean_point_sigma.hpp"
 #include "commands.hpp"
 #include "mean_point/mean_point_states.hpp"

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,8 +18,11 @@
 #include "history/fleet_page.hpp"
 #include "history/fleet_result.hpp"
 #include "history/fleet_text.hpp"
+#include "history/history_result.hpp"
+#include "history/test_files.hpp"
 #include "python/arrays.hpp"
 #include "python/to_python.hpp"
+#include "terminal/caller.hpp"
 
 namespace ballbar::python {
 namespace {
@@ -119,9 +123,26 @@ py::tuple fleet(const Texts& texts, const Columns& columns,
   return py::make_tuple(to_python(json), text, page);
 }
 
+// The keys of the JSON of `errors`; no test at all is no error. On the way Ctrl-C ends it.
+py::object tests(const std::vector<std::string>& files) {
+  Caller caller;
+  caller.progress = [](std::string_view line) {
+    if (line.empty()) return;  // said as the reading ends, by an error too
+    const py::gil_scoped_acquire hold;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  };
+  const nlohmann::ordered_json json = [&] {
+    const py::gil_scoped_release free;
+    const CalledBy called(caller);
+    return json_of(tests_below(files, false));
+  }();
+  return to_python(json);
+}
+
 }  // namespace
 
 void bind_fleets(py::module_& module) {
+  module.def("tests", &tests, py::arg("files"));
   module.def("fleet", &fleet, py::arg("texts"), py::arg("numbers"), py::arg("quantities"), py::arg("tolerances"),
              py::arg("false_discovery_rate"), py::arg("title") = py::none(),
              py::arg("remarks") = std::vector<std::string>());

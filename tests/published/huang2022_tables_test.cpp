@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ballbar/effects/effect.hpp"
-#include "ballbar/effects/spindle_growth_huang2022.hpp"
+#include "ballbar/temperature/mean_point.hpp"
 
 namespace ballbar {
 namespace {
@@ -43,15 +43,17 @@ constexpr std::array<Row, 17> kRows = {{
 }};
 constexpr std::size_t kMisprint = 9;  // 30.7 degC
 
-constexpr Huang2022 kPaper;
+// Eq. 21 of the paper's spindle, section 4.2: alpha 13.6 ppm/K, L 165 mm, T0 22.5 degC.
+double formula_dl_um(const Row& row) { return mean_point_elongation_um(13.6, 165.0, row.mean_point_degC - 22.5); }
 
-double formula_dl_um(const Row& row) {
-  return mean_point_elongation_um(kPaper.expansion_ppm_per_K, kPaper.length_mm,
-                                  row.mean_point_degC - kPaper.start_degC);
-}
-
+// Eq. 29 to 32 of its bearing, 7010: D_w 10.319 mm, f 0.53.
 double formula_c_um(double elongation_um) {
-  return clearance_um(elongation_um, kPaper.ball_diameter_mm, kPaper.groove_factor);
+  const std::vector<double> time_s{0.0, 1.0}, axial_um{0.0, elongation_um}, parameters{1.0, 10.319, 0.53};
+  EffectRows rows{time_s, {}};
+  rows.inputs.emplace_back(axial_um);
+  std::array<double, 2> values{};
+  find_effect("bearing_clearance", Level::series)->evaluate(rows, parameters.data(), values.data(), nullptr);
+  return values[1];
 }
 
 // 16 of 17 rows follow from alpha L (T - T0) to the printed digit. The row at 30.7 degC prints 18.50 where it gives

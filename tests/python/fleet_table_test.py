@@ -114,6 +114,12 @@ class Kept(unittest.TestCase):
         anew = fleet.errors([changed]).compute(scheduler="synchronous")
         self.assertEqual(found.table.set_index("file").loc[changed, "sha256"], anew["sha256"].iloc[0])
 
+    def test_a_file_that_is_gone_before_it_is_read(self):
+        there, gone = f"{self.plant}/m0/000.b5r", f"{self.plant}/m0/gone.b5r"
+        tests, skipped = _fleet_rows._read([there, gone])
+        self.assertEqual([*tests], [there])
+        self.assertEqual(skipped[gone]["sentence"], f"{gone}: expected a file, found nothing of that name.")
+
     def test_another_folder_is_not_touched(self):
         os.makedirs(self.table)
         with open(f"{self.table}/thesis.txt", "w", encoding="utf-8") as file:

@@ -973,10 +973,11 @@ export interface TestQuantity {
   of_set_up: boolean; // it says nothing of the machine
 }
 
-// A file that could not be read.
+// A file that has no test of its own.
 export interface SkippedTest {
   file: string;
   sentence: string; // with the file's name
+  copy_of: string | null; // file of whose test it is one; null: none
 }
 
 // Machines over their tests.

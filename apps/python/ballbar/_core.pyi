@@ -84,6 +84,7 @@ def add_effect(
     shapes: Mapping[str, Mapping[str, Any]],
     explanation: Mapping[str, str],
 ) -> None: ...
+def tests(files: Sequence[str]) -> dict[str, Any]: ...
 def fleet(
     texts: Mapping[str, Sequence[str]],
     numbers: Mapping[str, ArrayLike],

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pandas
 
-from . import _core, errors as _errors
+from . import _core
 from ._errors import BallbarError
 from ._fleet_files import Local, opened
 
@@ -42,9 +42,8 @@ COLUMNS = {
 }
 
 _AT_ONCE = 100  # files
+_GONE = "expected a file, found nothing of that name."
 _NEITHER = "expected a .b5r file or a ballbar log of a circle, found neither."
-_NO_RECORDING = "expected .b5r files or ballbar logs of circles, found none."
-_NONE = "found none that can be used: "  # then the sentence of the first
 _COPY = "expected a test of its own, found a copy of "
 
 
@@ -103,30 +102,29 @@ def _rows_at_once(files: Sequence[str], storage: dict[str, Any], at: str) -> tup
         paths = list(of_path)
         tests, skipped = _read(paths)
         rows = {path: _row(of_path[path], test, at) for path, test in tests.items()}
-        copies = [path for path, sentence in skipped.items() if sentence.startswith(f"{path}: {_COPY}")]
+        copies = [path for path, one in skipped.items() if one["copy_of"]]
         for path in copies:  # they are held against the whole table, not against these files
             place = paths.index(path)
             second = [one for one in paths[place + 1 : place + 2] if one not in tests and one not in skipped]
             rows[path] = _row(of_path[path], _read([path, *second])[0][path], at)
         for path, local in of_path.items():
             if path not in rows and (path in skipped or not _can_be_read(path)):
-                sentence = skipped.get(path, f"{path}: {_NEITHER}")
+                sentence = skipped[path]["sentence"] if path in skipped else f"{path}: {_NEITHER}"
                 rows[path] = fault(local.file, local.sha256, sentence.replace(path, local.file))
     return {str(row["file"]): row for row in rows.values()}, lacking
 
 
-def _read(paths: list[str]) -> tuple[dict[str, Row], dict[str, str]]:
-    """Tests, and sentences of what was skipped, by path."""
-    if not paths:
-        return {}, {}
+def _read(paths: list[str]) -> tuple[dict[str, Row], dict[str, Row]]:
+    """Tests, and what was skipped, by path."""
     try:
-        found = _errors(paths).to_dict()
-    except BallbarError as error:  # none of them can be used
-        if len(paths) > 1:
-            return {}, {path: sentence for one in paths for path, sentence in _read([one])[1].items()}
-        sentence = str(error)
-        return {}, {} if sentence.endswith(_NO_RECORDING) else {paths[0]: sentence.partition(_NONE)[2] or sentence}
-    return {test["file"]: test for test in found["tests"]}, {one["file"]: one["sentence"] for one in found["skipped"]}
+        found = _core.tests(paths)
+    except BallbarError:
+        gone = [path for path in paths if not os.path.exists(path)]  # since it was opened
+        if not gone:
+            raise
+        tests, skipped = _read([path for path in paths if path not in gone])
+        return tests, skipped | {path: {"sentence": f"{path}: {_GONE}", "copy_of": None} for path in gone}
+    return {test["file"]: test for test in found["tests"]}, {one["file"]: one for one in found["skipped"]}
 
 
 def _can_be_read(path: str) -> bool:

@@ -50,7 +50,7 @@ class Errors(Result):
     remarks : list[str]
         Of the readers.
     skipped : Rows
-        Files that could not be read: file, sentence.
+        Files that could not be read: file, sentence, copy_of.
     """
 
     tests: Rows
@@ -145,7 +145,7 @@ class History(Result):
     remarks : list[str]
         Of the readers.
     skipped : Rows
-        Files that could not be read: file, sentence.
+        Files that could not be read: file, sentence, copy_of.
     """
 
     machines: Rows

@@ -29,8 +29,6 @@ constexpr Key kKeys[] = {
      "2 ln B: of how much more likely the readings are with the change; chi^2 of errors of axes"},
     {"threshold", "1", "from which that counts"},
     {"best_surrogate_fall", "1", "share by which the best of 200 surrogates lowers the RMSE"},
-    {"evidence", "1", "what `likelihood_ratio` was called before"},
-    {"best_fake_fall", "1", "what `best_surrogate_fall` was called before"},
     {"forecast_um", "um", "root mean square error of rows forecast from earlier ones alone"},
     {"surrogate_forecast_um", "um", "the same with as many surrogates in place of the effects"},
     {"discrepancy_um", "um", "standard deviation of the slow curve that is left"},
@@ -81,11 +79,6 @@ double measure(const TomlTable& table, std::string_view key, std::optional<doubl
   return *value;
 }
 
-// Under its name, or the one it had before.
-double renamed(const TomlTable& table, std::string_view key, std::string_view before) {
-  return number(table, key).value_or(number(table, before).value_or(LedgerRow::kUnknown));
-}
-
 LedgerRow row_at(const TomlTable& table, std::size_t place) {
   expect_keys(table, kKeys);
   LedgerRow row;
@@ -111,9 +104,9 @@ LedgerRow row_at(const TomlTable& table, std::size_t place) {
   row.rmse_um = measure(table, "rmse_um", required(number, table, "rmse_um"));
   row.times_floor = measure(table, "times_floor", number(table, "times_floor"));
   row.held_out_um = measure(table, "held_out_um", number(table, "held_out_um"));
-  row.likelihood_ratio = renamed(table, "likelihood_ratio", "evidence");
+  row.likelihood_ratio = number(table, "likelihood_ratio").value_or(LedgerRow::kUnknown);
   row.threshold = number(table, "threshold").value_or(LedgerRow::kUnknown);
-  row.best_surrogate_fall = renamed(table, "best_surrogate_fall", "best_fake_fall");
+  row.best_surrogate_fall = number(table, "best_surrogate_fall").value_or(LedgerRow::kUnknown);
   row.forecast_um = measure(table, "forecast_um", number(table, "forecast_um"));
   row.surrogate_forecast_um = measure(table, "surrogate_forecast_um", number(table, "surrogate_forecast_um"));
   row.discrepancy_um = measure(table, "discrepancy_um", number(table, "discrepancy_um"));

@@ -10,7 +10,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/numerics/range.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
-#include "fit/linearised_fit.hpp"
+#include "fit/model_columns.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
 

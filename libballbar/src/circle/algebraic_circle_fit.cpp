@@ -1,4 +1,4 @@
-// Algebraic circles (Al-Sharadqah and Chernov, Electronic Journal of Statistics 3 (2009) 886-911), through
+// The algebraic circle (Al-Sharadqah and Chernov, Electronic Journal of Statistics 3 (2009) 886-911), through
 // the triangular factor of the design matrix [z x y 1] in centred and scaled coordinates.
 #include <fmt/core.h>
 
@@ -24,31 +24,18 @@ Eigen::Vector4d constrained_minimum(const Eigen::Matrix4d& factor, const Eigen::
   return inverse * eigen.eigenvectors().col(3);
 }
 
-Eigen::Matrix4d constraint_of(Algebraic method, double mean_z) {
+// Hyper, for mean x = mean y = 0.
+Eigen::Matrix4d constraint_of(double mean_z) {
   Eigen::Matrix4d n = Eigen::Matrix4d::Zero();
+  n(0, 0) = 8.0 * mean_z;
   n(1, 1) = n(2, 2) = 1.0;
-  if (method == Algebraic::pratt) {
-    n(0, 3) = n(3, 0) = -2.0;
-  } else if (method == Algebraic::taubin) {
-    n(0, 0) = 4.0 * mean_z;
-  } else {  // hyper, mean x = mean y = 0
-    n(0, 0) = 8.0 * mean_z;
-    n(0, 3) = n(3, 0) = 2.0;
-  }
+  n(0, 3) = n(3, 0) = 2.0;
   return n;
-}
-
-Eigen::Vector4d kasa(const Eigen::Matrix4d& factor) {
-  // A = 1: least squares of -z on (x, y, 1); the columns of the factor are z, x, y, 1.
-  Eigen::Vector4d solution;
-  solution[0] = 1.0;
-  solution.tail<3>() = factor.rightCols<3>().colPivHouseholderQr().solve(-factor.col(0));
-  return solution;
 }
 
 }  // namespace
 
-PlaneCircle algebraic_circle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y, Algebraic method) {
+PlaneCircle algebraic_circle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
   const Eigen::Index n = x.size();
   if (n < 3 || y.size() != n) {
     throw Error(fmt::format("a circle needs at least 3 points with x and y, found {} x and {} y", n, y.size()));
@@ -72,10 +59,9 @@ PlaneCircle algebraic_circle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y, A
 
   const Eigen::JacobiSVD<Eigen::Matrix4d> svd(factor, Eigen::ComputeFullV);
   const Eigen::Vector4d& singular = svd.singularValues();
-  const bool on_a_circle = singular[3] < 1e-13 * singular[0];  // exact: the null vector, whatever the method
-  const Eigen::Vector4d abc = method == Algebraic::kasa ? kasa(factor)
-                              : on_a_circle             ? Eigen::Vector4d(svd.matrixV().col(3))
-                                                        : constrained_minimum(factor, constraint_of(method, mean_z));
+  const bool on_a_circle = singular[3] < 1e-13 * singular[0];  // exact: the null vector
+  const Eigen::Vector4d abc =
+      on_a_circle ? Eigen::Vector4d(svd.matrixV().col(3)) : constrained_minimum(factor, constraint_of(mean_z));
   const double a = abc[0];
   const double spread = abc[1] * abc[1] + abc[2] * abc[2] - 4.0 * a * abc[3];
   if (singular[2] < 1e-10 * singular[0] || std::abs(a) < 1e-12 * abc.norm() || !(spread > 0.0)) {

@@ -291,25 +291,4 @@ Eigen::Matrix3d covariance_of_change_um2(const Recording& now, const Circle& now
   return difference_um.square().sum() / left * inverse * correlated * inverse;
 }
 
-PlaneCircle geometric_circle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
-  const PlaneCircle start = algebraic_circle(x, y);
-  const Eigen::Vector2d middle(x.mean(), y.mean());
-  const Eigen::Vector2d mirrored = 2.0 * middle - Eigen::Vector2d(start.centre_x, start.centre_y);
-  PlaneCircle best;
-  best.rms = std::numeric_limits<double>::infinity();
-  // Nearly straight points have a second valley on the other side of them; look there too.
-  const bool flat = start.radius > 4.0 * std::sqrt(((x - middle.x()).square() + (y - middle.y()).square()).mean());
-  for (const Eigen::Vector2d& centre : {Eigen::Vector2d(start.centre_x, start.centre_y), mirrored}) {
-    const PointRows rows{x, y, start.radius};
-    const auto solution = least_squares::minimise<3>(rows, {centre.x(), centre.y(), 0.0}, least_squares::Start::near);
-    const double rms = std::sqrt(solution.sum_squares / static_cast<double>(x.size()));
-    const bool better = solution.converged > best.converged || rms < best.rms;
-    if (!std::isfinite(best.rms) || better) {
-      best = {solution.p[0], solution.p[1], start.radius + solution.p[2], rms, solution.converged};
-    }
-    if (!flat) break;
-  }
-  return best;
-}
-
 }  // namespace ballbar

@@ -292,8 +292,4 @@ std::vector<DifferenceKind> sufficient_alone(const DifferenceStructure& structur
   return kinds;
 }
 
-std::array<double, 4> fitted_difference(const DifferenceRows& rows, std::array<bool, 4> with) {
-  return fitted(rows_that_count(rows), with).at;
-}
-
 }  // namespace ballbar

@@ -40,11 +40,4 @@ std::string_view name_of(Method method) {
   return "";
 }
 
-std::optional<Method> method_from_name(std::string_view name) {
-  for (const Method method : {Method::two_arcs, Method::spindle_rotation, Method::circles}) {
-    if (name == name_of(method)) return method;
-  }
-  return std::nullopt;
-}
-
 }  // namespace ballbar

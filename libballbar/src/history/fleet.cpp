@@ -75,7 +75,6 @@ class MachineInFleet {
     for (const std::size_t i : of_.series) add_series(i);
     std::vector<const Call*> calls(of_.calls.begin(), of_.calls.end());
     for (const Event& event : events_of(all_, calls)) machine_.findings.push_back(finding_of(event));
-    say_need(machine_);
     return std::move(machine_);
   }
 
@@ -184,6 +183,7 @@ Fleet fleet_of(std::span<const MachineTest> tests, const FleetOptions& options) 
     fleet.machines[i] = MachineInFleet(tests, options, all, scatter, machines[i]).machine();
   });
   note_common_bars(all, fleet);
+  for (FleetMachine& machine : fleet.machines) say_need(machine);
   rank(fleet.machines);
   fleet.bar_changes = bar_changes_of(all, scatter, fleet);
   return fleet;

@@ -103,7 +103,9 @@ void say_need(FleetMachine& machine) {
   if (!machine.findings.empty()) {
     const auto own = std::find_if(machine.findings.begin(), machine.findings.end(), is_of_the_machine);
     machine.need = Need::finding;
-    machine.reason = own != machine.findings.end() ? own->sentence : machine.findings.front().sentence;
+    machine.reason_finding =
+        own != machine.findings.end() ? static_cast<std::size_t>(own - machine.findings.begin()) : std::size_t{0};
+    machine.reason = machine.findings[*machine.reason_finding].sentence;
     return;
   }
   machine.need = Need::nothing;

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "ballbar/units.hpp"
-#include "numerics/median.hpp"
+#include "noise/kalman.hpp"
 
 namespace ballbar {
 
@@ -27,37 +26,6 @@ Eigen::MatrixXd whitened(const Whitening& whitening, const Eigen::Ref<const Eige
   }
   for (; k < columns.cols(); ++k) whitening.apply(columns.col(k).data(), 1, out.col(k).data(), 1);
   return out;
-}
-
-Colouring::Colouring(const Noise& noise, std::span<const double> time_s, std::span<const double> sigma_um) {
-  Kalman(time_s, sigma_um).for_each_gain(variances_of(noise), [&](const Kalman::Gain& of) { gains_.push_back(of); });
-}
-
-void Colouring::apply(Eigen::VectorXd& white) const {
-  double s = 0.0;
-  Eigen::Index i = 0;
-  for (const Kalman::Gain& of : gains_) {
-    const double sigma_um = 1.0 / std::sqrt(of.weight);
-    for (const Eigen::Index end = i + of.rows; i < end; ++i) {
-      const double innovation = sigma_um * white[i];
-      s *= of.decay;
-      white[i] = s + innovation;
-      s += of.gain * innovation;
-    }
-  }
-}
-
-Eigen::VectorXd clipped(Eigen::VectorXd white) {
-  constexpr double kMost = 4.0;
-  if (white.size() == 0) return white;
-  const double centre = median({white.begin(), white.end()});
-  std::vector<double> deviation;
-  deviation.reserve(static_cast<std::size_t>(white.size()));
-  for (const double value : white) deviation.push_back(std::abs(value - centre));
-  const double most = kMost * kSigmaOfDeviation * median(std::move(deviation));
-  if (!(most > 0.0)) return white;  // half of them the same
-  for (double& value : white) value = std::clamp(value, centre - most, centre + most);
-  return white;
 }
 
 bool has_heavy_tails(const Eigen::VectorXd& white) {

@@ -29,16 +29,6 @@ double normal(std::mt19937_64& random) {
   return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * kPi * v);
 }
 
-// The sine of the same angle is a second one, independent of the cosine.
-void fill_normal(std::span<double> out, std::mt19937_64& random) {
-  for (std::size_t i = 0; i < out.size(); i += 2) {
-    const double length = std::sqrt(-2.0 * std::log(uniform(random)));
-    const double angle = 2.0 * kPi * uniform(random);
-    out[i] = length * std::cos(angle);
-    if (i + 1 < out.size()) out[i + 1] = length * std::sin(angle);
-  }
-}
-
 // e_0 = sigma w_0,  e_i = phi e_(i-1) + sqrt(1 - phi^2) sigma w_i
 double Ar1::next(std::mt19937_64& random) { return next(sigma_ * normal(random)); }
 

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <random>
-#include <span>
 #include <string_view>
 
 namespace ballbar::simulation {
@@ -35,8 +34,6 @@ std::uint64_t key_of(std::string_view name);  // FNV-1a
 
 double uniform(std::mt19937_64& random);  // in (0, 1), 53 bits
 double normal(std::mt19937_64& random);   // mean 0, standard deviation 1
-// Many of them, two from every two uniform ones.
-void fill_normal(std::span<double> out, std::mt19937_64& random);
 
 // AR(1) noise with stationary standard deviation `sigma` and autocorrelation `phi` of neighbours.
 class Ar1 {

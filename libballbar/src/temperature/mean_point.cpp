@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <limits>
 
-#include "ballbar/effects/spindle_growth_huang2022.hpp"
 #include "ballbar/error.hpp"
 
 namespace ballbar {
@@ -181,6 +180,10 @@ std::vector<MeanPoint> mean_points(const TemperatureProfile& profile, double sam
   const auto [low, high] = std::minmax_element(profile.degC.begin(), profile.degC.end());
   const double mean = mean_degC(profile);
   return points_at(profile, std::clamp(mean, *low, *high), same_degC);
+}
+
+double mean_point_elongation_um(double expansion_ppm_per_K, double length_mm, double rise_K) {
+  return 1e-3 * expansion_ppm_per_K * length_mm * rise_K;
 }
 
 double misplacement_um_per_mm(const TemperatureProfile& profile, const MeanPoint& point, double expansion_ppm_per_K) {

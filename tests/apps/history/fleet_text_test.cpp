@@ -17,6 +17,7 @@ Fleet small_fleet() {
   machine.tests = 3;
   machine.need = Need::finding;
   machine.reason = "One quantity stepped.";
+  machine.reason_finding = 0;
   FleetSeries series;
   series.name = "play";
   series.unit = "um";

@@ -75,6 +75,8 @@ TEST(test_files, one_bad_file_is_skipped) {
   EXPECT_TRUE(files.skipped[0].sentence.starts_with(name + "/b.b5r:")) << files.skipped[0].sentence;
   EXPECT_EQ(files.skipped[2].sentence,
             name + "/d.b5r: expected a test of its own, found a copy of " + name + "/a.b5r.");
+  EXPECT_EQ(files.skipped[2].copy_of, name + "/a.b5r");
+  EXPECT_FALSE(files.skipped[3].copy_of.has_value());
   EXPECT_TRUE(files.skipped[3].sentence.starts_with(name + "/e.csv: ")) << files.skipped[3].sentence;
   for (const SkippedTest& file : files.skipped) EXPECT_TRUE(file.sentence.ends_with('.')) << file.sentence;
   EXPECT_TRUE(complaint(folder, [&] { read_tests({name}, true); }).starts_with("DIR/b.b5r:"));
@@ -85,6 +87,7 @@ TEST(test_files, nothing_to_read) {
   const std::string name = folder.path().string();
   EXPECT_EQ(complaint(folder, [&] { read_tests({name}, false); }),
             "DIR: expected .b5r files or ballbar logs of circles, found none.");
+  EXPECT_TRUE(tests_below({name}, false).tests.empty()) << "and no error";
   EXPECT_EQ(complaint(folder, [&] { read_tests({name + "/no"}, false); }),
             "DIR/no: expected a folder of tests, found nothing of that name.");
   folder.write("a.b5r", "<svg/>");

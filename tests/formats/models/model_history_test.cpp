@@ -127,17 +127,6 @@ TEST(model_history, read_back) {
   EXPECT_EQ(found.no_longer_needed, expected.no_longer_needed);
 }
 
-TEST(model_history, names_of_before_are_read) {
-  std::string text = once(kModel);
-  for (const auto& [name, before] :
-       {std::pair{"likelihood_ratio", "evidence"}, {"best_surrogate_fall", "best_fake_fall"}}) {
-    text.replace(text.find(name), std::string_view(name).size(), before);
-  }
-  const std::vector<LedgerRow> rows = read_ledger(text, "file");
-  EXPECT_EQ(rows[1].likelihood_ratio, -0.25);
-  EXPECT_EQ(rows[1].best_surrogate_fall, 0.27);
-}
-
 TEST(model_history, taken_back_to_the_byte) {
   const std::string head = "format = \"ballbar-model 1\"\ntarget = \"z_um\"";
   std::string windows(kModel);
@@ -198,7 +187,7 @@ TEST(model_history, edited_by_hand) {
       {"revision = 1", "revision = \"1\"", "file:28:12: expected an integer for revision, found the text \"1\"."},
       {"revision = 1", "revison = 1",
        "file:28:1: expected one of the keys revision, change, target, data, parameters, rmse_um, times_floor, "
-       "held_out_um, likelihood_ratio, threshold, best_surrogate_fall, evidence, best_fake_fall, "
+       "held_out_um, likelihood_ratio, threshold, best_surrogate_fall, "
        "forecast_um, surrogate_forecast_um, discrepancy_um, verdict, "
        "still_needed, no_longer_needed, "
        "effects_before in "

@@ -1,11 +1,10 @@
-// Rows, fits and signature libraries made by hand.
+// Rows and signature libraries made by hand.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "diagnosis/signatures/signature_library.hpp"
-#include "fit/linearised_fit.hpp"
 
 namespace ballbar::by_hand {
 
@@ -13,14 +12,6 @@ inline Series rows_of(std::size_t n, double step_s) {
   Series data;
   for (std::size_t i = 0; i < n; ++i) data.time_s.push_back(static_cast<double>(i) * step_s);
   return data;
-}
-
-inline LinearisedFit fit_with(const std::vector<double>& residual_um) {
-  LinearisedFit linearised;
-  for (std::size_t i = 0; i < residual_um.size(); ++i) linearised.time_s.push_back(60.0 * static_cast<double>(i));
-  linearised.residual_um = Eigen::VectorXd::Map(residual_um.data(), static_cast<Eigen::Index>(residual_um.size()));
-  linearised.model = Eigen::MatrixXd::Ones(linearised.residual_um.size(), 1);
-  return linearised;
 }
 
 // A library of single columns, each a family of the effect `expansion`.

@@ -80,24 +80,19 @@ Alarms alarms_of(std::string_view name, const Rows& rows_of) {
 // 10 of 1000 expected at most; three standard deviations of that, sqrt(10), more.
 constexpr int kMostAlarms = 19;
 
-// a 0 1 2 3 4 5 6 7 8, b 0 1 3 2 5 4 7 8 6, the first the zero, equal variances. Of the other eight: mean 4.5 each;
-// s_aa = 42, s_bb = 42, s_ab = 1..8 times b: 1 6 6 20 20 42 56 48 = 199, less 8 * 4.5^2 = 162: 37.
-// Deming, equal variances: gain = (s_bb - s_aa + sqrt((s_bb - s_aa)^2 + 4 s_ab^2)) / (2 s_ab) = 1; offset 0.
-// With b doubled: s_bb = 168, s_ab = 74: gain = (126 + sqrt(126^2 + 4 74^2)) / 148.
+// a 0 1 2 3 4 5 6 7 8, b 0 1 3 2 5 4 7 8 6, the first the zero, equal variances. Sums over the other eight: aa 204, bb
+// 204, ab 1 6 6 20 20 42 56 48 = 199. Deming through the zero, equal variances: gain = (bb - aa + sqrt((bb - aa)^2 + 4
+// ab^2)) / (2 ab) = 1. With b doubled: bb = 816, ab = 398: gain = (612 + sqrt(612^2 + 4 398^2)) / 796.
 TEST(difference_structure, deming_with_equal_variances_by_hand) {
   DifferenceRows rows;
   rows.a = {0, 1, 2, 3, 4, 5, 6, 7, 8};
   rows.b = {0, 1, 3, 2, 5, 4, 7, 8, 6};
   for (std::size_t i = 0; i < rows.a.size(); ++i) rows.time_s.push_back(60.0 * static_cast<double>(i));
   rows.variance_a = rows.variance_b = Values(rows.a.size(), 0.01);
-  const std::array<double, 4> equal = fitted_difference(rows, {true, true, false, false});
-  EXPECT_NEAR(equal[kGain], 1.0, 1e-8);
-  EXPECT_NEAR(equal[kOffset], 0.0, 1e-8);
-  for (double& b : rows.b) b = 2.0 * b + 1.0;
-  const std::array<double, 4> doubled = fitted_difference(rows, {true, true, false, false});
-  const double gain = (126.0 + std::sqrt(126.0 * 126.0 + 4.0 * 74.0 * 74.0)) / 148.0;
-  EXPECT_NEAR(doubled[kGain], gain, 1e-7);
-  EXPECT_NEAR(doubled[kOffset], 10.0 - gain * 4.5, 1e-6);
+  const auto gain_alone = [&] { return difference_structure(rows).value().alone[kGain].value().value; };
+  EXPECT_NEAR(gain_alone(), 1.0, 1e-8);
+  for (double& b : rows.b) b *= 2.0;
+  EXPECT_NEAR(gain_alone(), (612.0 + std::sqrt(612.0 * 612.0 + 4.0 * 398.0 * 398.0)) / 796.0, 1e-7);
 }
 
 // Parabola t^2 - 3 t in rows 1 s apart, then 2 s: slope 2 t - 3, exact. A zigzag's slope is nowhere that of its steps.

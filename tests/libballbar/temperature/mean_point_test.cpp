@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "ballbar/effects/spindle_growth_huang2022.hpp"
 #include "ballbar/error.hpp"
 
 namespace ballbar {
@@ -122,6 +121,9 @@ TEST(mean_point, slope_of_far_samples_is_that_of_their_line) {
   EXPECT_DOUBLE_EQ(sigma_of_slope_degC_per_mm(profile, points[0]), 0.005);
   EXPECT_TRUE(std::isnan(sigma_of_slope_degC_per_mm({{0, 100}, {25, 45}, {}}, points[0])));
 }
+
+// The paper's spindle: 13.6 ppm/K * 165 mm * 9 K = 20.196 um.
+TEST(mean_point, elongation_by_hand) { EXPECT_NEAR(mean_point_elongation_um(13.6, 165.0, 9.0), 20.196, 1e-12); }
 
 TEST(mean_point, the_integral_mean_value_theorem_holds) {
   const TemperatureProfile profile{{0, 3, 7, 20, 31}, {25, 48, 31, 39, 22}, {}};

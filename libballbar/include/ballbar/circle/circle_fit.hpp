@@ -88,18 +88,12 @@ struct PlaneCircle {
   double centre_x = 0.0;
   double centre_y = 0.0;
   double radius = 0.0;
-  double rms = 0.0;       // of the distances of the points from the circle
-  bool converged = true;  // geometric fit only
+  double rms = 0.0;  // of the distances of the points from the circle
 };
 
-// Algebraic circles: minimise sum (A z + B x + C y + D)^2, z = x^2 + y^2, under the constraint of the
-// name (Kasa: A = 1; Pratt: B^2 + C^2 - 4AD = 1; Taubin, hyper: Al-Sharadqah and Chernov 2009). QR and SVD;
-// no iteration. Throws Error for fewer than 3 points or points on one line.
-enum class Algebraic { kasa, pratt, taubin, hyper };
-PlaneCircle algebraic_circle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y, Algebraic method = Algebraic::hyper);
-
-// Geometric circle: least sum of squared distances, by Ceres from the algebraic start and, where the
-// points are nearly straight, from its mirror image too: the better one is returned.
-PlaneCircle geometric_circle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y);
+// Algebraic circle: minimises sum (A z + B x + C y + D)^2, z = x^2 + y^2, under the constraint called hyper
+// (Al-Sharadqah and Chernov 2009). QR and SVD; no iteration. Throws Error for fewer than 3 points or points
+// on one line.
+PlaneCircle algebraic_circle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y);
 
 }  // namespace ballbar

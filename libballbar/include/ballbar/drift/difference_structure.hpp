@@ -75,7 +75,4 @@ DifferenceStructure judged(DifferenceStructure structure, std::size_t axes);
 // The one kind, or those, which alone leave nothing that chance would not: p > 1 % of what the four explain beyond it.
 std::vector<DifferenceKind> sufficient_alone(const DifferenceStructure& structure);
 
-// Deming's regression of b on a where `with` says which of the four are free; values only, none tested.
-std::array<double, 4> fitted_difference(const DifferenceRows& rows, std::array<bool, 4> with);
-
 }  // namespace ballbar

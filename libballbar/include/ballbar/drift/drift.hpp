@@ -113,6 +113,5 @@ struct DriftSeries {
 DriftSeries drift_of(const Session& session, const DriftOptions& options = {});
 
 std::string_view name_of(Method method);
-std::optional<Method> method_from_name(std::string_view name);
 
 }  // namespace ballbar

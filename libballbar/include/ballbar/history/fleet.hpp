@@ -96,8 +96,9 @@ struct FleetMachine {
   std::size_t tests = 0;
   std::optional<double> first_s, last_s;
   Need need = Need::nothing;
-  std::string reason;             // why it stands where it does
-  std::vector<Finding> findings;  // the clearest first
+  std::string reason;                         // why it stands where it does
+  std::optional<std::size_t> reason_finding;  // the place of the finding that the reason is
+  std::vector<Finding> findings;              // the clearest first
   std::vector<FleetTolerance> tolerances;
   std::vector<FleetSeries> series;  // those that findings and tolerances name
 };

@@ -7,7 +7,7 @@
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
 #include "effects/effect_at.hpp"
-#include "fit/linearised_fit.hpp"
+#include "fit/model_columns.hpp"
 
 namespace ballbar {
 namespace {

@@ -14,7 +14,7 @@
 #include "diagnosis/posterior/identities.hpp"
 #include "diagnosis/posterior/set_at.hpp"
 #include "diagnosis/posterior/shock.hpp"
-#include "fit/linearised_fit.hpp"
+#include "fit/model_columns.hpp"
 #include "noise/whitening.hpp"
 #include "numerics/orthonormal.hpp"
 

@@ -12,7 +12,7 @@
 #include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/signatures/detectability.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
-#include "fit/linearised_fit.hpp"
+#include "fit/model_columns.hpp"
 #include "model/bindings.hpp"
 #include "series/subsampled.hpp"
 

@@ -270,14 +270,4 @@ double detectable_um(const SignatureLibrary& library, const Projected& projected
   return d * library.signatures[signature].range_um / projected.norm[signature];
 }
 
-Eigen::VectorXd scores(const SignatureLibrary& library, const Projected& projected, const Eigen::VectorXd& residual) {
-  const Eigen::VectorXd along = projected.columns.transpose() * residual;
-  Eigen::VectorXd result(static_cast<Eigen::Index>(library.signatures.size()));
-  for (std::size_t k = 0; k < library.signatures.size(); ++k) {
-    const Signature& signature = library.signatures[k];
-    result[static_cast<Eigen::Index>(k)] = along.segment(signature.first, signature.width).squaredNorm();
-  }
-  return result;
-}
-
 }  // namespace ballbar

@@ -87,6 +87,4 @@ Projected projected(const SignatureLibrary& library, const Eigen::VectorXd& resi
 // Range of the effect with this d, of one signature; infinite where the model absorbs it.
 double detectable_um(const SignatureLibrary& library, const Projected& projected, std::size_t signature, double d);
 
-Eigen::VectorXd scores(const SignatureLibrary& library, const Projected& projected, const Eigen::VectorXd& residual);
-
 }  // namespace ballbar

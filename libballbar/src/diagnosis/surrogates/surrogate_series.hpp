@@ -9,7 +9,7 @@
 
 #include "ballbar/model/bound_effect.hpp"
 #include "ballbar/series/series.hpp"
-#include "fit/linearised_fit.hpp"
+#include "fit/model_columns.hpp"
 
 namespace ballbar {
 

@@ -18,7 +18,7 @@
 #include "diagnosis/verdict/probabilities.hpp"
 #include "diagnosis/verdict/sentence.hpp"
 #include "diagnosis/verdict/tested_member.hpp"
-#include "fit/linearised_fit.hpp"
+#include "fit/model_columns.hpp"
 #include "noise/whitening.hpp"
 
 namespace ballbar {

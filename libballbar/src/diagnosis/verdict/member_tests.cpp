@@ -84,16 +84,6 @@ LeftOut left_out(const SetAt& at, const Eigen::MatrixXd& white, const Eigen::Mat
   return result;
 }
 
-double share_of_one_fold(const Eigen::MatrixXd& others, const Eigen::MatrixXd& own,
-                         const std::vector<std::size_t>& fold, std::size_t folds) {
-  const Eigen::MatrixXd added = freed(own, orthonormal(others));
-  std::vector<double> square(folds, 0.0);
-  for (std::size_t i = 0; i < fold.size(); ++i)
-    square[fold[i]] += added.row(static_cast<Eigen::Index>(i)).squaredNorm();
-  const double all = added.squaredNorm();
-  return all > 0.0 ? *std::max_element(square.begin(), square.end()) / all : 0.0;
-}
-
 std::optional<BestSurrogate> surrogate_of(const Problem& problem, const Posterior& posterior, const EffectSet& set,
                                           const SetAt& at, std::size_t member, std::size_t count, std::uint64_t seed) {
   const Signature& signature = problem.library.signatures[set.signatures[member]];
@@ -143,7 +133,6 @@ MemberTests member_tests(const Problem& problem, const Posterior& posterior, con
     best = std::max(best, gained);
   }
   tests.held_out_evidence -= best;
-  tests.in_one_fold = share_of_one_fold(others, own, fold, folds);
   const Eigen::MatrixXd basis = orthonormal(others), whole = orthonormal(with);
   tests.gain = (freed(at.white_y, basis).squaredNorm() - freed(at.white_y, whole).squaredNorm()) / at.variance;
   tests.surrogate = surrogate_of(problem, posterior, set, at, member, surrogates, seed);

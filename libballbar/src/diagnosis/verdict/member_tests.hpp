@@ -16,7 +16,6 @@ struct MemberTests {
   double p_same_gain = 1.0;        // of gains as different from cycle to cycle
   double held_out_evidence = 0.0;  // ln of the likelihood of cycles left out, gained; without the best cycle
   double held_out_before_um = 0.0, held_out_after_um = 0.0;
-  double in_one_fold = 0.0;                // largest share of one cycle in the square of what it shows
   double gain = 0.0;                       // fall of chi^2
   std::optional<BestSurrogate> surrogate;  // nothing: it has none
 };

@@ -35,7 +35,7 @@ extern const Effect kBearingRings{
      .remedy =
          "Cool the inner ring or the housing so that both rings warm alike; choose the preload for the warm state.",
      .validity = "Each ring of one temperature, free of contact forces; ceramic balls, which hardly grow.",
-     .source = "Huang, Li, Zhao 2022, eq. 15, 17 and 18 with one temperature for each ring (huang2022.hpp); radii and "
+     .source = "Huang, Li, Zhao 2022, eq. 15, 17 and 18 with one temperature for each ring; radii and "
                "expansion are those of the paper's bearing."},
     {{"inner", {"degC", "K"}, "temperature of the inner ring", is_inside},
      {"outer", {"degC", "K"}, "temperature of the outer ring", is_inside}},

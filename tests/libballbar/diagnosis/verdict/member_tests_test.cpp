@@ -54,7 +54,6 @@ TEST(MemberTests, gains_of_two_cycles) {
 TEST(MemberTests, fall_of_chi_squared) {
   const MemberTests tests = Eight(3.0, 1.0).tests();
   EXPECT_NEAR(tests.gain, 8.0 * 4.0, 1e-9);
-  EXPECT_NEAR(tests.in_one_fold, 0.5, 1e-12);
   EXPECT_FALSE(tests.surrogate);
 }
 
@@ -69,17 +68,6 @@ TEST(MemberTests, cycles_left_out) {
   EXPECT_NEAR(tests.held_out_evidence, std::min(first, second), 1e-2);
   EXPECT_NEAR(tests.held_out_before_um, std::sqrt((a * a + b * b) / 2.0), 1e-3);
   EXPECT_NEAR(tests.held_out_after_um, std::abs(a - b), 1e-3);
-}
-
-// Nine tenths of what it shows in one cycle.
-TEST(MemberTests, a_cycle_that_shows_it_alone) {
-  Eight one(3.0, 3.0);
-  one.at.members.bottomRows(4) *= 0.1;
-  one.at.y.tail(4) *= 0.1;
-  one.at.white_y = one.at.y;
-  one.at.white_members = one.at.members;
-  const MemberTests tests = one.tests();
-  EXPECT_NEAR(tests.in_one_fold, 1.0 / 1.01, 1e-9);
 }
 
 TEST(MemberTests, doubts_in_words) {

@@ -1,7 +1,6 @@
 // Effects of the bearing, worked by hand.
 #include <gtest/gtest.h>
 
-#include "ballbar/effects/spindle_growth_huang2022.hpp"
 #include "drift_values.hpp"
 
 namespace ballbar {
@@ -32,11 +31,15 @@ TEST(BearingClearance, IsHuangsFormula) {
               {0.0, 4.76858, 0.0, 4.76858}, 2e-4);
 }
 
-TEST(BearingClearance, IsThePublicFormula) {
-  const std::vector<double> axial_um{0.0, 50.0, -20.0, 119.0};
-  std::vector<double> expected;
-  for (const double dl_um : axial_um) expected.push_back(2.0 * clearance_um(dl_um, 10.0, 0.54));
-  expect_near(drift_values("bearing_clearance", kTime, {axial_um}, {2.0, 10.0, 0.54}).values, expected);
+// No elongation, no clearance. Small ones: c = 0.8 dL tan 18 deg = 0.25994 dL. Where 0.8 dL = 309.57 um * sin 18 deg
+// the contact angle is 0: theta = 81 - 72 = 9 deg, c = 309.57 * sin 18 deg * tan 9 deg = 15.1514 um. Twice the gain:
+// twice c.
+TEST(BearingClearance, StartsWithTan18AndBends) {
+  const std::vector<double> axial_um{0.0, 1e-3, 309.57 * 0.30901699 / 0.8};
+  const std::vector<double> c_um = drift_values("bearing_clearance", {0, 1, 2}, {axial_um}, {2.0, 10.319, 0.53}).values;
+  EXPECT_EQ(c_um[0], 0.0);
+  EXPECT_NEAR(c_um[1], 2.0 * 0.25994e-3, 2e-8);
+  EXPECT_NEAR(c_um[2], 2.0 * 15.1514, 4e-4);
 }
 
 // Beyond the arcsin the angle stays: alpha = -90 deg, theta = (180 - 108) / 2 - 72 = -36 deg, 800 um * tan(-36 deg) =
