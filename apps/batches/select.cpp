@@ -268,7 +268,7 @@ void run(const SelectArguments& given) {
     if (!opened.remarks.empty()) fmt::print("\n");
     for (const std::string& remark : opened.remarks) fmt::print("{}", wrapped(remark));
   }
-  if (!options.out.empty()) stderr_line(fmt::format("wrote {}", options.out));
+  if (!options.out.empty()) wrote_line(options.out);
 }
 
 }  // namespace

@@ -227,7 +227,7 @@ void run(const TrainArguments& given) {
   } else {
     print_text(options, opened, contenders, effects, model);
   }
-  stderr_line(fmt::format("wrote {}", options.out));
+  wrote_line(options.out);
 }
 
 }  // namespace

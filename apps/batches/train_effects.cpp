@@ -194,8 +194,11 @@ void train_effects(const TrainEffectsOptions& options, const std::vector<std::fi
     if (!said.empty()) fmt::print("\n");
     for (const std::string& remark : said) fmt::print("{}", wrapped(remark));
   }
-  stderr_line(
-      fmt::format("{}", is_model ? "wrote " + options.out : "no effect is likelier than none, nothing written"));
+  if (is_model) {
+    wrote_line(options.out);
+  } else {
+    stderr_line("no effect is likelier than none, nothing written");
+  }
 }
 
 }  // namespace ballbar

@@ -40,7 +40,7 @@ void save(const CompensateArguments& options) {
   inputs.insert(inputs.end(), options.compensation.models.begin(), options.compensation.models.end());
   expect_no_input({options.save}, inputs);
   write_bytes(options.save, write_model(axes.front().model));
-  stderr_line(fmt::format("wrote {}", options.save));
+  wrote_line(options.save);
 }
 
 // The files of --out, each for what writes its kind.

@@ -179,7 +179,7 @@ void compensate_replay(const CompensationOptions& options, const ReplayOptions& 
   } else {
     print(result, options, recorded);
   }
-  for (const std::string& path : replay.out) stderr_line(fmt::format("wrote {}", path));
+  for (const std::string& path : replay.out) wrote_line(path);
 }
 
 }  // namespace ballbar

@@ -308,7 +308,7 @@ void run(AddArguments options) {
     stderr_line(fmt::format("the effects of {} hold for all its targets, {}; the row is of {}", out,
                             fmt::join(targets, ", "), story.model.model().targets.front()));
   }
-  if (has_file) stderr_line(fmt::format("wrote {}", out));
+  if (has_file) wrote_line(out);
 }
 
 }  // namespace

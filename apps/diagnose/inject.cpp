@@ -255,7 +255,7 @@ void run(const InjectArguments& options) {
   } else {
     print_text(result, data.title);
   }
-  if (!options.out.empty()) stderr_line(fmt::format("wrote {}", options.out));
+  if (!options.out.empty()) wrote_line(options.out);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ void run(const ErrorsArguments& options) {
     write_bytes(path, path.ends_with(".csv") ? test_table_csv(files.tests) : json_of(files).dump(2) + '\n');
   }
   options.json ? print_json(json_of(files)) : fmt::print("{}", test_table_text(files));
-  for (const std::string& path : options.out) stderr_line(fmt::format("wrote {}", path));
+  for (const std::string& path : options.out) wrote_line(path);
 }
 
 }  // namespace

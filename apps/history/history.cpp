@@ -93,7 +93,7 @@ void run(const HistoryArguments& options) {
                                                : json().dump(2) + '\n');
   }
   options.json ? print_json(json()) : fmt::print("{}", history_text(files, machines, options.all));
-  for (const std::string& path : options.out) stderr_line(fmt::format("wrote {}", path));
+  for (const std::string& path : options.out) wrote_line(path);
 }
 
 }  // namespace

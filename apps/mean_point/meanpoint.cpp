@@ -276,7 +276,7 @@ void run(const MeanpointArguments& options) {
   } else {
     print_text(options, states, best);
   }
-  for (const std::string& path : outputs) stderr_line(fmt::format("wrote {}", path));
+  for (const std::string& path : outputs) wrote_line(path);
 }
 
 }  // namespace

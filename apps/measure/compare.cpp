@@ -240,7 +240,7 @@ void run(const CompareArguments& options) {
   } else {
     print_text(drifts, comparison);
   }
-  for (const std::string& path : outputs) stderr_line(fmt::format("wrote {}", path));
+  for (const std::string& path : outputs) wrote_line(path);
 }
 
 }  // namespace

@@ -210,7 +210,7 @@ void run(const DriftArguments& options) {
     warning_line(fmt::format("no test at {:g} s; the nearest one, at {:g} s, is the reference.", *options.reference_s,
                              series.reference_s));
   }
-  for (const std::string& path : options.out) stderr_line(fmt::format("wrote {}", path));
+  for (const std::string& path : options.out) wrote_line(path);
 }
 
 }  // namespace

@@ -225,7 +225,7 @@ void run(FitArguments options) {
   for (const std::string& remark : fitted.remarks) warning_line(remark);
   if (!options.out.empty()) write_bytes(options.out, json_of(fitted).dump(2) + '\n');
   options.json ? print_json(json_of(fitted)) : fmt::print("{}", text_of(fitted, options));
-  if (!options.out.empty()) stderr_line(fmt::format("wrote {}", options.out));
+  if (!options.out.empty()) wrote_line(options.out);
 }
 
 }  // namespace

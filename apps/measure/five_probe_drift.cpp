@@ -105,7 +105,7 @@ void report_five_probe(const FiveProbeReport& report) {
   } else {
     print_text(report, drift, steps);
   }
-  for (const std::string& path : report.out) stderr_line(fmt::format("wrote {}", path));
+  for (const std::string& path : report.out) wrote_line(path);
 }
 
 }  // namespace ballbar

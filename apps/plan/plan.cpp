@@ -124,7 +124,7 @@ void run(PlanArguments options) {
     return;
   }
   write_plan(options.out, contents_of(plan, options, data, model.targets.front()));
-  stderr_line(fmt::format("wrote {}: schedule.csv, programs for four controls, checklist.txt, plan.svg", options.out));
+  wrote_line(options.out + ": schedule.csv, programs for four controls, checklist.txt, plan.svg");
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ void run(const PredictArguments& options) {
                options.on.empty() ? "" : fmt::format("\nfitted to {}", data.title),
                summary(series.columns).text(table_width()));
   }
-  for (const std::string& path : options.out) stderr_line(fmt::format("wrote {}", path));
+  for (const std::string& path : options.out) wrote_line(path);
   if (other.series->runs.size() > 1 && !options.out.empty()) {
     stderr_line("times go on from run to run, one right after another");
   }

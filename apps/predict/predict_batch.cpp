@@ -133,7 +133,7 @@ void predict_batch(const BatchPredictOptions& options) {
     if (!warnings.empty()) fmt::print("\n");
     for (const std::string& warning : warnings) fmt::print("{}", wrapped(warning));
   }
-  for (const std::string& path : options.out) stderr_line(fmt::format("wrote {}", path));
+  for (const std::string& path : options.out) wrote_line(path);
 }
 
 }  // namespace ballbar

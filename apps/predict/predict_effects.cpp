@@ -230,7 +230,7 @@ void predict_effects(const EffectPredictOptions& options) {
     if (!warnings.empty()) fmt::print("\n");
     for (const std::string& warning : warnings) fmt::print("{}", wrapped(warning));
   }
-  for (const std::string& path : options.out) stderr_line(fmt::format("wrote {}", path));
+  for (const std::string& path : options.out) wrote_line(path);
   if (options.state.empty()) return;
   write_bytes_durably(options.state,
                       write_prediction_state({digest_of(bytes), prediction.end.since_end, prediction.end.live}));

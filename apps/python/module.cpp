@@ -49,10 +49,10 @@ Source source_of(const std::string& name, const Data& data) {
   return {name, recordings_of(std::get<Recordings>(data))};
 }
 
-// What a command answers: its result, and remarks.
+// What a command answers: its result, remarks, and the files that it wrote.
 struct Answer {
   std::optional<Json> result;
-  std::vector<std::string> remarks;
+  std::vector<std::string> remarks, wrote;
 };
 
 // Without the GIL but for what Python is told; there, Ctrl-C ends the command.
@@ -61,6 +61,7 @@ Answer answer(const CommandCall& call, const py::object& progress) {
   Caller caller;
   caller.result = [&](const Json& json) { answer.result = json; };
   caller.remark = [&](const std::string& line) { answer.remarks.push_back(line); };
+  caller.wrote = [&](const std::string& file) { answer.wrote.push_back(file); };
   caller.progress = [&](std::string_view line) {
     if (line.empty()) return;  // said as a command ends, by an error too
     const py::gil_scoped_acquire hold;
@@ -79,7 +80,8 @@ py::tuple call(const std::string& command, const std::vector<std::string>& place
   CommandCall call{command, places, options, {}};
   for (const auto& [name, value] : data) call.values.emplace(name, source_of(name, value));
   const Answer made = answer(call, progress);
-  return py::make_tuple(made.result ? to_python(*made.result) : py::none(), py::cast(made.remarks));
+  return py::make_tuple(made.result ? to_python(*made.result) : py::none(), py::cast(made.remarks),
+                        py::cast(made.wrote));
 }
 
 // `fit` of recordings that Python holds, for those who fit thousands: setting up a command takes longer.

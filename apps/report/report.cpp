@@ -158,7 +158,7 @@ void run(ReportArguments options) {
   write_bytes(options.out, bytes_of(json, made, options));
   for (const std::string& sentence : made.page.head.summary) print_for_people(wrapped(sentence));
   print_for_people(left_out_text(made.skipped));
-  stderr_line(fmt::format("wrote {}", options.out));
+  wrote_line(options.out);
   if (options.open && !started({"xdg-open", fs::absolute(options.out).string()})) {
     warning_line(fmt::format("no program xdg-open to open it with; open {} in a browser.", options.out));
   }

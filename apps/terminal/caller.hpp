@@ -12,6 +12,7 @@ namespace ballbar {
 struct Caller {
   std::function<void(const nlohmann::ordered_json& json)> result;  // of a command with --json
   std::function<void(const std::string& line)> remark;             // a line of the standard error
+  std::function<void(const std::string& file)> wrote;              // a file that was written
   // The line that the next one replaces; text, or JSON with what is known so far; empty: no longer.
   std::function<void(std::string_view line)> progress;
 };

@@ -12,6 +12,11 @@ void stderr_line(const std::string& text) {
   std::fputs((text + "\n").c_str(), stderr);
 }
 
+void wrote_line(const std::string& file) {
+  if (const Caller* program = caller(); program != nullptr && program->wrote) return program->wrote(file);
+  stderr_line("wrote " + file);
+}
+
 void tell(const std::vector<std::string>& remarks) {
   for (const std::string& remark : remarks) stderr_line("ballbar: " + remark);
 }

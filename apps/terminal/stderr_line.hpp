@@ -8,6 +8,9 @@ namespace ballbar {
 
 void stderr_line(const std::string& text);
 
+// "wrote drift.csv"
+void wrote_line(const std::string& file);
+
 // A line each, after "ballbar: ".
 void tell(const std::vector<std::string>& remarks);
 // "ballbar: " in front, in red: why the work was not done.

@@ -176,12 +176,14 @@ class Call:
                 raise UsageError(f"{word!r}: expected a text without a null character.")
         options = [(name, value) for name, value in self.set.items() if value not in (False, [])]
         try:
-            result, remarks = _core.call(self.command, self.places, options, self.held, progress)
+            result, remarks, wrote = _core.call(self.command, self.places, options, self.held, progress)
         except BallbarError as error:
             error.find_place(words)
             raise
         for remark in remarks:
-            _log.log(logging.INFO if remark.startswith("wrote ") else logging.WARNING, remark)
+            _log.warning(remark)
+        for file in wrote:
+            _log.info("wrote %s", file)
         return result
 
     def picture(self, name: str) -> str:

@@ -92,12 +92,6 @@ double positive_in(const SourceText& text, pugi::xml_node parent, const char* na
   return value;
 }
 
-std::optional<double> optional_number_in(const SourceText& text, pugi::xml_node parent, const char* name) {
-  const pugi::xml_node child = child_of(text, parent, name, false);
-  if (!child || text_of(text, child).value.empty()) return std::nullopt;
-  return number_of(text, text_of(text, child), name);
-}
-
 double angle_in(const SourceText& text, pugi::xml_node parent, const char* name) {
   const Text found = text_of(text, child_of(text, parent, name));
   const double angle_deg = number_of(text, found, name);

@@ -85,7 +85,6 @@ std::size_t each_number(const SourceText& text, const Text& found, std::string_v
 
 // Of the child of that name.
 double positive_in(const SourceText& text, pugi::xml_node parent, const char* name);
-std::optional<double> optional_number_in(const SourceText& text, pugi::xml_node parent, const char* name);
 double angle_in(const SourceText& text, pugi::xml_node parent, const char* name);       // deg, at most ten turns
 std::size_t index_in(const SourceText& text, pugi::xml_node parent, const char* name);  // from 0
 
