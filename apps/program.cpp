@@ -94,8 +94,17 @@ void set_option(CLI::App& command, const std::string& name, const ballbar::Comma
   std::string word = "--" + name;
   std::replace(word.begin(), word.end(), '_', '-');
   CLI::Option* const option = command.get_option_no_throw(word);
-  if (option == nullptr)
-    throw ballbar::UsageError(fmt::format("{}: expected an option of {}.", name, command.get_name()));
+  if (option == nullptr) {
+    std::vector<std::string> known;
+    for (const CLI::Option* one : command.get_options()) {
+      for (std::string long_name : one->get_lnames()) {
+        std::replace(long_name.begin(), long_name.end(), '-', '_');
+        known.push_back(std::move(long_name));
+      }
+    }
+    throw ballbar::UsageError(fmt::format("{}: expected an option of {}, found none of that name{}.", name,
+                                          command.get_name(), ballbar::nearest_hint(name, known)));
+  }
   const bool is_flag = option->get_items_expected_max() == 0;
   const bool* const flag = std::get_if<bool>(&value);
   if (is_flag != (flag != nullptr)) {

@@ -221,7 +221,7 @@ void run(const SelectArguments& given) {
   }
   OpenedBatches opened = open_batches(options.batches);
   std::vector<std::filesystem::path> inputs = opened.files;
-  inputs.push_back(options.job.path());
+  if (options.job.is_path()) inputs.push_back(options.job.path());
   if (!options.out.empty()) expect_no_input({options.out}, inputs);
   const Series job = read_batch(options.job);
   const Column* target = find_column(job, opened.columns.target);

@@ -37,7 +37,8 @@ void save(const CompensateArguments& options) {
                             axes.size()));
   }
   std::vector<std::filesystem::path> inputs = paths_of(options.compensation.fit);
-  inputs.insert(inputs.end(), options.compensation.models.begin(), options.compensation.models.end());
+  const std::vector<std::filesystem::path> models = paths_of(options.compensation.models);
+  inputs.insert(inputs.end(), models.begin(), models.end());
   expect_no_input({options.save}, inputs);
   write_bytes(options.save, write_model(axes.front().model));
   wrote_line(options.save);

@@ -168,7 +168,8 @@ Series table_of(const Replay& replay) {
 void compensate_replay(const CompensationOptions& options, const ReplayOptions& replay) {
   const Recorded recorded = open_recorded(replay.data);
   std::vector<std::filesystem::path> inputs = recorded.files;
-  inputs.insert(inputs.end(), options.models.begin(), options.models.end());
+  const std::vector<std::filesystem::path> models = paths_of(options.models);
+  inputs.insert(inputs.end(), models.begin(), models.end());
   expect_no_input(replay.out, inputs);
   const std::vector<CompensatedAxis> axes = axes_of(options);
   const Replay result = with_source(

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "ballbar/fit/held_model.hpp"
+#include "ballbar/formats/models/batch_model_json.hpp"
 #include "ballbar/formats/models/compensation_state.hpp"
 #include "ballbar/formats/models/effect_regression_json.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
@@ -59,8 +60,8 @@ CLI::Option* add_limit(CLI::App& command, const std::string& name, double& limit
 }  // namespace
 
 void add_compensation_options(CLI::App& command, CompensationOptions& options) {
-  command
-      .add_option("--model", options.models, "model.toml of one axis or more, or model.json of one; may be repeated")
+  add_sources(command, "--model", options.models,
+              "model.toml of one axis or more, or model.json of one; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->required();
@@ -117,8 +118,9 @@ std::vector<CompensatedAxis> axes_of(const CompensationOptions& options) {
     const std::string name = number < options.axes.size() ? options.axes[number] : stem_of(model.targets.front());
     axes.push_back({name, std::move(model)});
   };
-  for (const std::string& file : options.models) {
-    const std::string bytes = read_bytes(file, kLargestText);
+  for (const Source& source : options.models) {
+    const std::string& file = source.name();
+    const std::string bytes = source.bytes(kLargestText);
     if (is_effect_regression_json(bytes)) {
       Model model = read_effect_regression(bytes, file).model;
       if (data) {
@@ -130,7 +132,7 @@ std::vector<CompensatedAxis> axes_of(const CompensationOptions& options) {
       add(std::move(model));
       continue;
     }
-    if (is_batch_model(file)) {
+    if (is_batch_model_json(bytes)) {
       throw Error(
           fmt::format("{}: expected a model of effects, whose memory runs live, found a regression over "
                       "batches.",

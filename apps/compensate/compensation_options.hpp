@@ -18,10 +18,10 @@ class App;
 namespace ballbar {
 
 struct CompensationOptions {
-  std::vector<std::string> models;  // files
-  std::vector<std::string> axes;    // names, one a target; empty: the targets' own
-  std::vector<Source> fit;          // DATA
-  ModelOptions fitting;             // how
+  std::vector<Source> models;
+  std::vector<std::string> axes;  // names, one a target; empty: the targets' own
+  std::vector<Source> fit;        // DATA
+  ModelOptions fitting;           // how
   CompensationLimits limits;
   std::string state;  // file; empty: none
 };

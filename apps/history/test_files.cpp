@@ -27,8 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // By content; XML of another kind is none.
-bool is_kind_of_recording(const fs::path& path) {
-  const Reader* const reader = Source(path).reader();
+bool is_kind_of_recording(const Source& source) {
+  const Reader* const reader = source.reader();
   return reader != nullptr && !reader->recording.empty();
 }
 
@@ -108,9 +108,10 @@ auto of_file(const fs::path& path, const Part& part) {
 void read(ReadFile& file, const StatedCircle& stated) {
   if (!file.fault.empty()) return;
   try {
-    file.is_recording = ends_in(file.path, ".b5r") || is_kind_of_recording(file.path);
+    const Source source(file.path);
+    file.is_recording = ends_in(file.path, ".b5r") || is_kind_of_recording(source);
     if (!file.is_recording) return;
-    RecordingFile opened = open_recording(file.path, known_readers(), stated);
+    RecordingFile opened = open_recording(source, known_readers(), stated);
     file.remarks = std::move(opened.remarks);
     if (opened.b5r) {
       file.test = of_file(file.path, [&] { return test_of(opened); });

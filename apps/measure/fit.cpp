@@ -210,7 +210,9 @@ std::string text_of(const Fitted& fitted, const FitArguments& options) {
 
 // Archives stand for the files inside them.
 void open_archives(std::vector<Source>& files) {
-  if (std::none_of(files.begin(), files.end(), [](const Source& file) { return file.is_archive(); })) return;
+  if (std::none_of(files.begin(), files.end(),
+                   [](const Source& file) { return file.is_path() && is_archive(file.path()); }))
+    return;
   const FoundFiles found = put_recordings_below(files);
   if (!found.faults.empty()) throw Error(found.faults.front().why);
 }

@@ -62,7 +62,7 @@ Series rows_after(Series data, double last_s) {
 void expect_state_apart(const EffectPredictOptions& options) {
   if (options.state.empty()) return;
   const std::filesystem::path state(options.state);
-  std::vector<std::filesystem::path> others{options.data.path(), options.model.path()};
+  std::vector<std::filesystem::path> others = paths_of({options.data, options.model});
   others.insert(others.end(), options.out.begin(), options.out.end());
   expect_no_input({options.state}, others, "--state");
   for (const std::filesystem::path& other : others) {

@@ -125,7 +125,10 @@ void expect_out(const ReportArguments& options) {
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 std::string html_of(const Json& json, const Report& made, const ReportArguments& options) {
-  if (options.without_files) return page_of(json, nullptr);
+  const auto is_path = [](const Source& source) { return source.empty() || source.is_path(); };
+  const ModelOptions& of = options.of.model;
+  const bool all_are_files = is_path(of.model) && std::all_of(of.data.begin(), of.data.end(), is_path);
+  if (options.without_files || !all_are_files) return page_of(json, nullptr);
   const Json inside = files_inside(made.files, names_of(options.of.model.data), options.of.model.model.name());
   if (inside.is_null() && !made.files.empty()) {
     stderr_line(fmt::format("the files are not in the page: more than {} MB, or of a pipe", kMostInside >> 20));

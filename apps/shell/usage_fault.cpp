@@ -29,7 +29,8 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 // A word that no option and no place is for; an option rather than what follows it.
 std::string surplus_of(const CLI::App& app) {
-  const std::vector<std::string> words = app.remaining();
+  std::vector<std::string> words = app.remaining();
+  std::erase(words, "--");  // behind it stand places
   const auto option = std::find_if(words.begin(), words.end(), is_option);
   if (option != words.end()) return *option;
   return words.empty() ? "" : words.front();

@@ -3,23 +3,16 @@
 namespace ballbar {
 namespace {
 
-const Source* value_of(const CLI::App& command, const std::string& word) {
+Source source_of(const CLI::App& command, const std::string& word) {
   const CLI::App* root = &command;
   while (root->get_parent() != nullptr) root = root->get_parent();
   const auto* const line = dynamic_cast<const CommandLine*>(root);
-  if (line == nullptr) return nullptr;
+  if (line == nullptr) return word;
   const auto found = line->values.find(word);
-  return found == line->values.end() ? nullptr : &found->second;
+  return found == line->values.end() ? Source(word) : found->second;
 }
 
 }  // namespace
-
-bool is_value(const CLI::App& command, const std::string& word) { return value_of(command, word) != nullptr; }
-
-Source source_of(const CLI::App& command, const std::string& word) {
-  const Source* const value = value_of(command, word);
-  return value == nullptr ? Source(word) : *value;
-}
 
 CLI::Option* add_source(CLI::App& command, const std::string& name, Source& source, const std::string& help) {
   return command.add_option_function<std::string>(

@@ -17,10 +17,6 @@ class CommandLine : public CLI::App {
   std::map<std::string, Source> values;  // by their names
 };
 
-// Whether the word is the name of a value of the command line that `command` belongs to.
-bool is_value(const CLI::App& command, const std::string& word);
-Source source_of(const CLI::App& command, const std::string& word);
-
 // An option or a place for data.
 CLI::Option* add_source(CLI::App& command, const std::string& name, Source& source, const std::string& help);
 CLI::Option* add_sources(CLI::App& command, const std::string& name, std::vector<Source>& sources,

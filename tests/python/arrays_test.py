@@ -123,6 +123,10 @@ class Arrays(unittest.TestCase):
         data = {"time_s": series.time_s, **{name: series[name] for name in series}}
         self.assertEqual(ballbar.predict(DATA, MODEL, on=data), ballbar.predict(DATA, MODEL, on=DATA))
         self.assertEqual(ballbar.compensate(MODEL, data, fit=data).rows, ballbar.compensate(MODEL, DATA, fit=DATA).rows)
+        with open(MODEL, encoding="utf-8") as file:
+            model = ballbar.Model(file.read())
+        for of_text in (model, [model]):
+            self.assertEqual(ballbar.compensate(of_text, DATA, fit=DATA).rows, ballbar.compensate(MODEL, DATA, fit=DATA).rows)
         job = f"{BATCHES}/test1.csv"
         by_array, by_file = (ballbar.select(f"{BATCHES}/runs.csv", one, "y_um") for one in (ballbar.read_series(job), job))
         self.assertEqual(by_array.ranked, by_file.ranked)

@@ -136,7 +136,7 @@ class Call:
     def series(self, *sources: Any) -> Call:
         """The same without recordings."""
         self.data(*sources)
-        if all(isinstance(one, Series) for one in self.held.values()):
+        if not any(isinstance(one, list) for one in self.held.values()):
             return self
         raise TypeError(f"ballbar.{self.command}: expected a path or a series, found recordings; ballbar.diagnose takes them")
 
@@ -156,17 +156,16 @@ class Call:
     def options(self, **options: Any) -> Call:
         """None is left out; a list gives an option more than once; a dict is NAME=VALUE."""
         for name, value in options.items():
-            if isinstance(value, Model) and value.path is None:
-                self.held["<model>"] = value.text
-                value = "<model>"
+            name = name.rstrip("_")
             if isinstance(value, (bool, np.bool_)):
-                self.set[name.rstrip("_")] = bool(value)
+                self.set[name] = bool(value)
             elif isinstance(value, Mapping):
                 self.set[name] = [f"{key}={_text(one)}" for key, one in value.items()]
             elif _is_list(value):
-                self.set[name] = [_text(one) for one in (sorted(value) if isinstance(value, (set, frozenset)) else value)]
+                each = sorted(value) if isinstance(value, (set, frozenset)) else value
+                self.set[name] = [self._word_of(one) for one in each]
             elif value is not None:
-                self.set[name.rstrip("_")] = [_text(value)]
+                self.set[name] = [self._word_of(value)]
         return self
 
     def run(self, progress: Progress | None = None) -> Any:
@@ -174,9 +173,8 @@ class Call:
         for word in words:
             if "\0" in word:
                 raise UsageError(f"{word!r}: expected a text without a null character.")
-        options = [(name, value) for name, value in self.set.items() if value not in (False, [])]
         try:
-            result, remarks, wrote = _core.call(self.command, self.places, options, self.held, progress)
+            result, remarks, wrote = self._made(progress)
         except BallbarError as error:
             error.find_place(words)
             raise
@@ -196,8 +194,11 @@ class Call:
             report.options(**{"diagnose" if self.command == "diagnose" else "no_diagnosis": True})
         with tempfile.TemporaryDirectory(prefix="ballbar-") as folder:
             path = pathlib.Path(folder) / "picture.svg"
-            report.options(out=path).run()
+            report.options(out=path)._made()  # what is to be said of the data was said
             return path.read_text(encoding="utf-8")
+
+    def _made(self, progress: Progress | None = None) -> tuple[Any, list[str], list[str]]:
+        return _core.call(self.command, self.places, list(self.set.items()), self.held, progress)
 
     def _names_of(self, sources: Iterable[Any]) -> list[str]:
         names: list[str] = []
@@ -208,7 +209,50 @@ class Call:
             elif isinstance(source, Recording):
                 names.append(self._hold([source]))
             elif isinstance(source, (str, os.PathLike)):
-                names.append(os.fspath(source))
+                path = os.fspath(source)
+                names.append("./-" if path == "-" else path)  # not the standard input
+            elif isinstance(source, Iterable):
+                several = list(source)
+                recordings = several and all(isinstance(one, Recording) for one in several)
+                names += [self._hold(several)] if recordings else self._names_of(several)
+            else:
+                raise TypeError(f"expected a path, a Series, a DataFrame or recordings, found {type(source).__name__}")
+        return names
+
+    def _hold(self, data: Any, kind: str = "data") -> str:
+        number = 1 + sum(name.startswith(f"<{kind}") for name in self.held)
+        name = f"<{kind}>" if number == 1 else f"<{kind} {number}>"
+        self.held[name] = data
+        return name
+
+    def _word_of(self, value: Any) -> str:
+        is_text = isinstance(value, Model) and value.path is None
+        return self._hold(value.text, "model") if is_text else _text(value)
+
+
+_OF_A_FIT if key in self.set}
+        report.options(format="svg", picture=name)
+        if "model" in self.set or name == "with-without":
+            report.options(**{"diagnose" if self.command == "diagnose" else "no_diagnosis": True})
+        with tempfile.TemporaryDirectory(prefix="ballbar-") as folder:
+            path = pathlib.Path(folder) / "picture.svg"
+            report.options(out=path)._made()  # what is to be said of the data was said
+            return path.read_text(encoding="utf-8")
+
+    def _made(self, progress: Progress | None = None) -> tuple[Any, list[str], list[str]]:
+        return _core.call(self.command, self.places, list(self.set.items()), self.held, progress)
+
+    def _names_of(self, sources: Iterable[Any]) -> list[str]:
+        names: list[str] = []
+        for source in sources:
+            series = _series_of(source)
+            if series is not None:
+                names.append(self._hold(series))
+            elif isinstance(source, Recording):
+                names.append(self._hold([source]))
+            elif isinstance(source, (str, os.PathLike)):
+                path = os.fspath(source)
+                names.append("./-" if path == "-" else path)  # not the standard input
             elif isinstance(source, Iterable):
                 several = list(source)
                 recordings = several and all(isinstance(one, Recording) for one in several)

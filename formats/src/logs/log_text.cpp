@@ -1,18 +1,14 @@
 #include "logs/log_text.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <iconv.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <system_error>
 
 #include "ballbar/error.hpp"
-#include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 
 namespace ballbar {

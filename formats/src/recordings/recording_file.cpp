@@ -29,6 +29,7 @@ std::string known_recordings(std::span<const Reader> readers) {
 Source file_of(const Source& source) {
   if (!source.is_archive()) return source;
   const std::vector<std::filesystem::path> inside = files_in_archive(source.path());
+  source.close();
   if (inside.size() == 1) return inside.front();
   throw Error(fmt::format("{}: expected an archive of one .b5r file, found {}; {} is one of them.", source.name(),
                           inside.size(), inside.front().string()));

@@ -100,7 +100,7 @@ void add_keys(std::vector<Attribute>& attributes, const ResultSchema& schema) {
     const auto known = std::find_if(attributes.begin(), attributes.end(), same);
     if (known == attributes.end()) {
       attributes.push_back({field, type});
-    } else if (known->type.find(type) == std::string::npos) {
+    } else if ((" | " + known->type + " | ").find(" | " + type + " | ") == std::string::npos) {
       known->type += " | " + type;
     }
   }

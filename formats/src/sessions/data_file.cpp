@@ -93,6 +93,7 @@ std::vector<ListedRun> listed(const std::vector<Source>& sources, std::span<cons
   std::vector<ListedRun> runs;
   for (const Source& source : sources) {
     if (!lists_runs(source, readers)) {
+      if (sources.size() > 1) source.close();  // there may be more than may be open
       runs.push_back({source, std::nullopt});
       continue;
     }

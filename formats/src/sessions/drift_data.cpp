@@ -8,6 +8,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/logs/log.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
+#include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 
 namespace ballbar {
@@ -52,7 +53,7 @@ DriftData open_drift_data(const Source& source, std::span<const Reader> readers)
       OpenedSeries opened = opened_by(reader, source, {});
       data.series = std::move(opened.series);
       data.remarks = std::move(opened.remarks);
-      data.files = {source.path()};
+      data.files = {file_on_disk(source.path())};
       return data;
     }
     if (reader != nullptr && read_of<ReadSession>(reader) == nullptr) {

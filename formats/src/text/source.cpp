@@ -88,8 +88,10 @@ const Reader* Source::reader(std::span<const Reader> readers) const {
 
 std::string Source::bytes(std::size_t limit) const {
   if (const std::string* const whole = text()) {
-    if (whole->size() <= limit) return *whole;
-    throw Error(fmt::format("{}: expected at most {} MiB, found more.", name_, limit >> 20));
+    if (whole->size() > limit) throw Error(fmt::format("{}: expected at most {} MiB, found more.", name_, limit >> 20));
+    std::string bytes = *whole;
+    close();
+    return bytes;
   }
   File& known = file();
   if (!known.open) known.open.emplace(name_);

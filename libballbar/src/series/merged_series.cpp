@@ -54,7 +54,7 @@ void expect_different_names(std::span<const Series> parts) {
   }
 }
 
-Range covered(const std::vector<Series>& parts) {
+Range covered(std::span<const Series> parts) {
   Range range;
   for (const Series& part : parts) {
     for (const Column& column : part.columns) {
@@ -85,7 +85,7 @@ std::string times_of(const Series& part) {
   return fmt::format("{} from {} to {} min", name, min_text(part.time_s.front()), min_text(part.time_s.back()));
 }
 
-void expect_common_times(const std::vector<Series>& parts, const Range& range) {
+void expect_common_times(std::span<const Series> parts, const Range& range) {
   for (const Series& part : parts) {
     if (std::any_of(part.time_s.begin(), part.time_s.end(), [&](double time_s) { return range.has(time_s); })) continue;
     if (range.from_s > range.to_s) {
@@ -115,9 +115,7 @@ std::vector<double> on(const std::vector<double>& time_s, const Known& values, R
   return result;
 }
 
-}  // namespace
-
-Series merged(const std::vector<Series>& parts, double max_gap_s) {
+Series merged_parts(std::span<const Series> parts, double max_gap_s) {
   expect_different_names(parts);
   const Range range = covered(parts);
   expect_common_times(parts, range);
@@ -139,6 +137,10 @@ Series merged(const std::vector<Series>& parts, double max_gap_s) {
   return result;
 }
 
+}  // namespace
+
+Series merged(const std::vector<Series>& parts, double max_gap_s) { return merged_parts(parts, max_gap_s); }
+
 std::shared_ptr<const Series> with_gaps_closed(std::shared_ptr<const Series> series, double max_gap_s) {
   const auto has_gap = [](const Column& column) {
     return column.role != Role::measured &&
@@ -152,7 +154,7 @@ std::shared_ptr<const Series> with_gaps_closed(std::shared_ptr<const Series> ser
     expect_different_names({series.get(), 1});
     return series;
   }
-  Series closed = merged({*series}, max_gap_s);
+  Series closed = merged_parts({series.get(), 1}, max_gap_s);
   closed.started = series->started;
   return std::make_shared<const Series>(std::move(closed));
 }

@@ -17,8 +17,8 @@
 
 namespace ballbar {
 
-// Copies are of the same source. A file is opened when something is first asked of it, and closed when it was read to
-// its end: its format is recognised and its values are read in one opening. Not for two threads at once.
+// Copies share one file, which is opened when something is first asked of it; bytes() and close() close it. Its format
+// is recognised and its values are read in one opening. Neither it nor its copies are for two threads at once.
 class Source {
  public:
   Source() = default;
@@ -40,14 +40,14 @@ class Source {
 
   // A regular file, one inside an archive, or a text; false of a folder, of nothing, of values.
   [[nodiscard]] bool is_file() const;
-  // As is_archive(path()).
+  // As is_archive(path()); false too where the file cannot be opened.
   [[nodiscard]] bool is_archive() const;
   // The format, recognised by the first bytes; nullptr: an unknown one, or no file. Throws Error as bytes().
   [[nodiscard]] const Reader* reader(std::span<const Reader> readers = known_readers()) const;
 
   // All bytes. Throws Error as read_bytes().
   [[nodiscard]] std::string bytes(std::size_t limit) const;
-  [[nodiscard]] std::string head(std::size_t most) const;  // the first `most` bytes; of text of fewer all
+  [[nodiscard]] std::string head(std::size_t most) const;  // the first `most` bytes; all where there are fewer
   // Fewer bytes than `most`: the end. Throws Error as read_bytes().
   std::size_t read(std::size_t offset, char* to, std::size_t most) const;
   [[nodiscard]] std::size_t size() const;
