@@ -230,44 +230,6 @@ class Call:
         return self._hold(value.text, "model") if is_text else _text(value)
 
 
-_OF_A_FIT if key in self.set}
-        report.options(format="svg", picture=name)
-        if "model" in self.set or name == "with-without":
-            report.options(**{"diagnose" if self.command == "diagnose" else "no_diagnosis": True})
-        with tempfile.TemporaryDirectory(prefix="ballbar-") as folder:
-            path = pathlib.Path(folder) / "picture.svg"
-            report.options(out=path)._made()  # what is to be said of the data was said
-            return path.read_text(encoding="utf-8")
-
-    def _made(self, progress: Progress | None = None) -> tuple[Any, list[str], list[str]]:
-        return _core.call(self.command, self.places, list(self.set.items()), self.held, progress)
-
-    def _names_of(self, sources: Iterable[Any]) -> list[str]:
-        names: list[str] = []
-        for source in sources:
-            series = _series_of(source)
-            if series is not None:
-                names.append(self._hold(series))
-            elif isinstance(source, Recording):
-                names.append(self._hold([source]))
-            elif isinstance(source, (str, os.PathLike)):
-                path = os.fspath(source)
-                names.append("./-" if path == "-" else path)  # not the standard input
-            elif isinstance(source, Iterable):
-                several = list(source)
-                recordings = several and all(isinstance(one, Recording) for one in several)
-                names += [self._hold(several)] if recordings else self._names_of(several)
-            else:
-                raise TypeError(f"expected a path, a Series, a DataFrame or recordings, found {type(source).__name__}")
-        return names
-
-    def _hold(self, data: Any) -> str:
-        number = len(self.held) + 1
-        name = "<data>" if number == 1 else f"<data {number}>"
-        self.held[name] = data
-        return name
-
-
 _OF_A_FIT = ("model", "target", "max_gap", "also_input", "set", "robust", "white")
 
 
