@@ -12,6 +12,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/reader.hpp"
+#include "ballbar/formats/text/source.hpp"
 #include "shell/usage_fault.hpp"
 #include "terminal/stderr_line.hpp"
 
