@@ -4,6 +4,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/keys.hpp"
+#include "ballbar/formats/text/source.hpp"
 #include "text/head.hpp"
 #include "text/located_text.hpp"
 #include "text/path_inside.hpp"
