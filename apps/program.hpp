@@ -29,8 +29,7 @@ struct CommandCall {
   std::map<std::string, Source> values;                // data that a word stands for, which would else be a path
 };
 
-// Runs it, as `ballbar COMMAND ... --json` where it has that option. Throws as below; UsageError with the option's
-// name.
+// Runs it. Throws as below.
 void run_command(const CommandCall& call);
 
 // Runs `ballbar WORDS...`; who takes what it says: terminal/caller.hpp. Throws UsageError, Error, or what else ended

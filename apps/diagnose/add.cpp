@@ -262,11 +262,10 @@ void run(AddArguments options) {
   const auto opened = std::make_shared<const ModelData>(open_data(how));
   const ModelData& data = *opened;
   Story story{opened_model(how, opened), {}, {}, {}};
-  if (story.model.is_new())
-    stderr_line(
-        fmt::format("{} is new: it starts from {} alone", written_to(options).model.name(), start_of(data.level)));
+  const Source to = written_to(options).model;
+  const std::string& out = to.name();
+  if (story.model.is_new()) stderr_line(fmt::format("{} is new: it starts from {} alone", out, start_of(data.level)));
   if (!options.out.empty()) expect_no_input({options.out}, data.files);
-  const std::string out = written_to(options).model.name();
   std::string stopped;
   Verdict verdict = Verdict::named;
   if (options.automatic) {
@@ -288,13 +287,12 @@ void run(AddArguments options) {
   show_progress({});
   expect_file_suits(options, data, story.model.text());
   const bool changed = revisions_of(story) > 0;
-  const bool has_file = written_to(options).model.is_path();
-  if (changed && has_file) write_bytes(out, story.model.text());
+  if (changed && to.is_path()) write_bytes(out, story.model.text());
   if (options.effect.json) {
     Added added = added_of(story);
     if (options.automatic) added.stopped.value = {verdict, stopped};
-    if (changed && has_file) added.written = out;
-    if (changed && !has_file) added.text.value = story.model.text();
+    if (changed && to.is_path()) added.written = out;
+    if (changed && !to.is_path()) added.text.value = story.model.text();
     print_json(json_of(added));
   } else {
     print_text(story, stopped, data.title);
@@ -308,7 +306,7 @@ void run(AddArguments options) {
     stderr_line(fmt::format("the effects of {} hold for all its targets, {}; the row is of {}", out,
                             fmt::join(targets, ", "), story.model.model().targets.front()));
   }
-  if (has_file) wrote_line(out);
+  if (to.is_path()) wrote_line(out);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -21,6 +20,7 @@
 #include "history/history_result.hpp"
 #include "history/test_files.hpp"
 #include "python/arrays.hpp"
+#include "python/progress.hpp"
 #include "python/to_python.hpp"
 #include "terminal/caller.hpp"
 
@@ -126,11 +126,7 @@ py::tuple fleet(const Texts& texts, const Columns& columns,
 // The keys of the JSON of `errors`; no test at all is no error. On the way Ctrl-C ends it.
 py::object tests(const std::vector<std::string>& files) {
   Caller caller;
-  caller.progress = [](std::string_view line) {
-    if (line.empty()) return;  // said as the reading ends, by an error too
-    const py::gil_scoped_acquire hold;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-  };
+  caller.progress = progress_for(py::none());
   const nlohmann::ordered_json json = [&] {
     const py::gil_scoped_release free;
     const CalledBy called(caller);

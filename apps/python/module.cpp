@@ -22,6 +22,7 @@
 #include "python/arrays.hpp"
 #include "python/classes.hpp"
 #include "python/fleets.hpp"
+#include "python/progress.hpp"
 #include "python/python_effect.hpp"
 #include "python/to_python.hpp"
 #include "terminal/caller.hpp"
@@ -62,12 +63,7 @@ Answer answer(const CommandCall& call, const py::object& progress) {
   caller.result = [&](const Json& json) { answer.result = json; };
   caller.remark = [&](const std::string& line) { answer.remarks.push_back(line); };
   caller.wrote = [&](const std::string& file) { answer.wrote.push_back(file); };
-  caller.progress = [&](std::string_view line) {
-    if (line.empty()) return;  // said as a command ends, by an error too
-    const py::gil_scoped_acquire hold;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (!progress.is_none()) progress(py::str(line.data(), line.size()));
-  };
+  caller.progress = progress_for(progress);
   const py::gil_scoped_release free;
   const CalledBy called(caller);
   run_command(call);
