@@ -1,6 +1,7 @@
 """Tables that are kept: the same however they came to be, whole whatever befalls."""
 import contextlib
 import json
+import logging
 import math
 import os
 import re
@@ -10,6 +11,8 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 import unittest
 from unittest import mock
 
@@ -160,6 +163,18 @@ for k in range(8):
         self.assertEqual([one.returncode for one in both], [0, 0])
         self.assertGreater(reads, 3)
         pandas.testing.assert_frame_equal(fleet.read(self.table), self.anew())
+
+    def test_a_file_that_another_update_read_while_this_one_waited(self):
+        fleet.update(self.plant, self.table)
+        with fleet_table.to_update(self.table):
+            waiting = threading.Thread(target=fleet.update, args=(self.plant, self.table))
+            with self.assertLogs("ballbar", "WARNING"):
+                waiting.start()
+                while not logging.getLogger("ballbar").handlers[0].watcher.output:
+                    time.sleep(0.01)
+            self.another("later.b5r")
+        waiting.join()
+        self.assertIn(f"{self.plant}/m0/later.b5r", set(fleet.read(self.table)["file"]))
 
     def test_files_of_others(self):
         os.makedirs(self.table)

@@ -98,8 +98,8 @@ def update(
     of those below a folder that can no longer be listed, stay. Two logs beside each other may be one test: with a log
     those after it in its folder are read again, and the one before it.
     """
-    files = files_of(paths, **storage)
     with to_update(os.fspath(table)) as store:
+        files = files_of(paths, **storage)  # not before: another update may end meanwhile, with files that are newer
         known = store.entries()
         stamps, unseen = _stamps(files, storage)
         stay = _below_or_among(known, stamps, unseen)

@@ -23,7 +23,7 @@ Spectrum spectrum_of(std::vector<double> values, bool goes_round) {
 }
 
 std::vector<double> random_phases(std::size_t count, std::mt19937_64& random) {
-  std::vector<double> phases(count / 2);
+  std::vector<double> phases((count + 1) / 2);  // of the waves 0 to below count / 2; that of 0 is not used
   for (double& phase : phases) phase = 2.0 * kPi * simulation::uniform(random);
   return phases;
 }

@@ -58,25 +58,35 @@ TEST(SurrogateSeries, of_an_effect_that_is_not_there_do_better) {
 TEST(SurrogateSeries, are_the_same_every_time) { EXPECT_EQ(tried(5.0, 2).best.gain, tried(5.0, 2).best.gain); }
 
 // Other phases leave the amplitudes of the waves: about the line through its ends the sum of squares is the same.
-TEST(PhaseRandomised, has_the_same_square) {
+void expect_the_same_square(std::size_t count) {
   std::mt19937_64 random(4);
   std::normal_distribution<double> normal;
   std::vector<double> values;
   double memory = 0.0;
-  for (int i = 0; i < 128; ++i) values.push_back(3.0 + 0.1 * i + (memory = 0.9 * memory + normal(random)));
+  for (std::size_t i = 0; i < count; ++i)
+    values.push_back(3.0 + 0.1 * static_cast<double>(i) + (memory = 0.9 * memory + normal(random)));
   const Spectrum spectrum = spectrum_of(values);
-  const std::vector<double> turned = phase_randomised(spectrum, random_phases(128, random));
+  const std::vector<double> turned = phase_randomised(spectrum, random_phases(count, random));
   ASSERT_EQ(turned.size(), values.size());
   const auto square = [&](const std::vector<double>& curve) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < 128; ++i)
-      sum += std::pow(curve[i] - spectrum.first - spectrum.rise * static_cast<double>(i) / 127.0, 2);
+    for (std::size_t i = 0; i < count; ++i)
+      sum += std::pow(
+          curve[i] - spectrum.first - spectrum.rise * static_cast<double>(i) / static_cast<double>(count - 1), 2);
     return sum;
   };
   const double mean_free = square(values);
   EXPECT_GT(mean_free, 0.0);
   EXPECT_NE(turned, values);
   EXPECT_NEAR(square(turned), mean_free, 1e-9 * mean_free);
+}
+
+TEST(PhaseRandomised, has_the_same_square) { expect_the_same_square(128); }
+
+TEST(PhaseRandomised, has_a_phase_for_each_wave_of_an_odd_count) {
+  std::mt19937_64 random(1);
+  EXPECT_EQ(random_phases(5, random).size(), 3U);  // waves 0, 1 and 2; 3 and 4 are the conjugates
+  expect_the_same_square(129);
 }
 
 }  // namespace
