@@ -10,7 +10,6 @@ namespace ballbar::commands {
 
 void add_fit(CLI::App& app);
 void add_import(CLI::App& app);
-void add_merge(CLI::App& app);
 void add_drift(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_errors(CLI::App& app);
@@ -18,23 +17,16 @@ void add_fleet(CLI::App& app);
 void add_history(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_effects(CLI::App& app);
-void add_terms(CLI::App& app);
-void add_preflight(CLI::App& app);
+void add_could(CLI::App& app);
 void add_check(CLI::App& app);
 void add_diagnose(CLI::App& app);
 void add_predict(CLI::App& app);
 void add_plan(CLI::App& app);
-void add_try(CLI::App& app);
 void add_add(CLI::App& app);
 void add_undo(CLI::App& app);
 void add_ledger(CLI::App& app);
-void add_blind(CLI::App& app);
-void add_inject(CLI::App& app);
 void add_train(CLI::App& app);
-void add_select(CLI::App& app);
-void add_meanpoint(CLI::App& app);
 void add_report(CLI::App& app);
 void add_compensate(CLI::App& app);
-void add_page(CLI::App& app);
 
 }  // namespace ballbar::commands

@@ -8,16 +8,16 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ballbar/nearest_name.hpp"
 #include "commands.hpp"
-#include "shell/completion.hpp"
 #include "shell/file_command.hpp"
 #include "shell/help.hpp"
-#include "shell/man_page.hpp"
 #include "shell/usage_fault.hpp"
 #include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
@@ -42,29 +42,43 @@ const std::vector<Group>& groups() {
   using namespace ballbar::commands;
   static const std::vector<Group> kGroups{
       {"Measure", {{"fit", add_fit}, {"drift", add_drift}, {"compare", add_compare}}},
-      {"Logs of others", {{"import", add_import}, {"merge", add_merge}}},
+      {"Logs of others", {{"import", add_import}}},
       {"Follow", {{"errors", add_errors}, {"history", add_history}, {"fleet", add_fleet}}},
-      {"Look", {{"report", add_report}, {"page", add_page}}},
-      {"Model", {{"effects", add_effects}, {"terms", add_terms}, {"preflight", add_preflight}, {"check", add_check}}},
+      {"Look", {{"report", add_report}}},
+      {"Model", {{"effects", add_effects}, {"could", add_could}, {"check", add_check}}},
       {"Diagnose",
-       {{"diagnose", add_diagnose},
-        {"plan", add_plan},
-        {"try", add_try},
-        {"add", add_add},
-        {"undo", add_undo},
-        {"ledger", add_ledger},
-        {"inject", add_inject}}},
-      {"Train", {{"train", add_train}, {"select", add_select}}},
-      {"Predict", {{"predict", add_predict}}},
-      {"Compensate", {{"compensate", add_compensate}}},
-      {"Place a sensor", {{"meanpoint", add_meanpoint}}},
+       {{"diagnose", add_diagnose}, {"plan", add_plan}, {"add", add_add}, {"undo", add_undo}, {"ledger", add_ledger}}},
+      {"Predict", {{"train", add_train}, {"predict", add_predict}, {"compensate", add_compensate}}},
       {"Simulate", {{"simulate", add_simulate}}},
-      {"Challenge", {{"blind", add_blind}}},
-      {"Shell",
-       {{"help", ballbar::add_help_command},
-        {"completion", ballbar::add_completion_command},
-        {"man", ballbar::add_man_command}}}};
+      {"Help", {{"help", ballbar::add_help_command}}}};
   return kGroups;
+}
+
+// A command of the version before, and what does its work now.
+struct OldCommand {
+  std::string_view name, now, help;
+};
+
+constexpr OldCommand kOldCommands[] = {
+    {"merge", "import LOG LOG...", "import"},
+    {"fleet", "history FOLDER...", "history"},
+    {"page", "report --tool", "report"},
+    {"try", "add EFFECT... DATA --dry-run", "add"},
+    {"preflight", "could DATA", "could"},
+    {"inject", "could EFFECT DATA", "could"},
+    {"terms", "effects --terms", "effects"},
+    {"select", "train RUNS --for DATA", "train"},
+    {"meanpoint", "compensate --from-picture FILE", "compensate"},
+    {"blind", "simulate --hidden", "simulate"},
+    {"completion", "help --completion SHELL", "help"},
+    {"man", "help --man", "help"},
+};
+
+void expect_no_old_command(const std::string& name) {
+  for (const OldCommand& old : kOldCommands) {
+    if (old.name != name) continue;
+    throw ballbar::UsageError(fmt::format("{} is now: ballbar {}; see ballbar {} --help", old.name, old.now, old.help));
+  }
 }
 
 void add_commands(CLI::App& app) {
@@ -87,6 +101,7 @@ CLI::App& add_command(CLI::App& app, const std::string& name) {
       return *app.get_subcommand(name);
     }
   }
+  expect_no_old_command(name);
   throw ballbar::UsageError(fmt::format("expected a command, found {}.", ballbar::in_quotes(name)));
 }
 
@@ -161,6 +176,8 @@ void run_command(const CommandCall& call) {
 void run_command(const std::vector<std::string>& words) {
   CommandLine app{"Ballbar logs to thermal drift of the spindle."};
   set_up(app);
+  std::error_code absent;
+  if (!words.empty() && !std::filesystem::exists(words.front(), absent)) expect_no_old_command(words.front());
   try {
     std::vector<std::string> line = with_command(words, app);
     std::reverse(line.begin(), line.end());  // as CLI11 takes them

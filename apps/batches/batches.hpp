@@ -1,4 +1,4 @@
-// The recorded batches that `train` and `select` work on.
+// The recorded batches that `train` works on.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,5 @@
-// `ballbar train RUNS --target COLUMN --out model.json`: a regression of thermal error on temperatures over batches.
+// `ballbar train RUNS --target COLUMN --out model.json`: a regression of thermal error on temperatures over batches;
+// with --for DATA over those that are like the job at hand.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -15,12 +16,14 @@
 #include "ballbar/formats/models/batch_model_json.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "batches/batch_choice.hpp"
 #include "batches/batches.hpp"
 #include "batches/train_effects.hpp"
 #include "batches/train_result.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
@@ -40,6 +43,7 @@ struct TrainArguments {
   std::optional<double> max_gap_s;
   std::string out;
   bool json = false;
+  ChoiceOptions choice;  // with --for
 };
 
 Contender contender(const OpenedBatches& opened, const RegressionSettings& settings) {
@@ -187,7 +191,31 @@ void run_effects(const TrainArguments& options) {
                 others, opened.remarks);
 }
 
-void run(const TrainArguments& given) {
+// Of the batches that suit the job.
+void run_for(const TrainArguments& given) {
+  if (given.effects || given.components || given.penalty_K2 || !given.model.empty()) {
+    throw CLI::ValidationError(
+        "--for: expected neither --effects, --components, --penalty nor --model with it; of each choice they are found "
+        "by batches left out");
+  }
+  if (given.share && given.method.value_or(0) != static_cast<std::size_t>(RegressionMethod::pcr)) {
+    throw CLI::ValidationError("--share: expected --method pcr with it");
+  }
+  ChoiceOptions choice = given.choice;
+  choice.batches = given.batches;
+  choice.method = given.method;
+  choice.selection.share = given.share;
+  choice.out = given.out;
+  choice.json = given.json;
+  choose_batches(std::move(choice));
+}
+
+void run(const TrainArguments& given, const std::vector<CLI::Option*>& of_a_choice) {
+  if (!given.choice.job.empty()) return run_for(given);
+  for (const CLI::Option* option : of_a_choice) {
+    if (option->count() > 0) throw CLI::ValidationError(fmt::format("{}: expected --for with it", option->get_name()));
+  }
+  if (given.out.empty()) throw CLI::RequiredError("--out");
   if (given.effects) return run_effects(given);
   if (given.few) throw CLI::ValidationError("--few: expected --effects with it.");
   if (given.max_gap_s) throw CLI::ValidationError("--max-gap: expected --effects with it.");
@@ -230,6 +258,34 @@ void run(const TrainArguments& given) {
   wrote_line(options.out);
 }
 
+std::vector<CLI::Option*> add_choice_options(CLI::App& command, TrainArguments& options) {
+  ChoiceOptions& choice = options.choice;
+  add_source(
+      command, "--for", choice.job,
+      "the job at hand, a series of its temperatures: train on the batches like it; with the target it is checked")
+      ->type_name("DATA");
+  std::vector<CLI::Option*> added;
+  added.push_back(
+      command
+          .add_option("--fall", choice.selection.fall, "with --for: how far RMSE_m must fall below all those before it")
+          ->check(number_within(0.0, 1.0))
+          ->type_name("SHARE")
+          ->capture_default_str());
+  added.push_back(command.add_option("--random", choice.random.choices, "with --for: random choices to compare with")
+                      ->check(number_within(0, 100000))
+                      ->type_name("N")
+                      ->capture_default_str());
+  added.push_back(command.add_option("--seed", choice.random.seed, "of the random choices")
+                      ->type_name("N")
+                      ->check(number_within(0, kLargestSeed))
+                      ->capture_default_str());
+  add_choice(command, "--take", {"paper", "held-out", "weights", "all"}, "weights",
+             "with --for: whose model is written and shown first", [&](std::size_t at) { choice.take = at; });
+  added.push_back(command.get_option("--take"));
+  added.push_back(command.add_flag("--every", choice.every, "with --for: list every batch"));
+  return added;
+}
+
 }  // namespace
 
 void add_train(CLI::App& app) {
@@ -241,8 +297,10 @@ void add_train(CLI::App& app) {
       ->check(CLI::Range(1, 10000).description(""))
       ->type_name("N");
   command
-      ->add_option("--share", options->share,
-                   "pcr: the fewest components that explain this share of the inputs, such as 0.99")
+      ->add_option(
+          "--share", options->share,
+          "pcr: the fewest components that explain this share of the inputs, such as 0.99; with --for anew for each "
+          "choice of batches")
       ->check(number_within(0.0, 1.0))
       ->type_name("SHARE");
   command->add_option("--penalty", options->penalty_K2, "of ridge, K^2 a row; otherwise chosen by batches left out")
@@ -255,16 +313,17 @@ void add_train(CLI::App& app) {
       "a regression on the catalogue's effects instead, which runs live; RUNS may be one series or session");
   command->add_flag("--few", options->few, "with --effects: some ten effects, nine selections averaged");
   add_max_gap(*command, options->max_gap_s);
-  command->add_option("--out", options->out, "write the model, .json")
-      ->required()
+  const std::vector<CLI::Option*> of_a_choice = add_choice_options(*command, *options);
+  command->add_option("--out", options->out, "write the model, .json; with --for it may be left out")
       ->type_name("FILE")
       ->check(name_that_ends_in({".json"}));
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"
       "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --out model.json\n"
-      "  ballbar train sample-runs/spindle-46h/measured.csv --effects --target ch1_um --out ch1.json");
-  command->callback([options] { run(*options); });
+      "  ballbar train sample-runs/spindle-46h/measured.csv --effects --target ch1_um --out ch1.json\n"
+      "  ballbar train sample-runs/batches-tan2024/runs.csv --target y_um --for sample-runs/batches-tan2024/test1.csv");
+  command->callback([options, of_a_choice] { run(*options, of_a_choice); });
 }
 
 }  // namespace ballbar::commands

@@ -27,7 +27,7 @@ constexpr std::string_view kFormat = "ballbar-blind 1";
 constexpr std::size_t kDigits = 64;
 
 constexpr std::string_view kReadme =
-    R"(SIMULATED data, not measured: a blind test of a diagnosis, made by ballbar blind make.
+    R"(SIMULATED data, not measured: a blind test of a diagnosis, made by ballbar simulate --hidden.
 
 Each numbered folder holds a series (data.csv) and the model that its user believes (model.toml). In
 some of them one or two physical effects are hidden that the model lacks, in some there is something
@@ -45,8 +45,8 @@ The verdicts are named, equivalent (one of these, the data cannot tell which), u
 none of the catalogue), untestable, nothing. Two missing effects are both named, with ; between them.
 
 Then, in the folder above this one, with the name of this one for DIR:
-  ballbar blind score DIR --by-hand verdicts.csv    your score
-  ballbar blind score DIR                           the program's own
+  ballbar simulate score DIR --by-hand verdicts.csv    your score
+  ballbar simulate score DIR                           the program's own
 The answers are sealed: SEAL holds the SHA-256 of their file, and they hold that of every data.csv and
 model.toml. A score is refused where either has been changed.
 )";
@@ -121,7 +121,8 @@ std::vector<SealedSet> answers_of(const std::string& bytes, const fs::path& file
   } catch (const Error& error) {
     found = error.what();
   }
-  throw Error(fmt::format("{}: expected answers of ballbar blind make ({}), found {}.", file.string(), kFormat, found));
+  throw Error(
+      fmt::format("{}: expected answers of ballbar simulate --hidden ({}), found {}.", file.string(), kFormat, found));
 }
 
 void expect_made(const fs::path& file, std::size_t limit, const std::string& digest) {
@@ -142,6 +143,7 @@ std::string label(std::size_t index, std::size_t count) { return fmt::format("{:
 
 }  // namespace
 
+// The name of the command is that of the format: digests of sets that were made before hold it.
 std::string data_of(const BlindSet& set) {
   return "# # SIMULATED by ballbar blind make, not measured.\n" + write_series(set.data);
 }

@@ -1,4 +1,5 @@
-// `ballbar compensate`: offsets for the axes of a machine from a model and what its sensors say.
+// `ballbar compensate`: offsets for the axes of a machine from a model and what its sensors say; with --from-picture
+// where one sensor should sit.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +13,7 @@
 #include "compensate/compensate_live.hpp"
 #include "compensate/compensate_replay.hpp"
 #include "compensate/compensation_options.hpp"
+#include "mean_point/meanpoint.hpp"
 #include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
@@ -20,6 +22,8 @@
 namespace ballbar::commands {
 namespace {
 
+constexpr const char* kPlaceGroup = "Place of a sensor, from pictures or a table";
+
 struct CompensateArguments {
   CompensationOptions compensation;
   LiveOptions live;
@@ -27,6 +31,7 @@ struct CompensateArguments {
   std::vector<std::string> out;  // of these the series, .csv, are the replay's
   std::string save;              // and the model is this one, .toml
   bool json = false;
+  MeanpointArguments place;
 };
 
 // The model as it runs: every value held, the ranges it was trained on.
@@ -81,7 +86,29 @@ void expect_fitting(const CompensateArguments& options) {
   expect(live || !options.live.follow, "--follow: expected --signals with it");
 }
 
-void run(const CompensateArguments& given) {
+// The place of a sensor: no model, and of --out a table.
+void run_place(CompensateArguments options, const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || option->get_group() == kPlaceGroup || name == "--out" || name == "--json") continue;
+    throw CLI::ValidationError(fmt::format("{}: expected no --from-picture with it", name));
+  }
+  if (options.out.size() > 1 || (options.out.size() == 1 && !options.out.front().ends_with(".csv"))) {
+    throw CLI::ValidationError(
+        fmt::format("--out: expected one name that ends in .csv with --from-picture, found {}", options.out.back()));
+  }
+  if (!options.out.empty()) options.place.out = options.out.front();
+  options.place.json = options.json;
+  show_mean_points(options.place);
+}
+
+void run(const CompensateArguments& given, const CLI::App& command) {
+  if (!given.place.of.files.empty()) return run_place(given, command);
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || option->get_group() != kPlaceGroup) continue;
+    throw CLI::ValidationError(fmt::format("{}: expected --from-picture with it", option->get_name()));
+  }
+  if (given.compensation.models.empty()) throw CLI::RequiredError("--model");
   const CompensateArguments options = sorted_out(given);
   expect_fitting(options);
   const bool live = !options.live.signals.empty(), replay = !options.replay.data.empty();
@@ -90,12 +117,39 @@ void run(const CompensateArguments& given) {
   if (replay) compensate_replay(options.compensation, options.replay);
 }
 
+void add_place_options(CLI::App& command, MeanpointArguments& options) {
+  MeanPointOptions& of = options.of;
+  const auto add = [&](const char* name, auto& value, const char* what, const char* type) {
+    return command.add_option(name, value, what)->group(kPlaceGroup)->type_name(type);
+  };
+  add("--from-picture", of.files,
+      "without --model: where one sensor tells the axial elongation; pictures of temperature (PNG, JPEG), or one table "
+      ".csv of x_mm and columns in degC",
+      "FILE");
+  add("--start-degC", of.start_degC, "temperature at which the elongation is 0", "DEGC");
+  add("--expansion-ppm-per-K", of.expansion_ppm_per_K, "of the spindle; default: 11.7, steel", "PPM/K");
+  add("--plot", options.plot, "T along x, .svg; or the picture with what was found, .png", "FILE")
+      ->check(name_that_ends_in({".svg", ".png"}));
+  add("--from-mm", of.from_mm, "place of the region's left edge; default: 0", "MM");
+  add("--to-mm", of.to_mm, "place of its right edge", "MM");
+  add("--min-degC", of.min_degC, "cold end of the colour scale; once or one a picture", "DEGC");
+  add("--max-degC", of.max_degC, "hot end of it; once or one a picture", "DEGC");
+  add("--legend", of.legend, "the scale in the picture, inside its frame; the hot end at the top or at the right",
+      "X,Y,W,H");
+  add("--colours", of.colours,
+      "a known scale instead: jet, turbo, viridis, inferno, hot, gray and others; _r at the end reverses it", "NAME");
+  add("--region", of.region, "what to look at; default: all that is on the scale, without the legend", "X,Y,W,H");
+  add("--edge-px", of.edge_px, "pixels left out beside what is not on the scale; default: 3", "PX");
+  command.add_flag("--vertical", of.vertical, "x runs from the region's top to its bottom")->group(kPlaceGroup);
+}
+
 }  // namespace
 
 void add_compensate(CLI::App& app) {
   const auto options = std::make_shared<CompensateArguments>();
   CLI::App* command = app.add_subcommand("compensate", "Offsets for a machine's axes, row by row, from its sensors");
   add_compensation_options(*command, options->compensation);
+  command->get_option("--model")->required(false);
   command->add_option("--signals", options->live.signals, "series .csv as it grows, or - for the standard input")
       ->type_name("FILE");
   command->add_flag("--follow", options->live.follow, "wait for rows that are still to be written to the file");
@@ -104,18 +158,22 @@ void add_compensate(CLI::App& app) {
   add_source(*command, "--on", options->replay.data, "session or series: what its error would have been")
       ->type_name("DATA");
   command
-      ->add_option("--out", options->out,
-                   ".csv, with --on: before, after and offset; .toml, with --fit: the fitted model, ready to run; may "
-                   "be repeated")
+      ->add_option(
+          "--out", options->out,
+          ".csv, with --on: before, after and offset, with --from-picture: T along x and its sigma; .toml, with "
+          "--fit: the fitted model, ready to run; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->check(name_that_ends_in({".csv", ".toml"}));
   command->add_flag("--json", options->json, "the result for a program; with --signals the rows as JSON, as jsonl");
+  add_place_options(*command, options->place);
   command->footer(
-      "Example:\n"
+      "Examples:\n"
       "  ballbar compensate --model sample-runs/spindle-rotation-huang2022/mean-point.toml --to z \\\n"
-      "    --on sample-runs/spindle-rotation-huang2022");
-  command->callback([options] { run(*options); });
+      "    --on sample-runs/spindle-rotation-huang2022\n"
+      "  ballbar compensate --from-picture shaft.png --to-mm 330 --min-degC 22 --max-degC 48 --legend 780,71,24,198\n"
+      "  ballbar compensate --from-picture shaft.csv --start-degC 22.5");
+  command->callback([options, command] { run(*options, *command); });
 }
 
 }  // namespace ballbar::commands

@@ -1,5 +1,5 @@
 // `ballbar add EFFECT... --model M DATA`: a new revision of the model, earlier effects tested anew, a row in its
-// ledger.
+// ledger; with --dry-run what that would change, and nothing is saved.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -25,6 +25,8 @@
 #include "diagnose/revised_model.hpp"
 #include "model/effect_options.hpp"
 #include "model/known_effect.hpp"
+#include "model/residual_report.hpp"
+#include "model/workbench_of.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"
@@ -42,6 +44,7 @@ struct AddArguments {
   bool automatic = false;
   bool named_only = false;
   bool prune = false;
+  bool dry_run = false;
   std::vector<std::string> replace;  // labels of effects of the model, taken out first
 };
 
@@ -252,7 +255,33 @@ void print_text(const Story& story, const std::string& stopped, const std::strin
   if (!story.effect_tests.empty()) fmt::print("\n{}", tables(story.effect_tests.back()));
 }
 
+// The model with and without the effects; no file is needed, none is written.
+void try_effects(EffectOptions options) {
+  split_words(options, true);
+  for (const std::string& effect : options.effects) expect_known_effect(effect, true);
+  const auto data = std::make_shared<const ModelData>(open_data(options.model));
+  const Model model = open_model(options.model, *data);
+  say_start(options.model, *data);
+  expect_one_target(options.model, model);
+  Workbench bench = workbench_of(options.model, data, model);
+  const std::vector<Term> terms = terms_of(options.effects, model, *data);
+  const ProgressLine progress;
+  show_progress(fmt::format("fitting {} with and without what is added", model.targets.front()));
+  EffectTest tested = with_source(options.model.data.front().name(), [&] { return bench.effect_test(terms); });
+  show_progress({});
+  tested.after.data = names_of(options.model.data);
+  const std::string saves = add_command(options.model, tested);
+  if (options.json) {
+    print_json(json_of(tested));
+    return;
+  }
+  fmt::print("{}\n{}\n\n{}\n{}\nNothing was saved; {}\n", data->title, heading(tested.fit_after),
+             wrapped(conclusion(tested)), tables(tested),
+             saves.empty() ? "without --dry-run it is." : "this saves it:\n" + saves);
+}
+
 void run(AddArguments options) {
+  if (options.dry_run) return try_effects(options.effect);
   if (options.named_only && !options.automatic) throw CLI::ValidationError("--named-only: expected --auto with it");
   split_words(options.effect, !options.automatic);
   for (const std::string& effect : options.effect.effects) expect_known_effect(effect, true);
@@ -330,8 +359,16 @@ void add_add(CLI::App& app) {
       ->allow_extra_args(false)
       ->excludes(automatic);
   command->add_flag("--prune", options->prune, "take earlier effects out that are no longer needed");
+  CLI::Option* dry_run =
+      command->add_flag("--dry-run", options->dry_run,
+                        "before and after the effects are added; nothing is saved, and no model's file is needed");
+  for (const char* of_a_file : {"--out", "--auto", "--named-only", "--replace", "--prune"}) {
+    dry_run->excludes(command->get_option(of_a_file));
+  }
   command->footer(
-      "Example:\n"
+      "Examples:\n"
+      "  ballbar add lagged_expansion:temperature=T16_degC sample-runs/spindle-46h/measured.csv \\\n"
+      "    --model sample-runs/spindle-46h/speed.toml --target ch3_um --dry-run\n"
       "  ballbar add lagged_expansion:temperature=T16_degC sample-runs/spindle-46h/measured.csv \\\n"
       "    --model sample-runs/spindle-46h/speed.toml --target ch3_um --out model.toml");
   command->callback([options] { run(*options); });

@@ -28,7 +28,7 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-// As `add` and `try` take it; empty where the name of a column holds the comma that parts them.
+// As `add` takes it; empty where the name of a column holds the comma that parts them.
 std::string word_of(const std::string& label, const std::vector<std::string>& columns) {
   for (const std::string& column : columns) {
     if (column.find(',') != std::string::npos) return "";
@@ -56,16 +56,18 @@ std::string word_of(const Term& term) { return word_of(label_of(term), term.colu
 
 // Empty where one of the effects cannot be typed.
 std::string command_of(const std::string& verb, const std::vector<std::string>& effects, const ModelOptions& options,
-                       const std::string& target) {
+                       const std::string& target, bool dry_run = false) {
   if (std::find(effects.begin(), effects.end(), "") != effects.end()) return "";
   std::vector<std::string> words{"ballbar", verb};
   words.insert(words.end(), effects.begin(), effects.end());
   for (const std::string& file : names_of(options.data))
     words.push_back(shell_word(file.starts_with('-') ? "./" + file : file));
-  if (verb == "add" || !options.model.empty()) words.insert(words.end(), {"--model", shell_word(model_file(options))});
+  if ((verb == "add" && !dry_run) || !options.model.empty())
+    words.insert(words.end(), {"--model", shell_word(model_file(options))});
   words.insert(words.end(), {"--target", shell_word(target)});
   for (const std::string& column : options.also_input) words.insert(words.end(), {"--also-input", shell_word(column)});
   if (options.max_gap_s) words.insert(words.end(), {"--max-gap", fmt::format("{:g}s", *options.max_gap_s)});
+  if (dry_run) words.emplace_back("--dry-run");
   const std::string command = fmt::format("{}", fmt::join(words, " "));
   return shortened(command, command.size()) == command ? command : "";  // a name that a terminal would obey
 }
@@ -111,7 +113,7 @@ std::string next_command(const ModelOptions& options, const Diagnosis& found) {
   words.reserve(bounds.size());
   for (const BoundEffect& bound : bounds) words.push_back(word_of(bound, found));
   if (words.empty()) return "";
-  return command_of(says_a_name(found) ? "add" : "try", words, options, found.target);
+  return command_of("add", words, options, found.target, !says_a_name(found));
 }
 
 std::string replace_command(const ModelOptions& options, const Replacement& replacement) {

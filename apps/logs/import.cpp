@@ -1,4 +1,4 @@
-// `ballbar import LOG --out clean.csv`: what a log is taken for, and the series made of it.
+// `ballbar import LOG... --out clean.csv`: what a log is taken for, and the series made of it; several logs as one.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -13,8 +13,11 @@
 #include "commands.hpp"
 #include "logs/log_options.hpp"
 #include "logs/log_results.hpp"
+#include "logs/merged_logs.hpp"
+#include "model/model_options.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
+#include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -24,9 +27,10 @@ namespace {
 constexpr std::size_t kShownRows = 5;
 
 struct ImportArguments {
-  Source log;
+  std::vector<Source> logs;
   std::string out, save;
   LogOptions how;
+  ClockOptions clocks;
   bool json = false;
 };
 
@@ -76,7 +80,7 @@ std::vector<std::string> guesses(const Log& log) {
 
 void print(const ImportArguments& options, const Log& log, const std::vector<ColumnFault>& faults) {
   const std::vector<double>& time_s = log.series.time_s;
-  fmt::print("{}\n{}\n", options.log.name(), wrapped(sentence_of(log)));
+  fmt::print("{}\n{}\n", options.logs.front().name(), wrapped(sentence_of(log)));
   fmt::print("{} rows over {}{}\n\n", time_s.size(), duration_text(time_s.back() - time_s.front()),
              log.series.started ? fmt::format(", started {}", *log.series.started) : std::string());
   fmt::print("{}", columns_text(log));
@@ -96,10 +100,10 @@ void print(const ImportArguments& options, const Log& log, const std::vector<Col
 
 // A series of our own is no log to be guessed at; it is only shown.
 Log opened(const ImportArguments& options) {
-  const Reader* const reader = options.log.reader();
-  if (read_of<ReadSeries>(reader) == nullptr) return open_log(options.log, recipe_of(options.how));
+  const Reader* const reader = options.logs.front().reader();
+  if (read_of<ReadSeries>(reader) == nullptr) return open_log(options.logs.front(), recipe_of(options.how));
   Log log;
-  log.series = open_series(options.log);
+  log.series = open_series(options.logs.front());
   for (const Column& column : log.series.columns) {
     const auto gaps = static_cast<std::size_t>(
         std::count_if(column.values.begin(), column.values.end(), [](double v) { return std::isnan(v); }));
@@ -112,8 +116,7 @@ Log opened(const ImportArguments& options) {
   return log;
 }
 
-void run(const ImportArguments& options) {
-  expect_no_input({options.out, options.save}, paths_of({options.log}));
+void run_one(const ImportArguments& options) {
   const Log log = opened(options);
   const std::vector<ColumnFault> faults = column_faults(log.series);
   if (!options.out.empty())
@@ -122,7 +125,7 @@ void run(const ImportArguments& options) {
     });
   if (!options.save.empty()) write_bytes(options.save, write_recipe(log.recipe));
   if (options.json) {
-    print_json(json_of(ImportedLog{options.log.name(), log.shape, log.time, log.series.started,
+    print_json(json_of(ImportedLog{options.logs.front().name(), log.shape, log.time, log.series.started,
                                    log.series.time_s.size(), log.first_row_line, log.columns, log.remarks, faults}));
     return;
   }
@@ -131,20 +134,61 @@ void run(const ImportArguments& options) {
   if (!options.save.empty()) fmt::print("wrote {}\n", options.save);
 }
 
+void run_several(const ImportArguments& options) {
+  if (!options.save.empty()) throw CLI::ValidationError("--save: expected one log with it, found several");
+  const MergedSeries merged = merged_series(options.logs, options.how, options.clocks);
+  if (!options.out.empty())
+    write_through(options.out, [&](const std::filesystem::path& path) {
+      write_series_parts(merged.series, series_header(merged.series), path);
+    });
+  if (options.json) {
+    print_json(json_of(MergedLogs{merged.series.time_s.size(), merged.series.columns.size(), merged.parts}));
+    return;
+  }
+  print_text(merged, options.clocks);
+  fmt::print("\n{}\n",
+             options.out.empty() ? "Nothing was written; --out clean.csv writes the series." : "wrote " + options.out);
+}
+
+void run(const ImportArguments& options) {
+  expect_no_input({options.out, options.save}, paths_of(options.logs));
+  if (options.logs.size() > 1) return run_several(options);
+  const ClockOptions& clocks = options.clocks;
+  if (clocks.keep_clocks || clocks.range_s || clocks.max_gap_s) {
+    throw CLI::ValidationError(
+        fmt::format("{}: expected several logs with it, found one", clocks.keep_clocks ? "--keep-clocks"
+                                                                    : clocks.range_s   ? "--lag-range"
+                                                                                       : "--max-gap"));
+  }
+  run_one(options);
+}
+
 }  // namespace
 
 void add_import(CLI::App& app) {
   const auto options = std::make_shared<ImportArguments>();
-  CLI::App* command = app.add_subcommand("import", "What a logger's file is taken for, and a series made of it");
-  add_source(*command, "LOG", options->log, "delimited text, .xlsx, .mat or .json of columns over time")->required();
+  CLI::App* command =
+      app.add_subcommand("import", "Show how a log is interpreted, and write it as a series; several logs as one");
+  add_sources(*command, "LOG", options->logs,
+              "delimited text, .xlsx, .mat or .json of columns over time, and series; the clock of the first counts")
+      ->required()
+      ->type_name("");
   command->add_option("--out", options->out, "series .csv to write")->type_name("FILE");
   command->add_option("--save", options->save, "recipe .toml to write: how this log was read, for the next of its kind")
       ->type_name("FILE");
   command->add_flag("--json", options->json, "print what was understood as JSON");
   add_log_options(*command, options->how);
+  command->add_flag("--keep-clocks", options->clocks.keep_clocks,
+                    "several logs: by their dates alone, without a lag from what both show");
+  take_time(*command->add_option("--lag-range", options->clocks.range_s,
+                                 "several logs: how far apart the clocks may be; default: 30min, without dates half "
+                                 "the log"),
+            true);
+  add_max_gap(*command, options->clocks.max_gap_s);
   command->footer(
-      "Example:\n"
-      "  ballbar import sample-runs/foreign-logs/warmup.csv --out clean.csv --save recipe.toml");
+      "Examples:\n"
+      "  ballbar import sample-runs/foreign-logs/warmup.csv --out clean.csv --save recipe.toml\n"
+      "  ballbar import sample-runs/foreign-logs/probes.csv sample-runs/foreign-logs/control.csv --out clean.csv");
   command->callback([options] { run(*options); });
 }
 

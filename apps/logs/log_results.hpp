@@ -1,4 +1,4 @@
-// What `import --json` and `merge --json` print.
+// What `import --json` prints, of one log and of several.
 #pragma once
 
 #include <optional>

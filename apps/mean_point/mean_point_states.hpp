@@ -1,5 +1,5 @@
-// What `ballbar meanpoint` looks at: temperatures along a spindle, from pictures or from a table, each with its
-// mean-value points.
+// What `ballbar compensate --from-picture` looks at: temperatures along a spindle, from pictures or from a table, each
+// with its mean-value points.
 #pragma once
 
 #include <optional>

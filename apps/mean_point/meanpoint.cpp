@@ -1,36 +1,26 @@
-// `ballbar meanpoint FILE...`: where one sensor should sit so that it tells the axial elongation.
+#include "mean_point/meanpoint.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/profile_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/temperature/mean_point.hpp"
 #include "ballbar/temperature/mean_point_sigma.hpp"
-#include "commands.hpp"
-#include "mean_point/mean_point_states.hpp"
 #include "mean_point/meanpoint_plot.hpp"
 #include "mean_point/meanpoint_result.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
-namespace ballbar::commands {
+namespace ballbar {
 namespace {
-
-struct MeanpointArguments {
-  MeanPointOptions of;
-  std::string out, plot;
-  bool json = false;
-};
 
 // dL of the state since the start, for a mean and its sigma.
 double elongation_um(const MeanpointArguments& options, const MeanPointState& state, double rise_K) {
@@ -247,7 +237,9 @@ MeanPointsResult result_of(const MeanpointArguments& options, const std::vector<
   return result;
 }
 
-void run(const MeanpointArguments& options) {
+}  // namespace
+
+void show_mean_points(const MeanpointArguments& options) {
   std::vector<std::string> outputs;
   if (!options.plot.empty()) {
     expect_meanpoint_plot(options.plot);
@@ -279,49 +271,4 @@ void run(const MeanpointArguments& options) {
   for (const std::string& path : outputs) wrote_line(path);
 }
 
-}  // namespace
-
-void add_meanpoint(CLI::App& app) {
-  const auto options = std::make_shared<MeanpointArguments>();
-  CLI::App* command = app.add_subcommand(
-      "meanpoint", "Where one temperature sensor tells the axial elongation, from pictures or a table");
-  MeanPointOptions& of = options->of;
-  command
-      ->add_option("FILE,--images", of.files,
-                   "pictures of temperature (PNG, JPEG) or one table .csv: x_mm and columns in degC")
-      ->required()
-      ->type_name("");
-  command->add_option("--start-degC", of.start_degC, "temperature at which the elongation is 0")->type_name("DEGC");
-  command->add_option("--expansion-ppm-per-K", of.expansion_ppm_per_K, "of the spindle; default: 11.7, steel")
-      ->type_name("PPM/K");
-  command->add_option("--out", options->out, "write T along x and its sigma, .csv")
-      ->type_name("FILE")
-      ->check(name_that_ends_in({".csv"}));
-  command->add_option("--plot", options->plot, "T along x, .svg; or the picture with what was found, .png")
-      ->type_name("FILE")
-      ->check(name_that_ends_in({".svg", ".png"}));
-  command->add_flag("--json", options->json, "the result for a program");
-  constexpr const char* kGroup = "Pictures";
-  const auto add = [&](const char* name, auto& value, const char* what, const char* type) {
-    return command->add_option(name, value, what)->group(kGroup)->type_name(type);
-  };
-  add("--from-mm", of.from_mm, "place of the region's left edge; default: 0", "MM");
-  add("--to-mm", of.to_mm, "place of its right edge", "MM");
-  add("--min-degC", of.min_degC, "cold end of the colour scale; once or one a picture", "DEGC");
-  add("--max-degC", of.max_degC, "hot end of it; once or one a picture", "DEGC");
-  add("--legend", of.legend, "the scale in the picture, inside its frame; the hot end at the top or at the right",
-      "X,Y,W,H");
-  add("--colours", of.colours,
-      "a known scale instead: jet, turbo, viridis, inferno, hot, gray and others; _r at the end reverses it", "NAME");
-  add("--region", of.region, "what to look at; default: all that is on the scale, without the legend", "X,Y,W,H");
-  add("--edge-px", of.edge_px, "pixels left out beside what is not on the scale; default: 3", "PX");
-  command->add_flag("--vertical", of.vertical, "x runs from the region's top to its bottom")->group(kGroup);
-  command->footer(
-      "Examples:\n"
-      "  ballbar meanpoint shaft.png --to-mm 330 --min-degC 22 --max-degC 48 --legend 780,71,24,198 --plot marked.png\n"
-      "  ballbar meanpoint 2000rpm.jpg 6000rpm.jpg --colours jet --to-mm 165 --min-degC 22 --max-degC 40 48\n"
-      "  ballbar meanpoint shaft.csv --start-degC 22.5");
-  command->callback([options] { run(*options); });
-}
-
-}  // namespace ballbar::commands
+}  // namespace ballbar

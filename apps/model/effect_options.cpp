@@ -53,7 +53,7 @@ void add_effect_options(CLI::App& command, EffectOptions& options, const std::st
   command.add_flag("--json", options.json, "the result for a program");
 }
 
-void split_words(EffectOptions& options, bool effects_wanted) {
+void split_words(EffectOptions& options, std::optional<bool> effects) {
   for (const Source& word : options.words) {
     if (word.is_path() && is_effect(word.name())) {
       options.effects.push_back(word.name());
@@ -61,11 +61,11 @@ void split_words(EffectOptions& options, bool effects_wanted) {
       options.model.data.push_back(word);
     }
   }
-  if (effects_wanted && options.effects.empty()) {
+  if (effects == true && options.effects.empty()) {
     throw CLI::ValidationError("EFFECT",
                                fmt::format("expected an effect, found {} alone", options.model.data.front().name()));
   }
-  if (!effects_wanted && !options.effects.empty()) {
+  if (effects == false && !options.effects.empty()) {
     throw CLI::ValidationError("EFFECT", fmt::format("expected none with --auto, found {}", options.effects.front()));
   }
   if (options.model.data.empty()) {

@@ -1,6 +1,7 @@
-// What `try` and `add` share: EFFECT..., the model's file, DATA, and one target.
+// What `add` and `could` share: EFFECT..., the model's file, DATA, and one target.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,9 @@ struct EffectOptions {
 void add_effect_options(CLI::App& command, EffectOptions& options, const std::string& words);
 
 // The words told apart: an EFFECT is a name of the catalogue, with or without columns, or any other plain word that is
-// no file. Throws CLI::ValidationError: no DATA; no EFFECT where one is wanted, or one where none is.
-void split_words(EffectOptions& options, bool effects_wanted);
+// no file. `effects`: whether there must be one or must be none; nothing: either. Throws CLI::ValidationError: no DATA;
+// an EFFECT too few or too many.
+void split_words(EffectOptions& options, std::optional<bool> effects);
 
 // Throws Error where the model has several targets and the command line does not choose one.
 void expect_one_target(const ModelOptions& options, const Model& model);

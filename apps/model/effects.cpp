@@ -1,4 +1,4 @@
-// `ballbar effects [NAME]`: the catalogue, or one effect's page. Printed from the code.
+// `ballbar effects [NAME]`: the catalogue, one effect's page, or the words of statistics. Printed from the code.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,6 +13,7 @@
 #include "ballbar/nearest_name.hpp"
 #include "commands.hpp"
 #include "model/effects_result.hpp"
+#include "model/terms.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -24,6 +25,7 @@ constexpr std::size_t kSummaryWidth = 62;
 
 struct EffectsArguments {
   std::string name;
+  bool terms = false;
   bool json = false;
 };
 
@@ -50,7 +52,7 @@ void print_list() {
     }
     fmt::print("{}\n", table.left_aligned());
   }
-  fmt::print("ballbar effects NAME prints the page of one.\n");
+  fmt::print("ballbar effects NAME prints the page of one, ballbar effects --terms the words of statistics.\n");
 }
 
 void print_part(const char* heading, const std::string& text) {
@@ -104,6 +106,7 @@ void print_page(const Effect& effect) {
 }
 
 void run(const EffectsArguments& options) {
+  if (options.terms) return print_terms();
   std::vector<const Effect*> chosen;
   std::vector<std::string_view> names;
   const std::string name = options.name.substr(0, options.name.find_first_of(":( "));  // of a label, as one is printed
@@ -134,8 +137,12 @@ void run(const EffectsArguments& options) {
 void add_effects(CLI::App& app) {
   const auto options = std::make_shared<EffectsArguments>();
   CLI::App* command = app.add_subcommand("effects", "The catalogue of physical effects, or one effect's page");
-  command->add_option("NAME", options->name, "effect to explain; without it the list of all")->type_name("");
-  command->add_flag("--json", options->json, "the result for a program");
+  CLI::Option* name = command->add_option("NAME", options->name, "effect to explain; without it the list of all");
+  name->type_name("");
+  CLI::Option* json = command->add_flag("--json", options->json, "the result for a program");
+  command->add_flag("--terms", options->terms, "the words of statistics in tables and texts, a sentence each")
+      ->excludes(name)
+      ->excludes(json);
   command->footer("Example:\n  ballbar effects backlash_a");
   command->callback([options] { run(*options); });
 }

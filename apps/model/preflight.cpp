@@ -1,30 +1,22 @@
-// `ballbar preflight DATA`: what this data could show, before any residual.
+#include "model/preflight.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iterator>
-#include <memory>
 
-#include "commands.hpp"
-#include "model/model_options.hpp"
 #include "model/preflight_result.hpp"
 #include "model/untestable_reasons.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
 
-namespace ballbar::commands {
+namespace ballbar {
 namespace {
 
 constexpr std::size_t kTargetsShown = 6;
 constexpr std::size_t kListWidth = 19;
-
-struct PreflightArguments {
-  ModelOptions model;
-  bool json = false;
-};
 
 // "0.13": two decimals, more where that would leave nothing; a metre is never seen.
 std::string um_text(double value_um) {
@@ -108,21 +100,20 @@ void print_targets(const std::vector<Preflight>& results, const std::string& tit
                          results.front().noise_source, results.front().target)));
 }
 
-void run(const PreflightArguments& options) {
-  const ModelData data = open_data(options.model);
-  const Model model = open_model(options.model, data);
-  say_start(options.model, data);
+}  // namespace
+
+void show_preflight(const ModelOptions& options, const Model& model, const ModelData& data, bool json) {
   std::vector<Preflight> results;
   const ProgressLine progress;
   for (std::size_t target = 0; target < model.targets.size(); ++target) {
-    const Model one = of_one_target(model, options.model, target);
-    expect_to_fit(options.model, one, data);
+    const Model one = of_one_target(model, options, target);
+    expect_to_fit(options, one, data);
     show_progress(fmt::format("{}, target {} of {}", model.targets[target], target + 1, model.targets.size()));
     results.push_back(
-        with_source(options.model.data.front().name(), [&] { return preflight(one, *data.series, 0, data.motion); }));
+        with_source(options.data.front().name(), [&] { return preflight(one, *data.series, 0, data.motion); }));
   }
   show_progress({});
-  if (options.json) {
+  if (json) {
     print_json(results.size() == 1 ? json_of(results.front()) : json_of(PreflightTargets{results}));
   } else if (results.size() == 1) {
     print_text(results.front(), data.title);
@@ -131,16 +122,4 @@ void run(const PreflightArguments& options) {
   }
 }
 
-}  // namespace
-
-void add_preflight(CLI::App& app) {
-  const auto options = std::make_shared<PreflightArguments>();
-  CLI::App* command = app.add_subcommand("preflight", "What these data could show, before looking at any residual");
-  add_model_options(*command, options->model, false);
-  add_also_input(*command, options->model);
-  command->add_flag("--json", options->json, "the result for a program");
-  command->footer("Example:\n  ballbar preflight sample-runs/two-arcs-he2015 --target y_um");
-  command->callback([options] { run(*options); });
-}
-
-}  // namespace ballbar::commands
+}  // namespace ballbar

@@ -1,11 +1,7 @@
-// `ballbar terms`: the words of statistics that the tables and texts use, each in one sentence.
 #include "model/terms.hpp"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
-#include "commands.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -49,18 +45,12 @@ constexpr ExplainedTerm kTerms[] = {
 
 std::span<const ExplainedTerm> explained_terms() { return kTerms; }
 
-namespace commands {
-
-void add_terms(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("terms", "The words of statistics in tables and texts, a sentence each");
-  command->callback([] {
-    Table table({"term", "means"});
-    for (const ExplainedTerm& term : explained_terms()) {
-      table.add({std::string(term.name), std::string(term.meaning)});
-    }
-    fmt::print("{}", table.left_aligned(table_width()));
-  });
+void print_terms() {
+  Table table({"term", "means"});
+  for (const ExplainedTerm& term : explained_terms()) {
+    table.add({std::string(term.name), std::string(term.meaning)});
+  }
+  fmt::print("{}", table.left_aligned(table_width()));
 }
 
-}  // namespace commands
 }  // namespace ballbar

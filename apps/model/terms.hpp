@@ -13,4 +13,7 @@ struct ExplainedTerm {
 // In the order of their names.
 std::span<const ExplainedTerm> explained_terms();
 
+// A table of them.
+void print_terms();
+
 }  // namespace ballbar

@@ -10,6 +10,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "commands.hpp"
+#include "page/carried_page.hpp"
 #include "page/pdf_file.hpp"
 #include "page/report_page.hpp"
 #include "programs/child_process.hpp"
@@ -40,6 +41,7 @@ struct ReportArguments {
   PictureOptions pictures;
   bool open = false;
   bool without_files = false;
+  bool tool = false;
 };
 
 std::string ending_of(const fs::path& path) {
@@ -142,7 +144,24 @@ std::string bytes_of(const Json& json, const Report& made, const ReportArguments
   return pdf_of(handover_of(json, options.pictures.choices), made.page.head.title);
 }
 
+// The page alone, with the program and without data.
+void write_tool(const ReportArguments& options, const CLI::App& command) {
+  for (const CLI::Option* other : command.get_options()) {
+    if (other->count() == 0 || other->check_lname("tool") || other->check_lname("out")) continue;
+    throw CLI::ValidationError(
+        fmt::format("--tool: expected --out alone with it, found {}", other->get_name(other->get_positional())));
+  }
+  const std::string out = options.out.empty() ? "ballbar.html" : options.out;
+  const std::string ending = ending_of(out);
+  if (ending != ".html") {
+    throw CLI::ValidationError(fmt::format("--out {}: expected a name that ends in .html, found {}", out,
+                                           ending.empty() ? "no ending" : ending));
+  }
+  write_carried_page(out);
+}
+
 void run(ReportArguments options) {
+  if (options.of.model.data.empty()) throw CLI::RequiredError("DATA");
   options.format = format_of(options);
   expect_out(options);
   std::vector<fs::path> inputs = paths_of(options.of.model.data);
@@ -194,14 +213,18 @@ void add_report(CLI::App& app) {
       ->type_name("PX")
       ->check(CLI::Range(300, 4000).description(""));
   command->add_flag("--without-files", options->without_files,
-                    "a page that does not hold the files it was made of, with which `ballbar page` goes on");
+                    "a page that does not hold the files it was made of, with which ballbar.html goes on");
   command->add_flag("--open", options->open, "open the page in a browser");
+  command->get_option("DATA")->required(false);
+  command->add_flag("--tool", options->tool,
+                    "without DATA: the whole program as one HTML file for any computer, ballbar.html");
   command->footer(
       "Examples:\n"
       "  ballbar report sample-runs/two-arcs-he2015 --model sample-runs/two-arcs-he2015/model.toml --out page.html\n"
       "  ballbar report sample-runs/qc20-style-b5r/00.b5r --out page.html --open\n"
-      "  ballbar report sample-runs/two-arcs-he2015 --format svg --picture drift --out drift.svg");
-  command->callback([options] { run(*options); });
+      "  ballbar report sample-runs/two-arcs-he2015 --format svg --picture drift --out drift.svg\n"
+      "  ballbar report --tool");
+  command->callback([options, command] { options->tool ? write_tool(*options, *command) : run(*options); });
 }
 
 }  // namespace ballbar::commands

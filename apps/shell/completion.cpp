@@ -3,11 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
-#include <memory>
-
-#include "terminal/option_checks.hpp"
-
 namespace ballbar {
 namespace {
 
@@ -90,7 +85,7 @@ std::string command_cases(const std::vector<CommandWords>& commands) {
 
 std::string bash_completion(const std::vector<CommandWords>& commands) {
   return fmt::format(
-      R"(# Completion of ballbar in bash, printed by `ballbar completion bash`.
+      R"(# Completion of ballbar in bash, printed by `ballbar help --completion bash`.
 _ballbar() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD - 1]}}
   local command= options= offered= paths= is_value= i
@@ -135,7 +130,7 @@ complete -F _ballbar ballbar
 std::string zsh_completion(const std::vector<CommandWords>& commands) {
   return fmt::format(
       R"(#compdef ballbar
-# Completion of ballbar in zsh, printed by `ballbar completion zsh`.
+# Completion of ballbar in zsh, printed by `ballbar help --completion zsh`.
 _ballbar() {{
   local word=$words[CURRENT] before=$words[CURRENT-1]
   local command= options= offered= paths= is_value= i
@@ -170,21 +165,6 @@ _ballbar() {{
 if [[ $funcstack[1] = _ballbar ]]; then _ballbar "$@"; else compdef _ballbar ballbar; fi
 )",
       joined(effect_words()), path_cases(commands), value_cases(commands), command_cases(commands));
-}
-
-void add_completion_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("completion", "What makes a shell complete commands, options and effects");
-  const auto shell = std::make_shared<std::size_t>();
-  add_choice(*command, "SHELL", {"bash", "zsh", "fish"}, "", "the shell to print it for",
-             [shell](std::size_t at) { *shell = at; });
-  command->get_option("SHELL")->required();
-  command->footer("Example:\n  source <(ballbar completion bash)");
-  command->callback([&app, shell] {
-    const std::vector<CommandWords> commands = command_words(app);
-    fmt::print("{}", *shell == 0   ? bash_completion(commands)
-                     : *shell == 1 ? zsh_completion(commands)
-                                   : fish_completion(commands));
-  });
 }
 
 }  // namespace ballbar

@@ -1,4 +1,4 @@
-// `ballbar completion bash|zsh|fish` prints what makes that shell complete commands, options, effects and files.
+// What makes a shell complete commands, options, effects and files: `ballbar help --completion bash|zsh|fish`.
 #pragma once
 
 #include <string>
@@ -6,16 +6,10 @@
 
 #include "shell/command_words.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace ballbar {
 
 std::string bash_completion(const std::vector<CommandWords>& commands);
 std::string zsh_completion(const std::vector<CommandWords>& commands);
 std::string fish_completion(const std::vector<CommandWords>& commands);
-
-void add_completion_command(CLI::App& app);
 
 }  // namespace ballbar

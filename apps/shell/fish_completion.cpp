@@ -72,7 +72,7 @@ std::string fish_completion(const std::vector<CommandWords>& commands) {
     cases += fmt::format("      case '{}/{}'\n        set command '{}'\n", first ? "" : command.path.substr(0, last),
                          command.path.substr(first ? 0 : last + 1), command.path);
   }
-  return fmt::format(R"(# Completion of ballbar in fish, printed by `ballbar completion fish`.
+  return fmt::format(R"(# Completion of ballbar in fish, printed by `ballbar help --completion fish`.
 function __ballbar_is
   set -l command ''
   set -l words (commandline -opc)

@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <memory>
 #include <sstream>
 #include <vector>
 
 #include "ballbar/nearest_name.hpp"
+#include "shell/completion.hpp"
+#include "shell/man_page.hpp"
 #include "shell/usage_fault.hpp"
 #include "terminal/colour.hpp"
+#include "terminal/option_checks.hpp"
 
 namespace ballbar {
 namespace {
@@ -25,6 +29,15 @@ const CLI::App& command_of(const CLI::App& app, const std::string& word) {
                                          nearest_hint(word, command_names(app))));
 }
 
+using Completion = std::string (*)(const std::vector<CommandWords>& commands);
+constexpr std::array<Completion, 3> kCompletions{bash_completion, zsh_completion, fish_completion};
+
+struct HelpArguments {
+  std::vector<std::string> words;
+  bool man = false;
+  Completion completion = nullptr;
+};
+
 }  // namespace
 
 std::string help_of(const CLI::App& app) {
@@ -39,13 +52,29 @@ void set_help(CLI::App& app) {
 }
 
 void add_help_command(CLI::App& app) {
-  const auto words = std::make_shared<std::vector<std::string>>();
+  const auto asked = std::make_shared<HelpArguments>();
   CLI::App* command = app.add_subcommand("help", "The help of a command, or this list");
-  command->add_option("COMMAND", *words, "as in ballbar help drift")->type_name("");
-  command->callback([words, &app] {
-    const CLI::App* of = &app;
-    for (const std::string& word : *words) of = &command_of(*of, word);
-    print_help(help_of(*of));
+  CLI::Option* words = command->add_option("COMMAND", asked->words, "as in ballbar help drift")->type_name("");
+  CLI::Option* man = command->add_flag("--man", asked->man, "all commands and options as a page for man(1), in roff");
+  add_choice(*command, "--completion", {"bash", "zsh", "fish"}, "",
+             "a script for that shell, which completes commands, options and effects",
+             [asked](std::size_t at) { asked->completion = kCompletions.at(at); });
+  man->excludes(words);
+  command->get_option("--completion")->excludes(words)->excludes(man);
+  command->footer(
+      "Examples:\n"
+      "  ballbar help --man | man -l -\n"
+      "  source <(ballbar help --completion bash)");
+  command->callback([asked, &app] {
+    if (asked->man) {
+      fmt::print("{}", man_page(app));
+    } else if (asked->completion != nullptr) {
+      fmt::print("{}", asked->completion(command_words(app)));
+    } else {
+      const CLI::App* of = &app;
+      for (const std::string& word : asked->words) of = &command_of(*of, word);
+      print_help(help_of(*of));
+    }
   });
 }
 

@@ -1,4 +1,4 @@
-// `ballbar help [COMMAND]`, and how help is printed.
+// `ballbar help [COMMAND]`, the man page and the completions, and how help is printed.
 #pragma once
 
 #include <string>

@@ -68,6 +68,8 @@ std::string section_of(const CommandWords& command) {
   return page + examples_of(command);
 }
 
+}  // namespace
+
 std::string man_page(const CLI::App& app) {
   const std::vector<CommandWords> commands = command_words(app);
   std::string page = fmt::format(
@@ -84,14 +86,6 @@ std::string man_page(const CLI::App& app) {
          "cannot be written.\n.TP\n2\nThe command line is at fault.\n"
          ".SH ENVIRONMENT\n.TP\n.B NO_COLOR\nNot empty: no colour on a terminal.\n.TP\n.B TERM\ndumb, or not set: no "
          "colour.\n";
-}
-
-}  // namespace
-
-void add_man_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("man", "The page of all commands and options for man(1), in roff");
-  command->footer("Example:\n  ballbar man | man -l -");
-  command->callback([&app] { fmt::print("{}", man_page(app)); });
 }
 
 }  // namespace ballbar

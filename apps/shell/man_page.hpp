@@ -1,5 +1,7 @@
-// `ballbar man` prints the page for man(1).
+// The page for man(1): `ballbar help --man`.
 #pragma once
+
+#include <string>
 
 namespace CLI {
 class App;
@@ -7,6 +9,7 @@ class App;
 
 namespace ballbar {
 
-void add_man_command(CLI::App& app);
+// All commands and options, in roff.
+std::string man_page(const CLI::App& app);
 
 }  // namespace ballbar

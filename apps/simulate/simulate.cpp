@@ -1,7 +1,9 @@
-// `ballbar simulate`: a virtual machine's session as files, the truth in a file of its own.
+// `ballbar simulate`: a virtual machine's session as files, the truth in a file of its own; with --hidden sets in which
+// effects may be hidden, with --schedule a further run of such a set's machine.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -16,6 +18,7 @@
 #include "ballbar/formats/machines/simulated_files.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/units.hpp"
+#include "challenge/challenge.hpp"
 #include "commands.hpp"
 #include "simulate/simulate_result.hpp"
 #include "terminal/caller.hpp"
@@ -34,6 +37,9 @@ struct SimulateArguments {
   bool b5r = false;
   bool force = false;
   bool json = false;
+  bool hidden = false;
+  HiddenSetsOptions sets;
+  std::string schedule;
 };
 
 // Beside the folder, not in it: whoever is given the run is not given the answer.
@@ -90,7 +96,41 @@ void run_fleet(const SimulateArguments& options, std::string_view bytes) {
   fmt::print("truth      {} (kept apart: no other command reads it)\n", truth.string());
 }
 
-void run(const SimulateArguments& options) {
+// Of the options, those of one way to simulate; the others are refused.
+void expect_only(const CLI::App& command, const std::string& way, const std::vector<std::string>& names) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name(option->get_positional());
+    if (option->count() == 0 || name == way || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    throw CLI::ValidationError(way.empty() ? fmt::format("{}: expected --hidden or --schedule with it", name)
+                                           : fmt::format("{}: expected {} without it", name, way));
+  }
+}
+
+void run_hidden(const SimulateArguments& options, const CLI::App& command) {
+  expect_only(command, "--hidden", {"--n", "--answers", "--out", "--seed", "--json"});
+  if (options.out.empty()) throw CLI::RequiredError("--out");
+  HiddenSetsOptions sets = options.sets;
+  sets.out = options.out;
+  sets.seed = options.seed;
+  sets.json = options.json;
+  make_hidden_sets(sets);
+}
+
+void run_further(const SimulateArguments& options, const CLI::App& command) {
+  expect_only(command, "--schedule", {"MACHINE", "--answers", "--out", "--json"});
+  if (options.machine.empty()) throw CLI::RequiredError("MACHINE");
+  if (!options.out.empty() && !options.out.ends_with(".csv")) {
+    throw CLI::ValidationError(fmt::format("--out: expected a name that ends in .csv, found {}", options.out));
+  }
+  make_further_run({options.machine, options.schedule, options.out, options.sets.answers, options.json});
+}
+
+void run(const SimulateArguments& options, const CLI::App& command) {
+  if (options.hidden) return run_hidden(options, command);
+  if (!options.schedule.empty()) return run_further(options, command);
+  expect_only(command, "", {"MACHINE", "--out", "--truth", "--seed", "--b5r", "--force", "--json"});
+  if (options.machine.empty()) throw CLI::RequiredError("MACHINE");
+  if (options.out.empty()) throw CLI::RequiredError("--out");
   const std::string bytes = read_bytes(options.machine, kLargestText);
   if (is_fleet(bytes)) {
     run_fleet(options, bytes);
@@ -120,12 +160,11 @@ void add_simulate(CLI::App& app) {
       app.add_subcommand("simulate", "Recordings, signals and five-probe readings of a virtual machine");
   command
       ->add_option("MACHINE", options->machine,
-                   "machine.toml: the virtual machine, its truth and its noise; or fleet.toml: a plant of them")
-      ->required()
+                   "machine.toml: the virtual machine, its truth and its noise; or fleet.toml: a plant of them; with "
+                   "--schedule the folder of a set of --hidden")
       ->type_name("");
-  command->add_option("--out", options->out, "folder for the session's files, new or empty")
-      ->type_name("DIR")
-      ->required();
+  command->add_option("--out", options->out, "folder for the files, new or empty; with --schedule the run's .csv")
+      ->type_name("DIR");
   command->add_option("--truth", options->truth, "file for the truth; without it DIR-truth.csv, beside DIR")
       ->type_name("FILE");
   command
@@ -135,12 +174,31 @@ void add_simulate(CLI::App& app) {
       ->type_name("N");
   command->add_flag("--b5r", options->b5r, "method circles: .b5r files alone, without session.toml and signals");
   command->add_flag("--force", options->force, "replace files of the same names");
+  command->add_flag("--hidden", options->hidden,
+                    "without MACHINE: data sets in which effects may be hidden, with sealed answers");
+  command->add_option("--n", options->sets.count, fmt::format("with --hidden: sets, 1 to {}; default 20", kMostSets))
+      ->check(CLI::Range(1, kMostSets).description(""))
+      ->type_name("N");
+  command
+      ->add_option("--schedule", options->schedule,
+                   "schedule.csv: the machine of the set MACHINE once more, as this says; into run2.csv, run3.csv ...")
+      ->type_name("FILE");
+  command
+      ->add_option("--answers", options->sets.answers,
+                   "file of the answers of --hidden; without it answers.json beside the sets")
+      ->type_name("FILE");
   command->add_flag("--json", options->json, "the result for a program");
+  add_score(*command);
   command->footer(
-      "Example:\n"
+      "Examples:\n"
       "  ballbar simulate sample-runs/two-arcs-he2015/machine.toml --out my-run\n"
-      "  ballbar drift my-run/session.toml");
-  command->callback([options] { run(*options); });
+      "  ballbar drift my-run/session.toml\n"
+      "  ballbar simulate --hidden --n 20 --out blind-test\n"
+      "  ballbar simulate blind-test/01 --schedule schedule.csv\n"
+      "  ballbar simulate score blind-test");
+  command->callback([options, command] {
+    if (command->get_subcommands().empty()) run(*options, *command);
+  });
 }
 
 }  // namespace ballbar::commands

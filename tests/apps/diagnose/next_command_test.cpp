@@ -45,10 +45,10 @@ TEST(NextCommand, what_is_probable_is_added_and_what_is_in_question_tried) {
     diagnosis.candidates.push_back({});
     diagnosis.candidates.front().bound = bound("linear_drift", {});
     EXPECT_EQ(next_command(options(), diagnosis),
-              "ballbar try linear_drift 'run 1.csv' --model model.toml --target y_um");
+              "ballbar add linear_drift 'run 1.csv' --model model.toml --target y_um --dry-run");
     diagnosis.equivalent = {{bound("expansion", {"T_room_degC"}), bound("linear_drift", {})}};
     EXPECT_EQ(next_command(options(), diagnosis),
-              "ballbar try 'expansion(T_room_degC)' 'run 1.csv' --model model.toml --target y_um");
+              "ballbar add 'expansion(T_room_degC)' 'run 1.csv' --model model.toml --target y_um --dry-run");
   }
 }
 
@@ -87,7 +87,7 @@ TEST(NextCommand, a_held_value_is_freed_by_hand) {
             "In model.toml, free the exponent of speed_heating(speed_rpm): exponent = { start = 1.02 }.");
 }
 
-// `add` makes it, under a name that no file has; `try` needs none.
+// `add` makes it, under a name that no file has; `--dry-run` needs none.
 TEST(NextCommand, without_a_model_file) {
   Diagnosis diagnosis = found(Verdict::named);
   diagnosis.named = {bound("expansion", {"T_room_degC"})};
@@ -101,7 +101,7 @@ TEST(NextCommand, without_a_model_file) {
   EXPECT_EQ(next_hint(none, diagnosis), "");
   diagnosis.verdict = Verdict::equivalent;
   diagnosis.equivalent = {{bound("linear_drift", {})}};
-  EXPECT_EQ(next_command(none, diagnosis), "ballbar try linear_drift 'run 1.csv' --target y_um");
+  EXPECT_EQ(next_command(none, diagnosis), "ballbar add linear_drift 'run 1.csv' --target y_um --dry-run");
 }
 
 TEST(NextCommand, words_are_quoted_where_a_shell_would_part_them) {

@@ -145,7 +145,7 @@ const says_of = (found: Diagnosed): number => {
 
 const next_of = (report: Report, found: Diagnosed): Next => {
   if (found.command !== "") {
-    const tried = found.command.startsWith("ballbar try ");
+    const tried = found.command.endsWith(" --dry-run");
     return { label: tried ? t.diagnosis_next_try : t.diagnosis_next_add, text: english(found.hint), command: found.command };
   }
   const model = report.files.find((file) => file.endsWith(".toml") && file !== "session.toml");

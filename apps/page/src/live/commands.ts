@@ -39,11 +39,12 @@ export interface Setting {
 export const setting_text = ({ effect, parameter, value }: Setting): string => `${effect}.${parameter}=${value}`;
 
 export const try_words = (subject: Subject, effect: string): string[] => [
-  "try",
+  "add",
   effect,
   ...subject.data,
   ...of_model(subject),
   ...(subject.model === "" ? targeted(subject) : []),
+  "--dry-run",
   "--json",
 ];
 
@@ -71,7 +72,7 @@ export const words_of = (line: string): string[] => {
 // The effects of `ballbar add EFFECT... DATA ...`; none: it adds none.
 export const added_by = (line: string, { data }: Subject): string[] => {
   const [verb, ...rest] = words_of(line);
-  if (verb !== "add" && verb !== "try") return [];
+  if (verb !== "add") return [];
   const end = rest.findIndex((word) => word === data[0] || word.startsWith("--"));
   return rest.slice(0, end < 0 ? rest.length : end);
 };

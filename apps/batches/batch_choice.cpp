@@ -1,19 +1,16 @@
-// `ballbar select RUNS --on DATA --target COLUMN`: which of the recorded batches to train on for the job at hand.
+#include "batches/batch_choice.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
-#include "ballbar/batches/batch_selection.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/models/batch_model_json.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "batches/batches.hpp"
 #include "batches/select_result.hpp"
-#include "commands.hpp"
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/command_line.hpp"
@@ -22,24 +19,10 @@
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
-namespace ballbar::commands {
+namespace ballbar {
 namespace {
 
 constexpr std::size_t kShown = 30;  // batches
-
-enum class Take { paper, held_out, weights, all };
-
-struct SelectArguments {
-  BatchOptions batches;
-  Source job;
-  std::optional<std::size_t> method;
-  SelectionOptions selection;
-  RandomOptions random;
-  std::size_t take = static_cast<std::size_t>(Take::weights);
-  std::string out;
-  bool every = false;
-  bool json = false;
-};
 
 // One way to choose, with what came of it.
 struct Choice {
@@ -87,7 +70,7 @@ std::string names_of(const std::vector<Batch>& batches, const Selection& selecti
   return fmt::format("{}{}", fmt::join(names, " "), number > kNamed ? " ..." : "");
 }
 
-std::string conclusion(const SelectArguments& options, const OpenedBatches& opened, const Selection& selection,
+std::string conclusion(const ChoiceOptions& options, const OpenedBatches& opened, const Selection& selection,
                        const std::vector<Choice>& choices, const std::optional<Compared>& random) {
   const auto take = static_cast<Take>(options.take);
   const Choice& taken = choices[options.take];
@@ -151,7 +134,7 @@ void print_choices(const std::vector<Choice>& choices, const Selection& selectio
   fmt::print("\n{}", table.text(table_width()));
 }
 
-void print_ranking(const SelectArguments& options, const OpenedBatches& opened, const Selection& selection,
+void print_ranking(const ChoiceOptions& options, const OpenedBatches& opened, const Selection& selection,
                    bool measured) {
   std::vector<std::string> heading{"batch", "rank", "room apart K", "unlike", "weight", "RMSE_m um"};
   if (measured) heading.emplace_back("RMSE_p um");
@@ -171,7 +154,7 @@ void print_ranking(const SelectArguments& options, const OpenedBatches& opened, 
              measured ? "; RMSE_p: of the job by it" : "");
 }
 
-SelectedBatches result_of(const SelectArguments& options, const OpenedBatches& opened, const Selection& selection,
+SelectedBatches result_of(const ChoiceOptions& options, const OpenedBatches& opened, const Selection& selection,
                           const std::vector<Choice>& choices, const std::optional<Compared>& random,
                           const BatchStart& job) {
   SelectedBatches result{opened.columns.target, job.room_first_degC, choices[options.take].key, {}, {}, {},
@@ -185,7 +168,7 @@ SelectedBatches result_of(const SelectArguments& options, const OpenedBatches& o
 }
 
 // What is odd about the job: a sensor that does not go with the others, a room out of all batches' range.
-void add_remarks(const SelectArguments& options, const OpenedBatches& opened, const Batch& job,
+void add_remarks(const ChoiceOptions& options, const OpenedBatches& opened, const Batch& job,
                  std::vector<std::string>& remarks) {
   std::vector<Batch> with_job = opened.batches;
   with_job.push_back(job);
@@ -205,7 +188,7 @@ void add_remarks(const SelectArguments& options, const OpenedBatches& opened, co
 }
 
 // The job as a batch; without values of the target, where it was not measured throughout, with zeros for them.
-Batch job_of(const SelectArguments& options, const BatchColumns& columns, Series job, bool measured) {
+Batch job_of(const ChoiceOptions& options, const BatchColumns& columns, Series job, bool measured) {
   if (!measured) {
     std::erase_if(job.columns, [&](const Column& column) { return column.name == columns.target; });
     job.columns.push_back({columns.target, Role::measured, std::vector<double>(job.time_s.size(), 0.0)});
@@ -213,12 +196,10 @@ Batch job_of(const SelectArguments& options, const BatchColumns& columns, Series
   return with_source(options.job.name(), [&] { return batch_of(options.job.name(), job, columns); });
 }
 
-void run(const SelectArguments& given) {
-  SelectArguments options = given;
+}  // namespace
+
+void choose_batches(ChoiceOptions options) {
   options.batches.job = options.job;
-  if (options.selection.share && options.method.value_or(0) != static_cast<std::size_t>(RegressionMethod::pcr)) {
-    throw CLI::ValidationError("--share: expected --method pcr with it");
-  }
   OpenedBatches opened = open_batches(options.batches);
   std::vector<std::filesystem::path> inputs = opened.files;
   if (options.job.is_path()) inputs.push_back(options.job.path());
@@ -271,46 +252,4 @@ void run(const SelectArguments& given) {
   if (!options.out.empty()) wrote_line(options.out);
 }
 
-}  // namespace
-
-void add_select(CLI::App& app) {
-  const auto options = std::make_shared<SelectArguments>();
-  CLI::App* command = app.add_subcommand("select", "Which recorded batches to train on for the job at hand");
-  add_batch_options(*command, options->batches);
-  add_source(*command, "--on", options->job, "the job: a series of its temperatures; with the target, it is checked")
-      ->required()
-      ->type_name("DATA");
-  add_method_option(*command, options->method, "pcr");
-  command
-      ->add_option("--share", options->selection.share,
-                   "pcr: components by the share of the inputs they explain, anew for every choice of batches; "
-                   "otherwise one number by batches left out")
-      ->check(number_within(0.0, 1.0))
-      ->type_name("SHARE");
-  command->add_option("--fall", options->selection.fall, "how far RMSE_m must fall below all those before it")
-      ->check(number_within(0.0, 1.0))
-      ->type_name("SHARE")
-      ->capture_default_str();
-  command->add_option("--random", options->random.choices, "random choices to compare with")
-      ->check(number_within(0, 100000))
-      ->type_name("N")
-      ->capture_default_str();
-  command->add_option("--seed", options->random.seed, "of the random choices")
-      ->type_name("N")
-      ->check(number_within(0, kLargestSeed))
-      ->capture_default_str();
-  add_choice(*command, "--take", {"paper", "held-out", "weights", "all"}, "weights",
-             "whose model is written and told first", [options](std::size_t at) { options->take = at; });
-  command->add_option("--out", options->out, "write the model, .json")
-      ->type_name("FILE")
-      ->check(name_that_ends_in({".json"}));
-  command->add_flag("--every", options->every, "list every batch");
-  command->add_flag("--json", options->json, "the result for a program");
-  command->footer(
-      "Example:\n"
-      "  ballbar select sample-runs/batches-tan2024/runs.csv --target y_um --on "
-      "sample-runs/batches-tan2024/test1.csv");
-  command->callback([options] { run(*options); });
-}
-
-}  // namespace ballbar::commands
+}  // namespace ballbar

@@ -1,20 +1,16 @@
-// `ballbar page`: the page that is the whole tool, as a file to pass on.
+#include "page/carried_page.hpp"
+
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <system_error>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
-#include "commands.hpp"
-#include "terminal/option_checks.hpp"
-#include "terminal/stderr_line.hpp"
 
-namespace ballbar::commands {
+namespace ballbar {
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,12 +26,14 @@ fs::path carried_page() {
     if (fs::is_regular_file(file, unknown)) return file;
   }
   throw Error(
-      fmt::format("page: expected {} beside the program, found none: this ballbar was built without it; "
+      fmt::format("--tool: expected {} beside the program, found none: this ballbar was built without it; "
                   "sh apps/page/build-tool.sh makes it (Debian's emscripten, some minutes).",
                   (program.parent_path() / kPlaces.front()).lexically_normal().string()));
 }
 
-void run(const std::string& out) {
+}  // namespace
+
+void write_carried_page(const std::string& out) {
   const fs::path from = carried_page();
   const std::string bytes = read_bytes(from.string(), kLargestText);
   write_bytes(out, bytes);
@@ -43,18 +41,4 @@ void run(const std::string& out) {
              out, 1e-6 * static_cast<double>(bytes.size()));
 }
 
-}  // namespace
-
-void add_page(CLI::App& app) {
-  const auto out = std::make_shared<std::string>("ballbar.html");
-  CLI::App* command = app.add_subcommand("page", "Write the whole tool as one HTML file, for any computer");
-  command->add_option("--out", *out, "where to; default: ballbar.html")
-      ->type_name("FILE.html")
-      ->check(name_that_ends_in({".html"}));
-  command->footer(
-      "Example:\n"
-      "  ballbar page --out ballbar.html");
-  command->callback([out] { run(*out); });
-}
-
-}  // namespace ballbar::commands
+}  // namespace ballbar

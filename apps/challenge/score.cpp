@@ -1,28 +1,19 @@
-// `ballbar blind make` and `ballbar blind score`: hide effects in simulated data, and score who looks for them.
-// `ballbar blind run` is in blind_run.cpp.
-#include "ballbar/challenge/blind.hpp"
-
+// `ballbar simulate score`: what a diagnosis, or a person, finds in sets in which effects may be hidden.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
-#include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <memory>
-#include <optional>
-#include <random>
 
+#include "ballbar/challenge/blind.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "challenge/blind_results.hpp"
-#include "challenge/blind_run.hpp"
+#include "challenge/challenge.hpp"
 #include "challenge/challenge_files.hpp"
 #include "challenge/challenge_runs.hpp"
-#include "commands.hpp"
 #include "model/model_options.hpp"
 #include "terminal/caller.hpp"
-#include "terminal/option_checks.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
 
@@ -31,52 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostSets = 500;
-
-struct MakeOptions {
-  int count = 20;
-  std::string out;
-  std::string answers;
-  std::optional<std::int64_t> seed;
-  bool json = false;
-};
-
 struct ScoreOptions {
   std::string folder;
   std::string answers;
   std::string by_hand;
   bool json = false;
 };
-
-void show_progress_of(std::string_view what, std::size_t done, std::size_t of) {
-  show_progress(done == of ? "" : fmt::format("{} {} of {}", what, done, of));
-}
-
-fs::path answers_file(const std::string& folder, const std::string& answers) {
-  return answers.empty() ? fs::path(folder) / "answers.json" : fs::path(answers);
-}
-
-void make(const MakeOptions& options) {
-  std::uint64_t seed = 0;
-  if (options.seed) {
-    seed = static_cast<std::uint64_t>(*options.seed);
-  } else {
-    std::random_device random;
-    seed = (std::uint64_t{random()} << 31) ^ random();
-  }
-  const auto count = static_cast<std::size_t>(options.count);
-  const fs::path answers = answers_file(options.out, options.answers);
-  const std::string digest = write_blind(options.out, answers, count, seed,
-                                         [&](std::size_t done) { show_progress_of("making set", done, count); });
-  if (options.json) {
-    print_json(json_of(MadeSets{options.out, count, answers.string(), digest}));
-    return;
-  }
-  fmt::print("written  {}: {} data set{}, what to do with them stands in README.txt\n", options.out, count,
-             count == 1 ? "" : "s");
-  fmt::print("answers  {}\n", answers.string());
-  fmt::print("sealed   SHA-256 {} in {}\n", digest, (fs::path(options.out) / "SEAL").string());
-}
 
 BlindVerdict diagnosis_verdict(const fs::path& folder) {
   ModelOptions options;
@@ -158,7 +109,7 @@ void score(const ScoreOptions& options) {
   } else {
     for (const SealedSet& set : sets) {
       verdicts.push_back(diagnosis_verdict(fs::path(options.folder) / set.name));
-      show_progress_of("diagnosed set", verdicts.size(), sets.size());
+      show_sets("diagnosed set", verdicts.size(), sets.size());
     }
   }
   std::vector<BlindAnswer> answers;
@@ -175,32 +126,13 @@ void score(const ScoreOptions& options) {
   }
 }
 
-void add_make(CLI::App& blind) {
-  const auto options = std::make_shared<MakeOptions>();
-  CLI::App* command = blind.add_subcommand("make", "Data sets in which effects may be hidden, with sealed answers");
-  command->add_option("--n", options->count, fmt::format("number of sets, 1 to {}; default 20", kMostSets))
-      ->check(CLI::Range(1, kMostSets).description(""))
-      ->type_name("N");
-  command->add_option("--out", options->out, "folder for the sets, new or empty")->type_name("DIR")->required();
-  command->add_option("--answers", options->answers, "file for the answers; without it DIR/answers.json")
-      ->type_name("FILE");
-  command
-      ->add_option("--seed", options->seed,
-                   "of all that is drawn, 0 or above; the same seed makes the same sets. Without it another each time")
-      ->check(number_within(0, kLargestSeed))
-      ->type_name("N");
-  command->add_flag("--json", options->json, "the result for a program");
-  command->footer(
-      "Example:\n"
-      "  ballbar blind make --n 20 --out blind-test\n"
-      "  ballbar blind score blind-test");
-  command->callback([options] { make(*options); });
-}
+}  // namespace
 
-void add_score(CLI::App& blind) {
+void add_score(CLI::App& simulate) {
   const auto options = std::make_shared<ScoreOptions>();
-  CLI::App* command = blind.add_subcommand("score", "What a diagnosis finds in them, beside the sealed answers");
-  command->add_option("DIR", options->folder, "folder that blind make wrote")->required()->type_name("");
+  CLI::App* command =
+      simulate.add_subcommand("score", "What a diagnosis finds in sets of --hidden, beside the sealed answers");
+  command->add_option("DIR", options->folder, "folder that simulate --hidden wrote")->required()->type_name("");
   command->add_option("--answers", options->answers, "file of the answers; without it DIR/answers.json")
       ->type_name("FILE");
   command
@@ -210,19 +142,9 @@ void add_score(CLI::App& blind) {
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(
       "Example:\n"
-      "  ballbar blind make --n 20 --out blind-test\n"
-      "  ballbar blind score blind-test");
+      "  ballbar simulate --hidden --n 20 --out blind-test\n"
+      "  ballbar simulate score blind-test");
   command->callback([options] { score(*options); });
-}
-
-}  // namespace
-
-void add_blind(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("blind", "Hide effects in simulated data, and score who looks for them");
-  command->require_subcommand(1);
-  add_make(*command);
-  add_blind_run(*command);
-  add_score(*command);
 }
 
 }  // namespace ballbar::commands

@@ -1,23 +1,18 @@
-// `ballbar inject EFFECT --amplitude-um A DATA`: could this effect have been seen in these data?
-#include "ballbar/challenge/inject.hpp"
+#include "diagnose/injection.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdlib>
-#include <memory>
 
+#include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "ballbar/numerics/range.hpp"
-#include "commands.hpp"
 #include "diagnose/inject_result.hpp"
-#include "model/known_effect.hpp"
-#include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 #include "model/resolve_columns.hpp"
 #include "terminal/caller.hpp"
@@ -27,18 +22,8 @@
 #include "terminal/stderr_line.hpp"
 #include "terminal/terminal_table.hpp"
 
-namespace ballbar::commands {
+namespace ballbar {
 namespace {
-
-struct InjectArguments {
-  std::string effect;
-  double amplitude_um = 0.0;
-  ModelOptions model;
-  std::vector<std::string> shapes;
-  std::uint64_t seed = 1;
-  std::string out;
-  bool json = false;
-};
 
 struct Injected {
   Injection injection;
@@ -148,7 +133,7 @@ void print_text(const Injected& result, const std::string& title) {
           "Added: {}{}, {:g} um from its lowest to its highest value: d = {:.1f} beside the noise of the model's "
           "residual. Detectable (d = 5) are {:.2g} um, identifiable (d = 7.5) {:.2g} um.",
           label_of(result.injection.bound), shapes_text(result.injection), result.amplitude_um, result.d,
-          amplitude_of(result, 5.0), amplitude_of(result, 7.5))));
+          amplitude_of(result, kDetectable), amplitude_of(result, kIdentifiable))));
   Table table({"", "verdict", label_of(result.injection.bound)});
   const auto add = [&](const char* what, const Diagnosis& found) {
     table.add(
@@ -166,8 +151,8 @@ InjectedResult result_of(const Injected& injected) {
                         {},
                         injected.amplitude_um,
                         injected.d,
-                        amplitude_of(injected, 5.0),
-                        amplitude_of(injected, 7.5),
+                        amplitude_of(injected, kDetectable),
+                        amplitude_of(injected, kIdentifiable),
                         {injected.without.verdict, sight_of(injected.without, bound)},
                         {injected.with.verdict, sight_of(injected.with, bound)},
                         answer_text(injected),
@@ -180,7 +165,7 @@ InjectedResult result_of(const Injected& injected) {
   return result;
 }
 
-Injection injection(const InjectArguments& options, const Model& model, const ModelData& data) {
+Injection injection(const InjectionOptions& options, const Model& model, const ModelData& data) {
   EffectText text;
   BoundEffect bound;
   try {
@@ -205,52 +190,61 @@ Injection injection(const InjectArguments& options, const Model& model, const Mo
 
 void show_progress_of(std::size_t diagnosis) { show_progress(fmt::format("diagnosis {}", diagnosis)); }
 
-void run(const InjectArguments& options) {
-  expect_known_effect(options.effect, false);
-  const ModelData data = open_data(options.model);
-  const Model model = open_model(options.model, data);
-  say_start(options.model, data);
+void expect_out(const InjectionOptions& options, const ModelOptions& of, const ModelData& data) {
+  if (options.out.empty()) return;
+  std::vector<std::filesystem::path> inputs = data.files;
+  if (of.model.is_path()) inputs.push_back(of.model.path());
+  expect_no_input({options.out}, inputs);
+  if (data.level == Level::recording) throw Error("--out: expected a series or a session, found recordings.");
+}
+
+Injected tested(const InjectionOptions& options, const ModelOptions& of, const Model& model, const ModelData& data,
+                Series& changed) {
+  const Series& series = *data.series;
+  Injected result{injection(options, model, data), 0.0, {}, 0.0, {}, {}, {}};
+  result.base = fit_of(of, model, data, 0);
+  const std::vector<double> signal = with_source("EFFECT", [&] { return signal_of(result.injection, series); });
+  const double d_per_um = survival_of(signal, result.base, result.base.noise).d / range_of(signal);
+  result.amplitude_um = options.amplitude_um.value_or(kIdentifiable / d_per_um);
+  changed = with_source("EFFECT",
+                        [&] { return injected(series, model.targets.front(), result.injection, result.amplitude_um); });
+  DiagnosisOptions how;
+  how.search.motion = data.motion;
+  how.search.seed = options.seed;
+  show_progress_of(1);
+  result.without = diagnose(model, series, 0, how);
+  show_progress_of(2);
+  result.with = diagnose(model, changed, 0, how);
+  result.d = result.amplitude_um * d_per_um;
+  result.smallest = {0.0, std::numeric_limits<double>::infinity(), 2};
+  if (!is_seen(sight_of(result.without, result.injection.bound))) {
+    const bool seen = is_seen(sight_of(result.with, result.injection.bound));
+    (seen ? result.smallest.seen_um : result.smallest.not_seen_um) = result.amplitude_um;
+    result.smallest = smallest_seen(model, series, result.injection, d_per_um, result.smallest, how, show_progress_of);
+  }
+  return result;
+}
+
+}  // namespace
+
+void show_injection(const InjectionOptions& options, const ModelOptions& of, const Model& model, const ModelData& data,
+                    bool json) {
   if (model.targets.size() != 1) {
     throw Error(fmt::format("--target: expected one column to add to, found {}: {}.", model.targets.size(),
                             fmt::join(model.targets, ", ")));
   }
-  if (!options.out.empty()) {
-    std::vector<std::filesystem::path> inputs = data.files;
-    if (options.model.model.is_path()) inputs.push_back(options.model.model.path());
-    expect_no_input({options.out}, inputs);
-    if (data.level == Level::recording) throw Error("--out: expected a series or a session, found recordings.");
-  }
-  expect_to_fit(options.model, model, data);
-  const std::string& target = model.targets.front();
-  Injected result{injection(options, model, data), options.amplitude_um, {}, 0.0, {}, {}, {}};
-  const Series changed =
-      with_source("EFFECT", [&] { return injected(*data.series, target, result.injection, options.amplitude_um); });
-  DiagnosisOptions how;
-  how.search.motion = data.motion;
-  how.search.seed = options.seed;
-  result.base = fit_of(options.model, model, data, 0);
+  expect_out(options, of, data);
+  expect_to_fit(of, model, data);
+  Series changed;
   const ProgressLine line;
-  show_progress_of(1);
-  result.without = diagnose(model, *data.series, 0, how);
-  show_progress_of(2);
-  result.with = diagnose(model, changed, 0, how);
-  const std::vector<double> signal = signal_of(result.injection, *data.series);
-  const double d_per_um = survival_of(signal, result.base, result.base.noise).d / range_of(signal);
-  result.d = options.amplitude_um * d_per_um;
-  result.smallest = {0.0, std::numeric_limits<double>::infinity(), 2};
-  if (!is_seen(sight_of(result.without, result.injection.bound))) {
-    const bool seen = is_seen(sight_of(result.with, result.injection.bound));
-    (seen ? result.smallest.seen_um : result.smallest.not_seen_um) = options.amplitude_um;
-    result.smallest =
-        smallest_seen(model, *data.series, result.injection, d_per_um, result.smallest, how, show_progress_of);
-  }
+  const Injected result = tested(options, of, model, data, changed);
   show_progress({});
   if (!options.out.empty()) {
-    const std::string label = fmt::format("# # INJECTED by ballbar inject, not measured: {:g} um of {} in {}.\n",
-                                          options.amplitude_um, label_of(result.injection.bound), target);
+    const std::string label = fmt::format("# # INJECTED by ballbar could, not measured: {:g} um of {} in {}.\n",
+                                          result.amplitude_um, label_of(result.injection.bound), model.targets.front());
     write_bytes(options.out, label + write_series(changed));
   }
-  if (options.json) {
+  if (json) {
     print_json(json_of(result_of(result)));
   } else {
     print_text(result, data.title);
@@ -258,39 +252,4 @@ void run(const InjectArguments& options) {
   if (!options.out.empty()) wrote_line(options.out);
 }
 
-}  // namespace
-
-void add_inject(CLI::App& app) {
-  const auto options = std::make_shared<InjectArguments>();
-  CLI::App* command = app.add_subcommand("inject", "Whether an effect could have been seen in data");
-  command
-      ->add_option("EFFECT", options->effect,
-                   "name, with columns where there is a choice: 'NAME(COLUMN, ...)' or NAME:ROLE=COLUMN,...")
-      ->required()
-      ->type_name("");
-  command->add_option("--amplitude-um", options->amplitude_um, "its largest less its smallest value")
-      ->type_name("UM")
-      ->check(number_above_0())
-      ->required();
-  add_model_options(*command, options->model, false);
-  add_also_input(*command, options->model);
-  command
-      ->add_option("--set", options->shapes, "a shape of it, NAME=VALUE, such as time_constant_s=1800; may be repeated")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false)
-      ->check(name_and_number());
-  command->add_option("--seed", options->seed, "of the random draws; the same seed gives the same result")
-      ->type_name("N")
-      ->check(number_within(0, kLargestSeed));
-  command->add_option("--out", options->out, "write the data with the effect added, .csv")
-      ->type_name("FILE")
-      ->check(name_that_ends_in({".csv"}));
-  command->add_flag("--json", options->json, "the result for a program");
-  command->footer(
-      "Example:\n"
-      "  ballbar inject lagged_expansion:temperature=T16_degC --amplitude-um 2 sample-runs/spindle-46h/measured.csv "
-      "--model sample-runs/spindle-46h/speed.toml --target ch5_um");
-  command->callback([options] { run(*options); });
-}
-
-}  // namespace ballbar::commands
+}  // namespace ballbar

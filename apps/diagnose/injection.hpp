@@ -1,0 +1,27 @@
+// Whether an effect could have been seen in data: it is added to them, and looked for.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ballbar/challenge/inject.hpp"
+#include "model/model_options.hpp"
+
+namespace ballbar {
+
+struct InjectionOptions {
+  std::string effect;                  // as `add` takes it
+  std::optional<double> amplitude_um;  // largest less smallest; nothing: from which it should be named
+  std::vector<std::string> shapes;     // NAME=VALUE
+  std::uint64_t seed = 1;
+  std::string out;  // .csv; empty: none
+};
+
+// The verdicts with and without it, and the smallest amplitude that is found. Throws Error: several targets, an effect
+// that the model has or the data have no columns for, --out with recordings.
+void show_injection(const InjectionOptions& options, const ModelOptions& of, const Model& model, const ModelData& data,
+                    bool json);
+
+}  // namespace ballbar

@@ -1,0 +1,115 @@
+#include "logs/merged_logs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "ballbar/formats/sessions/drift_data.hpp"
+#include "ballbar/number_text.hpp"
+#include "ballbar/series/merged_series.hpp"
+#include "model/model_options.hpp"
+#include "terminal/stderr_line.hpp"
+#include "terminal/terminal_table.hpp"
+
+namespace ballbar {
+namespace {
+
+struct Part {
+  MergedPart merged;
+  Series series;
+};
+
+Part opened(const Source& log, const LogOptions& how) {
+  Part part{{log.name(), 0.0, std::nullopt, std::nullopt}, {}};
+  OpenedSeries opened = opened_series(log, known_readers(), recipe_of(how));
+  tell(opened.remarks);
+  part.series = *opened.series;
+  return part;
+}
+
+// By the dates of both, then by what both know.
+void align(const Part& first, Part& part, const ClockOptions& options) {
+  const auto a = first.series.started ? seconds_of_stamp(*first.series.started) : std::nullopt;
+  const auto b = part.series.started ? seconds_of_stamp(*part.series.started) : std::nullopt;
+  if (a && b) part.merged.by_date_s = *b - *a;
+  part.merged.moved_s = part.merged.by_date_s.value_or(0.0);
+  for (double& time : part.series.time_s) time += part.merged.moved_s;
+  if (options.keep_clocks) return;
+  const double span_s = std::max(first.series.time_s.back() - first.series.time_s.front(),
+                                 part.series.time_s.back() - part.series.time_s.front());
+  // Two clocks with dates differ by minutes, two without by as much as the logs are long.
+  const double range_s =
+      options.range_s.value_or(part.merged.by_date_s ? std::min(1800.0, 0.25 * span_s) : 0.5 * span_s);
+  part.merged.lag = clock_lag(first.series, part.series, range_s);
+  if (!part.merged.lag) return;
+  part.merged.moved_s += part.merged.lag->lag_s;
+  for (double& time : part.series.time_s) time += part.merged.lag->lag_s;
+}
+
+// A name that an earlier part has gets a number before its unit.
+void expect_own_names(Series& series, std::set<std::string>& taken) {
+  for (Column& column : series.columns) {
+    const std::string unit(unit_of(column.name));
+    const std::string stem = unit.empty() ? column.name : column.name.substr(0, column.name.size() - unit.size() - 1);
+    for (int k = 2; !taken.insert(column.name).second; ++k)
+      column.name = fmt::format("{}_{}{}{}", stem, k, unit.empty() ? "" : "_", unit);
+  }
+}
+
+std::string clock_text(const MergedPart& first, const MergedPart& part, bool keep_clocks) {
+  std::string text = part.by_date_s
+                         ? fmt::format("starts {} {} by the dates of both", duration_text(std::abs(*part.by_date_s)),
+                                       *part.by_date_s < 0.0 ? "earlier" : "later")
+                         : std::string("has no date beside that of the first: both start together");
+  if (part.lag) {
+    text += fmt::format("; its clock is {} by {}, as {} and {} show (correlation {:.3f}), and was set right",
+                        part.lag->lag_s > 0.0 ? "behind" : "ahead",
+                        fmt::format("{:.2f} ± {:.2f} s", std::abs(part.lag->lag_s), part.lag->sigma_s),
+                        part.lag->column, part.lag->other, part.lag->correlation);
+  } else if (!keep_clocks) {
+    text += fmt::format("; nothing that {} and it both know tells the clocks apart: they were left as they are",
+                        first.file);
+  }
+  return text + ".";
+}
+
+}  // namespace
+
+MergedSeries merged_series(const std::vector<Source>& logs, const LogOptions& how, const ClockOptions& clocks) {
+  expect_once(logs);
+  std::vector<Part> parts;
+  std::set<std::string> taken;
+  for (const Source& log : logs) {
+    parts.push_back(opened(log, how));
+    if (parts.size() > 1) align(parts.front(), parts.back(), clocks);
+    expect_own_names(parts.back().series, taken);
+  }
+  const auto started = parts.front().series.started ? seconds_of_stamp(*parts.front().series.started) : std::nullopt;
+  MergedSeries result;
+  std::vector<Series> all;
+  all.reserve(parts.size());
+  for (Part& part : parts) {
+    all.push_back(std::move(part.series));
+    result.parts.push_back(std::move(part.merged));
+  }
+  result.series = merged(all, clocks.max_gap_s.value_or(kUsualGap_s));
+  if (!started) return result;
+  const double first_s = result.series.time_s.front();
+  result.series.started = stamp_of_seconds(*started + first_s);
+  for (double& time : result.series.time_s) time -= first_s;
+  return result;
+}
+
+void print_text(const MergedSeries& merged, const ClockOptions& clocks) {
+  const std::vector<double>& time_s = merged.series.time_s;
+  fmt::print("{} rows over {}, {} columns of {} logs\n\n", time_s.size(), duration_text(time_s.back() - time_s.front()),
+             merged.series.columns.size(), merged.parts.size());
+  for (std::size_t i = 1; i < merged.parts.size(); ++i) {
+    fmt::print("{}", wrapped(fmt::format("{}: {}", merged.parts[i].file,
+                                         clock_text(merged.parts.front(), merged.parts[i], clocks.keep_clocks))));
+  }
+}
+
+}  // namespace ballbar
