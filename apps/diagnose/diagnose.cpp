@@ -1,5 +1,6 @@
 // `ballbar diagnose DATA --model M`: which physical effect the model lacks, or that the data cannot tell.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -12,7 +13,8 @@
 #include "commands.hpp"
 #include "diagnose/diagnosis_result.hpp"
 #include "diagnose/follow.hpp"
-#include "diagnose/machine_errors_result.hpp"
+#include "diagnose/machine_errors_report.hpp"
+#include "diagnose/next_command.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
 #include "model/workbench_of.hpp"
@@ -28,7 +30,6 @@ namespace {
 struct DiagnoseArguments {
   ModelOptions model;
   DiagnoseOptions how;
-  ErrorsOptions errors;
   FollowOptions follow;
   bool json = false;
 };
@@ -69,18 +70,16 @@ std::vector<SkippedFile> expand(ModelOptions& options) {
   return found.files.empty() ? std::vector<SkippedFile>() : found.faults;  // nothing: told where it is opened
 }
 
-// Recordings of two linear axes: all of their errors together, ranked.
-void run_on_circles(DiagnoseArguments options, const std::vector<SkippedFile>& faults) {
-  if (!options.model.model.empty()) {
-    const ModelData data = open_data(options.model);
-    for (const Term& term : open_model(options.model, data).terms)
-      options.errors.in_the_model.insert(term.effect->name);
-  }
-  options.errors.circle = options.model.circle;
-  ErrorsReports reports = errors_reports_of(options.model.data, options.errors);
-  reports.skipped.insert(reports.skipped.end(), faults.begin(), faults.end());
-  options.json ? print_json(json_value(result_of(reports))) : print_text(reports);
-  for (const std::string& remark : reports.remarks) warning_line(remark);
+// Recordings of two linear axes have a command of their own.
+void expect_no_circles_of_linear_axes(const ModelOptions& options, const std::vector<std::string>& typed) {
+  if (!are_of_linear_axes(options.data)) return;
+  std::vector<std::string> words;
+  words.reserve(typed.size());
+  for (const std::string& name : typed) words.push_back(shell_word(name));
+  throw Error(
+      fmt::format("{}: expected a series, a session, or recordings of a rotating axis, found circles that two linear "
+                  "axes drive; ballbar errors {} ranks the errors of these.",
+                  typed.front(), fmt::join(words, " ")));
 }
 
 void run(DiagnoseArguments options) {
@@ -89,11 +88,9 @@ void run(DiagnoseArguments options) {
     follow(options.model, options.how, options.follow, options.json);
     return;
   }
-  const std::vector<SkippedFile> faults = expand(options.model);
-  if (are_of_linear_axes(options.model.data)) {
-    run_on_circles(options, faults);
-    return;
-  }
+  const std::vector<std::string> typed = names_of(options.model.data);
+  for (const SkippedFile& fault : expand(options.model)) warning_line(fault.why);
+  expect_no_circles_of_linear_axes(options.model, typed);
   const auto data = std::make_shared<const ModelData>(open_data(options.model));
   const Model model = open_model(options.model, *data);
   say_start(options.model, *data);
@@ -117,14 +114,7 @@ void add_diagnose(CLI::App& app) {
   CLI::App* command = app.add_subcommand("diagnose", "Which physical effect a model lacks");
   add_model_options(*command, options->model, false);
   add_also_input(*command, options->model);
-  command
-      ->add_option_function<double>(
-          "--tolerance",
-          [options](double tolerance_um) {
-            options->how.tolerance_um = tolerance_um;
-            options->errors.tolerance_um = tolerance_um;
-          },
-          "smaller effects are called minor; of circles: largest circularity that passes")
+  command->add_option("--tolerance", options->how.tolerance_um, "smaller effects are called minor")
       ->type_name("UM")
       ->check(number_within(0.0, 1e6));
   command->add_option("--seed", options->how.seed, "of the random draws; the same seed gives the same result")
@@ -135,10 +125,6 @@ void add_diagnose(CLI::App& app) {
                    "values of the target that are searched, of longer series every k-th")
       ->type_name("N")
       ->check(CLI::Range(30, 5000).description(""));
-  add_choice(*command, "--prior", {"usual", "none"}, "usual",
-             "circles: what holds errors that the readings hardly tell, or none",
-             [options](std::size_t at) { options->errors.prior = at == 0; });
-  command->add_flag("--strict", options->errors.strict, "circles: stop at the first file that cannot be read");
   add_follow_options(*command, options->follow);
   command->add_flag("--json", options->json, "the result for a program");
   command->footer(

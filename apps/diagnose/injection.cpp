@@ -130,7 +130,7 @@ void print_text(const Injected& result, const std::string& title) {
   fmt::print(
       "{}\n",
       wrapped(fmt::format(
-          "Added: {}{}, {:g} um from its lowest to its highest value: d = {:.1f} beside the noise of the model's "
+          "Added: {}{}, {:.4g} um from its lowest to its highest value: d = {:.1f} beside the noise of the model's "
           "residual. Detectable (d = 5) are {:.2g} um, identifiable (d = 7.5) {:.2g} um.",
           label_of(result.injection.bound), shapes_text(result.injection), result.amplitude_um, result.d,
           amplitude_of(result, kDetectable), amplitude_of(result, kIdentifiable))));

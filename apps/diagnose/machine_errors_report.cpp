@@ -78,27 +78,6 @@ std::vector<const RankedError*> significant_of(const MachineErrors& found) {
 
 }  // namespace
 
-bool are_of_linear_axes(const std::vector<Source>& files) {
-  bool any = false;
-  for (const Source& file : files) {
-    std::error_code error;
-    const bool is_recording = is_recording_file(file);
-    const bool is_folder = file.is_path() && std::filesystem::is_directory(file.path(), error);
-    if (!is_recording && !is_folder && !file.series() && (!file.is_file() || file.size() == 0)) {
-      continue;  // told where it is read
-    }
-    if (!is_recording) return false;
-    any = true;
-    try {
-      for (const Recording& recording : open_recording(file).recordings) {
-        if (recording.kind != Kind::circle || recording.motion != Motion::linear_axes) return false;
-      }
-    } catch (const Error&) {  // told where it is read
-    }
-  }
-  return any;
-}
-
 ErrorsReports errors_reports_of(const std::vector<Source>& files, const ErrorsOptions& options) {
   expect_once(files);
   ErrorsReports reports;

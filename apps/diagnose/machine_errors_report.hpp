@@ -39,9 +39,6 @@ struct ErrorsReports {
   std::vector<std::string> remarks;
 };
 
-// Whether these are recordings that linear axes drive, all that can be read of them: what this is for.
-bool are_of_linear_axes(const std::vector<Source>& files);
-
 // Reads and fits. Throws Error where a file cannot be read and is the only one, or with `strict`.
 ErrorsReports errors_reports_of(const std::vector<Source>& files, const ErrorsOptions& options);
 

@@ -1,4 +1,4 @@
-// `ballbar errors FILE...`: the errors of each ballbar test, one row a test.
+// `ballbar errors FILE...`: the errors of the axes in ballbar tests: ranked of one test, a row a test of many.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,10 +8,14 @@
 
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "commands.hpp"
+#include "diagnose/machine_errors_report.hpp"
+#include "diagnose/machine_errors_result.hpp"
 #include "history/history_result.hpp"
 #include "history/test_files.hpp"
 #include "history/test_table.hpp"
+#include "model/model_options.hpp"
 #include "terminal/caller.hpp"
+#include "terminal/command_line.hpp"
 #include "terminal/option_checks.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/stderr_line.hpp"
@@ -19,14 +23,44 @@
 namespace ballbar::commands {
 namespace {
 
+enum class View { ranked, table };
+
 struct ErrorsArguments {
-  std::vector<std::string> paths, out;
-  StatedCircle circle;
-  bool strict = false, json = false;
+  std::vector<Source> files;
+  std::vector<std::string> out;
+  std::optional<View> view;
+  ModelOptions model;  // its file alone: which effects a model has
+  ErrorsOptions how;
+  bool json = false;
 };
 
-void run(const ErrorsArguments& options) {
-  const TestFiles files = read_tests(options.paths, options.strict, options.circle);
+// A folder or an archive has many tests.
+bool is_one_test(const std::vector<Source>& files) { return files.size() == 1 && !any_folder_of_tests(files); }
+
+// All errors of one plane and one bar together, by what mending each gains.
+void show_ranked(ErrorsArguments options) {
+  if (!options.out.empty()) throw CLI::ValidationError("--out: expected --show table with it");
+  std::vector<SkippedFile> faults;
+  if (any_folder_of_tests(options.files)) {
+    FoundFiles found = put_recordings_below(options.files);
+    if (!found.files.empty()) faults = std::move(found.faults);  // nothing: told where it is opened
+  }
+  if (!options.model.model.empty()) {
+    options.model.data = options.files;
+    const ModelData data = open_data(options.model);
+    for (const Term& term : open_model(options.model, data).terms) options.how.in_the_model.insert(term.effect->name);
+  }
+  ErrorsReports reports = errors_reports_of(options.files, options.how);
+  reports.skipped.insert(reports.skipped.end(), faults.begin(), faults.end());
+  options.json ? print_json(json_value(result_of(reports))) : print_text(reports);
+  for (const std::string& remark : reports.remarks) warning_line(remark);
+}
+
+void show_table(const ErrorsArguments& options) {
+  if (options.how.tolerance_um || !options.how.prior || !options.model.model.empty()) {
+    throw CLI::ValidationError("--show table: expected neither --tolerance, --prior nor --model with it");
+  }
+  const TestFiles files = read_tests(names_of(options.files), options.how.strict, options.how.circle);
   expect_no_input(options.out, files.files);
   for (const std::string& path : options.out) {
     write_bytes(path, path.ends_with(".csv") ? test_table_csv(files.tests) : json_of(files).dump(2) + '\n');
@@ -35,24 +69,45 @@ void run(const ErrorsArguments& options) {
   for (const std::string& path : options.out) wrote_line(path);
 }
 
+void run(const ErrorsArguments& options) {
+  const bool ranked = options.view ? *options.view == View::ranked : is_one_test(options.files);
+  ranked ? show_ranked(options) : show_table(options);
+}
+
 }  // namespace
 
 void add_errors(CLI::App& app) {
   const auto options = std::make_shared<ErrorsArguments>();
-  CLI::App* command = app.add_subcommand("errors", "The errors of each of many ballbar tests: a table, one row a test");
-  command->add_option("FILE", options->paths, ".b5r files, ballbar logs, and folders of them with those below")
+  CLI::App* command =
+      app.add_subcommand("errors", "The errors of the axes in ballbar tests: ranked of one test, a row a test of many");
+  add_sources(*command, "FILE", options->files, ".b5r files, ballbar logs, and folders of them with those below")
       ->required()
       ->type_name("");
-  add_radius(*command, options->circle);
-  command->add_flag("--strict", options->strict, "stop at a file that would be skipped");
+  add_choice(
+      *command, "--show", {"ranked", "table"}, "ranked of one test, table of several",
+      "ranked: all tests of a plane and a bar fitted as one, by what mending each error gains; table: a row a test",
+      [options](std::size_t at) { options->view = static_cast<View>(at); });
+  command->add_option("--tolerance", options->how.tolerance_um, "ranked: the largest circularity that passes")
+      ->type_name("UM")
+      ->check(number_within(0.0, 1e6));
+  add_choice(*command, "--prior", {"usual", "none"}, "usual",
+             "ranked: what holds errors that the readings hardly tell, or none",
+             [options](std::size_t at) { options->how.prior = at == 0; });
+  add_source(*command, "--model", options->model.model, "ranked: model.toml of recordings, whose effects are marked")
+      ->type_name("FILE");
+  add_radius(*command, options->how.circle);
+  command->add_flag("--strict", options->how.strict, "stop at a file that would be skipped");
   command
       ->add_option("--out", options->out,
-                   "write .csv: one row a test, each error with sigma; or .json; may be repeated")
+                   "table: write .csv, one row a test, each error with sigma; or .json; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->check(name_that_ends_in({".csv", ".json"}));
   command->add_flag("--json", options->json, "the result for a program");
-  command->footer("Example:\n  ballbar errors sample-runs/machine-history --out errors.csv");
+  command->footer(
+      "Examples:\n"
+      "  ballbar errors sample-runs/qc20-style-b5r/00.b5r --tolerance 6\n"
+      "  ballbar errors sample-runs/machine-history --out errors.csv");
   command->callback([options] { run(*options); });
 }
 

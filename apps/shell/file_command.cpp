@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "ballbar/error.hpp"
+#include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/text/archive.hpp"
 #include "ballbar/formats/text/reader.hpp"
 #include "ballbar/formats/text/source.hpp"
@@ -86,6 +87,12 @@ FileKind kind_of_all(const std::vector<std::string>& files) {
   return kind;
 }
 
+std::string command_for(FileKind kind, const std::vector<std::string>& files) {
+  if (kind == FileKind::session) return "drift";
+  const bool are_tests = kind == FileKind::recording && are_of_linear_axes({files.begin(), files.end()});
+  return are_tests ? "errors" : "diagnose";
+}
+
 }  // namespace
 
 void add_page_option(CLI::App& app) {
@@ -109,7 +116,7 @@ std::vector<std::string> with_command(std::vector<std::string> words, const CLI:
   }
   const auto end = std::find_if(given.begin(), given.end(), is_option);
   const FileKind kind = kind_of_all({given.begin(), end});
-  std::vector<std::string> command{page ? "report" : kind == FileKind::session ? "drift" : "diagnose"};
+  std::vector<std::string> command{page ? "report" : command_for(kind, {given.begin(), end})};
   command.insert(command.end(), given.begin(), given.end());
   if (page) command.insert(command.end(), {"--out", *page});
   const bool silent = std::find(given.begin(), given.end(), "--no-diagnosis") != given.end();
