@@ -1,4 +1,4 @@
-// What `select --json` prints.
+// What `train --for --json` prints.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What `inject --json` prints.
+// What `could --json` prints of one effect.
 #pragma once
 
 #include <string>

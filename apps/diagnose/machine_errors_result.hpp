@@ -269,7 +269,7 @@ std::variant<ErrorsOfOne, ErrorsOfSeveral> result_of(const ErrorsReports& report
 
 template <>
 struct ResultType<ErrorsOfOne> {
-  static constexpr std::string_view name = "DiagnosedRecordings";
+  static constexpr std::string_view name = "RankedErrors";
   static constexpr std::string_view meaning = "The errors of a machine.";
   static constexpr std::tuple fields =
       std::tuple_cat(fields_through(&ErrorsOfOne::group, ResultType<ErrorsReport>::fields),
@@ -279,7 +279,7 @@ struct ResultType<ErrorsOfOne> {
 
 template <>
 struct ResultType<ErrorsOfSeveral> {
-  static constexpr std::string_view name = "DiagnosedGroups";
+  static constexpr std::string_view name = "RankedErrorsOfGroups";
   static constexpr std::string_view meaning = "The errors of a machine from several planes or bars.";
   static constexpr std::tuple fields{
       Field{"groups", &ErrorsOfSeveral::groups, "of several planes or bars, each as the errors of one"},

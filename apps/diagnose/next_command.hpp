@@ -11,7 +11,7 @@
 namespace ballbar {
 
 // "ballbar add 'expansion:temperature=T_room_degC' run.csv --model model.toml --target y_um": all that is named, or
-// what is probable; else the first that is in question, to `try`. Files as they were typed, quoted where a shell needs
+// what is probable; else the first that is in question, with --dry-run. Files as they were typed, quoted where a shell needs
 // it. Empty where there is nothing to add, or no way to type it.
 std::string next_command(const ModelOptions& options, const Diagnosis& found);
 

@@ -1,4 +1,4 @@
-// What `try`, `add`, `undo` and `ledger` print with --json.
+// What `add`, `undo` and `ledger` print with --json.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Pictures of `ballbar meanpoint`.
+// Pictures of `ballbar compensate --from-picture`.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

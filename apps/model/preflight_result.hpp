@@ -1,4 +1,4 @@
-// What `preflight --json` prints.
+// What `could --json` prints of all effects.
 #pragma once
 
 #include <optional>

@@ -3,7 +3,7 @@
 #
 #   sh apps/page/build-tool.sh
 #
-# `ballbar page` copies it from there, `cmake --install` installs it with the program.
+# `ballbar report --tool` copies it from there, `cmake --install` installs it with the program.
 set -eu
 cd "$(dirname "$0")/../.."
 

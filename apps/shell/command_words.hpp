@@ -24,7 +24,7 @@ struct OptionWords {
 };
 
 struct CommandWords {
-  std::string path;  // "blind make", empty of the program itself
+  std::string path;  // "simulate score", empty of the program itself
   std::string summary, heading, examples;
   std::vector<OptionWords> places, options;
   std::vector<std::string> commands;  // the next words

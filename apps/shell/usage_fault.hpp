@@ -17,7 +17,7 @@ std::string usage_fault(const CLI::App& app, const CLI::ParseError& error, const
 
 bool is_option(const std::string& word);  // of a command line: --out, -h; "-" is a file
 
-// "ballbar blind make"
+// "ballbar simulate score"
 std::string full_name(const CLI::App& app);
 
 // The names of its commands, hidden ones left out.

@@ -59,6 +59,7 @@ std::vector<PythonClass> python_classes() {
   return {
       {"Fitted", "fit", {"Fitted"}},
       {"Errors", "errors", {"Errors"}},
+      {"RankedErrors", "errors", {"RankedErrors", "RankedErrorsOfGroups"}},
       {"Drift", "drift", {"Drift", "DriftOfProbes"}},
       {"Comparison", "compare", {"Comparison"}},
       {"History", "history", {"History"}},
@@ -67,7 +68,7 @@ std::vector<PythonClass> python_classes() {
       {"Effects", "effects", {"Effects", "Effect"}},
       {"Preflight", "preflight", {"Preflight", "PreflightTargets"}},
       {"Checked", "check", {"Checked", "CheckedTargets"}},
-      {"Diagnosis", "diagnose", {"Diagnosed", "DiagnosedRecordings", "DiagnosedGroups", "DiagnosedTargets"}, "Checked"},
+      {"Diagnosis", "diagnose", {"Diagnosed", "DiagnosedTargets"}, "Checked"},
       {"Plan", "plan", {"Plan"}},
       {"Trained", "train", {"Trained", "TrainedOnEffects"}},
       {"Selected", "select", {"Selected"}},

@@ -1,4 +1,4 @@
-"""Words of statistics: those that are printed stand in `ballbar terms`, and no others; the first sentence of a verdict
+"""Words of statistics: those that are printed stand in `ballbar effects --terms`, and no others; the first sentence of a verdict
 has none.
 
     python3 terms.py PROGRAM SOURCE_FOLDER
@@ -58,9 +58,9 @@ for page in sorted((source / "apps/page/src").rglob("*.ts")):
 
 page = subprocess.run([program, "terms"], stdout=subprocess.PIPE, text=True, check=True).stdout
 terms = {line.split("  ")[0] for line in page.split("\n")[1:] if line and not line.startswith(" ")}
-faults = [f"{where} prints {word}, which `ballbar terms` does not explain" for word, where in printed.items()
+faults = [f"{where} prints {word}, which `ballbar effects --terms` does not explain" for word, where in printed.items()
           if word not in terms]
-faults += [f"`ballbar terms` explains {term}, which nothing prints" for term in sorted(terms - set(printed))]
+faults += [f"`ballbar effects --terms` explains {term}, which nothing prints" for term in sorted(terms - set(printed))]
 
 # First sentences: of every kind of verdict, as its test has them, and of the cases.
 first = []

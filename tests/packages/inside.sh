@@ -60,7 +60,7 @@ rm -r /root/00.b5r /root/page.html
 
 # The whole tool as a page, where it was made before: copied from where it is installed, and in the menu.
 if [ -e /usr/share/ballbar/ballbar.html ]; then
-  ballbar page --out /tmp/ballbar/tool.html
+  ballbar report --tool --out /tmp/ballbar/tool.html
   cmp /tmp/ballbar/tool.html /usr/share/ballbar/ballbar.html || fail 'expected ballbar.html as it is installed'
   ! grep -q NoDisplay=true /usr/share/applications/ballbar.desktop || fail 'expected an entry in the menu'
 fi

@@ -41,7 +41,7 @@ class Arrays(unittest.TestCase):
         first = recordings[0]
         again = ballbar.Recording(first.length_mm, np.degrees(first.angle_rad), nominal_length_mm=first.nominal_length_mm)
         self.assertAlmostEqual(ballbar.fit(again).recordings[0].centre_a_um, by_file.recordings[0].centre_a_um, places=9)
-        errors = {one.name: one.value for one in ballbar.diagnose(recordings).errors}
+        errors = {one.name: one.value for one in ballbar.errors(recordings, ranked=True).errors}
         self.assertAlmostEqual(errors["scale_mismatch"], 8.0, places=1)
 
     def test_series_is_diagnosed_as_its_file(self):
@@ -180,7 +180,7 @@ class Arrays(unittest.TestCase):
         self.assertEqual(ballbar.drift(again), ballbar.drift(series))
         self.assertEqual((list(again), again.roles), (list(series), series.roles))
         recordings = ballbar.read_recordings("sample-runs/qc20-style-b5r/00.b5r")
-        self.assertEqual(without_names(ballbar.diagnose(copy.deepcopy(recordings))), without_names(ballbar.diagnose(recordings)))
+        self.assertEqual(without_names(ballbar.errors(copy.deepcopy(recordings), ranked=True)), without_names(ballbar.errors(recordings, ranked=True)))
         model = ballbar.Model.of("z_um", "thermostat_cycle")
         text, copied = model.text, copy.copy(model)
         del model  # and its file

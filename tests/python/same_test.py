@@ -39,18 +39,18 @@ class Same(unittest.TestCase):
         self.same(ballbar.compare(HE), "compare", HE)
         self.same(ballbar.import_log(f"{RUNS}/foreign-logs/warmup.csv"), "import", f"{RUNS}/foreign-logs/warmup.csv")
         logs = [f"{RUNS}/foreign-logs/probes.csv", f"{RUNS}/foreign-logs/control.csv"]
-        self.same(ballbar.merge(logs), "merge", *logs)
+        self.same(ballbar.merge(logs), "import", *logs)
 
     def test_model(self):
         self.same(ballbar.effects(), "effects")
-        self.same(ballbar.preflight(HE, target="y_um"), "preflight", HE, "--target", "y_um")
+        self.same(ballbar.preflight(HE, target="y_um"), "could", HE, "--target", "y_um")
         self.same(ballbar.check(HE, MODEL), "check", HE, "--model", MODEL)
         self.same(ballbar.check(HE, ballbar.Model(MODEL), target=["y_um", "z_um"], white=True), "check", HE, "--model", MODEL, "--target", "y_um", "--target", "z_um", "--white")
         self.same(ballbar.diagnose(HE, MODEL), "diagnose", HE, "--model", MODEL)
-        self.same(ballbar.diagnose(f"{RUNS}/qc20-style-b5r/00.b5r"), "diagnose", f"{RUNS}/qc20-style-b5r/00.b5r")
-        self.same(ballbar.try_effect("expansion(T_room_degC)", HE, MODEL), "try", "expansion(T_room_degC)", HE, "--model", MODEL)
+        self.same(ballbar.errors(f"{RUNS}/qc20-style-b5r/00.b5r", ranked=True), "errors", f"{RUNS}/qc20-style-b5r/00.b5r")
+        self.same(ballbar.try_effect("expansion(T_room_degC)", HE, MODEL), "add", "expansion(T_room_degC)", HE, "--model", MODEL, "--dry-run")
         self.same(ballbar.predict(HE, MODEL), "predict", HE, "--model", MODEL)
-        self.same(ballbar.inject("expansion(T_room_degC)", HE, 2.0, model=MODEL), "inject", "expansion(T_room_degC)", HE, "--amplitude-um", "2", "--model", MODEL)
+        self.same(ballbar.inject("expansion(T_room_degC)", HE, 2.0, model=MODEL), "could", "expansion(T_room_degC)", HE, "--amplitude-um", "2", "--model", MODEL)
         spindle = f"{RUNS}/spindle-rotation-huang2022"
         self.same(ballbar.compensate(f"{spindle}/mean-point.toml", spindle, to="z"), "compensate", "--model", f"{spindle}/mean-point.toml", "--to", "z", "--on", spindle)
         self.same(ballbar.report(f"{RUNS}/qc20-style-b5r/00.b5r"), "report", f"{RUNS}/qc20-style-b5r/00.b5r")
@@ -75,7 +75,7 @@ class Same(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             self.same(ballbar.train(runs, "y_um", f"{folder}/a.json"), "train", runs, "--target", "y_um", "--out", f"{folder}/b.json")
             self.assertEqual(pathlib.Path(folder, "a.json").read_bytes(), pathlib.Path(folder, "b.json").read_bytes())
-        self.same(ballbar.select(runs, job, "y_um"), "select", runs, "--on", job, "--target", "y_um")
+        self.same(ballbar.select(runs, job, "y_um"), "train", runs, "--for", job, "--target", "y_um")
 
     def test_simulated(self):
         with tempfile.TemporaryDirectory() as folder:

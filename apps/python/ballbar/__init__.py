@@ -15,7 +15,7 @@ from ._core import Recording, Series, read_recordings, read_series
 from ._errors import BallbarError, UsageError
 from ._kinds import (
     Added, Checked, Comparison, Diagnosis, Drift, Effects, Errors, Fitted, History, Imported, Injected, Plan,
-    Predicted, Preflight, Report, Selected, Simulated, Trained, Tried,
+    Predicted, Preflight, RankedErrors, Report, Selected, Simulated, Trained, Tried,
 )
 from ._logs import import_log, merge, simulate
 from ._measure import compare, drift, errors, fit, history
@@ -27,7 +27,7 @@ from ._revisions import add, inject, ledger, try_effect, undo
 __version__: str = _core.version
 __all__ = [
     "Added", "BallbarError", "Checked", "Comparison", "Diagnosis", "Drift", "Effects", "Errors", "Fitted", "History",
-    "Imported", "Injected", "Model", "Plan", "Predicted", "Preflight", "Recording", "Report", "Result", "Rows",
+    "Imported", "Injected", "Model", "Plan", "Predicted", "Preflight", "RankedErrors", "Recording", "Report", "Result", "Rows",
     "Selected", "Series", "Simulated", "Trained", "Tried", "UsageError", "add", "check", "compare", "compensate",
     "diagnose", "drift", "effect", "effects", "errors", "fit", "history", "import_log", "inject", "ledger", "merge",
     "plan", "predict", "preflight", "read_recordings", "read_series", "report", "select", "simulate", "train",

@@ -138,7 +138,7 @@ class Call:
         self.data(*sources)
         if not any(isinstance(one, list) for one in self.held.values()):
             return self
-        raise TypeError(f"ballbar.{self.command}: expected a path or a series, found recordings; ballbar.diagnose takes them")
+        raise TypeError(f"ballbar.{self.command}: expected a path or a series, found recordings; ballbar.errors takes them, ranked=True")
 
     def files(self, *paths: Any) -> Call:
         """Paths alone, or lists of them: of commands that look for files themselves."""

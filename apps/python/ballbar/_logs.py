@@ -87,7 +87,7 @@ def merge(
     >>> found.rows, found.columns
     (2378, 8)
     """
-    call = Call("merge").files(logs)
+    call = Call("import").files(logs)
     call.options(out=out, keep_clocks=keep_clocks, lag_range=lag_range_s, max_gap=max_gap_s, **how)
     return Imported(call.run())
 

@@ -6,8 +6,8 @@ from typing import Any
 
 from . import _core
 from ._core import Recording
-from ._kinds import Comparison, Drift, Errors, Fitted, History
-from ._call import Path, Progress, Call
+from ._kinds import Comparison, Drift, Errors, Fitted, History, RankedErrors
+from ._call import Call, Model, Path, Progress
 
 
 def fit(data: Any, *, polar: bool = False, robust: bool = False, out: Path | None = None) -> Fitted:
@@ -56,14 +56,30 @@ def fit(data: Any, *, polar: bool = False, robust: bool = False, out: Path | Non
 
 
 def errors(
-    files: Any, *, strict: bool = False, out: Path | Sequence[Path] | None = None, progress: Progress | None = None
-) -> Errors:
-    """The errors of each ballbar test, all of a test fitted together: one row a test.
+    files: Any,
+    *,
+    ranked: bool = False,
+    tolerance_um: float | None = None,
+    prior: str | None = None,
+    model: Model | Path | None = None,
+    strict: bool = False,
+    out: Path | Sequence[Path] | None = None,
+    progress: Progress | None = None,
+) -> Errors | RankedErrors:
+    """The errors of the axes in ballbar tests: one row a test, or ranked by what mending each gains.
 
     Parameters
     ----------
     files : path or list of paths
-        `.b5r` files, ballbar logs, folders of them. (Of recordings: :func:`diagnose`.)
+        `.b5r` files, ballbar logs, folders of them; with ``ranked`` recordings too.
+    ranked : bool
+        All tests of a plane and a bar fitted as one, the errors by what mending each gains.
+    tolerance_um : float
+        Of ``ranked``: the largest circularity that passes, um.
+    prior : str
+        Of ``ranked``: what holds errors that the readings hardly tell, usual or none.
+    model : Model, path
+        Of ``ranked``: a model of recordings, whose effects are marked.
     strict : bool
         A file that cannot be read ends it; otherwise it stands in ``skipped``.
     out : path or list of paths
@@ -73,7 +89,7 @@ def errors(
 
     Returns
     -------
-    Errors
+    Errors or RankedErrors
         Values and sigmas in the unit that stands with each.
 
     Raises
@@ -93,7 +109,11 @@ def errors(
     >>> [(one.name, round(one.value, 1)) for one in found.tests[0].errors if one.name == "scale_mismatch"]
     [('scale_mismatch', 8.0)]
     """
-    return Errors(Call("errors").files(files).options(strict=strict, out=out).run(progress))
+    if not ranked:
+        call = Call("errors").files(files).options(show="table", tolerance=tolerance_um, prior=prior, model=model, strict=strict, out=out)
+        return Errors(call.run(progress))
+    call = Call("errors").data(files).options(show="ranked", tolerance=tolerance_um, prior=prior, model=model, strict=strict, out=out)
+    return RankedErrors(call.run(progress), call)
 
 
 def drift(

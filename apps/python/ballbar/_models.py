@@ -67,7 +67,7 @@ def preflight(
     >>> ballbar.preflight("sample-runs/two-arcs-he2015", target="y_um").n
     14
     """
-    call = Call("preflight").data(data)
+    call = Call("could").data(data)
     return Preflight(call.options(model=model, target=target, max_gap=max_gap_s, also_input=also_input).run())
 
 
@@ -144,8 +144,6 @@ def diagnose(
     tolerance_um: float | None = None,
     seed: int | None = None,
     most_rows: int | None = None,
-    prior: str | None = None,
-    strict: bool = False,
     progress: Progress | None = None,
 ) -> Diagnosis:
     """Which physical effect a model lacks: one verdict, the candidates, what could not be told.
@@ -162,10 +160,6 @@ def diagnose(
         Of the random draws; the same seed gives the same result.
     most_rows : int
         Values of the target that are searched; of longer series every k-th.
-    prior : str
-        Of circles what holds errors that the readings hardly tell: usual or none.
-    strict : bool
-        Of circles: a file that cannot be read ends it.
     progress : callable
         Is told how far it is, a line of text; what it raises ends the work.
 
@@ -190,7 +184,7 @@ def diagnose(
     call = Call("diagnose").data(data)
     call.options(
         model=model, target=target, max_gap=max_gap_s, also_input=also_input, tolerance=tolerance_um, seed=seed,
-        most_rows=most_rows, prior=prior, strict=strict,
+        most_rows=most_rows,
     )
     return Diagnosis(call.run(progress), call)
 

@@ -95,7 +95,7 @@ def select(runs: Path, on: Any, target: str, **how: Any) -> Selected:
     >>> len(ballbar.select(f"{tests}/runs.csv", f"{tests}/test1.csv", "y_um").ranked)
     24
     """
-    return Selected(Call("select").files(runs).options(target=target, **how).other_data("on", on).run())
+    return Selected(Call("train").files(runs).options(target=target, **how).other_data("for", on).run())
 
 
 def predict(

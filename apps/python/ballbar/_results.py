@@ -15,7 +15,8 @@ _PARTS = {"Comparison": "compare", "Drift": "drift"}
 _PICTURES: dict[str, Callable[[Any], str]] = {
     "Fitted": lambda _: "recording-circle",
     "Checked": lambda found: f"model-{found.target}-fit" if "target" in found else "",
-    "Diagnosis": lambda found: "with-without" if "target" in found else "machine-errors" if "errors" in found else "",
+    "Diagnosis": lambda found: "with-without" if "target" in found else "",
+    "RankedErrors": lambda found: "machine-errors" if "errors" in found else "",
 }
 
 

@@ -44,8 +44,8 @@ def try_effect(
     >>> ballbar.try_effect("expansion(T_room_degC)", he, f"{he}/model.toml").verdict
     'not supported'
     """
-    call = Call("try", *_list(effects)).data(data)
-    return Tried(call.options(model=model, target=target, max_gap=max_gap_s, also_input=also_input).run())
+    call = Call("add", *_list(effects)).data(data)
+    return Tried(call.options(dry_run=True, model=model, target=target, max_gap=max_gap_s, also_input=also_input).run())
 
 
 def add(
@@ -211,7 +211,7 @@ def inject(
     >>> round(found.detectable_um, 1)
     1.2
     """
-    call = Call("inject", effect).data(data)
+    call = Call("could", effect).data(data)
     call.options(
         amplitude_um=amplitude_um, model=model, target=target, max_gap=max_gap_s, also_input=also_input, set=set,
         seed=seed, out=out,

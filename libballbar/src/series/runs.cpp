@@ -92,7 +92,7 @@ void expect_apart(const std::vector<Series>& runs, const std::vector<std::string
       if (*hours[a].begin_s > *hours[b].end_s || *hours[b].begin_s > *hours[a].end_s) continue;
       throw Error(
           fmt::format("expected runs of one machine one after another, found {} and {}, which overlap by their "
-                      "clocks; where they are two logs of one run, `ballbar merge` makes one of them.",
+                      "clocks; where they are two logs of one run, `ballbar import` makes one of them.",
                       names[a], names[b]));
     }
   }

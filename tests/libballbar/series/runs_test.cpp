@@ -95,7 +95,7 @@ TEST(runs, what_is_refused) {
        {early, late},
        "expected runs of one machine one after another, found a.csv and b.csv, which overlap by their clocks; where "
        "they "
-       "are two logs of one run, `ballbar merge` makes one of them."},
+       "are two logs of one run, `ballbar import` makes one of them."},
       {"one row", {run_of({0.0, 100.0}), short_one}, "b.csv: expected a run of at least 2 rows, found 1."}};
   for (const Refused& one : cases) {
     try {

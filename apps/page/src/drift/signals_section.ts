@@ -63,7 +63,7 @@ export const signals_section = (report: Report): Section[] => {
         text: "",
         command: measured
           ? command_of("report", data_files(report), ["--diagnose", "--out", "page.html"])
-          : command_of("preflight", data_files(report)),
+          : command_of("could", data_files(report)),
       },
     }),
   });
