@@ -192,7 +192,7 @@ export interface NotDiagnosed {
 }
 
 // The errors of a machine.
-export interface DiagnosedRecordings {
+export interface RankedErrors {
   files: string[]; // of recordings
   plane: string; // XY, YZ, ZX
   nominal_length_mm: Num;
@@ -309,7 +309,7 @@ export interface SkippedFile {
 }
 
 // The errors of a machine from several planes or bars.
-export interface DiagnosedGroups {
+export interface RankedErrorsOfGroups {
   groups: MachineErrors[]; // of several planes or bars, each as the errors of one
   results_alone: StoredAlone[]; // files that store results without readings
   skipped: SkippedFile[]; // files that could not be read

@@ -58,6 +58,98 @@ class Errors(Result):
     skipped: Rows
 
 
+class RankedErrors(Result):
+    """The errors of a machine, :func:`ballbar.errors`.
+
+    Attributes
+    ----------
+    files : list[str]
+        Of recordings.
+    plane : str
+        XY, YZ, ZX.
+    nominal_length_mm : float
+    recordings : Rows
+        Direction, arc_deg, feed_mm_per_min, readings.
+    file : Result
+        What the only file states: test, machine, operator, comment, ballbar, serial_number, last_calibrated,
+        calibrator_serial_number, software, software_version, started_s, programmed_feed_mm_per_min.
+    conclusion : str
+        What it says in plain words.
+    verdict : str
+        Named, unexplained, nothing.
+    named : Rows
+        Errors that the test shows: effect, columns.
+    errors : Rows
+        By what mending them gains, then those of the circle: name, value, sigma, unit, as_instrument, significant,
+        predicts_other_run, individual_circularity_um, share_percent, rank, stored, stored_is_same, stored_rank,
+        circularity_without_um, circularity_gain_um, circularity_gain_sigma_um, effect,
+        stored_individual_circularity_um, p_value, shape, remedy, in_the_model.
+    one_by_one : Rows
+        The significant ones, each time that which leaves least: effect, rms_um.
+    circle_rms_um : float
+        That the circles alone leave.
+    circularity_um : float
+        Largest less smallest reading about the fitted centre.
+    circularity_without_all_um : float
+        That remains once all significant errors are mended.
+    differences : list[str]
+        Where ours and the instrument's values differ, and why.
+    residual_rms_um : float
+        That all errors leave.
+    repeatability_um : float
+        What of it is not the same in both directions; null: one direction.
+    noise : Result
+        Of the readings: white_um, correlated_um, correlation_time_s.
+    left : Result | None
+        A wave that no error explains; null: none: harmonic, recording, peak_to_peak_um, p_value, in_both_directions.
+    left_text : str
+        What the errors do not explain.
+    undetermined : list[str]
+        What the readings do not tell apart.
+    prior : Rows
+        Name, value, sigma, unit, readings_alone, readings_alone_sigma.
+    tolerances : list[str]
+        Pass or fail, a line each.
+    skipped : Rows
+        Files that could not be read: file, why.
+    remarks : list[str]
+        Of the readers.
+    groups : Rows
+        Of several planes or bars, each as the errors of one: files, plane, nominal_length_mm, recordings, file,
+        conclusion, verdict, named, errors, one_by_one, circle_rms_um, circularity_um, circularity_without_all_um,
+        differences, residual_rms_um, repeatability_um, noise, left, left_text, undetermined, prior, tolerances.
+    results_alone : Rows
+        Files that store results without readings: file, stored.
+    """
+
+    files: list[str]
+    plane: str
+    nominal_length_mm: float
+    recordings: Rows
+    file: Result
+    conclusion: str
+    verdict: str
+    named: Rows
+    errors: Rows
+    one_by_one: Rows
+    circle_rms_um: float
+    circularity_um: float
+    circularity_without_all_um: float
+    differences: list[str]
+    residual_rms_um: float
+    repeatability_um: float
+    noise: Result
+    left: Result | None
+    left_text: str
+    undetermined: list[str]
+    prior: Rows
+    tolerances: list[str]
+    skipped: Rows
+    remarks: list[str]
+    groups: Rows
+    results_alone: Rows
+
+
 class Drift(Result):
     """The drift of the spindle, :func:`ballbar.drift`.
 
@@ -411,55 +503,6 @@ class Diagnosis(Checked):
         Of several runs: gains that differ: effect, parameter, unit, p, runs.
     next_test : Result | None
         That would decide; null: nothing is open: text, separation, command.
-    files : list[str]
-        Of recordings.
-    plane : str
-        XY, YZ, ZX.
-    nominal_length_mm : float
-    recordings : Rows
-        Direction, arc_deg, feed_mm_per_min, readings.
-    file : Result
-        What the only file states: test, machine, operator, comment, ballbar, serial_number, last_calibrated,
-        calibrator_serial_number, software, software_version, started_s, programmed_feed_mm_per_min.
-    conclusion : str
-        What it says in plain words.
-    errors : Rows
-        By what mending them gains, then those of the circle: name, value, sigma, unit, as_instrument, significant,
-        predicts_other_run, individual_circularity_um, share_percent, rank, stored, stored_is_same, stored_rank,
-        circularity_without_um, circularity_gain_um, circularity_gain_sigma_um, effect,
-        stored_individual_circularity_um, p_value, shape, remedy, in_the_model.
-    one_by_one : Rows
-        The significant ones, each time that which leaves least: effect, rms_um.
-    circle_rms_um : float
-        That the circles alone leave.
-    circularity_um : float
-        Largest less smallest reading about the fitted centre.
-    circularity_without_all_um : float
-        That remains once all significant errors are mended.
-    differences : list[str]
-        Where ours and the instrument's values differ, and why.
-    residual_rms_um : float
-        That all errors leave.
-    repeatability_um : float
-        What of it is not the same in both directions; null: one direction.
-    left : Result | None
-        A wave that no error explains; null: none: harmonic, recording, peak_to_peak_um, p_value, in_both_directions.
-    left_text : str
-        What the errors do not explain.
-    undetermined : list[str]
-        What the readings do not tell apart.
-    prior : Rows
-        Name, value, sigma, unit, readings_alone, readings_alone_sigma.
-    tolerances : list[str]
-        Pass or fail, a line each.
-    skipped : Rows
-        Files that could not be read: file, why.
-    groups : Rows
-        Of several planes or bars, each as the errors of one: files, plane, nominal_length_mm, recordings, file,
-        conclusion, verdict, named, errors, one_by_one, circle_rms_um, circularity_um, circularity_without_all_um,
-        differences, residual_rms_um, repeatability_um, noise, left, left_text, undetermined, prior, tolerances.
-    results_alone : Rows
-        Files that store results without readings: file, stored.
     """
 
     verdict: str
@@ -482,28 +525,6 @@ class Diagnosis(Checked):
     reasons: list[str]
     gains_by_run: Rows
     next_test: Result | None
-    files: list[str]
-    plane: str
-    nominal_length_mm: float
-    recordings: Rows
-    file: Result
-    conclusion: str
-    errors: Rows
-    one_by_one: Rows
-    circle_rms_um: float
-    circularity_um: float
-    circularity_without_all_um: float
-    differences: list[str]
-    residual_rms_um: float
-    repeatability_um: float
-    left: Result | None
-    left_text: str
-    undetermined: list[str]
-    prior: Rows
-    tolerances: list[str]
-    skipped: Rows
-    groups: Rows
-    results_alone: Rows
 
 
 class Plan(Result):
