@@ -29,6 +29,18 @@ const CLI::App& command_of(const CLI::App& app, const std::string& word) {
                                          nearest_hint(word, command_names(app))));
 }
 
+// Which options exclude each other is said where they meet; in a list it hides what each is for.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    if (option->get_type_size() == 0) return "";
+    std::string text = option->get_type_name().empty() ? "" : " " + option->get_type_name();
+    if (!option->get_default_str().empty()) text += "=" + option->get_default_str();
+    if (option->get_expected_max() == CLI::detail::expected_max_vector_size) text += " ...";
+    return option->get_required() ? text + " REQUIRED" : text;
+  }
+};
+
 using Completion = std::string (*)(const std::vector<CommandWords>& commands);
 constexpr std::array<Completion, 3> kCompletions{bash_completion, zsh_completion, fish_completion};
 
@@ -45,7 +57,7 @@ std::string help_of(const CLI::App& app) {
 }
 
 void set_help(CLI::App& app) {
-  const auto formatter = std::make_shared<CLI::Formatter>();
+  const auto formatter = std::make_shared<HelpFormatter>();
   formatter->label("SUBCOMMAND", "COMMAND ...");
   app.formatter(formatter);
   app.set_help_flag("-h,--help", "print this help");
