@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/challenge/blind.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
+#include "ballbar/lab/challenge/blind.hpp"
 
 namespace ballbar {
 

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/challenge/blind.hpp"
+#include "ballbar/lab/challenge/blind.hpp"
 
 namespace ballbar {
 

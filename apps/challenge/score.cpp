@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "ballbar/challenge/blind.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/lab/challenge/blind.hpp"
 #include "challenge/blind_results.hpp"
 #include "challenge/challenge.hpp"
 #include "challenge/challenge_files.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "ballbar/challenge/inject.hpp"
+#include "ballbar/diagnosis/injection/injection.hpp"
 #include "ballbar/formats/results/diagnosis_results.hpp"
 
 namespace ballbar {

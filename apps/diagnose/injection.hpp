@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/challenge/inject.hpp"
+#include "ballbar/diagnosis/injection/injection.hpp"
 #include "model/model_options.hpp"
 
 namespace ballbar {

@@ -1,4 +1,4 @@
-"""Includes go one way: libballbar, formats, apps, and within each the rooms in the order in which CMake lists them.
+"""Includes go one way: libballbar, its laboratory, formats, apps, and within each the rooms in the order in which CMake lists them.
 The modules of the page import no circle.
 
     python3 one_way.py SOURCE_FOLDER
@@ -12,7 +12,8 @@ source = pathlib.Path(sys.argv[1])
 wrong = []
 
 rooms = []  # ("libballbar", "numerics"), lowest first
-for part in ("libballbar", "formats", "apps"):
+parts = ("libballbar", "libballbar/lab", "formats", "apps")
+for part in parts:
     for folder in re.findall(r"^ *room\([\w-]+ (\S+)", (source / part / "CMakeLists.txt").read_text(), re.M):
         room = (part, re.sub(r"^src(/|$)|^\.$", "", folder))
         if room not in rooms:
@@ -28,15 +29,19 @@ def room_of(part, folder):
 
 def included(part, file):
     """(part, folder) of what an include in quotes names."""
-    public = re.match(r"ballbar/(formats/)?(?:(.*)/)?[^/]*$", file)
+    public = re.match(r"ballbar/(formats/|lab/)?(?:(.*)/)?[^/]*$", file)
     if public:
-        return ("formats" if public[1] else "libballbar"), public[2] or ""
+        return {"formats/": "formats", "lab/": "libballbar/lab", None: "libballbar"}[public[1]], public[2] or ""
+    if part == "libballbar/lab" and room_of(part, file.rpartition("/")[0]) is None:
+        part = "libballbar"  # on whose own headers the laboratory is built
     return part, file.rpartition("/")[0]
 
 
-for part in ("libballbar", "formats", "apps"):
+for part in parts:
     for path in sorted(source.glob(f"{part}/**/*.[ch]pp")):
-        inside = re.sub(r"^(src|include/ballbar(/formats)?)/?", "", path.parent.relative_to(source / part).as_posix())
+        if part == "libballbar" and path.is_relative_to(source / "libballbar/lab"):
+            continue
+        inside = re.sub(r"^(src|include/ballbar(/formats|/lab)?)/?", "", path.parent.relative_to(source / part).as_posix())
         own = room_of(part, "" if inside == "." else inside)
         if own is None:
             wrong.append(f"{path.relative_to(source)}: its folder is no room of {part}/CMakeLists.txt")

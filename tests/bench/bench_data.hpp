@@ -7,8 +7,8 @@
 
 #include "ballbar/circle/recording.hpp"
 #include "ballbar/formats/recordings/b5r.hpp"
+#include "ballbar/lab/simulation/simulate.hpp"
 #include "ballbar/series/series.hpp"
-#include "ballbar/simulation/simulate.hpp"
 
 namespace ballbar::bench {
 

@@ -1,7 +1,7 @@
 // 46 h of the finite-volume spindle, in steps of 15 s.
 #include <benchmark/benchmark.h>
 
-#include "ballbar/spindle/finite_volume_spindle.hpp"
+#include "ballbar/lab/spindle/finite_volume_spindle.hpp"
 
 namespace {
 

@@ -20,7 +20,7 @@
 #include "ballbar/formats/machines/simulated_files.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/formats/text/keys.hpp"
-#include "ballbar/spindle/finite_volume_spindle.hpp"
+#include "ballbar/lab/spindle/finite_volume_spindle.hpp"
 
 namespace ballbar {
 namespace {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "ballbar/circle/circle_fit.hpp"
-#include "ballbar/simulation/simulate.hpp"
+#include "ballbar/lab/simulation/simulate.hpp"
 #include "ballbar/units.hpp"
 
 namespace {

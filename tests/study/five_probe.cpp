@@ -16,7 +16,7 @@
 
 #include "ballbar/drift/comparison.hpp"
 #include "ballbar/drift/five_probes.hpp"
-#include "ballbar/simulation/simulate.hpp"
+#include "ballbar/lab/simulation/simulate.hpp"
 
 namespace {
 

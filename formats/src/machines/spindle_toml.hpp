@@ -1,7 +1,7 @@
 // [spindle] of a machine.toml.
 #pragma once
 
-#include "ballbar/simulation/virtual_spindle.hpp"
+#include "ballbar/lab/simulation/virtual_spindle.hpp"
 #include "text/toml_source.hpp"
 
 namespace ballbar {

@@ -6,7 +6,7 @@
 #include "ballbar/formats/recordings/b5r.hpp"
 #include "ballbar/formats/recordings/ballbar_log.hpp"
 #include "ballbar/history/history.hpp"
-#include "ballbar/simulation/simulate.hpp"
+#include "ballbar/lab/simulation/simulate.hpp"
 #include "scratch_folder.hpp"
 
 namespace ballbar {

@@ -7,10 +7,10 @@
 #include <map>
 #include <optional>
 
-#include "ballbar/challenge/blind.hpp"
-#include "ballbar/challenge/inject.hpp"
+#include "ballbar/diagnosis/injection/injection.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/fit/fit.hpp"
+#include "ballbar/lab/challenge/blind.hpp"
 #include "ballbar/numerics/range.hpp"
 
 namespace ballbar {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
-#include "ballbar/simulation/simulate.hpp"
+#include "ballbar/lab/simulation/simulate.hpp"
 #include "ballbar/units.hpp"
 
 namespace ballbar {

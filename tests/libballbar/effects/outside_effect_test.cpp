@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "ballbar/challenge/inject.hpp"
 #include "ballbar/circle/trace.hpp"
 #include "ballbar/compensation/compensation.hpp"
+#include "ballbar/diagnosis/injection/injection.hpp"
 #include "ballbar/diagnosis/signatures/identifiability.hpp"
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
 #include "ballbar/error.hpp"

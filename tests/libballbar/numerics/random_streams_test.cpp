@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-#include "ballbar/simulation/simulate.hpp"
+#include "ballbar/lab/simulation/simulate.hpp"
 #include "ballbar/units.hpp"
 
 namespace ballbar {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "ballbar/error.hpp"
-#include "ballbar/simulation/simulate.hpp"
+#include "ballbar/lab/simulation/simulate.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,4 +1,4 @@
-#include "ballbar/simulation/simulate.hpp"
+#include "ballbar/lab/simulation/simulate.hpp"
 
 #include <gtest/gtest.h>
 

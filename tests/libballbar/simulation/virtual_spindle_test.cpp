@@ -1,4 +1,4 @@
-#include "ballbar/simulation/virtual_spindle.hpp"
+#include "ballbar/lab/simulation/virtual_spindle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 
 #include "ballbar/error.hpp"
-#include "ballbar/simulation/simulate.hpp"
+#include "ballbar/lab/simulation/simulate.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,4 +1,4 @@
-#include "ballbar/spindle/finite_volume_spindle.hpp"
+#include "ballbar/lab/spindle/finite_volume_spindle.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The sample fleet, test by test: recordings are simulated, the errors fitted as ballbar history does.
 #pragma once
 
-#include "ballbar/simulation/virtual_fleet.hpp"
+#include "ballbar/lab/simulation/virtual_fleet.hpp"
 #include "fleet/tally.hpp"
 
 namespace ballbar::study {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/simulation/virtual_spindle.hpp"
+#include "ballbar/lab/simulation/virtual_spindle.hpp"
 #include "numerics/random_streams.hpp"
 
 namespace ballbar::predictions {

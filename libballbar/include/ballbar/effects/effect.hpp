@@ -201,8 +201,8 @@ struct EffectRules {
   // Shapes with which what its first gain adds goes with its first input, |cosine| about their means above this, are
   // left out: there it is another effect.
   std::optional<double> same_as_input = std::nullopt;
-  std::string becomes = {};           // effect of its inputs, or of some, that it is at the edge of its shapes
-  bool hidden_in_challenges = false;  // one that blind challenges hide
+  std::string becomes = {};  // effect of its inputs, or of some, that it is at the edge of its shapes
+  bool is_common = false;    // one that many machines have: how much of it could hide is always said
   ErrorFit error_fit = ErrorFit::none;
   double reversal_deg = 0.0;  // of an error of one axis: where the axis turns back at its + end, 0 (A) or 90 (B)
   std::vector<Damping> damping = {};

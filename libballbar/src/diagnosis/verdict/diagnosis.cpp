@@ -102,7 +102,7 @@ class Decision {
     result_.hidden_um = 0.0;
     for (std::size_t f = 0; f < problem().effects; ++f) {
       const Effect& effect = *family(f).bound.effect;
-      if (effect.time_only || (effect.level == Level::series && !effect.rules.hidden_in_challenges)) continue;
+      if (effect.time_only || (effect.level == Level::series && !effect.rules.is_common)) continue;
       std::vector<double> all_um;
       for (std::size_t i = family(f).first; i < family(f).first + family(f).count; ++i) {
         const double um = detectable_um(problem().library, seen, i, kFound);

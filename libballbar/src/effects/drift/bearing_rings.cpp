@@ -46,7 +46,7 @@ extern const Effect kBearingRings{
     by_row<4>(BearingRings{}),
     false,
     {},
-    {.hidden_in_challenges = true, .explains = {{SpindleCause::rings}}},
+    {.is_common = true, .explains = {{SpindleCause::rings}}},
 };
 
 }  // namespace ballbar::catalogue

@@ -33,9 +33,7 @@ extern const Effect kCentrifugalShift{
     by_row<2>(CentrifugalShift{}),
     false,
     {},
-    {.hidden_in_challenges = true,
-     .explains = {{SpindleCause::centrifugal}},
-     .predictor = {{PredictorKind::source, {{2.0}}}}},
+    {.is_common = true, .explains = {{SpindleCause::centrifugal}}, .predictor = {{PredictorKind::source, {{2.0}}}}},
 };
 
 }  // namespace ballbar::catalogue

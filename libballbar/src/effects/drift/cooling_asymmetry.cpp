@@ -56,7 +56,7 @@ extern const Effect kCoolingAsymmetry{
     false,
     {},
     {.becomes = "speed_heating",
-     .hidden_in_challenges = true,
+     .is_common = true,
      .explains = {{SpindleCause::rings}},
      .predictor = {{PredictorKind::feedback, {{600.0, 1800.0, 5400.0}, {180.0, 1800.0, 16000.0}, {1.0, 5.0 / 3.0}}}}},
 };

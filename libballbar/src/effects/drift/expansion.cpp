@@ -35,7 +35,7 @@ extern const Effect kExpansion{
     by_row<1>(Expansion{}),
     false,
     {},
-    {.hidden_in_challenges = true, .explains = expansion_causes()},
+    {.is_common = true, .explains = expansion_causes()},
 };
 
 }  // namespace ballbar::catalogue

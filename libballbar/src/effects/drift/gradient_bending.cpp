@@ -48,7 +48,7 @@ extern const Effect kGradientBending{
     false,
     {},
     {.first_input_warmest = true,
-     .hidden_in_challenges = true,
+     .is_common = true,
      .explains = {{SpindleCause::structure, true}, {SpindleCause::bending}},
      .predictor = {{PredictorKind::difference, {{0.0, 1800.0, 7200.0, 16000.0}}, "lagged_expansion"}}},
 };

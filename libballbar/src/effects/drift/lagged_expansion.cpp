@@ -45,7 +45,7 @@ extern const Effect kLaggedExpansion{
     false,
     {},
     {.becomes = "expansion",
-     .hidden_in_challenges = true,
+     .is_common = true,
      .explains = expansion_causes(),
      .predictor = {{PredictorKind::temperature, {{0.0, 180.0, 600.0, 1800.0, 3600.0, 7200.0, 16000.0, 50000.0}}}}},
 };

@@ -47,7 +47,7 @@ extern const Effect kLoadHeating{
     by_row<2, kLowPassKept>(LoadHeating{}),
     false,
     {},
-    {.hidden_in_challenges = true,
+    {.is_common = true,
      .predictor = {{PredictorKind::source, {{60.0, 180.0, 600.0, 1800.0, 5400.0, 16000.0, 50000.0}}}}},
 };
 

@@ -72,7 +72,7 @@ extern const Effect kPlayHysteresis{
     by_row<2, 1>(PlayHysteresis{}),
     false,
     {},
-    {.same_as_input = kSameAsExpansion, .becomes = "expansion", .hidden_in_challenges = true},
+    {.same_as_input = kSameAsExpansion, .becomes = "expansion", .is_common = true},
 };
 
 }  // namespace ballbar::catalogue

@@ -66,7 +66,7 @@ extern const Effect kPreloadLoss{
     by_row<2>(PreloadLoss{}),
     false,
     {},
-    {.becomes = "expansion", .hidden_in_challenges = true},
+    {.becomes = "expansion", .is_common = true},
 };
 
 }  // namespace ballbar::catalogue

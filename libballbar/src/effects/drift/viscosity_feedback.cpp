@@ -65,7 +65,7 @@ extern const Effect kViscosityFeedback{
     false,
     {},
     {.becomes = "speed_heating",
-     .hidden_in_challenges = true,
+     .is_common = true,
      .explains = {{SpindleCause::rings}},
      .predictor = {{PredictorKind::feedback, {{600.0, 1800.0, 5400.0}, {0.03}}}}},
 };

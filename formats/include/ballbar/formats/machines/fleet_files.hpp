@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 
-#include "ballbar/simulation/virtual_fleet.hpp"
+#include "ballbar/lab/simulation/virtual_fleet.hpp"
 
 namespace ballbar {
 

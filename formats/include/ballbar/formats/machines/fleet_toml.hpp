@@ -16,7 +16,7 @@
 
 #include <string_view>
 
-#include "ballbar/simulation/virtual_fleet.hpp"
+#include "ballbar/lab/simulation/virtual_fleet.hpp"
 
 namespace ballbar {
 

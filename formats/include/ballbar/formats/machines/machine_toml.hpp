@@ -18,7 +18,7 @@
 
 #include <string_view>
 
-#include "ballbar/simulation/simulate.hpp"
+#include "ballbar/lab/simulation/simulate.hpp"
 
 namespace ballbar {
 

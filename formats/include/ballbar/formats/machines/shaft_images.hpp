@@ -18,7 +18,7 @@
 
 #include "ballbar/formats/machines/simulated_files.hpp"
 #include "ballbar/formats/pictures/shaft_picture.hpp"
-#include "ballbar/simulation/simulate.hpp"
+#include "ballbar/lab/simulation/simulate.hpp"
 
 namespace ballbar {
 

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/simulation/simulate.hpp"
+#include "ballbar/lab/simulation/simulate.hpp"
 
 namespace ballbar {
 

@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-#include "ballbar/spindle/finite_volume_spindle.hpp"
+#include "ballbar/lab/spindle/finite_volume_spindle.hpp"
 #include "ballbar/temperature/picture.hpp"
 
 namespace ballbar {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "ballbar/simulation/simulate.hpp"
+#include "ballbar/lab/simulation/simulate.hpp"
 
 namespace ballbar::simulation {
 

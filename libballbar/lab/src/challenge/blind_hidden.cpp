@@ -167,7 +167,7 @@ std::optional<Hidden> drawn_effect(const Catalogue& catalogue, const Model& mode
                                    Random& random) {
   std::vector<const Effect*> hidden;
   for (const auto& effect : catalogue) {
-    if (effect->level == Level::series && effect->rules.hidden_in_challenges) hidden.push_back(effect.get());
+    if (effect->level == Level::series && effect->rules.is_common) hidden.push_back(effect.get());
   }
   if (hidden.empty()) return std::nullopt;
   const Effect& effect = *one_of(random, hidden);

@@ -1,7 +1,7 @@
 // The finite-volume spindle as a network of heat: capacities, conductances and sources at one speed.
 #pragma once
 
-#include "ballbar/spindle/finite_volume_spindle.hpp"
+#include "ballbar/lab/spindle/finite_volume_spindle.hpp"
 #include "spindle/spindle_cells.hpp"
 #include "spindle/thermal_network.hpp"
 

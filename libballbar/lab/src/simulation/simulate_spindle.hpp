@@ -1,7 +1,7 @@
 // A finite-volume spindle behind a virtual machine.
 #pragma once
 
-#include "ballbar/simulation/simulate.hpp"
+#include "ballbar/lab/simulation/simulate.hpp"
 
 namespace ballbar::simulation {
 

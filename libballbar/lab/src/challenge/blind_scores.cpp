@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/challenge/blind.hpp"
+#include "ballbar/lab/challenge/blind.hpp"
 
 namespace ballbar {
 namespace {

@@ -10,7 +10,7 @@
 // base model makes more than 95 % are not hidden.
 //
 //   nothing       nothing hidden
-//   one, two      effects of the catalogue that are for it (EffectRules::hidden_in_challenges), shapes drawn off their
+//   one, two      effects of the catalogue that are for it (EffectRules::is_common), shapes drawn off their
 //                 grid; driven by inputs that are logged. Effects of time alone are not hidden: they are never named
 //                 from one run
 //   outside       what the catalogue does not have: speed times the room's temperature, an unlogged machine that
@@ -37,10 +37,10 @@
 
 #include "ballbar/diagnosis/next_test/schedule.hpp"
 #include "ballbar/diagnosis/verdict/diagnosis.hpp"
+#include "ballbar/lab/simulation/virtual_spindle.hpp"
 #include "ballbar/model/model.hpp"
 #include "ballbar/noise/noise.hpp"
 #include "ballbar/series/series.hpp"
-#include "ballbar/simulation/virtual_spindle.hpp"
 
 namespace ballbar {
 

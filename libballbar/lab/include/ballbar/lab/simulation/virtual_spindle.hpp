@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "ballbar/lab/spindle/finite_volume_spindle.hpp"
 #include "ballbar/series/series.hpp"
-#include "ballbar/spindle/finite_volume_spindle.hpp"
 
 namespace ballbar {
 

@@ -1,4 +1,4 @@
-#include "ballbar/challenge/blind.hpp"
+#include "ballbar/lab/challenge/blind.hpp"
 
 #include <array>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "ballbar/spindle/finite_volume_spindle.hpp"
+#include "ballbar/lab/spindle/finite_volume_spindle.hpp"
 #include "spindle/spindle_cells.hpp"
 
 namespace ballbar::thermal {

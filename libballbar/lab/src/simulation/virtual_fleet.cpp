@@ -1,4 +1,4 @@
-#include "ballbar/simulation/virtual_fleet.hpp"
+#include "ballbar/lab/simulation/virtual_fleet.hpp"
 
 #include <fmt/format.h>
 

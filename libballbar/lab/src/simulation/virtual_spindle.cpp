@@ -1,4 +1,4 @@
-#include "ballbar/simulation/virtual_spindle.hpp"
+#include "ballbar/lab/simulation/virtual_spindle.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "ballbar/spindle/finite_volume_spindle.hpp"
+#include "ballbar/lab/spindle/finite_volume_spindle.hpp"
 
 namespace ballbar::thermal {
 

@@ -1,4 +1,4 @@
-#include "ballbar/challenge/inject.hpp"
+#include "ballbar/diagnosis/injection/injection.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/simulation/virtual_fleet.hpp"
+#include "ballbar/lab/simulation/virtual_fleet.hpp"
 
 namespace ballbar {
 

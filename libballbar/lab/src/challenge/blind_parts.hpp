@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/challenge/blind.hpp"
-#include "ballbar/challenge/inject.hpp"
+#include "ballbar/diagnosis/injection/injection.hpp"
 #include "ballbar/diagnosis/next_test/schedule.hpp"
-#include "ballbar/simulation/virtual_spindle.hpp"
+#include "ballbar/lab/challenge/blind.hpp"
+#include "ballbar/lab/simulation/virtual_spindle.hpp"
 #include "numerics/random_streams.hpp"
 
 namespace ballbar::blind {

@@ -40,8 +40,8 @@
 
 #include "ballbar/circle/recording.hpp"
 #include "ballbar/drift/drift.hpp"
+#include "ballbar/lab/simulation/virtual_spindle.hpp"
 #include "ballbar/series/series.hpp"
-#include "ballbar/simulation/virtual_spindle.hpp"
 
 namespace ballbar {
 
