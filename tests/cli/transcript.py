@@ -1,22 +1,19 @@
 """Runs transcripts, which are sessions with the program that a person reads: all NAME.txt here but readme-pages.txt.
 
-    # fit-truncated: A file cut short says where it ends.
-    with PDF
-    slow
-
-    Half of a recording.
+    # fit-truncated-b5r: A .b5r file that is cut short says where it ends.
 
       $ head -c 6000 sample-runs/qc20-style-b5r/00.b5r > half.b5r
-      $ for file in half.b5r
-      > do ballbar fit $file; done
+      $ ballbar fit half.b5r
       ! ballbar: half.b5r:34:4878: expected whole XML, found a fault or an early end: Start-end tags mismatch.
       [1]
+
+Its lines:
 
     # NAME: SENTENCE   a section: one shell in an empty folder with sample-runs/; `ballbar` is the program, $tools is here
     with PDF, PAGE     only where ballbar is built with these; `without PDF`: only where it is built without
     slow               minutes under sanitizers
     tolerance 1e-7: REASON   how far numbers may differ where same.py's 1e-9 is too narrow
-    other lines that are not indented   for the reader; the empty line before them is for the reader too
+    any other that is not indented   for the reader, as are the empty lines around it
       $ COMMAND        and, behind `>`, its further lines
       TEXT             what it prints on standard output
       ! TEXT           then, on standard error
@@ -156,7 +153,7 @@ def sections_of(path):
         elif line.startswith(" "):
             raise SystemExit(f"{where}: expected a command, `  $ COMMAND`, before its output")
         elif line:
-            if step and step.lines[-1:] == [""]:  # for the reader
+            if step and step.lines[-1:] == [""]:
                 step.lines.pop()
                 step.end -= 1
             step = None
@@ -165,6 +162,9 @@ def sections_of(path):
                 sections.append(Section(path, *heading.groups()))
             elif sections:
                 add_note(sections[-1], line, where)
+    for section in sections:
+        if not section.steps:
+            raise SystemExit(f"{path.name}: expected a command in {section.name}, found none")
     return sections
 
 
@@ -193,8 +193,8 @@ def run(section, program):
         work.mkdir()
         came.mkdir()
         (work / "sample-runs").symlink_to(kHere.parents[1] / "sample-runs")
-        script = pathlib.Path(scratch, "script")
-        script.write_text("".join(f"exec >{came}/{k}.stdout 2>{came}/{k}.stderr\n{step.command}\necho $? >{came}/{k}.status\n"
+        script, to = pathlib.Path(scratch, "script"), shlex.quote(str(came))
+        script.write_text("".join(f"exec >{to}/{k}.stdout 2>{to}/{k}.stderr\n{step.command}\necho $? >{to}/{k}.status\n"
                                   for k, step in enumerate(section.steps)), "utf-8", "surrogateescape")
         environment = dict(os.environ, LC_ALL="C", PATH=f"{program.parent}:{os.environ['PATH']}", tools=str(kHere))
         ended = subprocess.run(["sh", script], cwd=work, env=environment, stdin=subprocess.DEVNULL, check=False).returncode

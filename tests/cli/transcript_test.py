@@ -84,6 +84,7 @@ class Runs(unittest.TestCase):
         self.assertIn("found none", self.ended(text, "absent")[0])
         self.assertIn("0 sections, 0 differ, 1 left out", self.ended("# a: A.\nwithout PAGE\n\n  $ false\n")[1])
         self.assertIn("1 sections, 1 differ\n", self.ended("# a: A.\nwithout PAGE\n\n  $ false\n", "--without=PAGE")[1])
+        self.assertIn("expected a command in a", self.ended("# a: A.\n\n# b: B.\n\n  $ false\n")[0])
         self.assertIn("expected some of", self.ended("# a: A.\nwith PAEG\n\n  $ false\n")[0])
 
     def test_skipped(self):
