@@ -44,7 +44,11 @@ def pattern_of(expected):
 
 
 def stands_in(section, command, expected):
-    return any(step.command == command and re.search("(?m)^" + pattern_of(expected), step.expected.stdout)
+    """A command may be broken into lines elsewhere."""
+    def whole(text):
+        return re.sub(r" *\\\n *", " ", text)
+
+    return any(whole(step.command) == whole(command) and re.search("(?m)^" + pattern_of(expected), step.expected.stdout)
                for step in section.steps)
 
 
