@@ -2,7 +2,7 @@
 # Tests in an empty Debian 12, with its own Node.js and BLAS and nothing in the environment but HOME, PATH and LANG.
 #
 #   sh tests/empty_root.sh BUILD     the packages of tests/run.sh, then of the tests of that build what another machine
-#                                    can change: cases, READMEs and the page
+#                                    can change: transcripts, READMEs and the page
 #   sh tests/empty_root.sh --whole   both commands of README.md, word for word, on the files that git knows
 #
 # BALLBAR_HTML  with --whole, a ballbar.html that was made before, for the tests that need one

@@ -2,8 +2,8 @@
 
     python3 skipped.py RESULTS CONFIGURED
 
-RESULTS is what `ctest --output-junit` wrote, CONFIGURED what CMake said. Parts of tests that Node.js or a README skipped
-are counted too.
+RESULTS is what `ctest --output-junit` wrote, CONFIGURED what CMake said. Parts of tests that Node.js, a README or a
+transcript skipped are counted too.
 """
 import re
 import sys
@@ -32,6 +32,9 @@ def parts_of(text):
         by_readme = re.fullmatch(r"(\S+): passed over what needs (.*)", line)
         if by_readme:
             yield f"python3 lacks {by_readme[2]}", f"a block of {by_readme[1]}"
+        by_transcript = re.fullmatch(r"section (\S+) skipped: (.*)", line)
+        if by_transcript:
+            yield by_transcript[2], by_transcript[1]
 
 
 def skipped_in(results):

@@ -13,8 +13,8 @@ import skipped
 RESULTS = """<?xml version="1.0" encoding="UTF-8"?>
 <testsuite>
   <testcase name="a" status="run"><system-out>fine</system-out></testcase>
-  <testcase name="cli.colour" status="notrun"><skipped message="SKIP_RETURN_CODE=77"/>
-    <system-out>there is no pseudo terminal here
+  <testcase name="cli.program" status="run"><system-out>section colour skipped: there is no pseudo terminal here
+program.txt: 6 sections, 0 differ
 </system-out></testcase>
   <testcase name="hal" status="notrun"><skipped message="SKIP_RETURN_CODE=77"/>
     <system-out>skipped: there are no user namespaces here
@@ -57,7 +57,7 @@ class Printed(unittest.TestCase):
             "Skipped (5), no folder of data: external.0, external.1, external.2 and 2 more\n"
             "Skipped (1), python3 lacks pandas: readme (a block of README.md)\n"
             "Skipped (1), there are no user namespaces here: hal\n"
-            "Skipped (1), there is no pseudo terminal here: cli.colour\n",
+            "Skipped (1), there is no pseudo terminal here: cli.program (colour)\n",
         )
 
     def test_nothing(self):

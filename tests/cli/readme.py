@@ -7,7 +7,7 @@
                              program built. The lines below each are its output, to the letter but for the last
                              digits of numbers (same.py); `...` stands for any lines.
     ```console numpy,pandas  passed over where Debian's python3 lacks one of these modules
-    ```console CASE          not run: its command and output stand in that case of tests/cli/cases
+    ```console SECTION       not run: its command and output stand in that section of the transcripts of tests/cli
 
     python3 readme.py PROGRAM SOURCE_FOLDER SCRATCH [PAGE] [--update]
 
@@ -23,12 +23,13 @@ import sys
 
 sys.dont_write_bytecode = True  # beside the sources
 import same  # noqa: E402
+import transcript  # noqa: E402
 
 program, source, scratch = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 update = "--update" in sys.argv[4:]
 page = next((argument for argument in sys.argv[4:] if argument != "--update"), "README.md")
 readme = source / page
-cases = source / "tests" / "cli" / "cases"
+sections = transcript.all_sections()
 
 
 def run(command):
@@ -42,9 +43,13 @@ def pattern_of(expected):
     return "".join(r"(?s:.*)" if line == "..." else re.escape(line + "\n") for line in expected)
 
 
-def stands_in_case(name, command, expected):
-    text = {what: (cases / name / what).read_text(encoding="utf-8") for what in ("command", "stdout")}
-    return command + "\n" in text["command"] and re.search("(?m)^" + pattern_of(expected), text["stdout"]) is not None
+def stands_in(section, command, expected):
+    """A command may be broken into lines elsewhere."""
+    def whole(text):
+        return re.sub(r" *\\\n *", " ", text)
+
+    return any(whole(step.command) == whole(command) and re.search("(?m)^" + pattern_of(expected), step.expected.stdout)
+               for step in section.steps)
 
 
 def lacking(modules):
@@ -123,12 +128,12 @@ for language, _, lines in pieces:
 for language, name, block in pieces:
     if language != "console":
         continue
-    if name and (cases / name).is_dir():
+    if name in sections:
         held += 1
         for command, expected in steps_of(block):
-            if not stands_in_case(name, "\n".join(command)[2:], expected):
+            if not stands_in(sections[name], "\n".join(command)[2:], expected):
                 wrong += 1
-                print(f"{page}: the block of the case {name} is not what stands there")
+                print(f"{page}: the block of {name} is not what stands in {sections[name].path.name}")
         continue
     if name and lacking(name):
         print(f"{page}: passed over what needs {name}")

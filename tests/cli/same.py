@@ -1,7 +1,7 @@
 """Whether two outputs of the program are the same where only the last digits of numbers may differ: another BLAS, or
-another processor, rounds otherwise. The one comparer of the cases of tests/cli, of the README blocks and of the page.
+another processor, rounds otherwise. The one comparer of the transcripts of tests/cli, of the README blocks and of the page.
 
-    python3 same.py EXPECTED CAME [--tolerance NUMBER | --stated FILE]
+    python3 same.py EXPECTED CAME [--tolerance NUMBER]
 
 Text is compared to the letter. A number has a decimal point or an exponent; a count, a date, a version, a name of a
 file and a seal are text. Two numbers are the same where
@@ -13,7 +13,7 @@ file and a seal are text. Two numbers are the same where
 In JSON the tolerance is also that of the largest number in the same list (residuals are small differences of large
 numbers), of the sigma beside it (a value far below its sigma means nothing), and of 1 for a probability.
 
-FILE has two lines: the tolerance, and why it is not the usual one. Prints what differs and ends with 1, or with 0.
+Prints what differs and ends with 1, or with 0.
 """
 import difflib
 import json
@@ -243,18 +243,9 @@ def matches(expected, came, tolerance=kTolerance):
     return at <= len(came) - len(last) and stands_at(last, len(came) - len(last)) and not list(borders.too_many())
 
 
-def stated_tolerance(path):
-    number, _, reason = pathlib.Path(path).read_text(encoding="utf-8").partition("\n")
-    if not reason.strip():
-        raise SystemExit(f"{path}: expected a second line that says why")
-    return float(number)
-
-
 def main(words):
     expected, came, *options = words
-    tolerance = kTolerance
-    if options:
-        tolerance = {"--tolerance": float, "--stated": stated_tolerance}[options[0]](options[1])
+    tolerance = float(options[options.index("--tolerance") + 1]) if options else kTolerance
     # Bytes that are no UTF-8 are kept apart.
     texts = [pathlib.Path(path).read_bytes().decode("utf-8", "surrogateescape") for path in (expected, came)]
     found = differences(*texts, tolerance)

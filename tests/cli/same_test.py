@@ -3,7 +3,6 @@
     python3 same_test.py
 """
 import json
-import os
 import pathlib
 import subprocess
 import sys
@@ -132,14 +131,11 @@ class Readme(unittest.TestCase):
 
 
 class Program(unittest.TestCase):
-    def ended(self, a, b, *options, stated=None):
+    def ended(self, a, b, *options):
         with tempfile.TemporaryDirectory() as folder:
             paths = [pathlib.Path(folder, name) for name in ("expected", "came")]
             for path, text in zip(paths, (a, b)):
                 path.write_bytes(text)
-            if stated is not None:
-                pathlib.Path(folder, "tolerance").write_text(stated)
-                options = ("--stated", os.path.join(folder, "tolerance"))
             return subprocess.run([sys.executable, same.__file__, *map(str, paths), *options],
                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False).returncode
 
@@ -149,11 +145,6 @@ class Program(unittest.TestCase):
         self.assertEqual(self.ended(b"\xff\n", b"\xfe\n"), 1)
         self.assertEqual(self.ended(b"1.00000001\n", b"1.00000002\n"), 1)
         self.assertEqual(self.ended(b"1.00000001\n", b"1.00000002\n", "--tolerance", "1e-7"), 0)
-
-    def test_a_stated_tolerance_needs_a_reason(self):
-        self.assertEqual(self.ended(b"1.00000001\n", b"1.00000002\n", stated="1e-7\nforecasts\n"), 0)
-        self.assertEqual(self.ended(b"1.00000001\n", b"1.00000002\n", stated="1e-9\nforecasts\n"), 1)
-        self.assertEqual(self.ended(b"1.00000001\n", b"1.00000002\n", stated="1e-7\n"), 1)
 
 
 if __name__ == "__main__":

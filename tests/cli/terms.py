@@ -3,13 +3,16 @@ has none.
 
     python3 terms.py PROGRAM SOURCE_FOLDER
 
-Printed is what the cases of tests/cli expect on standard output, but JSON and help, and what the page's sources hold
-in quotes.
+Printed is what the transcripts of tests/cli expect on standard output, but JSON and help, and what the page's sources
+hold in quotes.
 """
 import pathlib
 import re
 import subprocess
 import sys
+
+sys.dont_write_bytecode = True  # beside the sources
+import transcript  # noqa: E402
 
 program, source = sys.argv[1], pathlib.Path(sys.argv[2])
 
@@ -41,13 +44,13 @@ def literals(text):
 
 
 printed = {}  # word: where
-for case in sorted((source / "tests/cli/cases").iterdir()):
-    text = (case / "stdout").read_text(encoding="utf-8", errors="replace")
-    if case.name.startswith(("help", "terms")) or text.startswith(("{", "[")):
+outputs = [(section.name, step.expected.stdout) for section in transcript.all_sections().values() for step in section.steps]
+for name, text in outputs:
+    if name.startswith(("help", "terms")) or text.startswith(("{", "[")):
         continue
     text = "\n".join(line for line in text.split("\n") if not re.match(r'\s*("|[a-z_]+ = |#)', line))
     for word in words_in(text):
-        printed.setdefault(word, f"case {case.name}")
+        printed.setdefault(word, f"section {name}")
 for page in sorted((source / "apps/page/src").rglob("*.ts")):
     for line in page.read_text(encoding="utf-8").split("\n"):
         spoken = " ".join(one for one in re.findall(r'"(?:[^"\\]|\\.)*"|`[^`]*`', line) if " " in one)
@@ -62,7 +65,7 @@ faults = [f"{where} prints {word}, which `ballbar effects --terms` does not expl
           if word not in terms]
 faults += [f"`ballbar effects --terms` explains {term}, which nothing prints" for term in sorted(terms - set(printed))]
 
-# First sentences: of every kind of verdict, as its test has them, and of the cases.
+# First sentences: of every kind of verdict, as its test has them, and of the transcripts.
 first = []
 verdicts = (source / "tests/libballbar/diagnosis/verdict/sentence_test.cpp").read_text(encoding="utf-8")
 for expected in re.findall(r'EXPECT_EQ\(sentence_of\(found\),\s*((?:"[^"]*"\s*)+)\)', verdicts):
@@ -70,8 +73,7 @@ for expected in re.findall(r'EXPECT_EQ\(sentence_of\(found\),\s*((?:"[^"]*"\s*)+
 for kind in ("named", "probable", "driver", "equivalent", "unexplained", "nothing", "untestable"):
     if f"Verdict::{kind}" not in verdicts:
         faults.append(f"no first sentence of the verdict {kind} is tested")
-for case in sorted((source / "tests/cli/cases").glob("*/stdout")):
-    text = case.read_text(encoding="utf-8", errors="replace")
+for _, text in outputs:
     first += [re.sub(r"\s+", " ", one) for one in
               re.findall(r"(?ms)^(The data (?:do not )?support .*?\. |The model (?:of \S+ )?(?:leaves|lacks|holds) .*?\.(?= |$)|"
                          r"The circularity is .*?\.(?= [A-Z]|$))", text)]
