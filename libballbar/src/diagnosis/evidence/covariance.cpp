@@ -170,10 +170,7 @@ void CovarianceFilter::apply(std::size_t first, RowMajorBlock block, RowMajorMat
         v[k] = innovation * row.scale;
       }
     } else if (has_memory_) {
-      s *= row.decay;
-      values -= s;
-      s += row.k0 * values;
-      values *= row.scale;
+      filter_row(row.decay, row.k0, row.scale, values, s);
     } else {
       values *= row.scale;
     }
