@@ -5,6 +5,7 @@
 
 #include "logs/log_cells.hpp"
 #include "logs/time_stamp.hpp"
+#include "text/cells.hpp"
 
 namespace ballbar {
 namespace {

@@ -9,6 +9,7 @@
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "logs/log_cells.hpp"
+#include "text/cells.hpp"
 
 namespace ballbar {
 

@@ -86,34 +86,6 @@ std::string_view trimmed_cell(std::string_view cell) {
   return cell;
 }
 
-void split_cells(std::string_view line, char delimiter, std::vector<std::string_view>& cells) {
-  cells.clear();
-  if (delimiter == ' ') {
-    for (std::size_t at = line.find_first_not_of(" \t"); at < line.size();) {
-      std::size_t end = line[at] == '"' ? line.find('"', at + 1) : std::string_view::npos;
-      end = std::min(line.find_first_of(" \t", end == std::string_view::npos ? at : end), line.size());
-      cells.push_back(line.substr(at, end - at));
-      at = line.find_first_not_of(" \t", end);
-    }
-    return;
-  }
-  std::size_t begin = 0;
-  while (true) {
-    std::size_t end = line.find(delimiter, begin);
-    std::size_t first = line.find_first_not_of(' ', begin);
-    if (first < line.size() && line[first] == '"' && first < std::min(end, line.size())) {
-      std::size_t close = line.find('"', first + 1);
-      while (close != std::string_view::npos && close + 1 < line.size() && line[close + 1] == '"') {
-        close = line.find('"', close + 2);  // "" is a quote within
-      }
-      if (close != std::string_view::npos) end = line.find(delimiter, close);
-    }
-    cells.push_back(line.substr(begin, end == std::string_view::npos ? end : end - begin));
-    if (end == std::string_view::npos) return;
-    begin = end + 1;
-  }
-}
-
 bool is_missing(std::string_view cell, std::span<const std::string> also) {
   cell = trimmed_cell(cell);
   if (cell.empty() || std::find(also.begin(), also.end(), cell) != also.end()) return true;

@@ -6,14 +6,10 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace ballbar {
 
 std::string_view trimmed_cell(std::string_view cell);  // blanks, unbreakable ones too, and one pair of quotes off
-
-// Cells of a line. ' ' stands for runs of blanks. A delimiter within quotes is none.
-void split_cells(std::string_view line, char delimiter, std::vector<std::string_view>& cells);
 
 // "", "NaN", "#NV", "---", "OVER", "BURNOUT" ...: no value; a name of it in `also` too.
 bool is_missing(std::string_view cell, std::span<const std::string> also = {});

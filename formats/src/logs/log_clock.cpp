@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ballbar/error.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
 #include "logs/time_stamp.hpp"
 
 namespace ballbar {
@@ -20,17 +21,6 @@ double rounded(double value, double step) { return step > 0.0 ? std::round(value
 double to_decimals(double value, double step) {
   const double inverse = std::round(1.0 / step);
   return std::round(value * inverse) / inverse;
-}
-
-double median_step_s(const std::vector<double>& time_s) {
-  std::vector<double> steps;
-  steps.reserve(time_s.size());
-  for (std::size_t i = 1; i < time_s.size(); ++i) {
-    if (time_s[i] > time_s[i - 1]) steps.push_back(time_s[i] - time_s[i - 1]);
-  }
-  if (steps.empty()) return 0.0;
-  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-  return steps[steps.size() / 2];
 }
 
 // A night from Saturday to Sunday, as all changes of summer time are, between 0 and 4 h.

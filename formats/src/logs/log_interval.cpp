@@ -7,6 +7,7 @@
 #include "logs/log_cells.hpp"
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"
+#include "text/cells.hpp"
 
 namespace ballbar {
 namespace {

@@ -13,6 +13,7 @@
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"
 #include "logs/time_finder.hpp"
+#include "text/cells.hpp"
 
 namespace ballbar {
 namespace {

@@ -4,15 +4,18 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
 #include "logs/decimal_sign.hpp"
 #include "logs/log_cells.hpp"
 #include "logs/log_sources.hpp"
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"
 #include "logs/time_stamp.hpp"
+#include "text/cells.hpp"
 
 namespace ballbar {
 namespace {
@@ -90,10 +93,7 @@ Cut cut_by(const std::vector<HeadLine>& lines, char delimiter, std::size_t fewes
   for (const LineLook& look : looks) {
     if (look.is_row(fewest) && look.cells == cut.columns) values.push_back(look.values);
   }
-  if (!values.empty()) {
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  }
-  const std::size_t usual = values.empty() ? 0 : values[values.size() / 2];
+  const std::size_t usual = values.empty() ? 0 : median(std::move(values));
   const auto suits = [&](const LineLook& look) {
     if (3 * look.values < usual) return false;
     return look.is_row(fewest) && look.cells == cut.columns;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <span>
 
@@ -13,6 +12,7 @@
 #include "ballbar/nearest_name.hpp"
 #include "logs/log_cells.hpp"
 #include "logs/time_stamp.hpp"
+#include "text/cells.hpp"
 
 namespace ballbar {
 namespace {
@@ -91,22 +91,9 @@ class Table {
   std::string first_either_;
 
  private:
-  // The cell at `begin`: where it ends. Quotes may hold the delimiter.
-  const char* end_of_cell(const char* begin, const char* end) const {
-    if (shape_.delimiter == ' ') {
-      const char* at = begin;
-      while (at < end && *at != ' ' && *at != '\t') ++at;
-      return at;
-    }
-    const char* from = begin;
-    if (begin < end && *begin == '"') {
-      const auto* close =
-          static_cast<const char*>(std::memchr(begin + 1, '"', static_cast<std::size_t>(end - begin - 1)));
-      if (close != nullptr) from = close;
-    }
-    const auto* found =
-        static_cast<const char*>(std::memchr(from, shape_.delimiter, static_cast<std::size_t>(end - from)));
-    return found == nullptr ? end : found;
+  std::string_view cell_at(const char* begin, const char* end) const {
+    const std::string_view rest(begin, static_cast<std::size_t>(end - begin));
+    return rest.substr(0, cell_end(rest, 0, shape_.delimiter));
   }
 
   const char* past_blanks(const char* at, const char* end) const {
@@ -152,8 +139,7 @@ class Table {
           ++numbers;
           at = shape_.delimiter == ' ' ? rest : after;
         } else {
-          const char* const cell_end = end_of_cell(at, end);
-          const std::string_view cell(at, static_cast<std::size_t>(cell_end - at));
+          const std::string_view cell = cell_at(at, end);
           row_[column] = kGap;
           if (!is_missing(cell, recipe_.missing)) {
             if (const auto slow = cell_number(cell, shape_.decimal)) {
@@ -164,15 +150,14 @@ class Table {
               bad_cell = cell;
             }
           }
-          at = cell_end;
+          at += cell.size();
         }
       } else {
-        const char* const cell_end = end_of_cell(at, end);
-        const std::string_view cell(at, static_cast<std::size_t>(cell_end - at));
+        const std::string_view cell = cell_at(at, end);
         if (kind == ColumnKind::stamp || kind == ColumnKind::date) date_ = trimmed_cell(cell);
         if (kind == ColumnKind::clock) clock_ = trimmed_cell(cell);
         if (kind == ColumnKind::milli) milli_ = trimmed_cell(cell);
-        at = cell_end;
+        at += cell.size();
       }
       more = at < end;
       if (more && shape_.delimiter != ' ') {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "logs/text_fold.hpp"
+#include "text/cells.hpp"
 
 namespace ballbar {
 namespace {
@@ -145,19 +146,15 @@ constexpr std::pair<std::string_view, double> kTimes[] = {
     {"days", 86400.0},   {"tage", 86400.0},
 };
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
-}
+// Line ends too: a cell in quotes may hold them.
+std::string_view bare(std::string_view text) { return trimmed(text, " \t\r\n"); }
 
 std::string_view without_brackets(std::string_view text) {
   constexpr std::pair<char, char> kPairs[] = {{'[', ']'}, {'(', ')'}, {'{', '}'}, {'<', '>'}};
-  text = trimmed(text);
+  text = bare(text);
   for (const auto& [open, close] : kPairs) {
     if (text.size() > 1 && text.front() == open && text.back() == close) {
-      return trimmed(text.substr(1, text.size() - 2));
+      return bare(text.substr(1, text.size() - 2));
     }
   }
   return text;
@@ -175,10 +172,10 @@ std::optional<NameAndUnit> with_brackets(std::string_view header) {
     if (end == std::string_view::npos) continue;
     const std::size_t begin = header.rfind(open, end);
     if (begin == std::string_view::npos) continue;
-    const std::string_view inside = trimmed(header.substr(begin + 1, end - begin - 1));
+    const std::string_view inside = bare(header.substr(begin + 1, end - begin - 1));
     if (!log_unit(inside) && !time_unit_s(inside)) continue;
-    std::string name(trimmed(header.substr(0, begin)));
-    const std::string_view after = trimmed(header.substr(end + 1));
+    std::string name(bare(header.substr(0, begin)));
+    const std::string_view after = bare(header.substr(end + 1));
     if (!after.empty()) name += (name.empty() ? "" : " ") + std::string(after);
     return NameAndUnit{name, std::string(inside)};
   }
@@ -222,7 +219,7 @@ bool is_time_name(std::string_view name) {
 }
 
 NameAndUnit name_and_unit(std::string_view header) {
-  header = trimmed(header);
+  header = bare(header);
   const std::string ascii = [&] {  // full-width brackets as narrow ones
     std::string text(header);
     for (const auto& [from, to] :
@@ -238,12 +235,12 @@ NameAndUnit name_and_unit(std::string_view header) {
     const bool first = between == "/";  // "Speed/U/min"
     const std::size_t at = first ? ascii.find(between) : ascii.rfind(between);
     if (at == std::string::npos || at == 0) continue;
-    const std::string_view end = trimmed(std::string_view(ascii).substr(at + between.size()));
+    const std::string_view end = bare(std::string_view(ascii).substr(at + between.size()));
     const bool one_letter = end.size() == 1 && end != "%";
     if (!is_unit_of(std::string_view(ascii).substr(0, at), end) ||
         (one_letter && (between == " " || between == " - ")) || (between == " " && end == "in"))
       continue;
-    return {std::string(trimmed(std::string_view(ascii).substr(0, at))), std::string(end)};
+    return {std::string(bare(std::string_view(ascii).substr(0, at))), std::string(end)};
   }
   return {ascii, {}};
 }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "text/cells.hpp"
 #include "text/located_text.hpp"
 #include "text/path_inside.hpp"
 
@@ -17,85 +18,54 @@ constexpr std::size_t kMostRuns = 100000;
 constexpr std::size_t kMostColumns = 100;
 constexpr std::size_t kLongestPath = 4096;
 
-struct Line {
-  std::string_view bytes;  // without its line end
-  std::size_t offset = 0;
-  std::size_t next = 0;  // offset of the line after it
-};
-
 struct Cell {
   std::string text;
   std::size_t offset = 0;
 };
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
-std::size_t after_blanks(std::string_view bytes, std::size_t at) {
-  while (at < bytes.size() && is_blank(bytes[at])) ++at;
-  return at;
+std::size_t after_blanks(std::string_view line, std::size_t at) {
+  return std::min(line.find_first_not_of(" \t", at), line.size());
 }
 
-Line line_at(std::string_view bytes, std::size_t offset) {
-  const std::size_t end = std::min(bytes.find('\n', offset), bytes.size());
-  std::string_view line = bytes.substr(offset, end - offset);
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return {line, offset, std::min(end + 1, bytes.size())};
-}
-
-// From the opening quote at `at`, which is then behind the closing one.
-Cell quoted_cell(const SourceText& text, const Line& line, std::size_t& at) {
-  const std::size_t begin = at;
-  Cell cell{{}, line.offset + begin};
-  for (++at; at < line.bytes.size(); ++at) {
-    if (line.bytes[at] != '"') {
-      cell.text += line.bytes[at];
-    } else if (at + 1 < line.bytes.size() && line.bytes[at + 1] == '"') {
-      cell.text += line.bytes[at++];
-    } else {
-      ++at;
-      return cell;
-    }
-  }
-  fail_at(
-      text, cell.offset,
-      fmt::format("expected a quote that ends this cell on its line, found {}.", in_quotes(line.bytes.substr(begin))));
-}
-
-Cell bare_cell(const SourceText& text, const Line& line, std::size_t& at) {
-  const std::size_t begin = at;
-  at = std::min(line.bytes.find(',', at), line.bytes.size());
-  std::string_view cell = line.bytes.substr(begin, at - begin);
-  while (!cell.empty() && is_blank(cell.back())) cell.remove_suffix(1);
-  if (cell.find('"') != std::string_view::npos) {
-    fail_at(text, line.offset + begin,
+// The text of a cell, its blanks off. `line` is the file's from the offset `at` on, where the cell begins.
+std::string text_of(const SourceText& text, std::string_view line, std::string_view cell, std::size_t at) {
+  if (!cell.starts_with('"')) {
+    if (cell.find('"') == std::string_view::npos) return std::string(cell);
+    fail_at(text, at,
             fmt::format("expected quotes around a whole cell, each quote in it doubled, found {}.", in_quotes(cell)));
   }
-  return {std::string(cell), line.offset + begin};
+  const std::size_t close = closing_quote(line, 0);
+  if (close == std::string_view::npos) {
+    fail_at(text, at, fmt::format("expected a quote that ends this cell on its line, found {}.", in_quotes(line)));
+  }
+  const std::size_t behind = after_blanks(line, close + 1);
+  if (behind < line.size() && line[behind] != ',') {
+    fail_at(text, at + behind,
+            fmt::format("expected a comma after a cell in quotes, found {}.", in_quotes(line.substr(behind))));
+  }
+  return unquoted(cell);
 }
 
 // At most one more than kMostColumns.
-std::vector<Cell> cells_of(const SourceText& text, const Line& line) {
+std::vector<Cell> cells_of(const SourceText& text, const TextLine& line) {
   std::vector<Cell> cells;
-  for (std::size_t at = 0;; ++at) {
-    at = after_blanks(line.bytes, at);
-    const bool quoted = at < line.bytes.size() && line.bytes[at] == '"';
-    Cell cell = quoted ? quoted_cell(text, line, at) : bare_cell(text, line, at);
-    at = after_blanks(line.bytes, at);
-    if (at < line.bytes.size() && line.bytes[at] != ',') {
-      fail_at(text, line.offset + at,
-              fmt::format("expected a comma after a cell in quotes, found {}.", in_quotes(line.bytes.substr(at))));
-    }
+  for (std::size_t begin = 0;; ++begin) {
+    begin = after_blanks(line.text, begin);
+    const std::size_t end = cell_end(line.text, begin, ',');
+    Cell cell{{}, line.offset + begin};
+    cell.text = text_of(text, line.text.substr(begin), trimmed(line.text.substr(begin, end - begin)), cell.offset);
     // A terminal obeys control characters, and messages show these texts.
     const auto is_control = [](char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7F; };
     if (std::any_of(cell.text.begin(), cell.text.end(), is_control)) {
       fail_at(text, cell.offset, fmt::format("expected printable text, found {}.", in_quotes(cell.text)));
     }
     cells.push_back(std::move(cell));
-    if (at == line.bytes.size() || cells.size() > kMostColumns) return cells;
+    begin = end;
+    if (end == line.text.size() || cells.size() > kMostColumns) return cells;
   }
 }
 
-std::vector<Cell> header_of(const SourceText& text, const Line& line) {
+std::vector<Cell> header_of(const SourceText& text, const TextLine& line) {
   const std::vector<Cell> names = cells_of(text, line);
   const std::string& first = names.front().text;
   if (first != "run" && first != "file") {
@@ -135,11 +105,11 @@ std::filesystem::path file_of(const SourceText& text, const Cell& cell, const st
 
 std::string counted(std::size_t cells) { return fmt::format("{} cell{}", cells, cells == 1 ? "" : "s"); }
 
-std::vector<Cell> row_of(const SourceText& text, const Line& line, std::size_t columns) {
-  if (after_blanks(line.bytes, 0) == line.bytes.size()) {
+std::vector<Cell> row_of(const SourceText& text, const TextLine& line, std::size_t columns) {
+  if (after_blanks(line.text, 0) == line.text.size()) {
     fail_at(text, line.offset, fmt::format("expected a row of {}, found an empty line.", counted(columns)));
   }
-  if (line.bytes.starts_with('#')) {
+  if (line.text.starts_with('#')) {
     fail_at(text, line.offset, "expected comments above the header alone, found one below it.");
   }
   std::vector<Cell> cells = cells_of(text, line);
@@ -157,8 +127,8 @@ RunList read_runs(std::string_view bytes, std::string_view name) {
   // Line ends after the last row are no rows; npos + 1 is 0.
   const std::string_view body = text.bytes.substr(0, text.bytes.find_last_not_of("\r\n") + 1);
   std::size_t number = 1;
-  Line line = line_at(body, 0);
-  for (; line.bytes.starts_with('#'); ++number) line = line_at(body, line.next);
+  TextLine line = line_at(body, 0);
+  for (; line.text.starts_with('#'); ++number) line = line_at(body, line.next);
   if (line.offset == body.size()) {
     fail_at(text, text.bytes.size(), "expected a header such as run,speed_rpm, found the end of the file.");
   }

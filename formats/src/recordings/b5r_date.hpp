@@ -8,9 +8,9 @@
 
 namespace ballbar {
 
-// s since 1970-01-01T00:00:00 on the clock that the text is of. Read are YYYYMMDD-HHMMSS, YYYYMMDD, ISO 8601
-// (2025-09-04, 2025-09-04T16:10, 2025-09-04 16:10:49; a fraction, Z or an offset is not looked at) and
-// dd.mm.yyyy with or without a time. Nothing for all else: of 03/04/2026 nobody knows which is the month.
+// s since 1970-01-01T00:00:00 on the clock that the text is of: a date as a log may have it (time_stamp.hpp), such as
+// YYYYMMDD-HHMMSS, with a clock or none; a fraction and a zone are not looked at. Nothing for all else: of 03/04/2026
+// nobody knows which is the month.
 std::optional<std::int64_t> date_s(std::string_view text);
 
 // The instrument's own form, YYYYMMDD-HHMMSS.

@@ -1,8 +1,9 @@
 #include "recordings/circle_runs.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/units.hpp"
 
 namespace ballbar {
@@ -36,9 +37,7 @@ double middle_step_rad(const std::vector<double>& unwrapped_rad) {
   for (std::size_t i = 1; i < unwrapped_rad.size(); ++i) {
     steps.push_back(std::abs(unwrapped_rad[i] - unwrapped_rad[i - 1]));
   }
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return median(std::move(steps));
 }
 
 std::vector<CircleRun> runs_of(const std::vector<double>& unwrapped_rad) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/units.hpp"
 #include "recordings/circle_find.hpp"
 #include "recordings/circle_runs.hpp"
@@ -135,12 +136,6 @@ Readings readings_of(const ColumnTable& table, const CoordinateCircle& circle, d
   return readings;
 }
 
-double middle_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // Deviations are added to the nominal radius.
 Readings readings_of(const ColumnTable& table, const PolarCircle& circle, std::size_t column, double nominal_mm,
                      double mm) {
@@ -210,7 +205,7 @@ RecordingFile file_of(std::string_view name, const ColumnTable& table, const Pol
                       const StatedCircle& stated) {
   RecordingFile file;
   const NumberColumn& values = table.columns[circle.values.front()];
-  const double length = middle_of(values.values);
+  const double length = median(values.values);
   const double mm = circle.are_lengths ? mm_of_lengths(values, length, stated) : mm_of_deviations(values);
   Recording like;
   like.nominal_length_mm =

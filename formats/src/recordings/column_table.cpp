@@ -11,6 +11,7 @@
 #include "logs/log_shape.hpp"
 #include "logs/log_text.hpp"
 #include "logs/log_units.hpp"
+#include "text/cells.hpp"
 
 namespace ballbar {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
+#include "text/cells.hpp"
 
 namespace ballbar {
 namespace {
@@ -17,25 +18,7 @@ constexpr std::size_t kLongestLine = std::size_t{64} << 10;
 constexpr std::size_t kOther = std::numeric_limits<std::size_t>::max(), kTime = kOther - 1;
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r";
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
-}
-
-// Takes the first cell off.
-std::string_view cut_cell(std::string_view& line, bool& more) {
-  const std::size_t comma = line.find(',');
-  const std::string_view cell = trimmed(line.substr(0, comma));
-  more = comma != std::string_view::npos;
-  line.remove_prefix(more ? comma + 1 : line.size());
-  return cell;
-}
-
-std::string_view without_quotes(std::string_view name) {
-  const bool quoted = name.size() > 1 && name.starts_with('"') && name.ends_with('"');
-  return quoted ? name.substr(1, name.size() - 2) : name;
-}
+constexpr std::string_view kBlanks = " \t\r";
 
 double number_of(std::string_view cell) {
   if (cell.starts_with('+') && !cell.starts_with("+-")) cell.remove_prefix(1);
@@ -93,7 +76,7 @@ const LiveRow* LiveRows::last() {
 
 const LiveRow* LiveRows::take(std::string_view line) {
   if (line_ == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
-  line = trimmed(line);
+  line = trimmed(line, kBlanks);
   if (line.empty() || line.starts_with('#')) return nullptr;
   if (!named()) {
     name_columns(line);
@@ -102,11 +85,11 @@ const LiveRow* LiveRows::take(std::string_view line) {
   row_.time_s = kNoValue;
   std::fill(row_.values.begin(), row_.values.end(), kNoValue);
   std::size_t cell = 0;
-  bool more = true;
-  for (; more; ++cell) {
-    const std::string_view text = cut_cell(line, more);
+  for (std::size_t begin = 0, end = 0; begin <= line.size(); ++cell, begin = end + 1) {
+    end = cell_end(line, begin, ',');
     if (cell >= cells_ || target_[cell] == kOther) continue;
-    (target_[cell] == kTime ? row_.time_s : row_.values[target_[cell]]) = number_of(text);
+    const double value = number_of(trimmed(line.substr(begin, end - begin), kBlanks));
+    (target_[cell] == kTime ? row_.time_s : row_.values[target_[cell]]) = value;
   }
   if (cell != cells_) {
     row_.time_s = kNoValue;
@@ -117,14 +100,15 @@ const LiveRow* LiveRows::take(std::string_view line) {
 }
 
 void LiveRows::name_columns(std::string_view line) {
-  const std::string_view found = line;
+  std::vector<std::string_view> cells;
+  split_cells(line, ',', cells);
   std::vector<std::string> names;
-  for (bool more = true; more;) names.emplace_back(without_quotes(cut_cell(line, more)));
+  for (const std::string_view cell : cells) names.push_back(unquoted(trimmed(cell, kBlanks)));
   const auto fail = [&](const std::string& sentence) { throw Error(fmt::format("{}:{}: {}", name_, line_, sentence)); };
   const auto count = [&](std::string_view name) { return std::count(names.begin(), names.end(), name); };
   if (count("time_s") + count("time_min") != 1) {
     fail(fmt::format("expected one column time_s or time_min, found {}.",
-                     count("time_s") + count("time_min") == 0 ? in_quotes(found) : std::string("more than one")));
+                     count("time_s") + count("time_min") == 0 ? in_quotes(line) : std::string("more than one")));
   }
   second_ = count("time_min") == 1 ? 60.0 : 1.0;
   for (const std::string& name : wanted_) {

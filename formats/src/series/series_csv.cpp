@@ -11,6 +11,7 @@
 
 #include "ballbar/error.hpp"
 #include "series/role_choice.hpp"
+#include "text/cells.hpp"
 #include "text/head.hpp"
 #include "text/readers.hpp"
 #include "text/table.hpp"
@@ -53,14 +54,9 @@ bool is_header_of_units(std::string_view head) {
   line = line.substr(0, line.find_first_of("\r\n"));
   if (!line.starts_with("time_s,") && !line.starts_with("time_min,")) return false;
   if (line.starts_with("time_s,angle_deg")) return false;
-  line.remove_prefix(line.find(',') + 1);
-  for (bool more = true; more;) {
-    const std::size_t comma = line.find(',');
-    if (unit_of(line.substr(0, comma)).empty()) return false;
-    more = comma != std::string_view::npos;
-    line.remove_prefix(more ? comma + 1 : line.size());
-  }
-  return true;
+  std::vector<std::string_view> names;
+  split_cells(line, ',', names);
+  return std::none_of(names.begin() + 1, names.end(), [](std::string_view name) { return unit_of(name).empty(); });
 }
 
 // Comments are TOML only where one of them is a line `# format =`; otherwise they are prose.

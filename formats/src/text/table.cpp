@@ -7,38 +7,38 @@
 #include <cmath>
 #include <limits>
 
+#include "text/cells.hpp"
+
 namespace ballbar {
 namespace {
 
 constexpr std::size_t kLongestComments = std::size_t{1} << 20;
 constexpr std::size_t kMostColumns = 10000;
 
-std::size_t line_end(std::string_view bytes, std::size_t offset) {
-  return std::min(bytes.find('\n', offset), bytes.size());
-}
-
-// The line at `offset` without its line end.
-std::string_view line_at(std::string_view bytes, std::size_t offset) {
-  std::string_view line = bytes.substr(offset, line_end(bytes, offset) - offset);
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
-
-std::size_t next_line(std::string_view bytes, std::size_t offset) {
-  return std::min(line_end(bytes, offset) + 1, bytes.size());
-}
-
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-std::string_view trimmed(std::string_view cell) {
-  while (!cell.empty() && is_blank(cell.front())) cell.remove_prefix(1);
-  while (!cell.empty() && is_blank(cell.back())) cell.remove_suffix(1);
-  return cell;
+struct Cell {
+  std::string_view text;   // trimmed
+  std::size_t offset = 0;  // in the file; of an empty one where its text would begin
+};
+
+std::vector<Cell> cells_of(const TextLine& line) {
+  std::vector<std::string_view> whole;
+  split_cells(line.text, ',', whole);
+  std::vector<Cell> cells;
+  cells.reserve(whole.size());
+  for (const std::string_view cell : whole) {
+    const std::string_view text = trimmed(cell);
+    const char* const at = text.empty() ? cell.data() : text.data();
+    cells.push_back({text, line.offset + static_cast<std::size_t>(at - line.text.data())});
+  }
+  return cells;
 }
 
 // Why the row at `offset` is not `columns` numbers: said once, slowly.
 [[noreturn]] void fail_row(const SourceText& text, const TableHead& head, std::size_t offset, bool gaps) {
-  const std::string_view line = line_at(text.bytes, offset);
+  const TextLine at = line_at(text.bytes, offset);
+  const std::string_view line = at.text;
   const std::size_t columns = head.columns.size();
   if (trimmed(line).empty()) {
     fail_at(text, offset, fmt::format("expected a row of {} values, found an empty line.", columns));
@@ -47,17 +47,14 @@ std::string_view trimmed(std::string_view cell) {
     fail_at(text, offset + line.find_first_of(";\t"),
             fmt::format("expected values separated by commas, decimals with a point, found {}.", in_quotes(line)));
   }
-  const std::size_t cells = static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
-  if (cells != columns) {
+  const std::vector<Cell> cells = cells_of(at);
+  if (cells.size() != columns) {
     fail_at(text, offset,
-            fmt::format("expected {} values, one for each column, found {}{}.", columns, cells,
-                        cells > columns ? "; decimals need a point, not a comma" : ""));
+            fmt::format("expected {} values, one for each column, found {}{}.", columns, cells.size(),
+                        cells.size() > columns ? "; decimals need a point, not a comma" : ""));
   }
-  std::size_t begin = 0;
   for (std::size_t column = 0; column < columns; ++column) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    const std::string_view cell = trimmed(line.substr(begin, end - begin));
-    const std::size_t place = offset + (cell.empty() ? begin : static_cast<std::size_t>(cell.data() - line.data()));
+    const auto [cell, place] = cells[column];
     const std::string& name = head.columns[column].name;
     double value = 0.0;
     const std::string_view digits = cell.starts_with('+') ? cell.substr(1) : cell;
@@ -71,7 +68,6 @@ std::string_view trimmed(std::string_view cell) {
                (digits.size() < cell.size() && digits.starts_with('-'))) {
       fail_at(text, place, fmt::format("expected a finite number for {}, found {}.", name, in_quotes(cell)));
     }
-    begin = end + 1;
   }
   fail_at(text, offset, fmt::format("expected {} numbers separated by commas, found {}.", columns, in_quotes(line)));
 }
@@ -81,7 +77,7 @@ std::string_view trimmed(std::string_view cell) {
 CommentBlock comment_block(const SourceText& text) {
   CommentBlock block;
   while (block.end < text.bytes.size() && text.bytes[block.end] == '#') {
-    const std::size_t next = next_line(text.bytes, block.end);
+    const std::size_t next = line_at(text.bytes, block.end).next;
     block.toml += ' ';
     block.toml += text.bytes.substr(block.end + 1, next - block.end - 1);
     block.end = next;
@@ -92,13 +88,10 @@ CommentBlock comment_block(const SourceText& text) {
 
 TableHead table_head(const SourceText& text, std::size_t offset) {
   if (offset >= text.bytes.size()) fail_at(text, offset, "expected a line of column names, found the end of the file.");
-  const std::string_view line = line_at(text.bytes, offset);
+  const TextLine line = line_at(text.bytes, offset);
   TableHead head;
-  head.body = next_line(text.bytes, offset);
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    const std::string_view name = trimmed(line.substr(begin, end - begin));
-    const std::size_t place = offset + (name.empty() ? begin : static_cast<std::size_t>(name.data() - line.data()));
+  head.body = line.next;
+  for (const auto& [name, place] : cells_of(line)) {
     if (name.empty()) fail_at(text, place, "expected the name of a column, found nothing.");
     const auto refused = [](char c) {
       return static_cast<unsigned char>(c) < 0x20 || c == '"' || c == ';' || c == 0x7F;
@@ -111,7 +104,6 @@ TableHead table_head(const SourceText& text, std::size_t offset) {
       fail_at(text, place, fmt::format("expected at most {} columns, found more.", kMostColumns));
     }
     head.columns.push_back({std::string(name), place});
-    begin = end + 1;
   }
   std::vector<const ColumnName*> sorted;
   for (const ColumnName& column : head.columns) sorted.push_back(&column);
@@ -175,13 +167,9 @@ std::vector<std::vector<double>> table_columns(const SourceText& text, const Tab
 void fail_at_cell(const SourceText& text, const TableHead& head, std::size_t row, std::size_t column,
                   std::string_view expected) {
   std::size_t offset = head.body;
-  for (std::size_t i = 0; i < row; ++i) offset = next_line(text.bytes, offset);
-  const std::string_view line = line_at(text.bytes, offset);
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < column; ++i) begin = line.find(',', begin) + 1;
-  const std::string_view cell = trimmed(line.substr(begin, line.find(',', begin) - begin));
-  fail_at(text, offset + static_cast<std::size_t>(cell.data() - line.data()),
-          fmt::format("expected {}, found {}.", expected, in_quotes(cell)));
+  for (std::size_t i = 0; i < row; ++i) offset = line_at(text.bytes, offset).next;
+  const Cell cell = cells_of(line_at(text.bytes, offset)).at(column);
+  fail_at(text, cell.offset, fmt::format("expected {}, found {}.", expected, in_quotes(cell.text)));
 }
 
 void expect_rising(const SourceText& text, const TableHead& head, std::size_t column, std::span<const double> time) {

@@ -14,7 +14,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/nearest_name.hpp"
-#include "numerics/interpolation.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
 #include "numerics/median.hpp"
 
 namespace ballbar {
@@ -85,7 +85,7 @@ Eigen::VectorXd robust_residual(const Eigen::MatrixXd& a, const Eigen::VectorXd&
     const std::vector<Eigen::Index> few(rows.begin(), rows.begin() + p);
     const Eigen::VectorXd residual = y - a * a(few, Eigen::all).colPivHouseholderQr().solve(y(few)).eval();
     const Eigen::VectorXd away = residual.cwiseAbs();
-    const double middle = median({away.begin(), away.end()});
+    const double middle = median<double>({away.begin(), away.end()});
     if (!(middle < least)) continue;
     least = middle;
     best = residual;
@@ -108,9 +108,9 @@ Unlike unlike_the_others(const Eigen::MatrixXd& means_degC) {
   Eigen::MatrixXd a = Eigen::MatrixXd::Ones(means_degC.rows(), 2);  // and the heat
   for (Eigen::Index k = 0; k < means_degC.rows(); ++k) {
     const Eigen::VectorXd row = means_degC.row(k).transpose();
-    offset.row(k) = (row.array() - median({row.begin(), row.end()})).matrix().transpose();
+    offset.row(k) = (row.array() - median<double>({row.begin(), row.end()})).matrix().transpose();
     const Eigen::VectorXd apart = offset.row(k).transpose().cwiseAbs();
-    a(k, 1) = median({apart.begin(), apart.end()});
+    a(k, 1) = median<double>({apart.begin(), apart.end()});
   }
   for (Eigen::Index j = 0; j < offset.cols(); ++j) offset.col(j) = robust_residual(a, offset.col(j)).eval();
   return {std::move(offset), a.col(1)};
@@ -308,8 +308,9 @@ std::vector<BrokenSensor> broken_sensors(std::span<const Batch> batches, const B
   while (batches.size() >= kFewestBatches && sensors.size() >= kFewestSensors) {
     const auto [off, heat] = unlike_the_others(means);
     const Eigen::VectorXd away = off.reshaped().cwiseAbs();
-    const double far_K = std::max(kLeastOffset_K, kFarOffset * kSigmaOfDeviation * median({away.begin(), away.end()}));
-    const double usual_heat_K = median({heat.begin(), heat.end()});
+    const double far_K =
+        std::max(kLeastOffset_K, kFarOffset * kSigmaOfDeviation * median<double>({away.begin(), away.end()}));
+    const double usual_heat_K = median<double>({heat.begin(), heat.end()});
     const Eigen::ArrayXd limit_K =
         far_K * heat.unaryExpr([&](double one) { return std::max(1.0, one / usual_heat_K); }).array();
     Eigen::Index batch = 0, worst = 0;

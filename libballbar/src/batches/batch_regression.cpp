@@ -10,6 +10,7 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/numerics/parallel.hpp"
+#include "numerics/root.hpp"
 
 namespace ballbar {
 namespace {
@@ -277,12 +278,7 @@ double half_width_95_um(std::span<const double> sigma_um, std::span<const double
     }
     return sum / all;
   };
-  double low = 0.0;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (outside(middle) > 0.05 ? low : high) = middle;
-  }
-  return high;
+  return root_between([&](double width) { return outside(width) > 0.05; }, 0.0, high).second;
 }
 
 BatchModel trained(std::span<const Batch> batches, std::span<const double> weights, const BatchColumns& columns,

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "ballbar/error.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/numerics/parallel.hpp"
 
 namespace ballbar {
@@ -71,10 +72,7 @@ std::vector<double> weights_at(std::span<const Batch> batches, const BatchStart&
     square[k] = d * d;
   }
   const double least = *std::min_element(square.begin(), square.end());
-  std::vector<double> sorted = square;
-  const std::size_t few = std::min(kFewestWeighed, sorted.size());
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(few - 1), sorted.end());
-  const double near = sorted[few - 1];
+  const double near = order_statistic(square, std::min(kFewestWeighed, square.size()) - 1);
   std::vector<double> weights;
   for (const double one : square) {
     double weight = std::isfinite(one) ? 1.0 : 0.0;

@@ -13,6 +13,8 @@
 #include "circle/inlier_readings.hpp"
 #include "numerics/autocorrelation.hpp"
 #include "numerics/least_squares.hpp"
+#include "numerics/median.hpp"
+#include "numerics/tukey.hpp"
 
 namespace ballbar {
 namespace {
@@ -21,8 +23,7 @@ using least_squares::Solution;
 
 constexpr double kSmallestArc_deg = 5.0;
 constexpr Eigen::Index kStartReadings = 512;  // the algebraic start needs no more
-constexpr double kTukey = 4.685;              // 95 % efficient at normal noise
-constexpr double kHuber = 1.345;              // the same
+constexpr double kHuber = 1.345;              // 95 % efficient at normal noise
 
 Eigen::Map<const Eigen::ArrayXd> array_of(const std::vector<double>& values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
@@ -96,49 +97,23 @@ Eigen::ArrayXd residual_of(const Rows& rows, const Eigen::Vector3d& p) {
   return residual;
 }
 
-// 1.4826 times the median of |r|: the standard deviation of normal noise, whatever the outliers.
-double robust_scale(const Eigen::ArrayXd& residual) {
-  Eigen::ArrayXd size = residual.abs();
-  const auto middle = size.begin() + size.size() / 2;
-  std::nth_element(size.begin(), middle, size.end());
-  return 1.4826 * *middle;
-}
-
 // Huber from the least-squares answer, then Tukey from Huber's: the second forgets gross readings altogether. Each is
 // repeated while the scale, which the outliers had widened, still falls by a twentieth.
 template <class Rows>
 Solution<3> minimise_robustly(const Rows& rows, Solution<3> solution, double& scale_um) {
   const ceres::HuberLoss huber(kHuber);
   const ceres::TukeyLoss tukey(kTukey);
-  scale_um = robust_scale(residual_of(rows, solution.p));
+  scale_um = median_sigma(residual_of(rows, solution.p));
   for (const ceres::LossFunction* loss :
        {static_cast<const ceres::LossFunction*>(&huber), static_cast<const ceres::LossFunction*>(&tukey)}) {
     for (int round = 0; round < 20 && scale_um > 0.0; ++round) {  // 0: more than half of the readings fit exactly
       solution = least_squares::minimise<3>(rows, solution.p, least_squares::Start::near, loss, scale_um);
-      const double narrower_um = robust_scale(residual_of(rows, solution.p));
+      const double narrower_um = median_sigma(residual_of(rows, solution.p));
       if (narrower_um > 0.95 * scale_um) break;
       scale_um = narrower_um;
     }
   }
   return solution;
-}
-
-// Variance factor of an M-estimate, sum psi^2 / (n - 3) / mean(psi')^2 (Huber 1981), for Tukey's biweight;
-// and the readings that count for less than a tenth.
-double robust_variance_um2(const Eigen::ArrayXd& residual, double scale_um, std::vector<std::size_t>& discounted) {
-  double psi2 = 0.0;
-  double slope = 0.0;
-  for (Eigen::Index i = 0; i < residual.size(); ++i) {
-    const double u = residual[i] / (kTukey * scale_um);
-    const double inside = std::max(0.0, 1.0 - u * u);
-    const double weight = inside * inside;
-    psi2 += residual[i] * residual[i] * weight * weight;
-    slope += inside * (1.0 - 5.0 * u * u) * (u * u < 1.0 ? 1.0 : 0.0);
-    if (weight < 0.1) discounted.push_back(static_cast<std::size_t>(i));
-  }
-  const double n = static_cast<double>(residual.size());
-  slope /= n;
-  return psi2 / (n - 3.0) / (slope * slope);
 }
 
 // Fills what follows from the solution: numbers, covariance, autocorrelation. The rows' unit is um.
@@ -175,9 +150,8 @@ void finish(const Rows& rows, const Solution<3>& solution, double radius_um, dou
     widening = information.correlated * inverse;
   }
   const double used = widening.trace();
-  const double variance_um2 =
-      (robust ? robust_variance_um2(residual, scale_um, circle.discounted) * (n - 3.0) : residual.square().sum()) /
-      (n - used);
+  const double variance_um2 = robust ? robust_variance(residual, scale_um, used) : residual.square().sum() / (n - used);
+  if (robust) circle.discounted = discounted_by(tukey(residual, scale_um));
   circle.covariance_um2 = variance_um2 * inverse * widening;
   circle.sigma_reading_um = std::sqrt(variance_um2);
   circle.autocorrelation = rho.phi;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "ballbar/numerics/order_statistic.hpp"
 #include "numerics/interpolation.hpp"
 
 namespace ballbar {

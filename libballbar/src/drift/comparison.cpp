@@ -11,12 +11,12 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/units.hpp"
 #include "drift/clock_shift.hpp"
 #include "drift/sample_agreement.hpp"
 #include "drift/sample_statistics.hpp"
 #include "numerics/interpolation.hpp"
-#include "numerics/median.hpp"
 #include "numerics/not_finite.hpp"
 
 namespace ballbar {

@@ -238,12 +238,8 @@ std::optional<DifferenceStructure> difference_structure(const DifferenceRows& al
       }
     }
   } else {
-    std::vector<double> sizes;
-    sizes.reserve(found.rows);
-    for (const double one : rest) sizes.push_back(std::abs(one));
     found.noise = NoiseOfDifference::from_rows;
-    found.widened_by =
-        kSigmaOfDeviation * median(std::move(sizes)) * std::sqrt(static_cast<double>(found.rows) / freedom * wider);
+    found.widened_by = median_sigma(rest) * std::sqrt(static_cast<double>(found.rows) / freedom * wider);
     degrees = std::max(1.0, kShareOfMedian * freedom / wider);
     if (!(found.widened_by > 0.0)) return std::nullopt;
   }

@@ -9,11 +9,11 @@
 
 #include "ballbar/error.hpp"
 #include "ballbar/fit/held_model.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
 #include "effect_regression/driver_report.hpp"
 #include "effect_regression/few_effects.hpp"
 #include "effect_regression/forecasts.hpp"
 #include "effect_regression/ridge.hpp"
-#include "numerics/median.hpp"
 
 namespace ballbar {
 namespace {
@@ -82,10 +82,7 @@ void add_end(std::span<const Series> runs, const Design& design, EffectRegressio
   }
   regression.rmse_um = std::sqrt(sum / static_cast<double>(next));
   regression.end = live.state();
-  std::vector<double> steps;
-  const std::vector<double>& time_s = runs.back().time_s;
-  for (std::size_t i = 1; i < time_s.size(); ++i) steps.push_back(time_s[i] - time_s[i - 1]);
-  regression.end_step_s = steps.empty() ? 0.0 : median(steps);
+  regression.end_step_s = median_step_s(runs.back().time_s);
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
+#include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/series/speed_steps.hpp"
 #include "effect_regression/few_effects.hpp"
 #include "effect_regression/interval.hpp"
@@ -52,9 +54,8 @@ TestedForecasts tested(std::size_t count, Errors errors) {
   of.error_um = errors.mean_of([&](std::size_t i) { return std::abs(errors.error_um[i]); });
   of.within_share = errors.mean_of([&](std::size_t i) { return errors.sigmas[i] <= kNormal95 ? 1.0 : 0.0; });
   const auto n = static_cast<double>(errors.sigmas.size());
-  const auto at = errors.sigmas.begin() + static_cast<std::ptrdiff_t>(0.95 * (n - 1.0));
-  std::nth_element(errors.sigmas.begin(), at, errors.sigmas.end());
-  result.interval_scale = std::max(1.0, *at / kNormal95);
+  const double at = order_statistic(std::move(errors.sigmas), static_cast<std::size_t>(0.95 * (n - 1.0)));
+  result.interval_scale = std::max(1.0, at / kNormal95);
   return result;
 }
 

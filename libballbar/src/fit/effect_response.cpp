@@ -5,7 +5,7 @@
 #include <iterator>
 #include <limits>
 
-#include "numerics/median.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
 
 namespace ballbar {
 namespace {

@@ -11,10 +11,11 @@
 #include "fit/irls_and_gls.hpp"
 #include "fit/machine_error_fit.hpp"
 #include "fit/multi_start.hpp"
-#include "fit/robust_weights.hpp"
 #include "fit/series_cost.hpp"
 #include "model/model_rows.hpp"
+#include "numerics/median.hpp"
 #include "numerics/not_finite.hpp"
+#include "numerics/tukey.hpp"
 
 namespace ballbar {
 namespace {
@@ -168,7 +169,10 @@ Fit fit(const Model& model, const Series& data, std::size_t target, const FitOpt
     best.weighting.discount.resize(0);
     const double spent = std::max(1.0, static_cast<double>(kept) - static_cast<double>(free));
     double variance = with_noise ? 1.0 : 2.0 * best.minimum.cost / spent;
-    if (options.robust) variance = robust_variance(weighted(best.weighting, residual), free);
+    if (options.robust) {
+      const Eigen::VectorXd white = weighted(best.weighting, residual);
+      variance = robust_variance(white, median_sigma(white), static_cast<double>(free));
+    }
     if (!result.sigma_um.empty()) variance = std::max(1.0, variance);
     if (result.sigma_um.empty() && kept < free + kFewestLeft) variance = kUnknown;
     add_uncertainty(result, weighted(best.weighting, jacobian), bounds, variance);

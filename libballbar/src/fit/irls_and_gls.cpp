@@ -7,8 +7,9 @@
 #include "ballbar/error.hpp"
 #include "ballbar/numerics/range.hpp"
 #include "fit/inlier_rows.hpp"
-#include "fit/robust_weights.hpp"
+#include "numerics/median.hpp"
 #include "numerics/not_finite.hpp"
+#include "numerics/tukey.hpp"
 
 namespace ballbar {
 namespace {
@@ -72,7 +73,8 @@ SolvedFit reweighted(const FitProblem& problem, const WeightingWithout& weightin
   constexpr double kSame = 1e-3;
   for (int round = 0; round < kRobustRounds; ++round) {
     Weighting weighting = weighting_without(solved.discounted);
-    weighting.discount = tukey(weighted(weighting, residual_of(problem, solved)));
+    const Eigen::VectorXd residual = weighted(weighting, residual_of(problem, solved));
+    weighting.discount = tukey(residual, median_sigma(residual));
     std::vector<std::size_t> discounted = discounted_by(weighting.discount);
     const bool same = discounted == solved.discounted && solved.weighting.discount.size() > 0 &&
                       (weighting.discount - solved.weighting.discount).cwiseAbs().maxCoeff() < kSame;

@@ -1,6 +1,6 @@
 #include "machine_errors/error_noise.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <Eigen/QR>
 #include <algorithm>
 #include <array>
@@ -10,11 +10,10 @@
 #include <utility>
 
 #include "ballbar/units.hpp"
+#include "noise/restricted_likelihood.hpp"
 
 namespace ballbar {
 namespace {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr std::array kWhiteOfCorrelated = {0.1, 0.33, 1.0, 3.0, 10.0};  // w / q
 constexpr std::size_t kUsualWhite = 1;
@@ -93,9 +92,9 @@ struct Restricted {
 };
 
 // Every column becomes its innovations over their standard deviation, for q = 1.
-Restricted restricted(const ErrorRows& rows, const RowMajor& data, const RowMemory& memory, double white) {
+Restricted restricted(const ErrorRows& rows, const RowMajorMatrix& data, const RowMemory& memory, double white) {
   const Eigen::Index n = rows.size(), p = data.cols() - 1;
-  RowMajor innovations = data;
+  RowMajorMatrix innovations = data;
   Eigen::RowVectorXd predicted = Eigen::RowVectorXd::Zero(p + 1);
   double known = 0.0;  // variance of the prediction
   double log_variances = 0.0;
@@ -114,20 +113,18 @@ Restricted restricted(const ErrorRows& rows, const RowMajor& data, const RowMemo
     log_variances += std::log(variance);
   }
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(p + 1, p + 1);
-  gram.selfadjointView<Eigen::Lower>().rankUpdate(innovations.transpose());
-  const Eigen::LLT<Eigen::MatrixXd> root(gram);
-  const double left = root.matrixLLT()(p, p);
+  gram.selfadjointView<Eigen::Upper>().rankUpdate(innovations.transpose());
+  const Kalman::Sums sums = restricted_sums(gram, log_variances);
   const auto freedom = static_cast<double>(std::max<Eigen::Index>(n - p, 1));
   Restricted result;
-  result.variance = std::max(left * left / freedom, kLeast_um * kLeast_um);
-  const double log_columns = 2.0 * root.matrixLLT().diagonal().head(p).array().log().sum();
-  result.log_likelihood = -0.5 * (freedom * std::log(result.variance) + log_variances + log_columns);
+  result.variance = std::max(sums.squares / freedom, kLeast_um * kLeast_um);
+  result.log_likelihood = -0.5 * (freedom * std::log(result.variance) + sums.log_variances);
   return result;
 }
 
 // Of these memories and kWhiteOfCorrelated, from the middle on: all that lie beside one with a weight. Weights are
 // logarithms of the likelihood.
-std::vector<WeightedNoise> likely_noises(const ErrorRows& rows, const RowMajor& data,
+std::vector<WeightedNoise> likely_noises(const ErrorRows& rows, const RowMajorMatrix& data,
                                          const std::vector<double>& memories_s) {
   constexpr std::size_t kWhites = kWhiteOfCorrelated.size();
   std::vector<RowMemory> memories(memories_s.size());
@@ -186,7 +183,7 @@ Eigen::MatrixXd span_of(const Eigen::MatrixXd& columns) {
 std::vector<WeightedNoise> error_noise(const ErrorRows& rows, const Eigen::MatrixXd& columns) {
   // Of what the columns span: on a short arc some are the sum of others, and their X' V^-1 X has no root.
   const Eigen::MatrixXd span = span_of(columns);
-  RowMajor data(rows.size(), span.cols() + 1);
+  RowMajorMatrix data(rows.size(), span.cols() + 1);
   data.leftCols(span.cols()) = span;
   data.col(span.cols()) = rows.deviation_um;
   const std::array<double, kMemories> memories = memories_s(rows);
@@ -225,8 +222,8 @@ Eigen::MatrixXd spread_of(const Eigen::MatrixXd& columns, const ErrorRows& rows,
     q2 += one.weight * one.noise.correlated_um * one.noise.correlated_um;
     w2 += one.weight * one.noise.white_um * one.noise.white_um;
   }
-  const RowMajor z = columns;
-  RowMajor correlated = RowMajor::Zero(z.rows(), z.cols());  // V Z
+  const RowMajorMatrix z = columns;
+  RowMajorMatrix correlated = RowMajorMatrix::Zero(z.rows(), z.cols());  // V Z
   Eigen::RowVectorXd sum(z.cols());
   for (const auto& [memory_s, variances] : by_memory) {
     const auto [q2, w2] = variances;

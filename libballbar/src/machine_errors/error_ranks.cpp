@@ -182,16 +182,6 @@ std::optional<bool> predicts_other(const ErrorFitted& fitted, const FittedEffect
          fitted.rows.count.dot(data.cwiseAbs2());
 }
 
-// A chi^2 of so many degrees of freedom that noise exceeds with this chance.
-double chi2_of_p(double p, std::size_t degrees) {
-  double low = 0.0, high = 200.0;
-  for (int step = 0; step < 60; ++step) {
-    const double middle = 0.5 * (low + high);
-    (chi2_upper_tail(middle, degrees) > p ? low : high) = middle;
-  }
-  return high;
-}
-
 }  // namespace
 
 ErrorTable error_table(const ErrorFitted& fitted, CyclicOfRuns cyclic_of_runs) {
@@ -252,7 +242,7 @@ std::vector<RankedError> ranked_errors(const ErrorFitted& fitted, const ErrorTab
     const Eigen::MatrixXd covariance = shared * fitted.covariance * shared.transpose();
     one.chi2 = values.dot(covariance.ldlt().solve(values));
     one.chi2_needed =
-        chi2_of_p(kFalseErrors / (effect.looked_at * effect.searched), static_cast<std::size_t>(values.size()));
+        chi2_exceeded(kFalseErrors / (effect.looked_at * effect.searched), static_cast<std::size_t>(values.size()));
     one.p_value = std::min(1.0, effect.searched * std::max(effect.p_damped, p_of(values, covariance)));
     one.predicts_other_run = predicts_other(fitted, effect, residual, directions);
     one.significant = one.p_value * effect.looked_at < kFalseErrors;

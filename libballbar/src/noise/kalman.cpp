@@ -1,8 +1,9 @@
 #include "noise/kalman.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "ballbar/numerics/order_statistic.hpp"
 
 namespace ballbar {
 namespace {
@@ -93,12 +94,8 @@ Kalman::Kalman(std::span<const double> time_s, std::span<const double> sigma_um,
   }
   step_s_ = Eigen::ArrayXd::Map(of_stretches.data(), static_cast<Eigen::Index>(of_stretches.size()));
   if (steps.empty()) return;
-  const auto at = [&](std::size_t k) {
-    std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(k), steps.end());
-    return steps[k];
-  };
-  usual_step_s_ = at(steps.size() / 2);
-  shortest_step_s_ = at(steps.size() / 20);
+  usual_step_s_ = median(steps);
+  shortest_step_s_ = order_statistic(steps, steps.size() / 20);
 }
 
 Kalman::Sums Kalman::sums(const NoiseVariances& noise, std::span<const double> residual_um) const {

@@ -71,6 +71,15 @@ RowMajorMatrix unit_basis(const Eigen::MatrixXd& columns) {
   return orthonormal(columns * norm.cwiseInverse().asDiagonal());
 }
 
+Kalman::Sums restricted_sums(const Eigen::MatrixXd& gram, double log_variances) {
+  const Eigen::Index p = gram.cols() - 1;
+  const Eigen::MatrixXd g = gram.topLeftCorner(p, p).selfadjointView<Eigen::Upper>();
+  const Eigen::LLT<Eigen::MatrixXd> factor(g);
+  const Eigen::VectorXd right = gram.col(p).head(p);
+  const Eigen::VectorXd diagonal = factor.matrixLLT().diagonal();
+  return {log_variances + 2.0 * diagonal.array().log().sum(), gram(p, p) - right.dot(factor.solve(right))};
+}
+
 RestrictedLikelihood::RestrictedLikelihood(Kalman kalman, std::span<const double> residual_um,
                                            const RowMajorMatrix& columns)
     : kalman_(std::move(kalman)), residual_um_(residual_um), p_(columns.cols()) {
@@ -84,12 +93,7 @@ Kalman::Sums RestrictedLikelihood::sums(const NoiseVariances& noise) const {
   if (p_ == 0) return kalman_.sums(noise, residual_um_);
   FilteredGram filtered(all_);
   const double log_variances = kalman_.for_each_gain(noise, [&](const Kalman::Gain& of) { filtered.add(of); });
-  const Eigen::MatrixXd& gram = filtered.gram();
-  const Eigen::MatrixXd g = gram.topLeftCorner(p_, p_).selfadjointView<Eigen::Upper>();
-  const Eigen::LLT<Eigen::MatrixXd> factor(g);
-  const Eigen::VectorXd right = gram.col(p_).head(p_);
-  const Eigen::VectorXd diagonal = factor.matrixLLT().diagonal();
-  return {log_variances + 2.0 * diagonal.array().log().sum(), gram(p_, p_) - right.dot(factor.solve(right))};
+  return restricted_sums(filtered.gram().topLeftCorner(p_ + 1, p_ + 1), log_variances);
 }
 
 }  // namespace ballbar

@@ -11,6 +11,10 @@ namespace ballbar {
 // An orthonormal basis of columns of any length, row after row.
 RowMajorMatrix unit_basis(const Eigen::MatrixXd& columns);
 
+// What fitted columns leave, of the products of these, white, with a residual behind them (the upper half) and of the
+// filter's sum of ln S_i.
+Kalman::Sums restricted_sums(const Eigen::MatrixXd& gram, double log_variances);
+
 // Of one residual (n, referred to) and orthonormal columns X (n by p), for one noise after the other.
 class RestrictedLikelihood {
  public:

@@ -1,10 +1,6 @@
 #include "numerics/interpolation.hpp"
 
 #include <algorithm>
-#include <utility>
-#include <vector>
-
-#include "numerics/median.hpp"
 
 namespace ballbar {
 
@@ -19,12 +15,6 @@ std::optional<Place> place_of(std::span<const double> time_s, double at_s) {
 double value_at(std::span<const double> column, const Place& place) {
   if (place.share == 0.0) return column[place.row];
   return (1.0 - place.share) * column[place.row] + place.share * column[place.row + 1];
-}
-
-double median_step_s(std::span<const double> time_s) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < time_s.size(); ++i) steps.push_back(time_s[i] - time_s[i - 1]);
-  return steps.empty() ? 0.0 : median(std::move(steps));
 }
 
 }  // namespace ballbar

@@ -19,7 +19,4 @@ std::optional<Place> place_of(std::span<const double> time_s, double at_s);
 // NaN where a row that is needed is NaN.
 double value_at(std::span<const double> column, const Place& place);
 
-// 0 for fewer than two rows. O(n).
-double median_step_s(std::span<const double> time_s);
-
 }  // namespace ballbar

@@ -1,18 +1,25 @@
+// Scatter by the median of its sizes, whatever the outliers.
 #pragma once
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
+
+#include "ballbar/numerics/order_statistic.hpp"
 
 namespace ballbar {
 
-// The middle value, of an even number the upper of the two; 1.4826 times that of |x - median| is the standard deviation
-// of normal numbers. At least one value, none of them NaN.
-inline double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+// Standard deviation of normal numbers over the median of |x - median|.
 inline constexpr double kSigmaOfDeviation = 1.4826;
+
+// 1.4826 median |r|, of a vector about 0. At least one number, none of them NaN.
+template <class Vector>
+double median_sigma(const Vector& residual) {
+  std::vector<double> size;
+  size.reserve(static_cast<std::size_t>(residual.size()));
+  for (const double r : residual) size.push_back(std::abs(r));
+  return kSigmaOfDeviation * median(std::move(size));
+}
 
 }  // namespace ballbar

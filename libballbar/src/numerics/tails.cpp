@@ -11,6 +11,10 @@ double chi2_upper_tail(double chi2, std::size_t degrees) {
   return chi2 > 0.0 ? boost::math::gamma_q(0.5 * static_cast<double>(degrees), 0.5 * chi2) : 1.0;
 }
 
+double chi2_exceeded(double chance, std::size_t degrees) {
+  return 2.0 * boost::math::gamma_q_inv(0.5 * static_cast<double>(degrees), chance);
+}
+
 double student_tails(double t, double degrees) {
   if (std::isinf(degrees)) return std::erfc(std::abs(t) / std::numbers::sqrt2);
   return boost::math::ibeta(0.5 * degrees, 0.5, degrees / (degrees + t * t));

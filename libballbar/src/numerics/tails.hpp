@@ -7,6 +7,8 @@ namespace ballbar {
 
 // Of a chi^2 with so many degrees of freedom, more than none; 1 where it is not positive.
 double chi2_upper_tail(double chi2, std::size_t degrees);
+// The chi^2 that is exceeded with that chance, above 0 and at most 1.
+double chi2_exceeded(double chance, std::size_t degrees);
 
 // Of a t of Student beyond this on either side, of an F of Fisher above it. Degrees may be broken; 1 where F is not
 // positive. Infinite degrees of the rest: the normal's, and chi^2 / degrees.

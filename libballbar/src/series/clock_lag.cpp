@@ -1,9 +1,12 @@
 #include "ballbar/series/clock_lag.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <utility>
 #include <vector>
+
+#include "ballbar/numerics/order_statistic.hpp"
 
 namespace ballbar {
 namespace {
@@ -12,6 +15,7 @@ constexpr double kLeastCorrelation = 0.7;
 constexpr double kAlike = 0.01;  // what two correlations differ by without telling anything
 constexpr std::size_t kMostRows = 4000, kFewestRows = 20;
 constexpr int kMostLags = 600;
+constexpr int kBitsOfLag = 26;  // where it is least a function does not change over half the bits of a double
 
 // Values of a column, gaps left out.
 struct Curve {
@@ -39,14 +43,6 @@ std::vector<double> at_times(const Curve& curve, const std::vector<double>& time
     values.push_back(curve.value[k - 1] + share * (curve.value[k] - curve.value[k - 1]));
   }
   return values;
-}
-
-double median_step(const Curve& curve) {
-  std::vector<double> steps;
-  steps.reserve(curve.time_s.size());
-  for (std::size_t i = 1; i < curve.time_s.size(); ++i) steps.push_back(curve.time_s[i] - curve.time_s[i - 1]);
-  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-  return steps[steps.size() / 2];
 }
 
 struct Match {
@@ -96,8 +92,7 @@ Match match_at(const Curve& first, const Curve& second, double lag_s, double ste
 
 std::optional<ClockLag> lag_of(const Curve& first, const Curve& second, double range_s) {
   if (first.time_s.size() < kFewestRows || second.time_s.size() < kFewestRows) return std::nullopt;
-  const double slow_s = std::max(median_step(first), median_step(second));
-  const double fine_s = std::min(median_step(first), median_step(second));
+  const auto [fine_s, slow_s] = std::minmax({median_step_s(first.time_s), median_step_s(second.time_s)});
   const double step_s = std::max(2.0 * range_s / kMostLags, 0.5 * slow_s);
   const int most = static_cast<int>(range_s / step_s);
   std::vector<double> correlations;
@@ -121,18 +116,10 @@ std::optional<ClockLag> lag_of(const Curve& first, const Curve& second, double r
     }
   }
   if (best == -most || best == most) return std::nullopt;  // the best lies beyond
-  double a = (best - 1) * step_s, b = (best + 1) * step_s;
   const auto left_at = [&](double lag_s) { return match_at(first, second, lag_s, slow_s).left; };
-  constexpr double kGolden = 0.6180339887498949;
-  for (int k = 0; k < 40; ++k) {
-    const double c = b - kGolden * (b - a), d = a + kGolden * (b - a);
-    if (left_at(c) < left_at(d))
-      b = d;
-    else
-      a = c;
-  }
   ClockLag lag;
-  lag.lag_s = 0.5 * (a + b);
+  lag.lag_s =
+      boost::math::tools::brent_find_minima(left_at, (best - 1) * step_s, (best + 1) * step_s, kBitsOfLag).first;
   const Match match = match_at(first, second, lag.lag_s, slow_s);
   lag.correlation = match.correlation;
   const double h = slow_s;

@@ -4,18 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "ballbar/numerics/order_statistic.hpp"
 
 namespace ballbar {
 namespace {
 
 constexpr double kFarJump = 20.0, kLongPause = 10.0;
-
-double median_of(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Rows whose value is away from both neighbours, to the same side.
 std::vector<std::size_t> spikes(const std::vector<double>& values) {
@@ -25,7 +21,7 @@ std::vector<std::size_t> spikes(const std::vector<double>& values) {
     const double step = std::abs(values[i] - values[i - 1]);
     if (step > 0.0) steps.push_back(step);  // of those that are no rest: the least is what values are written to
   }
-  const double usual = median_of(std::move(steps));
+  const double usual = steps.empty() ? 0.0 : median(std::move(steps));
   std::vector<std::size_t> rows;
   for (std::size_t i = 1; i + 1 < values.size() && usual > 0.0; ++i) {
     const double before = values[i] - values[i - 1], after = values[i] - values[i + 1];
@@ -44,7 +40,7 @@ std::vector<ColumnFault> column_faults(const Series& series) {
   std::vector<double> steps_s;
   steps_s.reserve(series.time_s.size());
   for (std::size_t i = 1; i < series.time_s.size(); ++i) steps_s.push_back(series.time_s[i] - series.time_s[i - 1]);
-  const double usual_s = median_of(steps_s);
+  const double usual_s = median_step_s(series.time_s);
   const auto pause = std::max_element(steps_s.begin(), steps_s.end());
   if (pause != steps_s.end() && *pause > kLongPause * usual_s) {
     const auto count =

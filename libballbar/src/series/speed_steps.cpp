@@ -1,12 +1,11 @@
 #include "ballbar/series/speed_steps.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/series/runs.hpp"
-#include "numerics/median.hpp"
 
 namespace ballbar {
 namespace {

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "ballbar/error.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
 
 namespace ballbar {
 namespace {
@@ -25,12 +27,6 @@ void check_ends(double min_degC, double max_degC) {
   throw Error(fmt::format(
       "the scale needs a largest temperature above its least, both within {:g} degC of 0; found {} to {} degC",
       kLargest_degC, min_degC, max_degC));
-}
-
-std::uint8_t median(std::vector<std::uint8_t> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // Of the pixels that `pixel_at` gives for 0 to n - 1.

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "ballbar/error.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
 #include "temperature/colour_scale.hpp"
 
 namespace ballbar {
@@ -126,9 +127,7 @@ std::vector<std::size_t> contrasting(const Field& field, double limit_degC) {
         }
       }
       if (high - low <= limit_degC) continue;  // the usual case needs no median
-      const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
-      std::nth_element(around.begin(), middle, around.end());
-      if (std::abs(field.degC[at] - *middle) > limit_degC) places.push_back(at);
+      if (std::abs(field.degC[at] - median(around)) > limit_degC) places.push_back(at);
     }
   }
   return places;

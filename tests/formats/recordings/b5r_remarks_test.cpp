@@ -31,9 +31,9 @@ const Remarked kRemarked[] = {
     {"both", "20250904-161049", "2025-09-04T16:10:49Z", {}},
     {"both",
      "20250904-161149",
-     "4 Sept 2025",
-     {"file:46:19: expected a date such as 20250904-161049 or 2025-09-04T16:10:49 for DATE_COMPLETED, found \"4 Sept "
-      "2025\"; it is treated as not stated."}},
+     "4 Sept",
+     {"file:46:19: expected a date such as 20250904-161049 or 2025-09-04T16:10:49 for DATE_COMPLETED, found \"4 "
+      "Sept\"; it is treated as not stated."}},
     {"both",
      "20240416",
      "spring 2024",

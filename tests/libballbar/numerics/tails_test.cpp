@@ -22,6 +22,12 @@ TEST(Chi2UpperTail, of_nothing_is_certain) {
   EXPECT_EQ(chi2_upper_tail(-1.0, 3), 1.0);
 }
 
+// Two degrees: -2 ln p; the inverse of the tail.
+TEST(Chi2Exceeded, of_two_degrees_and_back) {
+  EXPECT_NEAR(chi2_exceeded(0.01, 2), -2.0 * std::log(0.01), 1e-13);
+  EXPECT_NEAR(chi2_upper_tail(chi2_exceeded(1e-5, 7), 7) / 1e-5, 1.0, 1e-12);
+}
+
 // One degree: Cauchy, half of it beyond 1; two: 1 - t / sqrt(2 + t^2), 1 - sqrt(1/2) at sqrt 2. Many: normal.
 TEST(StudentTails, of_one_two_and_many_degrees) {
   EXPECT_NEAR(student_tails(1.0, 1.0), 0.5, 1e-15);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ballbar/units.hpp"
+#include "numerics/root.hpp"
 
 namespace ballbar::thermal {
 namespace {
@@ -104,14 +105,12 @@ double ball_shift_um(const FiniteVolumeSpindle& spindle, double speed_rpm) {
   // cot a_o - cot a_i rises from 0 as c = cos a_o rises from cos a to its limit, where a_i or a_o is at its end.
   const double level = std::cos(angle_rad);
   const auto sine = [](double cosine) { return std::sqrt(1.0 - cosine * cosine); };
-  double least = level;
-  double most = std::min(1.0, 2.0 * level);
-  for (int halving = 0; halving < 60; ++halving) {
-    const double outer = (least + most) / 2.0;
+  const auto is_below = [&](double outer) {
     const double inner = 2.0 * level - outer;
-    (outer / sine(outer) - inner / sine(inner) < ratio ? least : most) = outer;
-  }
-  const double sines = sine(least) + sine(2.0 * level - least);
+    return outer / sine(outer) - inner / sine(inner) < ratio;
+  };
+  const double outer = root_between(is_below, level, std::min(1.0, 2.0 * level)).first;
+  const double sines = sine(outer) + sine(2.0 * level - outer);
   return 1e6 * (spindle.groove - 0.5) * ball_m * (sines - 2.0 * sine(level));
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ballbar/numerics/order_statistic.hpp"
+
 namespace ballbar {
 namespace {
 
@@ -15,14 +17,8 @@ constexpr std::array<double, 3> kSlowLengths{1.0 / 40.0, 1.0 / 12.0, 1.0 / 4.0};
 constexpr std::array<double, 3> kSlowSizes{0.8, 2.5, 8.0};  // standard deviation, in units of the noise
 
 double usual_step_s(std::span<const double> time_s) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < time_s.size(); ++i) {
-    if (time_s[i] > time_s[i - 1]) steps.push_back(time_s[i] - time_s[i - 1]);
-  }
-  if (steps.empty()) return 1.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  const double step_s = median_step_s(time_s);
+  return step_s > 0.0 ? step_s : 1.0;
 }
 
 // The longest stretch in which time goes on.
@@ -174,10 +170,7 @@ void CovarianceFilter::apply(std::size_t first, RowMajorBlock block, RowMajorMat
         v[k] = innovation * row.scale;
       }
     } else if (has_memory_) {
-      s *= row.decay;
-      values -= s;
-      s += row.k0 * values;
-      values *= row.scale;
+      filter_row(row.decay, row.k0, row.scale, values, s);
     } else {
       values *= row.scale;
     }

@@ -6,9 +6,8 @@
 #include <limits>
 
 #include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/series/runs.hpp"
-#include "numerics/interpolation.hpp"
-#include "numerics/median.hpp"
 #include "series/resolution.hpp"
 
 namespace ballbar {

@@ -6,10 +6,11 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "ballbar/number_text.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
 #include "diagnosis/next_test/planned_inputs.hpp"
-#include "numerics/median.hpp"
 #include "numerics/random_streams.hpp"
 #include "series/standstill.hpp"
 

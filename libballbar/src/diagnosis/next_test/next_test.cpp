@@ -10,6 +10,7 @@
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/number_text.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
 #include "diagnosis/next_test/discrimination.hpp"
 #include "diagnosis/next_test/discrimination_matrix.hpp"
 #include "diagnosis/next_test/planned_test.hpp"
@@ -149,8 +150,7 @@ std::vector<NextTest> next_tests(const Model& model, const Series& all, const Di
   for (const Pair& pair : question.pairs) so_far.push_back(orders_of(factor, without_own, pair));
   const auto model_width = static_cast<Eigen::Index>(without_own.shared.size());
 
-  std::vector<double> sigma = base.sigma_um;
-  std::sort(sigma.begin(), sigma.end());
+  const double usual_sigma_um = base.sigma_um.empty() ? 0.0 : median(base.sigma_um);
   std::vector<RatedTest> tests;
   for (PlannedTest& test : recording_tests(data, diagnosis.target, base.row)) {
     if (test.rows.size() < 2) continue;
@@ -159,8 +159,7 @@ std::vector<NextTest> next_tests(const Model& model, const Series& all, const Di
     if (!in_test) continue;
     std::vector<double> time_s;
     for (const std::size_t row : test.rows) time_s.push_back(test.inputs.time_s[row]);
-    const std::vector<double> sigma_um(sigma.empty() ? 0 : time_s.size(),
-                                       sigma.empty() ? 0.0 : sigma[sigma.size() / 2]);
+    const std::vector<double> sigma_um(base.sigma_um.empty() ? 0 : time_s.size(), usual_sigma_um);
     // The data have nothing of the test's own columns.
     Eigen::MatrixXd before(factor.rows(), in_test->cols());
     before << factor.leftCols(model_width), Eigen::MatrixXd::Zero(factor.rows(), own.cols()),

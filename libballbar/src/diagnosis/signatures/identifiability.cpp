@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "ballbar/diagnosis/thresholds.hpp"
+#include "ballbar/numerics/order_statistic.hpp"
 #include "ballbar/numerics/parallel.hpp"
 #include "diagnosis/signatures/detectability.hpp"
 #include "diagnosis/signatures/signature_library.hpp"
@@ -55,9 +57,8 @@ double imitated(const SignatureLibrary& library, const Projected& seen, const Fa
     largest.push_back(most);
   }
   if (largest.empty()) return 0.0;
-  const auto median = largest.begin() + static_cast<std::ptrdiff_t>((largest.size() - 1) / 2);
-  std::nth_element(largest.begin(), median, largest.end());
-  return std::min(1.0, *median);
+  const std::size_t lower = (largest.size() - 1) / 2;
+  return std::min(1.0, order_statistic(std::move(largest), lower));
 }
 
 // Range of the effect with d = 1, of the shape that shows best.

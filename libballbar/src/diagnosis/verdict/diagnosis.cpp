@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "ballbar/numerics/order_statistic.hpp"
 #include "diagnosis/posterior/set_at.hpp"
 #include "diagnosis/posterior/shock.hpp"
 #include "diagnosis/posterior/weighed.hpp"
@@ -109,10 +110,9 @@ class Decision {
         if (seen.share[i] >= kAbsorbed && std::isfinite(um)) all_um.push_back(um);
       }
       if (all_um.empty()) continue;
-      const auto middle = all_um.begin() + static_cast<std::ptrdiff_t>(all_um.size() / 2);
-      std::nth_element(all_um.begin(), middle, all_um.end());
-      if (*middle <= result_.hidden_um) continue;
-      result_.hidden_um = *middle;
+      const double usual_um = median(std::move(all_um));
+      if (usual_um <= result_.hidden_um) continue;
+      result_.hidden_um = usual_um;
       result_.hidden = family(f).bound;
     }
   }

@@ -1,0 +1,30 @@
+// Values by their rank.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace ballbar {
+
+// The value with `rank` others before it, rank below their number; none of them NaN. O(n).
+template <class T>
+T order_statistic(std::vector<T> values, std::size_t rank) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+// The middle value, of an even number the upper of the two. At least one value, none of them NaN.
+template <class T>
+T median(std::vector<T> values) {
+  const std::size_t middle = values.size() / 2;
+  return order_statistic(std::move(values), middle);
+}
+
+// Median of the steps by which time goes on; 0 where it never does. O(n).
+double median_step_s(std::span<const double> time_s);
+
+}  // namespace ballbar
