@@ -1,6 +1,7 @@
 #include "history/series_judgement.hpp"
 
 #include <algorithm>
+#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 
 #include "ballbar/history/trend.hpp"
@@ -24,6 +25,7 @@ class Judging {
   Judging(const QuantitySeries& series, const SeriesScatter& scatter, const FamilyScatter& family)
       : series_(series),
         degrees_(scatter.degrees),
+        of_machines_(scatter.of_machines),
         family_(family),
         scatter_(scatters_of(series, scatter.s)),
         line_(trend_columns(series.time_s)),
@@ -37,12 +39,13 @@ class Judging {
     const FitColumns level = line_.leftCols(1);
     loss_ = level_.loss;
     found_.p_trend = drop(FindingKind::trend, level, line_.rightCols(1), level_.loss, log_n);
+    if (!of_machines_) found_.p_trend = p_by_sigmas();
     if (span_s >= kSpanOfSeason_s && n >= kFewestOfSeason) {
       found_.p_season = drop(FindingKind::season, level, season_columns(series_.time_s), level_.loss, 2.0 * log_n);
     }
     if (n >= kFewestOfStep) judge_step(level, level_, log_n);
     judge_bar(level, log_n);
-    if (found_.best) judge_beside();
+    if (found_.best) judge_with_best();
     return found_;
   }
 
@@ -62,8 +65,16 @@ class Judging {
                              degrees_);
   }
 
+  // By the line of trend_of, its rate with the memory of the scatter.
+  double p_by_sigmas() const {
+    const std::optional<Trend> trend = trend_since(series_, 0);
+    if (!trend) return 1.0;
+    const double sigmas = std::sqrt(2.0) * boost::math::erfc_inv(std::max(trend->p_value, 1e-300));
+    return std::erfc(sigmas / std::sqrt(2.0 * memory(FindingKind::trend)));
+  }
+
   double drop(FindingKind kind, const FitColumns& base, const FitColumns& extra, double base_loss, double penalty) {
-    const double loss = fit(beside(base, extra)).loss;
+    const double loss = fit(joined(base, extra)).loss;
     note(kind, loss, penalty);
     return p_of(base_loss - loss, extra.cols(), kind);
   }
@@ -84,7 +95,7 @@ class Judging {
     const std::size_t last = std::min(search.place.latest, search.place.at + reach);
     double least = base_fit.loss;
     for (std::size_t k = first; k <= last; ++k) {
-      const double loss = fit(beside(base, step_column(series_.value.size(), k))).loss;
+      const double loss = fit(joined(base, step_column(series_.value.size(), k))).loss;
       if (loss >= least) continue;
       least = loss;
       found_.step.at = k;
@@ -105,10 +116,10 @@ class Judging {
                                          : found_.p_bar;
   }
 
-  void judge_beside() {
+  void judge_with_best() {
     const FindingKind best = *found_.best;
     if (!(p_value(best).value_or(1.0) < kClear)) return;
-    const FitColumns base = beside(line_.leftCols(1), columns_of(best));
+    const FitColumns base = joined(line_.leftCols(1), columns_of(best));
     const RobustFit base_fit = fit(base);
     for (const FindingKind kind :
          {FindingKind::trend, FindingKind::season, FindingKind::instrument, FindingKind::step}) {
@@ -121,7 +132,7 @@ class Judging {
         continue;
       }
       const FitColumns extra = columns_of(kind);
-      p = std::max(*p, p_of(base_fit.loss - fit(beside(base, extra)).loss, extra.cols(), kind));
+      p = std::max(*p, p_of(base_fit.loss - fit(joined(base, extra)).loss, extra.cols(), kind));
     }
   }
 
@@ -143,11 +154,12 @@ class Judging {
     }
     if (longest < 2) return;
     found_.p_bar = StepScores(level_.scores, degrees_, family_).p_value(found_.bar_at);
-    note(FindingKind::instrument, fit(beside(base, columns_of(FindingKind::instrument))).loss, log_n);
+    note(FindingKind::instrument, fit(joined(base, columns_of(FindingKind::instrument))).loss, log_n);
   }
 
   const QuantitySeries& series_;
   double degrees_;
+  bool of_machines_;
   const FamilyScatter& family_;
   std::vector<double> scatter_;
   FitColumns line_;
@@ -157,6 +169,15 @@ class Judging {
 };
 
 }  // namespace
+
+std::optional<Trend> trend_since(const QuantitySeries& series, std::size_t first) {
+  std::vector<DatedValue> values;
+  values.reserve(series.value.size() - first);
+  for (std::size_t i = first; i < series.value.size(); ++i) {
+    values.push_back({series.time_s[i], series.value[i], series.sigma[i]});
+  }
+  return trend_of(values);
+}
 
 bool is_global_scale(std::string_view name) { return name == "global_scale"; }
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "history/fleet_scatter.hpp"
+#include "history/scatter.hpp"
 #include "history/series_judgement.hpp"
 
 namespace ballbar {

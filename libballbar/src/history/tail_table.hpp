@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "history/fleet_scatter.hpp"
+#include "history/scatter.hpp"
 
 namespace ballbar {
 

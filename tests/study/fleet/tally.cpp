@@ -8,7 +8,7 @@
 namespace ballbar::study {
 namespace {
 
-std::string kinds_of(const FleetMachine& machine) {
+std::string kinds_of(const MachineHistory& machine) {
   std::vector<std::string_view> kinds;
   for (const Finding& finding : machine.findings) kinds.push_back(name_of(finding.kind));
   return kinds.empty() ? "nothing" : fmt::format("{}", fmt::join(kinds, " "));
@@ -16,12 +16,12 @@ std::string kinds_of(const FleetMachine& machine) {
 
 }  // namespace
 
-PlantTally tally_of(const Plant& plant, const FleetOptions& options) {
-  const Fleet fleet = fleet_of(plant.tests, options);
+PlantTally tally_of(const Plant& plant, const HistoryOptions& options) {
+  const History fleet = history_of(plant.tests, options);
   PlantTally tally;
   tally.judged = fleet.judged;
   tally.machines = fleet.machines.size();
-  for (const FleetMachine& machine : fleet.machines) {
+  for (const MachineHistory& machine : fleet.machines) {
     bool has_story = false;
     if (!machine.findings.empty()) ++tally.called;
     for (const KnownStory& story : plant.stories) {
@@ -37,7 +37,7 @@ PlantTally tally_of(const Plant& plant, const FleetOptions& options) {
       }
     }
     if (!has_story && !machine.findings.empty()) {
-      const FleetSeries& series = machine.series[machine.findings.front().quantities.front().series];
+      const QuantityHistory& series = machine.series[machine.findings.front().quantities.front().series];
       tally.others.push_back(fmt::format("{} {}", kinds_of(machine), series.name));
     }
   }

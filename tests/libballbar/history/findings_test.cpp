@@ -1,4 +1,4 @@
-#include "ballbar/history/fleet.hpp"
+#include "ballbar/history/history.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,14 +59,14 @@ std::vector<MachineTest> plain_fleet(unsigned machines = 20) {
   return tests;
 }
 
-const FleetMachine& machine_called(const Fleet& fleet, const std::string& name) {
+const MachineHistory& machine_called(const History& fleet, const std::string& name) {
   const auto found = std::find_if(fleet.machines.begin(), fleet.machines.end(),
-                                  [&](const FleetMachine& one) { return one.name == name; });
+                                  [&](const MachineHistory& one) { return one.name == name; });
   EXPECT_NE(found, fleet.machines.end()) << name;
   return *found;
 }
 
-std::vector<std::string> names_in(const FleetMachine& machine, const Finding& finding) {
+std::vector<std::string> names_in(const MachineHistory& machine, const Finding& finding) {
   std::vector<std::string> names;
   for (const FindingQuantity& one : finding.quantities) names.push_back(machine.series[one.series].name);
   return names;
@@ -101,11 +101,11 @@ TEST(robust_fit, a_value_far_off_counts_two_scatters) {
 
 TEST(fleet, nothing_is_found_where_nothing_is) {
   const std::vector<MachineTest> tests = plain_fleet();
-  const Fleet fleet = fleet_of(tests);
+  const History fleet = history_of(tests);
   EXPECT_EQ(fleet.machines.size(), 20u);
   EXPECT_EQ(fleet.found, 0u);
   EXPECT_EQ(fleet.judged, 20u * 9u * 3u);
-  for (const FleetMachine& machine : fleet.machines) {
+  for (const MachineHistory& machine : fleet.machines) {
     EXPECT_EQ(machine.need, Need::nothing) << machine.name;
     EXPECT_EQ(machine.reason, "Nothing stands out.");
     EXPECT_EQ(machine.tests, 36u);
@@ -117,10 +117,10 @@ TEST(fleet, wear_is_a_trend_with_the_date_of_its_tolerance) {
   add_machine(tests, "worn", 7, [](const std::string& quantity, double years) {
     return quantity.starts_with("backlash_a") ? 1.0 * years : 0.0;
   });
-  FleetOptions options;
+  HistoryOptions options;
   options.tolerances = {{"backlash_a_pos", -6.0, 6.0}};
-  const Fleet fleet = fleet_of(tests, options);
-  const FleetMachine& worn = fleet.machines.front();
+  const History fleet = history_of(tests, options);
+  const MachineHistory& worn = fleet.machines.front();
   EXPECT_EQ(worn.name, "worn");
   EXPECT_EQ(worn.need, Need::expected);
   ASSERT_EQ(worn.findings.size(), 1u);
@@ -146,8 +146,8 @@ TEST(fleet, what_steps_at_one_date_is_one_event) {
            : quantity == "backlash_a_pos" ? 1.5
                                           : 0.0;
   });
-  const Fleet fleet = fleet_of(tests);
-  const FleetMachine& hit = fleet.machines.front();
+  const History fleet = history_of(tests);
+  const MachineHistory& hit = fleet.machines.front();
   ASSERT_EQ(hit.name, "hit");
   ASSERT_EQ(hit.findings.size(), 1u);
   const Finding& step = hit.findings[0];
@@ -164,7 +164,7 @@ TEST(fleet, three_tests_after_a_step_are_enough) {
   add_machine(tests, "hit", 8, [](const std::string& quantity, double years) {
     return quantity == "squareness" && years > 2.7 ? 20.0 : 0.0;
   });
-  const Fleet fleet = fleet_of(tests);
+  const History fleet = history_of(tests);
   ASSERT_EQ(fleet.machines.front().name, "hit");
   EXPECT_EQ(fleet.machines.front().findings.at(0).kind, FindingKind::step);
   EXPECT_NEAR(fleet.machines.front().findings[0].quantities[0].size, 20.0, 4.0);
@@ -175,7 +175,7 @@ TEST(fleet, one_test_that_was_set_up_badly_is_nothing) {
   add_machine(tests, "bad", 9, [](const std::string& quantity, double years) {
     return std::abs(years - 1.5) < 0.01 && quantity == "squareness" ? 100.0 : 0.0;
   });
-  EXPECT_EQ(fleet_of(tests).found, 0u);
+  EXPECT_EQ(history_of(tests).found, 0u);
 }
 
 TEST(fleet, a_season_is_neither_wear_nor_a_step) {
@@ -184,7 +184,7 @@ TEST(fleet, a_season_is_neither_wear_nor_a_step) {
     const double wave = std::sin(2.0 * std::numbers::pi * years);
     return quantity == "squareness" ? 5.0 * wave : quantity.starts_with("scale_") ? 7.0 * wave : 0.0;
   });
-  const Fleet fleet = fleet_of(tests);
+  const History fleet = history_of(tests);
   ASSERT_EQ(fleet.machines.front().name, "hall");
   ASSERT_EQ(fleet.machines.front().findings.size(), 1u);
   const Finding& season = fleet.machines.front().findings[0];
@@ -203,7 +203,7 @@ TEST(fleet, errors_of_one_axis_that_go_together_are_a_new_part) {
            : quantity == "scale_x"            ? 20.0
                                               : 0.0;
   });
-  const Fleet fleet = fleet_of(tests);
+  const History fleet = history_of(tests);
   ASSERT_EQ(fleet.machines.front().name, "screw");
   ASSERT_EQ(fleet.machines.front().findings.size(), 1u);
   EXPECT_EQ(fleet.machines.front().findings[0].kind, FindingKind::replaced_part);
@@ -218,7 +218,7 @@ TEST(fleet, scales_that_step_with_the_bar_are_the_instrument) {
     return quantity == "global_scale" ? 1.2 : quantity.starts_with("scale_") ? 12.0 : 0.0;
   });
   for (std::size_t i = first + 24; i < tests.size(); ++i) tests[i].bar = "B2";
-  const Fleet fleet = fleet_of(tests);
+  const History fleet = history_of(tests);
   ASSERT_EQ(fleet.machines.front().name, "measured");
   ASSERT_EQ(fleet.machines.front().findings.size(), 1u);
   const Finding& found = fleet.machines.front().findings[0];
@@ -229,7 +229,7 @@ TEST(fleet, scales_that_step_with_the_bar_are_the_instrument) {
   EXPECT_NEAR(fleet.bar_changes[0].size_ppm, 12.0, 5.0 * fleet.bar_changes[0].sigma_ppm);
   // The same step without another bar is one of the machine's scales, which is said.
   for (MachineTest& test : tests) test.bar = "B1";
-  const Fleet alone = fleet_of(tests);
+  const History alone = history_of(tests);
   EXPECT_EQ(machine_called(alone, "measured").findings.at(0).kind, FindingKind::step);
 }
 
@@ -243,9 +243,9 @@ TEST(fleet, one_bar_calibrated_anew_steps_on_all_its_machines) {
     });
     for (std::size_t k = first; k < tests.size(); ++k) tests[k].bar = "B7";
   }
-  const Fleet fleet = fleet_of(tests);
+  const History fleet = history_of(tests);
   for (const char* name : {"with-b7-0", "with-b7-1"}) {
-    const FleetMachine& machine = machine_called(fleet, name);
+    const MachineHistory& machine = machine_called(fleet, name);
     ASSERT_EQ(machine.findings.size(), 1u) << name;
     EXPECT_EQ(machine.findings[0].kind, FindingKind::instrument);
   }
@@ -264,9 +264,9 @@ TEST(fleet, ranks_by_what_is_needed) {
   add_machine(tests, "stepped", 34, [](const std::string& quantity, double years) {
     return quantity == "squareness" && years > 1.0 ? 12.0 : 0.0;
   });
-  FleetOptions options;
+  HistoryOptions options;
   options.tolerances = {{"backlash_a_pos", -5.0, 5.0}};
-  const Fleet fleet = fleet_of(tests, options);
+  const History fleet = history_of(tests, options);
   std::vector<std::string> order;
   for (std::size_t i = 0; i < 5; ++i) order.push_back(fleet.machines[i].name);
   EXPECT_EQ(order, (std::vector<std::string>{"beyond", "soon", "later", "stepped", "plain-0"}));
@@ -279,10 +279,10 @@ TEST(fleet, the_order_of_the_tests_is_nothing) {
   add_machine(tests, "worn", 7, [](const std::string& quantity, double years) {
     return quantity == "backlash_a_pos" ? 0.8 * years : 0.0;
   });
-  const Fleet one = fleet_of(tests);
+  const History one = history_of(tests);
   std::mt19937 random(3);
   std::shuffle(tests.begin(), tests.end(), random);
-  const Fleet other = fleet_of(tests);
+  const History other = history_of(tests);
   ASSERT_EQ(one.machines.size(), other.machines.size());
   for (std::size_t i = 0; i < one.machines.size(); ++i) {
     EXPECT_EQ(one.machines[i].name, other.machines[i].name);
@@ -302,7 +302,7 @@ TEST(fleet, takes_stored_values_two_tests_a_day_and_few_tests) {
   tests.insert(tests.end(), again.begin(), again.end());
   add_machine(tests, "", 43, nullptr, 2);  // the folder of the file is its name: it is "" here
   tests.back().started_s.reset();
-  const Fleet fleet = fleet_of(tests);
+  const History fleet = history_of(tests);
   EXPECT_EQ(fleet.found, 0u);
   EXPECT_EQ(fleet.without_date, 1u);
   EXPECT_EQ(machine_called(fleet, "twice").tests, 48u);
@@ -313,7 +313,7 @@ TEST(fleet, a_machine_without_a_name_is_its_folder) {
   std::vector<MachineTest> tests;
   add_machine(tests, "", 50, nullptr, 4);
   for (MachineTest& test : tests) test.file = "hall/mill 3/a.b5r";
-  EXPECT_EQ(fleet_of(tests).machines.at(0).name, "hall/mill 3");
+  EXPECT_EQ(history_of(tests).machines.at(0).name, "hall/mill 3");
 }
 
 TEST(fleet, one_value_again_and_again_is_nothing) {
@@ -321,15 +321,15 @@ TEST(fleet, one_value_again_and_again_is_nothing) {
   for (MachineTest& test : tests) {
     for (TestQuantity& quantity : test.quantities) quantity = {quantity.name, quantity.unit, 1.0, kUnknown};
   }
-  EXPECT_EQ(fleet_of(tests).found, 0u);
-  EXPECT_TRUE(fleet_of({}).machines.empty());
+  EXPECT_EQ(history_of(tests).found, 0u);
+  EXPECT_TRUE(history_of({}).machines.empty());
 }
 
 TEST(fleet, refuses_a_rate_that_is_none) {
-  FleetOptions options;
+  HistoryOptions options;
   options.false_discovery_rate = 0.0;
   try {
-    fleet_of({}, options);
+    history_of({}, options);
     FAIL() << "expected an Error";
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "The false discovery rate of a fleet: expected a number between 0 and 1, found 0.");

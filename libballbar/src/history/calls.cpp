@@ -1,4 +1,4 @@
-#include "history/fleet_calls.hpp"
+#include "history/calls.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +53,7 @@ double mean_of(const Eigen::VectorXd& values, std::size_t from, std::size_t to) 
 
 }  // namespace
 
-std::vector<Call> calls_of(const AllSeries& all, const FleetScatter& scatter) {
+std::vector<Call> calls_of(const AllSeries& all, const Scatter& scatter) {
   std::vector<std::vector<Call>> parts(all.series.size());
   in_parallel(parts.size(), [&](std::size_t i) {
     const QuantitySeries& series = all.series[i];
@@ -77,7 +77,7 @@ SeriesCurve curve_with(const QuantitySeries& series, const SeriesScatter& scatte
       first.back() = -1;
       continue;
     }
-    columns = beside(columns, own);
+    columns = joined(columns, own);
   }
   const double s = scatter.s > 0.0 ? scatter.s : 1.0;
   const RobustFit fit = robust_fit(columns, series.value, scatters_of(series, s));

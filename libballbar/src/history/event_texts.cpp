@@ -1,4 +1,4 @@
-#include "history/fleet_sentences.hpp"
+#include "history/event_texts.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "history/fleet_quantities.hpp"
+#include "history/quantity_kind.hpp"
 
 namespace ballbar {
 namespace {
@@ -68,7 +68,7 @@ std::string scale_text(const AllSeries& all, const Event& event) {
 }
 
 EventTexts step_texts(const AllSeries& all, const Event& event) {
-  if (event.all_scales_alike) {
+  if (event.is_common_scale) {
     return {fmt::format("The scales of all axes stepped alike, by {}, {}, and nothing else did.",
                         scale_text(all, event), between(event)),
             "Ask whether the bar was calibrated anew or set by another calibrator, and at which temperature; test once "

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "history/fleet_events.hpp"
+#include "history/events.hpp"
 
 namespace ballbar {
 

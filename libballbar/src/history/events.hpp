@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "history/fleet_calls.hpp"
+#include "history/calls.hpp"
 #include "history/quantity_series.hpp"
 
 namespace ballbar {
@@ -13,7 +13,7 @@ struct Event {
   std::vector<const Call*> calls;  // the clearest first
   double from_s = 0.0, to_s = 0.0;
   std::optional<int> axis;
-  bool all_scales_alike = false;
+  bool is_common_scale = false;
   bool to_the_worse = false;  // two kinds of errors at least, most of them farther from 0 than before
   std::string bar_before, bar_after;
 };

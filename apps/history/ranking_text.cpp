@@ -1,4 +1,4 @@
-#include "history/fleet_text.hpp"
+#include "history/ranking_text.hpp"
 
 #include <fmt/format.h>
 
@@ -12,23 +12,23 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kRows = 12, kTold = 6;
+constexpr std::size_t kRows = 12, kExplained = 6;
 constexpr std::size_t kNameWidth = 24;
 
-std::size_t count_of(const Fleet& fleet, Need need) {
-  return static_cast<std::size_t>(std::count_if(fleet.machines.begin(), fleet.machines.end(),
-                                                [&](const FleetMachine& one) { return one.need == need; }));
+std::size_t count_of(const History& history, Need need) {
+  return static_cast<std::size_t>(std::count_if(history.machines.begin(), history.machines.end(),
+                                                [&](const MachineHistory& one) { return one.need == need; }));
 }
 
 std::string machines_text(std::size_t count) { return several(count, "machine"); }
 
-const FleetTolerance* tolerance_with(const FleetMachine& machine, Outlook outlook) {
+const ToleranceOutlook* tolerance_with(const MachineHistory& machine, Outlook outlook) {
   const auto found = std::find_if(machine.tolerances.begin(), machine.tolerances.end(),
-                                  [&](const FleetTolerance& one) { return one.date.outlook == outlook; });
+                                  [&](const ToleranceOutlook& one) { return one.date.outlook == outlook; });
   return found == machine.tolerances.end() ? nullptr : &*found;
 }
 
-std::string need_text(const FleetMachine& machine) {
+std::string need_text(const MachineHistory& machine) {
   switch (machine.need) {
     case Need::beyond:
       return "beyond tolerance";
@@ -58,7 +58,7 @@ std::string kind_text(FindingKind kind) {
   return "";
 }
 
-std::string size_text(const FleetMachine& machine, const Finding& finding) {
+std::string size_text(const MachineHistory& machine, const Finding& finding) {
   const FindingQuantity& quantity = finding.quantities.front();
   const std::string& unit = machine.series[quantity.series].unit;
   const int decimals = decimals_of(unit);
@@ -71,12 +71,12 @@ std::string size_text(const FleetMachine& machine, const Finding& finding) {
 std::string q_text(double q) { return q < 1e-3 ? "< 0.001" : fmt::format("{:.3f}", q); }
 
 // The machines that need something; of the rest how many.
-std::string table_of(const Fleet& fleet, std::size_t rows) {
-  Table table(fleet_heading());
+std::string table_of(const History& history, std::size_t rows) {
+  Table table(ranking_heading());
   std::size_t needing = 0;
-  for (const FleetMachine& machine : fleet.machines) {
+  for (const MachineHistory& machine : history.machines) {
     if (machine.need == Need::nothing) continue;
-    if (++needing <= rows) table.add(fleet_row(machine));
+    if (++needing <= rows) table.add(ranking_row(machine));
   }
   if (needing == 0) return "";
   std::string text = '\n' + table.text(table_width());
@@ -84,26 +84,18 @@ std::string table_of(const Fleet& fleet, std::size_t rows) {
   return text;
 }
 
-std::string what_to_do(const Fleet& fleet, std::size_t most) {
+std::string what_to_do(const History& history, std::size_t most) {
   std::string text;
-  std::size_t told = 0;
-  for (const FleetMachine& machine : fleet.machines) {
-    if (machine.need == Need::nothing) break;
-    if (told++ == most) break;
-    std::string one = shortened(machine.name, kNameWidth) + ": " + machine.reason;
-    for (std::size_t i = 0; i < std::min<std::size_t>(machine.findings.size(), 2); ++i) {
-      if (machine.reason_finding != i) one += ' ' + machine.findings[i].sentence;
-      one += ' ' + machine.findings[i].remedy;
-    }
-    if (machine.findings.size() > 2) one += fmt::format(" And {} more (--json).", machine.findings.size() - 2);
-    text += '\n' + wrapped(one);
+  for (const MachineHistory& machine : history.machines) {
+    if (machine.need == Need::nothing || most-- == 0) break;
+    text += '\n' + wrapped(shortened(machine.name, kNameWidth) + ": " + explanation(machine));
   }
   return text;
 }
 
-std::string bars_text(const Fleet& fleet) {
+std::string bars_text(const History& history) {
   std::string text;
-  for (const BarChange& change : fleet.bar_changes) {
+  for (const BarChange& change : history.bar_changes) {
     if (!(std::abs(change.size_ppm) > kSignificantSigmas * change.sigma_ppm)) continue;
     text += wrapped(fmt::format("Bar {} against {}: {} ± {} um/m, on {}.", change.to.empty() ? "?" : change.to,
                                 change.from.empty() ? "?" : change.from, signed_text(change.size_ppm, 1),
@@ -114,27 +106,27 @@ std::string bars_text(const Fleet& fleet) {
 
 }  // namespace
 
-std::vector<std::string> fleet_heading() {
+std::vector<std::string> ranking_heading() {
   return {"machine", "needs", "found", "quantity", "size", "between", "and", "q"};
 }
 
-std::vector<std::string> fleet_row(const FleetMachine& machine) {
+std::vector<std::string> ranking_row(const MachineHistory& machine) {
   const std::string name = shortened(machine.name, kNameWidth);
   if (machine.findings.empty()) {
-    const FleetTolerance* beyond = tolerance_with(machine, Outlook::beyond);
+    const ToleranceOutlook* beyond = tolerance_with(machine, Outlook::beyond);
     if (beyond == nullptr) return {name, need_text(machine), "-", "-", "-", "-", "-", "-"};
-    const FleetSeries& series = machine.series[beyond->series];
+    const QuantityHistory& series = machine.series[beyond->series];
     return {name,
             need_text(machine),
             "-",
             fmt::format("{} {}", series.name, name_of(series.plane)),
-            with_sigma(series.level, series.sigma, decimals_of(series.unit)) + ' ' + series.unit,
+            with_sigma(series.level, series.level_sigma, decimals_of(series.unit)) + ' ' + series.unit,
             "-",
             "-",
             "-"};
   }
   const Finding& finding = machine.findings.front();
-  const FleetSeries& series = machine.series[finding.quantities.front().series];
+  const QuantityHistory& series = machine.series[finding.quantities.front().series];
   const std::size_t more = finding.quantities.size() - 1;
   return {name,
           need_text(machine),
@@ -146,35 +138,42 @@ std::vector<std::string> fleet_row(const FleetMachine& machine) {
           q_text(finding.q_value)};
 }
 
-std::vector<std::string> fleet_conclusion(const Fleet& fleet) {
-  const std::size_t all = fleet.machines.size();
-  const std::size_t beyond = count_of(fleet, Need::beyond), expected = count_of(fleet, Need::expected),
-                    finding = count_of(fleet, Need::finding), nothing = count_of(fleet, Need::nothing);
-  std::vector<std::string> lines;
-  if (nothing == all) {
-    lines.push_back(fmt::format("Nothing stands out on any of {}.", machines_text(all)));
-  } else {
-    lines.push_back(
-        fmt::format("{} of {}: {} beyond a tolerance, {} on the way to one, {} with something to look at; {} "
-                    "with nothing.",
-                    all - nothing, machines_text(all), beyond, expected, finding, nothing));
+std::string explanation(const MachineHistory& machine) {
+  std::string text = machine.reason;
+  for (std::size_t i = 0; i < std::min<std::size_t>(machine.findings.size(), 2); ++i) {
+    if (machine.reason_finding != i) text += ' ' + machine.findings[i].sentence;
+    text += ' ' + machine.findings[i].remedy;
   }
-  lines.push_back(
-      fmt::format("{} questions were asked, {} answered with yes; at most {:g} % of such answers are by chance.",
-                  fleet.judged, fleet.found, 100.0 * fleet.false_discovery_rate));
-  return lines;
+  if (machine.findings.size() > 2) text += fmt::format(" And {} more (--json).", machine.findings.size() - 2);
+  return text;
 }
 
-std::string fleet_text(const Fleet& fleet, bool all, const std::vector<std::string>& remarks) {
+std::string questions_text(const History& history) {
+  return fmt::format("{} questions were asked, {} answered with yes; at most {:g} % of such answers are by chance.",
+                     history.judged, history.found, 100.0 * history.false_discovery_rate);
+}
+
+std::vector<std::string> conclusion(const History& history) {
+  const std::size_t all = history.machines.size();
+  const std::size_t beyond = count_of(history, Need::beyond), expected = count_of(history, Need::expected),
+                    finding = count_of(history, Need::finding), nothing = count_of(history, Need::nothing);
+  const std::string first =
+      nothing == all
+          ? fmt::format("Nothing stands out on any of {}.", machines_text(all))
+          : fmt::format("{} of {}: {} beyond a tolerance, {} on the way to one, {} with something to look at; {} "
+                        "with nothing.",
+                        all - nothing, machines_text(all), beyond, expected, finding, nothing);
+  return {first, questions_text(history)};
+}
+
+std::string ranking_text(const History& history, bool all, const std::vector<std::string>& remarks) {
   std::string text;
-  for (const std::string& line : fleet_conclusion(fleet)) text += wrapped(line);
+  for (const std::string& line : conclusion(history)) text += wrapped(line);
   for (const std::string& line : remarks) text += wrapped(line);
-  const std::size_t most = fleet.machines.size();
-  text += table_of(fleet, all ? most : kRows);
-  text += what_to_do(fleet, all ? most : kTold);
-  text += bars_text(fleet);
-  if (fleet.without_date > 0)
-    text += fmt::format("\n{} without a date, in nothing.\n", several(fleet.without_date, "test"));
+  const std::size_t most = history.machines.size();
+  text += table_of(history, all ? most : kRows);
+  text += what_to_do(history, all ? most : kExplained);
+  text += bars_text(history);
   return text;
 }
 
