@@ -27,9 +27,9 @@
 #include "diagnose/inject_result.hpp"
 #include "diagnose/machine_errors_result.hpp"
 #include "diagnose/revision_results.hpp"
-#include "history/fleet_result.hpp"
 #include "history/history_result.hpp"
 #include "history/page_parts.hpp"
+#include "history/test_result.hpp"
 #include "logs/log_results.hpp"
 #include "mean_point/meanpoint_result.hpp"
 #include "measure/comparison_result.hpp"
@@ -116,7 +116,7 @@ int run(const std::filesystem::path& folder, bool update) {
   const std::vector<ResultSchema> schemas =
       schemas_of<DiagnosisReport, DiagnosedTargets, ErrorsOfOne, ErrorsOfSeveral, PosteriorSoFar, Looked, Followed,
                  CheckedTargets, PreflightTargets, EffectPages, TestPlan, EffectTest, Added, Ledger, Undone,
-                 InjectedResult, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult, Fleet,
+                 InjectedResult, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult, History,
                  ImportedLog, MergedLogs, SimulatedRun, SimulatedFleet, TrainedOnBatches, TrainedOnEffects,
                  SelectedBatches, PredictedSeries, PredictedJob, PredictedByEffects, ReplayResult, MadeSets, NextRun,
                  ScoredSets, MeanPointsResult, MeanPointPart, PageReport, ModelPart, HeldPart, RevisedPart,

@@ -1,4 +1,4 @@
-"""`ballbar fleet` as a command: what it writes, its sentences and its status."""
+"""`ballbar history` with Dask as a command: what it writes, its sentences and its status."""
 import contextlib
 import io
 import json
@@ -14,7 +14,7 @@ from unittest import mock
 
 import ballbar
 from ballbar import fleet
-from ballbar.__main__ import fleet as command
+from ballbar.__main__ import history as command
 from fleet_test import plant
 
 
@@ -31,7 +31,8 @@ def ran(*words):
 
 
 def started(*words, stdout=subprocess.PIPE, **environment):
-    return subprocess.Popen([sys.executable, "-m", "ballbar", "fleet", *words], stdout=stdout, stderr=subprocess.PIPE,
+    run = "import sys; from ballbar.__main__ import history; sys.exit(history(sys.argv[1:]))"  # as the program does
+    return subprocess.Popen([sys.executable, "-c", run, *words], stdout=stdout, stderr=subprocess.PIPE,
                             env=dict(os.environ, **environment), start_new_session=True)
 
 
@@ -121,7 +122,7 @@ class Command(unittest.TestCase):
             (["--table", ""], '--table: expected a value, found ""'),
             (["--tab", "x"], "unrecognized arguments: --tab x"),
         ):
-            self.assertEqual(ran(self.plant, *words), (2, "", f"ballbar: {sentence}; see ballbar fleet --help\n"))
+            self.assertEqual(ran(self.plant, *words), (2, "", f"ballbar: {sentence}; see ballbar history --help\n"))
 
     def test_one_sentence(self):
         for words, sentence in (

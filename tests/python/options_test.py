@@ -17,7 +17,7 @@ FUNCTIONS = {
     "undo": ballbar.undo, "ledger": ballbar.ledger, "inject": ballbar.inject, "train": ballbar.train, "select": ballbar.select,
     "predict": ballbar.predict, "compensate": ballbar.compensate, "simulate": ballbar.simulate, "report": ballbar.report,
 }
-OF_FOLLOW = {"diagnose": {"every", "hours", "patience", "keep"}}
+OF_THE_COMMAND = {"diagnose": {"every", "hours", "patience", "keep"}, "history": {"table", "workers", "scheduler"}}
 
 
 def options_of(command):
@@ -37,7 +37,7 @@ class Options(unittest.TestCase):
             if any(one.kind is inspect.Parameter.VAR_KEYWORD for one in parameters.values()):
                 continue
             known = {re.sub(r"_(s|mm|um|percent|min|rpm)$", "", name) for name in parameters} | set(parameters)
-            for option in options_of(command) - NOT_OF_PYTHON - OF_FOLLOW.get(command, set()):
+            for option in options_of(command) - NOT_OF_PYTHON - OF_THE_COMMAND.get(command, set()):
                 self.assertIn(option, known, f"{command}: --{option}")
 
     def test_a_flag_is_true_or_false_and_a_value_is_neither(self):

@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kSpanOfSeason_s = 1.5 * kYear_s;
 constexpr std::size_t kFewestOfSeason = 8;
+// Where few machines have the quantity. Of fewer values nothing can be found among so many questions: they only cost.
+constexpr std::size_t kFewestOfTrendAlone = 5, kFewestOfStepAlone = 8;
 constexpr double kLongRun = 8.0;  // tests: as long as scatter may stay the same
 constexpr double kMayBe = 0.1;
 constexpr std::size_t kReach = 20;  // places to either side that are fitted
@@ -39,11 +41,11 @@ class Judging {
     const FitColumns level = line_.leftCols(1);
     loss_ = level_.loss;
     found_.p_trend = drop(FindingKind::trend, level, line_.rightCols(1), level_.loss, log_n);
-    if (!of_machines_) found_.p_trend = p_by_sigmas();
+    if (!of_machines_) found_.p_trend = p_by_sigmas(n);
     if (span_s >= kSpanOfSeason_s && n >= kFewestOfSeason) {
       found_.p_season = drop(FindingKind::season, level, season_columns(series_.time_s), level_.loss, 2.0 * log_n);
     }
-    if (n >= kFewestOfStep) judge_step(level, level_, log_n);
+    if (n >= (of_machines_ ? kFewestOfStep : kFewestOfStepAlone)) judge_step(level, level_, log_n);
     judge_bar(level, log_n);
     if (found_.best) judge_with_best();
     return found_;
@@ -66,11 +68,11 @@ class Judging {
   }
 
   // By the line of trend_of, its rate with the memory of the scatter.
-  double p_by_sigmas() const {
-    const std::optional<Trend> trend = trend_since(series_, 0);
-    if (!trend) return 1.0;
-    const double sigmas = std::sqrt(2.0) * boost::math::erfc_inv(std::max(trend->p_value, 1e-300));
-    return std::erfc(sigmas / std::sqrt(2.0 * memory(FindingKind::trend)));
+  std::optional<double> p_by_sigmas(std::size_t n) const {
+    const std::optional<Trend> trend = n < kFewestOfTrendAlone ? std::nullopt : trend_since(series_, 0);
+    if (!trend) return std::nullopt;
+    const double sigmas2 = std::pow(boost::math::erfc_inv(std::max(trend->p_value, 1e-300)), 2);
+    return std::erfc(std::sqrt(sigmas2 / family_.memory_beyond(static_cast<double>(n) / 4.0)));
   }
 
   double drop(FindingKind kind, const FitColumns& base, const FitColumns& extra, double base_loss, double penalty) {

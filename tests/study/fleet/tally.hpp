@@ -30,4 +30,7 @@ struct PlantTally {
 
 PlantTally tally_of(const Plant& plant, const HistoryOptions& options = {});
 
+// Each machine judged alone; the sum.
+PlantTally tally_of_each(const Plant& plant, const HistoryOptions& options = {});
+
 }  // namespace ballbar::study
