@@ -8,8 +8,8 @@
 
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "commands.hpp"
-#include "history/test_result.hpp"
 #include "history/test_files.hpp"
+#include "history/test_result.hpp"
 #include "history/test_table.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"

@@ -167,7 +167,9 @@ void run(const HistoryArguments& options) {
 void add_history(CLI::App& app) {
   const auto options = std::make_shared<HistoryArguments>();
   CLI::App* command = app.add_subcommand("history", "Machines over their tests: what changed, what needs something");
-  command->add_option("FOLDER", options->folders, "folders of .b5r files or ballbar logs, with those below; or patterns such as 'plant/**/*.b5r'")
+  command
+      ->add_option("FOLDER", options->folders,
+                   "folders of .b5r files or ballbar logs, with those below; or patterns such as 'plant/**/*.b5r'")
       ->required()
       ->type_name("");
   command
@@ -190,7 +192,8 @@ void add_history(CLI::App& app) {
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->check(name_that_ends_in({".csv", ".json", ".html"}));
-  command->add_option("--table", options->table, "where the table is kept: only what is new or changed is read, by Dask")
+  command
+      ->add_option("--table", options->table, "where the table is kept: only what is new or changed is read, by Dask")
       ->type_name("FOLDER");
   command->add_option("--workers", options->workers, "processes that read, by Dask; default: this one, on all cores")
       ->type_name("N")

@@ -142,16 +142,18 @@ template <>
 struct ResultType<MachineHistory> {
   static constexpr std::string_view name = "MachineHistory";
   static constexpr std::string_view meaning = "A machine, and what it needs.";
-  static constexpr std::tuple fields{Field{"machine", &MachineHistory::name, "as its tests state it, else the folder that was given"},
-                                     Field{"tests", &MachineHistory::tests, "how many"},
-                                     Field{"first", [](const MachineHistory& of) { return day_of(of.first_s); }, "date"},
-                                     Field{"last", [](const MachineHistory& of) { return day_of(of.last_s); }, ""},
-                                     Field{"need", &MachineHistory::need, "beyond, expected, finding, nothing"},
-                                     Field{"reason", &MachineHistory::reason, "why it stands where it does"},
-                                     Field{"findings", &findings_of, "the clearest first"},
-                                     Field{"tolerances", &tolerances_of, ""},
-                                     Field{"series", &MachineHistory::series, "of one machine each, else of findings and tolerances"},
-                                     Field{"groups", &MachineHistory::groups, "of tests that can be compared"}};
+  static constexpr std::tuple fields{
+      Field{"machine", &MachineHistory::name, "as its tests state it, else the folder that was given"},
+      Field{"tests", &MachineHistory::tests, "how many"},
+      Field{"first", [](const MachineHistory& of) { return day_of(of.first_s); }, "date"},
+      Field{"last", [](const MachineHistory& of) { return day_of(of.last_s); }, ""},
+      Field{"need", &MachineHistory::need, "beyond, expected, finding, nothing"},
+      Field{"reason", &MachineHistory::reason, "why it stands where it does"},
+      Field{"findings", &findings_of, "the clearest first"},
+      Field{"tolerances", &tolerances_of, ""},
+      Field{"series", &MachineHistory::series,
+            "every one of one machine, of several those with findings and tolerances"},
+      Field{"groups", &MachineHistory::groups, "of tests that can be compared"}};
 };
 
 // A change of a bar, with the names of the machines.

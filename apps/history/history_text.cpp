@@ -89,9 +89,10 @@ std::string machine_text(const TestFiles& files, const History& history, const M
   text += '\n';
   for (std::size_t group = 0; group < machine.groups.size(); ++group) text += group_text(files, machine, group, all);
   text += geometry_text(files, geometry);
-  return text + wrapped(
-                    "± is one sigma, of the fit or, of a trend, with the scatter of the tests about it; * found. Stored "
-                    "values have none (?). Change: since the value before, and over the sigmas of both fits.");
+  return text +
+         wrapped(
+             "± is one sigma, of the fit or, of a trend, with the scatter of the tests about it; * found. Stored "
+             "values have none (?). Change: since the value before, and over the sigmas of both fits.");
 }
 
 // Names of some, then how many more.

@@ -158,11 +158,11 @@ std::vector<std::string> conclusion(const History& history) {
   const std::size_t beyond = count_of(history, Need::beyond), expected = count_of(history, Need::expected),
                     finding = count_of(history, Need::finding), nothing = count_of(history, Need::nothing);
   const std::string first =
-      nothing == all
-          ? fmt::format("Nothing stands out on any of {}.", machines_text(all))
-          : fmt::format("{} of {}: {} beyond a tolerance, {} on the way to one, {} with something to look at; {} "
-                        "with nothing.",
-                        all - nothing, machines_text(all), beyond, expected, finding, nothing);
+      nothing == all ? fmt::format("Nothing stands out on any of {}.", machines_text(all))
+                     : fmt::format(
+                           "{} of {}: {} beyond a tolerance, {} on the way to one, {} with something to look at; {} "
+                           "with nothing.",
+                           all - nothing, machines_text(all), beyond, expected, finding, nothing);
   return {first, questions_text(history)};
 }
 

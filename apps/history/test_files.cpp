@@ -57,7 +57,7 @@ std::vector<ReadFile> found_files(const std::vector<std::string>& paths) {
   return files;
 }
 
-// part(i) of every i < count. How far it is is said by the thread that called, where a program that called may end it.
+// part(i) of every i < count. The thread that called shows how far it is, where a program that called may end it.
 void parallel_with_progress(const char* what, std::size_t count, const std::function<void(std::size_t)>& part) {
   const ProgressLine progress;
   const std::thread::id here = std::this_thread::get_id();

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "ballbar/formats/recordings/recording_file.hpp"
-#include "external_data.hpp"
 #include "ballbar/history/machine_geometry.hpp"
+#include "external_data.hpp"
 #include "history/stored_test.hpp"
 #include "history/test_files.hpp"
 

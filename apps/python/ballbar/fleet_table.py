@@ -78,7 +78,7 @@ def update(
     client : dask.distributed.Client
         Whose workers read; without one, threads of this process.
     progress : callable
-        Is told how many files are done, and of how many.
+        Called with how many files are done, and of how many.
     **storage
         Options of fsspec's file system.
 
@@ -95,7 +95,7 @@ def update(
     Notes
     -----
     A file is read again where its size or its time is another. The rows of a file that can no longer be looked at, and
-    of those below a folder that can no longer be listed, stay. Two logs beside each other may be one test: with a log
+    of those below a folder that can no longer be listed, stay. Two logs after each other may be one test: with a log
     those after it in its folder are read again, and the one before it.
     """
     with to_update(os.fspath(table)) as store:
@@ -200,7 +200,7 @@ def _logs_after(changed: Iterable[str], stamps: Mapping[str, Stamp], known: Mapp
 
 
 def _settled(part: Sequence[str], answer: Answer, stamps: dict[str, Stamp], storage: dict[str, Any]) -> Answer:
-    """The rows; of what changed while it was read, with the logs beside it, those after it is read again."""
+    """The rows; of what changed while it was read, with the logs of its folder, those after it is read again."""
     rows, lacking = answer
     for attempt in range(_TRIES + 1):
         now, out_of_reach = _stamps([file for file in part if file not in lacking], storage)

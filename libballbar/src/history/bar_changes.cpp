@@ -7,9 +7,9 @@
 #include <map>
 
 #include "ballbar/history/trend.hpp"
+#include "history/event_texts.hpp"
 #include "history/fit_columns.hpp"
 #include "history/quantity_kind.hpp"
-#include "history/event_texts.hpp"
 #include "history/robust_fit.hpp"
 #include "history/series_judgement.hpp"
 

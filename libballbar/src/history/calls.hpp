@@ -1,4 +1,4 @@
-// What was found in single quantities, before it is told as events.
+// What was found in single quantities, of which events are made.
 #pragma once
 
 #include <optional>
@@ -6,8 +6,8 @@
 
 #include "ballbar/history/history.hpp"
 #include "history/fit_columns.hpp"
-#include "history/scatter.hpp"
 #include "history/quantity_series.hpp"
+#include "history/scatter.hpp"
 #include "history/series_judgement.hpp"
 
 namespace ballbar {

@@ -1,4 +1,4 @@
-// What is said of an event, and what to do.
+// An event in a sentence, and what to do.
 #pragma once
 
 #include <string>

@@ -147,7 +147,7 @@ Event step_event(const AllSeries& all, Calls calls) {
   return event;
 }
 
-// The steps of one date: where the bar changed and all scales step alike they are an event of their own.
+// The steps of one date: where the bar changed and all scales step in common they are an event of their own.
 void add_date(const AllSeries& all, const Calls& together, std::vector<Event>& events) {
   Calls scales, others;
   bool bar_changed = false;

@@ -19,7 +19,7 @@ struct Event {
 };
 
 // Steps whose dates agree are one event:
-//   instrument      scales alone step, all alike, where the bar's serial number changes
+//   instrument      scales alone step, all by as much, where the bar's serial number changes
 //   replaced_part   two kinds of errors of one axis at least, all nearer to 0 than before, and none of another axis or
 //                   of the angle of the axes farther
 //   step            all others

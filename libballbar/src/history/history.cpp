@@ -13,9 +13,9 @@
 #include "ballbar/numerics/parallel.hpp"
 #include "history/bar_changes.hpp"
 #include "history/calls.hpp"
+#include "history/event_texts.hpp"
 #include "history/events.hpp"
 #include "history/need.hpp"
-#include "history/event_texts.hpp"
 
 namespace ballbar {
 namespace {
@@ -25,6 +25,7 @@ struct MachineParts {
   std::size_t place = 0;            // among the names
   std::vector<std::size_t> series;  // places in AllSeries::series
   std::vector<Call*> calls;         // with q below the rate
+  std::size_t judged = 0;           // calls with whatever q
 };
 
 const Tolerance* tolerance_named(std::string_view quantity, std::span<const Tolerance> tolerances) {
@@ -33,7 +34,7 @@ const Tolerance* tolerance_named(std::string_view quantity, std::span<const Tole
   return found == tolerances.end() ? nullptr : &*found;
 }
 
-// A step that was found at the exchange of the bar is not told twice.
+// A step that was found at the exchange of the bar counts once.
 void join_bar_steps(const AllSeries& all, std::vector<Call*>& calls) {
   std::erase_if(calls, [&](const Call* bar) {
     if (bar->kind != FindingKind::instrument) return false;
@@ -50,13 +51,14 @@ void join_bar_steps(const AllSeries& all, std::vector<Call*>& calls) {
 class MachineAssembly {
  public:
   MachineAssembly(std::span<const MachineTest> tests, const HistoryOptions& options, const AllSeries& all,
-                 const Scatter& scatter, MachineParts& of)
+                  const Scatter& scatter, MachineParts& of)
       : tests_(tests), options_(options), all_(all), scatter_(scatter), of_(of) {}
 
   MachineHistory machine() {
     const MachineTests& own = all_.machines[of_.place];
     machine_.name = own.name;
     machine_.groups = own.groups;
+    machine_.judged = of_.judged;
     machine_.tests = own.tests.size();
     for (const std::size_t i : own.tests) {
       if (!tests_[i].started_s) continue;
@@ -193,6 +195,7 @@ History history_of(std::span<const MachineTest> tests, const HistoryOptions& opt
   history.without_date = all.without_date;
   history.judged = calls.size();
   for (Call& call : calls) {
+    ++machines[all.series[call.series].machine].judged;
     if (call.q_value > options.false_discovery_rate) continue;
     machines[all.series[call.series].machine].calls.push_back(&call);
     ++history.found;

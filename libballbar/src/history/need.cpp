@@ -88,8 +88,9 @@ void say_need(MachineHistory& machine) {
   if (const ToleranceOutlook* worst = farthest_beyond(machine)) {
     const QuantityHistory& series = machine.series[worst->series];
     machine.need = Need::beyond;
-    machine.reason = fmt::format("{} is {}, beyond its tolerance of {:g} {}.", label_of(machine, *worst),
-                                 amount_text(series.level, series.level_sigma, series.unit), *worst->date.limit, series.unit);
+    machine.reason =
+        fmt::format("{} is {}, beyond its tolerance of {:g} {}.", label_of(machine, *worst),
+                    amount_text(series.level, series.level_sigma, series.unit), *worst->date.limit, series.unit);
     return;
   }
   if (const ToleranceOutlook* first = soonest(machine)) {
@@ -115,7 +116,7 @@ void say_need(MachineHistory& machine) {
                                  label_of(machine, one));
     return;
   }
-  machine.reason = machine.tests < 3 ? "Fewer than 3 tests tell neither a step nor a trend." : "Nothing stands out.";
+  machine.reason = machine.judged == 0 ? "The tests are too few to show a step or a trend." : "Nothing stands out.";
 }
 
 void rank(std::vector<MachineHistory>& machines) {

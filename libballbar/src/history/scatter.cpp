@@ -15,7 +15,8 @@
 namespace ballbar {
 namespace {
 
-constexpr double kDegreesOfDifference = 0.6;  // each tells of a scatter, beside a normal value about a known mean
+constexpr double kDegreesOfDifference =
+    0.6;  // of one difference for a scatter, where a normal value about a known mean has 1
 constexpr double kMostPriorDegrees = 30.0;
 constexpr std::size_t kSeriesOfPrior = 4;
 constexpr double kSquareOfClipped = 0.9205;  // of a standard normal number, clipped at kHuberClip
@@ -60,7 +61,7 @@ double degrees_of(const QuantitySeries& series) {
   return std::max(1.0, kDegreesOfDifference * static_cast<double>(series.value.size() - 1));
 }
 
-// Mean and degrees of freedom of the scatters' logarithm over machines; medians, for machines with a story.
+// Mean and degrees of freedom of the scatters' logarithm over machines; medians, as some machines step or wear.
 void moderate(const AllSeries& all, const std::vector<std::size_t>& members, std::vector<SeriesScatter>& scatter) {
   std::vector<double> logs, own;
   for (const std::size_t i : members) {
@@ -127,7 +128,7 @@ Scores scores_of(const QuantitySeries& series, double s) {
 // Median over series of the mean square of runs; that of a mean of few runs lies below its mean (Wilson and Hilferty).
 struct Memory {
   std::array<double, kRunLengths> ratio{};
-  std::array<double, kRunLengths> series{};  // how many told it
+  std::array<double, kRunLengths> series{};  // how many it is from
 };
 
 Memory memory_of(const AllSeries& all, const std::vector<Scores>& scores, const std::vector<std::size_t>& members) {
@@ -156,7 +157,7 @@ double memory_at(const std::array<double, kRunLengths>& ratio, double j) {
 }
 
 // Few machines tell little of one quantity: then all quantities tell more, and of those few a usual memory. Of runs
-// longer than any that were seen it rises on, with every doubling by as much as with the last.
+// longer than any in the tests it rises on, with every doubling by as much as with the last.
 std::array<double, kRunLengths> moderated(const Memory& own, const Memory& of_all) {
   constexpr double kWeightOfAll = 6.0, kUsual = 0.14;  // ln of the ratio
   std::array<double, kRunLengths> ratio{};

@@ -14,8 +14,8 @@ namespace ballbar {
 // Of one series. s^2 = (d0 s0^2 + d r^2) / (d0 + d), r from successive values, s0 and d0 from the same quantity of all
 // machines (Smyth 2004).
 struct SeriesScatter {
-  double s = 0.0;        // 0: all values are the same
-  double degrees = 0.0;  // d0 + d
+  double s = 0.0;            // 0: all values are the same
+  double degrees = 0.0;      // d0 + d
   bool of_machines = false;  // s0 is known: there are kSeriesOfPrior series of the quantity at least
 };
 

@@ -20,7 +20,7 @@ constexpr std::size_t kFewestOfTrendAlone = 5, kFewestOfStepAlone = 8;
 constexpr double kLongRun = 8.0;  // tests: as long as scatter may stay the same
 constexpr double kMayBe = 0.1;
 constexpr std::size_t kReach = 20;  // places to either side that are fitted
-constexpr double kClear = 0.01;     // p of the best curve, from which the others are judged beside it
+constexpr double kClear = 0.01;     // p of the best curve, from which on the others are judged together with it
 
 class Judging {
  public:

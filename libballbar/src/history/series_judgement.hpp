@@ -6,8 +6,8 @@
 
 #include "ballbar/history/history.hpp"
 #include "ballbar/history/trend.hpp"
-#include "history/scatter.hpp"
 #include "history/quantity_series.hpp"
+#include "history/scatter.hpp"
 
 namespace ballbar {
 
@@ -28,8 +28,8 @@ struct SeriesJudgement {
 };
 
 // The best curve is judged against a level. Where it is clear, the others are judged together with it: their p value is
-// the larger of that and of the one against a level. Steps are searched at every place with two values on either side, and
-// their p value is multiplied by the number of places. O(n).
+// the larger of that and of the one against a level. Steps are searched at every place with two values on either side,
+// and their p value is multiplied by the number of places. O(n).
 SeriesJudgement judgement_of(const QuantitySeries& series, const SeriesScatter& scatter, const FamilyScatter& family);
 
 // The straight line through the values from place `first` on.

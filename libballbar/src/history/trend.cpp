@@ -27,7 +27,7 @@ Values with_sigmas(std::span<const DatedValue> values, double last_s) {
   }
   if (!known.empty()) prepared.usual_sigma = median(known);
   for (const DatedValue& one : values) {
-    constexpr double kLeast = 1e-3;  // of the usual sigma: none is certain beside the others
+    constexpr double kLeast = 1e-3;  // of the usual sigma: none is certain among the others
     const double sigma =
         std::isfinite(one.sigma) ? std::max(one.sigma, kLeast * prepared.usual_sigma) : prepared.usual_sigma;
     prepared.x_years.push_back((one.time_s - last_s) / kYear_s);

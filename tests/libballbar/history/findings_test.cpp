@@ -1,5 +1,3 @@
-#include "ballbar/history/history.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <random>
 
 #include "ballbar/error.hpp"
+#include "ballbar/history/history.hpp"
 #include "ballbar/history/trend.hpp"
 #include "history/false_discovery.hpp"
 #include "history/robust_fit.hpp"
@@ -306,7 +305,7 @@ TEST(findings, takes_stored_values_two_tests_a_day_and_few_tests) {
   EXPECT_EQ(history.found, 0u);
   EXPECT_EQ(history.without_date.size(), 1u);
   EXPECT_EQ(machine_called(history, "twice").tests, 48u);
-  EXPECT_EQ(machine_called(history, "one").reason, "Fewer than 3 tests tell neither a step nor a trend.");
+  EXPECT_EQ(machine_called(history, "one").reason, "The tests are too few to show a step or a trend.");
 }
 
 // Three machines tell no scatter of a quantity: the line of each is held against the sigmas of its fits, 0.1 um.

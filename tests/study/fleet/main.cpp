@@ -15,10 +15,11 @@
 // 3100 called; other_null, 100 seeds, any machine called in 2 % of the plants. So the correction of Benjamini and
 // Hochberg holds its 5 % although quantities of one test go together, and that for any dependence is not needed.
 //
-// Alone, 1 seed: sample, all 5 stories of three years found, 0 of 35 others called, and 0, 0, 1, 0 of them of the last 5,
-// 6, 8, 12 tests; other, 8 of 10, 1 of 31 and 0, 3, 2, 4. A change since the test before, held against the sigmas of both
-// fits, called 34 of 35 and 23 of 31 whatever the number of tests, and the line of trend_of without a correction 4 and 23:
-// neither is a finding. With fewer than 5 tests no trend and with fewer than 8 no step of one machine was found.
+// Alone, 1 seed: sample, all 5 stories of three years found, 0 of 35 others called, and 0, 0, 1, 0 of them of the last
+// 5, 6, 8, 12 tests; other, 8 of 10, 1 of 31 and 0, 3, 2, 4. A change since the test before, held against the sigmas of
+// both fits, called 34 of 35 and 23 of 31 whatever the number of tests, and the line of trend_of without a correction 4
+// and 23: neither is a finding. With fewer than 5 tests no trend and with fewer than 8 no step of one machine was
+// found.
 //
 // A story is found where its machine has a finding of its kind. Fails (exit 1) where a sample fleet misses a story or
 // calls more than 2 of the other machines, and where figures of the rest leave what was reached.
@@ -109,7 +110,8 @@ bool study_of(const std::string& plan, const VirtualFleet& fleet, int seeds) {
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    fmt::print(stderr, "study_fleet FLEET.toml [SEEDS] [sample|sample_null|sample_alone|other|other_null|other_alone ...]\n");
+    fmt::print(stderr,
+               "study_fleet FLEET.toml [SEEDS] [sample|sample_null|sample_alone|other|other_null|other_alone ...]\n");
     return 2;
   }
   try {

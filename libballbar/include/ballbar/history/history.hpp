@@ -1,5 +1,5 @@
-// Machines over their ballbar tests: which of them changed, which wear, which only follow the season, and what meets its
-// tolerance when. One machine is a plant of one.
+// Machines over their ballbar tests: which of them changed, which wear, which only follow the season, and what meets
+// its tolerance when. One machine is a plant of one.
 //
 // Of each machine, kind of test and quantity, the values y_i at t_i are held against four curves, the tests of one day
 // with one bar as one value:
@@ -41,7 +41,7 @@ namespace ballbar {
 enum class FindingKind {
   step,           // several quantities at one date, or one: a collision, a part that came loose, an adjustment
   replaced_part,  // errors of one axis step to the better together
-  instrument,     // all axes' scales step alike, with the bar: not the machine
+  instrument,     // all axes' scales step in common, with the bar: not the machine
   trend,          // wear, settling
   season,         // follows the year: neither wear nor a step
 };
@@ -60,13 +60,13 @@ struct QuantityHistory {
   std::size_t group = 0;           // place in MachineHistory::groups
   std::vector<std::size_t> tests;  // places in what was given, by date; the last of each day
   std::vector<double> time_s, value;
-  std::vector<double> sigma;    // NaN: not known
-  std::vector<double> fitted;   // the curve, at the same dates
-  double level = 0.0;           // of that curve at the last test
+  std::vector<double> sigma;   // NaN: not known
+  std::vector<double> fitted;  // the curve, at the same dates
+  double level = 0.0;          // of that curve at the last test
   double level_sigma = 0.0;
-  double scatter = 0.0;         // s
-  bool significant = false;     // the last value: its error is, and it is beyond kSignificantSigmas
-  std::optional<Trend> trend;   // through the values since the last step
+  double scatter = 0.0;        // s
+  bool significant = false;    // the last value: its error is, and it is beyond kSignificantSigmas
+  std::optional<Trend> trend;  // through the values since the last step
 };
 
 struct FindingQuantity {
@@ -102,6 +102,7 @@ struct MachineHistory {
   std::string name;  // empty: its tests state none
   std::size_t tests = 0;
   std::optional<double> first_s, last_s;
+  std::size_t judged = 0;  // questions: quantity and kind
   Need need = Need::nothing;
   std::string reason;                         // why it stands where it does
   std::optional<std::size_t> reason_finding;  // the place of the finding that the reason is

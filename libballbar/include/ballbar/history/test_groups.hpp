@@ -1,7 +1,7 @@
 // Which tests of a machine can be held against each other.
 //
-// Those of one plane, nominal length, arc and feed, whatever the bar. Numbers differ where they leave a gap: lengths 0.1 mm, arcs
-// and where they start 2 deg, feeds 5 %. Full circles are alike wherever they start.
+// Those of one plane, nominal length, arc and feed, whatever the bar. Numbers differ where they leave a gap: lengths
+// 0.1 mm, arcs and where they start 2 deg, feeds 5 %. Full circles compare wherever they start.
 #pragma once
 
 #include <cstddef>
