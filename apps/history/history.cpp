@@ -121,9 +121,15 @@ std::string title_of(const std::vector<std::string>& folders) {
 void name_by_folder(std::vector<MachineTest>& tests, const std::vector<std::string>& folders) {
   if (folders.size() < 2) return;
   std::error_code error;
+  const auto path_of = [](const std::string& folder) {
+    return (std::filesystem::path(folder) / "").lexically_normal().parent_path();
+  };
+  std::set<std::filesystem::path> names;
+  for (const std::string& folder : folders) names.insert(path_of(folder).filename());
   for (const std::string& folder : folders) {
     if (!std::filesystem::is_directory(folder, error)) continue;
-    const std::string name = (std::filesystem::path(folder) / "").lexically_normal().parent_path().string();
+    const std::filesystem::path path = path_of(folder);
+    const std::string name = (names.size() == folders.size() ? path.filename() : path).string();
     for (MachineTest& test : tests) {
       if (test.machine.empty() && test.file.starts_with(folder)) test.machine = name;
     }

@@ -43,19 +43,9 @@ std::string need_text(const MachineHistory& machine) {
 }
 
 std::string kind_text(FindingKind kind) {
-  switch (kind) {
-    case FindingKind::step:
-      return "step";
-    case FindingKind::replaced_part:
-      return "replaced part";
-    case FindingKind::instrument:
-      return "instrument";
-    case FindingKind::trend:
-      return "trend";
-    case FindingKind::season:
-      return "season";
-  }
-  return "";
+  std::string text(name_of(kind));
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
 }
 
 std::string size_text(const MachineHistory& machine, const Finding& finding) {

@@ -51,6 +51,13 @@ double mean_of(const Eigen::VectorXd& values, std::size_t from, std::size_t to) 
   return values.segment(static_cast<Eigen::Index>(from), static_cast<Eigen::Index>(to - from)).mean();
 }
 
+// By the sigmas of the fits alone.
+double sigma_of_mean(const std::vector<double>& sigma) {
+  double squares = 0.0;
+  for (const double one : sigma) squares += one * one;
+  return std::sqrt(squares) / static_cast<double>(sigma.size());
+}
+
 }  // namespace
 
 std::vector<Call> calls_of(const AllSeries& all, const Scatter& scatter) {
@@ -104,7 +111,7 @@ SeriesCurve curve_with(const QuantitySeries& series, const SeriesScatter& scatte
   curve.fitted.assign(fitted.begin(), fitted.end());
   curve.level = curve.fitted.back();
   const Eigen::VectorXd last = columns.row(columns.rows() - 1).transpose();
-  curve.sigma = scatter.s > 0.0 ? std::sqrt(memory * last.dot(fit.covariance * last)) : 0.0;
+  curve.sigma = scatter.s > 0.0 ? std::sqrt(memory * last.dot(fit.covariance * last)) : sigma_of_mean(series.sigma);
   return curve;
 }
 

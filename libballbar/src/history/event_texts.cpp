@@ -120,7 +120,8 @@ std::string day_text(double time_s) {
 std::string label_of(std::string_view name, Plane plane) { return fmt::format("{} {}", name, name_of(plane)); }
 
 std::string amount_text(double value, double sigma, std::string_view unit) {
-  return fmt::format("{:.{}f} ± {:.{}f} {}", value, decimals_of(unit), sigma, decimals_of(unit), unit);
+  const std::string of_sigma = std::isfinite(sigma) ? fmt::format(" ± {:.{}f}", sigma, decimals_of(unit)) : "";
+  return fmt::format("{:.{}f}{} {}", value, decimals_of(unit), of_sigma, unit);
 }
 
 EventTexts texts_of(const AllSeries& all, const Event& event) {
