@@ -1003,7 +1003,7 @@ export interface MachineHistory {
   reason: string; // why it stands where it does
   findings: Finding[]; // the clearest first
   tolerances: ToleranceOutlook[];
-  series: QuantityHistory[]; // of one machine each, else of findings and tolerances
+  series: QuantityHistory[]; // every one of one machine, of several those with findings and tolerances
   groups: TestGroup[]; // of tests that can be compared
 }
 
