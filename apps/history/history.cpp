@@ -130,8 +130,9 @@ void name_by_folder(std::vector<MachineTest>& tests, const std::vector<std::stri
     if (!std::filesystem::is_directory(folder, error)) continue;
     const std::filesystem::path path = path_of(folder);
     const std::string name = (names.size() == folders.size() ? path.filename() : path).string();
+    const std::string inside = folder.ends_with('/') ? folder : folder + '/';
     for (MachineTest& test : tests) {
-      if (test.machine.empty() && test.file.starts_with(folder)) test.machine = name;
+      if (test.machine.empty() && test.file.starts_with(inside)) test.machine = name;
     }
   }
 }
