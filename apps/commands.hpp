@@ -13,7 +13,6 @@ void add_import(CLI::App& app);
 void add_drift(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_errors(CLI::App& app);
-void add_fleet(CLI::App& app);
 void add_history(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_effects(CLI::App& app);

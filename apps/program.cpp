@@ -43,7 +43,7 @@ const std::vector<Group>& groups() {
   static const std::vector<Group> kGroups{
       {"Measure", {{"fit", add_fit}, {"drift", add_drift}, {"compare", add_compare}}},
       {"Logs of others", {{"import", add_import}}},
-      {"Follow", {{"errors", add_errors}, {"history", add_history}, {"fleet", add_fleet}}},
+      {"Follow", {{"errors", add_errors}, {"history", add_history}}},
       {"Look", {{"report", add_report}}},
       {"Model", {{"effects", add_effects}, {"could", add_could}, {"check", add_check}}},
       {"Diagnose",

@@ -11,8 +11,8 @@
 namespace ballbar {
 
 // "ballbar add 'expansion:temperature=T_room_degC' run.csv --model model.toml --target y_um": all that is named, or
-// what is probable; else the first that is in question, with --dry-run. Files as they were typed, quoted where a shell needs
-// it. Empty where there is nothing to add, or no way to type it.
+// what is probable; else the first that is in question, with --dry-run. Files as they were typed, quoted where a shell
+// needs it. Empty where there is nothing to add, or no way to type it.
 std::string next_command(const ModelOptions& options, const Diagnosis& found);
 
 // "ballbar add 'step(onset_s = 33840)' run.csv --model model.toml --target y_um --replace 'gradient_bending(T9, T2)'"

@@ -1,4 +1,4 @@
-// `ballbar history FOLDER...`: the tests of a machine over time, its squareness and scales.
+// `ballbar history FOLDER...`: machines over their tests; of one its squareness and scales too.
 #include "ballbar/history/history.hpp"
 
 #include <fmt/format.h>
@@ -9,16 +9,23 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
 
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
+#include "ballbar/history/machine_geometry.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "commands.hpp"
-#include "history/history_files.hpp"
+#include "history/dask_process.hpp"
 #include "history/history_page.hpp"
 #include "history/history_result.hpp"
 #include "history/history_text.hpp"
 #include "history/test_files.hpp"
+#include "history/test_table.hpp"
 #include "page/report_page.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/option_checks.hpp"
@@ -33,11 +40,45 @@ struct HistoryArguments {
   std::vector<std::string> folders;
   std::vector<std::string> tolerances;
   std::vector<std::string> out;  // each by its ending
+  std::string table, scheduler;
+  std::optional<int> workers;
+  double false_discovery_rate = 0.05;
   StatedCircle circle;
   bool all = false;
   bool strict = false;
   bool json = false;
 };
+
+// Of a cloud, or a pattern that the shell left.
+bool is_for_fsspec(const std::string& path) {
+  std::error_code error;
+  const bool is_pattern = path.find_first_of("*?[") != std::string::npos && !std::filesystem::exists(path, error);
+  return is_pattern || path.find("://") != std::string::npos;
+}
+
+bool is_for_dask(const HistoryArguments& options) {
+  if (caller() != nullptr) return false;  // a program in whose place no other may run
+  return !options.table.empty() || options.workers || !options.scheduler.empty() ||
+         std::any_of(options.folders.begin(), options.folders.end(), is_for_fsspec);
+}
+
+std::vector<std::string> words_of(const HistoryArguments& options) {
+  if (options.strict || options.all || options.circle.radius_mm) {
+    throw CLI::ValidationError(
+        "--strict, --all, --radius: expected folders and files without --table, --workers, --scheduler and patterns");
+  }
+  std::vector<std::string> words{fmt::format("--false-discovery-rate={}", options.false_discovery_rate)};
+  const auto add = [&](const char* name, const std::string& value) { words.push_back(std::string(name) + value); };
+  if (!options.table.empty()) add("--table=", options.table);
+  if (options.workers) add("--workers=", fmt::format("{}", *options.workers));
+  if (!options.scheduler.empty()) add("--scheduler=", options.scheduler);
+  for (const std::string& tolerance : options.tolerances) add("--tolerance=", tolerance);
+  for (const std::string& path : options.out) add("--out=", path);
+  if (options.json) words.emplace_back("--json");
+  words.emplace_back("--");
+  words.insert(words.end(), options.folders.begin(), options.folders.end());
+  return words;
+}
 
 // NAME=VALUE: from -VALUE to VALUE.
 Tolerance tolerance_of(const std::string& text) {
@@ -76,23 +117,55 @@ std::string title_of(const std::vector<std::string>& folders) {
   return folders.size() == 1 ? name : fmt::format("{} and {} more", name, folders.size() - 1);
 }
 
+// Of several folders each is a machine, where its tests name none.
+void name_by_folder(std::vector<MachineTest>& tests, const std::vector<std::string>& folders) {
+  if (folders.size() < 2) return;
+  std::error_code error;
+  const auto path_of = [](const std::string& folder) {
+    return (std::filesystem::path(folder) / "").lexically_normal().parent_path();
+  };
+  std::set<std::filesystem::path> names;
+  for (const std::string& folder : folders) names.insert(path_of(folder).filename());
+  for (const std::string& folder : folders) {
+    if (!std::filesystem::is_directory(folder, error)) continue;
+    const std::filesystem::path path = path_of(folder);
+    const std::string name = (names.size() == folders.size() ? path.filename() : path).string();
+    const std::string inside = folder.ends_with('/') ? folder : folder + '/';
+    for (MachineTest& test : tests) {
+      if (test.machine.empty() && test.file.starts_with(inside)) test.machine = name;
+    }
+  }
+}
+
+bool are_of_one_machine(const std::vector<MachineTest>& tests) {
+  std::set<std::string_view> names;
+  for (const MachineTest& test : tests) {
+    if (!test.machine.empty()) names.insert(test.machine);
+  }
+  return names.size() < 2;
+}
+
 void run(const HistoryArguments& options) {
-  std::vector<Tolerance> tolerances;
-  tolerances.reserve(options.tolerances.size());
-  for (const std::string& text : options.tolerances) tolerances.push_back(tolerance_of(text));
+  HistoryOptions how;
+  how.false_discovery_rate = options.false_discovery_rate;
+  for (const std::string& text : options.tolerances) how.tolerances.push_back(tolerance_of(text));
+  if (is_for_dask(options)) run_in_python(words_of(options));
   const auto is_page = [](const std::string& path) { return path.ends_with(".html"); };
   if (std::any_of(options.out.begin(), options.out.end(), is_page)) expect_page("--out");
-  const TestFiles files = read_tests(options.folders, options.strict, options.circle);
+  TestFiles files = read_tests(options.folders, options.strict, options.circle);
   expect_no_input(options.out, files.files);
-  expect_known(tolerances, files.tests);
-  const std::vector<MachineHistory> machines = history_of(files.tests, tolerances);
-  const auto json = [&] { return json_of(result_of(files, machines)); };
+  expect_known(how.tolerances, files.tests);
+  name_by_folder(files.tests, options.folders);
+  how.every_quantity = are_of_one_machine(files.tests);
+  const History history = history_of(files.tests, how);
+  const MachineGeometry geometry = how.every_quantity ? machine_geometry(files.tests) : MachineGeometry{};
+  const auto json = [&] { return json_of(result_of(files, history, geometry)); };
   for (const std::string& path : options.out) {
-    write_bytes(path, is_page(path)            ? history_page(title_of(options.folders), files, machines)
-                      : path.ends_with(".csv") ? history_csv(files.tests)
+    write_bytes(path, is_page(path)            ? history_page(title_of(options.folders), files, history, geometry)
+                      : path.ends_with(".csv") ? test_table_csv(files.tests)
                                                : json().dump(2) + '\n');
   }
-  options.json ? print_json(json()) : fmt::print("{}", history_text(files, machines, options.all));
+  options.json ? print_json(json()) : fmt::print("{}", history_text(files, history, geometry, options.all));
   for (const std::string& path : options.out) wrote_line(path);
 }
 
@@ -100,8 +173,10 @@ void run(const HistoryArguments& options) {
 
 void add_history(CLI::App& app) {
   const auto options = std::make_shared<HistoryArguments>();
-  CLI::App* command = app.add_subcommand("history", "A machine over its tests: changes, trends, squareness, scales");
-  command->add_option("FOLDER", options->folders, "folders of .b5r files or ballbar logs, with those below")
+  CLI::App* command = app.add_subcommand("history", "Machines over their tests: what changed, what needs something");
+  command
+      ->add_option("FOLDER", options->folders,
+                   "folders of .b5r files or ballbar logs, with those below; or patterns such as 'plant/**/*.b5r'")
       ->required()
       ->type_name("");
   command
@@ -109,16 +184,29 @@ void add_history(CLI::App& app) {
                    "limit of a quantity, to both sides of 0; goes before the file's; may be repeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  command->add_flag("--all", options->all, "show quantities too that say nothing");
+  command
+      ->add_option("--false-discovery-rate", options->false_discovery_rate,
+                   "share of what is found that may be by chance; default 0.05")
+      ->type_name("RATE")
+      ->check(number_within(0, 1));
+  command->add_flag("--all", options->all, "all quantities, all machines");
   add_radius(*command, options->circle);
   command->add_flag("--strict", options->strict, "stop at a file that would be skipped");
   command
       ->add_option("--out", options->out,
-                   "write .csv: one row a test and quantity; .json; or .html: a page with pictures of all quantities; "
-                   "may be repeated")
+                   "write .csv: one row a test, each error with sigma; .json; or .html: a page with pictures; may be "
+                   "repeated")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->check(name_that_ends_in({".csv", ".json", ".html"}));
+  command
+      ->add_option("--table", options->table, "where the table is kept: only what is new or changed is read, by Dask")
+      ->type_name("FOLDER");
+  command->add_option("--workers", options->workers, "processes that read, by Dask; default: this one, on all cores")
+      ->type_name("N")
+      ->check(number_within(1, 1024));
+  command->add_option("--scheduler", options->scheduler, "of a Dask cluster, tcp://host:8786, whose workers read")
+      ->type_name("ADDRESS");
   command->add_flag("--json", options->json, "the result for a program");
   command->footer("Example:\n  ballbar history sample-runs/machine-history --tolerance backlash_a_pos=5");
   command->callback([options] { run(*options); });

@@ -4,34 +4,32 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <sstream>
 
-#include "history/conclusion.hpp"
 #include "history/geometry_text.hpp"
+#include "history/history_text.hpp"
 #include "history/page_parts.hpp"
 #include "history/quantity_text.hpp"
+#include "history/ranking_text.hpp"
 #include "page/report_page.hpp"
-#include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {
 
-constexpr double kMean_year_s = 365.2425 * 86400.0;
+constexpr std::size_t kPictures = 40;  // machines that are drawn
 
-double year_of(double time_s) { return 1970.0 + time_s / kMean_year_s; }
+double year_of(double time_s) { return 1970.0 + time_s / (365.2425 * 86400.0); }
 
-// From the first test to a quarter of that time after the last, or to where the tolerance is met.
-CurveOverYears trend_curve(const QuantityHistory& quantity, double first_s) {
-  const Trend& trend = *quantity.trend;
-  double end_s = trend.last_s + 0.25 * (trend.last_s - first_s);
-  if (quantity.date && quantity.date->at_s)
-    end_s = std::max(end_s, quantity.date->latest_s.value_or(*quantity.date->at_s));
+// From the first value to a quarter of that time after the last, or to where the tolerance is met.
+CurveOverYears trend_curve(const QuantityHistory& series, const ToleranceOutlook* outlook) {
+  const double first_s = series.time_s[series.time_s.size() - series.trend->tests];
+  double end_s = series.trend->last_s + 0.25 * (series.trend->last_s - first_s);
+  if (outlook != nullptr && outlook->date.at_s)
+    end_s = std::max(end_s, outlook->date.latest_s.value_or(*outlook->date.at_s));
   constexpr int kPoints = 32;
   CurveOverYears curve;
   for (int i = 0; i < kPoints; ++i) {
     const double time_s = first_s + (end_s - first_s) * i / (kPoints - 1);
-    const double low = quantile(trend, time_s, 0.1587), high = quantile(trend, time_s, 0.8413);
+    const double low = quantile(*series.trend, time_s, 0.1587), high = quantile(*series.trend, time_s, 0.8413);
     curve.year.push_back(year_of(time_s));
     curve.values.push_back(0.5 * (low + high));
     curve.sigmas.push_back(0.5 * (high - low));
@@ -39,82 +37,123 @@ CurveOverYears trend_curve(const QuantityHistory& quantity, double first_s) {
   return curve;
 }
 
-DrawnQuantity drawn(const QuantityHistory& history, const std::vector<MachineTest>& tests) {
-  DrawnQuantity quantity{history.name, history.unit, {}, {}, {}, {}, {}};
-  for (const std::size_t i : history.tests) {
-    const auto found = std::find_if(tests[i].quantities.begin(), tests[i].quantities.end(),
-                                    [&](const TestQuantity& one) { return one.name == history.name; });
-    if (found == tests[i].quantities.end()) continue;
-    quantity.tests.year.push_back(year_of(static_cast<double>(*tests[i].started_s)));
-    quantity.tests.values.push_back(found->value);
-    quantity.tests.sigmas.push_back(found->sigma);
+// Dates of the steps that this quantity has part in.
+std::vector<double> marks_of(const MachineHistory& machine, std::size_t series) {
+  std::vector<double> marks;
+  for (const Finding& finding : machine.findings) {
+    if (finding.kind == FindingKind::trend || finding.kind == FindingKind::season) continue;
+    for (const FindingQuantity& quantity : finding.quantities) {
+      if (quantity.series == series) marks.push_back(year_of(0.5 * (finding.from_s + finding.to_s)));
+    }
   }
-  if (history.trend)
-    quantity.trend.value = trend_curve(history, static_cast<double>(*tests[history.tests.front()].started_s));
-  if (history.tolerance) {
-    quantity.lower.value = history.tolerance->lower;
-    quantity.upper.value = history.tolerance->upper;
+  return marks;
+}
+
+// In a ranking the curve that was found, with the scatter from test to test; of one machine the line of its trend.
+DrawnQuantity drawn_quantity(const MachineHistory& machine, std::size_t place, bool in_ranking) {
+  const QuantityHistory& series = machine.series[place];
+  const ToleranceOutlook* const outlook = outlook_for(machine, place);
+  const std::size_t n = series.value.size();
+  CurveOverYears tests{{}, series.value, in_ranking ? std::vector<double>(n, series.scatter) : series.sigma};
+  for (const double time_s : series.time_s) tests.year.push_back(year_of(time_s));
+  DrawnQuantity quantity{series.name, series.unit, tests, {}, {}, {}, {}};
+  if (in_ranking) {
+    quantity.name = fmt::format("{} {}", series.name, name_of(series.plane));
+    quantity.trend.value = CurveOverYears{tests.year, series.fitted, std::vector<double>(n, series.level_sigma)};
+  } else if (series.trend) {
+    quantity.trend.value = trend_curve(series, outlook);
+  }
+  const std::vector<double> marks = marks_of(machine, place);
+  if (in_ranking || !marks.empty()) quantity.marks.value = marks;
+  if (outlook != nullptr) {
+    quantity.lower.value = outlook->tolerance.lower;
+    quantity.upper.value = outlook->tolerance.upper;
   }
   return quantity;
 }
 
-// What to look at first: what meets its tolerance, what changed most, what has a trend.
-double weight_of(const QuantityHistory& quantity) {
-  if (quantity.date && (quantity.date->outlook == Outlook::beyond || quantity.date->outlook == Outlook::expected)) {
-    return 3e6;
+DrawnMachine drawn_machine(const MachineHistory& machine) {
+  DrawnMachine result{machine.name, machine.reason, {}, "", {}};
+  std::vector<bool> is_drawn(machine.series.size(), false);
+  const auto draw = [&](std::size_t place) {
+    if (is_drawn[place]) return;
+    is_drawn[place] = true;
+    result.quantities.push_back(drawn_quantity(machine, place, true));
+  };
+  for (const Finding& finding : machine.findings) {
+    result.findings.push_back(finding.sentence + ' ' + finding.remedy);
+    for (const FindingQuantity& quantity : finding.quantities) draw(quantity.series);
   }
-  if (quantity.change && quantity.change->significant) {
-    return 1e3 + std::min(1e5, std::abs(quantity.change->value) / std::max(quantity.change->sigma, 1e-12));
+  for (const ToleranceOutlook& tolerance : machine.tolerances) {
+    if (tolerance.date.outlook == Outlook::beyond || tolerance.date.outlook == Outlook::expected)
+      draw(tolerance.series);
   }
-  return quantity.trend && quantity.trend->significant ? 1e2 : quantity.name == "circularity" ? 1.0 : 0.0;
+  if (!result.quantities.empty()) result.first = result.quantities.front().name;
+  return result;
 }
 
-DrawnGroup drawn(const std::string& machine, const GroupHistory& history, const std::vector<MachineTest>& tests) {
-  DrawnGroup group{(machine.empty() ? "" : machine + ": ") + group_text(history.group),
+// What to look at first: what meets its tolerance, what stepped, what has a trend.
+int weight_of(const MachineHistory& machine, std::size_t place) {
+  const ToleranceOutlook* const outlook = outlook_for(machine, place);
+  if (outlook != nullptr && (outlook->date.outlook == Outlook::beyond || outlook->date.outlook == Outlook::expected)) {
+    return 4;
+  }
+  if (is_found(machine, place, false)) return 3;
+  if (is_found(machine, place, true)) return 2;
+  return machine.series[place].name == "circularity" ? 1 : 0;
+}
+
+DrawnGroup drawn_group(const MachineHistory& machine, std::size_t place) {
+  DrawnGroup group{(machine.name.empty() ? "" : machine.name + ": ") + group_text(machine.groups[place]),
                    "",
                    {},
                    {"quantity", "unit", "last", "change", "sigmas", "a year", "tolerance", "met"},
                    {}};
-  double most = -1.0;
-  for (const QuantityHistory& quantity : history.quantities) {
-    if (quantity.of_set_up) continue;
-    group.rows.push_back({quantity.name, quantity.unit,
-                          with_sigma(quantity.last_value, quantity.last_sigma, decimals_of(quantity.unit)),
-                          change_text(quantity), sigmas_text(quantity), trend_text(quantity), tolerance_text(quantity),
-                          met_text(quantity)});
-    if (quantity.tests.empty()) continue;
-    group.quantities.push_back(drawn(quantity, tests));
-    if (weight_of(quantity) <= most) continue;
-    most = weight_of(quantity);
-    group.first = quantity.name;
+  int most = -1;
+  for (std::size_t i = 0; i < machine.series.size(); ++i) {
+    if (machine.series[i].group != place) continue;
+    group.rows.push_back(quantity_row(machine, i));
+    group.quantities.push_back(drawn_quantity(machine, i, false));
+    if (weight_of(machine, i) <= most) continue;
+    most = weight_of(machine, i);
+    group.first = machine.series[i].name;
   }
   return group;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) {
-    if (!line.empty()) lines.push_back(line);
-  }
-  return lines;
+ReportHead head_of(const std::string& title, const std::vector<std::filesystem::path>& files,
+                   std::vector<std::string> summary) {
+  ReportHead head = report_head(title);
+  for (const std::filesystem::path& file : files) head.files.push_back(file.string());
+  head.summary = std::move(summary);
+  return head;
 }
 
 }  // namespace
 
-std::string history_page(const std::string& title, const TestFiles& files,
-                         const std::vector<MachineHistory>& machines) {
-  HistoryReport report{report_head(title), {}};
-  for (const std::filesystem::path& file : files.files) report.head.files.push_back(file.string());
+std::string history_page(const std::string& title, const TestFiles& files, const History& history,
+                         const MachineGeometry& geometry) {
+  if (history.machines.size() != 1) return ranking_page(title, files.files, history);
+  HistoryReport report{head_of(title, files.files, machine_conclusion(history)), {}};
   HistoryPart& part = report.history;
-  for (const MachineHistory& machine : machines) {
-    for (const std::string& line : lines_of(conclusion(machine))) report.head.summary.push_back(line);
-    for (const GroupHistory& group : machine.groups) part.groups.push_back(drawn(machine.machine, group, files.tests));
-    const GeometryTexts texts = geometry_texts(files, machine.geometry);
-    part.geometry.insert(part.geometry.end(), texts.sentences.begin(), texts.sentences.end());
-    part.geometry_rows.insert(part.geometry_rows.end(), texts.rows.begin(), texts.rows.end());
-  }
+  const MachineHistory& machine = history.machines.front();
+  for (std::size_t i = 0; i < machine.groups.size(); ++i) part.groups.push_back(drawn_group(machine, i));
+  const GeometryTexts texts = geometry_texts(files, geometry);
+  part.geometry = texts.sentences;
+  part.geometry_rows = texts.rows;
   for (const SkippedTest& test : files.skipped) part.skipped.push_back(test.sentence);
+  return page_of(json_of(report), nullptr);
+}
+
+std::string ranking_page(const std::string& title, const std::vector<std::filesystem::path>& files,
+                         const History& history, const std::vector<std::string>& remarks) {
+  FleetReport report{head_of(title, files, conclusion(history)), {ranking_heading(), {}, {}}};
+  report.head.summary.insert(report.head.summary.end(), remarks.begin(), remarks.end());
+  for (const MachineHistory& machine : history.machines) {
+    if (machine.need == Need::nothing) continue;
+    report.fleet.rows.push_back(ranking_row(machine));
+    if (report.fleet.machines.size() < kPictures) report.fleet.machines.push_back(drawn_machine(machine));
+  }
   return page_of(json_of(report), nullptr);
 }
 

@@ -1,15 +1,22 @@
 // The history as a page: apps/page/src/report.ts lists the keys.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "ballbar/history/history.hpp"
+#include "ballbar/history/machine_geometry.hpp"
 #include "history/test_files.hpp"
 
 namespace ballbar {
 
-// Bytes of the .html. `title`: of the folder.
-std::string history_page(const std::string& title, const TestFiles& files, const std::vector<MachineHistory>& machines);
+// Bytes of the .html. `title`: of the folder. One machine with all its quantities; several ranked.
+std::string history_page(const std::string& title, const TestFiles& files, const History& history,
+                         const MachineGeometry& geometry);
+
+// The ranking alone; `remarks`: sentences on what was not read, below the conclusion.
+std::string ranking_page(const std::string& title, const std::vector<std::filesystem::path>& files,
+                         const History& history, const std::vector<std::string>& remarks = {});
 
 }  // namespace ballbar

@@ -3,25 +3,8 @@
 #include <utility>
 
 namespace ballbar {
-namespace {
 
-using Tests = std::vector<MachineTest>;
-
-QuantityResult result_of(const QuantityHistory& quantity, const Tests& tests) {
-  QuantityResult result{quantity, {quantity.last_value, quantity.last_sigma, quantity.significant, {}}};
-  if (!quantity.tests.empty()) result.last.date.value = moment_of(tests[quantity.tests.back()].started_s);
-  return result;
-}
-
-GroupResult result_of(const GroupHistory& history, const Tests& tests) {
-  GroupResult result{history.group, {}, {}};
-  for (const std::size_t i : history.group.tests)
-    result.tests.push_back({tests[i].file, moment_of(tests[i].started_s), tests[i].stored});
-  for (const QuantityHistory& quantity : history.quantities) result.quantities.push_back(result_of(quantity, tests));
-  return result;
-}
-
-GeometryResult result_of(const MachineGeometry& geometry, const Tests& tests) {
+GeometryResult result_of(const MachineGeometry& geometry, const std::vector<MachineTest>& tests) {
   GeometryResult result{geometry.within_a_day,
                         {},
                         geometry.scales,
@@ -36,18 +19,37 @@ GeometryResult result_of(const MachineGeometry& geometry, const Tests& tests) {
   return result;
 }
 
-}  // namespace
+std::vector<FindingResult> findings_of(const MachineHistory& machine) {
+  std::vector<FindingResult> findings;
+  for (const Finding& finding : machine.findings) {
+    FindingResult one{finding, {}};
+    for (const FindingQuantity& quantity : finding.quantities)
+      one.quantities.push_back({machine.series[quantity.series], quantity});
+    findings.push_back(std::move(one));
+  }
+  return findings;
+}
 
-HistoryResult result_of(const TestFiles& files, const std::vector<MachineHistory>& machines) {
-  HistoryResult result{{}, {}, files.remarks, files.skipped};
-  for (const MachineHistory& machine : machines) {
-    MachineResult one{machine.machine, machine.changes, machine.trends, {}, result_of(machine.geometry, files.tests)};
-    for (const GroupHistory& group : machine.groups) one.groups.push_back(result_of(group, files.tests));
-    result.machines.push_back(std::move(one));
+std::vector<OfSeries<ToleranceOutlook>> tolerances_of(const MachineHistory& machine) {
+  std::vector<OfSeries<ToleranceOutlook>> tolerances;
+  for (const ToleranceOutlook& tolerance : machine.tolerances)
+    tolerances.push_back({machine.series[tolerance.series], tolerance});
+  return tolerances;
+}
+
+std::vector<BarChangeResult> bar_changes_of(const History& history) {
+  std::vector<BarChangeResult> changes;
+  for (const BarChange& change : history.bar_changes) {
+    BarChangeResult one{change, {}};
+    for (const std::size_t place : change.machines) one.machines.push_back(history.machines[place].name);
+    changes.push_back(std::move(one));
   }
-  for (const MachineTest& test : files.tests) {
-    if (!test.started_s) result.without_date.push_back(test.file);
-  }
+  return changes;
+}
+
+HistoryResult result_of(const TestFiles& files, const History& history, const MachineGeometry& geometry) {
+  HistoryResult result{history, {}, files.remarks, files.skipped};
+  if (history.machines.size() == 1) result.geometry.value = result_of(geometry, files.tests);
   return result;
 }
 

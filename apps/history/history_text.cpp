@@ -3,24 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "history/conclusion.hpp"
 #include "history/geometry_text.hpp"
 #include "history/quantity_text.hpp"
+#include "history/ranking_text.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
 namespace {
 
+constexpr std::array kColumns{"quantity", "unit", "last", "change", "sigmas", "a year", "tolerance", "met"};
+
 // Whether its row is shown without --all.
-bool says_something(const QuantityHistory& quantity, const std::string& squareness) {
-  if (quantity.of_set_up) return false;
-  if (quantity.name == "circularity" || quantity.name == "residual_rms" || quantity.name == squareness) return true;
-  if (quantity.tolerance || (quantity.change && quantity.change->significant)) return true;
-  if (quantity.trend && quantity.trend->significant) return true;
-  if (quantity.name == "global_scale") return false;  // the scales of both axes hold it
-  return quantity.significant || !std::isfinite(quantity.last_sigma);
+bool has_something_to_state(const MachineHistory& machine, std::size_t place) {
+  const QuantityHistory& series = machine.series[place];
+  if (series.name == "circularity" || series.name == "residual_rms" || series.name == "squareness") return true;
+  if (outlook_for(machine, place) != nullptr) return true;
+  if (is_found(machine, place, true) || is_found(machine, place, false)) return true;
+  if (series.name == "global_scale") return false;  // the scales of both axes hold it
+  return series.significant || !std::isfinite(series.sigma.back());
 }
 
 std::string first_and_last(const std::vector<MachineTest>& tests, const std::vector<std::size_t>& places) {
@@ -35,52 +38,61 @@ std::string first_and_last(const std::vector<MachineTest>& tests, const std::vec
   return first == last ? first : fmt::format("{} to {}", first, last);
 }
 
-std::string group_table(const TestFiles& files, const GroupHistory& history, bool all) {
-  const std::vector<std::size_t>& places = history.group.tests;
-  const MachineTest& newest = files.tests[places.back()];
-  const std::string squareness = newest.squareness ? newest.squareness->name : "";
-  const auto stored = static_cast<std::size_t>(
-      std::count_if(places.begin(), places.end(), [&](std::size_t i) { return files.tests[i].stored; }));
-  std::string text =
-      fmt::format("{}; {}, {}{}\n", group_text(history.group), several(places.size(), "test"),
-                  first_and_last(files.tests, places), stored == 0 ? "" : fmt::format(", {} of stored values", stored));
-  const bool any_change = std::any_of(history.quantities.begin(), history.quantities.end(),
-                                      [](const QuantityHistory& one) { return one.change.has_value(); });
-  const bool any_trend = std::any_of(history.quantities.begin(), history.quantities.end(),
-                                     [](const QuantityHistory& one) { return one.trend.has_value(); });
-  const bool any_tolerance = std::any_of(history.quantities.begin(), history.quantities.end(),
-                                         [](const QuantityHistory& one) { return one.tolerance.has_value(); });
-  std::vector<std::string> heading{"quantity", "unit", "last"};
-  if (any_change) heading.insert(heading.end(), {"change", "sigmas"});
-  if (any_trend) heading.emplace_back("a year");
-  if (any_tolerance) heading.insert(heading.end(), {"tolerance", "met"});
+// Rows without the columns in which no row has anything.
+std::string table_of_rows(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> columns;
+  std::vector<std::string> heading;
+  for (std::size_t k = 0; k < kColumns.size(); ++k) {
+    const bool is_empty = std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return row[k] == "-"; });
+    if (is_empty) continue;
+    columns.push_back(k);
+    heading.emplace_back(kColumns[k]);
+  }
   Table table(heading);
+  for (const std::vector<std::string>& row : rows) {
+    std::vector<std::string> cells;
+    for (const std::size_t k : columns) cells.push_back(row[k]);
+    table.add(cells);
+  }
+  return table.text();
+}
+
+std::string group_text(const TestFiles& files, const MachineHistory& machine, std::size_t group, bool all) {
+  const std::vector<std::size_t>& places = machine.groups[group].tests;
+  const auto stored = std::count_if(places.begin(), places.end(), [&](std::size_t i) { return files.tests[i].stored; });
+  std::string text =
+      fmt::format("{}; {}, {}{}\n", group_text(machine.groups[group]), several(places.size(), "test"),
+                  first_and_last(files.tests, places), stored == 0 ? "" : fmt::format(", {} of stored values", stored));
+  std::vector<std::vector<std::string>> rows;
   std::size_t left_out = 0;
-  for (const QuantityHistory& quantity : history.quantities) {
-    if (!all && !says_something(quantity, squareness)) {
-      if (!quantity.of_set_up) ++left_out;
-      continue;
+  for (std::size_t i = 0; i < machine.series.size(); ++i) {
+    if (machine.series[i].group != group) continue;
+    if (all || has_something_to_state(machine, i)) {
+      rows.push_back(quantity_row(machine, i));
+    } else {
+      ++left_out;
     }
-    std::vector<std::string> row{quantity.name, quantity.unit,
-                                 with_sigma(quantity.last_value, quantity.last_sigma, decimals_of(quantity.unit))};
-    if (any_change) row.insert(row.end(), {change_text(quantity), sigmas_text(quantity)});
-    if (any_trend) row.push_back(trend_text(quantity));
-    if (any_tolerance) row.insert(row.end(), {tolerance_text(quantity), met_text(quantity)});
-    table.add(row);
   }
-  text += table.text();
-  if (left_out > 0) {
-    text += fmt::format("{} more: not significant, unchanged, no trend (--all).\n", left_out);
-  }
+  if (!rows.empty()) text += table_of_rows(rows);
+  if (left_out > 0) text += fmt::format("{} more: not significant, nothing found (--all).\n", left_out);
   return text + '\n';
 }
 
-std::vector<std::size_t> tests_of(const MachineHistory& machine) {
-  std::vector<std::size_t> places;
-  for (const GroupHistory& group : machine.groups) {
-    places.insert(places.end(), group.group.tests.begin(), group.group.tests.end());
-  }
-  return places;
+std::string machine_text(const TestFiles& files, const History& history, const MachineGeometry& geometry, bool all) {
+  const MachineHistory& machine = history.machines.front();
+  std::vector<std::size_t> places(files.tests.size());
+  for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;
+  std::string text = fmt::format("{}{}, {}, {}\n\n", machine.name.empty() ? "" : shortened(machine.name, 80) + ": ",
+                                 several(places.size(), "test"), several(machine.groups.size(), "group"),
+                                 first_and_last(files.tests, places));
+  for (const std::string& line : machine_conclusion(history)) text += wrapped(line);
+  text += '\n';
+  for (std::size_t group = 0; group < machine.groups.size(); ++group) text += group_text(files, machine, group, all);
+  text += geometry_text(files, geometry);
+  return text +
+         wrapped(
+             "± is one sigma, of the fit or, of a trend, with the scatter of the tests about it; * found. Stored "
+             "values have none (?). Change: since the value before, and over the sigmas of both fits.");
 }
 
 // Names of some, then how many more.
@@ -95,25 +107,45 @@ std::string list_text(const Names& names) {
 
 }  // namespace
 
-std::string history_text(const TestFiles& files, const std::vector<MachineHistory>& machines, bool all) {
-  std::string text;
-  for (const MachineHistory& machine : machines) {
-    const std::vector<std::size_t> places = tests_of(machine);
-    text += fmt::format("{}{}, {}, {}\n\n", machine.machine.empty() ? "" : shortened(machine.machine, 80) + ": ",
-                        several(places.size(), "test"), several(machine.groups.size(), "group"),
-                        first_and_last(files.tests, places));
-    text += conclusion(machine) + '\n';
-    for (const GroupHistory& group : machine.groups) text += group_table(files, group, all);
-    text += geometry_text(files, machine.geometry);
+std::vector<std::string> machine_conclusion(const History& history) {
+  const MachineHistory& machine = history.machines.front();
+  std::vector<std::string> lines{machine.reason};
+  for (std::size_t i = 0; i < machine.findings.size(); ++i) {
+    const Finding& finding = machine.findings[i];
+    lines.push_back((machine.reason_finding == i ? "" : finding.sentence + ' ') + finding.remedy);
   }
-  text += wrapped(
-      "± is one sigma, of the fit or, of a trend, with the scatter of the tests about it; * more than 2.6 of them. "
-      "Stored values have none (?). Change: since the test before of the group.");
-  std::vector<std::string> undated;
-  for (const MachineTest& test : files.tests) {
-    if (!test.started_s) undated.push_back(test.file);
+  lines.push_back(questions_text(history));
+  return lines;
+}
+
+std::vector<std::string> quantity_row(const MachineHistory& machine, std::size_t series) {
+  const QuantityHistory& one = machine.series[series];
+  const int decimals = decimals_of(one.unit);
+  std::vector<std::string> row{one.name, one.unit, with_sigma(one.value.back(), one.sigma.back(), decimals)};
+  if (one.value.size() > 1) {
+    const std::size_t last = one.value.size() - 1;
+    const double change = one.value[last] - one.value[last - 1];
+    const double sigmas = std::abs(change) / std::hypot(one.sigma[last], one.sigma[last - 1]);
+    row.push_back(signed_text(change, decimals) + (is_found(machine, series, false) ? " *" : ""));
+    row.push_back(std::isfinite(sigmas) ? fmt::format("{:.1f}", sigmas) : "-");
+  } else {
+    row.insert(row.end(), {"-", "-"});
   }
-  if (!undated.empty()) text += "\nWithout a date, in no change and no trend:\n" + list_text(undated);
+  row.push_back(one.trend ? with_sigma(one.trend->rate_per_year, one.trend->sigma_per_year, decimals) +
+                                (is_found(machine, series, true) ? " *" : "")
+                          : "-");
+  const ToleranceOutlook* const outlook = outlook_for(machine, series);
+  row.push_back(outlook == nullptr ? "-" : tolerance_text(outlook->tolerance));
+  row.push_back(outlook == nullptr ? "-" : outlook_text(*outlook));
+  return row;
+}
+
+std::string history_text(const TestFiles& files, const History& history, const MachineGeometry& geometry, bool all) {
+  std::string text =
+      history.machines.size() == 1 ? machine_text(files, history, geometry, all) : ranking_text(history, all);
+  if (!history.without_date.empty()) {
+    text += "\nWithout a date, in no change and no trend:\n" + list_text(history.without_date);
+  }
   std::vector<std::string> sentences;
   sentences.reserve(files.skipped.size());
   for (const SkippedTest& file : files.skipped) sentences.push_back(file.sentence);

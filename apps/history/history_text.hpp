@@ -5,11 +5,18 @@
 #include <vector>
 
 #include "ballbar/history/history.hpp"
+#include "ballbar/history/machine_geometry.hpp"
 #include "history/test_files.hpp"
 
 namespace ballbar {
 
-// The conclusion, a table a group, squareness and scales, skipped files. `all`: quantities that say nothing too.
-std::string history_text(const TestFiles& files, const std::vector<MachineHistory>& machines, bool all);
+// Of one machine the conclusion, a table a group, squareness and scales; of several the ranking; then what has no date
+// and what was skipped. `all`: quantities without anything to state, and all machines, too.
+std::string history_text(const TestFiles& files, const History& history, const MachineGeometry& geometry, bool all);
+
+// One machine for a page and the text: what stands above the tables, and the rows of the table of a group, whose
+// columns are quantity, unit, last, change, sigmas, a year, tolerance, met; "-" where there is nothing to state.
+std::vector<std::string> machine_conclusion(const History& history);
+std::vector<std::string> quantity_row(const MachineHistory& machine, std::size_t series);
 
 }  // namespace ballbar

@@ -3,6 +3,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 
@@ -23,7 +24,6 @@ std::string group_text(const TestGroup& group) {
   if (group.feed_mm_per_min) text += fmt::format(", {:.0f} mm/min", *group.feed_mm_per_min);
   text += fmt::format(", {:.0f} deg", group.arc_deg);
   if (group.arc_deg < 359.0) text += fmt::format(" from {:.0f}", group.start_deg);
-  if (!group.bar.empty()) text += ", bar " + group.bar;
   return text;
 }
 
@@ -47,50 +47,41 @@ std::string signed_text(double value, int decimals) {
   return text.starts_with('-') ? text : '+' + text;
 }
 
-std::string change_text(const QuantityHistory& quantity) {
-  if (!quantity.change) return "-";
-  const QuantityChange& change = *quantity.change;
-  return signed_text(change.value, decimals_of(quantity.unit)) + (change.significant ? " *" : "");
-}
-
-std::string sigmas_text(const QuantityHistory& quantity) {
-  if (!quantity.change || !std::isfinite(quantity.change->sigma)) return "-";
-  const double sigmas = std::abs(quantity.change->value) / quantity.change->sigma;
-  return std::isfinite(sigmas) ? fmt::format("{:.1f}", sigmas) : "-";
-}
-
-std::string trend_text(const QuantityHistory& quantity) {
-  if (!quantity.trend) return "-";
-  return with_sigma(quantity.trend->rate_per_year, quantity.trend->sigma_per_year, decimals_of(quantity.unit)) +
-         (quantity.trend->significant ? " *" : "");
-}
-
-std::string tolerance_text(const QuantityHistory& quantity) {
-  if (!quantity.tolerance) return "-";
-  const auto& [name, lower, upper] = *quantity.tolerance;
+std::string tolerance_text(const Tolerance& tolerance) {
+  const auto& [name, lower, upper] = tolerance;
   if (lower && upper && *lower == -*upper) return fmt::format("± {:g}", *upper);
   if (lower && upper) return fmt::format("{:g} to {:g}", *lower, *upper);
   return lower ? fmt::format("from {:g}", *lower) : fmt::format("to {:g}", upper.value_or(0.0));
 }
 
-std::string expected_text(const ToleranceDate& date) {
-  return fmt::format("{} ({} to {})", date_text(*date.at_s), date_text(*date.earliest_s),
-                     date.latest_s ? date_text(*date.latest_s) : "open");
-}
-
-std::string met_text(const QuantityHistory& quantity) {
-  if (!quantity.date) return "-";
-  switch (quantity.date->outlook) {
+std::string outlook_text(const ToleranceOutlook& one) {
+  const ToleranceDate& date = one.date;
+  switch (date.outlook) {
     case Outlook::beyond:
       return "beyond it";
     case Outlook::no_trend:
-      return "no trend";
+      return one.last_alone ? "the last test alone beyond it" : "no trend";
     case Outlook::away:
       return fmt::format("not within {:g} years", kForecast_years);
     case Outlook::expected:
-      return expected_text(*quantity.date);
+      return fmt::format("{} ({} to {})", date_text(*date.at_s), date_text(*date.earliest_s),
+                         date.latest_s ? date_text(*date.latest_s) : "open");
   }
   return "-";
+}
+
+const ToleranceOutlook* outlook_for(const MachineHistory& machine, std::size_t series) {
+  const auto found = std::find_if(machine.tolerances.begin(), machine.tolerances.end(),
+                                  [&](const ToleranceOutlook& one) { return one.series == series; });
+  return found == machine.tolerances.end() ? nullptr : &*found;
+}
+
+bool is_found(const MachineHistory& machine, std::size_t series, bool lasting) {
+  return std::any_of(machine.findings.begin(), machine.findings.end(), [&](const Finding& finding) {
+    if (finding.kind == FindingKind::season || (finding.kind == FindingKind::trend) != lasting) return false;
+    return std::any_of(finding.quantities.begin(), finding.quantities.end(),
+                       [&](const FindingQuantity& one) { return one.series == series; });
+  });
 }
 
 std::string_view name_of(Outlook outlook) {
@@ -105,11 +96,6 @@ std::string_view name_of(Outlook outlook) {
       return "expected";
   }
   return "";
-}
-
-std::string value_text(const QuantityHistory& quantity) {
-  return fmt::format("{} {} {}", quantity.name,
-                     with_sigma(quantity.last_value, quantity.last_sigma, decimals_of(quantity.unit)), quantity.unit);
 }
 
 }  // namespace ballbar

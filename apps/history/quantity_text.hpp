@@ -1,4 +1,4 @@
-// How a quantity, its change, its trend and its tolerance are written, with dates and groups.
+// How quantities, tolerances, dates and groups are written.
 #pragma once
 
 #include <cstddef>
@@ -20,15 +20,15 @@ std::string several(std::size_t count, std::string_view what);  // "1 test", "2 
 int decimals_of(const std::string& unit);
 std::string signed_text(double value, int decimals);
 
-// Cells of a table; "-" where there is nothing to say.
-std::string change_text(const QuantityHistory& quantity);  // "+1.00 *"
-std::string sigmas_text(const QuantityHistory& quantity);
-std::string trend_text(const QuantityHistory& quantity);
-std::string tolerance_text(const QuantityHistory& quantity);
-std::string met_text(const QuantityHistory& quantity);
+// Cells of a table; "-" where there is nothing to state.
+std::string tolerance_text(const Tolerance& tolerance);  // "± 5"
+std::string outlook_text(const ToleranceOutlook& one);   // "2027-03-01 (2026-11-05 to 2027-10-20)"
 
-std::string_view name_of(Outlook outlook);                // as in JSON: "expected"
-std::string value_text(const QuantityHistory& quantity);  // name, value, sigma, unit
-std::string expected_text(const ToleranceDate& date);     // "2027-03-01 (2026-11-05 to 2027-10-20)"
+std::string_view name_of(Outlook outlook);  // as in JSON: "expected"
+
+// The outlook of a series; nullptr: it has no tolerance.
+const ToleranceOutlook* outlook_for(const MachineHistory& machine, std::size_t series);
+// Whether a finding of such a kind names the series.
+bool is_found(const MachineHistory& machine, std::size_t series, bool lasting);
 
 }  // namespace ballbar

@@ -57,8 +57,8 @@ std::vector<ReadFile> found_files(const std::vector<std::string>& paths) {
   return files;
 }
 
-// part(i) of every i < count. How far it is is said by the thread that called, where a program that called may end it.
-void in_parallel_told(const char* what, std::size_t count, const std::function<void(std::size_t)>& part) {
+// part(i) of every i < count. The thread that called shows how far it is, where a program that called may end it.
+void parallel_with_progress(const char* what, std::size_t count, const std::function<void(std::size_t)>& part) {
   const ProgressLine progress;
   const std::thread::id here = std::this_thread::get_id();
   std::atomic<std::size_t> done{0};
@@ -128,12 +128,12 @@ void read(ReadFile& file, const StatedCircle& stated) {
 
 // Both directions of one test, one after the other.
 bool are_one_test(const ReadFile& first, const ReadFile& second) {
-  constexpr std::int64_t kApart_s = 3600;
+  constexpr std::int64_t kPairGap_s = 3600;
   if (!first.log || !second.log || first.path.parent_path() != second.path.parent_path()) return false;
   if (!are_both_directions(*first.log, *second.log)) return false;
   const auto &one = first.log->started_s, &other = second.log->started_s;
   if (one.has_value() != other.has_value()) return false;
-  return !one || std::abs(*one - *other) <= kApart_s;
+  return !one || std::abs(*one - *other) <= kPairGap_s;
 }
 
 void fit_logs(std::vector<ReadFile>& files) {
@@ -146,7 +146,7 @@ void fit_logs(std::vector<ReadFile>& files) {
     tests.push_back({i, i + 1 < files.size() && are_one_test(files[i], files[i + 1]) ? 2U : 1U});
     i += tests.back().count - 1;
   }
-  in_parallel_told("fitting log", tests.size(), [&](std::size_t k) {
+  parallel_with_progress("fitting log", tests.size(), [&](std::size_t k) {
     ReadFile& file = files[tests[k].first];
     std::vector<Recording> recordings;
     recordings.reserve(tests[k].count);
@@ -180,7 +180,7 @@ std::size_t hash_of(const MachineTest& test) {
 
 TestFiles tests_below(const std::vector<std::string>& paths, bool strict, const StatedCircle& stated) {
   std::vector<ReadFile> files = found_files(paths);
-  in_parallel_told("reading file", files.size(), [&](std::size_t i) { read(files[i], stated); });
+  parallel_with_progress("reading file", files.size(), [&](std::size_t i) { read(files[i], stated); });
   fit_logs(files);
   TestFiles found;
   std::unordered_multimap<std::size_t, std::size_t> known;  // places in tests by hash

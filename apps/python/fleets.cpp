@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "ballbar/history/fleet.hpp"
-#include "history/fleet_page.hpp"
-#include "history/fleet_result.hpp"
-#include "history/fleet_text.hpp"
+#include "ballbar/history/history.hpp"
+#include "history/history_page.hpp"
 #include "history/history_result.hpp"
+#include "history/ranking_text.hpp"
 #include "history/test_files.hpp"
+#include "history/test_result.hpp"
 #include "python/arrays.hpp"
 #include "python/progress.hpp"
 #include "python/to_python.hpp"
@@ -97,12 +97,12 @@ std::vector<MachineTest> tests_of(const Texts& texts, const Columns& columns,
 }
 
 // The keys of its JSON, the text for a terminal, and the page where a title is given. `remarks`: on what the columns
-// lack, said below the conclusion.
+// lack, printed below the conclusion.
 py::tuple fleet(const Texts& texts, const Columns& columns,
                 const std::vector<std::pair<std::string, std::string>>& quantities,
                 const std::map<std::string, double>& tolerances, double false_discovery_rate,
                 const std::optional<std::string>& title, const std::vector<std::string>& remarks) {
-  FleetOptions options;
+  HistoryOptions options;
   options.false_discovery_rate = false_discovery_rate;
   for (const auto& [name, limit] : tolerances) options.tolerances.push_back({name, -limit, limit});
   nlohmann::ordered_json json;
@@ -110,14 +110,14 @@ py::tuple fleet(const Texts& texts, const Columns& columns,
   {
     const py::gil_scoped_release free;
     const std::vector<MachineTest> tests = tests_of(texts, columns, quantities);
-    const Fleet found = fleet_of(tests, options);
+    const History found = history_of(tests, options);
     json = json_of(found);
-    text = fleet_text(found, false, remarks);
+    text = ranking_text(found, false, remarks);
     if (title) {
       std::vector<std::filesystem::path> files;
       files.reserve(tests.size());
       for (const MachineTest& test : tests) files.emplace_back(test.file);
-      page = fleet_page(*title, files, found, remarks);
+      page = ranking_page(*title, files, found, remarks);
     }
   }
   return py::make_tuple(to_python(json), text, page);

@@ -27,9 +27,9 @@
 #include "diagnose/inject_result.hpp"
 #include "diagnose/machine_errors_result.hpp"
 #include "diagnose/revision_results.hpp"
-#include "history/fleet_result.hpp"
 #include "history/history_result.hpp"
 #include "history/page_parts.hpp"
+#include "history/test_result.hpp"
 #include "logs/log_results.hpp"
 #include "mean_point/meanpoint_result.hpp"
 #include "measure/comparison_result.hpp"
@@ -56,27 +56,26 @@ std::string typescript_file(const std::vector<ResultSchema>& schemas) {
 
 // What functions of Python answer.
 std::vector<PythonClass> python_classes() {
-  return {
-      {"Fitted", "fit", {"Fitted"}},
-      {"Errors", "errors", {"Errors"}},
-      {"RankedErrors", "errors", {"RankedErrors", "RankedErrorsOfGroups"}},
-      {"Drift", "drift", {"Drift", "DriftOfProbes"}},
-      {"Comparison", "compare", {"Comparison"}},
-      {"History", "history", {"History"}},
-      {"Imported", "import_log", {"Imported", "Merged"}},
-      {"Simulated", "simulate", {"Simulated", "SimulatedFleet"}},
-      {"Effects", "effects", {"Effects", "Effect"}},
-      {"Preflight", "preflight", {"Preflight", "PreflightTargets"}},
-      {"Checked", "check", {"Checked", "CheckedTargets"}},
-      {"Diagnosis", "diagnose", {"Diagnosed", "DiagnosedTargets"}, "Checked"},
-      {"Plan", "plan", {"Plan"}},
-      {"Trained", "train", {"Trained", "TrainedOnEffects"}},
-      {"Selected", "select", {"Selected"}},
-      {"Predicted", "predict", {"Predicted", "PredictedJob", "PredictedByEffects"}},
-      {"Report", "report", {"Report"}},
-      {"Tried", "try_effect", {"Tried"}},
-      {"Added", "add", {"Added"}},
-      {"Injected", "inject", {"Injected"}}};
+  return {{"Fitted", "fit", {"Fitted"}},
+          {"Errors", "errors", {"Errors"}},
+          {"RankedErrors", "errors", {"RankedErrors", "RankedErrorsOfGroups"}},
+          {"Drift", "drift", {"Drift", "DriftOfProbes"}},
+          {"Comparison", "compare", {"Comparison"}},
+          {"History", "history", {"History"}},
+          {"Imported", "import_log", {"Imported", "Merged"}},
+          {"Simulated", "simulate", {"Simulated", "SimulatedFleet"}},
+          {"Effects", "effects", {"Effects", "Effect"}},
+          {"Preflight", "preflight", {"Preflight", "PreflightTargets"}},
+          {"Checked", "check", {"Checked", "CheckedTargets"}},
+          {"Diagnosis", "diagnose", {"Diagnosed", "DiagnosedTargets"}, "Checked"},
+          {"Plan", "plan", {"Plan"}},
+          {"Trained", "train", {"Trained", "TrainedOnEffects"}},
+          {"Selected", "select", {"Selected"}},
+          {"Predicted", "predict", {"Predicted", "PredictedJob", "PredictedByEffects"}},
+          {"Report", "report", {"Report"}},
+          {"Tried", "try_effect", {"Tried"}},
+          {"Added", "add", {"Added"}},
+          {"Injected", "inject", {"Injected"}}};
 }
 
 std::string python_file(const std::vector<ResultSchema>& schemas) {
@@ -117,7 +116,7 @@ int run(const std::filesystem::path& folder, bool update) {
   const std::vector<ResultSchema> schemas =
       schemas_of<DiagnosisReport, DiagnosedTargets, ErrorsOfOne, ErrorsOfSeveral, PosteriorSoFar, Looked, Followed,
                  CheckedTargets, PreflightTargets, EffectPages, TestPlan, EffectTest, Added, Ledger, Undone,
-                 InjectedResult, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult, Fleet,
+                 InjectedResult, Fitted, DriftOfSession, FiveProbeDrift, Comparison, TestFiles, HistoryResult, History,
                  ImportedLog, MergedLogs, SimulatedRun, SimulatedFleet, TrainedOnBatches, TrainedOnEffects,
                  SelectedBatches, PredictedSeries, PredictedJob, PredictedByEffects, ReplayResult, MadeSets, NextRun,
                  ScoredSets, MeanPointsResult, MeanPointPart, PageReport, ModelPart, HeldPart, RevisedPart,

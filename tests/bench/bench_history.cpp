@@ -9,6 +9,7 @@
 
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/history/history.hpp"
+#include "ballbar/history/machine_geometry.hpp"
 #include "bench_data.hpp"
 #include "history/history_text.hpp"
 #include "history/test_files.hpp"
@@ -36,9 +37,12 @@ struct Folder {
 void history_of_folder(benchmark::State& state) {
   const int files = number_of_files();
   const Folder folder(files);
+  ballbar::HistoryOptions how;
+  how.every_quantity = true;
   for (auto _ : state) {
     const ballbar::TestFiles tests = ballbar::read_tests({folder.path.string()}, true);
-    benchmark::DoNotOptimize(ballbar::history_text(tests, ballbar::history_of(tests.tests), false));
+    benchmark::DoNotOptimize(ballbar::history_text(tests, ballbar::history_of(tests.tests, how),
+                                                   ballbar::machine_geometry(tests.tests), false));
   }
   state.SetItemsProcessed(state.iterations() * files);
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ballbar/formats/recordings/recording_file.hpp"
+#include "ballbar/history/machine_geometry.hpp"
 #include "external_data.hpp"
 #include "history/stored_test.hpp"
 #include "history/test_files.hpp"
@@ -39,10 +40,10 @@ TEST(history_of_measured_files, scales_and_squareness_are_those_stored) {
     }
   }
   EXPECT_EQ(compared, 2u) << "of the arc of 220 deg the file declines both";
-  const auto machines = history_of(files.tests);
-  ASSERT_EQ(machines.size(), 1u);
-  EXPECT_EQ(machines[0].groups.size(), 2u);
-  EXPECT_FALSE(machines[0].geometry.within_a_day);
+  const History history = history_of(files.tests);
+  ASSERT_EQ(history.machines.size(), 1u);
+  EXPECT_EQ(history.machines[0].groups.size(), 2u);
+  EXPECT_FALSE(machine_geometry(files.tests).within_a_day);
 }
 
 }  // namespace

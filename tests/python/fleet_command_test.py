@@ -1,4 +1,4 @@
-"""`ballbar fleet` as a command: what it writes, its sentences and its status."""
+"""`ballbar history` with Dask as a command: what it writes, its sentences and its status."""
 import contextlib
 import io
 import json
@@ -14,24 +14,25 @@ from unittest import mock
 
 import ballbar
 from ballbar import fleet
-from ballbar.__main__ import fleet as command
+from ballbar.__main__ import history as command
 from fleet_test import plant
 
 
 def ran(*words):
     """Status, stdout, stderr."""
-    out, told = io.StringIO(), io.StringIO()
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(told), warnings.catch_warnings():
+    out, remarks = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(remarks), warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of other packages, which unittest would show
         try:
             status = command([str(word) for word in words])
         except SystemExit as end:
             status = end.code
-    return status, out.getvalue(), told.getvalue()
+    return status, out.getvalue(), remarks.getvalue()
 
 
 def started(*words, stdout=subprocess.PIPE, **environment):
-    return subprocess.Popen([sys.executable, "-m", "ballbar", "fleet", *words], stdout=stdout, stderr=subprocess.PIPE,
+    run = "import sys; from ballbar.__main__ import history; sys.exit(history(sys.argv[1:]))"  # as the program does
+    return subprocess.Popen([sys.executable, "-c", run, *words], stdout=stdout, stderr=subprocess.PIPE,
                             env=dict(os.environ, **environment), start_new_session=True)
 
 
@@ -47,8 +48,8 @@ class Command(unittest.TestCase):
 
     def test_what_it_writes(self):
         outs = [f"{self.scratch.name}/{name}" for name in ("a.csv", "a.json", "a.html", "b.html")]
-        status, out, told = ran(self.plant, *(word for path in outs for word in ("--out", path)))
-        self.assertEqual((status, told), (0, "6 files read\n" + "".join(f"wrote {path}\n" for path in outs)))
+        status, out, remarks = ran(self.plant, *(word for path in outs for word in ("--out", path)))
+        self.assertEqual((status, remarks), (0, "6 files read\n" + "".join(f"wrote {path}\n" for path in outs)))
         self.assertIn("of 2 machines", out)
         with open(outs[1], encoding="utf-8") as file:
             keys = json.load(file)
@@ -56,17 +57,17 @@ class Command(unittest.TestCase):
         with open(outs[2], encoding="utf-8") as one, open(outs[3], encoding="utf-8") as other:
             self.assertEqual(one.read(), other.read())
 
-    def test_what_is_lacking_is_said(self):
+    def test_what_is_lacking(self):
         with open(f"{self.plant}/m0/broken.b5r", "w", encoding="utf-8") as file:
             file.write("<?xml version='1.0'?><nothing/>")
         page, missing = f"{self.scratch.name}/a.html", f"{self.scratch.name}/none.b5r"
-        status, out, told = ran(self.plant, missing, "--out", page)
+        status, out, remarks = ran(self.plant, missing, "--out", page)
         self.assertEqual(status, 1)
-        self.assertIn(f"{missing}: not read: No such file or directory.\n7 files read\n", told)
-        said = ["This is a part of the whole: 1 file could not be read.", "Passed over for a fault: 1 file."]
+        self.assertIn(f"{missing}: not read: No such file or directory.\n7 files read\n", remarks)
+        sentences = ["This is a part of the whole: 1 file could not be read.", "Passed over for a fault: 1 file."]
         with open(page, encoding="utf-8") as file:
             text = file.read()
-        for sentence in said:
+        for sentence in sentences:
             self.assertIn(sentence, out)
             self.assertIn(sentence, text)
         keys = json.loads(ran(self.plant, missing, "--json")[1])
@@ -84,9 +85,9 @@ class Command(unittest.TestCase):
         ):
             os.makedirs(self.table, exist_ok=True)
             with mock.patch.object(fleet, "update") as update:
-                status, out, told = ran(*words)
+                status, out, remarks = ran(*words)
             self.assertEqual((status, out), (1, ""))
-            self.assertRegex(told, f"^ballbar: --out [^ ]*: {sentence}.*\n$")
+            self.assertRegex(remarks, f"^ballbar: --out [^ ]*: {sentence}.*\n$")
             update.assert_not_called()
         with open(source, encoding="utf-8-sig") as file:
             self.assertEqual(file.read(), before)
@@ -102,10 +103,10 @@ class Command(unittest.TestCase):
         for path in outs:
             resource.setrlimit(resource.RLIMIT_FSIZE, (100, limits[1]))
             try:
-                status, _, told = ran(self.plant, "--table", self.table, "--out", path)
+                status, _, remarks = ran(self.plant, "--table", self.table, "--out", path)
             finally:
                 resource.setrlimit(resource.RLIMIT_FSIZE, limits)
-            self.assertEqual((status, told), (1, f"ballbar: --out {path}: could not be written: File too large; it is as it was.\n"))
+            self.assertEqual((status, remarks), (1, f"ballbar: --out {path}: could not be written: File too large; it is as it was.\n"))
             with open(path, encoding="utf-8") as file:
                 self.assertEqual(file.read(), "the former one")
         self.assertEqual([name for name in os.listdir(self.scratch.name) if name.startswith(".")], [])
@@ -121,7 +122,7 @@ class Command(unittest.TestCase):
             (["--table", ""], '--table: expected a value, found ""'),
             (["--tab", "x"], "unrecognized arguments: --tab x"),
         ):
-            self.assertEqual(ran(self.plant, *words), (2, "", f"ballbar: {sentence}; see ballbar fleet --help\n"))
+            self.assertEqual(ran(self.plant, *words), (2, "", f"ballbar: {sentence}; see ballbar history --help\n"))
 
     def test_one_sentence(self):
         for words, sentence in (
@@ -144,8 +145,8 @@ class Command(unittest.TestCase):
             done = started(self.plant, stdout=full)
             self.assertEqual((done.communicate()[1], done.returncode), (b"ballbar: output: No space left on device.\n", 1))
         done = started(self.plant, "--tolerance", "circularity=0.1", PYTHONIOENCODING="ascii")
-        out, told = done.communicate()
-        self.assertEqual((done.returncode, told), (0, b"6 files read\n"))
+        out, remarks = done.communicate()
+        self.assertEqual((done.returncode, remarks), (0, b"6 files read\n"))
         self.assertIn(b" ? ", out)
 
     def test_an_end_from_outside(self):

@@ -21,6 +21,7 @@ FUNCTIONS = {
 # What only the program has, or what another function of Python is for.
 OF_THE_PROGRAM = {
     "diagnose": {"every", "hours", "patience", "keep"}, "errors": {"show"}, "effects": {"terms"}, "add": {"dry_run"}, "report": {"tool"},
+    "history": {"table", "workers", "scheduler"},
     "simulate": {"hidden", "n", "schedule", "answers"},
     "compensate": {
         "from_picture", "start_degC", "expansion_ppm_per_K", "plot", "from_mm", "to_mm", "min_degC", "max_degC", "legend", "colours",

@@ -982,84 +982,114 @@ export interface SkippedTest {
 
 // Machines over their tests.
 export interface History {
-  machines: MachineHistory[]; // with groups of tests, their quantities, and geometry
-  without_date: string[]; // files
+  machines: MachineHistory[]; // what needs something first
+  bar_changes: BarChange[];
+  judged: number; // questions
+  found: number; // of these answered with yes
+  false_discovery_rate: Num; // share of those by chance
+  without_date: string[]; // files of tests that are in nothing
+  geometry?: MachineGeometry; // squareness and scales, of one machine
   remarks: string[]; // of the readers
   skipped: SkippedTest[]; // files that could not be read
 }
 
-// A machine over its tests.
+// A machine, and what it needs.
 export interface MachineHistory {
-  machine: string; // empty: no test names one
-  changes_judged: number;
-  trends_judged: number;
+  machine: string; // as its tests state it, else the folder that was given
+  tests: number; // how many
+  first: string | null; // date
+  last: string | null;
+  need: string; // beyond, expected, finding, nothing
+  reason: string; // why it stands where it does
+  findings: Finding[]; // the clearest first
+  tolerances: ToleranceOutlook[];
+  series: QuantityHistory[]; // every one of one machine, of several those with findings and tolerances
   groups: TestGroup[]; // of tests that can be compared
-  geometry: MachineGeometry; // squareness and scales
 }
 
-// Tests that can be compared.
-export interface TestGroup {
+// What was found of a machine.
+export interface Finding {
+  kind: string; // step, replaced_part, instrument, trend, season
+  from: string; // date; the tests between which it steps, else the first and the last
+  to: string;
+  axis: string | null; // where it is one
+  p_value: Num; // of the clearest quantity
+  q_value: Num;
+  sentence: string; // what was found
+  remedy: string; // what to do
+  quantities: FindingQuantity[]; // the clearest first
+}
+
+// A quantity that has part in a finding.
+export interface FindingQuantity {
+  quantity: string;
   plane: string; // XY, YZ, ZX
-  bar: string; // its serial number; empty: not stated
-  length_mm: Num;
-  feed_mm_per_min: Num; // null: not stated
-  start_deg: Num;
-  arc_deg: Num;
-  tests: TestOfGroup[]; // by date
-  quantities: QuantityHistory[];
+  unit: string;
+  size: Num; // after less before, a year, or half from trough to peak
+  sigma: Num; // of the size
+  p_value: Num;
+  q_value: Num; // corrected for all questions
 }
 
-// A test of a group.
-export interface TestOfGroup {
-  file: string;
-  date: string | null; // null: not stated
-  stored: boolean; // values of the file, without readings
+// A tolerance, and when it is met.
+export interface ToleranceOutlook {
+  quantity: string;
+  plane: string; // XY, YZ, ZX
+  unit: string;
+  level: Num; // of the curve at the last test
+  sigma: Num; // of the level
+  lower: Num; // null: none
+  upper: Num;
+  outlook: string; // beyond, expected, no_trend, not_within_10_years
+  met: string | null; // date; null: not known
+  earliest: string | null;
+  latest: string | null;
+  last_test_alone: boolean; // the last test is beyond, the level is not
 }
 
 // A quantity of a machine over its tests.
 export interface QuantityHistory {
-  name: string;
+  quantity: string;
+  plane: string; // XY, YZ, ZX
   unit: string;
-  of_set_up: boolean; // it says nothing of the machine
-  last: LastValue; // in the newest test
-  change?: QuantityChange; // since the test before
-  trend?: Trend;
-  tolerance?: Tolerance; // where there is one
-}
-
-// A quantity in the newest test.
-export interface LastValue {
-  value: Num;
-  sigma: Num; // null: not known
-  significant: boolean;
-  date?: string | null; // of tests with one
-}
-
-// A change since the test before.
-export interface QuantityChange {
-  since: string; // date
-  value: Num;
-  sigma: Num; // null: not known
-  significant: boolean;
+  level: Num; // of the curve at the last test
+  sigma: Num; // of the level
+  group: number; // place in groups
+  scatter: Num; // about the curve
+  dates: string[];
+  values: Num[]; // of tests of a day the mean
+  sigmas: Num[]; // of the fits; null: not known
+  fitted: Num[];
+  significant: boolean; // the last value
+  trend?: Trend; // through the values since the last step
 }
 
 // A straight line over time.
 export interface Trend {
   rate_per_year: Num;
   sigma_per_year: Num;
-  significant: boolean;
+  p_value: Num; // of a rate as far from 0 by chance
   scatter: Num; // from test to test beyond the sigmas
   tests: number; // how many
 }
 
-// A tolerance, and when it is met.
-export interface Tolerance {
-  lower: Num; // null: none
-  upper: Num;
-  outlook: string; // beyond, expected, no_trend, not_within_10_years
-  met: string | null; // date; null: not told
-  earliest: string | null;
-  latest: string | null;
+// Tests that can be compared.
+export interface TestGroup {
+  plane: string; // XY, YZ, ZX
+  length_mm: Num;
+  feed_mm_per_min: Num; // null: not stated
+  start_deg: Num;
+  arc_deg: Num;
+  tests: number; // how many
+}
+
+// A change of the bar that machines are tested with.
+export interface BarChange {
+  from: string; // serial number
+  to: string;
+  machines: string[];
+  step_um_per_m: Num; // mean step of the scales
+  sigma_um_per_m: Num;
 }
 
 // Squareness and scales of a machine.
@@ -1106,89 +1136,14 @@ export interface ScalePull {
   pull: Num; // what is left over its sigma; null: only this test tells the axis
 }
 
-// Many machines over their tests.
-export interface Fleet {
-  machines: FleetMachine[]; // what needs something first
+// Machines over their tests, what needs something first.
+export interface Ranking {
+  machines: MachineHistory[]; // what needs something first
   bar_changes: BarChange[];
   judged: number; // questions
   found: number; // of these answered with yes
   false_discovery_rate: Num; // share of those by chance
-  without_date: number; // tests that are in nothing
-}
-
-// A machine, and what it needs.
-export interface FleetMachine {
-  machine: string; // as its tests state it, else their folder
-  tests: number; // how many
-  first: string | null; // date
-  last: string | null;
-  need: string; // beyond, expected, finding, nothing
-  reason: string; // why it stands where it does
-  findings: Finding[]; // the clearest first
-  tolerances: FleetTolerance[];
-  series: FleetSeries[]; // of what findings and tolerances name
-}
-
-// What was found of a machine.
-export interface Finding {
-  kind: string; // step, replaced_part, instrument, trend, season
-  from: string; // date; the tests between which it steps, else the first and the last
-  to: string;
-  axis: string | null; // where it is one
-  p_value: Num; // of the clearest quantity
-  q_value: Num;
-  sentence: string; // what was found
-  remedy: string; // what to do
-  quantities: FindingQuantity[]; // the clearest first
-}
-
-// A quantity that has part in a finding.
-export interface FindingQuantity {
-  quantity: string;
-  plane: string; // XY, YZ, ZX
-  unit: string;
-  size: Num; // after less before, a year, or half from trough to peak
-  sigma: Num; // of the size
-  p_value: Num;
-  q_value: Num; // corrected for all questions
-}
-
-// A tolerance, and when it is met.
-export interface FleetTolerance {
-  quantity: string;
-  plane: string; // XY, YZ, ZX
-  unit: string;
-  level: Num; // of the curve at the last test
-  sigma: Num; // of the level
-  lower: Num; // null: none
-  upper: Num;
-  outlook: string; // beyond, expected, no_trend, not_within_10_years
-  met: string | null; // date; null: not told
-  earliest: string | null;
-  latest: string | null;
-  last_test_alone: boolean; // the last test is beyond, the level is not
-}
-
-// A quantity of a machine over time.
-export interface FleetSeries {
-  quantity: string;
-  plane: string; // XY, YZ, ZX
-  unit: string;
-  level: Num; // of the curve at the last test
-  sigma: Num; // of the level
-  scatter: Num; // about the curve
-  dates: string[];
-  values: Num[];
-  fitted: Num[];
-}
-
-// A change of the bar that machines are tested with.
-export interface BarChange {
-  from: string; // serial number
-  to: string;
-  machines: string[];
-  step_um_per_m: Num; // mean step of the scales
-  sigma_um_per_m: Num;
+  without_date: string[]; // files of tests that are in nothing
 }
 
 // What a log was taken for.

@@ -1,4 +1,4 @@
-"""``ballbar fleet``: the tests of many machines as a table, and what they say."""
+"""``ballbar history`` with Dask: the tests of many machines as a table, and what was found."""
 from __future__ import annotations
 
 import argparse
@@ -15,13 +15,13 @@ from typing import Any, NoReturn
 
 from ._errors import BallbarError
 
-# The same checks as apps/history/fleet.cpp has.
+# The same checks as apps/history/history.cpp has.
 _ENDINGS = (".csv", ".json", ".html")
 
 
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
-        self.exit(2, f"ballbar: {message.removeprefix('argument ')}; see ballbar fleet --help\n")
+        self.exit(2, f"ballbar: {message.removeprefix('argument ')}; see ballbar history --help\n")
 
 
 def _checked(take: Callable[[str], Any], expected: str) -> Callable[[str], Any]:
@@ -55,14 +55,14 @@ _OUT = _checked(lambda text: _if(text.endswith(_ENDINGS), text), "a name that en
 
 
 def _options(words: list[str]) -> argparse.Namespace:
-    parser = _Parser(prog="ballbar fleet", description="The tests of many machines: table, ranking, page", allow_abbrev=False)
+    parser = _Parser(prog="ballbar history", description="The tests of many machines: table, ranking, page", allow_abbrev=False)
     parser.add_argument("paths", nargs="+", type=_TEXT, metavar="FOLDER", help="folders of .b5r files, patterns, or files")
     parser.add_argument("--table", type=_TEXT, metavar="FOLDER", help="where the table is kept: only what is new or changed is read")
     parser.add_argument("--workers", type=_WORKERS, metavar="N", help="processes that read; default: this one, on all cores")
     parser.add_argument("--scheduler", type=_TEXT, metavar="ADDRESS", help="of a Dask cluster, tcp://host:8786, whose workers read")
     parser.add_argument("--tolerance", action="append", type=_LIMIT, default=[], metavar="NAME=VALUE", help="limit of a quantity, to both sides of 0; may be repeated")
-    parser.add_argument("--false-discovery-rate", type=_RATE, default=0.05, metavar="RATE", help="share of what is called by chance; default 0.05")
-    parser.add_argument("--out", action="append", type=_OUT, default=[], metavar="FILE", help=".csv: the table; .json: what it says; .html: a page; may be repeated")
+    parser.add_argument("--false-discovery-rate", type=_RATE, default=0.05, metavar="RATE", help="share of what is found by chance; default 0.05")
+    parser.add_argument("--out", action="append", type=_OUT, default=[], metavar="FILE", help=".csv: the table; .json: what was found; .html: a page; may be repeated")
     parser.add_argument("--json", action="store_true", help="the result for a program")
     return parser.parse_args(words)
 
@@ -78,7 +78,7 @@ def _client(options: argparse.Namespace) -> Iterator[Any]:
         raise BallbarError(
             "--workers, --scheduler: expected Dask's distributed, found none; on Debian it is in the package python3-distributed."
         ) from None
-    for name in ("distributed", "tornado", "asyncio"):  # what befalls workers is told as what is lacking
+    for name in ("distributed", "tornado", "asyncio"):  # what befalls workers stands in what is lacking
         logging.getLogger(name).setLevel(logging.CRITICAL)
     with contextlib.ExitStack() as stack:
         if options.scheduler:
@@ -119,7 +119,7 @@ def _expect_outputs(options: argparse.Namespace, files: list[str]) -> None:
             raise BallbarError(f"--out {path}: expected another folder than that of the table, found it.")
 
 
-def _fleet(options: argparse.Namespace) -> int:
+def _history(options: argparse.Namespace) -> int:
     from .fleet import _ranked, files_of, files_text, limits_of, update
     from ._fleet_files import written_whole
 
@@ -155,25 +155,25 @@ def _fleet(options: argparse.Namespace) -> int:
     return 0 if done.complete else 1
 
 
-def fleet(words: list[str]) -> int:
+def history(words: list[str]) -> int:
     """Runs the command; its status: 0, 1 where something is at fault, 2 for a misuse, 130 for Ctrl-C.
 
     Parameters
     ----------
     words : list of str
-        Of the command line, after ``ballbar fleet``.
+        Of the command line, after ``ballbar history``.
     """
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
     try:
-        return _fleet(_options(words))
+        return _history(_options(words))
     except KeyboardInterrupt:
         return 130
     except BrokenPipeError:
         return 141  # as the program's other commands, by the signal
     except ImportError as error:
-        sentence = f"fleet: expected pandas and Dask for Python, found: {error}; on Debian install python3-pandas and python3-distributed."
+        sentence = f"history: expected pandas and Dask for Python, found: {error}; on Debian install python3-pandas and python3-distributed."
     except OSError as error:
         sentence = f"{error.filename or 'output'}: {error.strerror or error}."
     except (BallbarError, ValueError) as error:
@@ -193,12 +193,12 @@ def _end_output() -> None:
 
 
 def main() -> int:
-    if len(sys.argv) > 1 and sys.argv[1] == "fleet":
-        return fleet(sys.argv[2:])
     try:
         os.execvp("ballbar", ["ballbar", *sys.argv[1:]])
     except OSError as error:
-        print(f"ballbar: expected the program ballbar on PATH, found: {error.strerror}; without it: python -m ballbar fleet.", file=sys.stderr)
+        if sys.argv[1:2] == ["history"]:
+            return history(sys.argv[2:])
+        print(f"ballbar: expected the program ballbar on PATH, found: {error.strerror}; without it: python -m ballbar history.", file=sys.stderr)
         return 1
 
 

@@ -158,7 +158,7 @@ def opened(files: Sequence[str], storage: dict[str, Any], at: str) -> Iterator[t
 
 
 def _fetched(file: str, scratch: str, storage: dict[str, Any]) -> str:
-    """Files of one folder stay in one: two logs beside each other may be one test."""
+    """Files of one folder stay in one: two logs after each other may be one test."""
     system, inside = url_to_fs(file, **storage)
     folder, name = os.path.split(inside)
     here = os.path.join(scratch, hashlib.sha256(folder.encode()).hexdigest()[:16])

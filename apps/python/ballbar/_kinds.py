@@ -230,10 +230,19 @@ class History(Result):
     Attributes
     ----------
     machines : Rows
-        With groups of tests, their quantities, and geometry: machine, changes_judged, trends_judged, groups,
-        geometry.
+        What needs something first: machine, tests, first, last, need, reason, findings, tolerances, series, groups.
+    bar_changes : Rows
+        From, to, machines, step_um_per_m, sigma_um_per_m.
+    judged : int
+        Questions.
+    found : int
+        Of these answered with yes.
+    false_discovery_rate : float
+        Share of those by chance.
     without_date : list[str]
-        Files.
+        Files of tests that are in nothing.
+    geometry : Result
+        Squareness and scales, of one machine: within_a_day, out_of_square_um_per_m, scales_um_per_m, agreement.
     remarks : list[str]
         Of the readers.
     skipped : Rows
@@ -241,7 +250,12 @@ class History(Result):
     """
 
     machines: Rows
+    bar_changes: Rows
+    judged: int
+    found: int
+    false_discovery_rate: float
     without_date: list[str]
+    geometry: Result
     remarks: list[str]
     skipped: Rows
 

@@ -264,18 +264,21 @@ def history(
     folders: Any,
     *,
     tolerance: Mapping[str, float] | None = None,
+    false_discovery_rate: float | None = None,
     strict: bool = False,
     out: Path | Sequence[Path] | None = None,
     progress: Progress | None = None,
 ) -> History:
-    """A machine over its tests: what changed, trends, when a tolerance is met; squareness and scales.
+    """Machines over their tests: what changed, trends, when a tolerance is met; of one its squareness and scales.
 
     Parameters
     ----------
     folders : path or list of paths
-        As of :func:`errors`.
+        As of :func:`errors`. Of several folders each is a machine, where its tests name none.
     tolerance : dict
         Limit of a quantity in its unit, to both sides of 0: ``{"backlash_a_pos": 5.0}``.
+    false_discovery_rate : float
+        The share of what is found that may be by chance; None: 0.05.
     strict : bool
         A file that cannot be read ends it.
     out : path or list of paths
@@ -286,7 +289,7 @@ def history(
     Returns
     -------
     History
-        Machine by machine; each number with its unit.
+        Machine by machine, what needs something first; of one machine every quantity, else those of findings.
 
     Raises
     ------
@@ -295,8 +298,9 @@ def history(
 
     Notes
     -----
-    Trend: D. A. Harville, J. Am. Stat. Assoc. 72 (1977); A. Gelman, Bayesian Analysis 1 (2006). Scatter of scales:
-    R. C. Paule and J. Mandel, J. Res. Natl. Bur. Stand. 87 (1982).
+    Findings: Y. Benjamini and Y. Hochberg, J. R. Stat. Soc. B 57 (1995). Trend: D. A. Harville, J. Am. Stat. Assoc. 72
+    (1977); A. Gelman, Bayesian Analysis 1 (2006). Scatter of scales: R. C. Paule and J. Mandel, J. Res. Natl. Bur.
+    Stand. 87 (1982).
 
     Examples
     --------
@@ -304,5 +308,7 @@ def history(
     >>> len(ballbar.history("sample-runs/machine-history").machines[0].groups)
     3
     """
-    call = Call("history").files(folders).options(tolerance=tolerance, strict=strict, out=out)
+    call = Call("history").files(folders).options(
+        tolerance=tolerance, false_discovery_rate=false_discovery_rate, strict=strict, out=out
+    )
     return History(call.run(progress))

@@ -208,7 +208,7 @@ def ranked(
 
 
 class Ranked(Result):
-    """What was found of many machines; the keys are those of ``ballbar fleet --json``. ``text`` is its table."""
+    """What was found of many machines; the keys are those of :class:`ballbar.History` that rank. ``text`` is its table."""
 
     __slots__ = ("text",)
 

@@ -78,7 +78,7 @@ def update(
     client : dask.distributed.Client
         Whose workers read; without one, threads of this process.
     progress : callable
-        Is told how many files are done, and of how many.
+        Called with how many files are done, and of how many.
     **storage
         Options of fsspec's file system.
 
@@ -95,22 +95,22 @@ def update(
     Notes
     -----
     A file is read again where its size or its time is another. The rows of a file that can no longer be looked at, and
-    of those below a folder that can no longer be listed, stay. Two logs beside each other may be one test: with a log
+    of those below a folder that can no longer be listed, stay. Two logs after each other may be one test: with a log
     those after it in its folder are read again, and the one before it.
     """
     with to_update(os.fspath(table)) as store:
         files = files_of(paths, **storage)  # not before: another update may end meanwhile, with files that are newer
         known = store.entries()
-        stamps, unseen = _stamps(files, storage)
-        stay = _below_or_among(known, stamps, unseen)
+        stamps, out_of_reach = _stamps(files, storage)
+        stay = _below_or_among(known, stamps, out_of_reach)
         gone = set(known) - set(stamps) - stay
         changed = {file for file, stamp in stamps.items() if known.get(file, ())[:2] != stamp}
-        wanted = sorted(changed | _logs_after(changed | gone, stamps, known))
-        result = Updated(pandas.DataFrame(), kept=len(stamps) - len(wanted) + len(stay), gone=len(gone & set(store.shown)))
-        result.lacking = unseen
+        to_read = sorted(changed | _logs_after(changed | gone, stamps, known))
+        result = Updated(pandas.DataFrame(), kept=len(stamps) - len(to_read) + len(stay), gone=len(gone & set(store.shown)))
+        result.lacking = out_of_reach
         done = 0
         try:
-            for part, answer in _answers(list(parts_of(wanted, _FILES_OF_A_TASK)), storage, client, result.lacking):
+            for part, answer in _answers(list(parts_of(to_read, _FILES_OF_A_TASK)), storage, client, result.lacking):
                 rows, lacking = _settled(part, answer, stamps, storage)
                 result.lacking.update(lacking)
                 if store.add({file: stamps[file] for file in part if file not in lacking}, rows) >= _FILES_OF_A_SAVE:
@@ -118,7 +118,7 @@ def update(
                 result.read += len(part) - len(lacking)
                 done += len(part)
                 if progress:
-                    progress(done, len(wanted))
+                    progress(done, len(to_read))
         except BaseException:
             with contextlib.suppress(BallbarError):
                 store.save()
@@ -151,21 +151,21 @@ def read(table: str | os.PathLike[str]) -> pandas.DataFrame:
 
 def _stamps(files: Sequence[str], storage: dict[str, Any]) -> tuple[dict[str, Stamp], dict[str, str]]:
     stamps: dict[str, Stamp] = {}
-    unseen: dict[str, str] = {}
+    out_of_reach: dict[str, str] = {}
     for file in files:
         try:
             stamps[file] = stamp_of(file, storage)
         except Exception as error:  # noqa: BLE001  each file system has its own
-            unseen[file] = reason_of(error)
-    return stamps, unseen
+            out_of_reach[file] = reason_of(error)
+    return stamps, out_of_reach
 
 
-def _below_or_among(known: Iterable[str], stamps: Mapping[str, Stamp], unseen: Mapping[str, str]) -> set[str]:
+def _below_or_among(known: Iterable[str], stamps: Mapping[str, Stamp], out_of_reach: Mapping[str, str]) -> set[str]:
     """Files of the table that cannot be looked at: whether they are the same is not known."""
-    hidden = [os.path.join(name, "") for name in unseen if os.path.isdir(name)]
+    hidden = [os.path.join(name, "") for name in out_of_reach if os.path.isdir(name)]
     return {
         file for file in known
-        if file not in stamps and (any(file.startswith(folder) for folder in hidden) or (file in unseen and _may_be_there(file)))
+        if file not in stamps and (any(file.startswith(folder) for folder in hidden) or (file in out_of_reach and _may_be_there(file)))
     }
 
 
@@ -190,25 +190,25 @@ def _logs_after(changed: Iterable[str], stamps: Mapping[str, Stamp], known: Mapp
     logs: dict[str, list[str]] = {folder: [] for folder in first}
     for file in sorted(filter(is_log, stamps)) if first else ():
         logs.get(os.path.dirname(file), []).append(file)
-    wanted: set[str] = set()
+    to_read: set[str] = set()
     for folder, of_folder in logs.items():
         place = bisect.bisect_left(of_folder, first[folder])
         if place > 0 and known[of_folder[place - 1]][2] is not None:  # it is not the second of a test
             place -= 1
-        wanted.update(of_folder[place:])
-    return wanted
+        to_read.update(of_folder[place:])
+    return to_read
 
 
 def _settled(part: Sequence[str], answer: Answer, stamps: dict[str, Stamp], storage: dict[str, Any]) -> Answer:
-    """The rows; of what changed while it was read, with the logs beside it, those after it is read again."""
+    """The rows; of what changed while it was read, with the logs of its folder, those after it is read again."""
     rows, lacking = answer
     for attempt in range(_TRIES + 1):
-        now, unseen = _stamps([file for file in part if file not in lacking], storage)
+        now, out_of_reach = _stamps([file for file in part if file not in lacking], storage)
         changed = {file for file, stamp in now.items() if stamp != stamps[file]}
-        folders = {os.path.dirname(file) for file in [*changed, *unseen] if is_log(file)}
+        folders = {os.path.dirname(file) for file in [*changed, *out_of_reach] if is_log(file)}
         again = {file for file in now if file in changed or (is_log(file) and os.path.dirname(file) in folders)}
-        rows = [row for row in rows if row["file"] not in again and row["file"] not in unseen]
-        lacking = {**lacking, **unseen}
+        rows = [row for row in rows if row["file"] not in again and row["file"] not in out_of_reach]
+        lacking = {**lacking, **out_of_reach}
         if attempt == _TRIES:
             return rows, {**lacking, **dict.fromkeys(again, "changed again and again while it was read")}
         if not again:
@@ -237,7 +237,7 @@ def _answers(
                 place = futures[future]
                 try:
                     answer = future.result(timeout=60)
-                except Exception as error:  # noqa: BLE001  whatever befell a worker: told, and tried again
+                except Exception as error:  # noqa: BLE001  whatever befell a worker: noted, and tried again
                     reasons[place] = f"{type(error).__name__}: {error}"
                     continue
                 yield left.pop(place), answer

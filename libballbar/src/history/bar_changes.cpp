@@ -7,19 +7,19 @@
 #include <map>
 
 #include "ballbar/history/trend.hpp"
+#include "history/event_texts.hpp"
 #include "history/fit_columns.hpp"
-#include "history/fleet_quantities.hpp"
-#include "history/fleet_sentences.hpp"
+#include "history/quantity_kind.hpp"
 #include "history/robust_fit.hpp"
 #include "history/series_judgement.hpp"
 
 namespace ballbar {
 namespace {
 
-bool is_of_scales_alone(const FleetMachine& machine, const Finding& finding) {
+bool is_of_scales_alone(const MachineHistory& machine, const Finding& finding) {
   bool global = false;
   for (const FindingQuantity& quantity : finding.quantities) {
-    const FleetSeries& series = machine.series[quantity.series];
+    const QuantityHistory& series = machine.series[quantity.series];
     const QuantityKind kind = kind_of(series.name, series.plane);
     if (!kind.of_scale && !kind.of_sum) return false;
     global = global || (kind.of_scale && !kind.axis);
@@ -29,16 +29,16 @@ bool is_of_scales_alone(const FleetMachine& machine, const Finding& finding) {
 
 }  // namespace
 
-void note_common_bars(const AllSeries& all, Fleet& fleet) {
+void note_common_bars(const AllSeries& all, History& history) {
   std::map<std::string, std::size_t> place_of;
-  for (std::size_t i = 0; i < all.machines.size(); ++i) place_of[all.machines[i]] = i;
+  for (std::size_t i = 0; i < all.machines.size(); ++i) place_of[all.machines[i].name] = i;
   // The bar of each machine's last test with one.
   std::vector<std::string_view> bars(all.machines.size());
   for (const QuantitySeries& series : all.series) {
     if (is_global_scale(series.name) && !series.bar.empty()) bars[series.machine] = series.bar.back();
   }
   std::map<std::string_view, std::vector<Finding*>> steps;
-  for (FleetMachine& machine : fleet.machines) {
+  for (MachineHistory& machine : history.machines) {
     const std::string_view bar = bars[place_of.at(machine.name)];
     if (bar.empty()) continue;
     for (Finding& finding : machine.findings) {
@@ -47,28 +47,28 @@ void note_common_bars(const AllSeries& all, Fleet& fleet) {
   }
   for (const auto& [bar, findings] : steps) {
     for (Finding* one : findings) {
-      const auto alike = std::count_if(findings.begin(), findings.end(), [&](const Finding* other) {
+      const auto common = std::count_if(findings.begin(), findings.end(), [&](const Finding* other) {
         const bool same_time = other->from_s <= one->to_s + kDay_s && one->from_s <= other->to_s + kDay_s;
         return same_time && other->quantities.front().size * one->quantities.front().size > 0.0;
       });
-      if (alike < 2) continue;
+      if (common < 2) continue;
       one->kind = FindingKind::instrument;
       one->sentence = fmt::format(
           "The scales of all axes stepped alike between {} and {}, on {} machines that were tested with bar {}: the "
           "instrument, not the machine.",
-          day_text(one->from_s), day_text(one->to_s), alike, bar);
+          day_text(one->from_s), day_text(one->to_s), common, bar);
       one->remedy = "Leave the machine as it is; ask when the bar was calibrated, and correct the scales by the step.";
     }
   }
 }
 
-std::vector<BarChange> bar_changes_of(const AllSeries& all, const FleetScatter& scatter, const Fleet& fleet) {
+std::vector<BarChange> bar_changes_of(const AllSeries& all, const Scatter& scatter, const History& history) {
   struct Sum {
     double weights = 0.0, weighted = 0.0;
     std::map<std::string, std::size_t> machines;
   };
   std::map<std::string, std::size_t> place_of;
-  for (std::size_t i = 0; i < fleet.machines.size(); ++i) place_of[fleet.machines[i].name] = i;
+  for (std::size_t i = 0; i < history.machines.size(); ++i) place_of[history.machines[i].name] = i;
   std::map<std::pair<std::string, std::string>, Sum> sums;
   for (std::size_t i = 0; i < all.series.size(); ++i) {
     const QuantitySeries& series = all.series[i];
@@ -76,7 +76,7 @@ std::vector<BarChange> bar_changes_of(const AllSeries& all, const FleetScatter& 
     if (!is_global_scale(series.name) || scatter.series[i].s <= 0.0) continue;
     for (std::size_t k = 1; k < n; ++k) {
       if (series.bar[k] == series.bar[k - 1]) continue;
-      const FitColumns columns = beside(trend_columns(series.time_s).leftCols(1), step_column(n, k));
+      const FitColumns columns = joined(trend_columns(series.time_s).leftCols(1), step_column(n, k));
       const RobustFit fit = robust_fit(columns, series.value, scatters_of(series, scatter.series[i].s));
       const double factor = 1e3 / series.radius_mm;
       const double memory = scatter.families[series.family].memory(static_cast<double>(n) / 4.0);
@@ -84,7 +84,7 @@ std::vector<BarChange> bar_changes_of(const AllSeries& all, const FleetScatter& 
       Sum& sum = sums[{std::string(series.bar[k - 1]), std::string(series.bar[k])}];
       sum.weights += weight;
       sum.weighted += weight * factor * fit.gains[1];
-      sum.machines[all.machines[series.machine]] = place_of.at(all.machines[series.machine]);
+      sum.machines[all.machines[series.machine].name] = place_of.at(all.machines[series.machine].name);
     }
   }
   std::vector<BarChange> changes;

@@ -3,17 +3,17 @@
 
 #include <vector>
 
-#include "ballbar/history/fleet.hpp"
-#include "history/fleet_scatter.hpp"
+#include "ballbar/history/history.hpp"
 #include "history/quantity_series.hpp"
+#include "history/scatter.hpp"
 
 namespace ballbar {
 
-// Where all scales of two machines at least step alike at one date, with one bar that both were tested with, it is that
-// bar which was calibrated anew: their findings become FindingKind::instrument.
-void note_common_bars(const AllSeries& all, Fleet& fleet);
+// Where all scales of two machines at least step in common at one date, with one bar that both were tested with, it is
+// that bar which was calibrated anew: their findings become FindingKind::instrument.
+void note_common_bars(const AllSeries& all, History& history);
 
 // Every exchange of a bar, with the mean step of the scales over the machines, found or not.
-std::vector<BarChange> bar_changes_of(const AllSeries& all, const FleetScatter& scatter, const Fleet& fleet);
+std::vector<BarChange> bar_changes_of(const AllSeries& all, const Scatter& scatter, const History& history);
 
 }  // namespace ballbar

@@ -6,7 +6,7 @@
 
 namespace ballbar {
 
-// q of each: with all q below a rate told, no larger share of what is told is by chance (Benjamini and Hochberg 1995),
+// q of each: of those with q below a rate no larger share is by chance (Benjamini and Hochberg 1995),
 // for p values that are independent or rise and fall together. O(n log n).
 std::vector<double> q_values(std::span<const double> p_values);
 

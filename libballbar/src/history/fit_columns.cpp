@@ -34,7 +34,7 @@ FitColumns step_column(std::size_t n, std::size_t k) {
   return column;
 }
 
-FitColumns beside(const FitColumns& left, const FitColumns& right) {
+FitColumns joined(const FitColumns& left, const FitColumns& right) {
   FitColumns both(left.rows(), left.cols() + right.cols());
   both << left, right;
   return both;

@@ -17,6 +17,6 @@ FitColumns season_columns(std::span<const double> time_s);
 FitColumns step_column(std::size_t n, std::size_t k);
 
 // Two sets side by side.
-FitColumns beside(const FitColumns& left, const FitColumns& right);
+FitColumns joined(const FitColumns& left, const FitColumns& right);
 
 }  // namespace ballbar

@@ -1,144 +1,214 @@
 #include "ballbar/history/history.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 
+#include "ballbar/error.hpp"
+#include "ballbar/history/trend.hpp"
 #include "ballbar/numerics/parallel.hpp"
-#include "numerics/not_finite.hpp"
+#include "history/bar_changes.hpp"
+#include "history/calls.hpp"
+#include "history/event_texts.hpp"
+#include "history/events.hpp"
+#include "history/need.hpp"
 
 namespace ballbar {
 namespace {
 
-struct QuantityInTest {
-  std::size_t test = 0;
-  const TestQuantity* quantity = nullptr;
+// What a machine is made from.
+struct MachineParts {
+  std::size_t place = 0;            // among the names
+  std::vector<std::size_t> series;  // places in AllSeries::series
+  std::vector<Call*> calls;         // with q below the rate
+  std::size_t judged = 0;           // calls with whatever q
 };
 
-const Tolerance* tolerance_of(std::string_view quantity, std::span<const Tolerance> tolerances) {
-  for (const Tolerance& tolerance : tolerances) {
-    if (tolerance.quantity == quantity) return &tolerance;
-  }
-  return nullptr;
+const Tolerance* tolerance_named(std::string_view quantity, std::span<const Tolerance> tolerances) {
+  const auto found = std::find_if(tolerances.begin(), tolerances.end(),
+                                  [&](const Tolerance& one) { return one.quantity == quantity; });
+  return found == tolerances.end() ? nullptr : &*found;
 }
 
-// `values`: by date.
-QuantityHistory history_of_quantity(std::span<const MachineTest> tests, const std::vector<QuantityInTest>& values,
-                                    std::span<const Tolerance> tolerances) {
-  const TestQuantity& last = *values.back().quantity;
-  QuantityHistory history;
-  history.name = last.name;
-  history.unit = last.unit;
-  history.of_set_up = last.of_set_up;
-  history.last_value = last.value;
-  history.last_sigma = last.sigma;
-  history.significant = last.significant && std::abs(last.value) > kSignificantSigmas * last.sigma;
-  std::vector<DatedValue> dated;
-  dated.reserve(values.size());
-  for (const auto& [test, quantity] : values) {
-    if (!tests[test].started_s || std::isinf(quantity->sigma)) continue;  // undetermined: it says nothing
-    history.tests.push_back(test);
-    dated.push_back({static_cast<double>(*tests[test].started_s), quantity->value, quantity->sigma});
-  }
-  if (history.of_set_up) return history;
-  if (dated.size() > 1) {
-    const DatedValue& now = dated.back();
-    const DatedValue& before = dated[dated.size() - 2];
-    QuantityChange change;
-    change.since_s = *tests[history.tests[history.tests.size() - 2]].started_s;
-    change.value = now.value - before.value;
-    change.sigma = std::hypot(now.sigma, before.sigma);
-    change.significant = std::abs(change.value) > kSignificantSigmas * change.sigma;
-    history.change = change;
-  }
-  history.trend = trend_of(dated);
-  const Tolerance* tolerance = tolerance_of(history.name, tolerances);
-  if (tolerance == nullptr) tolerance = tolerance_of(history.name, tests[values.back().test].tolerances);
-  if (tolerance != nullptr) {
-    history.tolerance = *tolerance;
-    history.date = tolerance_date(*tolerance, history.last_value, history.trend);
-  }
-  return history;
-}
-
-GroupHistory history_of_group(std::span<const MachineTest> tests, TestGroup group,
-                              std::span<const Tolerance> tolerances) {
-  std::map<std::string_view, std::vector<QuantityInTest>> by_name;
-  std::vector<std::string_view> names;
-  // From the newest test: its quantities stand first, in its order.
-  for (auto test = group.tests.rbegin(); test != group.tests.rend(); ++test) {
-    for (const TestQuantity& quantity : tests[*test].quantities) {
-      std::vector<QuantityInTest>& values = by_name[quantity.name];
-      if (values.empty()) names.push_back(quantity.name);
-      values.push_back({*test, &quantity});
+// A step that was found at the exchange of the bar counts once.
+void join_bar_steps(const AllSeries& all, std::vector<Call*>& calls) {
+  std::erase_if(calls, [&](const Call* bar) {
+    if (bar->kind != FindingKind::instrument) return false;
+    for (Call* step : calls) {
+      if (step->series != bar->series || step->kind != FindingKind::step) continue;
+      const bool near = step->place.earliest <= bar->place.at && bar->place.at <= step->place.latest;
+      if (near) step->place = bar->place;
+      if (near || all.series[bar->series].bar.empty()) return true;
     }
-  }
-  GroupHistory history;
-  history.group = std::move(group);
-  history.quantities.reserve(names.size());
-  for (const std::string_view name : names) {
-    std::vector<QuantityInTest>& values = by_name[name];
-    std::reverse(values.begin(), values.end());
-    history.quantities.push_back(history_of_quantity(tests, values, tolerances));
-  }
-  return history;
+    return false;
+  });
 }
 
-MachineHistory history_of_machine(std::span<const MachineTest> tests, std::span<const Tolerance> tolerances) {
-  MachineHistory history;
-  std::vector<TestGroup> groups = groups_of(tests);
-  history.groups.resize(groups.size());
-  in_parallel(groups.size(),
-              [&](std::size_t i) { history.groups[i] = history_of_group(tests, std::move(groups[i]), tolerances); });
-  for (const GroupHistory& group : history.groups) {
-    for (const QuantityHistory& quantity : group.quantities) {
-      if (quantity.change && std::isfinite(quantity.change->sigma)) ++history.changes;
-      if (quantity.trend) ++history.trends;
+class MachineAssembly {
+ public:
+  MachineAssembly(std::span<const MachineTest> tests, const HistoryOptions& options, const AllSeries& all,
+                  const Scatter& scatter, MachineParts& of)
+      : tests_(tests), options_(options), all_(all), scatter_(scatter), of_(of) {}
+
+  MachineHistory machine() {
+    const MachineTests& own = all_.machines[of_.place];
+    machine_.name = own.name;
+    machine_.groups = own.groups;
+    machine_.judged = of_.judged;
+    machine_.tests = own.tests.size();
+    for (const std::size_t i : own.tests) {
+      if (!tests_[i].started_s) continue;
+      const auto time_s = static_cast<double>(*tests_[i].started_s);
+      machine_.first_s = std::min(time_s, machine_.first_s.value_or(time_s));
+      machine_.last_s = std::max(time_s, machine_.last_s.value_or(time_s));
     }
+    join_bar_steps(all_, of_.calls);
+    for (const std::size_t i : of_.series) add_series(i);
+    std::vector<const Call*> calls(of_.calls.begin(), of_.calls.end());
+    for (const Event& event : events_of(all_, calls)) machine_.findings.push_back(finding_of(event));
+    return std::move(machine_);
   }
-  history.geometry = machine_geometry(tests);
-  return history;
-}
 
-// Places among the tests of one machine, as places among all.
-void number_by(const std::vector<std::size_t>& places, std::vector<std::size_t>& tests) {
-  for (std::size_t& test : tests) test = places[test];
-}
-
-void number_by(const std::vector<std::size_t>& places, MachineHistory& history) {
-  for (GroupHistory& group : history.groups) {
-    number_by(places, group.group.tests);
-    for (QuantityHistory& quantity : group.quantities) number_by(places, quantity.tests);
+ private:
+  void add_series(std::size_t place) {
+    const QuantitySeries& series = all_.series[place];
+    std::vector<Call*> own;
+    for (Call* call : of_.calls) {
+      if (call->series == place) own.push_back(call);
+    }
+    const Tolerance* tolerance = tolerance_named(series.name, options_.tolerances);
+    if (tolerance == nullptr) tolerance = tolerance_named(series.name, tests_[series.tests.back()].tolerances);
+    if (own.empty() && tolerance == nullptr && !options_.every_quantity) return;
+    std::size_t first = 0;
+    Call* trend = nullptr;
+    for (Call* call : own) {
+      if (call->kind == FindingKind::trend) trend = call;
+      if (call->kind == FindingKind::step) first = std::max(first, call->place.at);
+    }
+    QuantityHistory one = history_of_series(place, own);
+    if (options_.every_quantity || (tolerance != nullptr && trend != nullptr)) one.trend = trend_since(series, first);
+    if (trend != nullptr && !scatter_.series[place].of_machines) set_rate(*trend, trend_since(series, first));
+    place_of_[place] = machine_.series.size();
+    machine_.series.push_back(std::move(one));
+    if (tolerance != nullptr) add_tolerance(*tolerance, trend != nullptr);
   }
-  number_by(places, history.geometry.tests);
-  for (PlaneSquareness& plane : history.geometry.squareness) number_by(places, plane.tests);
-  for (ScalePull& pull : history.geometry.pulls) pull.test = places[pull.test];
-}
+
+  QuantityHistory history_of_series(std::size_t place, const std::vector<Call*>& calls) const {
+    const QuantitySeries& series = all_.series[place];
+    SeriesCurve curve = curve_with(series, scatter_.series[place], scatter_.families[series.family], calls);
+    QuantityHistory one;
+    one.name = series.name;
+    one.unit = series.unit;
+    one.plane = series.plane;
+    one.group = series.group;
+    one.tests = series.tests;
+    one.time_s = series.time_s;
+    one.value = series.value;
+    one.sigma = series.sigma;
+    one.fitted = std::move(curve.fitted);
+    one.level = curve.level;
+    one.level_sigma = curve.sigma;
+    one.scatter = scatter_.series[place].s;
+    one.significant = series.significant && std::abs(one.value.back()) > kSignificantSigmas * one.sigma.back();
+    return one;
+  }
+
+  static void set_rate(Call& call, const std::optional<Trend>& trend) {
+    if (!trend) return;
+    call.size = trend->rate_per_year;
+    call.sigma = trend->sigma_per_year;
+  }
+
+  void add_tolerance(const Tolerance& tolerance, bool has_trend) {
+    const QuantityHistory& series = machine_.series.back();
+    ToleranceOutlook one;
+    one.series = machine_.series.size() - 1;
+    one.tolerance = tolerance;
+    one.date = tolerance_date(tolerance, series.level, has_trend ? series.trend : std::nullopt);
+    one.last_alone = within(tolerance, series.level) && !within(tolerance, series.value.back());
+    machine_.tolerances.push_back(std::move(one));
+  }
+
+  Finding finding_of(const Event& event) const {
+    Finding finding;
+    finding.kind = event.kind;
+    finding.from_s = event.from_s;
+    finding.to_s = event.to_s;
+    finding.axis = event.axis;
+    for (const Call* call : event.calls) {
+      finding.quantities.push_back({place_of_.at(call->series), call->size, call->sigma, call->p_value, call->q_value});
+    }
+    for (const FindingQuantity& quantity : finding.quantities) {
+      finding.p_value = std::min(finding.p_value, quantity.p_value);
+      finding.q_value = std::min(finding.q_value, quantity.q_value);
+    }
+    EventTexts texts = texts_of(all_, event);
+    finding.sentence = std::move(texts.sentence);
+    finding.remedy = std::move(texts.remedy);
+    return finding;
+  }
+
+  std::span<const MachineTest> tests_;
+  const HistoryOptions& options_;
+  const AllSeries& all_;
+  const Scatter& scatter_;
+  MachineParts& of_;
+  MachineHistory machine_;
+  std::map<std::size_t, std::size_t> place_of_;  // of a series in machine_.series
+};
 
 }  // namespace
 
-std::vector<MachineHistory> history_of(std::span<const MachineTest> tests, std::span<const Tolerance> tolerances) {
-  std::set<std::string> machines;
-  for (const MachineTest& test : tests) {
-    if (!test.machine.empty()) machines.insert(test.machine);
+std::string_view name_of(FindingKind kind) {
+  switch (kind) {
+    case FindingKind::step:
+      return "step";
+    case FindingKind::replaced_part:
+      return "replaced_part";
+    case FindingKind::instrument:
+      return "instrument";
+    case FindingKind::trend:
+      return "trend";
+    case FindingKind::season:
+      return "season";
   }
-  const std::string unnamed = machines.size() == 1 ? *machines.begin() : "";
-  std::map<std::string, std::vector<std::size_t>> of_machine;
-  for (std::size_t i = 0; i < tests.size(); ++i) {
-    of_machine[tests[i].machine.empty() ? unnamed : tests[i].machine].push_back(i);
+  return "";
+}
+
+History history_of(std::span<const MachineTest> tests, const HistoryOptions& options) {
+  if (!(options.false_discovery_rate > 0.0 && options.false_discovery_rate < 1.0)) {
+    throw Error(fmt::format("The false discovery rate: expected a number between 0 and 1, found {}.",
+                            options.false_discovery_rate));
   }
-  std::vector<MachineHistory> histories;
-  histories.reserve(of_machine.size());
-  for (const auto& [machine, places] : of_machine) {
-    std::vector<MachineTest> own;
-    own.reserve(places.size());
-    for (const std::size_t place : places) own.push_back(tests[place]);
-    histories.push_back(history_of_machine(own, tolerances));
-    histories.back().machine = machine;
-    number_by(places, histories.back());
+  const AllSeries all = all_series(tests);
+  const Scatter scatter = scatter_of(all);
+  std::vector<Call> calls = calls_of(all, scatter);
+  std::vector<MachineParts> machines(all.machines.size());
+  for (std::size_t i = 0; i < machines.size(); ++i) machines[i].place = i;
+  for (std::size_t i = 0; i < all.series.size(); ++i) machines[all.series[i].machine].series.push_back(i);
+  History history;
+  history.false_discovery_rate = options.false_discovery_rate;
+  history.without_date = all.without_date;
+  history.judged = calls.size();
+  for (Call& call : calls) {
+    ++machines[all.series[call.series].machine].judged;
+    if (call.q_value > options.false_discovery_rate) continue;
+    machines[all.series[call.series].machine].calls.push_back(&call);
+    ++history.found;
   }
-  return histories;
+  history.machines.resize(machines.size());
+  in_parallel(machines.size(), [&](std::size_t i) {
+    history.machines[i] = MachineAssembly(tests, options, all, scatter, machines[i]).machine();
+  });
+  note_common_bars(all, history);
+  for (MachineHistory& machine : history.machines) say_need(machine);
+  rank(history.machines);
+  history.bar_changes = bar_changes_of(all, scatter, history);
+  return history;
 }
 
 }  // namespace ballbar

@@ -141,12 +141,12 @@ Solved solved(const Equations& equations, double scatter_ppm) {
 
 // With which chi^2 is what it is on average, the degrees of freedom (Mandel and Paule).
 double scatter_for(const Equations& equations, std::size_t degrees) {
-  const double wanted = static_cast<double>(degrees);
+  const auto expected = static_cast<double>(degrees);
   double low = 0.0, high = 1.0;
-  while (solved(equations, high).chi2 > wanted && high < 1e9) high *= 2.0;
+  while (solved(equations, high).chi2 > expected && high < 1e9) high *= 2.0;
   for (int halving = 0; halving < 40; ++halving) {
     const double middle = 0.5 * (low + high);
-    (solved(equations, middle).chi2 > wanted ? low : high) = middle;
+    (solved(equations, middle).chi2 > expected ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <string>
 #include <unordered_map>
 
 #include "ballbar/history/test_groups.hpp"
@@ -13,12 +15,6 @@
 namespace ballbar {
 namespace {
 
-std::string machine_of(const MachineTest& test) {
-  if (!test.machine.empty()) return test.machine;
-  const std::size_t slash = test.file.find_last_of('/');
-  return slash == std::string::npos ? "" : test.file.substr(0, slash);
-}
-
 // The numbers of the names of all quantities.
 using Numbers = std::unordered_map<std::string_view, std::size_t>;
 
@@ -28,19 +24,6 @@ Numbers numbers_of(std::span<const MachineTest> tests) {
     for (const TestQuantity& quantity : test.quantities) numbers.emplace(quantity.name, numbers.size());
   }
   return numbers;
-}
-
-// What groups are made by, without the bar and the quantities.
-MachineTest outline_of(const MachineTest& test) {
-  MachineTest outline;
-  outline.file = test.file;
-  outline.started_s = test.started_s;
-  outline.plane = test.plane;
-  outline.nominal_length_mm = test.nominal_length_mm;
-  outline.feed_mm_per_min = test.feed_mm_per_min;
-  outline.start_deg = test.start_deg;
-  outline.arc_deg = test.arc_deg;
-  return outline;
 }
 
 bool of_one_day(double first_s, double second_s) {
@@ -78,16 +61,13 @@ class Days {
 };
 
 std::vector<QuantitySeries> series_of(std::span<const MachineTest> tests, std::size_t machine,
-                                      const std::vector<std::size_t>& places, const Numbers& numbers) {
-  std::vector<MachineTest> outlines;
-  outlines.reserve(places.size());
-  for (const std::size_t place : places) outlines.push_back(outline_of(tests[place]));
+                                      const std::vector<TestGroup>& groups, const Numbers& numbers) {
   std::vector<QuantitySeries> all;
-  for (const TestGroup& group : groups_of(outlines)) {
+  for (std::size_t g = 0; g < groups.size(); ++g) {
     std::vector<QuantitySeries> by_name(numbers.size());
     std::vector<Days> days(by_name.begin(), by_name.end());
-    for (const std::size_t i : group.tests) {
-      const MachineTest& test = tests[places[i]];
+    for (const std::size_t i : groups[g].tests) {
+      const MachineTest& test = tests[i];
       if (!test.started_s) continue;
       for (const TestQuantity& quantity : test.quantities) {
         if (quantity.of_set_up || std::isinf(quantity.sigma) || !std::isfinite(quantity.value)) continue;
@@ -96,37 +76,50 @@ std::vector<QuantitySeries> series_of(std::span<const MachineTest> tests, std::s
         one.name = quantity.name;
         one.unit = quantity.unit;
         one.family = kPlanes.size() * number + static_cast<std::size_t>(test.plane);
-        days[number].add(places[i], test, quantity);
+        one.significant = quantity.significant;
+        days[number].add(i, test, quantity);
       }
     }
     for (QuantitySeries& one : by_name) {
       if (one.value.empty()) continue;
       one.machine = machine;
-      one.plane = group.plane;
-      one.radius_mm = group.nominal_length_mm;
+      one.group = g;
+      one.plane = groups[g].plane;
+      one.radius_mm = groups[g].nominal_length_mm;
       all.push_back(std::move(one));
     }
   }
   return all;
 }
 
+// Places of the tests by machine; those without a name belong to the only one that is named.
+std::map<std::string, std::vector<std::size_t>> by_machine(std::span<const MachineTest> tests) {
+  std::map<std::string, std::vector<std::size_t>> places;
+  for (std::size_t i = 0; i < tests.size(); ++i) places[tests[i].machine].push_back(i);
+  if (places.size() != 2 || !places.contains("")) return places;
+  std::vector<std::size_t>& named = places.rbegin()->second;
+  named.insert(named.end(), places[""].begin(), places[""].end());
+  std::sort(named.begin(), named.end());
+  places.erase("");
+  return places;
+}
+
 }  // namespace
 
 AllSeries all_series(std::span<const MachineTest> tests) {
   AllSeries all;
-  std::map<std::string, std::vector<std::size_t>> of_machine;
-  for (std::size_t i = 0; i < tests.size(); ++i) {
-    of_machine[machine_of(tests[i])].push_back(i);
-    if (!tests[i].started_s) ++all.without_date;
+  for (const MachineTest& test : tests) {
+    if (!test.started_s) all.without_date.push_back(test.file);
   }
-  for (auto& [name, places] : of_machine) {
-    all.machines.push_back(name);
-    all.tests.push_back(std::move(places));
-  }
+  for (auto& [name, places] : by_machine(tests)) all.machines.push_back({name, std::move(places), {}});
   const Numbers numbers = numbers_of(tests);
   all.families = kPlanes.size() * numbers.size();
   std::vector<std::vector<QuantitySeries>> parts(all.machines.size());
-  in_parallel(parts.size(), [&](std::size_t i) { parts[i] = series_of(tests, i, all.tests[i], numbers); });
+  in_parallel(parts.size(), [&](std::size_t i) {
+    MachineTests& machine = all.machines[i];
+    machine.groups = groups_of(tests, machine.tests);
+    parts[i] = series_of(tests, i, machine.groups, numbers);
+  });
   for (std::vector<QuantitySeries>& part : parts) {
     std::move(part.begin(), part.end(), std::back_inserter(all.series));
   }

@@ -1,6 +1,7 @@
 #include "history/series_judgement.hpp"
 
 #include <algorithm>
+#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 
 #include "ballbar/history/trend.hpp"
@@ -14,16 +15,19 @@ namespace {
 
 constexpr double kSpanOfSeason_s = 1.5 * kYear_s;
 constexpr std::size_t kFewestOfSeason = 8;
+// Where few machines have the quantity. Of fewer values nothing can be found among so many questions: they only cost.
+constexpr std::size_t kFewestOfTrendAlone = 5, kFewestOfStepAlone = 8;
 constexpr double kLongRun = 8.0;  // tests: as long as scatter may stay the same
 constexpr double kMayBe = 0.1;
 constexpr std::size_t kReach = 20;  // places to either side that are fitted
-constexpr double kClear = 0.01;     // p of the best curve, from which the others are judged beside it
+constexpr double kClear = 0.01;     // p of the best curve, from which on the others are judged together with it
 
 class Judging {
  public:
   Judging(const QuantitySeries& series, const SeriesScatter& scatter, const FamilyScatter& family)
       : series_(series),
         degrees_(scatter.degrees),
+        of_machines_(scatter.of_machines),
         family_(family),
         scatter_(scatters_of(series, scatter.s)),
         line_(trend_columns(series.time_s)),
@@ -37,12 +41,13 @@ class Judging {
     const FitColumns level = line_.leftCols(1);
     loss_ = level_.loss;
     found_.p_trend = drop(FindingKind::trend, level, line_.rightCols(1), level_.loss, log_n);
+    if (!of_machines_) found_.p_trend = p_by_sigmas(n);
     if (span_s >= kSpanOfSeason_s && n >= kFewestOfSeason) {
       found_.p_season = drop(FindingKind::season, level, season_columns(series_.time_s), level_.loss, 2.0 * log_n);
     }
-    if (n >= kFewestOfStep) judge_step(level, level_, log_n);
+    if (n >= (of_machines_ ? kFewestOfStep : kFewestOfStepAlone)) judge_step(level, level_, log_n);
     judge_bar(level, log_n);
-    if (found_.best) judge_beside();
+    if (found_.best) judge_with_best();
     return found_;
   }
 
@@ -62,8 +67,16 @@ class Judging {
                              degrees_);
   }
 
+  // By the line of trend_of, its rate with the memory of the scatter.
+  std::optional<double> p_by_sigmas(std::size_t n) const {
+    const std::optional<Trend> trend = n < kFewestOfTrendAlone ? std::nullopt : trend_since(series_, 0);
+    if (!trend) return std::nullopt;
+    const double sigmas2 = std::pow(boost::math::erfc_inv(std::max(trend->p_value, 1e-300)), 2);
+    return std::erfc(std::sqrt(sigmas2 / family_.memory_beyond(static_cast<double>(n) / 4.0)));
+  }
+
   double drop(FindingKind kind, const FitColumns& base, const FitColumns& extra, double base_loss, double penalty) {
-    const double loss = fit(beside(base, extra)).loss;
+    const double loss = fit(joined(base, extra)).loss;
     note(kind, loss, penalty);
     return p_of(base_loss - loss, extra.cols(), kind);
   }
@@ -84,7 +97,7 @@ class Judging {
     const std::size_t last = std::min(search.place.latest, search.place.at + reach);
     double least = base_fit.loss;
     for (std::size_t k = first; k <= last; ++k) {
-      const double loss = fit(beside(base, step_column(series_.value.size(), k))).loss;
+      const double loss = fit(joined(base, step_column(series_.value.size(), k))).loss;
       if (loss >= least) continue;
       least = loss;
       found_.step.at = k;
@@ -105,10 +118,10 @@ class Judging {
                                          : found_.p_bar;
   }
 
-  void judge_beside() {
+  void judge_with_best() {
     const FindingKind best = *found_.best;
     if (!(p_value(best).value_or(1.0) < kClear)) return;
-    const FitColumns base = beside(line_.leftCols(1), columns_of(best));
+    const FitColumns base = joined(line_.leftCols(1), columns_of(best));
     const RobustFit base_fit = fit(base);
     for (const FindingKind kind :
          {FindingKind::trend, FindingKind::season, FindingKind::instrument, FindingKind::step}) {
@@ -121,7 +134,7 @@ class Judging {
         continue;
       }
       const FitColumns extra = columns_of(kind);
-      p = std::max(*p, p_of(base_fit.loss - fit(beside(base, extra)).loss, extra.cols(), kind));
+      p = std::max(*p, p_of(base_fit.loss - fit(joined(base, extra)).loss, extra.cols(), kind));
     }
   }
 
@@ -143,11 +156,12 @@ class Judging {
     }
     if (longest < 2) return;
     found_.p_bar = StepScores(level_.scores, degrees_, family_).p_value(found_.bar_at);
-    note(FindingKind::instrument, fit(beside(base, columns_of(FindingKind::instrument))).loss, log_n);
+    note(FindingKind::instrument, fit(joined(base, columns_of(FindingKind::instrument))).loss, log_n);
   }
 
   const QuantitySeries& series_;
   double degrees_;
+  bool of_machines_;
   const FamilyScatter& family_;
   std::vector<double> scatter_;
   FitColumns line_;
@@ -157,6 +171,15 @@ class Judging {
 };
 
 }  // namespace
+
+std::optional<Trend> trend_since(const QuantitySeries& series, std::size_t first) {
+  std::vector<DatedValue> values;
+  values.reserve(series.value.size() - first);
+  for (std::size_t i = first; i < series.value.size(); ++i) {
+    values.push_back({series.time_s[i], series.value[i], series.sigma[i]});
+  }
+  return trend_of(values);
+}
 
 bool is_global_scale(std::string_view name) { return name == "global_scale"; }
 

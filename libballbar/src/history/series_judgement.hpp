@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <optional>
 
-#include "ballbar/history/fleet.hpp"
-#include "history/fleet_scatter.hpp"
+#include "ballbar/history/history.hpp"
+#include "ballbar/history/trend.hpp"
 #include "history/quantity_series.hpp"
+#include "history/scatter.hpp"
 
 namespace ballbar {
 
@@ -26,10 +27,13 @@ struct SeriesJudgement {
   std::size_t bar_at = 0;
 };
 
-// The best curve is judged against a level. Where it is clear, the others are judged beside it: their p value is the
-// larger of that and of the one against a level. Steps are searched at every place with two values on either side, and
-// their p value is multiplied by the number of places. O(n).
+// The best curve is judged against a level. Where it is clear, the others are judged together with it: their p value is
+// the larger of that and of the one against a level. Steps are searched at every place with two values on either side,
+// and their p value is multiplied by the number of places. O(n).
 SeriesJudgement judgement_of(const QuantitySeries& series, const SeriesScatter& scatter, const FamilyScatter& family);
+
+// The straight line through the values from place `first` on.
+std::optional<Trend> trend_since(const QuantitySeries& series, std::size_t first);
 
 // Of all axes together; and that, or of one axis: what the length of the bar shows in.
 bool is_global_scale(std::string_view name);

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "history/fleet_scatter.hpp"
+#include "history/scatter.hpp"
 #include "history/series_judgement.hpp"
 
 namespace ballbar {
@@ -17,7 +17,7 @@ struct StepSearch {
 inline constexpr std::size_t kFewestOfStep = 5;  // values; two on either side
 
 // Of the difference of both sides' mean scores at one place, each clipped at kShortRunClip, on either side: where one
-// side is short by what such means were seen to be, else by Student's t.
+// side is short by what such means were, else by Student's t.
 class StepScores {
  public:
   StepScores(const Eigen::VectorXd& scores, double degrees, const FamilyScatter& family);

@@ -39,7 +39,7 @@ std::array<std::vector<double>, kLongestShortRun> tails_of(const TailCounts& own
   static const std::array<double, kTailSteps + 1> student = student_share();
   const double weight_of_all = of_all.total > 0.0 ? std::min(1.0, kOfAll / of_all.total) : 0.0;
   const double total = own.total + weight_of_all * of_all.total + kOfStudent;
-  // Both sides alike: half of each count above 0 on either.
+  // Both sides equal: half of each count above 0 on either.
   std::vector<double> density(2 * kTailSteps + 1, 0.0);
   for (std::size_t i = 0; i <= kTailSteps; ++i) {
     const double share = (own.counts[i] + weight_of_all * of_all.counts[i] + kOfStudent * student[i]) / total;

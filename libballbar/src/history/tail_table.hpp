@@ -1,4 +1,4 @@
-// How likely the sum of a few scores is that large: their distribution as it was seen, and its convolutions.
+// How likely the sum of a few scores is that large: their distribution in the tests, and its convolutions.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "history/fleet_scatter.hpp"
+#include "history/scatter.hpp"
 
 namespace ballbar {
 
@@ -21,7 +21,7 @@ class TailCounts {
   double total = 0.0;
 };
 
-// P(sum of k + 1 scores >= i steps), i from 0. Where few were seen, those of all quantities count too, and beside them
+// P(sum of k + 1 scores >= i steps), i from 0. Where there are few, those of all quantities count too, with
 // a few of Student's t with 4 degrees of freedom.
 std::array<std::vector<double>, kLongestShortRun> tails_of(const TailCounts& own, const TailCounts& of_all);
 

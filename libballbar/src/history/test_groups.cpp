@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <tuple>
+#include <utility>
 
 namespace ballbar {
 namespace {
@@ -15,24 +16,24 @@ constexpr double kArcGap_deg = 2.0;
 constexpr double kFeedGap = 0.05;
 constexpr double kFullCircle_deg = 359.0;
 
-// Parts of the places between which the number leaps, rising; `apart` of a number and the next.
+// Parts of the places between which the number leaps, rising; `gap`: whether one number and the next do.
 std::vector<Places> parted(Places places, const std::function<double(std::size_t)>& number,
-                           const std::function<bool(double, double)>& apart) {
+                           const std::function<bool(double, double)>& gap) {
   std::stable_sort(places.begin(), places.end(),
                    [&](std::size_t left, std::size_t right) { return number(left) < number(right); });
   std::vector<Places> parts;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (i == 0 || apart(number(places[i - 1]), number(places[i]))) parts.emplace_back();
+    if (i == 0 || gap(number(places[i - 1]), number(places[i]))) parts.emplace_back();
     parts.back().push_back(places[i]);
   }
   return parts;
 }
 
 std::vector<Places> parted(const std::vector<Places>& wholes, const std::function<double(std::size_t)>& number,
-                           const std::function<bool(double, double)>& apart) {
+                           const std::function<bool(double, double)>& gap) {
   std::vector<Places> all;
   for (const Places& whole : wholes) {
-    for (Places& part : parted(whole, number, apart)) all.push_back(std::move(part));
+    for (Places& part : parted(whole, number, gap)) all.push_back(std::move(part));
   }
   return all;
 }
@@ -47,7 +48,6 @@ TestGroup group_of(std::span<const MachineTest> tests, Places places) {
   const MachineTest& last = tests[places.back()];
   TestGroup group;
   group.plane = last.plane;
-  group.bar = last.bar;
   group.nominal_length_mm = last.nominal_length_mm;
   group.start_deg = last.start_deg;
   group.arc_deg = is_full(last) ? 360.0 : last.arc_deg;
@@ -58,16 +58,10 @@ TestGroup group_of(std::span<const MachineTest> tests, Places places) {
 
 }  // namespace
 
-std::vector<TestGroup> groups_of(std::span<const MachineTest> tests) {
-  Places all(tests.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-  const auto key = [&](std::size_t i) { return std::tie(tests[i].plane, tests[i].bar); };
-  std::stable_sort(all.begin(), all.end(), [&](std::size_t left, std::size_t right) { return key(left) < key(right); });
-  std::vector<Places> parts;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i == 0 || key(all[i - 1]) != key(all[i])) parts.emplace_back();
-    parts.back().push_back(all[i]);
-  }
+std::vector<TestGroup> groups_of(std::span<const MachineTest> tests, std::vector<std::size_t> places) {
+  std::vector<Places> parts = parted(
+      std::move(places), [&](std::size_t i) { return static_cast<double>(tests[i].plane); },
+      [](double left, double right) { return left != right; });
   const auto by = [](double gap) { return [gap](double left, double right) { return right - left > gap; }; };
   parts = parted(
       parts, [&](std::size_t i) { return tests[i].nominal_length_mm; }, by(kLengthGap_mm));

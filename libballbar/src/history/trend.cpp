@@ -27,7 +27,7 @@ Values with_sigmas(std::span<const DatedValue> values, double last_s) {
   }
   if (!known.empty()) prepared.usual_sigma = median(known);
   for (const DatedValue& one : values) {
-    constexpr double kLeast = 1e-3;  // of the usual sigma: none is certain beside the others
+    constexpr double kLeast = 1e-3;  // of the usual sigma: none is certain among the others
     const double sigma =
         std::isfinite(one.sigma) ? std::max(one.sigma, kLeast * prepared.usual_sigma) : prepared.usual_sigma;
     prepared.x_years.push_back((one.time_s - last_s) / kYear_s);
@@ -178,6 +178,7 @@ std::optional<Trend> trend_of(std::span<const DatedValue> values) {
     trend.lines = {line};
     trend.rate_per_year = line.rate_per_year;
     trend.significant = std::abs(line.rate_per_year) > kNothing * largest;
+    trend.p_value = trend.significant ? 0.0 : 1.0;
     return trend;
   }
 
@@ -190,7 +191,8 @@ std::optional<Trend> trend_of(std::span<const DatedValue> values) {
   const double one_sigma = normal_below(1.0);
   trend.sigma_per_year = 0.5 * (quantile_of(trend, rate_of, one_sigma) - quantile_of(trend, rate_of, 1.0 - one_sigma));
   const double falls = chance_below(trend, rate_of, 0.0);
-  trend.significant = std::min(falls, 1.0 - falls) < normal_below(-kSignificantSigmas);
+  trend.p_value = 2.0 * std::min(falls, 1.0 - falls);
+  trend.significant = trend.p_value < 2.0 * normal_below(-kSignificantSigmas);
   return trend;
 }
 

@@ -4,6 +4,9 @@
 
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
 
 #include "ballbar/units.hpp"
 #include "numerics/not_finite.hpp"
@@ -20,6 +23,20 @@ MachineTest test_on(double day, double play_um, double sigma_um = 0.1) {
   return test;
 }
 
+std::vector<TestGroup> groups_of_all(const std::vector<MachineTest>& tests) {
+  std::vector<std::size_t> places(tests.size());
+  for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;
+  return groups_of(tests, places);
+}
+
+// The machine with every quantity.
+MachineHistory machine_of(const std::vector<MachineTest>& tests, const std::vector<Tolerance>& tolerances = {}) {
+  HistoryOptions options;
+  options.tolerances = tolerances;
+  options.every_quantity = true;
+  return history_of(tests, options).machines.at(0);
+}
+
 TEST(test_groups, what_may_be_compared) {
   std::vector<MachineTest> tests(9, test_on(0, 1));
   tests[1].feed_mm_per_min = 1049.0;
@@ -30,10 +47,9 @@ TEST(test_groups, what_may_be_compared) {
   tests[6].arc_deg = 220.0;
   tests[7].start_deg = 180.0;  // of a full circle
   tests[8].started_s.reset();
-  const auto groups = groups_of(tests);
   std::vector<std::vector<std::size_t>> places;
-  for (const TestGroup& group : groups) places.push_back(group.tests);
-  const std::vector<std::vector<std::size_t>> expected{{6}, {8, 0, 1, 7}, {2}, {3}, {5}, {4}};
+  for (const TestGroup& group : groups_of_all(tests)) places.push_back(group.tests);
+  const std::vector<std::vector<std::size_t>> expected{{6}, {8, 0, 1, 5, 7}, {2}, {3}, {4}};
   EXPECT_EQ(places, expected);
 }
 
@@ -43,58 +59,51 @@ TEST(test_groups, an_arc_may_start_about_0_deg) {
   tests[0].start_deg = 359.9;
   tests[1].start_deg = 0.1;
   tests[2].start_deg = 250.0;
-  const auto groups = groups_of(tests);
+  const auto groups = groups_of_all(tests);
   ASSERT_EQ(groups.size(), 2u);
   EXPECT_EQ(groups[0].tests, (std::vector<std::size_t>{0, 1}));
 }
 
-// 1.0 +- 0.1 and 1.5 +- 0.2: 0.5 +- 0.2236, 2.236 sigma. 2.6 * 0.2236 = 0.5814.
-TEST(history, change_is_held_against_both_sigmas) {
-  std::vector<MachineTest> tests{test_on(0, 1.0, 0.1), test_on(40, 1.5, 0.2)};
-  const QuantityHistory play = history_of(tests).at(0).groups.at(0).quantities.at(0);
-  ASSERT_TRUE(play.change);
-  EXPECT_NEAR(play.change->value, 0.5, 1e-12);
-  EXPECT_NEAR(play.change->sigma, std::sqrt(0.05), 1e-12);
-  EXPECT_FALSE(play.change->significant);
-  EXPECT_EQ(play.change->since_s, 0);
-  EXPECT_FALSE(play.trend);
-  tests[1].quantities[0].value = 1.59;
-  EXPECT_TRUE(history_of(tests)[0].groups[0].quantities[0].change->significant);
-  tests[1].quantities[0].sigma = kUnknown;
-  EXPECT_FALSE(history_of(tests)[0].groups[0].quantities[0].change->significant) << "stored: not known";
-}
-
 TEST(history, where_the_bar_was_put_has_none) {
-  const std::vector<MachineTest> tests{test_on(0, 1), test_on(40, 2), test_on(80, 3)};
-  const QuantityHistory centre = history_of(tests)[0].groups[0].quantities[1];
-  EXPECT_EQ(centre.name, "centre_a");
-  EXPECT_FALSE(centre.change);
-  EXPECT_FALSE(centre.trend);
+  const MachineHistory machine = machine_of({test_on(0, 1), test_on(40, 2), test_on(80, 3)});
+  ASSERT_EQ(machine.series.size(), 1u);
+  EXPECT_EQ(machine.series[0].name, "play");
+  EXPECT_EQ(machine.series[0].value, (std::vector<double>{1.0, 2.0, 3.0}));
 }
 
-// 2 um a year from 1 um at day 0: 5 um after two years. 12 quarterly tests, exact but for their sigma of 0.1.
+// 1 um +- 0.1 is beyond 2.6 sigmas, 0.2 um +- 0.1 is not.
+TEST(history, the_last_value_is_significant_by_its_sigma) {
+  EXPECT_TRUE(machine_of({test_on(0, 0.2), test_on(40, 1.0)}).series[0].significant);
+  EXPECT_FALSE(machine_of({test_on(0, 1.0), test_on(40, 0.2)}).series[0].significant);
+  EXPECT_FALSE(machine_of({test_on(0, 1.0, kUnknown)}).series[0].significant) << "stored: not known";
+}
+
+// 2 um a year from 1 um at day 0: 5 um after two years. 5 quarterly tests, exact but for their sigma of 0.1.
 TEST(history, tolerance_is_met_when_the_line_is_there) {
   std::vector<MachineTest> tests;
   for (int i = 0; i < 5; ++i) tests.push_back(test_on(91.3125 * i, 1.0 + 0.5 * i));
-  const std::vector<Tolerance> tolerances{{"play", -5.0, 5.0}};
-  const QuantityHistory play = history_of(tests, tolerances)[0].groups[0].quantities[0];
-  ASSERT_TRUE(play.trend);
-  EXPECT_NEAR(play.trend->rate_per_year, 2.0, 1e-6);
-  ASSERT_TRUE(play.date);
-  EXPECT_EQ(play.date->outlook, Outlook::expected);
-  EXPECT_NEAR(*play.date->at_s / kDay_s, 2.0 * 365.25, 3.0) << "the chance is not quite even to both sides";
-  EXPECT_LT(*play.date->earliest_s, *play.date->at_s);
-  ASSERT_TRUE(play.date->latest_s);
-  EXPECT_GT(*play.date->latest_s, *play.date->at_s);
-  EXPECT_GT(*play.date->earliest_s / kDay_s, 365.25) << "the last test";
+  const MachineHistory machine = machine_of(tests, {{"play", -5.0, 5.0}});
+  ASSERT_TRUE(machine.series.at(0).trend);
+  EXPECT_NEAR(machine.series[0].trend->rate_per_year, 2.0, 1e-6);
+  EXPECT_NEAR(machine.series[0].level, 3.0, 1e-6);
+  EXPECT_EQ(machine.need, Need::expected);
+  ASSERT_EQ(machine.findings.size(), 1u);
+  EXPECT_EQ(machine.findings[0].kind, FindingKind::trend);
+  EXPECT_EQ(machine.findings[0].quantities[0].size, machine.series[0].trend->rate_per_year) << "one line, one rate";
+  const ToleranceDate& date = machine.tolerances.at(0).date;
+  EXPECT_EQ(date.outlook, Outlook::expected);
+  EXPECT_NEAR(*date.at_s / kDay_s, 2.0 * 365.25, 3.0) << "the chance is not quite even to both sides";
+  EXPECT_LT(*date.earliest_s, *date.at_s);
+  ASSERT_TRUE(date.latest_s);
+  EXPECT_GT(*date.latest_s, *date.at_s);
+  EXPECT_GT(*date.earliest_s / kDay_s, 365.25) << "the last test";
 }
 
 TEST(history, other_outlooks) {
   std::vector<MachineTest> tests;
   for (int i = 0; i < 5; ++i) tests.push_back(test_on(91.3125 * i, 1.0 + 0.5 * i));
   const auto outlook = [&](const Tolerance& tolerance) {
-    const std::vector<Tolerance> tolerances{tolerance};
-    return history_of(tests, tolerances)[0].groups[0].quantities[0].date->outlook;
+    return machine_of(tests, {tolerance}).tolerances.at(0).date.outlook;
   };
   EXPECT_EQ(outlook({"play", {}, 2.9}), Outlook::beyond);
   EXPECT_EQ(outlook({"play", -5.0, {}}), Outlook::away) << "it rises";
@@ -103,45 +112,53 @@ TEST(history, other_outlooks) {
   EXPECT_EQ(outlook({"play", -5.0, 5.0}), Outlook::no_trend);
 }
 
+// The level of 1 um and 9 um is 5 um: beyond 1.5 um; of three tests of 1 um and one of 9 um it is near 1 um.
 TEST(history, tolerance_of_the_newest_file_counts_where_none_is_given) {
-  std::vector<MachineTest> tests{test_on(0, 1), test_on(40, 2)};
+  std::vector<MachineTest> tests{test_on(0, 1), test_on(40, 9)};
   tests[0].tolerances = {{"play", {}, 1.5}};
-  EXPECT_FALSE(history_of(tests)[0].groups[0].quantities[0].tolerance);
+  EXPECT_TRUE(machine_of(tests).tolerances.empty());
   tests[1].tolerances = {{"play", {}, 1.5}};
-  EXPECT_EQ(history_of(tests)[0].groups[0].quantities[0].date->outlook, Outlook::beyond);
-  const std::vector<Tolerance> given{{"play", {}, 3.0}};
-  EXPECT_EQ(history_of(tests, given)[0].groups[0].quantities[0].date->outlook, Outlook::no_trend);
+  EXPECT_EQ(machine_of(tests).tolerances.at(0).date.outlook, Outlook::beyond);
+  EXPECT_EQ(machine_of(tests, {{"play", {}, 30.0}}).tolerances.at(0).date.outlook, Outlook::no_trend);
 }
 
-TEST(history, machines_are_kept_apart) {
+TEST(history, a_last_test_alone_beyond_its_tolerance_is_measured_again) {
+  std::vector<MachineTest> tests;
+  for (int i = 0; i < 8; ++i) tests.push_back(test_on(40.0 * i, i < 7 ? 1.0 + 0.01 * (i % 2) : 9.0));
+  const MachineHistory machine = machine_of(tests, {{"play", {}, 3.0}});
+  EXPECT_EQ(machine.need, Need::nothing);
+  EXPECT_TRUE(machine.tolerances.at(0).last_alone);
+  EXPECT_EQ(machine.reason, "play XY of the last test is beyond its tolerance, those before are not: measure again.");
+}
+
+TEST(history, machines_have_their_own) {
   std::vector<MachineTest> tests{test_on(0, 1), test_on(40, 2), test_on(80, 3)};
   tests[0].machine = tests[2].machine = "mill 7";
-  auto machines = history_of(tests);
-  ASSERT_EQ(machines.size(), 1u) << "the one without a name is the only machine's";
+  History history = history_of(tests);
+  ASSERT_EQ(history.machines.size(), 1u) << "the one without a name is the only machine's";
+  EXPECT_EQ(history.machines[0].groups.at(0).tests, (std::vector<std::size_t>{0, 1, 2}));
   tests[1].machine = "mill 5";
-  machines = history_of(tests);
-  ASSERT_EQ(machines.size(), 2u);
-  EXPECT_EQ(machines[0].machine, "mill 5");
-  EXPECT_EQ(machines[0].groups[0].group.tests, (std::vector<std::size_t>{1}));
-  EXPECT_EQ(machines[1].groups[0].quantities[0].tests, (std::vector<std::size_t>{0, 2}));
+  history = history_of(tests);
+  ASSERT_EQ(history.machines.size(), 2u);
+  EXPECT_EQ(history.machines[0].name, "mill 5");
+  EXPECT_EQ(history.machines[0].groups[0].tests, (std::vector<std::size_t>{1}));
+  EXPECT_EQ(history.machines[1].groups[0].tests, (std::vector<std::size_t>{0, 2}));
+  EXPECT_TRUE(history.machines[1].series.empty()) << "nothing was found";
 }
 
-TEST(history, tests_without_a_date_stand_beside) {
+TEST(history, tests_without_a_date_are_in_nothing) {
   std::vector<MachineTest> tests{test_on(0, 1), test_on(40, 2)};
   tests[1].started_s.reset();
-  const QuantityHistory play = history_of(tests)[0].groups[0].quantities[0];
-  EXPECT_EQ(play.tests, (std::vector<std::size_t>{0}));
-  EXPECT_FALSE(play.change);
-  EXPECT_EQ(play.last_value, 1.0);
+  tests[1].file = "undated";
+  EXPECT_EQ(machine_of(tests).series.at(0).tests, (std::vector<std::size_t>{0}));
+  EXPECT_EQ(history_of(tests).without_date, (std::vector<std::string>{"undated"}));
 }
 
 TEST(history, what_a_test_does_not_determine_is_no_value) {
-  std::vector<MachineTest> tests{test_on(0, 1.0), test_on(40, 50.0, std::numeric_limits<double>::infinity()),
-                                 test_on(80, 1.1)};
-  const QuantityHistory play = history_of(tests)[0].groups[0].quantities[0];
-  EXPECT_EQ(play.tests, (std::vector<std::size_t>{0, 2}));
-  EXPECT_NEAR(play.change->value, 0.1, 1e-12);
-  EXPECT_FALSE(play.trend) << "two values";
+  const MachineHistory machine =
+      machine_of({test_on(0, 1.0), test_on(40, 50.0, std::numeric_limits<double>::infinity()), test_on(80, 1.1)});
+  EXPECT_EQ(machine.series.at(0).tests, (std::vector<std::size_t>{0, 2}));
+  EXPECT_FALSE(machine.series[0].trend) << "two values";
 }
 
 // A hundred times the tests take some hundred times as long, and a step that looks at all others ten thousand.
@@ -152,7 +169,7 @@ TEST(history, time_grows_with_the_number_of_tests) {
     double least = 1e9;
     for (int k = 0; k < 3; ++k) {
       const auto start = std::chrono::steady_clock::now();
-      EXPECT_EQ(history_of(tests).size(), 1u);
+      EXPECT_EQ(history_of(tests).machines.size(), 1u);
       least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
     return least;

@@ -4,11 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 namespace ballbar::study {
 namespace {
 
-std::string kinds_of(const FleetMachine& machine) {
+std::string kinds_of(const MachineHistory& machine) {
   std::vector<std::string_view> kinds;
   for (const Finding& finding : machine.findings) kinds.push_back(name_of(finding.kind));
   return kinds.empty() ? "nothing" : fmt::format("{}", fmt::join(kinds, " "));
@@ -16,12 +18,12 @@ std::string kinds_of(const FleetMachine& machine) {
 
 }  // namespace
 
-PlantTally tally_of(const Plant& plant, const FleetOptions& options) {
-  const Fleet fleet = fleet_of(plant.tests, options);
+PlantTally tally_of(const Plant& plant, const HistoryOptions& options) {
+  const History history = history_of(plant.tests, options);
   PlantTally tally;
-  tally.judged = fleet.judged;
-  tally.machines = fleet.machines.size();
-  for (const FleetMachine& machine : fleet.machines) {
+  tally.judged = history.judged;
+  tally.machines = history.machines.size();
+  for (const MachineHistory& machine : history.machines) {
     bool has_story = false;
     if (!machine.findings.empty()) ++tally.called;
     for (const KnownStory& story : plant.stories) {
@@ -37,11 +39,29 @@ PlantTally tally_of(const Plant& plant, const FleetOptions& options) {
       }
     }
     if (!has_story && !machine.findings.empty()) {
-      const FleetSeries& series = machine.series[machine.findings.front().quantities.front().series];
+      const QuantityHistory& series = machine.series[machine.findings.front().quantities.front().series];
       tally.others.push_back(fmt::format("{} {}", kinds_of(machine), series.name));
     }
   }
   return tally;
+}
+
+PlantTally tally_of_each(const Plant& plant, const HistoryOptions& options) {
+  std::map<std::string, Plant> machines;
+  for (const MachineTest& test : plant.tests) machines[test.machine].tests.push_back(test);
+  for (const KnownStory& story : plant.stories) machines[story.machine].stories.push_back(story);
+  PlantTally sum;
+  for (const auto& [name, machine] : machines) {
+    const PlantTally one = tally_of(machine, options);
+    sum.missed.insert(sum.missed.end(), one.missed.begin(), one.missed.end());
+    sum.others.insert(sum.others.end(), one.others.begin(), one.others.end());
+    sum.found_stories += one.found_stories;
+    sum.stories += one.stories;
+    sum.machines += one.machines;
+    sum.called += one.called;
+    sum.judged += one.judged;
+  }
+  return sum;
 }
 
 }  // namespace ballbar::study

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ballbar/history/fleet.hpp"
+#include "ballbar/history/history.hpp"
 #include "ballbar/history/machine_test.hpp"
 
 namespace ballbar::study {
@@ -28,6 +28,9 @@ struct PlantTally {
   std::size_t called = 0, judged = 0;
 };
 
-PlantTally tally_of(const Plant& plant, const FleetOptions& options = {});
+PlantTally tally_of(const Plant& plant, const HistoryOptions& options = {});
+
+// Each machine judged alone; the sum.
+PlantTally tally_of_each(const Plant& plant, const HistoryOptions& options = {});
 
 }  // namespace ballbar::study

@@ -7,7 +7,7 @@
 // All tests together: weighted least squares for the axes they reach. An axis in two planes is measured twice; how far
 // both agree is chi^2, and the pull of each is its residual over the residual's sigma. Where they agree worse than one
 // in a hundred would by chance, each scale of a test is taken to scatter by as much more as makes chi^2 the degrees of
-// freedom. A bar of wrong length moves all scales alike: that no test of its own shows.
+// freedom. A bar of wrong length moves all scales by as much: that no test of its own shows.
 //
 // Source of the scatter: R. C. Paule and J. Mandel, J. Res. Natl. Bur. Stand. 87 (1982).
 #pragma once

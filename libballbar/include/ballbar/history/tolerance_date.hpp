@@ -12,7 +12,7 @@ inline constexpr double kForecast_years = 10.0;  // as far as a straight line is
 
 enum class Outlook {
   beyond,    // the last value is
-  no_trend,  // not told: too few tests, or no significant trend
+  no_trend,  // too few tests, or none that is significant
   away,      // the trend goes to an end that is open, or reaches none within kForecast_years
   expected,  // within kForecast_years
 };

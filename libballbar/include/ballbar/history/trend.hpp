@@ -44,6 +44,7 @@ struct Trend {
   double last_s = 0.0;
   double rate_per_year = 0.0;
   double sigma_per_year = 0.0;  // half of the interval that holds 68.3 %
+  double p_value = 1.0;         // of a rate as far from 0 by chance, on either side
   bool significant = false;     // beyond kSignificantSigmas
   double scatter = 0.0;         // tau, the median: from test to test beyond the sigmas
   std::vector<TrendLine> lines;

@@ -1,4 +1,4 @@
-#include "history/fleet_events.hpp"
+#include "history/events.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "ballbar/history/trend.hpp"
-#include "history/fleet_quantities.hpp"
+#include "history/quantity_kind.hpp"
 
 namespace ballbar {
 namespace {
@@ -53,7 +53,7 @@ bool overlap(const Dates& left, const Dates& right) {
   return left.from_s <= right.to_s + kDay_s && right.from_s <= left.to_s + kDay_s;
 }
 
-bool scales_step_alike(const AllSeries& all, const Calls& calls) {
+bool step_in_common(const AllSeries& all, const Calls& calls) {
   double sign = 0.0;
   for (const Call* call : calls) {
     const QuantityKind kind = kind_of(all, *call);
@@ -134,20 +134,20 @@ Event step_event(const AllSeries& all, Calls calls) {
   const Dates dates = likely_dates(all, *event.calls.front());
   event.from_s = dates.from_s;
   event.to_s = dates.to_s;
-  event.all_scales_alike = scales_step_alike(all, event.calls);
+  event.is_common_scale = step_in_common(all, event.calls);
   note_bars(all, event);
-  if (event.all_scales_alike && event.bar_before != event.bar_after) {
+  if (event.is_common_scale && event.bar_before != event.bar_after) {
     event.kind = FindingKind::instrument;
     return event;
   }
-  event.axis = event.all_scales_alike ? std::nullopt : bettered_axis(all, event.calls);
+  event.axis = event.is_common_scale ? std::nullopt : bettered_axis(all, event.calls);
   if (event.axis) event.kind = FindingKind::replaced_part;
   event.to_the_worse = is_to_the_worse(all, event.calls);
   sort_by_cause(all, event.calls);
   return event;
 }
 
-// The steps of one date: where the bar changed and all scales step alike they are an event of their own.
+// The steps of one date: where the bar changed and all scales step in common they are an event of their own.
 void add_date(const AllSeries& all, const Calls& together, std::vector<Event>& events) {
   Calls scales, others;
   bool bar_changed = false;
@@ -157,7 +157,7 @@ void add_date(const AllSeries& all, const Calls& together, std::vector<Event>& e
   }
   const bool sums_alone =
       std::all_of(others.begin(), others.end(), [&](const Call* call) { return kind_of(all, *call).of_sum; });
-  if (!bar_changed || sums_alone || !scales_step_alike(all, scales)) {
+  if (!bar_changed || sums_alone || !step_in_common(all, scales)) {
     events.push_back(step_event(all, together));
     return;
   }

@@ -1,4 +1,4 @@
-#include "history/fleet_quantities.hpp"
+#include "history/quantity_kind.hpp"
 
 #include <map>
 #include <tuple>

@@ -1,4 +1,4 @@
-#include "history/fleet_scatter.hpp"
+#include "history/scatter.hpp"
 
 #include <algorithm>
 #include <boost/math/special_functions/digamma.hpp>
@@ -15,7 +15,8 @@
 namespace ballbar {
 namespace {
 
-constexpr double kDegreesOfDifference = 0.6;  // each tells of a scatter, beside a normal value about a known mean
+constexpr double kDegreesOfDifference =
+    0.6;  // of one difference for a scatter, where a normal value about a known mean has 1
 constexpr double kMostPriorDegrees = 30.0;
 constexpr std::size_t kSeriesOfPrior = 4;
 constexpr double kSquareOfClipped = 0.9205;  // of a standard normal number, clipped at kHuberClip
@@ -60,7 +61,7 @@ double degrees_of(const QuantitySeries& series) {
   return std::max(1.0, kDegreesOfDifference * static_cast<double>(series.value.size() - 1));
 }
 
-// Mean and degrees of freedom of the scatters' logarithm over machines; medians, for machines with a story.
+// Mean and degrees of freedom of the scatters' logarithm over machines; medians, as some machines step or wear.
 void moderate(const AllSeries& all, const std::vector<std::size_t>& members, std::vector<SeriesScatter>& scatter) {
   std::vector<double> logs, own;
   for (const std::size_t i : members) {
@@ -88,6 +89,7 @@ void moderate(const AllSeries& all, const std::vector<std::size_t>& members, std
     const double d = degrees_of(all.series[i]);
     scatter[i].s = std::sqrt((d0 * s02 + d * scatter[i].s * scatter[i].s) / (d0 + d));
     scatter[i].degrees = d0 + d;
+    scatter[i].of_machines = true;
   }
 }
 
@@ -126,7 +128,7 @@ Scores scores_of(const QuantitySeries& series, double s) {
 // Median over series of the mean square of runs; that of a mean of few runs lies below its mean (Wilson and Hilferty).
 struct Memory {
   std::array<double, kRunLengths> ratio{};
-  std::array<double, kRunLengths> series{};  // how many told it
+  std::array<double, kRunLengths> series{};  // how many it is from
 };
 
 Memory memory_of(const AllSeries& all, const std::vector<Scores>& scores, const std::vector<std::size_t>& members) {
@@ -155,12 +157,12 @@ double memory_at(const std::array<double, kRunLengths>& ratio, double j) {
 }
 
 // Few machines tell little of one quantity: then all quantities tell more, and of those few a usual memory. Of runs
-// longer than any that were seen it rises on, with every doubling by as much as with the last.
+// longer than any in the tests it rises on, with every doubling by as much as with the last.
 std::array<double, kRunLengths> moderated(const Memory& own, const Memory& of_all) {
   constexpr double kWeightOfAll = 6.0, kUsual = 0.14;  // ln of the ratio
   std::array<double, kRunLengths> ratio{};
-  const auto pulled = [](double seen, double weight, double usual) {
-    return weight > 0.0 ? (weight * std::log(seen) + kWeightOfAll * usual) / (weight + kWeightOfAll) : usual;
+  const auto pulled = [](double found, double weight, double usual) {
+    return weight > 0.0 ? (weight * std::log(found) + kWeightOfAll * usual) / (weight + kWeightOfAll) : usual;
   };
   for (std::size_t k = 0; k < kRunLengths; ++k) {
     if (k > 0 && of_all.series[k] == 0.0) {
@@ -187,15 +189,15 @@ std::vector<double> scatters_of(const QuantitySeries& series, double s) {
   return scatter;
 }
 
-FleetScatter fleet_scatter(const AllSeries& all) {
-  FleetScatter fleet;
+Scatter scatter_of(const AllSeries& all) {
+  Scatter scatter;
   const std::size_t count = all.series.size();
-  fleet.series.resize(count);
+  scatter.series.resize(count);
   in_parallel(count, [&](std::size_t i) {
     const QuantitySeries& series = all.series[i];
     if (series.value.size() < kTestsOfTrend) return;
     constexpr double kLeast = 0.7;  // of the sigma that the fits state
-    fleet.series[i].s =
+    scatter.series[i].s =
         std::max({scatter_of_differences(series.value), kLeast * usual_sigma(series), resolution_of(series.value)});
   });
   std::vector<std::vector<std::size_t>> members(all.families);
@@ -205,24 +207,24 @@ FleetScatter fleet_scatter(const AllSeries& all) {
     members[all.series[i].family].push_back(i);
     everyone.push_back(i);
   }
-  in_parallel(members.size(), [&](std::size_t f) { moderate(all, members[f], fleet.series); });
+  in_parallel(members.size(), [&](std::size_t f) { moderate(all, members[f], scatter.series); });
   std::vector<Scores> scores(count);
   in_parallel(count, [&](std::size_t i) {
-    if (all.series[i].value.size() >= kTestsOfTrend) scores[i] = scores_of(all.series[i], fleet.series[i].s);
+    if (all.series[i].value.size() >= kTestsOfTrend) scores[i] = scores_of(all.series[i], scatter.series[i].s);
   });
   const Memory of_all = memory_of(all, scores, everyone);
   TailCounts all_counts;
   for (const Scores& one : scores) all_counts.add(one.about_curve);
-  fleet.families.resize(all.families);
+  scatter.families.resize(all.families);
   in_parallel(members.size(), [&](std::size_t f) {
     if (members[f].empty()) return;
-    fleet.families[f].memory_of = moderated(memory_of(all, scores, members[f]), of_all);
+    scatter.families[f].memory_of = moderated(memory_of(all, scores, members[f]), of_all);
     TailCounts counts;
     for (const std::size_t i : members[f]) counts.add(scores[i].about_curve);
-    fleet.families[f].tail = tails_of(counts, all_counts);
-    fleet.families[f].variance_of_score = variance_of(fleet.families[f].tail.front());
+    scatter.families[f].tail = tails_of(counts, all_counts);
+    scatter.families[f].variance_of_score = variance_of(scatter.families[f].tail.front());
   });
-  return fleet;
+  return scatter;
 }
 
 double FamilyScatter::memory(double j) const { return memory_at(memory_of, j); }

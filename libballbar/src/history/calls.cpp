@@ -1,4 +1,4 @@
-#include "history/fleet_calls.hpp"
+#include "history/calls.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,9 +51,16 @@ double mean_of(const Eigen::VectorXd& values, std::size_t from, std::size_t to) 
   return values.segment(static_cast<Eigen::Index>(from), static_cast<Eigen::Index>(to - from)).mean();
 }
 
+// By the sigmas of the fits alone.
+double sigma_of_mean(const std::vector<double>& sigma) {
+  double squares = 0.0;
+  for (const double one : sigma) squares += one * one;
+  return std::sqrt(squares) / static_cast<double>(sigma.size());
+}
+
 }  // namespace
 
-std::vector<Call> calls_of(const AllSeries& all, const FleetScatter& scatter) {
+std::vector<Call> calls_of(const AllSeries& all, const Scatter& scatter) {
   std::vector<std::vector<Call>> parts(all.series.size());
   in_parallel(parts.size(), [&](std::size_t i) {
     const QuantitySeries& series = all.series[i];
@@ -77,7 +84,7 @@ SeriesCurve curve_with(const QuantitySeries& series, const SeriesScatter& scatte
       first.back() = -1;
       continue;
     }
-    columns = beside(columns, own);
+    columns = joined(columns, own);
   }
   const double s = scatter.s > 0.0 ? scatter.s : 1.0;
   const RobustFit fit = robust_fit(columns, series.value, scatters_of(series, s));
@@ -104,7 +111,7 @@ SeriesCurve curve_with(const QuantitySeries& series, const SeriesScatter& scatte
   curve.fitted.assign(fitted.begin(), fitted.end());
   curve.level = curve.fitted.back();
   const Eigen::VectorXd last = columns.row(columns.rows() - 1).transpose();
-  curve.sigma = scatter.s > 0.0 ? std::sqrt(memory * last.dot(fit.covariance * last)) : 0.0;
+  curve.sigma = scatter.s > 0.0 ? std::sqrt(memory * last.dot(fit.covariance * last)) : sigma_of_mean(series.sigma);
   return curve;
 }
 

@@ -14,8 +14,9 @@ namespace ballbar {
 // Of one series. s^2 = (d0 s0^2 + d r^2) / (d0 + d), r from successive values, s0 and d0 from the same quantity of all
 // machines (Smyth 2004).
 struct SeriesScatter {
-  double s = 0.0;        // 0: all values are the same
-  double degrees = 0.0;  // d0 + d
+  double s = 0.0;            // 0: all values are the same
+  double degrees = 0.0;      // d0 + d
+  bool of_machines = false;  // s0 is known: there are kSeriesOfPrior series of the quantity at least
 };
 
 inline constexpr std::size_t kRunLengths = 9;
@@ -39,7 +40,7 @@ class FamilyScatter {
   std::array<std::vector<double>, kLongestShortRun> tail;  // of the sum of 1, 2 ... scores: at least so many steps
 };
 
-struct FleetScatter {
+struct Scatter {
   std::vector<SeriesScatter> series;
   std::vector<FamilyScatter> families;
 };
@@ -47,6 +48,6 @@ struct FleetScatter {
 // Scatters of the values of a series: s, more where a value's own sigma is larger than the usual one.
 std::vector<double> scatters_of(const QuantitySeries& series, double s);
 
-FleetScatter fleet_scatter(const AllSeries& all);
+Scatter scatter_of(const AllSeries& all);
 
 }  // namespace ballbar

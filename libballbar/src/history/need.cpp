@@ -1,4 +1,4 @@
-#include "history/fleet_need.hpp"
+#include "history/need.hpp"
 
 #include <fmt/format.h>
 
@@ -7,29 +7,29 @@
 #include <limits>
 #include <tuple>
 
-#include "history/fleet_sentences.hpp"
+#include "history/event_texts.hpp"
 
 namespace ballbar {
 namespace {
 
 // How far beyond, over the tolerance's own size.
-double excess_of(const FleetMachine& machine, const FleetTolerance& one) {
+double excess_of(const MachineHistory& machine, const ToleranceOutlook& one) {
   const double limit = one.date.limit.value_or(0.0);
   return std::abs(machine.series[one.series].level - limit) / std::max(std::abs(limit), 1e-9);
 }
 
-const FleetTolerance* farthest_beyond(const FleetMachine& machine) {
-  const FleetTolerance* worst = nullptr;
-  for (const FleetTolerance& one : machine.tolerances) {
+const ToleranceOutlook* farthest_beyond(const MachineHistory& machine) {
+  const ToleranceOutlook* worst = nullptr;
+  for (const ToleranceOutlook& one : machine.tolerances) {
     if (one.date.outlook != Outlook::beyond) continue;
     if (worst == nullptr || excess_of(machine, one) > excess_of(machine, *worst)) worst = &one;
   }
   return worst;
 }
 
-const FleetTolerance* soonest(const FleetMachine& machine) {
-  const FleetTolerance* first = nullptr;
-  for (const FleetTolerance& one : machine.tolerances) {
+const ToleranceOutlook* soonest(const MachineHistory& machine) {
+  const ToleranceOutlook* first = nullptr;
+  for (const ToleranceOutlook& one : machine.tolerances) {
     if (one.date.outlook != Outlook::expected) continue;
     if (first == nullptr || *one.date.at_s < *first->date.at_s) first = &one;
   }
@@ -46,7 +46,7 @@ struct Urgency {
   double number = 0.0;
 };
 
-Urgency urgency_of(const FleetMachine& machine) {
+Urgency urgency_of(const MachineHistory& machine) {
   switch (machine.need) {
     case Need::beyond:
       return {0, -excess_of(machine, *farthest_beyond(machine))};
@@ -63,8 +63,8 @@ Urgency urgency_of(const FleetMachine& machine) {
   return {};
 }
 
-std::string label_of(const FleetMachine& machine, const FleetTolerance& one) {
-  const FleetSeries& series = machine.series[one.series];
+std::string label_of(const MachineHistory& machine, const ToleranceOutlook& one) {
+  const QuantityHistory& series = machine.series[one.series];
   return label_of(series.name, series.plane);
 }
 
@@ -84,15 +84,16 @@ std::string_view name_of(Need need) {
   return "";
 }
 
-void say_need(FleetMachine& machine) {
-  if (const FleetTolerance* worst = farthest_beyond(machine)) {
-    const FleetSeries& series = machine.series[worst->series];
+void say_need(MachineHistory& machine) {
+  if (const ToleranceOutlook* worst = farthest_beyond(machine)) {
+    const QuantityHistory& series = machine.series[worst->series];
     machine.need = Need::beyond;
-    machine.reason = fmt::format("{} is {}, beyond its tolerance of {:g} {}.", label_of(machine, *worst),
-                                 amount_text(series.level, series.sigma, series.unit), *worst->date.limit, series.unit);
+    machine.reason =
+        fmt::format("{} is {}, beyond its tolerance of {:g} {}.", label_of(machine, *worst),
+                    amount_text(series.level, series.level_sigma, series.unit), *worst->date.limit, series.unit);
     return;
   }
-  if (const FleetTolerance* first = soonest(machine)) {
+  if (const ToleranceOutlook* first = soonest(machine)) {
     machine.need = Need::expected;
     machine.reason =
         fmt::format("{} meets its tolerance of {:g} {} on {} ({} to {}) if it goes on.", label_of(machine, *first),
@@ -109,17 +110,17 @@ void say_need(FleetMachine& machine) {
     return;
   }
   machine.need = Need::nothing;
-  for (const FleetTolerance& one : machine.tolerances) {
+  for (const ToleranceOutlook& one : machine.tolerances) {
     if (!one.last_alone) continue;
     machine.reason = fmt::format("{} of the last test is beyond its tolerance, those before are not: measure again.",
                                  label_of(machine, one));
     return;
   }
-  machine.reason = machine.tests < 3 ? "Fewer than 3 tests tell neither a step nor a trend." : "Nothing stands out.";
+  machine.reason = machine.judged == 0 ? "The tests are too few to show a step or a trend." : "Nothing stands out.";
 }
 
-void rank(std::vector<FleetMachine>& machines) {
-  std::stable_sort(machines.begin(), machines.end(), [](const FleetMachine& left, const FleetMachine& right) {
+void rank(std::vector<MachineHistory>& machines) {
+  std::stable_sort(machines.begin(), machines.end(), [](const MachineHistory& left, const MachineHistory& right) {
     const Urgency one = urgency_of(left), other = urgency_of(right);
     return std::tie(left.need, one.of_machine, one.number, left.name) <
            std::tie(right.need, other.of_machine, other.number, right.name);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "history/fleet_calls.hpp"
+#include "history/calls.hpp"
 #include "history/quantity_series.hpp"
 
 namespace ballbar {
@@ -13,13 +13,13 @@ struct Event {
   std::vector<const Call*> calls;  // the clearest first
   double from_s = 0.0, to_s = 0.0;
   std::optional<int> axis;
-  bool all_scales_alike = false;
+  bool is_common_scale = false;
   bool to_the_worse = false;  // two kinds of errors at least, most of them farther from 0 than before
   std::string bar_before, bar_after;
 };
 
 // Steps whose dates agree are one event:
-//   instrument      scales alone step, all alike, where the bar's serial number changes
+//   instrument      scales alone step, all by as much, where the bar's serial number changes
 //   replaced_part   two kinds of errors of one axis at least, all nearer to 0 than before, and none of another axis or
 //                   of the angle of the axes farther
 //   step            all others

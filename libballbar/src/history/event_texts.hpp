@@ -1,9 +1,9 @@
-// What is said of an event, and what to do.
+// An event in a sentence, and what to do.
 #pragma once
 
 #include <string>
 
-#include "history/fleet_events.hpp"
+#include "history/events.hpp"
 
 namespace ballbar {
 

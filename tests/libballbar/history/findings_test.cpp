@@ -1,5 +1,3 @@
-#include "ballbar/history/fleet.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <random>
 
 #include "ballbar/error.hpp"
+#include "ballbar/history/history.hpp"
 #include "ballbar/history/trend.hpp"
 #include "history/false_discovery.hpp"
 #include "history/robust_fit.hpp"
@@ -17,8 +16,8 @@
 namespace ballbar {
 namespace {
 
-// What a machine's story adds to one quantity at a time, years.
-using Story = std::function<double(const std::string& quantity, double years)>;
+// What happens to a machine: how much it adds to one quantity at a time, years.
+using Fate = std::function<double(const std::string& quantity, double years)>;
 
 struct MadeQuantity {
   const char* name;
@@ -31,7 +30,7 @@ constexpr MadeQuantity kMade[] = {
     {"scale_x", "um/m", 12.0, 1.5},         {"scale_y", "um/m", -7.0, 1.5},         {"global_scale", "um", 0.25, 0.12}};
 
 // A test a month for three years, from 2020-01-15 on, the scatter normal.
-void add_machine(std::vector<MachineTest>& tests, const std::string& name, unsigned seed, const Story& story = nullptr,
+void add_machine(std::vector<MachineTest>& tests, const std::string& name, unsigned seed, const Fate& fate = nullptr,
                  int months = 36) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
@@ -45,7 +44,7 @@ void add_machine(std::vector<MachineTest>& tests, const std::string& name, unsig
     test.feed_mm_per_min = 1000.0;
     for (const MadeQuantity& made : kMade) {
       double value = made.level + made.scatter * normal(random);
-      if (story) value += story(made.name, years);
+      if (fate) value += fate(made.name, years);
       test.quantities.push_back({made.name, made.unit, value, 0.3 * made.scatter});
     }
     test.quantities.push_back({"centre_a", "um", 10.0 * years, 0.1, true});
@@ -59,14 +58,14 @@ std::vector<MachineTest> plain_fleet(unsigned machines = 20) {
   return tests;
 }
 
-const FleetMachine& machine_called(const Fleet& fleet, const std::string& name) {
-  const auto found = std::find_if(fleet.machines.begin(), fleet.machines.end(),
-                                  [&](const FleetMachine& one) { return one.name == name; });
-  EXPECT_NE(found, fleet.machines.end()) << name;
+const MachineHistory& machine_called(const History& history, const std::string& name) {
+  const auto found = std::find_if(history.machines.begin(), history.machines.end(),
+                                  [&](const MachineHistory& one) { return one.name == name; });
+  EXPECT_NE(found, history.machines.end()) << name;
   return *found;
 }
 
-std::vector<std::string> names_in(const FleetMachine& machine, const Finding& finding) {
+std::vector<std::string> names_in(const MachineHistory& machine, const Finding& finding) {
   std::vector<std::string> names;
   for (const FindingQuantity& one : finding.quantities) names.push_back(machine.series[one.series].name);
   return names;
@@ -99,28 +98,28 @@ TEST(robust_fit, a_value_far_off_counts_two_scatters) {
   EXPECT_NEAR(fit.loss, 9.0 * m * m + 2.0 * (2.0 * (1000.0 - m) - 2.0), 1e-9);
 }
 
-TEST(fleet, nothing_is_found_where_nothing_is) {
+TEST(findings, nothing_is_found_where_nothing_is) {
   const std::vector<MachineTest> tests = plain_fleet();
-  const Fleet fleet = fleet_of(tests);
-  EXPECT_EQ(fleet.machines.size(), 20u);
-  EXPECT_EQ(fleet.found, 0u);
-  EXPECT_EQ(fleet.judged, 20u * 9u * 3u);
-  for (const FleetMachine& machine : fleet.machines) {
+  const History history = history_of(tests);
+  EXPECT_EQ(history.machines.size(), 20u);
+  EXPECT_EQ(history.found, 0u);
+  EXPECT_EQ(history.judged, 20u * 9u * 3u);
+  for (const MachineHistory& machine : history.machines) {
     EXPECT_EQ(machine.need, Need::nothing) << machine.name;
     EXPECT_EQ(machine.reason, "Nothing stands out.");
     EXPECT_EQ(machine.tests, 36u);
   }
 }
 
-TEST(fleet, wear_is_a_trend_with_the_date_of_its_tolerance) {
+TEST(findings, wear_is_a_trend_with_the_date_of_its_tolerance) {
   std::vector<MachineTest> tests = plain_fleet();
   add_machine(tests, "worn", 7, [](const std::string& quantity, double years) {
     return quantity.starts_with("backlash_a") ? 1.0 * years : 0.0;
   });
-  FleetOptions options;
+  HistoryOptions options;
   options.tolerances = {{"backlash_a_pos", -6.0, 6.0}};
-  const Fleet fleet = fleet_of(tests, options);
-  const FleetMachine& worn = fleet.machines.front();
+  const History history = history_of(tests, options);
+  const MachineHistory& worn = history.machines.front();
   EXPECT_EQ(worn.name, "worn");
   EXPECT_EQ(worn.need, Need::expected);
   ASSERT_EQ(worn.findings.size(), 1u);
@@ -137,7 +136,7 @@ TEST(fleet, wear_is_a_trend_with_the_date_of_its_tolerance) {
   EXPECT_NEAR(*worn.tolerances[0].date.at_s, 1579046400 + 4.5 * kYear_s, 0.35 * kYear_s);
 }
 
-TEST(fleet, what_steps_at_one_date_is_one_event) {
+TEST(findings, what_steps_at_one_date_is_one_event) {
   std::vector<MachineTest> tests = plain_fleet();
   add_machine(tests, "hit", 8, [](const std::string& quantity, double years) {
     if (years < 1.7) return 0.0;
@@ -146,8 +145,8 @@ TEST(fleet, what_steps_at_one_date_is_one_event) {
            : quantity == "backlash_a_pos" ? 1.5
                                           : 0.0;
   });
-  const Fleet fleet = fleet_of(tests);
-  const FleetMachine& hit = fleet.machines.front();
+  const History history = history_of(tests);
+  const MachineHistory& hit = history.machines.front();
   ASSERT_EQ(hit.name, "hit");
   ASSERT_EQ(hit.findings.size(), 1u);
   const Finding& step = hit.findings[0];
@@ -159,42 +158,42 @@ TEST(fleet, what_steps_at_one_date_is_one_event) {
   EXPECT_NE(step.sentence.find("collision"), std::string::npos) << step.sentence;
 }
 
-TEST(fleet, three_tests_after_a_step_are_enough) {
+TEST(findings, three_tests_after_a_step_are_enough) {
   std::vector<MachineTest> tests = plain_fleet();
   add_machine(tests, "hit", 8, [](const std::string& quantity, double years) {
     return quantity == "squareness" && years > 2.7 ? 20.0 : 0.0;
   });
-  const Fleet fleet = fleet_of(tests);
-  ASSERT_EQ(fleet.machines.front().name, "hit");
-  EXPECT_EQ(fleet.machines.front().findings.at(0).kind, FindingKind::step);
-  EXPECT_NEAR(fleet.machines.front().findings[0].quantities[0].size, 20.0, 4.0);
+  const History history = history_of(tests);
+  ASSERT_EQ(history.machines.front().name, "hit");
+  EXPECT_EQ(history.machines.front().findings.at(0).kind, FindingKind::step);
+  EXPECT_NEAR(history.machines.front().findings[0].quantities[0].size, 20.0, 4.0);
 }
 
-TEST(fleet, one_test_that_was_set_up_badly_is_nothing) {
+TEST(findings, one_test_that_was_set_up_badly_is_nothing) {
   std::vector<MachineTest> tests = plain_fleet();
   add_machine(tests, "bad", 9, [](const std::string& quantity, double years) {
     return std::abs(years - 1.5) < 0.01 && quantity == "squareness" ? 100.0 : 0.0;
   });
-  EXPECT_EQ(fleet_of(tests).found, 0u);
+  EXPECT_EQ(history_of(tests).found, 0u);
 }
 
-TEST(fleet, a_season_is_neither_wear_nor_a_step) {
+TEST(findings, a_season_is_neither_wear_nor_a_step) {
   std::vector<MachineTest> tests = plain_fleet();
   add_machine(tests, "hall", 10, [](const std::string& quantity, double years) {
     const double wave = std::sin(2.0 * std::numbers::pi * years);
     return quantity == "squareness" ? 5.0 * wave : quantity.starts_with("scale_") ? 7.0 * wave : 0.0;
   });
-  const Fleet fleet = fleet_of(tests);
-  ASSERT_EQ(fleet.machines.front().name, "hall");
-  ASSERT_EQ(fleet.machines.front().findings.size(), 1u);
-  const Finding& season = fleet.machines.front().findings[0];
+  const History history = history_of(tests);
+  ASSERT_EQ(history.machines.front().name, "hall");
+  ASSERT_EQ(history.machines.front().findings.size(), 1u);
+  const Finding& season = history.machines.front().findings[0];
   EXPECT_EQ(season.kind, FindingKind::season);
   EXPECT_EQ(season.quantities.size(), 3u);
   // A quarter of a year after 2020-01-15.
   EXPECT_NE(season.sentence.find("highest in April"), std::string::npos) << season.sentence;
 }
 
-TEST(fleet, errors_of_one_axis_that_go_together_are_a_new_part) {
+TEST(findings, errors_of_one_axis_that_go_together_are_a_new_part) {
   std::vector<MachineTest> tests = plain_fleet();
   add_machine(tests, "screw", 11, [](const std::string& quantity, double years) {
     if (years > 1.4) return 0.0;
@@ -203,14 +202,14 @@ TEST(fleet, errors_of_one_axis_that_go_together_are_a_new_part) {
            : quantity == "scale_x"            ? 20.0
                                               : 0.0;
   });
-  const Fleet fleet = fleet_of(tests);
-  ASSERT_EQ(fleet.machines.front().name, "screw");
-  ASSERT_EQ(fleet.machines.front().findings.size(), 1u);
-  EXPECT_EQ(fleet.machines.front().findings[0].kind, FindingKind::replaced_part);
-  EXPECT_EQ(fleet.machines.front().findings[0].axis, 0);
+  const History history = history_of(tests);
+  ASSERT_EQ(history.machines.front().name, "screw");
+  ASSERT_EQ(history.machines.front().findings.size(), 1u);
+  EXPECT_EQ(history.machines.front().findings[0].kind, FindingKind::replaced_part);
+  EXPECT_EQ(history.machines.front().findings[0].axis, 0);
 }
 
-TEST(fleet, scales_that_step_with_the_bar_are_the_instrument) {
+TEST(findings, scales_that_step_with_the_bar_are_the_instrument) {
   std::vector<MachineTest> tests = plain_fleet();
   const std::size_t first = tests.size();
   add_machine(tests, "measured", 12, [](const std::string& quantity, double years) {
@@ -218,22 +217,22 @@ TEST(fleet, scales_that_step_with_the_bar_are_the_instrument) {
     return quantity == "global_scale" ? 1.2 : quantity.starts_with("scale_") ? 12.0 : 0.0;
   });
   for (std::size_t i = first + 24; i < tests.size(); ++i) tests[i].bar = "B2";
-  const Fleet fleet = fleet_of(tests);
-  ASSERT_EQ(fleet.machines.front().name, "measured");
-  ASSERT_EQ(fleet.machines.front().findings.size(), 1u);
-  const Finding& found = fleet.machines.front().findings[0];
+  const History history = history_of(tests);
+  ASSERT_EQ(history.machines.front().name, "measured");
+  ASSERT_EQ(history.machines.front().findings.size(), 1u);
+  const Finding& found = history.machines.front().findings[0];
   EXPECT_EQ(found.kind, FindingKind::instrument);
   EXPECT_NE(found.sentence.find("from B1 to B2"), std::string::npos) << found.sentence;
-  ASSERT_EQ(fleet.bar_changes.size(), 1u);
+  ASSERT_EQ(history.bar_changes.size(), 1u);
   // 1.2 um over 100 mm.
-  EXPECT_NEAR(fleet.bar_changes[0].size_ppm, 12.0, 5.0 * fleet.bar_changes[0].sigma_ppm);
+  EXPECT_NEAR(history.bar_changes[0].size_ppm, 12.0, 5.0 * history.bar_changes[0].sigma_ppm);
   // The same step without another bar is one of the machine's scales, which is said.
   for (MachineTest& test : tests) test.bar = "B1";
-  const Fleet alone = fleet_of(tests);
+  const History alone = history_of(tests);
   EXPECT_EQ(machine_called(alone, "measured").findings.at(0).kind, FindingKind::step);
 }
 
-TEST(fleet, one_bar_calibrated_anew_steps_on_all_its_machines) {
+TEST(findings, one_bar_calibrated_anew_steps_on_all_its_machines) {
   std::vector<MachineTest> tests = plain_fleet();
   for (const unsigned i : {0U, 1U}) {
     const std::size_t first = tests.size();
@@ -243,15 +242,15 @@ TEST(fleet, one_bar_calibrated_anew_steps_on_all_its_machines) {
     });
     for (std::size_t k = first; k < tests.size(); ++k) tests[k].bar = "B7";
   }
-  const Fleet fleet = fleet_of(tests);
+  const History history = history_of(tests);
   for (const char* name : {"with-b7-0", "with-b7-1"}) {
-    const FleetMachine& machine = machine_called(fleet, name);
+    const MachineHistory& machine = machine_called(history, name);
     ASSERT_EQ(machine.findings.size(), 1u) << name;
     EXPECT_EQ(machine.findings[0].kind, FindingKind::instrument);
   }
 }
 
-TEST(fleet, ranks_by_what_is_needed) {
+TEST(findings, ranks_by_what_is_needed) {
   std::vector<MachineTest> tests = plain_fleet();
   const auto growing = [](double a_year) {
     return [a_year](const std::string& quantity, double years) {
@@ -264,25 +263,25 @@ TEST(fleet, ranks_by_what_is_needed) {
   add_machine(tests, "stepped", 34, [](const std::string& quantity, double years) {
     return quantity == "squareness" && years > 1.0 ? 12.0 : 0.0;
   });
-  FleetOptions options;
+  HistoryOptions options;
   options.tolerances = {{"backlash_a_pos", -5.0, 5.0}};
-  const Fleet fleet = fleet_of(tests, options);
+  const History history = history_of(tests, options);
   std::vector<std::string> order;
-  for (std::size_t i = 0; i < 5; ++i) order.push_back(fleet.machines[i].name);
+  for (std::size_t i = 0; i < 5; ++i) order.push_back(history.machines[i].name);
   EXPECT_EQ(order, (std::vector<std::string>{"beyond", "soon", "later", "stepped", "plain-0"}));
-  EXPECT_EQ(fleet.machines[0].need, Need::beyond);
-  EXPECT_NE(fleet.machines[0].reason.find("beyond its tolerance of 5 um"), std::string::npos);
+  EXPECT_EQ(history.machines[0].need, Need::beyond);
+  EXPECT_NE(history.machines[0].reason.find("beyond its tolerance of 5 um"), std::string::npos);
 }
 
-TEST(fleet, the_order_of_the_tests_is_nothing) {
+TEST(findings, the_order_of_the_tests_is_nothing) {
   std::vector<MachineTest> tests = plain_fleet(8);
   add_machine(tests, "worn", 7, [](const std::string& quantity, double years) {
     return quantity == "backlash_a_pos" ? 0.8 * years : 0.0;
   });
-  const Fleet one = fleet_of(tests);
+  const History one = history_of(tests);
   std::mt19937 random(3);
   std::shuffle(tests.begin(), tests.end(), random);
-  const Fleet other = fleet_of(tests);
+  const History other = history_of(tests);
   ASSERT_EQ(one.machines.size(), other.machines.size());
   for (std::size_t i = 0; i < one.machines.size(); ++i) {
     EXPECT_EQ(one.machines[i].name, other.machines[i].name);
@@ -290,7 +289,7 @@ TEST(fleet, the_order_of_the_tests_is_nothing) {
   }
 }
 
-TEST(fleet, takes_stored_values_two_tests_a_day_and_few_tests) {
+TEST(findings, takes_stored_values_two_tests_a_day_and_few_tests) {
   std::vector<MachineTest> tests = plain_fleet(10);
   for (MachineTest& test : tests) {
     for (TestQuantity& quantity : test.quantities) quantity.sigma = kUnknown;
@@ -300,39 +299,52 @@ TEST(fleet, takes_stored_values_two_tests_a_day_and_few_tests) {
   add_machine(tests, "twice", 42, nullptr, 24);
   const std::vector<MachineTest> again(tests.end() - 24, tests.end());
   tests.insert(tests.end(), again.begin(), again.end());
-  add_machine(tests, "", 43, nullptr, 2);  // the folder of the file is its name: it is "" here
+  add_machine(tests, "", 43, nullptr, 2);
   tests.back().started_s.reset();
-  const Fleet fleet = fleet_of(tests);
-  EXPECT_EQ(fleet.found, 0u);
-  EXPECT_EQ(fleet.without_date, 1u);
-  EXPECT_EQ(machine_called(fleet, "twice").tests, 48u);
-  EXPECT_EQ(machine_called(fleet, "one").reason, "Fewer than 3 tests tell neither a step nor a trend.");
+  const History history = history_of(tests);
+  EXPECT_EQ(history.found, 0u);
+  EXPECT_EQ(history.without_date.size(), 1u);
+  EXPECT_EQ(machine_called(history, "twice").tests, 48u);
+  EXPECT_EQ(machine_called(history, "one").reason, "The tests are too few to show a step or a trend.");
 }
 
-TEST(fleet, a_machine_without_a_name_is_its_folder) {
+// Three machines tell no scatter of a quantity: the line of each is held against the sigmas of its fits, 0.1 um.
+TEST(findings, of_few_machines_and_tests_a_clear_trend_is_found) {
   std::vector<MachineTest> tests;
-  add_machine(tests, "", 50, nullptr, 4);
-  for (MachineTest& test : tests) test.file = "hall/mill 3/a.b5r";
-  EXPECT_EQ(fleet_of(tests).machines.at(0).name, "hall/mill 3");
+  for (const double um_a_year : {0.0, 3.0}) {
+    for (int month = 0; month <= 12; month += 3) {
+      MachineTest test;
+      test.machine = um_a_year > 0.0 ? "worn" : "new";
+      test.started_s = 1579046400 + static_cast<std::int64_t>(month / 12.0 * kYear_s);
+      const double set_up_um = month % 2 == 0 ? 0.05 : -0.05;
+      test.quantities = {{"backlash_a_pos", "um", 1.0 + um_a_year * month / 12.0 + set_up_um, 0.1}};
+      tests.push_back(test);
+    }
+  }
+  const History history = history_of(tests);
+  EXPECT_EQ(history.judged, 2u) << "a trend each: five tests tell no step";
+  EXPECT_EQ(machine_called(history, "worn").findings.at(0).kind, FindingKind::trend);
+  EXPECT_NEAR(machine_called(history, "worn").findings[0].quantities[0].size, 3.0, 0.4);
+  EXPECT_TRUE(machine_called(history, "new").findings.empty());
 }
 
-TEST(fleet, one_value_again_and_again_is_nothing) {
+TEST(findings, one_value_again_and_again_is_nothing) {
   std::vector<MachineTest> tests = plain_fleet(4);
   for (MachineTest& test : tests) {
     for (TestQuantity& quantity : test.quantities) quantity = {quantity.name, quantity.unit, 1.0, kUnknown};
   }
-  EXPECT_EQ(fleet_of(tests).found, 0u);
-  EXPECT_TRUE(fleet_of({}).machines.empty());
+  EXPECT_EQ(history_of(tests).found, 0u);
+  EXPECT_TRUE(history_of({}).machines.empty());
 }
 
-TEST(fleet, refuses_a_rate_that_is_none) {
-  FleetOptions options;
+TEST(findings, refuses_a_rate_that_is_none) {
+  HistoryOptions options;
   options.false_discovery_rate = 0.0;
   try {
-    fleet_of({}, options);
+    history_of({}, options);
     FAIL() << "expected an Error";
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "The false discovery rate of a fleet: expected a number between 0 and 1, found 0.");
+    EXPECT_STREQ(error.what(), "The false discovery rate: expected a number between 0 and 1, found 0.");
   }
 }
 

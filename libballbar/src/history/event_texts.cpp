@@ -1,4 +1,4 @@
-#include "history/fleet_sentences.hpp"
+#include "history/event_texts.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "history/fleet_quantities.hpp"
+#include "history/quantity_kind.hpp"
 
 namespace ballbar {
 namespace {
@@ -68,7 +68,7 @@ std::string scale_text(const AllSeries& all, const Event& event) {
 }
 
 EventTexts step_texts(const AllSeries& all, const Event& event) {
-  if (event.all_scales_alike) {
+  if (event.is_common_scale) {
     return {fmt::format("The scales of all axes stepped alike, by {}, {}, and nothing else did.",
                         scale_text(all, event), between(event)),
             "Ask whether the bar was calibrated anew or set by another calibrator, and at which temperature; test once "
@@ -120,7 +120,8 @@ std::string day_text(double time_s) {
 std::string label_of(std::string_view name, Plane plane) { return fmt::format("{} {}", name, name_of(plane)); }
 
 std::string amount_text(double value, double sigma, std::string_view unit) {
-  return fmt::format("{:.{}f} ± {:.{}f} {}", value, decimals_of(unit), sigma, decimals_of(unit), unit);
+  const std::string of_sigma = std::isfinite(sigma) ? fmt::format(" ± {:.{}f}", sigma, decimals_of(unit)) : "";
+  return fmt::format("{:.{}f}{} {}", value, decimals_of(unit), of_sigma, unit);
 }
 
 EventTexts texts_of(const AllSeries& all, const Event& event) {

@@ -1,24 +1,24 @@
-#include "history/fleet_text.hpp"
+#include "history/ranking_text.hpp"
 
 #include <gtest/gtest.h>
 
-#include "history/fleet_result.hpp"
+#include "history/history_result.hpp"
 
 namespace ballbar {
 namespace {
 
 // One machine with a step of 4.5 um in January 2026, one without anything.
-Fleet small_fleet() {
-  Fleet fleet;
-  fleet.judged = 60;
-  fleet.found = 1;
-  FleetMachine machine;
+History small_plant() {
+  History history;
+  history.judged = 60;
+  history.found = 1;
+  MachineHistory machine;
   machine.name = "mill-01";
   machine.tests = 3;
   machine.need = Need::finding;
   machine.reason = "One quantity stepped.";
   machine.reason_finding = 0;
-  FleetSeries series;
+  QuantityHistory series;
   series.name = "play";
   series.unit = "um";
   series.tests = {0, 1, 2};
@@ -26,7 +26,7 @@ Fleet small_fleet() {
   series.value = {1.0, 5.5, 5.5};
   series.fitted = {1.0, 5.5, 5.5};
   series.level = 5.5;
-  series.sigma = 0.1;
+  series.level_sigma = 0.1;
   series.scatter = 0.2;
   machine.series.push_back(series);
   Finding step;
@@ -38,15 +38,15 @@ Fleet small_fleet() {
   step.sentence = machine.reason;
   step.remedy = "Adjust it.";
   machine.findings.push_back(step);
-  fleet.machines.push_back(machine);
-  FleetMachine other;
+  history.machines.push_back(machine);
+  MachineHistory other;
   other.name = "mill-02";
-  fleet.machines.push_back(other);
-  return fleet;
+  history.machines.push_back(other);
+  return history;
 }
 
-TEST(fleet_text, says_the_conclusion_first) {
-  EXPECT_EQ(fleet_text(small_fleet()),
+TEST(ranking_text, says_the_conclusion_first) {
+  EXPECT_EQ(ranking_text(small_plant()),
             "1 of 2 machines: 0 beyond a tolerance, 0 on the way to one, 1 with something to look at; 1 with\n"
             "nothing.\n"
             "60 questions were asked, 1 answered with yes; at most 5 % of such answers are by chance.\n"
@@ -57,16 +57,16 @@ TEST(fleet_text, says_the_conclusion_first) {
             "mill-01: One quantity stepped. Adjust it.\n");
 }
 
-TEST(fleet_text, says_that_there_is_nothing) {
-  Fleet fleet;
-  fleet.machines.resize(3);
-  EXPECT_EQ(fleet_text(fleet),
+TEST(ranking_text, says_that_there_is_nothing) {
+  History history;
+  history.machines.resize(3);
+  EXPECT_EQ(ranking_text(history),
             "Nothing stands out on any of 3 machines.\n"
             "0 questions were asked, 0 answered with yes; at most 5 % of such answers are by chance.\n");
 }
 
-TEST(fleet_result, has_every_key) {
-  const nlohmann::ordered_json json = json_of(small_fleet());
+TEST(history_result, has_every_key) {
+  const nlohmann::ordered_json json = json_of(small_plant());
   EXPECT_EQ(json["machines"][0]["need"], "finding");
   EXPECT_EQ(json["machines"][0]["findings"][0]["kind"], "step");
   EXPECT_EQ(json["machines"][0]["findings"][0]["from"], "2026-01-01");

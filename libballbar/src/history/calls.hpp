@@ -1,13 +1,13 @@
-// What was found in single quantities, before it is told as events.
+// What was found in single quantities, of which events are made.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "ballbar/history/fleet.hpp"
+#include "ballbar/history/history.hpp"
 #include "history/fit_columns.hpp"
-#include "history/fleet_scatter.hpp"
 #include "history/quantity_series.hpp"
+#include "history/scatter.hpp"
 #include "history/series_judgement.hpp"
 
 namespace ballbar {
@@ -27,7 +27,7 @@ struct Call {
 inline const QuantitySeries& series_of(const AllSeries& all, const Call& call) { return all.series[call.series]; }
 
 // All p values with their q; in the order of the series.
-std::vector<Call> calls_of(const AllSeries& all, const FleetScatter& scatter);
+std::vector<Call> calls_of(const AllSeries& all, const Scatter& scatter);
 
 // The curve of a series with these calls, all of it: level, steps, trend, season.
 struct SeriesCurve {

@@ -1,0 +1,70 @@
+// What `errors --json` prints: tests, each with its errors, and the files that have none of their own.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+
+#include "ballbar/formats/results/result_type.hpp"
+#include "ballbar/history/machine_test.hpp"
+#include "history/quantity_text.hpp"
+#include "history/test_files.hpp"
+
+namespace ballbar {
+
+inline std::optional<std::string> moment_of(const std::optional<std::int64_t>& time_s) {
+  return time_s ? std::optional(iso_date_text(*time_s)) : std::nullopt;
+}
+
+template <>
+struct ResultType<SkippedTest> {
+  static constexpr std::string_view name = "SkippedTest";
+  static constexpr std::string_view meaning = "A file that has no test of its own.";
+  static constexpr std::tuple fields{
+      Field{"file", &SkippedTest::file, ""}, Field{"sentence", &SkippedTest::sentence, "with the file's name"},
+      Field{"copy_of", &SkippedTest::copy_of, "file of whose test it is one; null: none"}};
+};
+
+template <>
+struct ResultType<TestQuantity> {
+  static constexpr std::string_view name = "TestQuantity";
+  static constexpr std::string_view meaning = "An error, or a quantity, of a test.";
+  static constexpr std::tuple fields{
+      Field{"name", &TestQuantity::name, ""},
+      Field{"value", &TestQuantity::value, ""},
+      Field{"sigma", &TestQuantity::sigma, "null: not known"},
+      Field{"unit", &TestQuantity::unit, ""},
+      Field{"significant", &TestQuantity::significant, "whether the test shows it"},
+      Field{"rank", &TestQuantity::rank, "by what mending it gains, 1 the most; null: none"},
+      Field{"of_set_up", &TestQuantity::of_set_up, "it says nothing of the machine"}};
+};
+
+template <>
+struct ResultType<MachineTest> {
+  static constexpr std::string_view name = "MachineTest";
+  static constexpr std::string_view meaning = "A test of a machine.";
+  static constexpr std::tuple fields{
+      Field{"file", &MachineTest::file, ""},
+      Field{"machine", &MachineTest::machine, "empty: not stated"},
+      Field{"bar", &MachineTest::bar, "its serial number; empty: not stated"},
+      Field{"date", [](const MachineTest& of) { return moment_of(of.started_s); }, "null: not stated"},
+      Field{"plane", &MachineTest::plane, "XY, YZ, ZX"},
+      Field{"nominal_length_mm", &MachineTest::nominal_length_mm, ""},
+      Field{"feed_mm_per_min", &MachineTest::feed_mm_per_min, "null: not stated"},
+      Field{"start_deg", &MachineTest::start_deg, "of the readings, counter-clockwise"},
+      Field{"arc_deg", &MachineTest::arc_deg, ""},
+      Field{"stored", &MachineTest::stored, "values of the file, without readings"},
+      Field{"errors", &MachineTest::quantities, ""}};
+};
+
+template <>
+struct ResultType<TestFiles> {
+  static constexpr std::string_view name = "Errors";
+  static constexpr std::string_view meaning = "The errors of many ballbar tests.";
+  static constexpr std::tuple fields{Field{"tests", &TestFiles::tests, "a row a test"},
+                                     Field{"remarks", &TestFiles::remarks, "of the readers"},
+                                     Field{"skipped", &TestFiles::skipped, "files that could not be read"}};
+};
+
+}  // namespace ballbar
