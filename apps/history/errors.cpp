@@ -70,7 +70,7 @@ void show_table(const ErrorsArguments& options) {
 }
 
 void run(const ErrorsArguments& options) {
-  const bool ranked = options.view ? *options.view == View::ranked : is_one_test(options.files);
+  const bool ranked = options.view ? *options.view == View::ranked : options.out.empty() && is_one_test(options.files);
   ranked ? show_ranked(options) : show_table(options);
 }
 
@@ -84,7 +84,7 @@ void add_errors(CLI::App& app) {
       ->required()
       ->type_name("");
   add_choice(
-      *command, "--show", {"ranked", "table"}, "ranked of one test, table of several",
+      *command, "--show", {"ranked", "table"}, "ranked of one test, table of several or for --out",
       "ranked: all tests of a plane and a bar fitted as one, by what mending each error gains; table: a row a test",
       [options](std::size_t at) { options->view = static_cast<View>(at); });
   command->add_option("--tolerance", options->how.tolerance_um, "ranked: the largest circularity that passes")
