@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "history/geometry_text.hpp"
 #include "history/quantity_text.hpp"
@@ -17,9 +18,9 @@ namespace {
 constexpr std::array kColumns{"quantity", "unit", "last", "change", "sigmas", "a year", "tolerance", "met"};
 
 // Whether its row is shown without --all.
-bool has_something_to_state(const MachineHistory& machine, std::size_t place) {
+bool has_something_to_state(const MachineHistory& machine, std::size_t place, const std::string& squareness) {
   const QuantityHistory& series = machine.series[place];
-  if (series.name == "circularity" || series.name == "residual_rms" || series.name == "squareness") return true;
+  if (series.name == "circularity" || series.name == "residual_rms" || series.name == squareness) return true;
   if (outlook_for(machine, place) != nullptr) return true;
   if (is_found(machine, place, true) || is_found(machine, place, false)) return true;
   if (series.name == "global_scale") return false;  // the scales of both axes hold it
@@ -63,11 +64,13 @@ std::string group_text(const TestFiles& files, const MachineHistory& machine, st
   std::string text =
       fmt::format("{}; {}, {}{}\n", group_text(machine.groups[group]), several(places.size(), "test"),
                   first_and_last(files.tests, places), stored == 0 ? "" : fmt::format(", {} of stored values", stored));
+  const std::optional<MachineError>& out_of_square = files.tests[places.back()].squareness;
+  const std::string squareness = out_of_square ? out_of_square->name : "";
   std::vector<std::vector<std::string>> rows;
   std::size_t left_out = 0;
   for (std::size_t i = 0; i < machine.series.size(); ++i) {
     if (machine.series[i].group != group) continue;
-    if (all || has_something_to_state(machine, i)) {
+    if (all || has_something_to_state(machine, i, squareness)) {
       rows.push_back(quantity_row(machine, i));
     } else {
       ++left_out;

@@ -59,7 +59,7 @@ for page in sorted((source / "apps/page/src").rglob("*.ts")):
         for word in words_in(re.sub(r"\$\{[^}]*\}", "", spoken)):
             printed.setdefault(word, str(page.relative_to(source)))
 
-page = subprocess.run([program, "terms"], stdout=subprocess.PIPE, text=True, check=True).stdout
+page = subprocess.run([program, "effects", "--terms"], stdout=subprocess.PIPE, text=True, check=True).stdout
 terms = {line.split("  ")[0] for line in page.split("\n")[1:] if line and not line.startswith(" ")}
 faults = [f"{where} prints {word}, which `ballbar effects --terms` does not explain" for word, where in printed.items()
           if word not in terms]

@@ -63,7 +63,7 @@ class Errors(unittest.TestCase):
             (lambda: ballbar.check([]), "DATA is required"), (lambda: ballbar.drift([he, he]), "expected nothing more"),
             (lambda: ballbar.check(he, max_gap_s=False), "max_gap: expected a value, found False."),
             (lambda: ballbar.check(he, robust=[]), "robust: expected True or False, found none."),
-            (lambda: ballbar.select("runs.csv", "x.csv", "y_um", methods="pcr"), "methods: expected an option of select, found none of that name; the nearest is method."),
+            (lambda: ballbar.select("runs.csv", "x.csv", "y_um", methods="pcr"), "methods: expected an option of train, found none of that name; the nearest is method."),
         ):
             self.assertIn(sentence, str(self.fault(work)))
         for targets in (np.array(["y_um", "z_um"]), {"z_um", "y_um"}, ("y_um", "z_um")):

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kSpanOfSeason_s = 1.5 * kYear_s;
 constexpr std::size_t kFewestOfSeason = 8;
-// Where few machines have the quantity. Of fewer values nothing can be found among so many questions: they only cost.
+// Where few machines have the quantity. Of fewer values hardly anything is found, and each question makes the
+// correction of the others larger. Chosen on sample-runs/machine-history and the plants of tests/study/fleet.
 constexpr std::size_t kFewestOfTrendAlone = 5, kFewestOfStepAlone = 8;
 constexpr double kLongRun = 8.0;  // tests: as long as scatter may stay the same
 constexpr double kMayBe = 0.1;
