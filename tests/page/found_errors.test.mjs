@@ -1,4 +1,4 @@
-// The errors of a machine as the program finds them: the page has the numbers of `diagnose --json`, and curves that make
+// The errors of a machine as the program finds them: the page has the numbers of `errors --json`, and curves that make
 // its circularities.
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -21,9 +21,9 @@ after(() => browser.close());
 const table = (of) => of.locator(".side-by-side table:visible");
 const cells = async (one) => one.locator("td").allTextContents();
 
-test("the numbers of `diagnose --json`, and curves that make its circularities", async () => {
+test("the numbers of `errors --json`, and curves that make its circularities", async () => {
   const path = of_run("qc20-style-b5r", "00.b5r");
-  const found = json_of("diagnose", path);
+  const found = json_of("errors", path);
   const own = await report("errors-own", path);
   const { machine_errors: [part, ...more], summary, fit } = data_of(own);
   assert.deepEqual(more, []);

@@ -184,7 +184,7 @@ test("hostile text in --plot", async () => {
   for (const name of ["a.csv", "b.csv"]) writeFileSync(path(name), series(names, 20));
   writeFileSync(path("shaft.csv"), `x_mm,${script.replaceAll("/", "")}_degC,${rich}${turned}_degC,${long}_degC\n0,50,40,30\n99,20,21,22\n`);
   run("compare", path("a.csv"), path("b.csv"), "--plot", path("compare.svg"));
-  run("meanpoint", path("shaft.csv"), "--plot", path("meanpoint.svg"));
+  run("compensate", "--from-picture", path("shaft.csv"), "--plot", path("meanpoint.svg"));
   const page = await browser.newPage();
   const asked = [];
   page.on("request", (request) => asked.push(request.url()));

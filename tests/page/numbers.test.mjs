@@ -231,11 +231,11 @@ test("compare --plot: of 50 000 values the largest is drawn, in a small file", a
   assert.ok(statSync(file).size < 400_000, `${statSync(file).size} bytes`);
 });
 
-test("meanpoint --plot: profiles, means, mean-value points and the best place of several states", async () => {
+test("compensate --from-picture --plot: profiles, means, mean-value points and the best place of several states", async () => {
   const [data, file] = ["shaft.csv", "shaft.svg"].map((name) => join(folder, name));
   writeFileSync(data, "x_mm,T_cold_degC,T_warm_degC\n0,30,50\n40,28,41\n100,21,20\n");
-  ballbar("meanpoint", data, "--plot", file);
-  const { states, best } = json_of("meanpoint", data);
+  ballbar("compensate", "--from-picture", data, "--plot", file);
+  const { states, best } = json_of("compensate", "--from-picture", data);
   const drawn = await drawing(paper, file);
   const scale = axes(drawn);
   for (const [k, [values, hue]] of [[[30, 28, 21], "#0072b2"], [[50, 41, 20], "#d55e00"]].entries()) {

@@ -56,6 +56,6 @@ export const history = async () => {
 
 export const batch = () => {
   const model = join(folder, "batch.json");
-  run("select", of_run("batches-tan2024", "runs.csv"), "--target", "y_um", "--on", of_run("batches-tan2024", "test1.csv"), "--out", model);
+  run("train", of_run("batches-tan2024", "runs.csv"), "--target", "y_um", "--for", of_run("batches-tan2024", "test1.csv"), "--out", model);
   return report("batch", of_run("batches-tan2024", "test1.csv"), "--model", model);
 };

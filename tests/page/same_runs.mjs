@@ -25,7 +25,7 @@ export const made_files = {
 const of_model = (data, model, { quick = false, target = "" } = {}) => {
   const rest = `${data} --model ${model}${target}`;
   const at = quick ? run : long;
-  return [run(`check ${rest}`), run(`predict ${rest}`), run(`report ${rest} --no-diagnosis`), at(`diagnose ${rest}`), at(`report ${rest}`)];
+  return [run(`check ${rest}`), run(`predict ${rest}`), run(`report ${rest} --no-diagnosis`), at(`${data.endsWith(".b5r") ? "errors" : "diagnose"} ${rest}`), at(`report ${rest}`)];
 };
 
 export const of_sample_runs = [
@@ -37,9 +37,9 @@ export const of_sample_runs = [
   run(`report ${[0, 1, 2, 3, 4, 5].map((k) => `${kTests}/0${k}.b5r`).join(" ")}`),
   run(`drift ${kTests}`),
   run(`check ${kTests}/00.b5r --model trace.toml --robust`),
-  run(`try squareness ${kTests}/00.b5r --model trace.toml`),
+  run(`add --dry-run squareness ${kTests}/00.b5r --model trace.toml`),
   ...of_model(`${kTests}/00.b5r`, "trace.toml", { quick: true }),
-  run(`preflight ${kTests}/00.b5r`),
+  run(`could ${kTests}/00.b5r`),
 
   run(`fit ${kArcs}/00-a.csv ${kArcs}/00-c.csv`),
   run(`drift ${kArcs}/session.toml`),
@@ -48,40 +48,40 @@ export const of_sample_runs = [
   run(`compare ${kArcs}/session.toml ${kArcs}/truth/truth.csv`),
   run(`report ${kArcs}/session.toml`),
   run(`report ${kArcs}/five-probe.csv --from-plane-1 25`),
-  run(`preflight ${kArcs} --target y_um`),
+  run(`could ${kArcs} --target y_um`),
   ...of_model(kArcs, `${kArcs}/model.toml`, { quick: true }),
   run(`compensate --model ${kArcs}/model.toml --to y --fit ${kArcs}/session.toml --on ${kArcs}/session.toml`),
 
   run(`drift ${kHuang}/session.toml`),
   run(`report ${kHuang}/session.toml`),
-  run(`preflight ${kHuang}`),
+  run(`could ${kHuang}`),
   run(`predict ${kHuang}/session.toml --model ${kHuang}/mean-point.toml`),
   run(`report ${kHuang}/session.toml --model ${kHuang}/mean-point.toml`),
   run(`compensate --model ${kHuang}/mean-point.toml --to z --on ${kHuang}/session.toml`),
 
   ...of_model(`${kHidden}/data.csv`, `${kHidden}/model.toml`, { quick: true }),
   run(`report ${kHidden}/data.csv`),
-  run(`preflight ${kHidden}/data.csv --model ${kHidden}/model.toml`),
+  run(`could ${kHidden}/data.csv --model ${kHidden}/model.toml`),
   run(`report ${kHidden}/data.csv --model ${kHidden}/model.toml --no-diagnosis --set lagged_expansion(T_motor_degC).gain_um_per_K=5`),
-  run(`try lagged_expansion:temperature=T_room_degC ${kHidden}/data.csv --model ${kHidden}/model.toml`),
+  run(`add --dry-run lagged_expansion:temperature=T_room_degC ${kHidden}/data.csv --model ${kHidden}/model.toml`),
   run(`add lagged_expansion:temperature=T_room_degC ${kHidden}/data.csv --model ${kHidden}/model.toml --out added.toml`, { writes: ["added.toml"] }),
   run("ledger --model added.toml"),
   run(`check ${kHidden}/data.csv --model added.toml`),
   run(`report ${kHidden}/data.csv --model added.toml --no-diagnosis`),
-  long(`inject expansion:temperature=T_room_degC ${kHidden}/data.csv --model ${kHidden}/model.toml --amplitude-um 2`),
+  long(`could expansion:temperature=T_room_degC ${kHidden}/data.csv --model ${kHidden}/model.toml --amplitude-um 2`),
 
   run(`report ${kRecord}/measured.csv`),
   run(`drift ${kRecord}/measured.csv`),
-  run(`preflight ${kRecord}/measured.csv --target ch3_um`),
+  run(`could ${kRecord}/measured.csv --target ch3_um`),
   ...["ch1-ch2", "ch3-ch4", "ch5", "speed"].flatMap((model) => of_model(`${kRecord}/measured.csv`, `${kRecord}/${model}.toml`)),
-  long(`try lagged_expansion:temperature=T16_degC ${kRecord}/measured.csv --model ${kRecord}/speed.toml`),
+  long(`add --dry-run lagged_expansion:temperature=T16_degC ${kRecord}/measured.csv --model ${kRecord}/speed.toml`),
 
   run(`history sample-runs/machine-history --tolerance backlash_a_pos=5`),
 
   run(`import ${kLogs}/warmup.csv --out warmup.csv`, { writes: ["warmup.csv"] }),
   run(`import ${kLogs}/control.csv --out control.csv`, { writes: ["control.csv"] }),
   run(`import ${kLogs}/probes.csv --out probes.csv`, { writes: ["probes.csv"] }),
-  { words: ["merge", `${kLogs}/control.csv`, `${kLogs}/probes.csv`, "--out", "merged.csv"], writes: ["merged.csv"] },
+  { words: ["import", `${kLogs}/control.csv`, `${kLogs}/probes.csv`, "--out", "merged.csv"], writes: ["merged.csv"] },
   run(`report ${kLogs}/warmup.csv`),
   long(`report ${kLogs}/warmup.csv --diagnose --target Taster_Y_um`),
 
@@ -90,15 +90,14 @@ export const of_sample_runs = [
   { words: ["compensate", "--model", `${kRuns}/lagged.toml`, "--fit", `${kRuns}/train.csv`, "--on", `${kRuns}/unseen.csv`, "--json"] },
 
   run(`train ${kBatches}/runs.csv --target y_um --out all.json`, { writes: ["all.json"] }),
-  run(`select ${kBatches}/runs.csv --target y_um --on ${kBatches}/test1.csv --out test1.json`, { writes: ["test1.json"] }),
+  run(`train ${kBatches}/runs.csv --target y_um --for ${kBatches}/test1.csv --out test1.json`, { writes: ["test1.json"] }),
   run(`predict ${kBatches}/b23.csv --model all.json`),
   run(`predict ${kBatches}/test2.csv --model test1.json`),
   run(`report ${kBatches}/test1.csv --model test1.json`),
 
-  run(`meanpoint sample-runs/temperature-images/shaft.csv`),
+  run(`compensate --from-picture sample-runs/temperature-images/shaft.csv`),
   run("effects"),
-  { words: ["terms"] },
-  run(`simulate ${kArcs}/machine.toml --seed 7 --out made`, { writes: ["made/00-c.csv", "made/signals.csv"] }),
+  { words: ["effects", "--terms"] },
 ];
 
 // Measured data that is not part of the product.
@@ -109,10 +108,10 @@ export const of_external = (folder) => {
       run(`fit external/ballbar-b5r/${file}`),
       run(`report external/ballbar-b5r/${file}`),
       run(`check external/ballbar-b5r/${file} --model trace.toml`),
-      long(`diagnose external/ballbar-b5r/${file} --model trace.toml`),
+      long(`errors external/ballbar-b5r/${file} --model trace.toml`),
     ]),
     run("history external/ballbar-b5r"),
-    ...csv_of("spindle-24krpm").flatMap((file) => [run(`report ${file}`), run(`preflight ${file} --target z_um`)]),
+    ...csv_of("spindle-24krpm").flatMap((file) => [run(`report ${file}`), run(`could ${file} --target z_um`)]),
     long("report external/spindle-24krpm/set-02.csv --diagnose --target z_um"),
     long("report external/spindle-24krpm/set-04.csv --diagnose --target z_um"),
     ...csv_of("lathe-chamber").flatMap((file, k) => [{ ...run(`report ${file}`), long: k > 1 }, long(`report ${file} --diagnose --target z_um`)]),

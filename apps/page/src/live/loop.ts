@@ -354,7 +354,7 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       const target = rest[rest.indexOf("--target") + 1];
       if (verb === "add" && effects.length > 0) void (rest.includes("--dry-run") ? tried(effects[0] ?? "") : loop.add(effects));
       else if (verb === "plan") plan.open();
-      else if (verb === "diagnose" || (verb === "report" && rest.includes("--diagnose"))) {
+      else if (verb === "diagnose" || verb === "errors" || (verb === "report" && rest.includes("--diagnose"))) {
         if (rest.includes("--target") && target !== undefined && targets.includes(target)) subject = { ...subject, target };
         target_choice.value = subject.target;
         void loop.search();

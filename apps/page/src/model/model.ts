@@ -41,7 +41,9 @@ const diagnose_next = (report: Report, { target }: Checked): Next => {
   return {
     label: t.model_find,
     text: "",
-    command: command_of("diagnose", data_files(report), [...(model ? ["--model", model] : []), "--target", target]),
+    command: report.machine_errors
+      ? command_of("errors", data_files(report), model ? ["--model", model] : [])
+      : command_of("diagnose", data_files(report), [...(model ? ["--model", model] : []), "--target", target]),
   };
 };
 

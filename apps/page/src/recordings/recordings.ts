@@ -29,7 +29,7 @@ const result_of = (recordings: readonly Recording[]): string => {
 const next_of = (report: Report): Next => ({
   label: t.recordings_next,
   text: "",
-  command: command_of("diagnose", data_files(report)),
+  command: command_of(report.machine_errors ? "errors" : "diagnose", data_files(report)),
 });
 
 export const recordings_section = (report: Report): Section[] => {
