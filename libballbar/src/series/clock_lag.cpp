@@ -116,7 +116,7 @@ std::optional<ClockLag> lag_of(const Curve& first, const Curve& second, double r
     }
   }
   if (best == -most || best == most) return std::nullopt;  // the best lies beyond
-  const auto left_at = [&](double lag_s) { return match_at(first, second, lag_s, slow_s).left; };
+  const auto left_at = [&, step_s = slow_s](double lag_s) { return match_at(first, second, lag_s, step_s).left; };
   ClockLag lag;
   lag.lag_s =
       boost::math::tools::brent_find_minima(left_at, (best - 1) * step_s, (best + 1) * step_s, kBitsOfLag).first;
