@@ -4,8 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <memory>
 
 #include "ballbar/batches/batch_regression.hpp"
@@ -193,11 +191,14 @@ void run_effects(const TrainArguments& options) {
 
 // Of the batches that suit the job.
 void run_for(const TrainArguments& given) {
-  if (given.effects || given.components || given.penalty_K2 || !given.model.empty()) {
-    throw CLI::ValidationError(
-        "--for: expected neither --effects, --components, --penalty nor --model with it; of each choice they are found "
-        "by batches left out");
-  }
+  const char* const other = given.effects         ? "--effects"
+                            : given.few           ? "--few"
+                            : given.components    ? "--components"
+                            : given.penalty_K2    ? "--penalty"
+                            : given.max_gap_s     ? "--max-gap"
+                            : given.model.empty() ? nullptr
+                                                  : "--model";
+  if (other != nullptr) throw CLI::ValidationError(fmt::format("{}: expected no --for with it", other));
   if (given.share && given.method.value_or(0) != static_cast<std::size_t>(RegressionMethod::pcr)) {
     throw CLI::ValidationError("--share: expected --method pcr with it");
   }

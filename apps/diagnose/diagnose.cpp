@@ -13,7 +13,6 @@
 #include "commands.hpp"
 #include "diagnose/diagnosis_result.hpp"
 #include "diagnose/follow.hpp"
-#include "diagnose/machine_errors_report.hpp"
 #include "diagnose/next_command.hpp"
 #include "model/model_options.hpp"
 #include "model/residual_report.hpp"
@@ -70,16 +69,20 @@ std::vector<SkippedFile> expand(ModelOptions& options) {
   return found.files.empty() ? std::vector<SkippedFile>() : found.faults;  // nothing: told where it is opened
 }
 
-// Recordings of two linear axes have a command of their own.
-void expect_no_circles_of_linear_axes(const ModelOptions& options, const std::vector<std::string>& typed) {
-  if (!are_of_linear_axes(options.data)) return;
-  std::vector<std::string> words;
-  words.reserve(typed.size());
+// Recordings of two linear axes have a command of their own. `typed`: the files of the command line.
+void expect_no_circles_of_linear_axes(const ModelOptions& options, const ModelData& data,
+                                      const std::vector<std::string>& typed) {
+  if (data.level != Level::recording || data.motion != Motion::linear_axes) return;
+  std::vector<std::string> words{"ballbar errors"};
   for (const std::string& name : typed) words.push_back(shell_word(name));
-  throw Error(
-      fmt::format("{}: expected a series, a session, or recordings of a rotating axis, found circles that two linear "
-                  "axes drive; ballbar errors {} ranks the errors of these.",
-                  typed.front(), fmt::join(words, " ")));
+  if (typed.size() > 1 || options.data.size() > 1) words.emplace_back("--show ranked");
+  if (!options.model.empty()) words.insert(words.end(), {"--model", shell_word(options.model.name())});
+  if (options.circle.radius_mm) words.push_back(fmt::format("--radius {:g}mm", *options.circle.radius_mm));
+  throw Error(fmt::format(
+      "{}: expected a series, a session, or recordings of a rotating axis, found circles that two linear "
+      "axes drive, whose errors are ranked by {}.",
+      typed.front(),
+      options.data.front().is_path() ? fmt::format("{}", fmt::join(words, " ")) : "ballbar.errors(..., ranked=True)"));
 }
 
 void run(DiagnoseArguments options) {
@@ -90,8 +93,8 @@ void run(DiagnoseArguments options) {
   }
   const std::vector<std::string> typed = names_of(options.model.data);
   for (const SkippedFile& fault : expand(options.model)) warning_line(fault.why);
-  expect_no_circles_of_linear_axes(options.model, typed);
   const auto data = std::make_shared<const ModelData>(open_data(options.model));
+  expect_no_circles_of_linear_axes(options.model, *data, typed);
   const Model model = open_model(options.model, *data);
   say_start(options.model, *data);
   if (model.targets.size() == 1) {

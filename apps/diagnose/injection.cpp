@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <cstdlib>
+#include <limits>
 
 #include "ballbar/diagnosis/thresholds.hpp"
 #include "ballbar/error.hpp"
@@ -24,6 +24,8 @@
 
 namespace ballbar {
 namespace {
+
+constexpr double kNeverNamed_um = 1e6;  // a metre
 
 struct Injected {
   Injection injection;
@@ -206,6 +208,12 @@ Injected tested(const InjectionOptions& options, const ModelOptions& of, const M
   const std::vector<double> signal = with_source("EFFECT", [&] { return signal_of(result.injection, series); });
   const double d_per_um = survival_of(signal, result.base, result.base.noise).d / range_of(signal);
   result.amplitude_um = options.amplitude_um.value_or(kIdentifiable / d_per_um);
+  if (!(result.amplitude_um < kNeverNamed_um)) {
+    throw Error(
+        fmt::format("EFFECT: expected an effect that the model cannot make already, found {}; --amplitude-um says "
+                    "how much of it to add.",
+                    label_of(result.injection.bound)));
+  }
   changed = with_source("EFFECT",
                         [&] { return injected(series, model.targets.front(), result.injection, result.amplitude_um); });
   DiagnosisOptions how;

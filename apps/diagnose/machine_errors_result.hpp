@@ -1,4 +1,4 @@
-// What `diagnose --json` prints of recordings that linear axes drive.
+// What `errors --json` prints of recordings that linear axes drive.
 #pragma once
 
 #include <optional>

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,7 +41,7 @@ bool is_one_test(const std::vector<Source>& files) { return files.size() == 1 &&
 
 // All errors of one plane and one bar together, by what mending each gains.
 void show_ranked(ErrorsArguments options) {
-  if (!options.out.empty()) throw CLI::ValidationError("--out: expected --show table with it");
+  if (!options.out.empty()) throw CLI::ValidationError("--out: expected no --show ranked with it");
   std::vector<SkippedFile> faults;
   if (any_folder_of_tests(options.files)) {
     FoundFiles found = put_recordings_below(options.files);
@@ -57,9 +59,6 @@ void show_ranked(ErrorsArguments options) {
 }
 
 void show_table(const ErrorsArguments& options) {
-  if (options.how.tolerance_um || !options.how.prior || !options.model.model.empty()) {
-    throw CLI::ValidationError("--show table: expected neither --tolerance, --prior nor --model with it");
-  }
   const TestFiles files = read_tests(names_of(options.files), options.how.strict, options.how.circle);
   expect_no_input(options.out, files.files);
   for (const std::string& path : options.out) {
@@ -69,7 +68,16 @@ void show_table(const ErrorsArguments& options) {
   for (const std::string& path : options.out) wrote_line(path);
 }
 
-void run(const ErrorsArguments& options) {
+void run(const ErrorsArguments& options, const std::vector<CLI::Option*>& of_a_ranking) {
+  const auto found =
+      std::find_if(of_a_ranking.begin(), of_a_ranking.end(), [](const auto* one) { return one->count() > 0; });
+  if (found != of_a_ranking.end()) {
+    if (options.view == View::table || !options.out.empty()) {
+      throw CLI::ValidationError(fmt::format("{}: expected no {} with it, of a ranking", (*found)->get_name(),
+                                             options.out.empty() ? "--show table" : "--out"));
+    }
+    return show_ranked(options);
+  }
   const bool ranked = options.view ? *options.view == View::ranked : options.out.empty() && is_one_test(options.files);
   ranked ? show_ranked(options) : show_table(options);
 }
@@ -84,8 +92,9 @@ void add_errors(CLI::App& app) {
       ->required()
       ->type_name("");
   add_choice(
-      *command, "--show", {"ranked", "table"}, "ranked of one test, table of several or for --out",
-      "ranked: all tests of a plane and a bar fitted as one, by what mending each error gains; table: a row a test",
+      *command, "--show", {"ranked", "table"}, "",
+      "ranked: all tests of a plane and a bar fitted as one, by what mending each error gains; table: a row a test; "
+      "default: ranked of one test, table of several and for --out",
       [options](std::size_t at) { options->view = static_cast<View>(at); });
   command->add_option("--tolerance", options->how.tolerance_um, "ranked: the largest circularity that passes")
       ->type_name("UM")
@@ -108,7 +117,9 @@ void add_errors(CLI::App& app) {
       "Examples:\n"
       "  ballbar errors sample-runs/qc20-style-b5r/00.b5r --tolerance 6\n"
       "  ballbar errors sample-runs/machine-history --out errors.csv");
-  command->callback([options] { run(*options); });
+  const std::vector<CLI::Option*> of_a_ranking{command->get_option("--tolerance"), command->get_option("--prior"),
+                                               command->get_option("--model")};
+  command->callback([options, of_a_ranking] { run(*options, of_a_ranking); });
 }
 
 }  // namespace ballbar::commands

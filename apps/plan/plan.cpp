@@ -98,8 +98,8 @@ void run(PlanArguments options) {
   const ModelData data = open_data(options.model);
   if (data.level == Level::recording) {
     throw Error(
-        fmt::format("{}: expected a series or a session of drift, found recordings; `ballbar diagnose` says which "
-                    "circles to drive next.",
+        fmt::format("{}: expected a series or a session of drift, found recordings; `ballbar errors` says of a "
+                    "ballbar test what is out, `ballbar diagnose` of a rotating axis which circles to drive next.",
                     options.model.data.front().name()));
   }
   const Model model = open_model(options.model, data);

@@ -1,4 +1,4 @@
-// The errors of a machine as a part of a report: what `diagnose --json` says, and the curves that the page draws.
+// The errors of a machine as a part of a report: what `errors --json` says, and the curves that the page draws.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -34,7 +34,8 @@ std::string offers(Takes takes, const std::vector<std::string>& words) {
 
 std::string offers_of_places(const CommandWords& command) {
   if (!command.commands.empty()) {
-    return fmt::format("offered='{}'{}", joined(command.commands), command.path.empty() ? " paths=files" : "");
+    return fmt::format("offered='{}'{}", joined(command.commands),
+                       command.path.empty() || !command.places.empty() ? " paths=files" : "");
   }
   std::string all;
   for (const OptionWords& place : command.places) {

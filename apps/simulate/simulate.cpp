@@ -1,6 +1,7 @@
 // `ballbar simulate`: a virtual machine's session as files, the truth in a file of its own; with --hidden sets in which
 // effects may be hidden, with --schedule a further run of such a set's machine.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -96,13 +97,16 @@ void run_fleet(const SimulateArguments& options, std::string_view bytes) {
   fmt::print("truth      {} (kept apart: no other command reads it)\n", truth.string());
 }
 
-// Of the options, those of one way to simulate; the others are refused.
+// Of the options, those that go with `way`; empty: with a machine.
 void expect_only(const CLI::App& command, const std::string& way, const std::vector<std::string>& names) {
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name(option->get_positional());
     if (option->count() == 0 || name == way || std::find(names.begin(), names.end(), name) != names.end()) continue;
-    throw CLI::ValidationError(way.empty() ? fmt::format("{}: expected --hidden or --schedule with it", name)
-                                           : fmt::format("{}: expected {} without it", name, way));
+    throw CLI::ValidationError(
+        way.empty()
+            ? fmt::format("{}: expected {} with it", name, name == "--n" ? "--hidden" : "--hidden or --schedule")
+        : names.empty() ? fmt::format("expected the options of {} behind it, found {} before it", way, name)
+                        : fmt::format("{}: expected only {} with it, found {}", way, fmt::join(names, ", "), name));
   }
 }
 
@@ -168,8 +172,10 @@ void add_simulate(CLI::App& app) {
   command->add_option("--truth", options->truth, "file for the truth; without it DIR-truth.csv, beside DIR")
       ->type_name("FILE");
   command
-      ->add_option("--seed", options->seed,
-                   "of the noise, 0 or above, another for each machine; without it the machine's own")
+      ->add_option(
+          "--seed", options->seed,
+          "of the noise, 0 or above, another for each machine; without it the machine's own, with --hidden another "
+          "each time")
       ->check(number_within(0, kLargestSeed))
       ->type_name("N");
   command->add_flag("--b5r", options->b5r, "method circles: .b5r files alone, without session.toml and signals");
@@ -189,6 +195,7 @@ void add_simulate(CLI::App& app) {
       ->type_name("FILE");
   command->add_flag("--json", options->json, "the result for a program");
   add_score(*command);
+  command->get_subcommand("score")->parse_complete_callback([command] { expect_only(*command, "score", {}); });
   command->footer(
       "Examples:\n"
       "  ballbar simulate sample-runs/two-arcs-he2015/machine.toml --out my-run\n"

@@ -87,6 +87,8 @@ def merge(
     >>> found.rows, found.columns
     (2378, 8)
     """
+    if not isinstance(logs, (list, tuple)) or len(logs) < 2:
+        raise TypeError("ballbar.merge: expected a list of two logs or more")
     call = Call("import").files(logs)
     call.options(out=out, keep_clocks=keep_clocks, lag_range=lag_range_s, max_gap=max_gap_s, **how)
     return Imported(call.run())

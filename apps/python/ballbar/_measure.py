@@ -110,8 +110,9 @@ def errors(
     [('scale_mismatch', 8.0)]
     """
     if not ranked:
-        call = Call("errors").files(files).options(show="table", tolerance=tolerance_um, prior=prior, model=model, strict=strict, out=out)
-        return Errors(call.run(progress))
+        if not (tolerance_um is None and prior is None and model is None):
+            raise TypeError("ballbar.errors: expected ranked=True with tolerance_um, prior and model")
+        return Errors(Call("errors").files(files).options(show="table", strict=strict, out=out).run(progress))
     call = Call("errors").data(files).options(show="ranked", tolerance=tolerance_um, prior=prior, model=model, strict=strict, out=out)
     return RankedErrors(call.run(progress), call)
 

@@ -148,14 +148,14 @@ def diagnose(
 ) -> Diagnosis:
     """Which physical effect a model lacks: one verdict, the candidates, what could not be told.
 
-    Of recordings of two linear axes: all errors of the machine together, ranked.
+    Of circles that two linear axes drive :func:`errors` ranks the errors.
 
     Parameters
     ----------
     data, model, target, max_gap_s, also_input
         As of :func:`check`.
     tolerance_um : float
-        Smaller effects are called minor, um; of circles the largest circularity that passes.
+        Smaller effects are called minor, um.
     seed : int
         Of the random draws; the same seed gives the same result.
     most_rows : int

@@ -18,7 +18,7 @@ from typing import Any
 
 import pandas
 
-from . import _core, diagnose as _diagnose, train as _train
+from . import _core, diagnose as _diagnose, errors as _errors, train as _train
 from ._call import Model
 from ._errors import BallbarError
 from ._fleet_files import Paths, files_of, written_whole
@@ -68,7 +68,7 @@ def errors(paths: Paths, *, files_of_a_partition: int = 200, **storage: Any) -> 
 
 
 def diagnose(paths: Paths, model: Any = None, *, target: str | None = None, files_of_a_partition: int = 1, **storage: Any) -> Any:
-    """A lazy table of what :func:`ballbar.diagnose` says of each file.
+    """A lazy table of what :func:`ballbar.diagnose` says of each file, :func:`ballbar.errors` of a `.b5r`.
 
     Parameters
     ----------
@@ -100,7 +100,11 @@ def diagnose(paths: Paths, model: Any = None, *, target: str | None = None, file
     text = None if model is None else (model if isinstance(model, Model) else Model(model)).text
 
     def work(path: str, file: str, sha256: str) -> Row:
-        found = _diagnose(path, Model(text) if text else None, target=target).to_dict()
+        asked = Model(text) if text else None
+        if file.lower().endswith(".b5r"):
+            found = _errors(path, ranked=True, model=asked).to_dict()
+        else:
+            found = _diagnose(path, asked, target=target).to_dict()
         return {
             "verdict": found.get("verdict"),
             "sentence": found.get("sentence") or found.get("conclusion"),

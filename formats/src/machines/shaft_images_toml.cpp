@@ -13,7 +13,7 @@ namespace {
 constexpr Key kImageKeys[] = {
     {"time_min", "min", "one of the times of `profile_min`; needed"},
     {"file", "text", "a plain name that ends in .png or .jpg; needed"},
-    {"colours", "text", "colour map, as `meanpoint --colours` knows them; default \"jet\""},
+    {"colours", "text", "colour map, as `compensate --colours` knows them; default \"jet\""},
     {"quality", "number", "of a .jpg, 1 to 100; default 80"},
     {"legend", "true or false", "whether a scale is drawn; default true"},
     {"bands", "number", "steps of the scale, 2 to 64; 0, the default: smooth"},
