@@ -32,7 +32,7 @@ lintian --allow-root --fail-on error --tag-display-limit 0 "$scratch"/debian/*.d
 echo 'Pictures, for which OpenCV is in the program'
 dpkg-deb -x "$scratch"/debian/ballbar_*.deb "$scratch/unpacked"
 program=$scratch/unpacked/usr/bin/ballbar
-python3 "$source/tests/cli/transcript.py" "$program" simulate-spindle.txt simulate-shaft-images
+python3 "$source/tests/cli/transcript.py" "$program" simulate.txt simulate-shaft-images
 python3 "$source/tests/cli/readme.py" "$program" "$source" "$scratch/readme" apps/mean_point/README.md
 
 echo 'Desktop'
