@@ -213,9 +213,7 @@ void run_for(const TrainArguments& given) {
 
 void run(const TrainArguments& given, const std::vector<CLI::Option*>& of_a_choice) {
   if (!given.choice.job.empty()) return run_for(given);
-  for (const CLI::Option* option : of_a_choice) {
-    if (option->count() > 0) throw CLI::ValidationError(fmt::format("{}: expected --for with it", option->get_name()));
-  }
+  expect_none_given(of_a_choice, "--for");
   if (given.out.empty()) throw CLI::RequiredError("--out");
   if (given.effects) return run_effects(given);
   if (given.few) throw CLI::ValidationError("--few: expected --effects with it.");

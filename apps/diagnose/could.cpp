@@ -28,10 +28,7 @@ void run(CouldArguments options, const std::vector<CLI::Option*>& of_an_effect) 
     throw CLI::ValidationError("EFFECT",
                                fmt::format("expected one effect to add, found {} and {}", effects.front(), effects[1]));
   }
-  for (const CLI::Option* option : of_an_effect) {
-    if (effects.empty() && option->count() > 0)
-      throw CLI::ValidationError(fmt::format("{}: expected an EFFECT with it", option->get_name()));
-  }
+  if (effects.empty()) expect_none_given(of_an_effect, "an EFFECT");
   const ModelOptions& how = options.of.model;
   const ModelData data = open_data(how);
   const Model model = open_model(how, data);

@@ -1,4 +1,5 @@
-// `ballbar import LOG... --out clean.csv`: what a log is taken for, and the series made of it; several logs as one.
+// `ballbar import LOG... --out clean.csv`: shows how a log is interpreted and writes it as a series; several logs
+// become one.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

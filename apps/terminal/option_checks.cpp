@@ -119,6 +119,13 @@ void add_choice(CLI::App& command, const std::string& name, std::vector<std::str
       ->default_str(otherwise);
 }
 
+void expect_none_given(const std::vector<CLI::Option*>& options, std::string_view needed) {
+  for (const CLI::Option* option : options) {
+    if (option->count() > 0)
+      throw CLI::ValidationError(fmt::format("{}: expected {} with it", option->get_name(), needed));
+  }
+}
+
 void expect_values(CLI::App& app) {
   for (CLI::Option* option : app.get_options([](const CLI::Option*) { return true; })) {
     if (option->get_expected_max() == 0 || option->get_type_size() == 0) continue;  // a flag

@@ -39,6 +39,9 @@ void add_radius(CLI::App& command, StatedCircle& circle);
 void add_choice(CLI::App& command, const std::string& name, std::vector<std::string> words,
                 const std::string& otherwise, const std::string& help, const std::function<void(std::size_t)>& at);
 
+// That none of these was given, for they mean nothing without `needed`. Throws CLI::ValidationError.
+void expect_none_given(const std::vector<CLI::Option*>& options, std::string_view needed);
+
 // For all options: an empty value is none.
 void expect_values(CLI::App& app);
 
