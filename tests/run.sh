@@ -1,7 +1,9 @@
 #!/bin/sh
-# Builds ballbar with its tests in build-tests/ and runs them all. Arguments are passed on to ctest:
+# Builds ballbar with its tests in build-tests/ and runs those that a change must pass: minutes. Arguments are passed on
+# to ctest:
 #
 #   sh tests/run.sh -R circle_fit
+#   sh tests/run.sh --all           then all others too: studies, tutorials, browsers, sanitizers, packages ... hours
 #
 # Ends as ctest does; the last lines say what was skipped or left out, and why.
 #
@@ -9,11 +11,16 @@
 # BALLBAR_WERROR=1       warnings are errors
 set -eu
 cd "$(dirname "$0")/.."
+all=
+if [ "${1:-}" = --all ]; then
+  all=1
+  shift
+fi
 
 sh apps/install-packages.sh build page images mat pdf blind python fleet hal test
 mkdir -p build-tests
 configured=build-tests/configured.log results=$PWD/build-tests/results.xml
-cmake -S . -B build-tests -DCMAKE_BUILD_TYPE=Release -DBALLBAR_TESTS=ON -DBALLBAR_PACKAGES=OFF \
+cmake -S . -B build-tests -DCMAKE_BUILD_TYPE=Release -DBALLBAR_TESTS=ON -DBALLBAR_PACKAGES=OFF -DBALLBAR_STUDIES=OFF \
   -DBALLBAR_WERROR="${BALLBAR_WERROR:-0}" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >$configured ||
   { cat $configured && exit 1; }
 cat $configured
@@ -21,6 +28,8 @@ cmake --build build-tests -j "$(nproc)"
 rm -f "$results"
 status=0
 ctest --test-dir build-tests --output-on-failure -j "$(nproc)" --output-junit "$results" \
-  --test-output-size-passed 1000000 "$@" || status=$?
+  --test-output-size-passed 1000000 -LE 'slow|page' "$@" || status=$?
 [ ! -f "$results" ] || { echo && python3 tests/skipped.py "$results" $configured; }
+if [ -n "$all" ] && [ $status = 0 ]; then exec bash tests/all.sh; fi
+[ -n "$all" ] || echo 'Not run: studies, tutorials, the page, sanitizers, packages: sh tests/run.sh --all'
 exit $status
