@@ -4,8 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
+#include "ballbar/error.hpp"
 #include "ballbar/formats/logs/recipe_toml.hpp"
 #include "ballbar/formats/series/series_csv.hpp"
 #include "ballbar/formats/sessions/drift_data.hpp"
@@ -151,8 +154,22 @@ void run_several(const ImportArguments& options) {
              options.out.empty() ? "Nothing was written; --out clean.csv writes the series." : "wrote " + options.out);
 }
 
+// A recipe that is saved may be the one that was read, made more of; the series may be neither.
+void expect_own_outputs(const ImportArguments& options) {
+  std::vector<std::filesystem::path> inputs = paths_of(options.logs);
+  expect_no_input({options.save}, inputs, "--save");
+  inputs.emplace_back(options.how.recipe);
+  expect_no_input({options.out}, inputs);
+  const auto place = [](const std::string& file) {
+    std::error_code unknown;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file, unknown), unknown);
+  };
+  if (options.out.empty() || options.save.empty() || place(options.out) != place(options.save)) return;
+  throw Error(fmt::format("--out {}: expected another file than that of --save, found the same.", options.out));
+}
+
 void run(const ImportArguments& options) {
-  expect_no_input({options.out, options.save}, paths_of(options.logs));
+  expect_own_outputs(options);
   if (options.logs.size() > 1) return run_several(options);
   const ClockOptions& clocks = options.clocks;
   if (clocks.keep_clocks || clocks.range_s || clocks.max_gap_s) {

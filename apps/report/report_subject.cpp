@@ -11,7 +11,6 @@
 #include "diagnose/effect_test_text.hpp"
 #include "model/effect_options.hpp"
 #include "model/held_values.hpp"
-#include "model/known_effect.hpp"
 #include "report/report_parts.hpp"
 
 namespace ballbar {
@@ -195,7 +194,7 @@ HeldPart ReportSubject::held(const std::vector<std::string>& settings) {
 
 ModelPart ReportSubject::add(const std::vector<std::string>& effects) {
   RevisedModel& model = only_one();
-  for (const std::string& effect : effects) expect_known_effect(effect, true);
+  for (const std::string& effect : effects) expect_known_effect(effect);
   model.add(terms_of(effects, model.model(), *data_.for_model));
   return fitted();
 }

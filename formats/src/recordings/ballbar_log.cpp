@@ -153,6 +153,11 @@ constinit const Reader readers::kLogWithoutHeader = {
     .read = ReadRecordings{},
 };
 
+Recording read_ballbar_log_header(std::string_view bytes, std::string_view name) {
+  const TomlSource source = parse_toml(comment_block(source_text(bytes, name)).toml, name);
+  return header_of(root_of(source));
+}
+
 Recording read_ballbar_log(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);
   const CommentBlock comments = comment_block(text);
