@@ -7,12 +7,16 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "logs/mat_table.hpp"
-#include "logs/workbook.hpp"
 #include "text/json_source.hpp"
 
 namespace ballbar {
 namespace {
+
+bool is_workbook(std::string_view head) { return head.starts_with("PK\x03\x04"); }  // a zip archive
+
+bool is_mat_file(std::string_view head) {
+  return head.starts_with("MATLAB 5.0 MAT-file") || head.starts_with("MATLAB 7.3 MAT-file");
+}
 
 bool is_json(std::string_view head) {
   if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);

@@ -1,5 +1,3 @@
-#include "logs/mat_table.hpp"
-
 #include <fcntl.h>
 #include <fmt/compile.h>
 #include <fmt/format.h>
@@ -244,14 +242,6 @@ struct Descriptor {
   Descriptor& operator=(const Descriptor&) = delete;
   int number;
 };
-
-}  // namespace
-
-bool is_mat_file(std::string_view head) {
-  return head.starts_with("MATLAB 5.0 MAT-file") || head.starts_with("MATLAB 7.3 MAT-file");
-}
-
-namespace {
 
 // Of a v5 file: its elements, each with its length in front, fill it to the end. matio reads half a file as zeros.
 bool is_whole(std::string_view bytes) {

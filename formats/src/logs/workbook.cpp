@@ -1,5 +1,3 @@
-#include "logs/workbook.hpp"
-
 #include <fmt/format.h>
 #include <zip.h>
 
@@ -221,8 +219,6 @@ std::string shown(pugi::xml_node cell, const std::vector<std::string>& strings,
 }
 
 }  // namespace
-
-bool is_workbook(std::string_view head) { return head.starts_with("PK\x03\x04"); }
 
 TableText workbook_table(std::string_view bytes, const std::string& name, const std::string& sheet) {
   const Archive archive = opened(bytes, name);

@@ -36,8 +36,7 @@ constexpr Key kKeys[] = {
 constexpr std::string_view kOnlyOfCircles[] = {"motion", "plane", "moving_ball"};
 
 Recording header_of(const TomlTable& header) {
-  const std::string_view formats[] = {kFormat};
-  if (!choice_index(header, "format", formats)) fail_missing(header, "format");
+  expect_format(header, kFormat);
   Recording recording;
   recording.kind = required_choice(header, "kind", {Kind::circle, Kind::axial});
   if (recording.kind == Kind::circle) {

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "ballbar/error.hpp"
-#include "series/role_choice.hpp"
 #include "text/cells.hpp"
 #include "text/head.hpp"
 #include "text/readers.hpp"

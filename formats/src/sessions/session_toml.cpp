@@ -132,8 +132,7 @@ SessionPlan read_session_plan(std::string_view bytes, std::string_view name) {
   const SourceText text = source_text(bytes, name);
   const TomlSource source = parse_toml(text.bytes, name);
   const TomlTable root = root_of(source);
-  const std::string_view formats[] = {kSessionFormat};
-  if (!choice_index(root, "format", formats)) fail_missing(root, "format");
+  expect_format(root, kSessionFormat);
   expect_keys(root, kSessionKeys);
 
   SessionPlan plan;

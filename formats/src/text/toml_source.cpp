@@ -1,6 +1,7 @@
 #define TOML_IMPLEMENTATION
 #include "text/toml_source.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,6 +9,7 @@
 #include <cctype>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "ballbar/error.hpp"
 #include "text/located_text.hpp"
@@ -104,6 +106,12 @@ TomlSource parse_toml(std::string_view text, std::string_view name) {
          fmt::format("expected TOML, found text that its parser refuses: {}{}.", error.description(),
                      comma ? "; decimals need a point" : ""));
   }
+}
+
+std::vector<std::string_view> names_of(std::span<const Key> keys) {
+  std::vector<std::string_view> names;
+  for (const Key& key : keys) names.push_back(key.name);
+  return names;
 }
 
 TomlTable root_of(const TomlSource& source) { return {&source.root, source.name, ""}; }
@@ -238,6 +246,19 @@ std::optional<std::size_t> choice_index(const TomlTable& table, std::string_view
   fail_kind(table, key, fmt::format("{}\"{}\"", names.size() > 1 ? "one of " : "", fmt::join(names, "\", \"")), *node);
 }
 
+void expect_format(const TomlTable& root, std::string_view format) {
+  if (!choice_index(root, "format", {&format, 1})) fail_missing(root, "format");
+}
+
+std::optional<Role> role_choice(const TomlTable& table, std::string_view key) {
+  std::vector<std::string_view> names;
+  for (int role = 0; role <= static_cast<int>(Role::measured); ++role) {
+    names.push_back(name_of(static_cast<Role>(role)));
+  }
+  const std::optional<std::size_t> index = choice_index(table, key, names);
+  return index ? std::optional(static_cast<Role>(*index)) : std::nullopt;
+}
+
 void fail_missing(const TomlTable& table, std::string_view key) {
   fail_at_table(
       table, fmt::format("expected the key {}{}, found none.", key, table.label.empty() ? "" : " in " + table.label));
@@ -290,13 +311,7 @@ std::string toml_number(double number) {
 }
 
 std::string toml_local_time(std::int64_t local_time_s) {
-  const std::chrono::sys_seconds time{std::chrono::seconds(local_time_s)};
-  const auto day = std::chrono::floor<std::chrono::days>(time);
-  const std::chrono::year_month_day date(day);
-  const std::chrono::hh_mm_ss clock(time - day);
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}", static_cast<int>(date.year()),
-                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), clock.hours().count(),
-                     clock.minutes().count(), clock.seconds().count());
+  return fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(static_cast<std::time_t>(local_time_s)));
 }
 
 }  // namespace ballbar
