@@ -15,7 +15,7 @@
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/nearest_name.hpp"
 #include "challenge/digest.hpp"
-#include "terminal/new_folder.hpp"
+#include "ballbar/formats/text/new_folder.hpp"
 
 namespace ballbar {
 namespace {

@@ -123,10 +123,7 @@ Log opened(const ImportArguments& options) {
 void run_one(const ImportArguments& options) {
   const Log log = opened(options);
   const std::vector<ColumnFault> faults = column_faults(log.series);
-  if (!options.out.empty())
-    write_through(options.out, [&](const std::filesystem::path& path) {
-      write_series_parts(log.series, series_header(log.series), path);
-    });
+  if (!options.out.empty()) write_series(log.series, options.out);
   if (!options.save.empty()) write_bytes(options.save, write_recipe(log.recipe));
   if (options.json) {
     print_json(json_of(ImportedLog{options.logs.front().name(), log.shape, log.time, log.series.started,
@@ -141,10 +138,7 @@ void run_one(const ImportArguments& options) {
 void run_several(const ImportArguments& options) {
   if (!options.save.empty()) throw CLI::ValidationError("--save: expected one log with it, found several");
   const MergedSeries merged = merged_series(options.logs, options.how, options.clocks);
-  if (!options.out.empty())
-    write_through(options.out, [&](const std::filesystem::path& path) {
-      write_series_parts(merged.series, series_header(merged.series), path);
-    });
+  if (!options.out.empty()) write_series(merged.series, options.out);
   if (options.json) {
     print_json(json_of(MergedLogs{merged.series.time_s.size(), merged.series.columns.size(), merged.parts}));
     return;

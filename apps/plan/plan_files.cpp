@@ -11,7 +11,7 @@
 #include "ballbar/formats/schedules/schedule_csv.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "plan/plan_picture.hpp"
-#include "terminal/new_folder.hpp"
+#include "ballbar/formats/text/new_folder.hpp"
 
 namespace ballbar {
 namespace {

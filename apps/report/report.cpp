@@ -44,12 +44,6 @@ struct ReportArguments {
   bool tool = false;
 };
 
-std::string ending_of(const fs::path& path) {
-  std::string ending = path.extension().string();
-  for (char& letter : ending) letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  return ending;
-}
-
 void write_pictures(const Json& report, const ReportArguments& options) {
   const std::vector<NamedPicture> pictures = pictures_of(report, options.pictures);
   const bool one_file = ending_of(options.out) == ".svg";

@@ -1,4 +1,4 @@
-#include "pictures/exif_orientation.hpp"
+#include "pictures/picture_parts.hpp"
 
 #include <algorithm>
 #include <cstddef>

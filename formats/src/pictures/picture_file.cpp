@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include "ballbar/error.hpp"
-#include "pictures/damaged_picture.hpp"
-#include "pictures/jpeg_file.hpp"
-#include "pictures/jpeg_outline.hpp"
-#include "pictures/png_file.hpp"
+#include "pictures/picture_parts.hpp"
 
 namespace ballbar {
 namespace {

@@ -1,4 +1,4 @@
-#include "pictures/png_file.hpp"
+#include "pictures/picture_parts.hpp"
 
 #include <fmt/format.h>
 #include <spng.h>
@@ -9,8 +9,6 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
-#include "pictures/damaged_picture.hpp"
-#include "pictures/jpeg_outline.hpp"
 
 namespace ballbar {
 namespace {

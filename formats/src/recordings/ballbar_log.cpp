@@ -90,12 +90,9 @@ LogColumns log_columns(const SourceText& text, const TableHead& head, Kind kind)
                   circle ? " angle_deg," : "", circle ? "a circle" : "an axial", in_quotes(column.name)));
     }
   }
-  const auto expect = [&](bool present, std::string_view name) {
-    if (!present) fail_at(text, head.columns.front().offset, fmt::format("expected a column {}, found none.", name));
-  };
-  if (circle) expect(columns.angle.has_value(), "angle_deg");
-  if (!circle) expect(columns.time.has_value(), "time_s");
-  expect(columns.length || columns.deviation, "length_mm (or deviation_um)");
+  if (circle) expect_column(text, head, columns.angle.has_value(), "angle_deg");
+  if (!circle) expect_column(text, head, columns.time.has_value(), "time_s");
+  expect_column(text, head, columns.length || columns.deviation, "length_mm (or deviation_um)");
   if (columns.length && columns.deviation) {
     fail_at(text, head.columns[*columns.deviation].offset, "expected either length_mm or deviation_um, found both.");
   }

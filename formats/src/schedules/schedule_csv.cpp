@@ -95,11 +95,8 @@ Columns columns_of(const SourceText& text, const TableHead& head) {
                         "found {}.",
                         in_quotes(column.name)));
   }
-  const auto expect = [&](bool present, std::string_view name) {
-    if (!present) fail_at(text, head.columns.front().offset, fmt::format("expected a column {}, found none.", name));
-  };
-  expect(columns.duration.has_value(), kDuration);
-  expect(columns.others[0].has_value(), kDwellColumns[0].name);
+  expect_column(text, head, columns.duration.has_value(), kDuration);
+  expect_column(text, head, columns.others[0].has_value(), kDwellColumns[0].name);
   return columns;
 }
 
