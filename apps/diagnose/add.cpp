@@ -25,7 +25,6 @@
 #include "diagnose/revised_model.hpp"
 #include "model/effect_options.hpp"
 #include "model/residual_report.hpp"
-#include "model/workbench_of.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/output_guard.hpp"
 #include "terminal/progress.hpp"

@@ -140,7 +140,7 @@ void run_several(const ImportArguments& options) {
   const MergedSeries merged = merged_series(options.logs, options.how, options.clocks);
   if (!options.out.empty()) write_series(merged.series, options.out);
   if (options.json) {
-    print_json(json_of(MergedLogs{merged.series.time_s.size(), merged.series.columns.size(), merged.parts}));
+    print_json(json_of(merged));
     return;
   }
   print_text(merged, options.clocks);

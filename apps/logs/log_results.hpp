@@ -104,18 +104,18 @@ struct ResultType<MergedPart> {
             "columns of the first log and of this one"}};
 };
 
-struct MergedLogs {
-  std::size_t rows = 0, columns = 0;
-  std::vector<MergedPart> parts;
+struct MergedSeries {
+  Series series;
+  std::vector<MergedPart> parts;  // a log each
 };
 
 template <>
-struct ResultType<MergedLogs> {
+struct ResultType<MergedSeries> {
   static constexpr std::string_view name = "Merged";
   static constexpr std::string_view meaning = "Logs made one series.";
-  static constexpr std::tuple fields{Field{"rows", &MergedLogs::rows, "how many"},
-                                     Field{"columns", &MergedLogs::columns, "how many"},
-                                     Field{"parts", &MergedLogs::parts, "the logs"}};
+  static constexpr std::tuple fields{Field{"rows", [](const MergedSeries& of) { return of.series.time_s.size(); }, "how many"},
+                                     Field{"columns", [](const MergedSeries& of) { return of.series.columns.size(); }, "how many"},
+                                     Field{"parts", &MergedSeries::parts, "the logs"}};
 };
 
 }  // namespace ballbar

@@ -7,7 +7,6 @@
 #include <iterator>
 
 #include "model/preflight_result.hpp"
-#include "model/untestable_reasons.hpp"
 #include "terminal/caller.hpp"
 #include "terminal/progress.hpp"
 #include "terminal/terminal_table.hpp"
@@ -120,6 +119,35 @@ void show_preflight(const ModelOptions& options, const Model& model, const Model
   } else {
     print_targets(results, data.title);
   }
+}
+
+std::vector<std::pair<std::string, std::vector<std::string>>> by_reason(const std::vector<Detectability>& untestable) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
+  for (const Detectability& detectable : untestable) {
+    const auto same = [&](const auto& reason) { return reason.first == detectable.why; };
+    auto reason = std::find_if(reasons.begin(), reasons.end(), same);
+    if (reason == reasons.end()) reason = reasons.insert(reasons.end(), {detectable.why, {}});
+    reason->second.push_back(detectable.effect->name);
+  }
+  return reasons;
+}
+
+std::string_view name_of(Testability testability) {
+  switch (testability) {
+    case Testability::testable:
+      return "testable";
+    case Testability::input_missing:
+      return "input missing";
+    case Testability::input_constant:
+      return "input constant";
+    case Testability::absorbed:
+      return "absorbed by the model";
+    case Testability::in_the_model:
+      return "in the model";
+    case Testability::other_motion:
+      return "other motion";
+  }
+  return "testable";
 }
 
 }  // namespace ballbar

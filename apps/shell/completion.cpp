@@ -1,4 +1,4 @@
-#include "shell/completion.hpp"
+#include "shell/command_words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -10,11 +10,10 @@
 #include <vector>
 
 #include "ballbar/nearest_name.hpp"
-#include "shell/completion.hpp"
-#include "shell/man_page.hpp"
+#include "shell/command_words.hpp"
 #include "shell/usage_fault.hpp"
-#include "terminal/colour.hpp"
 #include "terminal/option_checks.hpp"
+#include "terminal/stderr_line.hpp"
 
 namespace ballbar {
 namespace {

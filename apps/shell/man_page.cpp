@@ -1,11 +1,10 @@
-#include "shell/man_page.hpp"
+#include "shell/command_words.hpp"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <sstream>
 
-#include "shell/command_words.hpp"
 
 namespace ballbar {
 namespace {

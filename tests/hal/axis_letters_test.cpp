@@ -1,4 +1,4 @@
-#include "hal/axis_letters.hpp"
+#include "hal/hal_names.hpp"
 
 #include <gtest/gtest.h>
 

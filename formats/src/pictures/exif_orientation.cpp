@@ -1,8 +1,8 @@
-#include "pictures/picture_parts.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+
+#include "pictures/picture_parts.hpp"
 
 namespace ballbar {
 namespace {

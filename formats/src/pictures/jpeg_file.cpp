@@ -1,5 +1,3 @@
-#include "pictures/picture_parts.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -8,6 +6,8 @@
 #include <cstdlib>
 #include <memory>
 #include <utility>
+
+#include "pictures/picture_parts.hpp"
 
 // After <cstdio>, whose names it uses.
 #include <jerror.h>

@@ -1,5 +1,5 @@
-// In place of picture_file.cpp, colour_map.cpp and shaft_picture.cpp where ballbar is built without what reads and paints
-// pictures.
+// In place of picture_file.cpp, colour_map.cpp and shaft_picture.cpp where ballbar is built without what reads and
+// paints pictures.
 #include <fmt/format.h>
 
 #include "ballbar/error.hpp"

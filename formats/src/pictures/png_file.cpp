@@ -1,5 +1,3 @@
-#include "pictures/picture_parts.hpp"
-
 #include <fmt/format.h>
 #include <spng.h>
 
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "ballbar/error.hpp"
+#include "pictures/picture_parts.hpp"
 
 namespace ballbar {
 namespace {
